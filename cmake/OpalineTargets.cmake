@@ -1,0 +1,30 @@
+# One static library a folder: opaline_library(core SOURCES a.cpp PUBLIC fmt::fmt PRIVATE ...).
+# Names without :: that match a folder mean its library.
+
+add_library(opaline_warnings INTERFACE)
+target_compile_options(opaline_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+  -Wold-style-cast -Woverloaded-virtual -Wnull-dereference -Werror)
+if(OPALINE_SANITIZE)
+  target_compile_options(opaline_warnings INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -Wno-null-dereference
+    -Wno-maybe-uninitialized)
+  target_link_options(opaline_warnings INTERFACE -fsanitize=address,undefined)
+endif()
+
+function(opaline_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(opaline_${name} STATIC ${ARG_SOURCES})
+  target_include_directories(opaline_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
+  target_link_libraries(opaline_${name} PUBLIC opaline_headers ${ARG_PUBLIC} PRIVATE opaline_warnings ${ARG_PRIVATE})
+endfunction()
+
+# opaline_test(core SOURCES a_test.cpp LIBRARIES opaline_core)
+function(opaline_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(test_${name} ${ARG_SOURCES})
+  target_link_libraries(test_${name} PRIVATE opaline_warnings ${ARG_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  target_compile_definitions(test_${name} PRIVATE OPALINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
+endfunction()

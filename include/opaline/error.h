@@ -1,0 +1,22 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace opaline {
+
+/// Bad input or a failed device. The message is one sentence for the user that names the file or
+/// option, the reason and, where possible, the cure.
+class Error : public std::runtime_error {
+ public:
+  explicit Error(const std::string& message) : std::runtime_error(message) {}
+};
+
+/// What the caller asked for makes no sense: an unknown name, a value out of range, a combination
+/// that does not exist. The command line turns it into exit status 2, any other Error into 1.
+class UsageError : public Error {
+ public:
+  explicit UsageError(const std::string& message) : Error(message) {}
+};
+
+}  // namespace opaline

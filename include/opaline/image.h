@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace opaline {
+
+/// Linear float pixels, four channels (R G B A), rows from top to bottom. A is coverage in [0,1];
+/// R G B are not premultiplied.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<float> rgba;  ///< 4 · width · height values
+
+  Image() = default;
+  Image(int widthPixels, int heightPixels)
+      : width(widthPixels),
+        height(heightPixels),
+        rgba(std::size_t{4} * static_cast<std::size_t>(widthPixels) *
+             static_cast<std::size_t>(heightPixels)) {}
+
+  float* pixel(int x, int y) {
+    return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x))];
+  }
+  const float* pixel(int x, int y) const {
+    return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x))];
+  }
+};
+
+}  // namespace opaline

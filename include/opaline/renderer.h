@@ -1,0 +1,141 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "opaline/image.h"
+#include "opaline/log.h"
+#include "opaline/scene.h"
+
+namespace opaline {
+
+/// How light travels from where it enters to where it leaves.
+enum class Transport {
+  Dipole,        ///< Jensen et al. 2001, Eq. 4; the paper's
+  BetterDipole,  ///< d'Eon 2012
+};
+
+/// Which sources are summed.
+enum class Sum {
+  Pattern,  ///< near block and eight far samples of the diffusion source map (Gong et al. 2008)
+  All,      ///< every texel of the diffusion source map
+};
+
+/// Where the sum is evaluated.
+enum class Site {
+  Auto,      ///< Vertex where edges are at most one mean free path long, else Fragment
+  Vertex,    ///< once per vertex, interpolated (the paper's VTF)
+  Fragment,  ///< once per visible pixel (the paper's FTF)
+};
+
+/// The arbitrary output variables. All but Radiance are sampled once, at the pixel's centre.
+enum class Aov {
+  Radiance,       ///< leaving towards the camera
+  Exitance,       ///< B
+  Irradiance,     ///< E, that has entered the surface
+  Position,       ///< mm
+  Normal,         ///< unit
+  Depth,          ///< distance along the viewing axis, mm, in R, G and B
+  Object,         ///< index of the object, from 0, in R, G and B
+  DsmPosition,    ///< the diffusion source map: mm
+  DsmNormal,      ///< the diffusion source map: unit
+  DsmIrradiance,  ///< the diffusion source map: E
+  DsmArea,        ///< the diffusion source map: area of a texel on the surface, mm², in R, G and B
+};
+
+/// Shape of the pattern of Gong et al. 2008, Figure 5. Lengths are in mean free paths 1/σ_t' of the
+/// channel with the shortest.
+struct PatternOptions {
+  int nearRings = 4;          ///< the near block has (2·nearRings+1)² samples; in [0, 16]
+  float nearSpacing = 1.0F;   ///< between near samples, mean free paths, in (0, 100]
+  float farDistance = 12.0F;  ///< of the eight far samples, mean free paths, in (0, 1000]
+};
+
+/// Everything about a picture that is not the scene.
+struct RenderOptions {
+  int width = 1024;   ///< pixels, in [1, 16384]
+  int height = 1024;  ///< pixels, in [1, 16384]
+  Transport transport = Transport::Dipole;
+  Sum sum = Sum::Pattern;
+  Site site = Site::Auto;
+  PatternOptions pattern;
+  int dsmSize = 512;        ///< edge of the diffusion source map, texels, in [64, 4096]
+  int shadowSize = 1024;    ///< edge of each shadow map, texels, in [64, 8192]
+  bool specular = true;     ///< GGX reflection of lights and environment on top
+  float roughness = 0.25F;  ///< of that reflection, GGX α = roughness², in [0.05, 1]
+  int antialias = 4;        ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
+  int frames = 1;           ///< how often the same picture is rendered, for timing; ≥ 1
+};
+
+/// GPU time of one pass.
+struct PassTime {
+  std::string name;
+  double milliseconds = 0;  ///< median over the frames after the first
+};
+
+/// The device a renderer runs on.
+struct DeviceDescription {
+  std::string name;
+  std::string type;  ///< discrete, integrated, virtual or software
+  std::string driver;
+};
+
+/// What a call of render() did.
+struct RenderReport {
+  DeviceDescription device;
+  Transport transport = Transport::Dipole;
+  Sum sum = Sum::Pattern;
+  Site site = Site::Fragment;  ///< never Auto
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  std::size_t sources = 0;        ///< texels of the diffusion source map that carry surface
+  std::vector<PassTime> passes;   ///< in the order they ran
+  double frameMilliseconds = 0;   ///< GPU time, median over the frames after the first
+  double peakMemoryMegabytes = 0; ///< of the device's memory, by this renderer
+};
+
+/// Pictures, in the order they were asked for, and how they came to be.
+struct RenderResult {
+  std::vector<Image> images;
+  RenderReport report;
+};
+
+/// Which device to use.
+struct RendererOptions {
+  std::string device;       ///< index or part of a name; empty: the best there is
+  bool validation = false;  ///< run Vulkan's validation layer; its messages go to the log
+  LogCallback log;
+};
+
+/// All Vulkan devices of this machine, in the order of their index; empty when there is none.
+std::vector<DeviceDescription> listDevices();
+
+/// Renders one scene at a time, any number of pictures of it. Not thread-safe.
+class Renderer {
+ public:
+  explicit Renderer(const RendererOptions& options = {});
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Makes the atlas and uploads the scene. Throws Error when the device's memory does not suffice.
+  void setScene(const Scene& scene);
+
+  /// Renders the scene and returns one image for each of `aovs`. Throws UsageError for options out
+  /// of range and Error when no scene is set or the device fails.
+  RenderResult render(const RenderOptions& options, const std::vector<Aov>& aovs = {Aov::Radiance});
+
+  /// Messages of the validation layer so far; 0 without validation.
+  std::size_t validationMessages() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace opaline

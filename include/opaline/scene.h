@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "opaline/image.h"
+#include "opaline/log.h"
+#include "opaline/medium.h"
+#include "opaline/types.h"
+
+namespace opaline {
+
+/// An indexed triangle mesh in scene space. Vertices that share a position but differ in normal are
+/// separate vertices.
+struct Mesh {
+  std::vector<Vec3> positionsMm;
+  std::vector<Vec3> normals;  ///< unit, one per position
+  std::vector<Triangle> triangles;
+};
+
+/// One body of one medium.
+struct Object {
+  std::string name;
+  Mesh mesh;
+  Medium medium;
+};
+
+/// Light from infinitely far away.
+struct DirectionalLight {
+  Vec3 directionToLight{0, 0, 1};  ///< unit
+  Rgb irradiance{1, 1, 1};         ///< on a surface that faces the light
+};
+
+/// Light from one point; irradiance on a facing surface is intensity / distance² (distance in mm).
+struct PointLight {
+  Vec3 positionMm{};
+  Rgb intensity{1, 1, 1};
+};
+
+/// Everything that shines.
+struct Lighting {
+  std::vector<DirectionalLight> directional;
+  std::vector<PointLight> points;
+  Rgb ambient{};                     ///< radiance, the same from everywhere
+  std::optional<Image> environment;  ///< radiance, latitude-longitude, top row is +y, centre column
+                                     ///< looks to -z, u grows towards +x
+};
+
+/// A pinhole camera.
+struct Camera {
+  Vec3 positionMm{};
+  Vec3 targetMm{};
+  Vec3 up{0, 1, 0};
+  float verticalFovDegrees = 30;  ///< in [1, 170]
+};
+
+/// What a loader mended, and how often.
+struct Repair {
+  std::string what;
+  std::size_t count = 0;
+};
+
+/// Plain data: what is to be rendered.
+struct Scene {
+  std::string name;
+  std::vector<Object> objects;
+  Lighting lighting;
+  Camera camera;
+  std::vector<Repair> repairs;
+};
+
+/// An axis-aligned box.
+struct Bounds {
+  Vec3 minMm{};
+  Vec3 maxMm{};
+};
+
+/// The smallest box around all vertices of all objects; zero for a scene without vertices.
+Bounds boundsOf(const Scene& scene);
+
+/// Length of the diagonal of boundsOf(scene), mm.
+float diagonalMm(const Scene& scene);
+
+/// How a file becomes a scene.
+struct LoadOptions {
+  std::optional<float> diagonalMm;  ///< scale the bounding-box diagonal to this length, mm, > 0
+  std::optional<Medium> medium;     ///< of every object, instead of what the file says
+  LogCallback log;                  ///< receives notes, for example about an assumed unit
+};
+
+/// Reads a .glb, .gltf, .obj, .ply or .toml scene, repairs its meshes and adds default camera and
+/// lights where the file has none. Throws Error when the file cannot be read or makes no sense.
+Scene loadScene(const std::filesystem::path& file, const LoadOptions& options = {});
+
+/// The built-in scene: a gummy bear, closed and smooth, about 50,000 triangles, 50 mm diagonal.
+Scene builtInBear(const LoadOptions& options = {});
+
+/// The Utah teapot (Newell 1975) from its Bézier patches: 2256 triangles, 1177 vertices.
+Scene builtInTeapot(const LoadOptions& options = {});
+
+/// The default camera: on the given direction from the centre of the box (default +z), looking at
+/// the centre, distance 1.4 diagonals.
+Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre = {0, 0, 1},
+                     float verticalFovDegrees = 30);
+
+/// The default lights: a key from behind at the side, a weak fill and weak ambient light.
+Lighting defaultLighting();
+
+}  // namespace opaline

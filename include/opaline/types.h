@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace opaline {
+
+/// Two coordinates without a unit, for example a place in the atlas, in [0,1]².
+using Vec2 = std::array<float, 2>;
+
+/// Three coordinates. Lengths are millimetres, directions have unit length unless said otherwise.
+using Vec3 = std::array<float, 3>;
+
+/// A light quantity in linear sRGB primaries.
+using Rgb = std::array<float, 3>;
+
+/// Vertex indices, counter-clockwise seen from outside.
+using Triangle = std::array<std::uint32_t, 3>;
+
+}  // namespace opaline

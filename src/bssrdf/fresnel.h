@@ -1,0 +1,22 @@
+#pragma once
+
+namespace opaline::bssrdf {
+
+/// Exact unpolarised reflectance of a smooth dielectric for light from outside. `eta` > 0 relative
+/// index, `cosTheta` in [0,1] outside. Fresnel 1823.
+double fresnelReflectance(double eta, double cosTheta);
+
+/// The same for light from inside, 1 beyond the critical angle. `cosTheta` in [0,1] inside.
+double fresnelReflectanceInside(double eta, double cosTheta);
+
+/// Mean transmittance of diffuse light from outside, 2∫₀¹ F_t μ dμ, to 1e-10.
+double meanTransmittance(double eta);
+
+/// Classic internal diffuse reflectance F_dr (Egan and Hilgeman 1973, as in Jensen et al. 2001).
+double diffuseReflectanceInside(double eta);
+
+/// Fresnel moments for eta > 1 (d'Eon 2012): 2C₁ and 3C₂.
+double twoC1(double eta);
+double threeC2(double eta);
+
+}  // namespace opaline::bssrdf

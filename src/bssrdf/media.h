@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "opaline/medium.h"
+
+namespace opaline::bssrdf {
+
+/// A row of the table of Jensen, Marschner, Levoy, Hanrahan 2001, Figure 5.
+struct MeasuredMedium {
+  Medium medium;
+  std::array<double, 3> diffuseReflectance;  ///< its last column
+};
+
+std::span<const MeasuredMedium> measuredMedia();
+
+/// Media that look nice and were never measured.
+std::span<const Medium> artisticMedia();
+
+/// Either table, by name, any case.
+std::optional<Medium> findMedium(std::string_view name);
+
+}  // namespace opaline::bssrdf

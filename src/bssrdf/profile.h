@@ -1,0 +1,45 @@
+#pragma once
+
+#include "opaline/medium.h"
+
+namespace opaline::bssrdf {
+
+/// Coefficients of one channel and what follows from them.
+struct Coefficients {
+  double sigmaSPrimePerMm = 0;
+  double sigmaAPerMm = 0;
+  double sigmaTPrimePerMm = 0;
+  double albedo = 0;            ///< α' = σ_s' / σ_t'
+  double meanFreePathMm = 0;    ///< ℓ = 1 / σ_t'
+  double eta = 1;
+};
+
+/// Channel 0, 1 or 2 of a medium. Requires σ_t' > 0.
+Coefficients coefficients(const Medium& medium, int channel);
+
+enum class Model { Dipole, BetterDipole };
+
+/// Radially symmetric diffuse reflectance R_d(r) of a half-space, one channel:
+/// Dipole       Jensen et al. 2001, Eq. 4
+/// BetterDipole d'Eon 2012
+struct Profile {
+  Model model = Model::Dipole;
+  double albedo = 0;         ///< α'
+  double sigmaTrPerMm = 0;   ///< σ_tr, may be 0
+  double zRealMm = 0;        ///< z_r
+  double zVirtualMm = 0;     ///< z_v
+  double diffusionMm = 0;    ///< D, mm (BetterDipole)
+  double cPhi = 0;           ///< weight of fluence (BetterDipole)
+  double cE = 0;             ///< weight of flux (BetterDipole)
+
+  /// R_d(r), mm⁻². r ≥ 0 in mm.
+  double operator()(double radiusMm) const;
+  /// Integral over a disc of that radius, in [0,1]; infinity is allowed.
+  double disc(double radiusMm) const;
+  /// disc(∞).
+  double totalReflectance() const;
+};
+
+Profile makeProfile(Model model, const Coefficients& coefficients);
+
+}  // namespace opaline::bssrdf

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace opaline::core {
+
+/// The whole file. Throws Error, naming it, when it does not exist, is no regular file, cannot be
+/// read or is longer than `limitBytes`; nothing is allocated before that is known.
+std::vector<std::byte> readFile(const std::filesystem::path& file, std::size_t limitBytes);
+
+/// Writes beside the target and renames, so that a file that exists is whole. `write` gets the
+/// temporary name. Throws Error, naming the target, and leaves nothing behind on failure.
+void writeWhole(const std::filesystem::path& target,
+                const std::function<void(const std::filesystem::path& temporary)>& write);
+
+/// The same for text or bytes that stand ready.
+void writeWhole(const std::filesystem::path& target, std::string_view contents);
+
+/// Throws Error now, before hours of work, when `target` could not be written: its folder does not
+/// exist, it is a folder, or there is no permission.
+void requireWritable(const std::filesystem::path& target);
+
+}  // namespace opaline::core

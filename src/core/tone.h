@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "core/image_file.h"
+#include "opaline/image.h"
+#include "opaline/types.h"
+
+namespace opaline::core {
+
+enum class ToneCurve {
+  None,     ///< clip at 1
+  Neutral,  ///< Khronos PBR Neutral (Khronos Group 2024)
+};
+
+struct ToneOptions {
+  float exposureStops = 0;  ///< radiance is multiplied by 2^exposureStops, in [-32, 32]
+  ToneCurve curve = ToneCurve::Neutral;
+  std::optional<Rgb> background;  ///< linear, under the picture; without it alpha is coverage
+};
+
+/// IEC 61966-2-1: linear in [0,1] to encoded in [0,1].
+float encodeSrgb(float linear);
+
+/// Exposure, tone curve, sRGB.
+Image8 toneMap(const Image& radiance, const ToneOptions& options = {});
+
+}  // namespace opaline::core

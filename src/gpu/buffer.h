@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "gpu/access.h"
+
+namespace opaline::gpu {
+
+class Device;
+
+enum class Memory {
+  Device,    ///< fast for the device, not visible to the host
+  Upload,    ///< written by the host, mapped for good
+  Readback,  ///< read by the host, mapped for good and cached where possible
+};
+
+struct BufferOptions {
+  std::string name;
+  std::size_t bytes = 0;  ///< > 0, at most the device's storage-buffer range where used as such
+  VkBufferUsageFlags usage = 0;
+  Memory memory = Memory::Device;
+};
+
+/// A buffer with memory of its own. Movable.
+class Buffer {
+ public:
+  Buffer() = default;
+  Buffer(Device& device, const BufferOptions& options);
+  ~Buffer();
+  Buffer(Buffer&& other) noexcept;
+  Buffer& operator=(Buffer&& other) noexcept;
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+
+  explicit operator bool() const { return buffer_ != VK_NULL_HANDLE; }
+  VkBuffer handle() const { return buffer_; }
+  std::size_t bytes() const { return bytes_; }
+
+  /// The mapped memory of an Upload or Readback buffer.
+  std::span<std::byte> mapped() const { return {mapped_, bytes_}; }
+  template <typename T>
+  std::span<T> mappedAs() const {
+    return {reinterpret_cast<T*>(mapped_), bytes_ / sizeof(T)};
+  }
+
+ private:
+  friend class CommandList;
+  Device* device_ = nullptr;
+  VkBuffer buffer_ = VK_NULL_HANDLE;
+  VkDeviceMemory memory_ = VK_NULL_HANDLE;
+  std::size_t bytes_ = 0;
+  std::size_t allocatedBytes_ = 0;
+  std::byte* mapped_ = nullptr;
+  Access access_ = Access::None;  // the last one recorded
+};
+
+}  // namespace opaline::gpu

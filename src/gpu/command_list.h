@@ -1,0 +1,125 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gpu/access.h"
+#include "gpu/buffer.h"
+#include "gpu/image.h"
+#include "gpu/pipeline.h"
+
+namespace opaline::gpu {
+
+class Device;
+
+/// A resource at a binding of the bound pipeline. Binding it is also what orders it: the command
+/// list records the barrier from its last access to the one named here.
+struct Binding {
+  static Binding uniform(std::uint32_t slot, Buffer& buffer, std::size_t offset = 0,
+                         std::size_t bytes = 0);  ///< bytes 0: the rest
+  static Binding read(std::uint32_t slot, Buffer& buffer);
+  static Binding write(std::uint32_t slot, Buffer& buffer);
+  static Binding sampled(std::uint32_t slot, GpuImage& image, const Sampler& sampler);
+  static Binding writeImage(std::uint32_t slot, GpuImage& image);  ///< level 0, all layers
+  static Binding writeImageLevel(std::uint32_t slot, GpuImage& image, std::uint32_t level);
+
+  std::uint32_t slot = 0;
+  BindingType type = BindingType::StorageBuffer;
+  Access access = Access::None;
+  Buffer* buffer = nullptr;
+  std::size_t offset = 0;
+  std::size_t bytes = 0;
+  GpuImage* image = nullptr;
+  VkImageView view = VK_NULL_HANDLE;
+  VkSampler sampler = VK_NULL_HANDLE;
+};
+
+struct ColorTarget {
+  GpuImage* image = nullptr;
+  std::uint32_t layer = 0;
+  bool clear = true;  ///< else what is there is kept
+  float clearValue[4] = {0, 0, 0, 0};
+};
+
+struct DepthTarget {
+  GpuImage* image = nullptr;
+  std::uint32_t layer = 0;
+  bool clear = true;
+  float clearValue = 0.0F;  ///< reversed depth: 0 is far
+  bool write = true;
+};
+
+/// GPU time between the begin and the end of one named pass.
+struct PassTiming {
+  std::string name;
+  double milliseconds = 0;
+};
+
+/// Records commands, orders accesses, submits, waits. One list is reused frame after frame: after
+/// the first frames it allocates nothing. Binding of resources goes before beginRendering of the
+/// draw that uses them, because barriers cannot stand inside a rendering scope.
+class CommandList {
+ public:
+  CommandList(Device& device, std::string name, std::uint32_t maxPasses = 64);
+  ~CommandList();
+  CommandList(const CommandList&) = delete;
+  CommandList& operator=(const CommandList&) = delete;
+
+  /// Waits until the last submission has finished, then starts anew.
+  void begin();
+  /// Hands everything recorded to the queue; does not wait.
+  void submit();
+  /// Blocks until the last submission has finished. Throws Error when the device is lost.
+  void wait();
+
+  /// A named pass: debug label and a pair of timestamps. Passes do not nest.
+  void beginPass(const char* name);
+  void endPass();
+  /// Of the last finished submission, in order; passes of one name are summed.
+  const std::vector<PassTiming>& timings();
+  /// From the first pass's begin to the last pass's end, ms.
+  double frameMilliseconds();
+
+  void bind(const Pipeline& pipeline);
+  void bindResources(std::span<const Binding> bindings);
+  void bindResources(std::initializer_list<Binding> bindings) {
+    bindResources(std::span<const Binding>(bindings.begin(), bindings.size()));
+  }
+  void pushConstants(const void* data, std::uint32_t bytes);
+  template <typename T>
+  void pushConstants(const T& constants) {
+    pushConstants(&constants, static_cast<std::uint32_t>(sizeof(T)));
+  }
+  void dispatch(std::uint32_t groupsX, std::uint32_t groupsY = 1, std::uint32_t groupsZ = 1);
+
+  /// The targets become attachments (with their barriers); viewport and scissor cover all of them.
+  void beginRendering(std::span<const ColorTarget> colors, const DepthTarget* depth = nullptr);
+  void beginRendering(std::initializer_list<ColorTarget> colors,
+                      const DepthTarget* depth = nullptr) {
+    beginRendering(std::span<const ColorTarget>(colors.begin(), colors.size()), depth);
+  }
+  void endRendering();
+  void draw(std::uint32_t vertices, std::uint32_t firstVertex = 0);
+
+  void copyBuffer(Buffer& from, Buffer& to, std::size_t bytes, std::size_t fromOffset = 0,
+                  std::size_t toOffset = 0);
+  void copyToImage(Buffer& from, GpuImage& to, std::uint32_t layer = 0, std::uint32_t level = 0,
+                   std::size_t fromOffset = 0);
+  void copyFromImage(GpuImage& from, Buffer& to, std::uint32_t layer = 0, std::uint32_t level = 0,
+                     std::size_t toOffset = 0);
+  void fill(Buffer& buffer, std::uint32_t value);
+
+  /// Orders an access that no other call speaks of, such as Index or HostRead.
+  void use(Buffer& buffer, Access access);
+  void use(GpuImage& image, Access access);
+
+ private:
+  // (to be completed by the implementation)
+};
+
+}  // namespace opaline::gpu

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "opaline/log.h"
+
+namespace opaline::gpu {
+
+enum class DeviceType { Discrete, Integrated, Virtual, Software };
+
+/// "discrete", "integrated", "virtual" or "software".
+const char* toString(DeviceType type);
+
+struct DeviceInfo {
+  std::uint32_t index = 0;  ///< in the order Vulkan lists them
+  std::string name;
+  std::string driver;  ///< name and version
+  DeviceType type = DeviceType::Software;
+};
+
+struct DeviceOptions {
+  std::string selector;     ///< index or part of a name (any case); empty: the best there is
+  bool validation = false;  ///< load the validation layer, messages go to `log`
+  LogCallback log;
+};
+
+/// One Vulkan 1.3 device with one queue that does graphics, compute and transfer. Counts the memory
+/// that buffers and images take.
+class Device {
+ public:
+  /// Discrete, integrated, virtual, then software. Throws Error when there is no Vulkan device that
+  /// can do what is needed, UsageError when the selector names none of those there are.
+  explicit Device(const DeviceOptions& options = {});
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  /// Every device of this machine; empty where there is no Vulkan.
+  static std::vector<DeviceInfo> list();
+
+  const DeviceInfo& info() const { return info_; }
+  VkDevice handle() const { return device_; }
+  VkPhysicalDevice physical() const { return physical_; }
+  VkQueue queue() const { return queue_; }
+  std::uint32_t queueFamily() const { return queueFamily_; }
+  const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
+
+  std::size_t peakMemoryBytes() const { return peakMemoryBytes_; }
+  std::size_t validationMessages() const { return validationMessages_; }
+
+  /// Blocks until the device has nothing left to do.
+  void waitIdle() const;
+
+  /// For Buffer and Image: memory of a kind, and its account. Throws Error when there is none left.
+  VkDeviceMemory allocate(const VkMemoryRequirements& requirements,
+                          VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred,
+                          const std::string& name);
+  void release(VkDeviceMemory memory, std::size_t bytes);
+
+  /// Names an object for debuggers and validation messages; free when validation is off.
+  void setName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
+
+  /// Debug labels around commands; free when validation is off.
+  void beginLabel(VkCommandBuffer commands, const char* name) const;
+  void endLabel(VkCommandBuffer commands) const;
+
+  PFN_vkCmdPushDescriptorSetKHR pushDescriptorSet() const { return pushDescriptorSet_; }
+
+ private:
+  // (to be completed by the implementation)
+  DeviceInfo info_;
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  std::uint32_t queueFamily_ = 0;
+  VkPhysicalDeviceProperties properties_{};
+  std::size_t memoryBytes_ = 0;
+  std::size_t peakMemoryBytes_ = 0;
+  std::size_t validationMessages_ = 0;
+  PFN_vkCmdPushDescriptorSetKHR pushDescriptorSet_ = nullptr;
+};
+
+}  // namespace opaline::gpu

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gpu/access.h"
+
+namespace opaline::gpu {
+
+class Device;
+
+enum class ImageKind {
+  Flat,       ///< sampler2D
+  Array,      ///< sampler2DArray
+  CubeArray,  ///< samplerCubeArray; layers is a multiple of 6
+};
+
+struct ImageOptions {
+  std::string name;
+  std::uint32_t width = 1;
+  std::uint32_t height = 1;
+  std::uint32_t layers = 1;
+  std::uint32_t mipLevels = 1;
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  VkImageUsageFlags usage = 0;
+  ImageKind kind = ImageKind::Flat;
+};
+
+/// An image with memory of its own and views of it. Movable.
+class GpuImage {
+ public:
+  GpuImage() = default;
+  GpuImage(Device& device, const ImageOptions& options);
+  ~GpuImage();
+  GpuImage(GpuImage&& other) noexcept;
+  GpuImage& operator=(GpuImage&& other) noexcept;
+  GpuImage(const GpuImage&) = delete;
+  GpuImage& operator=(const GpuImage&) = delete;
+
+  explicit operator bool() const { return image_ != VK_NULL_HANDLE; }
+  VkImage handle() const { return image_; }
+  const ImageOptions& options() const { return options_; }
+  VkExtent2D extent() const { return {options_.width, options_.height}; }
+  VkImageAspectFlags aspect() const;  ///< colour or depth, from the format
+
+  /// All layers and levels, of the image's kind.
+  VkImageView view() const { return view_; }
+  /// One layer of one level, as a flat attachment or storage image.
+  VkImageView layerView(std::uint32_t layer, std::uint32_t mipLevel = 0) const;
+  /// All layers of one level as an array, for storage images.
+  VkImageView levelView(std::uint32_t mipLevel) const;
+
+ private:
+  friend class CommandList;
+  Device* device_ = nullptr;
+  ImageOptions options_;
+  VkImage image_ = VK_NULL_HANDLE;
+  VkDeviceMemory memory_ = VK_NULL_HANDLE;
+  std::size_t allocatedBytes_ = 0;
+  VkImageView view_ = VK_NULL_HANDLE;
+  std::vector<VkImageView> layerViews_;  // layer + layers · level
+  std::vector<VkImageView> levelViews_;
+  Access access_ = Access::None;  // the last one recorded, of the whole image
+};
+
+enum class Filter { Nearest, Linear };
+enum class Wrap { Clamp, Repeat };
+
+/// How an image is read. Movable.
+class Sampler {
+ public:
+  Sampler() = default;
+  Sampler(Device& device, Filter filter, Wrap wrapU = Wrap::Clamp, Wrap wrapV = Wrap::Clamp);
+  ~Sampler();
+  Sampler(Sampler&& other) noexcept;
+  Sampler& operator=(Sampler&& other) noexcept;
+  Sampler(const Sampler&) = delete;
+  Sampler& operator=(const Sampler&) = delete;
+
+  VkSampler handle() const { return sampler_; }
+
+ private:
+  Device* device_ = nullptr;
+  VkSampler sampler_ = VK_NULL_HANDLE;
+};
+
+}  // namespace opaline::gpu

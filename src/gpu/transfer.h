@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/command_list.h"
+#include "gpu/image.h"
+
+namespace opaline::gpu {
+
+class Device;
+
+/// A device buffer that holds a copy of `data`; blocks until it is there. For set-up, not for
+/// frames. Empty data gives a buffer of 16 zero bytes, so that it can always be bound.
+Buffer makeBuffer(Device& device, const std::string& name, std::span<const std::byte> data,
+                  VkBufferUsageFlags usage);
+template <typename T>
+Buffer makeBuffer(Device& device, const std::string& name, const std::vector<T>& data,
+                  VkBufferUsageFlags usage) {
+  return makeBuffer(device, name, std::as_bytes(std::span<const T>(data)), usage);
+}
+
+/// Fills one layer and level of an image; blocks until it is there. For set-up, not for frames.
+void uploadImage(Device& device, GpuImage& image, std::span<const std::byte> texels,
+                 std::uint32_t layer = 0, std::uint32_t level = 0);
+
+/// Copies back; blocks. `bytesPerTexel` must fit the image's format.
+std::vector<std::byte> readImage(Device& device, GpuImage& image, std::size_t bytesPerTexel,
+                                 std::uint32_t layer = 0, std::uint32_t level = 0);
+std::vector<std::byte> readBuffer(Device& device, Buffer& buffer);
+
+/// Host-visible memory for what changes every frame, in as many slices as frames may be in flight.
+/// Nothing is allocated after construction.
+class UploadRing {
+ public:
+  UploadRing(Device& device, const std::string& name, std::size_t bytesPerFrame,
+             std::uint32_t frames, VkBufferUsageFlags usage);
+
+  /// Starts the next slice. The caller has waited for the frame that used it last.
+  void nextFrame();
+  /// Copies `data` into the slice; returns its offset in buffer(), aligned for uniform and storage
+  /// bindings. Throws Error when the slice is full.
+  std::size_t push(std::span<const std::byte> data);
+  template <typename T>
+  std::size_t push(const T& value) {
+    return push(std::as_bytes(std::span<const T>(&value, 1)));
+  }
+  Buffer& buffer() { return buffer_; }
+
+ private:
+  Buffer buffer_;
+  std::size_t alignment_ = 256;
+  std::size_t sliceBytes_ = 0;
+  std::uint32_t frames_ = 1;
+  std::uint32_t frame_ = 0;
+  std::size_t used_ = 0;
+};
+
+}  // namespace opaline::gpu
