@@ -1,11 +1,13 @@
 #include "atlas/pack.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <thread>
 
 #include "atlas/bitmap.h"
 #include "atlas/initial_map.h"
@@ -32,7 +34,7 @@ std::vector<Point2> convexHull(const Outline& outline) {
       }
       hull.push_back(p);
     }
-    hull.pop_back();
+    hull.pop_back();  // the other side starts with it
     std::reverse(points.begin(), points.end());
   }
   return hull;
@@ -44,7 +46,7 @@ struct Turn {
 
 /// The turn that gives a chart the smallest box; one of the box's sides lies along the hull
 /// (Freeman, Shapira 1975).
-Turn smallestBox(const Outline& outline) {
+Turn smallestBox(const Outline& outline, double& longestSide) {
   const std::vector<Point2> hull = convexHull(outline);
   Turn best = {1, 0};
   double least = -1;
@@ -68,23 +70,30 @@ Turn smallestBox(const Outline& outline) {
     if (least >= 0 && area >= least) continue;
     least = area;
     best = turn;
+    longestSide = std::max(high[0] - low[0], high[1] - low[1]);
   }
   return best;
 }
 
 class Packer {
  public:
-  Packer(const std::vector<Outline>& outlines, int cells, int gutterCells)
+  /// In which order charts are laid out.
+  enum class Order { Area, Extent };
+
+  Packer(const std::vector<Outline>& outlines, int cells, int gutterCells, Order order)
       : outlines_(outlines), cells_(cells), gutter_(gutterCells), order_(outlines.size()) {
+    std::vector<double> size;
     for (const Outline& outline : outlines) {
-      boxes_.push_back(smallestBox(outline));
+      double longestSide = 0;
+      boxes_.push_back(smallestBox(outline, longestSide));
       area_ += outline.area;
+      size.push_back(order == Order::Area ? outline.area : longestSide);
     }
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
-      return outlines[a].area > outlines[b].area;
-    });
-    turns_ = outlines.size() <= 300 ? 8 : outlines.size() <= 2000 ? 4 : 1;
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
+    const std::size_t count = outlines.size();
+    turns_ = count <= 80 ? 16 : count <= 300 ? 8 : count <= 2000 ? 4 : 1;
   }
 
   std::optional<Layout> best() const {
@@ -164,10 +173,11 @@ class Packer {
     return best;
   }
 
-  /// The box upright and lying, then turned by half a right angle, then the same upside down.
+  /// The box upright and lying, both ways up, then by ever smaller parts of a turn between.
   static Turn turned(const Turn& turn, int i) {
-    constexpr std::array<int, 8> eighths = {0, 2, 4, 6, 1, 3, 5, 7};
-    const double angle = eighths[static_cast<std::size_t>(i)] * std::numbers::pi / 4;
+    constexpr std::array<int, 16> sixteenths = {0, 4, 8, 12, 2, 6,  10, 14,
+                                                1, 3, 5, 7,  9, 11, 13, 15};
+    const double angle = sixteenths[static_cast<std::size_t>(i)] * std::numbers::pi / 8;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
     return {turn.cosine * c - turn.sine * s, turn.sine * c + turn.cosine * s};
@@ -181,6 +191,19 @@ class Packer {
   std::vector<Turn> boxes_;
   std::vector<std::size_t> order_;
 };
+
+/// Both orders at once, on two threads.
+std::optional<Layout> bestOfOrders(const std::vector<Outline>& outlines, int cells,
+                                   int gutterCells) {
+  std::optional<Layout> byArea;
+  std::optional<Layout> byExtent;
+  {
+    const std::jthread other(
+        [&] { byExtent = Packer(outlines, cells, gutterCells, Packer::Order::Extent).best(); });
+    byArea = Packer(outlines, cells, gutterCells, Packer::Order::Area).best();
+  }
+  return !byArea || (byExtent && byExtent->scale > byArea->scale) ? byExtent : byArea;
+}
 
 /// One chart in each cell of a regular grid.
 Layout packInGrid(const std::vector<Outline>& outlines) {
@@ -220,11 +243,12 @@ Layout pack(const std::vector<Outline>& outlines, int mapSize, int gutter) {
   const int gutterCells = (gutter * cells + mapSize - 1) / mapSize;
   const auto room = static_cast<double>(cells) * cells / ((1. + gutterCells) * (1. + gutterCells));
   if (static_cast<double>(outlines.size()) < .7 * room) {
-    if (auto layout = Packer(outlines, cells, gutterCells).best()) return *layout;
+    if (auto layout = bestOfOrders(outlines, cells, gutterCells)) return *layout;
   }
   const double crowdedRoom = mostCellsCrowded * static_cast<double>(mostCellsCrowded) / 4;
   if (static_cast<double>(outlines.size()) < .1 * crowdedRoom) {
-    if (auto layout = Packer(outlines, mostCellsCrowded, 1).best()) return *layout;
+    const Packer packer(outlines, mostCellsCrowded, 1, Packer::Order::Area);
+    if (auto layout = packer.best()) return *layout;
   }
   return packInGrid(outlines);
 }
