@@ -118,7 +118,7 @@ class Joiner {
 
   static constexpr double largestPart = .08;  // of all triangles, in one joined chart
   static constexpr std::size_t mostTriangles = 16000;
-  static constexpr double leastSharedPart = .2;
+  static constexpr double leastSharedPart = .12;
 
   void settle(const Neighbours& pair, std::optional<SurfaceChart> joined) {
     work_ += charts_[pair.a].triangles.size() + charts_[pair.b].triangles.size();

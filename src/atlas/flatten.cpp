@@ -276,7 +276,7 @@ std::optional<FlatChart> flatten(const ChartMesh& mesh) {
   for (Eigen::Index v = 0; v < places.size() / 2; ++v) {
     chart.places.push_back({places[2 * v], places[2 * v + 1]});
   }
-  if (bordersCross(mesh, chart.places)) return std::nullopt;
+  if (!isOneToOne(mesh, chart.places)) return std::nullopt;
   return chart;
 }
 
