@@ -15,9 +15,9 @@
 namespace opaline::atlas {
 namespace {
 
-constexpr int mostSteps = 12;
+constexpr int mostSteps = 10;
 constexpr double angleWeight = .1;
-constexpr double enoughProgress = 2e-4;  // of the energy, for a step to be followed by another
+constexpr double enoughProgress = 2e-3;  // of the energy, for a step to be followed by another
 
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;

@@ -21,7 +21,7 @@ constexpr int mostCells = 1024;  // of an edge of the bitmap, unless there are v
 constexpr int mostCellsCrowded = 4096;
 constexpr double firstCoverage = .74;
 constexpr double coveragePrecision = .006;
-constexpr std::size_t fewCharts = 100;  // for which many turns and orders are tried
+constexpr std::size_t fewCharts = 40;  // for which many turns and orders are tried
 constexpr int disturbedOrders = 16;
 
 /// Andrew's monotone chain.
@@ -126,7 +126,7 @@ class Packer {
     Silhouette silhouette;
     Point2 corner{};
     Bitmap::Cell cell{};
-    int top = 0;
+    int middle2 = 0;
   };
 
   /// Largest first.
@@ -190,11 +190,11 @@ class Packer {
       const bool isCrowded = turns_ == 1;
       int& lowestRow = lowest[static_cast<std::size_t>(height)];
       const auto cell = bitmap.findRoom(candidate.silhouette, isCrowded ? lowestRow : 0,
-                                        best ? best->top - 1 : cells_);
+                                        best ? (best->middle2 - 1 + height) / 2 : cells_);
       if (!cell) continue;
       if (isCrowded) lowestRow = cell->y;
       candidate.cell = *cell;
-      candidate.top = cell->y + height;
+      candidate.middle2 = 2 * cell->y + height;
       best = std::move(candidate);
     }
     return best;

@@ -23,7 +23,7 @@
 namespace opaline::atlas {
 namespace {
 
-constexpr int fineMap = 2048;
+constexpr int fineMap = 2048;  // on which two triangles must not share a texel
 
 std::array<double, 2> uvOf(const Atlas& atlas, std::size_t t, std::size_t corner, double scale) {
   const Vec2& uv = atlas.vertices[atlas.triangles[t][corner]].uv;
@@ -204,7 +204,7 @@ TEST_P(AwkwardMesh, GetsTheSameAtlasEveryTime) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Atlas, AwkwardMesh, testing::ValuesIn(awkward::all()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& shape) { return shape.param.name; });
 
 TEST(Atlas, KeepsObjectsApart) {
   const awkward::Shape shape = awkward::twoObjects();
@@ -342,7 +342,7 @@ TEST_P(AtlasFiguresOf, Model) {
 
 INSTANTIATE_TEST_SUITE_P(Table1, AtlasFiguresOf,
                          testing::Values("teapot", "buddha", "max_planck", "bunny", "bunny_egg_a"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& model) { return std::string(model.param); });
 
 }  // namespace
 }  // namespace opaline::atlas
