@@ -195,7 +195,8 @@ TEST(Teapot, IsTheSharedModel) {
     for (std::size_t k = 0; k < 3; ++k) apart += std::abs(ours[i][k] - theirs[i][k]) > 1 ? 1U : 0U;
   }
   EXPECT_EQ(apart, 0U);
-  EXPECT_NEAR(volume(mesh), volume(shared), .02 * volume(shared));
+  // Orientation shows in the volume; each part adds its own.
+  EXPECT_NEAR(volume(mesh), volume(shared), 1e-4 * volume(shared));
 }
 
 }  // namespace
