@@ -335,6 +335,15 @@ void CommandList::dispatch(std::uint32_t groupsX, std::uint32_t groupsY, std::ui
   vkCmdDispatch(commands_, groupsX, groupsY, groupsZ);
 }
 
+void CommandList::dispatchLinear(std::uint32_t count) {
+  constexpr std::uint32_t groupSize = 64;
+  constexpr std::uint32_t row = 32768;  // groups; every device dispatches that many along an axis
+  const std::uint32_t groups = (count + groupSize - 1) / groupSize;
+  if (groups == 0) return;
+  const std::uint32_t rows = (groups + row - 1) / row;
+  dispatch((groups + rows - 1) / rows, rows);
+}
+
 VkRenderingAttachmentInfo CommandList::attachment(const ColorTarget& target) {
   GpuImage& image = *target.image;
   assert(target.clear || image.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
@@ -416,6 +425,15 @@ void CommandList::draw(std::uint32_t vertices, std::uint32_t firstVertex) {
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_GRAPHICS);
   assert(boundIsCurrent());
   vkCmdDraw(commands_, vertices, 1, firstVertex, 0);
+}
+
+void CommandList::drawIndexed(Buffer& indices, std::uint32_t count) {
+  assert(recording_ && rendering_ && pipeline_ != nullptr);
+  assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_GRAPHICS);
+  assert(boundIsCurrent());
+  assert(count * sizeof(std::uint32_t) <= indices.bytes());
+  vkCmdBindIndexBuffer(commands_, indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+  vkCmdDrawIndexed(commands_, count, 1, 0, 0, 0);
 }
 
 void CommandList::copyBuffer(Buffer& from, Buffer& to, std::size_t bytes, std::size_t fromOffset,

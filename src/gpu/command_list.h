@@ -102,6 +102,9 @@ class CommandList {
   /// Dispatches with no bindResources between them are not ordered.
   void dispatch(std::uint32_t groupsX, std::uint32_t groupsY = 1, std::uint32_t groupsZ = 1);
 
+  /// At least `count` invocations of a shader with 64 in a group; see shaders/lib/linear.glsl.
+  void dispatchLinear(std::uint32_t count);
+
   /// The targets become attachments (with their barriers); viewport and scissor cover all of them.
   void beginRendering(std::span<const ColorTarget> colors, const DepthTarget* depth = nullptr);
   void beginRendering(std::initializer_list<ColorTarget> colors,
@@ -110,6 +113,8 @@ class CommandList {
   }
   void endRendering();
   void draw(std::uint32_t vertices, std::uint32_t firstVertex = 0);
+  /// 32-bit indices; ordered with use(indices, Access::Index) before beginRendering.
+  void drawIndexed(Buffer& indices, std::uint32_t count);
 
   void copyBuffer(Buffer& from, Buffer& to, std::size_t bytes, std::size_t fromOffset = 0,
                   std::size_t toOffset = 0);
