@@ -12,8 +12,12 @@ namespace opaline::core {
 /// read or is longer than `limitBytes`; nothing is allocated before that is known.
 std::vector<std::byte> readFile(const std::filesystem::path& file, std::size_t limitBytes);
 
+/// Its first `countBytes` bytes, or all where it is shorter. Throws like readFile.
+std::vector<std::byte> readFileHead(const std::filesystem::path& file, std::size_t countBytes);
+
 /// Writes beside the target and renames, so that a file that exists is whole. `write` gets the
-/// temporary name. Throws Error, naming the target, and leaves nothing behind on failure.
+/// temporary name. Throws Error, naming the target, and leaves nothing behind on failure; what
+/// stood there before then stays.
 void writeWhole(const std::filesystem::path& target,
                 const std::function<void(const std::filesystem::path& temporary)>& write);
 

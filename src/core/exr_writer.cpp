@@ -1,0 +1,60 @@
+#include <Iex.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfStdIO.h>
+
+#include <array>
+#include <cassert>
+#include <fstream>
+#include <stdexcept>
+
+#include "core/file.h"
+#include "core/image_file.h"
+
+namespace opaline::core {
+
+namespace {
+
+void writePixels(Imf::OStream& stream, const Image& image) {
+  constexpr std::array<const char*, 4> names = {"R", "G", "B", "A"};
+  constexpr std::size_t pixelBytes = 4 * sizeof(float);
+  const std::size_t rowBytes = pixelBytes * static_cast<std::size_t>(image.width);
+
+  Imf::Header header(image.width, image.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::FrameBuffer frame;
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
+    // The library takes a mutable pointer for reading and writing alike; here it only reads.
+    char* const base = reinterpret_cast<char*>(const_cast<float*>(image.rgba.data() + c));
+    frame.insert(names[c], Imf::Slice(Imf::FLOAT, base, pixelBytes, rowBytes));
+  }
+  Imf::OutputFile output(stream, header, 0);
+  output.setFrameBuffer(frame);
+  output.writePixels(image.height);
+}
+
+}  // namespace
+
+void writeExr(const std::filesystem::path& file, const Image& image) {
+  assert(image.width > 0 && image.height > 0);
+  assert(image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
+                                  static_cast<std::size_t>(image.height));
+  writeWhole(file, [&](const std::filesystem::path& temporary) {
+    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+    try {
+      Imf::StdOFStream exrStream(stream, temporary.c_str());
+      writePixels(exrStream, image);
+    } catch (const Iex::BaseExc&) {
+      // Its text names the temporary file; the stream's state says the same.
+      stream.setstate(std::ios::badbit);
+    }
+    // The destructor of OutputFile writes the table of lines and swallows what goes wrong.
+    stream.close();
+    if (!stream) throw std::runtime_error("the disk is full or failed");
+  });
+}
+
+}  // namespace opaline::core

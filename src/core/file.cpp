@@ -1,0 +1,194 @@
+#include "core/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+#include "opaline/error.h"
+
+namespace opaline::core {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string reasonOf(int errorNumber) {
+  return std::generic_category().message(errorNumber);
+}
+
+[[noreturn]] void failToRead(const fs::path& file, std::string_view reason) {
+  throw Error(fmt::format("Cannot read {}: {}.", file.string(), reason));
+}
+
+[[noreturn]] void failToWrite(const fs::path& file, std::string_view reason) {
+  throw Error(fmt::format("Cannot write {}: {}.", file.string(), reason));
+}
+
+fs::path folderOf(const fs::path& target) {
+  return target.has_parent_path() ? target.parent_path() : fs::path(".");
+}
+
+std::uintmax_t sizeOfRegular(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) {
+    failToRead(file, status.type() == fs::file_type::not_found ? "there is no such file"
+                                                               : error.message());
+  }
+  if (fs::is_directory(status)) failToRead(file, "it is a folder");
+  if (!fs::is_regular_file(status)) failToRead(file, "it is no regular file");
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (error) failToRead(file, error.message());
+  return size;
+}
+
+std::ifstream opened(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) failToRead(file, reasonOf(errno));
+  return stream;
+}
+
+void readExactly(std::ifstream& stream, const fs::path& file, std::vector<std::byte>& bytes) {
+  const auto count = static_cast<std::streamsize>(bytes.size());
+  stream.read(reinterpret_cast<char*>(bytes.data()), count);
+  if (stream.gcount() != count) failToRead(file, "it ended early or the disk failed");
+}
+
+/// Follows a symbolic link, so that what it points to is replaced and not the link.
+fs::path resolved(const fs::path& target) {
+  std::error_code error;
+  if (!fs::is_symlink(target, error)) return target;
+  const fs::path real = fs::canonical(target, error);
+  if (error) failToWrite(target, "it is a symbolic link to nothing");
+  return real;
+}
+
+/// The file that will be replaced or created. Throws Error where that is bound to fail.
+fs::path checkedTarget(const fs::path& target) {
+  if (target.empty()) throw Error("Cannot write a file without a name.");
+  std::error_code error;
+  const fs::path folder = folderOf(target);
+  const fs::file_status folderStatus = fs::status(folder, error);
+  if (!fs::exists(folderStatus)) {
+    failToWrite(target, folderStatus.type() == fs::file_type::not_found
+                            ? fmt::format("the folder {} does not exist", folder.string())
+                            : error.message());
+  }
+  if (!fs::is_directory(folderStatus)) {
+    failToWrite(target, fmt::format("{} is no folder", folder.string()));
+  }
+  const fs::file_status status = fs::status(target, error);
+  if (status.type() == fs::file_type::none) failToWrite(target, error.message());
+  if (!target.has_filename() || fs::is_directory(status)) failToWrite(target, "it is a folder");
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    failToWrite(target, "it is no regular file");
+  }
+  fs::path real = resolved(target);
+  if (fs::exists(status) && access(real.c_str(), W_OK) != 0) failToWrite(target, reasonOf(errno));
+  return real;
+}
+
+/// Removes the temporary file unless it has been renamed.
+class TemporaryFile {
+ public:
+  /// Creates an empty file beside `target` that was not there before, with the same extension:
+  /// some writers choose the format by it.
+  explicit TemporaryFile(const fs::path& target) {
+    static std::atomic<unsigned> counter = 0;
+    constexpr std::size_t longestExtension = 16;
+    std::string extension = target.extension().string();
+    if (extension.size() > longestExtension) extension.clear();
+    for (int descriptor = -1; descriptor < 0;) {
+      path_ = folderOf(target) / fmt::format(".opaline-{}-{}{}", getpid(), counter++, extension);
+      descriptor = open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+      if (descriptor >= 0) {
+        close(descriptor);
+      } else if (errno != EEXIST) {
+        failToWrite(target, reasonOf(errno));
+      }
+    }
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;  // nothing better can be done about a file that cannot be removed
+    if (!path_.empty()) fs::remove(path_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+  void renameTo(const fs::path& target) {
+    std::error_code error;
+    const fs::file_status old = fs::status(target, error);
+    if (!error && fs::exists(old)) fs::permissions(path_, old.permissions(), error);
+    fs::rename(path_, target, error);
+    if (error) failToWrite(target, error.message());
+    path_.clear();
+  }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+std::vector<std::byte> readFile(const fs::path& file, std::size_t limitBytes) {
+  const std::uintmax_t size = sizeOfRegular(file);
+  if (size > limitBytes) {
+    failToRead(file, fmt::format("it has {} bytes and at most {} are accepted", size, limitBytes));
+  }
+  std::ifstream stream = opened(file);
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  readExactly(stream, file, bytes);
+  if (stream.peek() != std::ifstream::traits_type::eof()) {
+    failToRead(file, "its length changed while it was read");
+  }
+  return bytes;
+}
+
+std::vector<std::byte> readFileHead(const fs::path& file, std::size_t countBytes) {
+  const std::uintmax_t size = sizeOfRegular(file);
+  std::ifstream stream = opened(file);
+  std::vector<std::byte> bytes(
+      static_cast<std::size_t>(std::min<std::uintmax_t>(size, countBytes)));
+  readExactly(stream, file, bytes);
+  return bytes;
+}
+
+void requireWritable(const fs::path& target) {
+  // Permissions and kinds of file systems are best asked by trying.
+  const TemporaryFile probe(checkedTarget(target));
+}
+
+void writeWhole(const fs::path& target, const std::function<void(const fs::path&)>& write) {
+  const fs::path real = checkedTarget(target);
+  TemporaryFile temporary(real);
+  try {
+    write(temporary.path());
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& failure) {
+    failToWrite(target, failure.what());
+  }
+  std::error_code error;
+  if (!fs::is_regular_file(temporary.path(), error)) failToWrite(target, "nothing was written");
+  temporary.renameTo(real);
+}
+
+void writeWhole(const fs::path& target, std::string_view contents) {
+  writeWhole(target, [&](const fs::path& temporary) {
+    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+    stream.write(contents.data(), static_cast<std::streamsize>(contents.size()));
+    stream.close();
+    if (!stream) failToWrite(target, reasonOf(errno != 0 ? errno : EIO));
+  });
+}
+
+}  // namespace opaline::core

@@ -1,0 +1,192 @@
+#include "core/file.h"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <random>
+#include <stdexcept>
+
+#include "core/image_file.h"
+#include "core/temporary_folder.h"
+
+namespace opaline::core {
+namespace {
+
+namespace fs = std::filesystem;
+using test::messageOf;
+using test::readBytes;
+using test::TemporaryFolder;
+using test::writeBytes;
+using testing::HasSubstr;
+
+TEST(ReadFile, GivesTheBytes) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "a.bin", std::string_view("a\0b\xff", 4));
+  const std::vector<std::byte> bytes = readFile(folder / "a.bin", 4);
+  EXPECT_THAT(bytes,
+              testing::ElementsAre(std::byte{'a'}, std::byte{0}, std::byte{'b'}, std::byte{0xff}));
+  EXPECT_THAT(readFileHead(folder / "a.bin", 1), testing::ElementsAre(std::byte{'a'}));
+  EXPECT_EQ(readFileHead(folder / "a.bin", 100).size(), 4U);
+}
+
+TEST(ReadFile, GivesNothingForAnEmptyFile) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "empty", "");
+  EXPECT_TRUE(readFile(folder / "empty", 10).empty());
+}
+
+TEST(ReadFile, RefusesWhatIsTooLong) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "long.bin", "12345");
+  EXPECT_THAT(messageOf([&] { readFile(folder / "long.bin", 4); }),
+              testing::AllOf(HasSubstr("long.bin"), HasSubstr("5"), HasSubstr("4")));
+}
+
+TEST(ReadFile, RefusesWhatIsNoFile) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(messageOf([&] { readFile(folder / "none", 4); }), HasSubstr("no such file"));
+  EXPECT_THAT(messageOf([&] { readFile(folder.path(), 4); }), HasSubstr("folder"));
+  EXPECT_THAT(messageOf([&] { readFile("/dev/zero", 4); }), HasSubstr("no regular file"));
+  EXPECT_THAT(messageOf([&] { readFile("", 4); }), HasSubstr("no such file"));
+}
+
+TEST(WriteWhole, ReplacesAndLeavesNothingElse) {
+  const TemporaryFolder folder;
+  writeWhole(folder / "a.txt", "old and longer");
+  writeWhole(folder / "a.txt", "new");
+  EXPECT_EQ(readBytes(folder / "a.txt"), "new");
+  EXPECT_EQ(folder.fileCount(), 1U);
+}
+
+TEST(WriteWhole, KeepsTheExtensionOfTheTemporaryName) {
+  const TemporaryFolder folder;
+  fs::path seen;
+  writeWhole(folder / "film.mp4", [&](const fs::path& temporary) {
+    seen = temporary;
+    writeBytes(temporary, "x");
+  });
+  EXPECT_EQ(seen.extension(), ".mp4");
+  EXPECT_EQ(seen.parent_path(), folder.path());
+}
+
+TEST(WriteWhole, KeepsTheOldFileWhenTheWriterFails) {
+  const TemporaryFolder folder;
+  writeWhole(folder / "a.txt", "old");
+  const std::string message = messageOf([&] {
+    writeWhole(folder / "a.txt", [](const fs::path& temporary) {
+      writeBytes(temporary, "half");
+      throw std::runtime_error("the encoder died");
+    });
+  });
+  EXPECT_THAT(message, testing::AllOf(HasSubstr("a.txt"), HasSubstr("the encoder died")));
+  EXPECT_EQ(readBytes(folder / "a.txt"), "old");
+  EXPECT_EQ(folder.fileCount(), 1U);
+}
+
+TEST(WriteWhole, FailsWhenTheWriterLeavesNoFile) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(messageOf([&] {
+                writeWhole(folder / "a.txt", [](const fs::path& file) { fs::remove(file); });
+              }),
+              HasSubstr("a.txt"));
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+TEST(WriteWhole, WritesThroughASymbolicLink) {
+  const TemporaryFolder folder;
+  writeWhole(folder / "real.txt", "old");
+  fs::create_symlink("real.txt", folder / "link.txt");
+  writeWhole(folder / "link.txt", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
+  EXPECT_EQ(readBytes(folder / "real.txt"), "new");
+}
+
+TEST(WriteWhole, KeepsPermissions) {
+  const TemporaryFolder folder;
+  writeWhole(folder / "a.txt", "old");
+  fs::permissions(folder / "a.txt", fs::perms::owner_read | fs::perms::owner_write);
+  writeWhole(folder / "a.txt", "new");
+  EXPECT_EQ(fs::status(folder / "a.txt").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+}
+
+class Unwritable : public testing::TestWithParam<const char*> {};
+
+TEST_P(Unwritable, IsRefusedBeforeAndWhileWriting) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "file", "x");
+  fs::create_symlink("nowhere", folder / "dangling");
+  const fs::path target = folder / GetParam();
+  const std::size_t filesBefore = folder.fileCount();
+  EXPECT_THROW(requireWritable(target), Error);
+  EXPECT_THROW(writeWhole(target, "x"), Error);
+  EXPECT_EQ(folder.fileCount(), filesBefore);
+}
+
+// An absolute path replaces the folder it is appended to.
+INSTANTIATE_TEST_SUITE_P(Targets, Unwritable,
+                         testing::Values("none/a.png", "file/a.png", "sub/", ".", "/dev/full",
+                                         "/dev/null", "dangling", "/proc/a.png", "/"));
+
+TEST(WriteWhole, RefusesTheEmptyName) {
+  EXPECT_THROW(writeWhole("", "x"), Error);
+  EXPECT_THROW(requireWritable(""), Error);
+}
+
+TEST(WriteWhole, RefusesANameThatIsTooLong) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(writeWhole(folder / std::string(300, 'a'), "x"), Error);
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+/// A disk that is full, near enough: no file may grow past a limit.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : oldHandler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit limit{bytes, old_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, oldHandler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit old_{};
+  void (*oldHandler_)(int);
+};
+
+TEST(FullDisk, IsAnErrorAndLeavesNothing) {
+  const TemporaryFolder folder;
+  Image image(64, 64);
+  std::mt19937 random(1);
+  for (float& value : image.rgba) value = static_cast<float>(random());
+  Image8 pixels{64, 64, std::vector<std::uint8_t>(64 * 64 * 4)};
+  for (std::uint8_t& value : pixels.rgba) value = static_cast<std::uint8_t>(random());
+  // The last byte as well as the first may be the one that does not fit.
+  writeExr(folder / "a.exr", image);
+  const rlim_t exrBytes = fs::file_size(folder / "a.exr");
+  fs::remove(folder / "a.exr");
+  for (const rlim_t limit : {rlim_t{0}, rlim_t{2000}, exrBytes - 1}) {
+    const FileSizeLimit full(limit);
+    EXPECT_THAT(messageOf([&] { writeExr(folder / "a.exr", image); }), HasSubstr("a.exr"));
+  }
+  const FileSizeLimit full(1000);
+  EXPECT_THAT(messageOf([&] { writePng(folder / "a.png", pixels); }), HasSubstr("a.png"));
+  EXPECT_THAT(messageOf([&] { writeWhole(folder / "a.txt", std::string(100000, 'x')); }),
+              HasSubstr("a.txt"));
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+TEST(RequireWritable, CreatesNothing) {
+  const TemporaryFolder folder;
+  EXPECT_NO_THROW(requireWritable(folder / "a.png"));
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+}  // namespace
+}  // namespace opaline::core
