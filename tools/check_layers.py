@@ -18,6 +18,7 @@ ALLOWED = {
     "src/bssrdf": ("opaline/medium.h",),
     "src/scene": ("opaline", "core", "bssrdf"),
     "src/deform": ("opaline", "core", "scene"),
+    "src/builtin": ("opaline", "core", "bssrdf"),
     "src/atlas": (*PLAIN, "core"),
     "src/surfels": (*PLAIN, "core"),
     "src/gpu": (*PLAIN, "core"),
