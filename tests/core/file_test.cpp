@@ -1,9 +1,13 @@
 #include "core/file.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
+#include <csignal>
+#include <random>
 #include <stdexcept>
 
+#include "core/image_file.h"
 #include "core/temporary_folder.h"
 
 namespace opaline::core {
@@ -133,6 +137,48 @@ TEST(WriteWhole, RefusesTheEmptyName) {
 TEST(WriteWhole, RefusesANameThatIsTooLong) {
   const TemporaryFolder folder;
   EXPECT_THROW(writeWhole(folder / std::string(300, 'a'), "x"), Error);
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+/// A disk that is full, near enough: no file may grow past a limit.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : oldHandler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit limit{bytes, old_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, oldHandler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit old_{};
+  void (*oldHandler_)(int);
+};
+
+TEST(FullDisk, IsAnErrorAndLeavesNothing) {
+  const TemporaryFolder folder;
+  Image image(64, 64);
+  std::mt19937 random(1);
+  for (float& value : image.rgba) value = static_cast<float>(random());
+  Image8 pixels{64, 64, std::vector<std::uint8_t>(64 * 64 * 4)};
+  for (std::uint8_t& value : pixels.rgba) value = static_cast<std::uint8_t>(random());
+  // The last byte as well as the first may be the one that does not fit.
+  writeExr(folder / "a.exr", image);
+  const rlim_t exrBytes = fs::file_size(folder / "a.exr");
+  fs::remove(folder / "a.exr");
+  for (const rlim_t limit : {rlim_t{0}, rlim_t{2000}, exrBytes - 1}) {
+    const FileSizeLimit full(limit);
+    EXPECT_THAT(messageOf([&] { writeExr(folder / "a.exr", image); }), HasSubstr("a.exr"));
+  }
+  const FileSizeLimit full(1000);
+  EXPECT_THAT(messageOf([&] { writePng(folder / "a.png", pixels); }), HasSubstr("a.png"));
+  EXPECT_THAT(messageOf([&] { writeWhole(folder / "a.txt", std::string(100000, 'x')); }),
+              HasSubstr("a.txt"));
   EXPECT_EQ(folder.fileCount(), 0U);
 }
 

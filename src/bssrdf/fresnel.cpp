@@ -1,0 +1,63 @@
+#include "bssrdf/fresnel.h"
+
+#include <cassert>
+#include <cmath>
+
+namespace opaline::bssrdf {
+
+double fresnelReflectance(double eta, double cosTheta) {
+  assert(eta > 0);
+  if (eta == 1.0) return 0.0;
+  const double cosSquaredInside = 1.0 - (1.0 - cosTheta * cosTheta) / (eta * eta);
+  if (cosSquaredInside <= 0.0) return 1.0;
+  const double cosInside = std::sqrt(cosSquaredInside);
+  const double perpendicular = (cosTheta - eta * cosInside) / (cosTheta + eta * cosInside);
+  const double parallel = (eta * cosTheta - cosInside) / (eta * cosTheta + cosInside);
+  return 0.5 * (perpendicular * perpendicular + parallel * parallel);
+}
+
+double fresnelReflectanceInside(double eta, double cosTheta) {
+  return fresnelReflectance(1.0 / eta, cosTheta);
+}
+
+// Walsh 1926, the closed form of the diffuse reflectance, as in Duntley 1942 and Egan and Hilgeman
+// 1979.
+double meanTransmittance(double eta) {
+  assert(eta > 0);
+  // Reciprocity: what a diffuse field gains in radiance inside it loses in mean transmittance.
+  if (eta < 1.0) return meanTransmittance(1.0 / eta) / (eta * eta);
+  // The terms below cancel ever more; to first order the reflectance is (eta - 1)/3.
+  const double excess = eta - 1.0;
+  if (excess < 1e-6) return 1.0 - excess / 3.0;
+  const double n = eta;
+  const double n2 = n * n;
+  const double n4 = n2 * n2;
+  const double sum = n2 + 1.0;
+  const double difference = excess * (n + 1.0);  // n² - 1
+  const double product = sum * difference;       // n⁴ - 1
+  const double reflectance =
+      0.5 + excess * (3.0 * n + 1.0) / (6.0 * (n + 1.0) * (n + 1.0)) +
+      n2 * difference * difference / (sum * sum * sum) * std::log(excess / (n + 1.0)) -
+      2.0 * n2 * n * (n2 + 2.0 * n - 1.0) / (sum * product) +
+      8.0 * n4 * (n4 + 1.0) / (sum * product * product) * std::log1p(excess);
+  return 1.0 - reflectance;
+}
+
+double diffuseReflectanceInside(double eta) {
+  return -1.440 / (eta * eta) + 0.710 / eta + 0.668 + 0.0636 * eta;
+}
+
+double twoC1(double eta) {
+  assert(eta >= 1.0);
+  return -9.23372 +
+         eta * (22.2272 + eta * (-20.9292 + eta * (10.2291 + eta * (-2.54396 + eta * 0.254913))));
+}
+
+double threeC2(double eta) {
+  assert(eta >= 1.0);
+  const double inverse = 1.0 / eta;
+  return -1641.1 + inverse * (1376.53 + inverse * (-656.175 + inverse * 135.926)) +
+         eta * (1213.67 + eta * (-568.556 + eta * (164.798 + eta * (-27.0181 + eta * 1.91826))));
+}
+
+}  // namespace opaline::bssrdf
