@@ -26,7 +26,7 @@ ALLOWED = {
     "src/passes": ("opaline", "core", "bssrdf", "gpu", "shaders", "passes/products.h"),
     "src/renderer": ("opaline", "core", "bssrdf", "scene", "deform", "atlas", "surfels", "gpu", "passes",
                      "shaders"),
-    "reference": ("opaline", "core", "bssrdf", "scene"),
+    "reference": ("opaline", "core", "bssrdf"),
     "apps": ("opaline", "core", "bssrdf", "scene", "atlas", "reference"),
     "bench": ("*",),
     "python": ("opaline",),
@@ -59,7 +59,7 @@ STANDARD_ONLY = ("include/opaline", "src/bssrdf")
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
 SOURCE = (".h", ".cpp", ".glsl")
-OWN_TOP_LEVEL = {"opaline", "core", "bssrdf", "scene", "deform", "atlas", "surfels", "gpu", "passes", "shaders",
+OWN_TOP_LEVEL = {"opaline", "core", "bssrdf", "builtin", "scene", "deform", "atlas", "surfels", "gpu", "passes", "shaders",
                  "renderer", "reference", "tests"}
 
 
