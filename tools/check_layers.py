@@ -17,15 +17,18 @@ ALLOWED = {
     "src/core": PLAIN,
     "src/bssrdf": ("opaline/medium.h",),
     "src/scene": ("opaline", "core", "bssrdf"),
+    "src/environment": (*PLAIN, "core", "bssrdf"),
     "src/deform": ("opaline", "core", "scene"),
+    "src/builtin": ("opaline", "core", "bssrdf"),
     "src/atlas": (*PLAIN, "core"),
     "src/surfels": (*PLAIN, "core"),
     "src/gpu": (*PLAIN, "core"),
-    "src/shaders": (),
-    "src/passes": ("opaline", "core", "bssrdf", "gpu", "shaders", "passes/products.h"),
-    "src/renderer": ("opaline", "core", "bssrdf", "scene", "deform", "atlas", "surfels", "gpu", "passes",
-                     "shaders"),
-    "reference": ("opaline", "core", "bssrdf", "scene"),
+    "src/shaders": ("bssrdf",),
+    "src/shaders/shared": (),  # GLSL reads these too
+    "src/passes": ("opaline", "core", "bssrdf", "environment", "gpu", "shaders", "passes/products.h"),
+    "src/renderer": ("opaline", "core", "bssrdf", "scene", "environment", "deform", "atlas", "surfels", "gpu",
+                     "passes", "shaders"),
+    "reference": ("opaline", "core", "bssrdf"),
     "apps": ("opaline", "core", "bssrdf", "scene", "atlas", "reference"),
     "bench": ("*",),
     "python": ("opaline",),
@@ -38,8 +41,9 @@ APART = ("src/passes",)
 
 # Headers of others -> the folders that may include them. What is not named here is free.
 THIRD_PARTY = {
-    "vulkan": ("include/opaline/vulkan.h", "src/gpu", "src/passes", "src/renderer", "tests", "apps/opaline/viewer"),
-    "glm": ("src/passes", "src/renderer", "src/gpu", "tests", "bench", "apps/opaline/viewer"),
+    "vulkan": ("include/opaline/vulkan.h", "src/gpu", "src/passes", "src/renderer", "tests",
+               "apps/opaline/viewer"),
+    "glm": ("src/shaders", "src/passes", "src/renderer", "src/gpu", "tests", "bench", "apps/opaline/viewer"),
     "embree3": ("reference", "tests", "bench"),
     "tbb": ("reference", "tests", "bench"),
     "GLFW": ("apps/opaline/viewer",),
@@ -58,8 +62,14 @@ STANDARD_ONLY = ("include/opaline", "src/bssrdf")
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
 SOURCE = (".h", ".cpp", ".glsl")
-OWN_TOP_LEVEL = {"opaline", "core", "bssrdf", "scene", "deform", "atlas", "surfels", "gpu", "passes", "shaders",
-                 "renderer", "reference", "tests"}
+
+
+def folder_name(layer):
+    """How includes spell a layer: src/core is core, include/opaline is opaline."""
+    return re.sub(r"^(src|include)/", "", layer)
+
+
+OUR_FOLDERS = {folder_name(layer).split("/")[0] for layer in ALLOWED}
 
 
 def within(path, folder):
@@ -72,17 +82,12 @@ def layer_of(path):
 
 def own_target(path, header):
     """The file of ours an include means, as it is written below src/ or include/; None if foreign."""
-    if header.split("/")[0] in OWN_TOP_LEVEL and "/" in header:
+    if header.split("/")[0] in OUR_FOLDERS and "/" in header:
         return header
     beside = posixpath.normpath(posixpath.join(posixpath.dirname(path), header))
     if (ROOT / beside).is_file():
         return re.sub(r"^(src|include)/", "", beside)
     return None
-
-
-def folder_name(layer):
-    """How includes spell a layer: src/core is core, include/opaline is opaline."""
-    return re.sub(r"^(src|include)/", "", layer)
 
 
 def violation(path, quote, header):

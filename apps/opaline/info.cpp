@@ -11,6 +11,7 @@
 #include "atlas/draw.h"
 #include "command_line.h"
 #include "commands.h"
+#include "core/file.h"
 #include "core/image_file.h"
 #include "core/tone.h"
 #include "json.h"
@@ -188,10 +189,10 @@ void runInfo(const Arguments& arguments) {
   InfoCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;
-  if (command.atlas) requireWritableFile(*command.atlas);
+  if (command.atlas) core::requireWritable(*command.atlas);
 
   const LogCallback log = noteTaker(command.quiet);
-  const Scene scene = command.scene.load(log);
+  const Scene scene = command.scene.load(log).scene;
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
   const JoinedSurface surface = join(scene);
   const atlas::Atlas atlas =

@@ -22,6 +22,7 @@ void toStandardError(std::string_view prefix, std::string_view sentence) {
   std::replace_if(
       line.begin(), line.end(),
       [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  if (line.find_last_of(".!?") != line.size() - 1) line += '.';
   line += '\n';
   // Where standard error itself fails there is nobody left to tell.
   static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));

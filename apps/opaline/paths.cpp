@@ -4,9 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <system_error>
 
-#include "core/file.h"
 #include "opaline/error.h"
 
 namespace opaline::app {
@@ -25,16 +23,6 @@ std::filesystem::path readOutput(const Given& given, const std::vector<std::stri
                                  fmt::join(extensions, " or ")));
   }
   return file;
-}
-
-void requireWritableFile(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-      !std::filesystem::is_directory(status)) {
-    throw Error(fmt::format("{}: is no regular file and will not be replaced", file.string()));
-  }
-  core::requireWritable(file);
 }
 
 }  // namespace opaline::app

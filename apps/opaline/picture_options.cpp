@@ -20,6 +20,22 @@ const Choices<Aov>& aovs() {
   return table;
 }
 
+const Choices<core::ToneCurve>& curves() {
+  static const Choices<core::ToneCurve> table{{"neutral", core::ToneCurve::Neutral},
+                                              {"none", core::ToneCurve::None}};
+  return table;
+}
+
+template <typename T>
+void setFrom(T& value, const std::optional<T>& asked) {
+  if (asked) value = *asked;
+}
+
+template <typename T>
+void setFromName(T& value, const std::optional<std::string>& name, const Choices<T>& choices) {
+  if (name) value = readChoice(Given{"[render]", *name}, choices);
+}
+
 float readFloat(const Given& given, const Range& range) {
   return static_cast<float>(readNumber(given, range));
 }
@@ -54,6 +70,24 @@ const Choices<Site>& sites() {
   return table;
 }
 
+RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
+  RenderOptions options;
+  setFrom(options.width, settings.width);
+  setFrom(options.height, settings.height);
+  setFromName(options.transport, settings.transport, transports());
+  setFromName(options.sum, settings.sum, sums());
+  setFromName(options.site, settings.site, sites());
+  setFrom(options.pattern.nearRings, settings.nearRings);
+  setFrom(options.pattern.nearSpacing, settings.nearSpacing);
+  setFrom(options.pattern.farDistance, settings.farDistance);
+  setFrom(options.dsmSize, settings.dsmSize);
+  setFrom(options.shadowSize, settings.shadowSize);
+  setFrom(options.specular, settings.specular);
+  setFrom(options.roughness, settings.roughness);
+  setFrom(options.antialias, settings.antialias);
+  return options;
+}
+
 void MethodOptions::addTo(CommandLine& line) {
   line.value("--transport", "NAME", "dipole or better-dipole [dipole]",
              [this](const Given& given) { transport_ = readChoice(given, transports()); });
@@ -81,9 +115,9 @@ void MethodOptions::addTo(CommandLine& line) {
 }
 
 void MethodOptions::applyTo(RenderOptions& options) const {
-  options.transport = transport_.value_or(options.transport);
-  options.sum = sum_.value_or(options.sum);
-  options.site = site_.value_or(options.site);
+  setFrom(options.transport, transport_);
+  setFrom(options.sum, sum_);
+  setFrom(options.site, site_);
   if (paper_) {
     options.transport = paperValue(transport_, Transport::Dipole, "--transport", transports());
     options.sum = paperValue(sum_, Sum::Pattern, "--sum", sums());
@@ -93,11 +127,11 @@ void MethodOptions::applyTo(RenderOptions& options) const {
     throw UsageError(
         "--near-rings, --near-spacing and --far-distance shape the pattern and need --sum pattern");
   }
-  options.pattern.nearRings = nearRings_.value_or(options.pattern.nearRings);
-  options.pattern.nearSpacing = nearSpacing_.value_or(options.pattern.nearSpacing);
-  options.pattern.farDistance = farDistance_.value_or(options.pattern.farDistance);
-  options.dsmSize = dsmSize_.value_or(options.dsmSize);
-  options.shadowSize = shadowSize_.value_or(options.shadowSize);
+  setFrom(options.pattern.nearRings, nearRings_);
+  setFrom(options.pattern.nearSpacing, nearSpacing_);
+  setFrom(options.pattern.farDistance, farDistance_);
+  setFrom(options.dsmSize, dsmSize_);
+  setFrom(options.shadowSize, shadowSize_);
 }
 
 void PictureOptions::addTo(CommandLine& line) {
@@ -125,8 +159,7 @@ void PictureOptions::addTo(CommandLine& line) {
   });
   line.value("--tone", "NAME", "curve: neutral or none, PNG only [neutral]",
              [this](const Given& given) {
-               curve_ = readChoice<core::ToneCurve>(
-                   given, {{"neutral", core::ToneCurve::Neutral}, {"none", core::ToneCurve::None}});
+               curve_ = readChoice(given, curves());
              });
   line.value("--background", "R,G,B", "linear, 0 to 1, PNG only [transparent]",
              [this](const Given& given) {
@@ -154,9 +187,10 @@ void PictureOptions::applyTo(RenderOptions& options) const {
     options.width = (*size_)[0];
     options.height = (*size_)[1];
   }
-  options.antialias = picture ? antialias_.value_or(options.antialias) : 1;
+  setFrom(options.antialias, antialias_);
+  if (!picture) options.antialias = 1;
   options.specular = options.specular && !noSpecular_;
-  options.roughness = roughness_.value_or(options.roughness);
+  setFrom(options.roughness, roughness_);
 }
 
 bool PictureOptions::isExr() const {
@@ -167,10 +201,12 @@ std::filesystem::path PictureOptions::file(const std::string& sceneName) const {
   return file_.value_or(sceneName + (isExr() ? ".exr" : ".png"));
 }
 
-core::ToneOptions PictureOptions::tone() const {
+core::ToneOptions PictureOptions::tone(const scene::SceneFileSettings& settings) const {
   core::ToneOptions options;
-  options.exposureStops = exposureStops_.value_or(options.exposureStops);
-  options.curve = curve_.value_or(options.curve);
+  setFrom(options.exposureStops, settings.exposureStops);
+  setFromName(options.curve, settings.tone, curves());
+  setFrom(options.exposureStops, exposureStops_);
+  setFrom(options.curve, curve_);
   options.background = background_;
   return options;
 }

@@ -7,6 +7,7 @@
 #include "command_line.h"
 #include "core/tone.h"
 #include "opaline/renderer.h"
+#include "scene/scene_settings.h"
 #include "values.h"
 
 namespace opaline::app {
@@ -14,6 +15,9 @@ namespace opaline::app {
 const Choices<Transport>& transports();
 const Choices<Sum>& sums();
 const Choices<Site>& sites();
+
+/// The [render] table of a scene file over the defaults.
+RenderOptions optionsOf(const scene::SceneFileSettings& settings);
 
 /// --transport, --sum, --site, --method and the shape of the pattern.
 class MethodOptions {
@@ -46,7 +50,8 @@ class PictureOptions {
   /// -o, or a name after the scene's in the current folder.
   std::filesystem::path file(const std::string& sceneName) const;
   bool hasFile() const { return file_.has_value(); }
-  core::ToneOptions tone() const;
+  /// What was asked for, else what the scene file says.
+  core::ToneOptions tone(const scene::SceneFileSettings& settings) const;
 
  private:
   std::optional<std::array<int, 2>> size_;

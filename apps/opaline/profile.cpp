@@ -120,7 +120,7 @@ void runProfile(const Arguments& arguments) {
     profiles[channel] = makeProfile(command.model, coefficients);
     total[channel] = profiles[channel].totalReflectance();
   }
-  if (command.plot) requireWritableFile(*command.plot);
+  if (command.plot) core::requireWritable(*command.plot);
   const double mostRadiusMm = command.mostRadiusMm.value_or(defaultRadiusMm(medium));
   if (command.plot) {
     core::writeWhole(*command.plot, plotSvg(sample(profiles, mostRadiusMm, plotSamples),

@@ -29,7 +29,7 @@ struct RenderCommand {
   CameraOptions camera;
   MethodOptions method;
   PictureOptions picture;
-  std::string device;
+  std::optional<std::string> device;
   std::optional<std::filesystem::path> report;
   bool validation = false;
   bool quiet = false;
@@ -53,6 +53,15 @@ struct RenderCommand {
                [this](const Given& given) { report = readOutput(given, {".json"}); });
     line.flag("--json", "the same on standard output", json);
     line.flag("--quiet", "no notes on standard error", quiet);
+  }
+
+  RenderOptions options(const scene::SceneFileSettings& settings) const {
+    RenderOptions options = optionsOf(settings);
+    method.applyTo(options);
+    picture.applyTo(options);
+    // A report gives the time of a warm frame, so it takes a second one.
+    options.frames = report || json ? 2 : 1;
+    return options;
   }
 };
 
@@ -79,14 +88,6 @@ Json reportJson(const RenderReport& report, const RenderOptions& options,
           {"outputs", {output.string()}}};
 }
 
-void write(const std::filesystem::path& file, const Image& image, const PictureOptions& picture) {
-  if (picture.isExr()) {
-    core::writeExr(file, image);
-  } else {
-    core::writePng(file, core::toneMap(image, picture.tone()));
-  }
-}
-
 }  // namespace
 
 void runRender(const Arguments& arguments) {
@@ -96,25 +97,27 @@ void runRender(const Arguments& arguments) {
   command.addTo(line);
   if (!line.parse(arguments)) return;
 
-  RenderOptions options;
-  command.method.applyTo(options);
-  command.picture.applyTo(options);
-  // A report gives the time of a warm frame, so it takes a second one.
-  options.frames = command.report || command.json ? 2 : 1;
+  static_cast<void>(command.options({}));  // refuses what contradicts itself before any work
   const LogCallback log = noteTaker(command.quiet);
   const std::filesystem::path output = command.picture.file(command.scene.name());
-  requireWritableFile(output);
-  if (command.report) requireWritableFile(*command.report);
+  core::requireWritable(output);
+  if (command.report) core::requireWritable(*command.report);
 
-  Scene scene = command.scene.load(log);
+  auto [scene, settings] = command.scene.load(log);
+  const RenderOptions options = command.options(settings);
   command.lights.applyTo(scene);
   command.camera.applyTo(scene);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
 
-  Renderer renderer({command.device, command.validation, log});
+  Renderer renderer({command.device.value_or(settings.device.value_or("")), command.validation, log});
   renderer.setScene(scene);
   const RenderResult result = renderer.render(options, {command.picture.aov()});
-  write(output, result.images.at(0), command.picture);
+  if (command.picture.isExr()) {
+    core::writeExr(output, result.images.at(0));
+  } else {
+    core::writePng(output,
+                   core::toneMap(result.images.at(0), command.picture.tone(settings)));
+  }
   log(LogLevel::Note, fmt::format("wrote {}, rendered on {} ({})", output.string(),
                                   result.report.device.name, result.report.device.type));
 

@@ -52,14 +52,14 @@ std::string SceneOptions::name() const {
   return file_ ? file_->stem().string() : builtIn_.value_or("bear");
 }
 
-Scene SceneOptions::load(const LogCallback& log) const {
+scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
   if (file_ && builtIn_) {
     throw UsageError(fmt::format("--builtin {} and the scene {} exclude each other", *builtIn_,
                                  file_->string()));
   }
   const LoadOptions options{diagonalMm_, medium_.medium(), log};
-  if (file_) return loadScene(*file_, options);
-  return builtIn_ == "teapot" ? builtInTeapot(options) : builtInBear(options);
+  if (file_) return scene::loadSceneFile(*file_, options);
+  return {builtIn_ == "teapot" ? builtInTeapot(options) : builtInBear(options), {}};
 }
 
 void LightOptions::addTo(CommandLine& line) {

@@ -9,6 +9,7 @@
 #include "medium_options.h"
 #include "opaline/log.h"
 #include "opaline/scene.h"
+#include "scene/scene_settings.h"
 
 namespace opaline::app {
 
@@ -19,7 +20,7 @@ class SceneOptions {
   /// The file's name without folder and extension, or that of the built-in scene.
   std::string name() const;
   /// Reads or makes it. Throws UsageError for a mixture of options that makes no sense.
-  Scene load(const LogCallback& log) const;
+  scene::LoadedScene load(const LogCallback& log) const;
 
  private:
   std::optional<std::filesystem::path> file_;
