@@ -13,7 +13,8 @@ namespace opaline::atlas {
 struct Surface {
   std::span<const Vec3> positionsMm;
   std::span<const Triangle> triangles;
-  std::span<const std::uint32_t> objectOfTriangle;  ///< empty: one object; charts never cross objects
+  std::span<const std::uint32_t>
+      objectOfTriangle;  ///< empty: one object; charts never cross objects
 };
 
 struct AtlasOptions {
@@ -38,7 +39,7 @@ struct AtlasStatistics {
 /// triangles, every chart scaled to its true area.
 struct Atlas {
   std::vector<AtlasVertex> vertices;
-  std::vector<Triangle> triangles;          ///< indices into vertices; order of Surface::triangles
+  std::vector<Triangle> triangles;  ///< indices into vertices; order of Surface::triangles
   std::vector<std::uint32_t> chartOfTriangle;
   double mmPerUnit = 0;  ///< sqrt(surface area / uv area): edge of the unit square, mm
   AtlasStatistics statistics;

@@ -1,0 +1,133 @@
+#include "renderer/scene_resources.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/vec4.hpp>
+
+#include "bssrdf/profile.h"
+#include "gpu/device.h"
+#include "gpu/transfer.h"
+#include "shaders/shared/mesh.h"
+
+namespace opaline {
+
+namespace {
+
+// All objects end to end.
+struct MergedMesh {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> objectOfTriangle;
+};
+
+MergedMesh merge(const Scene& scene) {
+  MergedMesh merged;
+  std::uint32_t object = 0;
+  for (const Object& body : scene.objects) {
+    const auto base = static_cast<std::uint32_t>(merged.positions.size());
+    const Mesh& mesh = body.mesh;
+    merged.positions.insert(merged.positions.end(), mesh.positionsMm.begin(),
+                            mesh.positionsMm.end());
+    merged.normals.insert(merged.normals.end(), mesh.normals.begin(), mesh.normals.end());
+    for (const Triangle& t : mesh.triangles)
+      merged.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    merged.objectOfTriangle.insert(merged.objectOfTriangle.end(), mesh.triangles.size(), object++);
+  }
+  return merged;
+}
+
+std::vector<shared::AtlasCorner> makeCorners(const atlas::Atlas& atlas, const MergedMesh& mesh) {
+  std::vector<shared::AtlasCorner> corners(atlas.vertices.size());
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = {atlas.vertices[i].vertex, 0, atlas.vertices[i].uv[0], atlas.vertices[i].uv[1]};
+  for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
+    for (const std::uint32_t corner : atlas.triangles[t])
+      corners[corner].object = mesh.objectOfTriangle[t];
+  return corners;
+}
+
+// One corner for each vertex: the first of those it has.
+std::vector<shared::AtlasCorner> cornerOfVertex(const std::vector<shared::AtlasCorner>& corners,
+                                                std::size_t vertices) {
+  std::vector<shared::AtlasCorner> chosen(vertices, shared::AtlasCorner{0, 0, 0, 0});
+  for (auto corner = corners.rbegin(); corner != corners.rend(); ++corner)
+    chosen[corner->vertex] = *corner;
+  return chosen;
+}
+
+std::vector<glm::vec4> padded(const std::vector<Vec3>& list, float w) {
+  std::vector<glm::vec4> out;
+  out.reserve(list.size());
+  for (const Vec3& v : list) out.emplace_back(v[0], v[1], v[2], w);
+  return out;
+}
+
+double meanEdgeMm(const Mesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& a = mesh.positionsMm[t[i]];
+      const Vec3& b = mesh.positionsMm[t[(i + 1) % 3]];
+      sum += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    }
+  return mesh.triangles.empty() ? 0 : sum / (3.0 * static_cast<double>(mesh.triangles.size()));
+}
+
+bool same(const Medium& a, const Medium& b) {
+  return a.sigmaSPrimePerMm == b.sigmaSPrimePerMm && a.sigmaAPerMm == b.sigmaAPerMm &&
+         a.eta == b.eta;
+}
+
+void listMedia(const Scene& scene, SceneResources& resources) {
+  for (const Object& object : scene.objects) {
+    auto found = std::find_if(resources.media.begin(), resources.media.end(),
+                              [&](const Medium& medium) { return same(medium, object.medium); });
+    if (found == resources.media.end())
+      found = resources.media.insert(found, object.medium);
+    resources.mediumOfObject.push_back(
+        static_cast<std::uint32_t>(found - resources.media.begin()));
+    resources.meanEdgeOfObjectMm.push_back(meanEdgeMm(object.mesh));
+  }
+}
+
+}  // namespace
+
+double shortestMeanFreePathMm(const Medium& medium) {
+  double shortest = bssrdf::coefficients(medium, 0).meanFreePathMm;
+  for (int channel = 1; channel < 3; ++channel)
+    shortest = std::min(shortest, bssrdf::coefficients(medium, channel).meanFreePathMm);
+  return shortest;
+}
+
+SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, int dsmSize) {
+  const MergedMesh merged = merge(scene);
+  const atlas::Atlas atlas = atlas::makeAtlas({.positionsMm = merged.positions,
+                                               .triangles = merged.triangles,
+                                               .objectOfTriangle = merged.objectOfTriangle},
+                                              {.mapSize = dsmSize});
+  const std::vector<shared::AtlasCorner> corners = makeCorners(atlas, merged);
+
+  SceneResources resources;
+  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  resources.mesh.positions =
+      gpu::makeBuffer(device, "positions", padded(merged.positions, 1), storage);
+  resources.mesh.normals = gpu::makeBuffer(device, "normals", padded(merged.normals, 0), storage);
+  resources.mesh.corners = gpu::makeBuffer(device, "atlas corners", corners, storage);
+  resources.mesh.vertexCorners =
+      gpu::makeBuffer(device, "atlas corner of each vertex",
+                      cornerOfVertex(corners, merged.positions.size()), storage);
+  resources.mesh.indices =
+      gpu::makeBuffer(device, "indices", atlas.triangles, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  resources.mesh.vertexCount = static_cast<std::uint32_t>(merged.positions.size());
+  resources.mesh.indexCount = static_cast<std::uint32_t>(3 * atlas.triangles.size());
+  resources.atlasEdgeMm = atlas.mmPerUnit;
+  resources.bounds = boundsOf(scene);
+  resources.objects = static_cast<std::uint32_t>(scene.objects.size());
+  resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
+  listMedia(scene, resources);
+  return resources;
+}
+
+}  // namespace opaline

@@ -1,0 +1,126 @@
+#include "renderer/scene_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "bssrdf/fresnel.h"
+#include "bssrdf/profile.h"
+#include "environment/spherical_harmonics.h"
+#include "gpu/device.h"
+#include "gpu/transfer.h"
+#include "passes/gather/ambient_cube.h"
+#include "passes/scatter/pattern_mask.h"
+#include "passes/shade/specular_albedo.h"
+#include "shaders/profile_packing.h"
+#include "shaders/shared/frame.h"
+#include "shaders/shared/medium.h"
+
+namespace opaline {
+
+namespace {
+
+std::array<bssrdf::Profile, 3> profilesOf(const Medium& medium, Transport transport) {
+  const bssrdf::Model model =
+      transport == Transport::Dipole ? bssrdf::Model::Dipole : bssrdf::Model::BetterDipole;
+  return {bssrdf::makeProfile(model, bssrdf::coefficients(medium, 0)),
+          bssrdf::makeProfile(model, bssrdf::coefficients(medium, 1)),
+          bssrdf::makeProfile(model, bssrdf::coefficients(medium, 2))};
+}
+
+// Radiance per exitance but for the Fresnel factor: Eq. 5 to the letter for the classic dipole,
+// d'Eon's energy-conserving exit for the better one.
+double exitFactor(const Medium& medium, Transport transport) {
+  if (transport == Transport::Dipole) return std::numbers::inv_pi;
+  return std::numbers::inv_pi / bssrdf::meanTransmittance(medium.eta);
+}
+
+std::vector<double> differentEtas(const std::vector<Medium>& media) {
+  std::vector<double> etas;
+  for (const Medium& medium : media)
+    if (std::find(etas.begin(), etas.end(), medium.eta) == etas.end()) etas.push_back(medium.eta);
+  return etas;
+}
+
+// Collects the tables of all media.
+class TableBuilder {
+ public:
+  TableBuilder(const SceneResources& resources, const RenderOptions& options)
+      : options_(options), texelMm_(resources.atlasEdgeMm / options.dsmSize),
+        etas_(differentEtas(resources.media)) {
+    for (const double eta : etas_) {
+      const std::vector<float> entries = passes::specularAlbedo(eta, static_cast<double>(options.roughness));
+      albedo_.insert(albedo_.end(), entries.begin(), entries.end());
+    }
+    for (const Medium& medium : resources.media) add(medium);
+  }
+
+  const std::vector<double>& etas() const { return etas_; }
+  const std::vector<shared::MediumData>& media() const { return media_; }
+  const std::vector<shared::PatternEntry>& pattern() const { return pattern_; }
+  const std::vector<float>& albedo() const { return albedo_; }
+
+ private:
+  void add(const Medium& medium) {
+    const std::array<bssrdf::Profile, 3> profiles = profilesOf(medium, options_.transport);
+    const double freePathMm = shortestMeanFreePathMm(medium);
+    const passes::PatternMask mask = passes::makePatternMask(
+        profiles, {.nearRings = options_.pattern.nearRings,
+                   .nearSpacingMm = static_cast<double>(options_.pattern.nearSpacing) * freePathMm,
+                   .farDistanceMm = static_cast<double>(options_.pattern.farDistance) * freePathMm,
+                   .texelMm = texelMm_,
+                   .mapSize = options_.dsmSize});
+    const auto eta = static_cast<std::uint32_t>(
+        std::find(etas_.begin(), etas_.end(), medium.eta) - etas_.begin());
+    media_.push_back({.profile = shaders::packProfile(profiles),
+                      .boundary = {static_cast<float>(medium.eta),
+                                   static_cast<float>(exitFactor(medium, options_.transport)), 0, 0},
+                      .tables = {eta, static_cast<std::uint32_t>(pattern_.size()), mask.samples,
+                                 eta * passes::specularAlbedoEntries}});
+    pattern_.insert(pattern_.end(), mask.entries.begin(), mask.entries.end());
+  }
+
+  const RenderOptions& options_;
+  double texelMm_;
+  std::vector<double> etas_;
+  std::vector<shared::MediumData> media_;
+  std::vector<shared::PatternEntry> pattern_;
+  std::vector<float> albedo_;
+};
+
+std::vector<shared::ObjectData> makeObjects(const SceneResources& resources,
+                                            const std::vector<std::uint32_t>& first) {
+  std::vector<shared::ObjectData> objects(resources.objects);
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    objects[i].table = {resources.mediumOfObject[i], first[i], first[i + 1] - first[i], 0};
+  return objects;
+}
+
+ShCoefficients ambientRadiance(const Lighting& lighting) {
+  ShCoefficients sum = projectUniform(lighting.ambient);
+  if (!lighting.environment) return sum;
+  const ShCoefficients environment = projectEnvironment(*lighting.environment);
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) sum[i][c] += environment[i][c];
+  return sum;
+}
+
+}  // namespace
+
+passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
+                                    const std::vector<std::uint32_t>& firstSourceOfObject,
+                                    const Lighting& lighting, const RenderOptions& options) {
+  const TableBuilder builder(resources, options);
+  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  passes::SceneTables tables;
+  tables.objects =
+      gpu::makeBuffer(device, "objects", makeObjects(resources, firstSourceOfObject), storage);
+  tables.media = gpu::makeBuffer(device, "media", builder.media(), storage);
+  tables.pattern = gpu::makeBuffer(device, "pattern", builder.pattern(), storage);
+  tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
+  tables.ambientCubes =
+      passes::makeAmbientCubes(device, ambientRadiance(lighting), builder.etas());
+  return tables;
+}
+
+}  // namespace opaline

@@ -1,0 +1,26 @@
+// The layout of vertices in storage buffers. Included by C++ and GLSL.
+#ifndef OPALINE_SHARED_MESH_H
+#define OPALINE_SHARED_MESH_H
+
+#ifdef __cplusplus
+#include <cstddef>
+#include <cstdint>
+namespace opaline::shared {
+using uint = std::uint32_t;
+#endif
+
+/// A corner in the atlas; several share a vertex along seams.
+struct AtlasCorner {
+  uint vertex;
+  uint object;
+  float u;
+  float v;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(AtlasCorner) == 16);
+static_assert(offsetof(AtlasCorner, u) == 8);
+}  // namespace opaline::shared
+#endif
+
+#endif

@@ -1,0 +1,3 @@
+#include "builtin/builtin.h"
+
+#include <gtest/gtest.h>
