@@ -13,6 +13,7 @@
 #include "passes/scatter/pattern_mask.h"
 #include "passes/shade/specular_albedo.h"
 #include "shaders/profile_packing.h"
+#include "shaders/shared/frame.h"
 #include "shaders/shared/medium.h"
 
 namespace opaline {

@@ -10,6 +10,9 @@
 
 namespace opaline {
 
+using scene::operator+;
+using scene::operator*;
+
 Bounds boundsOf(const Scene& scene) {
   Bounds bounds;
   bool first = true;

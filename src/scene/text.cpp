@@ -1,5 +1,7 @@
 #include "scene/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -84,7 +86,7 @@ std::string listed(std::span<const std::string_view> words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += "'" + std::string(words[i]) + "'";
+    text += fmt::format("'{}'", words[i]);
   }
   return text;
 }

@@ -166,7 +166,7 @@ void DiffusionSourcePass::prepareList(gpu::Device& device, DiffusionSources& sou
 }
 
 void DiffusionSourcePass::record(gpu::CommandList& commands, const Inputs& inputs,
-                                 DiffusionSources& sources, bool makeList) const {
+                                 DiffusionSources& sources) const {
   commands.beginPass("gather");
   recordMap(commands, inputs, sources);
   commands.endPass();
