@@ -41,13 +41,12 @@ std::vector<Double3> vectors(GltfAccessors& accessors, int accessor,
 
 std::vector<std::uint32_t> indicesOf(const Input& input, GltfAccessors& accessors,
                                      const tinygltf::Primitive& primitive, std::size_t vertices) {
-  std::vector<std::uint32_t> indices;
-  if (primitive.indices != -1) {
-    indices = accessors.integers(primitive.indices, 1);
-  } else {
-    indices.resize(vertices);
-    std::iota(indices.begin(), indices.end(), std::uint32_t{0});
+  if (primitive.indices == -1) {
+    std::vector<std::uint32_t> all(vertices);
+    std::iota(all.begin(), all.end(), std::uint32_t{0});
+    return all;
   }
+  std::vector<std::uint32_t> indices = accessors.integers(primitive.indices, 1);
   for (const std::uint32_t index : indices) {
     if (index >= vertices) {
       failGltf(input, fmt::format("a triangle names vertex {}, but its mesh has {} vertices", index,
