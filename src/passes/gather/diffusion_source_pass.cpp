@@ -57,15 +57,41 @@ std::vector<std::uint32_t> listTexels(std::span<const std::uint32_t> coverage, s
   return texels;
 }
 
-std::vector<std::uint32_t> listFills(std::span<const std::uint32_t> coverage, std::uint32_t size) {
-  const std::vector<std::uint32_t> nearest = nearestCoveredTexel(coverage, size);
-  std::vector<std::uint32_t> fills;
-  for (std::size_t i = 0; i < coverage.size(); ++i) {
-    if (coverage[i] != 0) continue;
-    fills.push_back(packTexel(i, size));
-    fills.push_back(packTexel(nearest[i], size));
+// The highest bit of an origin; the others hold x and y, 15 bits each.
+constexpr std::uint32_t surfaceBit = 1U << 31U;
+
+std::uint32_t packOrigin(std::uint32_t index, std::uint32_t size) {
+  return index % size | ((index / size) << 15U);
+}
+
+// For every texel among the neighbourhoods the texel of the map that holds its data. What lies
+// beyond the surface takes the position of the nearest texel and no area.
+std::vector<std::uint32_t> listOrigins(const atlas::Neighbourhoods& neighbourhoods,
+                                       std::span<const std::uint32_t> coverage,
+                                       std::uint32_t mapSize) {
+  const std::vector<std::uint32_t> covered = nearestCoveredTexel(coverage, mapSize);
+  std::vector<std::uint32_t> present(neighbourhoods.source.size());
+  std::transform(neighbourhoods.source.begin(), neighbourhoods.source.end(), present.begin(),
+                 [](std::uint32_t texel) { return texel == atlas::Neighbourhoods::nothing ? 0U : 1U; });
+  const std::vector<std::uint32_t> nearest =
+      nearestCoveredTexel(present, static_cast<std::uint32_t>(neighbourhoods.size));
+  std::vector<std::uint32_t> origins(present.size());
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    const std::uint32_t texel = neighbourhoods.source[nearest[i]];
+    if (texel == atlas::Neighbourhoods::nothing) continue;
+    origins[i] = packOrigin(covered[texel], mapSize) | (present[i] != 0 ? surfaceBit : 0U);
   }
-  return fills;
+  return origins;
+}
+
+std::vector<shared::vec4> chartPlaces(const atlas::Neighbourhoods& neighbourhoods,
+                                      std::uint32_t mapSize) {
+  const auto size = static_cast<float>(neighbourhoods.size);
+  std::vector<shared::vec4> places;
+  for (const std::array<int, 2>& shift : neighbourhoods.shiftOfChart)
+    places.emplace_back(static_cast<float>(shift[0]) / size, static_cast<float>(shift[1]) / size,
+                        static_cast<float>(mapSize) / size, 0);
+  return places;
 }
 
 }  // namespace
@@ -98,16 +124,24 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
                                         VK_FORMAT_R16G16B16A16_SFLOAT,
                                         VK_FORMAT_R32G32B32A32_SFLOAT},
                    }),
-      fill_(device, gpu::ComputePipelineOptions{
-                        .name = "dsm fill",
-                        .shader = shaders::gather_fill_comp,
-                        .bindings = {{0, BindingType::StorageBuffer},
-                                     {1, BindingType::StorageImage},
-                                     {2, BindingType::StorageImage},
-                                     {3, BindingType::StorageImage},
-                                     {4, BindingType::SampledImage}},
-                        .pushConstantBytes = sizeof(std::uint32_t),
-                    }),
+      neighbours_(device, gpu::ComputePipelineOptions{
+                              .name = "neighbourhoods",
+                              .shader = shaders::gather_neighbours_comp,
+                              .bindings = {{0, BindingType::StorageBuffer},
+                                           {1, BindingType::SampledImage},
+                                           {2, BindingType::SampledImage},
+                                           {3, BindingType::StorageImage},
+                                           {4, BindingType::StorageImage}},
+                          }),
+      cells_(device, gpu::ComputePipelineOptions{
+                         .name = "cells",
+                         .shader = shaders::gather_cells_comp,
+                         .bindings = {{0, BindingType::SampledImage},
+                                      {1, BindingType::SampledImage},
+                                      {2, BindingType::StorageImage},
+                                      {3, BindingType::StorageImage}},
+                         .pushConstantBytes = sizeof(std::int32_t),
+                     }),
       list_(device, gpu::ComputePipelineOptions{
                         .name = "dsm list",
                         .shader = shaders::gather_compact_comp,
@@ -119,7 +153,9 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
                     }) {}
 
 DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh& mesh,
-                                              std::uint32_t mapSize, std::uint32_t objects) const {
+                                              std::uint32_t mapSize, std::uint32_t objects,
+                                              const atlas::Neighbourhoods& neighbourhoods,
+                                              std::uint32_t cellEdge) const {
   DiffusionSources sources;
   sources.positionArea =
       makeMap(device, "dsm position and area", mapSize, VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -147,13 +183,20 @@ DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh&
 
   const std::vector<std::uint32_t> texels =
       listTexels(coverage, mapSize, objects, sources.firstOfObject);
-  const std::vector<std::uint32_t> fills =
-      texels.empty() ? std::vector<std::uint32_t>{} : listFills(coverage, mapSize);
   sources.sourceCount = static_cast<std::uint32_t>(texels.size());
-  sources.fillCount = static_cast<std::uint32_t>(fills.size() / 2);
-  sources.texels =
-      gpu::makeBuffer(device, "dsm texels", texels, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  sources.fills = gpu::makeBuffer(device, "dsm fills", fills, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  sources.texels = gpu::makeBuffer(device, "dsm texels", texels, storage);
+  sources.charts =
+      gpu::makeBuffer(device, "charts", chartPlaces(neighbourhoods, mapSize), storage);
+  sources.origins = gpu::makeBuffer(device, "origins of neighbourhoods",
+                                    listOrigins(neighbourhoods, coverage, mapSize), storage);
+  const auto size = static_cast<std::uint32_t>(neighbourhoods.size);
+  sources.cellEdge = cellEdge;
+  constexpr VkFormat floats = VK_FORMAT_R32G32B32A32_SFLOAT;
+  sources.nearPosition = makeMap(device, "neighbourhoods' position", size, floats);
+  sources.nearFlux = makeMap(device, "neighbourhoods' flux", size, floats);
+  sources.farPosition = makeMap(device, "cells' position", size / cellEdge, floats);
+  sources.farFlux = makeMap(device, "cells' flux", size / cellEdge, floats);
   return sources;
 }
 
@@ -170,8 +213,8 @@ void DiffusionSourcePass::record(gpu::CommandList& commands, const Inputs& input
   commands.beginPass("gather");
   recordMap(commands, inputs, sources);
   commands.endPass();
-  commands.beginPass("fill");
-  recordFill(commands, sources);
+  commands.beginPass("neighbours");
+  recordNeighbours(commands, sources);
   commands.endPass();
   if (!sources.list) return;
   commands.beginPass("list");
@@ -197,15 +240,24 @@ void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& in
   commands.endRendering();
 }
 
-void DiffusionSourcePass::recordFill(gpu::CommandList& commands, DiffusionSources& sources) const {
-  if (sources.fillCount == 0) return;
-  commands.bind(fill_);
-  commands.bindResources(
-      {Binding::read(0, sources.fills), Binding::writeImage(1, sources.positionArea),
-       Binding::writeImage(2, sources.normal), Binding::writeImage(3, sources.irradianceObject),
-       Binding::sampled(4, sources.coverage, nearest_)});
-  commands.pushConstants(sources.fillCount);
-  commands.dispatchLinear(sources.fillCount);
+void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
+                                           DiffusionSources& sources) const {
+  const auto tiles = [](const gpu::GpuImage& image) { return (image.extent().width + 7) / 8; };
+  commands.bind(neighbours_);
+  commands.bindResources({Binding::read(0, sources.origins),
+                          Binding::sampled(1, sources.positionArea, nearest_),
+                          Binding::sampled(2, sources.irradianceObject, nearest_),
+                          Binding::writeImage(3, sources.nearPosition),
+                          Binding::writeImage(4, sources.nearFlux)});
+  commands.dispatch(tiles(sources.nearPosition), tiles(sources.nearPosition));
+
+  commands.bind(cells_);
+  commands.bindResources({Binding::sampled(0, sources.nearPosition, nearest_),
+                          Binding::sampled(1, sources.nearFlux, nearest_),
+                          Binding::writeImage(2, sources.farPosition),
+                          Binding::writeImage(3, sources.farFlux)});
+  commands.pushConstants(static_cast<std::int32_t>(sources.cellEdge));
+  commands.dispatch(tiles(sources.farPosition), tiles(sources.farPosition));
 }
 
 void DiffusionSourcePass::recordList(gpu::CommandList& commands, DiffusionSources& sources) const {

@@ -5,7 +5,9 @@
 #define BINDING_MEDIA 5
 #define BINDING_PATTERN 6
 #define BINDING_POSITION 7
-#define BINDING_IRRADIANCE 8
+#define BINDING_FLUX 8
+#define BINDING_FAR_POSITION 9
+#define BINDING_FAR_FLUX 10
 #include "lib/scatter.glsl"
 
 layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
@@ -19,7 +21,7 @@ void main() {
   exitance = vec4(0.0);
   if (surface.w > 0.0) {
     uint object = uint(surface.w) - 1u;
-    vec2 uv = texelFetch(surfacePlace, pixel, 0).xy;
-    exitance = vec4(patternSum(surface.xyz, uv, object), 1.0);
+    vec2 place = texelFetch(surfacePlace, pixel, 0).xy;
+    exitance = vec4(patternSum(surface.xyz, place, object), 1.0);
   }
 }

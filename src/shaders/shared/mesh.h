@@ -15,10 +15,11 @@ struct AtlasCorner {
   uint object;
   float u;
   float v;
+  uint chart;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(AtlasCorner) == 16);
+static_assert(sizeof(AtlasCorner) == 20);
 static_assert(offsetof(AtlasCorner, u) == 8);
 }  // namespace opaline::shared
 #endif
