@@ -40,10 +40,11 @@ struct DiffusionSources {
   gpu::GpuImage normal;            ///< xyz
   gpu::GpuImage irradianceObject;  ///< rgb E, a object + 1
   gpu::GpuImage coverage;          ///< object + 1, 0 where no surface is
-  gpu::Buffer charts;              ///< vec4 a chart, see shaders/lib/place.glsl
-  gpu::Buffer origins;             ///< of each texel among the neighbourhoods, packed
-  gpu::GpuImage nearPosition;      ///< neighbourhoods: xyz mm
-  gpu::GpuImage nearFlux;          ///< neighbourhoods: rgb E·A, a A in mm², 0 where no surface is
+  gpu::Buffer charts;              ///< shared::ChartPlaces
+  gpu::Buffer nearOrigins;         ///< packed texel of the map for each one among the neighbourhoods
+  gpu::GpuImage nearPosition;      ///< xyz mm
+  gpu::GpuImage nearFlux;          ///< rgb E·A, a A in mm², 0 where no surface is
+  gpu::Buffer farOrigins;          ///< the same for aprons that hold the far samples
   gpu::GpuImage farPosition;       ///< means of these over cells
   gpu::GpuImage farFlux;
   gpu::Buffer texels;              ///< packed texels that carry surface, object after object
@@ -57,7 +58,7 @@ struct DiffusionSources {
 struct VisibleSurface {
   gpu::GpuImage position;  ///< xyz mm, w object + 1
   gpu::GpuImage normal;    ///< xyz unit
-  gpu::GpuImage place;     ///< xy place among the neighbourhoods
+  gpu::GpuImage place;     ///< near place, chart, direction; see scatter/surface.frag
   gpu::GpuImage depth;
 };
 

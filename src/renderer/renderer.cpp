@@ -134,7 +134,7 @@ class Renderer::Implementation {
     FrameResources made;
     made.sources = passes_.gather.prepare(
         device_, uploaded_->mesh, static_cast<std::uint32_t>(options.dsmSize), uploaded_->objects,
-        pattern.neighbourhoods, static_cast<std::uint32_t>(pattern.cell));
+        pattern.maps);
     made.tables = makeSceneTables(device_, *uploaded_, pattern, made.sources.firstOfObject,
                                   scene_->lighting, options);
     made.shadows = passes::ShadowPass::makeMaps(device_,

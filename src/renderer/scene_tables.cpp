@@ -68,7 +68,7 @@ class TableBuilder {
       albedo_.insert(albedo_.end(), entries.begin(), entries.end());
     }
     for (std::size_t i = 0; i < resources.media.size(); ++i)
-      add(resources.media[i], pattern.extentOfMedium[i]);
+      add(resources.media[i], pattern.extentOfMedium[i], pattern.maps.distant.size);
   }
 
   const std::vector<double>& etas() const { return etas_; }
@@ -77,9 +77,9 @@ class TableBuilder {
   const std::vector<float>& albedo() const { return albedo_; }
 
  private:
-  void add(const Medium& medium, const passes::PatternExtent& extent) {
+  void add(const Medium& medium, const passes::PatternExtent& extent, int farMapSize) {
     const std::array<bssrdf::Profile, 3> profiles = profilesOf(medium, options_.transport);
-    const passes::PatternMask mask = passes::makePatternMask(profiles, extent, texelMm_);
+    const passes::PatternMask mask = passes::makePatternMask(profiles, extent, texelMm_, farMapSize);
     const auto eta = static_cast<std::uint32_t>(
         std::find(etas_.begin(), etas_.end(), medium.eta) - etas_.begin());
     media_.push_back({.profile = shaders::packProfile(profiles),
@@ -118,30 +118,36 @@ ShCoefficients ambientRadiance(const Lighting& lighting) {
 }  // namespace
 
 PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions& options) {
-  // Aprons take room: nine times the map's own is where wider ones stop being worth it.
-  constexpr int largestGrowth = 3;
+  // Aprons take room: where they would need more than this, the pattern shrinks.
+  const int largestNear = std::max(2 * options.dsmSize, 1024);
+  const int largestFar = std::max(4 * options.dsmSize, 2048);
   const double texelMm = texelEdgeMm(resources, options);
   PatternLayout layout;
-  int reach = 1;
-  layout.cell = options.dsmSize;
+  int nearReach = 1;
+  int farReach = 1;
+  int cell = options.dsmSize;
   for (std::size_t i = 0; i < resources.media.size(); ++i) {
     const double freePathMm = shortestMeanFreePathMm(resources.media[i]);
-    layout.extentOfMedium.push_back(passes::patternExtent(
+    const passes::PatternExtent extent = passes::patternExtent(
         {.nearRings = options.pattern.nearRings,
          .nearSpacingMm = static_cast<double>(options.pattern.nearSpacing) * freePathMm,
          .farDistanceMm = static_cast<double>(options.pattern.farDistance) * freePathMm},
-        texelMm, smallestAreaMm2(resources, i)));
-    reach = std::max(reach, layout.extentOfMedium.back().reach());
-    layout.cell = std::min(layout.cell, layout.extentOfMedium.back().cell);
+        texelMm, smallestAreaMm2(resources, i));
+    layout.extentOfMedium.push_back(extent);
+    nearReach = std::max(nearReach, extent.nearReach());
+    farReach = std::max(farReach, extent.farReach());
+    cell = std::min(cell, extent.cell);
   }
-  layout.neighbourhoods =
-      atlas::makeNeighbourhoods(resources.merged.surface(), resources.atlas,
-                                {.mapSize = options.dsmSize,
-                                 .reach = reach,
-                                 .alignment = layout.cell,
-                                 .maxSize = std::max(largestGrowth * options.dsmSize, 1024)});
+  const atlas::Surface surface = resources.merged.surface();
+  layout.maps.nearby = atlas::makeNeighbourhoods(
+      surface, resources.atlas,
+      {.mapSize = options.dsmSize, .reach = nearReach, .alignment = 1, .maxSize = largestNear});
+  layout.maps.distant = atlas::makeNeighbourhoods(
+      surface, resources.atlas,
+      {.mapSize = options.dsmSize, .reach = farReach, .alignment = cell, .maxSize = largestFar});
+  layout.maps.cellEdge = static_cast<std::uint32_t>(cell);
   for (passes::PatternExtent& extent : layout.extentOfMedium)
-    extent = passes::fitted(extent, layout.neighbourhoods.reach);
+    extent = passes::fitted(extent, layout.maps.nearby.reach, layout.maps.distant.reach);
   return layout;
 }
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "atlas/neighbourhood.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "passes/gather/diffusion_source_pass.h"
 #include "passes/products.h"
 #include "passes/scatter/pattern_mask.h"
 #include "renderer/scene_resources.h"
@@ -17,9 +17,8 @@ namespace opaline {
 
 /// The pattern of every medium of the scene, and the neighbourhoods that hold them all.
 struct PatternLayout {
-  atlas::Neighbourhoods neighbourhoods;
+  passes::NeighbourhoodMaps maps;
   std::vector<passes::PatternExtent> extentOfMedium;
-  int cell = 1;  ///< edge of the far samples' cells, texels
 };
 
 /// For set-up, not for frames.

@@ -1,6 +1,7 @@
 #include "passes/gather/diffusion_source_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <span>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "passes/gather/nearest_texel.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/frame.h"
+#include "shaders/shared/mesh.h"
 
 namespace opaline::passes {
 
@@ -84,15 +86,30 @@ std::vector<std::uint32_t> listOrigins(const atlas::Neighbourhoods& neighbourhoo
   return origins;
 }
 
-std::vector<shared::vec4> chartPlaces(const atlas::Neighbourhoods& neighbourhoods,
-                                      std::uint32_t mapSize) {
-  const auto size = static_cast<float>(neighbourhoods.size);
-  std::vector<shared::vec4> places;
-  for (const std::array<int, 2>& shift : neighbourhoods.shiftOfChart)
-    places.emplace_back(static_cast<float>(shift[0]) / size, static_cast<float>(shift[1]) / size,
-                        static_cast<float>(mapSize) / size, 0);
+std::vector<shared::ChartPlaces> chartPlaces(const NeighbourhoodMaps& maps, std::uint32_t mapSize) {
+  const auto nearSize = static_cast<float>(maps.nearby.size);
+  const auto farSize = static_cast<float>(maps.distant.size);
+  std::vector<shared::ChartPlaces> places;
+  for (std::size_t i = 0; i < maps.nearby.shiftOfChart.size(); ++i) {
+    const std::array<int, 2>& near = maps.nearby.shiftOfChart[i];
+    const std::array<int, 2>& far = maps.distant.shiftOfChart[i];
+    places.push_back({.nearShiftU = static_cast<float>(near[0]) / nearSize,
+                      .nearShiftV = static_cast<float>(near[1]) / nearSize,
+                      .nearScale = static_cast<float>(mapSize) / nearSize,
+                      .farShiftU = static_cast<float>(far[0]) / farSize,
+                      .farShiftV = static_cast<float>(far[1]) / farSize,
+                      .farScale = static_cast<float>(mapSize) / farSize});
+  }
   return places;
 }
+
+// Every cell is read at about this many places along an edge.
+constexpr std::int32_t samplesAlongCell = 4;
+
+struct CellConstants {
+  std::int32_t edge;
+  std::int32_t stride;
+};
 
 }  // namespace
 
@@ -136,11 +153,12 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
       cells_(device, gpu::ComputePipelineOptions{
                          .name = "cells",
                          .shader = shaders::gather_cells_comp,
-                         .bindings = {{0, BindingType::SampledImage},
+                         .bindings = {{0, BindingType::StorageBuffer},
                                       {1, BindingType::SampledImage},
-                                      {2, BindingType::StorageImage},
-                                      {3, BindingType::StorageImage}},
-                         .pushConstantBytes = sizeof(std::int32_t),
+                                      {2, BindingType::SampledImage},
+                                      {3, BindingType::StorageImage},
+                                      {4, BindingType::StorageImage}},
+                         .pushConstantBytes = sizeof(CellConstants),
                      }),
       list_(device, gpu::ComputePipelineOptions{
                         .name = "dsm list",
@@ -154,8 +172,7 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
 
 DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh& mesh,
                                               std::uint32_t mapSize, std::uint32_t objects,
-                                              const atlas::Neighbourhoods& neighbourhoods,
-                                              std::uint32_t cellEdge) const {
+                                              const NeighbourhoodMaps& maps) const {
   DiffusionSources sources;
   sources.positionArea =
       makeMap(device, "dsm position and area", mapSize, VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -186,17 +203,19 @@ DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh&
   sources.sourceCount = static_cast<std::uint32_t>(texels.size());
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   sources.texels = gpu::makeBuffer(device, "dsm texels", texels, storage);
-  sources.charts =
-      gpu::makeBuffer(device, "charts", chartPlaces(neighbourhoods, mapSize), storage);
-  sources.origins = gpu::makeBuffer(device, "origins of neighbourhoods",
-                                    listOrigins(neighbourhoods, coverage, mapSize), storage);
-  const auto size = static_cast<std::uint32_t>(neighbourhoods.size);
-  sources.cellEdge = cellEdge;
+  sources.charts = gpu::makeBuffer(device, "charts", chartPlaces(maps, mapSize), storage);
+  sources.nearOrigins = gpu::makeBuffer(device, "origins of near texels",
+                                        listOrigins(maps.nearby, coverage, mapSize), storage);
+  sources.farOrigins = gpu::makeBuffer(device, "origins of far texels",
+                                       listOrigins(maps.distant, coverage, mapSize), storage);
+  const auto nearSize = static_cast<std::uint32_t>(maps.nearby.size);
+  const std::uint32_t cells = static_cast<std::uint32_t>(maps.distant.size) / maps.cellEdge;
+  sources.cellEdge = maps.cellEdge;
   constexpr VkFormat floats = VK_FORMAT_R32G32B32A32_SFLOAT;
-  sources.nearPosition = makeMap(device, "neighbourhoods' position", size, floats);
-  sources.nearFlux = makeMap(device, "neighbourhoods' flux", size, floats);
-  sources.farPosition = makeMap(device, "cells' position", size / cellEdge, floats);
-  sources.farFlux = makeMap(device, "cells' flux", size / cellEdge, floats);
+  sources.nearPosition = makeMap(device, "neighbourhoods' position", nearSize, floats);
+  sources.nearFlux = makeMap(device, "neighbourhoods' flux", nearSize, floats);
+  sources.farPosition = makeMap(device, "cells' position", cells, floats);
+  sources.farFlux = makeMap(device, "cells' flux", cells, floats);
   return sources;
 }
 
@@ -244,7 +263,7 @@ void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
                                            DiffusionSources& sources) const {
   const auto tiles = [](const gpu::GpuImage& image) { return (image.extent().width + 7) / 8; };
   commands.bind(neighbours_);
-  commands.bindResources({Binding::read(0, sources.origins),
+  commands.bindResources({Binding::read(0, sources.nearOrigins),
                           Binding::sampled(1, sources.positionArea, nearest_),
                           Binding::sampled(2, sources.irradianceObject, nearest_),
                           Binding::writeImage(3, sources.nearPosition),
@@ -252,11 +271,13 @@ void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
   commands.dispatch(tiles(sources.nearPosition), tiles(sources.nearPosition));
 
   commands.bind(cells_);
-  commands.bindResources({Binding::sampled(0, sources.nearPosition, nearest_),
-                          Binding::sampled(1, sources.nearFlux, nearest_),
-                          Binding::writeImage(2, sources.farPosition),
-                          Binding::writeImage(3, sources.farFlux)});
-  commands.pushConstants(static_cast<std::int32_t>(sources.cellEdge));
+  commands.bindResources({Binding::read(0, sources.farOrigins),
+                          Binding::sampled(1, sources.positionArea, nearest_),
+                          Binding::sampled(2, sources.irradianceObject, nearest_),
+                          Binding::writeImage(3, sources.farPosition),
+                          Binding::writeImage(4, sources.farFlux)});
+  const auto edge = static_cast<std::int32_t>(sources.cellEdge);
+  commands.pushConstants(CellConstants{edge, std::max(1, edge / samplesAlongCell)});
   commands.dispatch(tiles(sources.farPosition), tiles(sources.farPosition));
 }
 

@@ -13,6 +13,13 @@ class Device;
 
 namespace opaline::passes {
 
+/// Layouts of the atlas with aprons, for the near and the far samples of the pattern.
+struct NeighbourhoodMaps {
+  atlas::Neighbourhoods nearby;
+  atlas::Neighbourhoods distant;  ///< its size is a multiple of cellEdge
+  std::uint32_t cellEdge = 1;     ///< of the cells over which far samples want means, texels
+};
+
 /// The gathering of irradiance (Gong et al. 2008, section 3): draws the mesh into its atlas, in one
 /// pass with three targets, lays it out anew so that charts go on beyond their seams, and lists it.
 class DiffusionSourcePass {
@@ -20,11 +27,9 @@ class DiffusionSourcePass {
   explicit DiffusionSourcePass(gpu::Device& device);
 
   /// Makes the map and finds out which texels carry surface; blocks. For set-up, not for frames: it
-  /// depends on the atlas, not on the pose. `objects` is their number; `cellEdge` that of the far
-  /// samples' cells, of which the size of the neighbourhoods is a multiple.
+  /// depends on the atlas, not on the pose. `objects` is their number.
   DiffusionSources prepare(gpu::Device& device, DeformedMesh& mesh, std::uint32_t mapSize,
-                           std::uint32_t objects, const atlas::Neighbourhoods& neighbourhoods,
-                           std::uint32_t cellEdge) const;
+                           std::uint32_t objects, const NeighbourhoodMaps& maps) const;
 
   /// Makes room for the list of sources; from then on every frame writes it. For set-up.
   void prepareList(gpu::Device& device, DiffusionSources& sources) const;

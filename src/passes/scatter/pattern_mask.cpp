@@ -60,8 +60,8 @@ int cellEdge(const PatternExtent& extent) {
 class MaskBuilder {
  public:
   MaskBuilder(const std::array<bssrdf::Profile, 3>& profiles, const PatternExtent& extent,
-              double texelMm)
-      : profiles_(profiles), extent_(extent), texelMm_(texelMm) {}
+              double texelMm, int farMapSize)
+      : profiles_(profiles), extent_(extent), texelMm_(texelMm), farMapSize_(farMapSize) {}
 
   PatternMask build() {
     addCentre();
@@ -92,6 +92,7 @@ class MaskBuilder {
       exponent.value[c] = value > 0 ? static_cast<float>(slope / value) : 0.0F;
     }
     reflectance.value.a = static_cast<float>(texelMm_ * texelMm_);
+    exponent.value.a = 1.0F / static_cast<float>(farMapSize_);
     mask_.entries.push_back(reflectance);
     mask_.entries.push_back(exponent);
   }
@@ -127,14 +128,15 @@ class MaskBuilder {
   const std::array<bssrdf::Profile, 3>& profiles_;
   const PatternExtent& extent_;
   double texelMm_;
+  int farMapSize_;
   PatternMask mask_;
 };
 
 }  // namespace
 
-int PatternExtent::reach() const {
-  return std::max(nearRings * spacing, distance + 2 * cell) + 1;
-}
+int PatternExtent::nearReach() const { return nearRings * spacing + 2; }
+
+int PatternExtent::farReach() const { return distance + 2 * cell + 1; }
 
 PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2) {
   constexpr double largest = 16384;
@@ -153,25 +155,19 @@ PatternExtent patternExtent(const PatternShape& shape, double texelMm, double ob
   return extent;
 }
 
-PatternExtent fitted(PatternExtent extent, int reach) {
-  while (extent.reach() > reach) {
+PatternExtent fitted(PatternExtent extent, int nearReach, int farReach) {
+  while (extent.nearReach() > nearReach && extent.nearRings > 0) {
     if (extent.spacing > 1) --extent.spacing;
-    else if (extent.nearRings > 0 && extent.nearRings * extent.spacing + 1 > reach) --extent.nearRings;
-    else if (extent.distance <= 1 && extent.cell <= 1) break;
-    const int nearest = static_cast<int>(std::ceil(blockRadius(extent))) + 1;
-    extent.distance = std::max(nearest, extent.distance - std::max(1, extent.distance / 8));
-    extent.cell = std::min(cellEdge(extent), std::max(1, (reach - extent.distance) / 2));
-    if (extent.distance == nearest && extent.spacing == 1 && extent.cell == 1) {
-      if (extent.nearRings == 0) break;
-      --extent.nearRings;
-    }
+    else --extent.nearRings;
   }
+  extent.cell = std::clamp(extent.cell, 1, std::max(1, farReach / 4));
+  extent.distance = std::clamp(extent.distance, 1, std::max(1, farReach - 2 * extent.cell - 1));
   return extent;
 }
 
 PatternMask makePatternMask(const std::array<bssrdf::Profile, 3>& profiles,
-                            const PatternExtent& extent, double texelMm) {
-  return MaskBuilder(profiles, extent, texelMm).build();
+                            const PatternExtent& extent, double texelMm, int farMapSize) {
+  return MaskBuilder(profiles, extent, texelMm, farMapSize).build();
 }
 
 }  // namespace opaline::passes

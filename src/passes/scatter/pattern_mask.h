@@ -23,16 +23,17 @@ struct PatternExtent {
   int distance = 1;  ///< of the far samples from the centre, texels
   int cell = 1;      ///< edge of the cells over which far samples want means, texels
 
-  /// Texels that a sample may lie away from the centre, its filter included.
-  int reach() const;
+  /// Texels that near and far samples may lie away from the centre, their filters included.
+  int nearReach() const;
+  int farReach() const;
 };
 
 /// Rounds to whole texels, keeps the far samples off the block and the whole pattern from being
 /// larger than a disc of the object's area.
 PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2);
 
-/// The largest pattern of that kind that stays within `reach` texels.
-PatternExtent fitted(PatternExtent extent, int reach);
+/// The largest pattern of that kind that stays within these reaches, texels.
+PatternExtent fitted(PatternExtent extent, int nearReach, int farReach);
 
 /// The entries of one medium, see shared::PatternEntry, and the number of near samples among them;
 /// eight far ones follow.
@@ -43,8 +44,9 @@ struct PatternMask {
 
 /// Offsets and weights of the samples. On a plane under uniform light every near sample gives
 /// exactly what its square cell reflects, and the eight far samples together what the ring gives that
-/// lies around the block and reaches as far beyond them as they lie beyond the block.
+/// lies around the block and reaches as far beyond them as they lie beyond the block. `farMapSize` is
+/// the edge, in texels, of the map in whose [0,1]² the far samples are placed.
 PatternMask makePatternMask(const std::array<bssrdf::Profile, 3>& profiles,
-                            const PatternExtent& extent, double texelMm);
+                            const PatternExtent& extent, double texelMm, int farMapSize);
 
 }  // namespace opaline::passes

@@ -62,7 +62,8 @@ ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device,
                                      {7, BindingType::SampledImage},
                                      {8, BindingType::SampledImage},
                                      {9, BindingType::SampledImage},
-                                     {10, BindingType::SampledImage}},
+                                     {10, BindingType::SampledImage},
+                                     {11, BindingType::StorageBuffer}},
                         .specialization = specialization,
                         .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT},
                     }),
@@ -121,7 +122,8 @@ void ScatterPass::patternOverFragments(gpu::CommandList& commands, ScatterTransp
                           Binding::sampled(7, sources.nearPosition, nearest_),
                           Binding::sampled(8, sources.nearFlux, linear_),
                           Binding::sampled(9, sources.farPosition, linear_),
-                          Binding::sampled(10, sources.farFlux, linear_)});
+                          Binding::sampled(10, sources.farFlux, linear_),
+                          Binding::read(11, sources.charts)});
   commands.beginRendering({{.image = &exitance.image}});
   commands.draw(3);
   commands.endRendering();

@@ -1,11 +1,15 @@
-// Where a corner of the atlas lies in the map of neighbourhoods, in [0,1]². `chart` holds the scale
-// (z) and the shift (xy) of its chart.
+// Places in the atlas and in the two maps of neighbourhoods, all in [0,1]².
 #ifndef OPALINE_LIB_PLACE
 #define OPALINE_LIB_PLACE
 #include "shared/mesh.h"
 
-vec2 placeAmongNeighbours(AtlasCorner corner, vec4 chart) {
-  return vec2(corner.u, corner.v) * chart.z + chart.xy;
+vec2 nearPlaceOf(vec2 uv, ChartPlaces chart) {
+  return uv * chart.nearScale + vec2(chart.nearShiftU, chart.nearShiftV);
+}
+
+vec2 farPlaceOf(vec2 nearPlace, ChartPlaces chart) {
+  vec2 uv = (nearPlace - vec2(chart.nearShiftU, chart.nearShiftV)) / chart.nearScale;
+  return uv * chart.farScale + vec2(chart.farShiftU, chart.farShiftV);
 }
 
 #endif

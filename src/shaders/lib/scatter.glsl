@@ -24,18 +24,19 @@ layout(set = 0, binding = BINDING_FLUX) uniform sampler2D nearFlux;             
 layout(set = 0, binding = BINDING_FAR_POSITION) uniform sampler2D farPosition;   // means over cells
 layout(set = 0, binding = BINDING_FAR_FLUX) uniform sampler2D farFlux;
 
-// The near block and the eight far samples around a place among the neighbourhoods (Gong et al.
-// 2008, section 4.1), each weighted by the texels it stands for (section 4.2). The cell at the
+// The near block and the eight far samples around a place in the two maps (Gong et al. 2008,
+// section 4.1), each weighted by the texels it stands for (section 4.2). The cell at the
 // centre, where the profile is sharpest, is integrated rather than sampled; the far samples read
-// means over cells, so that the pieces of surface are small nearby and large far away.
-vec3 patternSum(vec3 position, vec2 place, uint object) {
+// means over cells, so that the pieces of surface are small nearby and large far away, and stand
+// around the direction in which the surface rises, so that charts on both sides of a seam see the same.
+vec3 patternSum(vec3 position, uint object, vec2 nearPlace, vec2 farPlace, float angle) {
   MediumData medium = media[objects[object].table.x];
   uint first = medium.tables.y;
   vec2 size = vec2(textureSize(nearPosition, 0));
-  ivec2 centre = ivec2(place * size);
+  ivec2 centre = ivec2(nearPlace * size);
 
   vec4 cell = pattern[first].value;
-  vec4 flux = textureLod(nearFlux, place, 0.0);
+  vec4 flux = textureLod(nearFlux, nearPlace, 0.0);
   float stretch = flux.a / cell.a;
   vec3 sum = flux.rgb / max(flux.a, 1e-20) * cell.rgb *
              pow(vec3(stretch), pattern[first + 1u].value.rgb);
@@ -49,10 +50,12 @@ vec3 patternSum(vec3 position, vec2 place, uint object) {
     sum += texelFetch(nearFlux, texel, 0).rgb * entry.rgb *
            reflectanceProfile(medium.profile, dot(offset, offset));
   }
+  float texel = pattern[first + 1u].value.a;
+  mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle)) * texel;
   for (uint i = end; i < end + 8u; ++i) {
     vec4 entry = pattern[i].value;
     int packed = floatBitsToInt(entry.a);
-    vec2 there = place + vec2(bitfieldExtract(packed, 0, 16), packed >> 16) / size;
+    vec2 there = farPlace + turn * vec2(bitfieldExtract(packed, 0, 16), packed >> 16);
     vec3 offset = textureLod(farPosition, there, 0.0).xyz - position;
     sum += textureLod(farFlux, there, 0.0).rgb * entry.rgb *
            reflectanceProfile(medium.profile, dot(offset, offset));

@@ -9,9 +9,12 @@
 #define BINDING_FAR_POSITION 9
 #define BINDING_FAR_FLUX 10
 #include "lib/scatter.glsl"
+#include "lib/place.glsl"
 
 layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
 layout(set = 0, binding = 2) uniform sampler2D surfacePlace;
+
+layout(std430, set = 0, binding = 11) readonly buffer Charts { ChartPlaces charts[]; };
 
 layout(location = 0) out vec4 exitance;
 
@@ -21,7 +24,8 @@ void main() {
   exitance = vec4(0.0);
   if (surface.w > 0.0) {
     uint object = uint(surface.w) - 1u;
-    vec2 place = texelFetch(surfacePlace, pixel, 0).xy;
-    exitance = vec4(patternSum(surface.xyz, place, object), 1.0);
+    vec4 place = texelFetch(surfacePlace, pixel, 0);
+    vec2 farPlace = farPlaceOf(place.xy, charts[uint(place.z)]);
+    exitance = vec4(patternSum(surface.xyz, object, place.xy, farPlace, place.w), 1.0);
   }
 }

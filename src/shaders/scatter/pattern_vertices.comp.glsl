@@ -16,7 +16,7 @@ layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[
 layout(std430, set = 0, binding = 2) readonly buffer Corners { AtlasCorner corners[]; };  // one a vertex
 layout(std430, set = 0, binding = 3) writeonly buffer Exitance { vec4 exitances[]; };
 
-layout(std430, set = 0, binding = 11) readonly buffer Charts { vec4 charts[]; };
+layout(std430, set = 0, binding = 11) readonly buffer Charts { ChartPlaces charts[]; };
 
 layout(push_constant) uniform Push { uint vertexCount; };
 
@@ -24,7 +24,9 @@ void main() {
   uint i = linearIndex();
   if (i >= vertexCount) return;
   AtlasCorner corner = corners[i];
-  vec2 place = placeAmongNeighbours(corner, charts[corner.chart]);
-  vec3 sum = patternSum(positions[i].xyz, place, corner.object);
+  ChartPlaces chart = charts[corner.chart];
+  vec2 place = nearPlaceOf(vec2(corner.u, corner.v), chart);
+  vec3 sum = patternSum(positions[i].xyz, corner.object, place, farPlaceOf(place, chart),
+                        atan(corner.alongV, corner.alongU));
   exitances[i] = vec4(sum, 1.0);
 }
