@@ -19,7 +19,9 @@ using testing::HasSubstr;
 const std::vector<float> tetrahedron{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
 const std::vector<std::uint16_t> faces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
 
-std::string tetrahedronBytes() { return test::raw(tetrahedron) + test::raw(faces); }
+std::string tetrahedronBytes() {
+  return test::raw(tetrahedron) + test::raw(faces);
+}
 
 /// Parts of a file around the tetrahedron, each to be replaced.
 struct Parts {
@@ -125,8 +127,8 @@ TEST_F(Gltf, StripsFansAndMissingIndices) {
   parts.views = R"({"buffer":0,"byteLength":48})";
   parts.buffers = R"({"byteLength":48})";
   for (const int mode : {5, 6}) {
-    parts.meshes = fmt::format(
-        R"({{"primitives":[{{"attributes":{{"POSITION":0}},"mode":{}}}]}})", mode);
+    parts.meshes =
+        fmt::format(R"({{"primitives":[{{"attributes":{{"POSITION":0}},"mode":{}}}]}})", mode);
     const Scene scene = load(parts, square);
     EXPECT_EQ(scene.objects[0].mesh.triangles.size(), 2U);
     if (mode == 5) {
@@ -159,7 +161,7 @@ TEST_F(Gltf, AllComponentTypesNormalisedOrNot) {
         of.normalised);
     parts.meshes = R"({"primitives":[{"attributes":{"POSITION":0}}]})";
     parts.views = fmt::format(R"({{"buffer":0,"byteLength":{}}})", of.bytes.size());
-    parts.buffers = parts.views.substr(0, 0) + fmt::format(R"({{"byteLength":{}}})", of.bytes.size());
+    parts.buffers = fmt::format(R"({{"byteLength":{}}})", of.bytes.size());
     EXPECT_EQ(boundsOf(load(parts, of.bytes)).maxMm, (Vec3{1000, 1000, 0})) << of.type;
   }
 }
@@ -210,7 +212,8 @@ TEST_F(Gltf, CamerasAndLights) {
       {"extensions":{"KHR_lights_punctual":{"light":0}},"rotation":[0,0.70710678,0,0.70710678]},
       {"extensions":{"KHR_lights_punctual":{"light":1}},"translation":[0,0,2]},
       {"extensions":{"KHR_lights_punctual":{"light":2}}})";
-  parts.more = R"(,"cameras":[{"type":"perspective","perspective":{"yfov":0.7853981634,"znear":0.1}}],
+  parts.more =
+      R"(,"cameras":[{"type":"perspective","perspective":{"yfov":0.7853981634,"znear":0.1}}],
       "extensions":{"KHR_lights_punctual":{"lights":[
         {"type":"directional","intensity":3,"color":[1,0.5,0]},
         {"type":"point","intensity":7},{"type":"spot","name":"S","spot":{}}]}})";
@@ -346,11 +349,11 @@ TEST_F(Gltf, AccessorsThatLieAreErrors) {
 
 TEST_F(Gltf, BufferViewsAndBuffersThatLieAreErrors) {
   const std::string second = R"(,{"buffer":0,"byteOffset":48,"byteLength":24})";
-  for (const char* view : {R"({"buffer":0,"byteOffset":60,"byteLength":48})",
-                           R"({"buffer":5,"byteLength":48})",
-                           R"({"buffer":0,"byteOffset":18446744073709551600,"byteLength":48})",
-                           R"({"buffer":0,"byteLength":18446744073709551615,"byteOffset":8})",
-                           R"({"buffer":0,"byteLength":48,"byteStride":4})"}) {
+  for (const char* view :
+       {R"({"buffer":0,"byteOffset":60,"byteLength":48})", R"({"buffer":5,"byteLength":48})",
+        R"({"buffer":0,"byteOffset":18446744073709551600,"byteLength":48})",
+        R"({"buffer":0,"byteLength":18446744073709551615,"byteOffset":8})",
+        R"({"buffer":0,"byteLength":48,"byteStride":4})"}) {
     Parts parts;
     parts.views = view + second;
     EXPECT_NE(errorOf(parts), "") << view;
@@ -374,7 +377,7 @@ TEST_F(Gltf, BadNumbersAndIndicesAreErrors) {
   Parts parts;
   parts.nodes = R"({"mesh":0,"scale":[1e300,1e300,1e300]})";
   errorOf(parts);
-  parts.nodes = R"({"mesh":0,"scale":[1e37,1,1]})";
+  parts.nodes = R"({"mesh":0,"scale":[1e37,1e37,1e37]})";
   EXPECT_THAT(errorOf(parts), HasSubstr("too large"));
   parts.nodes = R"({"mesh":0,"scale":[0,0,0]})";
   EXPECT_THAT(errorOf(parts), HasSubstr("degenerate"));
@@ -392,7 +395,7 @@ TEST_F(Gltf, ManyInstancesAreRefusedBeforeMemoryIs) {
     list += (i == 0 ? "" : ",") + std::to_string(i);
   }
   parts.scene = R"("scenes":[{"nodes":[)" + list + "]}],";
-  // Fans of 16,000 triangles, 12,000 times.
+  // Fans of 16,000 triangles, each with vertices of its own for want of normals.
   std::vector<std::uint16_t> fan(16'000);
   for (std::size_t i = 0; i < fan.size(); ++i) fan[i] = static_cast<std::uint16_t>(i % 4);
   parts.accessors = R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},
@@ -415,11 +418,12 @@ TEST_F(Gltf, BrokenContainersAndJsonAreErrors) {
   EXPECT_THAT(textError(std::string(100'000, '[')), HasSubstr("nested"));
   EXPECT_THAT(textError("{\"a\":" + std::string(100'000, '{')), HasSubstr("JSON"));
   EXPECT_THAT(textError("{\"asset\":{\"version\":\"2.0\"},\"x\":\"\xFF\xFE\"}"), HasSubstr("JSON"));
-  EXPECT_THAT(textError("{}"), HasSubstr("asset"));
+  EXPECT_THAT(textError("{ \"a\": 1 }"), HasSubstr("asset"));
   EXPECT_THAT(textError(R"({"asset":{"version":"1.0"}})"), HasSubstr("'1.0'"));
   EXPECT_THAT(textError(R"({"asset":{"version":"2.0"},"nodes":[5]})"), HasSubstr("glTF"));
-  EXPECT_THAT(textError(R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":5}]}]})"),
-              HasSubstr("a.gltf"));
+  EXPECT_THAT(
+      textError(R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":5}]}]})"),
+      HasSubstr("a.gltf"));
   EXPECT_THAT(textError("hello"), HasSubstr("JSON"));
   Parts parts;
   parts.more = R"(,"extensionsRequired":["KHR_draco_mesh_compression"])";

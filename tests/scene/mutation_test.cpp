@@ -15,9 +15,10 @@ namespace opaline {
 namespace {
 
 std::string seedPly() {
-  std::string text = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
-                     "property float z\nelement face 12\nproperty list uchar int vertex_indices\n"
-                     "end_header\n";
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 12\nproperty list uchar int vertex_indices\n"
+      "end_header\n";
   const scene::RawMesh cube = test::cube();
   for (const Vec3& p : cube.positions) {
     for (const float x : p) text += std::to_string(static_cast<int>(x)) + " ";
@@ -30,9 +31,10 @@ std::string seedPly() {
 }
 
 std::string seedBinaryPly() {
-  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 8\nproperty float x\n"
-                      "property float y\nproperty float z\nelement face 12\n"
-                      "property list uchar uint vertex_indices\nend_header\n";
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 8\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 12\n"
+      "property list uchar uint vertex_indices\nend_header\n";
   const scene::RawMesh cube = test::cube();
   for (const Vec3& p : cube.positions) bytes += test::raw<float>({p[0], p[1], p[2]});
   for (const Triangle& t : cube.triangles) {
@@ -80,17 +82,30 @@ std::string seedToml() {
 std::string mutated(std::string bytes, std::mt19937& random) {
   const auto below = [&](std::size_t limit) { return random() % limit; };
   const std::size_t changes = 1 + below(4);
-  static const std::string interesting[] = {"-1", "0", "99999999999", "nan", "1e999", "{", "[", "\"",
-                                            "\xFF", std::string(1, '\0'), "4294967295", "e", "."};
+  static const std::string interesting[] = {
+      "-1", "0",    "99999999999",        "nan",        "1e999", "{", "[",
+      "\"", "\xFF", std::string(1, '\0'), "4294967295", "e",     "."};
   for (std::size_t i = 0; i < changes && !bytes.empty(); ++i) {
     const std::size_t at = below(bytes.size());
     switch (below(6)) {
-      case 0: bytes[at] = static_cast<char>(random()); break;
-      case 1: bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1U << below(8))); break;
-      case 2: bytes.resize(at); break;
-      case 3: bytes.erase(at, below(20)); break;
-      case 4: bytes.insert(at, bytes.substr(below(bytes.size()), below(40))); break;
-      default: bytes.replace(at, 1, interesting[below(std::size(interesting))]); break;
+      case 0:
+        bytes[at] = static_cast<char>(random());
+        break;
+      case 1:
+        bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1U << below(8)));
+        break;
+      case 2:
+        bytes.resize(at);
+        break;
+      case 3:
+        bytes.erase(at, below(20));
+        break;
+      case 4:
+        bytes.insert(at, bytes.substr(below(bytes.size()), below(40)));
+        break;
+      default:
+        bytes.replace(at, 1, interesting[below(std::size(interesting))]);
+        break;
     }
   }
   return bytes;
@@ -129,9 +144,9 @@ TEST_P(Mutations, LoadSoundlyOrAreRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, Mutations,
-                         testing::Values(Seed{"ascii.ply", seedPly}, Seed{"binary.ply", seedBinaryPly},
-                                         Seed{"a.obj", seedObj}, Seed{"a.glb", seedGlb},
-                                         Seed{"a.toml", seedToml}));
+                         testing::Values(Seed{"ascii.ply", seedPly},
+                                         Seed{"binary.ply", seedBinaryPly}, Seed{"a.obj", seedObj},
+                                         Seed{"a.glb", seedGlb}, Seed{"a.toml", seedToml}));
 
 }  // namespace
 }  // namespace opaline

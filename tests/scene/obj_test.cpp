@@ -95,7 +95,8 @@ TEST_F(Obj, BadLinesAreNamed) {
 }
 
 TEST_F(Obj, BadUtf8InNamesIsHarmless) {
-  const Scene scene = load("mtllib ../\xFF.mtl\no \xC3\x28\n" + corners + "usemtl \xFF\xFE\n" + quads);
+  const Scene scene =
+      load("mtllib ../\xFF.mtl\no \xC3\x28\n" + corners + "usemtl \xFF\xFE\n" + quads);
   test::expectSound(scene);
 }
 

@@ -16,9 +16,10 @@ class Toml : public testing::Test {
  protected:
   Toml() {
     // A cube from (1,0,0) to (2,1,1).
-    std::string cube = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\n"
-                       "property float y\nproperty float z\nelement face 12\n"
-                       "property list uchar int vertex_indices\nend_header\n";
+    std::string cube =
+        "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\n"
+        "property float y\nproperty float z\nelement face 12\n"
+        "property list uchar int vertex_indices\nend_header\n";
     const scene::RawMesh mesh = test::cube({1, 0, 0});
     for (const Vec3& p : mesh.positions) {
       for (const float x : p) cube += std::to_string(x) + " ";
@@ -173,7 +174,8 @@ TEST_F(Toml, TransformsAreRowMajorAndMirrorsKeepTheOutside) {
   EXPECT_NEAR(boundsOf(mirrored).maxMm[0], -5, 1e-3);
   EXPECT_NEAR(boundsOf(mirrored).maxMm[1], 20, 1e-3);
   EXPECT_NEAR(test::signedVolume(mesh.positionsMm, mesh.triangles), 2000, 0.1);
-  const Scene turned = load(model + "[objects.cube]\nrotation_degrees = [0, 0, 90]\nscale = 2\n").scene;
+  const Scene turned =
+      load(model + "[objects.cube]\nrotation_degrees = [0, 0, 90]\nscale = 2\n").scene;
   EXPECT_NEAR(boundsOf(turned).minMm[1], 20, 1e-3);  // +x became +y
   EXPECT_NEAR(boundsOf(turned).minMm[0], -20, 1e-3);
 }
