@@ -53,8 +53,8 @@ void append(RawMesh& mesh, RawMesh&& part, std::uint64_t partNumber) {
 void addMesh(Gathering& to, std::size_t nodeIndex) {
   const tinygltf::Node& node = to.model.nodes[nodeIndex];
   if (node.mesh < 0 || static_cast<std::size_t>(node.mesh) >= to.model.meshes.size()) {
-    failGltf(to.input, fmt::format("node {} names mesh {}, which does not exist", nodeIndex,
-                                   node.mesh));
+    failGltf(to.input,
+             fmt::format("node {} names mesh {}, which does not exist", nodeIndex, node.mesh));
   }
   const tinygltf::Mesh& mesh = to.model.meshes[static_cast<std::size_t>(node.mesh)];
   const std::string name = !node.name.empty()   ? cleanText(node.name)
@@ -67,10 +67,8 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
       ++to.skippedPrimitives;
       continue;
     }
-    const Medium medium =
-        gltfMedium(to.input, to.model, primitive.material, mesh.name, node.name);
-    RawMesh baked =
-        bakePrimitive(to.input, to.model, to.nodes, to.accessors, nodeIndex, primitive);
+    const Medium medium = gltfMedium(to.input, to.model, primitive.material, mesh.name, node.name);
+    RawMesh baked = bakePrimitive(to.input, to.model, to.nodes, to.accessors, nodeIndex, primitive);
     to.triangles += baked.triangles.size();
     to.vertices += baked.positions.size();
     if (to.triangles > mostTriangles || to.vertices > mostTriangles) {
@@ -135,8 +133,7 @@ void addLight(Gathering& to, std::size_t nodeIndex) {
     to.scene.lighting.directional.push_back({toFloat(*back), lightColor(to.input, light)});
     to.scene.hasLights = true;
   } else if (light.type == "point") {
-    to.scene.lighting.points.push_back(
-        {toFloat(world.column[3]), lightColor(to.input, light)});
+    to.scene.lighting.points.push_back({toFloat(world.column[3]), lightColor(to.input, light)});
     to.scene.hasLights = true;
   } else {
     note(to.input.log,
@@ -155,9 +152,9 @@ void takeCamera(Gathering& to, std::size_t nodeIndex) {
   }
   const tinygltf::Camera& camera = to.model.cameras[static_cast<std::size_t>(index)];
   if (camera.type != "perspective") {
-    note(to.input.log, fmt::format("{}: orthographic camera '{}' is left out",
-                                   cleanText(to.input.file.string(), 1000),
-                                   cleanText(camera.name, 60)));
+    note(to.input.log,
+         fmt::format("{}: orthographic camera '{}' is left out",
+                     cleanText(to.input.file.string(), 1000), cleanText(camera.name, 60)));
     return;
   }
   const Matrix4& world = to.nodes.world[nodeIndex];

@@ -63,7 +63,8 @@ Lighting defaultLighting() {
     return scene::toFloat((1.0 / scene::length(v)) * v);
   };
   Lighting lighting;
-  // The key shines through the body towards the camera on +z; a little warm, the fill a little cool.
+  // The key shines through the body towards the camera on +z; a little warm, the fill a little
+  // cool.
   lighting.directional.push_back({unit({0.45, 0.35, -0.82}), {6.0F, 5.8F, 5.4F}});
   lighting.directional.push_back({unit({-0.6, 0.45, 0.66}), {0.45F, 0.5F, 0.6F}});
   lighting.ambient = {0.12F, 0.12F, 0.13F};

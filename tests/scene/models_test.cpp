@@ -85,14 +85,13 @@ TEST_P(Models, HaveTheCountsOfTheirReadme) {
   EXPECT_EQ(facts.components, of.facts->components);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Models, testing::ValuesIn(expected),
-                         [](const auto& of) {
-                           std::string name(of.param.file);
-                           for (char& c : name) {
-                             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-                           }
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, Models, testing::ValuesIn(expected), [](const auto& of) {
+  std::string name(of.param.file);
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return name;
+});
 
 TEST(SharedModels, TrioHasTheMeasuredMedia) {
   const auto folder = modelsFolder();

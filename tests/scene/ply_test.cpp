@@ -151,8 +151,8 @@ TEST_F(Ply, ConcavePolygonsAreCutInside) {
     const Vec3& a = mesh.positionsMm[t[0]];
     const Vec3& b = mesh.positionsMm[t[1]];
     const Vec3& c = mesh.positionsMm[t[2]];
-    const double twice = double{b[0] - a[0]} * double{c[1] - a[1]} -
-                         double{b[1] - a[1]} * double{c[0] - a[0]};
+    const double twice =
+        double{b[0] - a[0]} * double{c[1] - a[1]} - double{b[1] - a[1]} * double{c[0] - a[0]};
     EXPECT_GT(twice, 0);
     area += twice / 2;
   }
@@ -164,8 +164,8 @@ TEST_F(Ply, HugePromisesAreRefusedBeforeAnythingIsAllocated) {
     const std::string head = "ply\nformat " + format + " 1.0\n";
     const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
     const std::string faces = "property list uint int vertex_indices\nend_header\n";
-    EXPECT_THAT(errorOf(head + "element vertex 4000000000000\n" + xyz +
-                        "element face 1\n" + faces + "0 0 0\n"),
+    EXPECT_THAT(errorOf(head + "element vertex 4000000000000\n" + xyz + "element face 1\n" + faces +
+                        "0 0 0\n"),
                 HasSubstr("4000000000000"));
     EXPECT_THAT(errorOf(head + "element vertex 99999999999999999999999\n" + xyz + faces),
                 HasSubstr("number"));
@@ -174,9 +174,10 @@ TEST_F(Ply, HugePromisesAreRefusedBeforeAnythingIsAllocated) {
     errorOf(head + "element void 18446744073709551615\nelement vertex 0\n" + xyz +
             "element face 0\n" + faces);
   }
-  std::string list = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\n"
-                     "property float y\nproperty float z\nelement face 1\n"
-                     "property list uint int vertex_indices\nend_header\n";
+  std::string list =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 1\n"
+      "property list uint int vertex_indices\nend_header\n";
   list += std::string(12, '\0') + "\xFF\xFF\xFF\xFF" + std::string(8, '\0');
   EXPECT_THAT(errorOf(list), HasSubstr("ends before"));
 }
