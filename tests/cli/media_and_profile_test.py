@@ -70,7 +70,7 @@ class Media(ProgramTest):
                     self.assertAlmostEqual(row["diffusion_length_mm"][channel] * dipole.sigma_tr, 1, delta=1e-9)
                 if (name, channel) not in KNOWN_OUTLIERS:
                     self.assertAlmostEqual(row["total_reflectance"][channel], reflectance[i],
-                                           delta=PUBLISHED_TOLERANCE + .005, msg=f"{name} {channel}")
+                                           delta=PUBLISHED_TOLERANCE, msg=f"{name} {channel}")
 
     def test_the_artistic_ones_stand_apart(self):
         lines = self.succeed("media").out.splitlines()
