@@ -24,13 +24,29 @@ vec4 litAt(LightData light, vec4 depths, float receiverMm) {
   return lit;
 }
 
+// What the depth of a plane changes by from one point of the light's view to the next, relative to
+// the distance of the two. Cube faces hold depth along their axis: a plane that faces a point light
+// has a slope there too, away from the axis. With z(d) = const / n·d for rays d = (u, v, 1),
+// |∇z| = z |n_uv| / |n·d|.
+float depthSlope(LightData light, vec3 toLight, vec3 normal) {
+  float alongAxis = dot(normal, toLight);
+  float facing = alongAxis;
+  if (light.place.w != 0.0) {
+    vec3 size = abs(toLight);
+    float depth = max(size.x, max(size.y, size.z));
+    alongAxis = depth == size.x ? normal.x : depth == size.y ? normal.y : normal.z;
+    facing /= depth;
+  }
+  return sqrt(max(1.0 - alongAxis * alongAxis, 0.0)) / max(facing, 1e-3);
+}
+
 // Percentage-closer filtering (Reeves et al. 1987) over a box of 3×3 texels, continuous in the
-// position of the receiver. The bias is what the slope of the surface makes of the box's radius, in
-// mm, so it stays a few shadow texels whatever the size of the object.
+// position of the receiver. The bias is what the slope of the surface makes of the way to the
+// furthest texel that is read, 2√2 texels, so it stays a few shadow texels whatever the size of the
+// object.
 float lightVisibility(uint index, vec3 position, vec3 normal) {
   LightData light = frame.lights[index];
   vec3 toLight = light.place.w == 0.0 ? light.place.xyz : light.place.xyz - position;
-  float cosine = clamp(dot(normal, normalize(toLight)), 0.0, 1.0);
   uint layer = light.views.x + (light.views.y == 1u ? 0u : cubeFace(-toLight));
 
   vec4 clip = frame.shadowViews[layer] * vec4(position, 1.0);
@@ -38,8 +54,7 @@ float lightVisibility(uint index, vec3 position, vec3 normal) {
   vec2 place = (clip.xy / clip.w * 0.5 + 0.5) * size - 0.5;
   float receiverMm = shadowDepthMm(light, clip.z / clip.w);
   float texelMm = light.texel.x * (light.place.w == 0.0 ? 1.0 : receiverMm);
-  float slope = min(sqrt(1.0 - cosine * cosine) / max(cosine, 1e-3), 4.0);
-  receiverMm -= texelMm * (0.5 + 2.0 * slope);
+  receiverMm -= texelMm * (0.5 + 2.83 * min(depthSlope(light, toLight, normal), 8.0));
 
   vec2 base = floor(place);
   vec2 f = place - base;
