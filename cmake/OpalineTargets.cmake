@@ -4,10 +4,13 @@
 add_library(opaline_warnings INTERFACE)
 target_compile_options(opaline_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
-  -Wold-style-cast -Woverloaded-virtual -Wnull-dereference -Werror)
+  -Wold-style-cast -Woverloaded-virtual -Wno-missing-field-initializers -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(opaline_warnings INTERFACE -Wno-restrict)  # false positives, GCC bug 105651
+endif()
 if(OPALINE_SANITIZE)
   target_compile_options(opaline_warnings INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -Wno-null-dereference
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
     -Wno-maybe-uninitialized)
   target_link_options(opaline_warnings INTERFACE -fsanitize=address,undefined)
 endif()

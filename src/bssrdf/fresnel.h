@@ -15,7 +15,8 @@ double meanTransmittance(double eta);
 /// Classic internal diffuse reflectance F_dr (Egan and Hilgeman 1973, as in Jensen et al. 2001).
 double diffuseReflectanceInside(double eta);
 
-/// Fresnel moments for eta > 1 (d'Eon 2012): 2C₁ and 3C₂.
+/// Moments of the reflectance from inside, eta ≥ 1: 2C₁ = 2∫₀¹ F μ dμ and 3C₂ = 3∫₀¹ F μ² dμ, by
+/// the fits of d'Eon 2012 as far as these hold, else exactly.
 double twoC1(double eta);
 double threeC2(double eta);
 

@@ -9,8 +9,8 @@ struct Coefficients {
   double sigmaSPrimePerMm = 0;
   double sigmaAPerMm = 0;
   double sigmaTPrimePerMm = 0;
-  double albedo = 0;            ///< α' = σ_s' / σ_t'
-  double meanFreePathMm = 0;    ///< ℓ = 1 / σ_t'
+  double albedo = 0;          ///< α' = σ_s' / σ_t'
+  double meanFreePathMm = 0;  ///< ℓ = 1 / σ_t'
   double eta = 1;
 };
 
@@ -24,13 +24,13 @@ enum class Model { Dipole, BetterDipole };
 /// BetterDipole d'Eon 2012
 struct Profile {
   Model model = Model::Dipole;
-  double albedo = 0;         ///< α'
-  double sigmaTrPerMm = 0;   ///< σ_tr, may be 0
-  double zRealMm = 0;        ///< z_r
-  double zVirtualMm = 0;     ///< z_v
-  double diffusionMm = 0;    ///< D, mm (BetterDipole)
-  double cPhi = 0;           ///< weight of fluence (BetterDipole)
-  double cE = 0;             ///< weight of flux (BetterDipole)
+  double albedo = 0;        ///< α'
+  double sigmaTrPerMm = 0;  ///< σ_tr, may be 0
+  double zRealMm = 0;       ///< z_r
+  double zVirtualMm = 0;    ///< z_v
+  double diffusionMm = 0;   ///< D, mm (BetterDipole)
+  double cPhi = 0;          ///< weight of fluence (BetterDipole)
+  double cE = 0;            ///< weight of flux (BetterDipole)
 
   /// R_d(r), mm⁻². r ≥ 0 in mm.
   double operator()(double radiusMm) const;

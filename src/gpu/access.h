@@ -2,31 +2,58 @@
 
 #include <vulkan/vulkan.h>
 
+#include <optional>
+
 namespace opaline::gpu {
 
 /// What a command does with a resource: the only vocabulary in which barriers are spoken of.
 enum class Access {
-  None,            ///< contents are not needed any more
-  ColorWrite,      ///< colour attachment, written and blended
-  DepthWrite,      ///< depth attachment, tested and written
-  DepthTest,       ///< depth attachment, tested only
-  Sampled,         ///< read through a sampler or texelFetch, any shader stage
-  StorageRead,     ///< storage image or buffer read, any shader stage
-  StorageWrite,    ///< storage image or buffer written or read and written, any shader stage
-  Uniform,         ///< uniform buffer
-  Index,           ///< index buffer
+  None,          ///< contents are not needed any more
+  ColorWrite,    ///< colour attachment, written and blended
+  DepthWrite,    ///< depth attachment, tested and written
+  DepthTest,     ///< depth attachment, tested only
+  Sampled,       ///< read through a sampler or texelFetch, any shader stage
+  StorageRead,   ///< storage image or buffer read, any shader stage
+  StorageWrite,  ///< storage image or buffer written or read and written, any shader stage
+  Uniform,       ///< uniform buffer
+  Index,         ///< index buffer
   TransferRead,
   TransferWrite,
-  HostRead,        ///< by the host, once the submission has finished
+  HostRead,  ///< by the host, once the submission has finished
 };
 
 struct AccessScope {
   VkPipelineStageFlags2 stages = 0;
   VkAccessFlags2 accesses = 0;
-  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  ///< of images; buffers have none
   bool writes = false;
 };
 
 AccessScope scopeOf(Access access);
+
+/// Two accesses by one command. They must agree on the layout.
+AccessScope together(const AccessScope& a, const AccessScope& b);
+
+/// What has been recorded for a resource so far: its last write and the reads that see it.
+struct AccessState {
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  VkPipelineStageFlags2 writeStages = 0;
+  VkAccessFlags2 writeAccesses = 0;
+  VkPipelineStageFlags2 readStages = 0;
+  VkAccessFlags2 readAccesses = 0;
+};
+
+struct AccessBarrier {
+  VkPipelineStageFlags2 fromStages = 0;
+  VkAccessFlags2 fromAccesses = 0;
+  VkPipelineStageFlags2 toStages = 0;
+  VkAccessFlags2 toAccesses = 0;
+  VkImageLayout oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+  VkImageLayout newLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+};
+
+/// Moves `state` on to the next access and returns the barrier that has to stand before it, if any.
+/// For a buffer `next.layout` is VK_IMAGE_LAYOUT_UNDEFINED.
+std::optional<AccessBarrier> advance(AccessState& state, const AccessScope& next);
 
 }  // namespace opaline::gpu

@@ -21,7 +21,7 @@ enum class Memory {
 struct BufferOptions {
   std::string name;
   std::size_t bytes = 0;  ///< > 0, at most the device's storage-buffer range where used as such
-  VkBufferUsageFlags usage = 0;
+  VkBufferUsageFlags usage = 0;  ///< copying from and to it is always possible
   Memory memory = Memory::Device;
 };
 
@@ -49,13 +49,15 @@ class Buffer {
 
  private:
   friend class CommandList;
+  void swap(Buffer& other) noexcept;
+
   Device* device_ = nullptr;
   VkBuffer buffer_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
   std::size_t bytes_ = 0;
   std::size_t allocatedBytes_ = 0;
   std::byte* mapped_ = nullptr;
-  Access access_ = Access::None;  // the last one recorded
+  AccessState state_;
 };
 
 }  // namespace opaline::gpu

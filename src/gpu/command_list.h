@@ -2,8 +2,10 @@
 
 #include <vulkan/vulkan.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "gpu/access.h"
 #include "gpu/buffer.h"
 #include "gpu/image.h"
+#include "gpu/pass_timer.h"
 #include "gpu/pipeline.h"
 
 namespace opaline::gpu {
@@ -54,15 +57,11 @@ struct DepthTarget {
   bool write = true;
 };
 
-/// GPU time between the begin and the end of one named pass.
-struct PassTiming {
-  std::string name;
-  double milliseconds = 0;
-};
-
 /// Records commands, orders accesses, submits, waits. One list is reused frame after frame: after
 /// the first frames it allocates nothing. Binding of resources goes before beginRendering of the
-/// draw that uses them, because barriers cannot stand inside a rendering scope.
+/// draw that uses them, because barriers cannot stand inside a rendering scope; what is bound stays
+/// bound inside it. Resources remember their last access from list to list, so lists are submitted
+/// in the order in which they were recorded, and what is recorded is submitted.
 class CommandList {
  public:
   CommandList(Device& device, std::string name, std::uint32_t maxPasses = 64);
@@ -77,15 +76,20 @@ class CommandList {
   /// Blocks until the last submission has finished. Throws Error when the device is lost.
   void wait();
 
-  /// A named pass: debug label and a pair of timestamps. Passes do not nest.
+  /// A named pass: debug label and a pair of timestamps. Passes do not nest. Throws Error when
+  /// there are more than maxPasses.
   void beginPass(const char* name);
   void endPass();
-  /// Of the last finished submission, in order; passes of one name are summed.
+  /// Of the last submission that was waited for, in order; passes of one name are summed. Where the
+  /// device has no timestamps, all are 0.
   const std::vector<PassTiming>& timings();
   /// From the first pass's begin to the last pass's end, ms.
   double frameMilliseconds();
 
+  /// The pipeline is not destroyed before the submission has finished.
   void bind(const Pipeline& pipeline);
+  /// Of the bound pipeline. A resource may stand at several slots if the accesses agree. Inside a
+  /// rendering scope only for what needs no barrier: has been bound or used like this before.
   void bindResources(std::span<const Binding> bindings);
   void bindResources(std::initializer_list<Binding> bindings) {
     bindResources(std::span<const Binding>(bindings.begin(), bindings.size()));
@@ -95,7 +99,11 @@ class CommandList {
   void pushConstants(const T& constants) {
     pushConstants(&constants, static_cast<std::uint32_t>(sizeof(T)));
   }
+  /// Dispatches with no bindResources between them are not ordered.
   void dispatch(std::uint32_t groupsX, std::uint32_t groupsY = 1, std::uint32_t groupsZ = 1);
+
+  /// At least `count` invocations of a shader with 64 in a group; see shaders/lib/linear.glsl.
+  void dispatchLinear(std::uint32_t count);
 
   /// The targets become attachments (with their barriers); viewport and scissor cover all of them.
   void beginRendering(std::span<const ColorTarget> colors, const DepthTarget* depth = nullptr);
@@ -105,6 +113,8 @@ class CommandList {
   }
   void endRendering();
   void draw(std::uint32_t vertices, std::uint32_t firstVertex = 0);
+  /// 32-bit indices; ordered with use(indices, Access::Index) before beginRendering.
+  void drawIndexed(Buffer& indices, std::uint32_t count);
 
   void copyBuffer(Buffer& from, Buffer& to, std::size_t bytes, std::size_t fromOffset = 0,
                   std::size_t toOffset = 0);
@@ -119,7 +129,35 @@ class CommandList {
   void use(GpuImage& image, Access access);
 
  private:
-  // (to be completed by the implementation)
+  static constexpr std::size_t maxSlots_ = 32;
+
+  void order(Buffer& buffer, AccessScope scope);
+  void order(GpuImage& image, const AccessScope& scope);
+  void flushBarriers();
+  void orderBindings(std::span<const Binding> bindings);
+  bool boundIsCurrent() const;
+  VkRenderingAttachmentInfo attachment(const ColorTarget& target);
+  VkRenderingAttachmentInfo attachment(const DepthTarget& target);
+  void coverWith(VkExtent2D extent);
+
+  Device& device_;
+  std::string name_;
+  PassTimer timer_;
+  VkCommandPool pool_ = VK_NULL_HANDLE;
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  VkFence fence_ = VK_NULL_HANDLE;
+  bool recording_ = false;
+  bool submitted_ = false;
+  bool inPass_ = false;
+  bool rendering_ = false;
+
+  const Pipeline* pipeline_ = nullptr;
+  // What is bound at each slot, graphics and compute apart.
+  std::array<std::array<Binding, maxSlots_>, 2> bound_;
+
+  std::array<VkImageMemoryBarrier2, maxSlots_> imageBarriers_;
+  std::uint32_t imageBarrierCount_ = 0;
+  VkMemoryBarrier2 memoryBarrier_{};
 };
 
 }  // namespace opaline::gpu

@@ -4,12 +4,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "opaline/log.h"
 
 namespace opaline::gpu {
+
+class Instance;
 
 enum class DeviceType { Discrete, Integrated, Virtual, Software };
 
@@ -21,6 +24,7 @@ struct DeviceInfo {
   std::string name;
   std::string driver;  ///< name and version
   DeviceType type = DeviceType::Software;
+  std::string missing;  ///< what Opaline needs and the device lacks; empty: it will do
 };
 
 struct DeviceOptions {
@@ -50,40 +54,50 @@ class Device {
   std::uint32_t queueFamily() const { return queueFamily_; }
   const VkPhysicalDeviceLimits& limits() const { return properties_.limits; }
 
+  std::size_t largestBufferBytes() const { return largestBufferBytes_; }
+
   std::size_t peakMemoryBytes() const { return peakMemoryBytes_; }
-  std::size_t validationMessages() const { return validationMessages_; }
+  /// Warnings and errors of the validation layer so far.
+  std::size_t validationMessages() const;
 
   /// Blocks until the device has nothing left to do.
   void waitIdle() const;
 
   /// For Buffer and Image: memory of a kind, and its account. Throws Error when there is none left.
-  VkDeviceMemory allocate(const VkMemoryRequirements& requirements,
-                          VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred,
-                          const std::string& name);
+  VkDeviceMemory allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
+                          VkMemoryPropertyFlags preferred, const std::string& name);
   void release(VkDeviceMemory memory, std::size_t bytes);
 
-  /// Names an object for debuggers and validation messages; free when validation is off.
+  /// Names an object for debuggers and validation messages; costs nothing without
+  /// VK_EXT_debug_utils.
   void setName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
 
-  /// Debug labels around commands; free when validation is off.
+  /// Debug labels around commands; costs nothing without VK_EXT_debug_utils.
   void beginLabel(VkCommandBuffer commands, const char* name) const;
   void endLabel(VkCommandBuffer commands) const;
 
   PFN_vkCmdPushDescriptorSetKHR pushDescriptorSet() const { return pushDescriptorSet_; }
 
  private:
-  // (to be completed by the implementation)
+  void createDevice();
+  void loadFunctions();
+
+  std::unique_ptr<Instance> instance_;
   DeviceInfo info_;
-  VkInstance instance_ = VK_NULL_HANDLE;
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
   std::uint32_t queueFamily_ = 0;
   VkPhysicalDeviceProperties properties_{};
+  VkPhysicalDeviceMemoryProperties memoryProperties_{};
+  std::size_t largestAllocationBytes_ = 0;
+  std::size_t largestBufferBytes_ = 0;
   std::size_t memoryBytes_ = 0;
   std::size_t peakMemoryBytes_ = 0;
-  std::size_t validationMessages_ = 0;
   PFN_vkCmdPushDescriptorSetKHR pushDescriptorSet_ = nullptr;
+  PFN_vkSetDebugUtilsObjectNameEXT setObjectName_ = nullptr;
+  PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel_ = nullptr;
+  PFN_vkCmdEndDebugUtilsLabelEXT endLabel_ = nullptr;
 };
 
 }  // namespace opaline::gpu

@@ -13,6 +13,9 @@ namespace opaline::gpu {
 
 class Device;
 
+/// Of the formats that Opaline uses; 0 for any other.
+std::size_t bytesPerTexel(VkFormat format);
+
 enum class ImageKind {
   Flat,       ///< sampler2D
   Array,      ///< sampler2DArray
@@ -51,11 +54,16 @@ class GpuImage {
   VkImageView view() const { return view_; }
   /// One layer of one level, as a flat attachment or storage image.
   VkImageView layerView(std::uint32_t layer, std::uint32_t mipLevel = 0) const;
-  /// All layers of one level as an array, for storage images.
+  /// All layers of one level for storage images: image2D of a Flat image, else image2DArray.
   VkImageView levelView(std::uint32_t mipLevel) const;
 
  private:
   friend class CommandList;
+  void create();
+  void createViews();
+  VkImageView createView(VkImageViewType type, const VkImageSubresourceRange& range) const;
+  void swap(GpuImage& other) noexcept;
+
   Device* device_ = nullptr;
   ImageOptions options_;
   VkImage image_ = VK_NULL_HANDLE;
@@ -64,7 +72,7 @@ class GpuImage {
   VkImageView view_ = VK_NULL_HANDLE;
   std::vector<VkImageView> layerViews_;  // layer + layers · level
   std::vector<VkImageView> levelViews_;
-  Access access_ = Access::None;  // the last one recorded, of the whole image
+  AccessState state_;  // of the whole image
 };
 
 enum class Filter { Nearest, Linear };

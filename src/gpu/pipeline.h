@@ -16,7 +16,7 @@ using Spirv = std::span<const std::uint32_t>;
 
 enum class BindingType { UniformBuffer, StorageBuffer, SampledImage, StorageImage };
 
-/// `binding` of set 0, visible to every stage.
+/// `binding` of set 0, below 32, visible to every stage.
 struct BindingSlot {
   std::uint32_t binding = 0;
   BindingType type = BindingType::StorageBuffer;
@@ -26,8 +26,8 @@ struct ComputePipelineOptions {
   std::string name;
   Spirv shader;
   std::vector<BindingSlot> bindings;
-  std::uint32_t pushConstantBytes = 0;         ///< at most 128
-  std::vector<std::uint32_t> specialization;   ///< value of constant_id 0, 1, 2, …
+  std::uint32_t pushConstantBytes = 0;        ///< at most 128
+  std::vector<std::uint32_t> specialization;  ///< value of constant_id 0, 1, 2, …
 };
 
 enum class CullMode { None, Front, Back };
@@ -38,13 +38,13 @@ struct GraphicsPipelineOptions {
   Spirv vertexShader;
   Spirv fragmentShader;  ///< may be empty: depth only
   std::vector<BindingSlot> bindings;
-  std::uint32_t pushConstantBytes = 0;         ///< at most 128
-  std::vector<std::uint32_t> specialization;   ///< of both stages
+  std::uint32_t pushConstantBytes = 0;        ///< at most 128
+  std::vector<std::uint32_t> specialization;  ///< of both stages
   std::vector<VkFormat> colorFormats;
   VkFormat depthFormat = VK_FORMAT_UNDEFINED;
-  DepthMode depth = DepthMode::Off;            ///< comparison is GREATER (reversed depth)
-  CullMode cull = CullMode::None;              ///< front is counter-clockwise as seen
-  bool additive = false;                       ///< colour is added to what is there
+  DepthMode depth = DepthMode::Off;  ///< reversed depth: Write passes what is nearer
+  CullMode cull = CullMode::None;    ///< front is counter-clockwise as seen
+  bool additive = false;             ///< colour is added to what is there
 };
 
 /// A pipeline without vertex input (vertices are pulled from storage buffers), with dynamic
@@ -64,13 +64,22 @@ class Pipeline {
   VkPipeline handle() const { return pipeline_; }
   VkPipelineLayout layout() const { return layout_; }
   VkPipelineBindPoint bindPoint() const { return bindPoint_; }
+  VkShaderStageFlags stages() const;  ///< those that see the bindings and push constants
+  std::uint32_t pushConstantBytes() const { return pushConstantBytes_; }
+  bool hasSlot(std::uint32_t slot) const { return slot < 32 && (slots_ >> slot & 1U) != 0; }
 
  private:
+  void createLayout(const std::string& name, std::span<const BindingSlot> bindings,
+                    std::uint32_t pushConstantBytes);
+  void swap(Pipeline& other) noexcept;
+
   Device* device_ = nullptr;
   VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;
   VkPipelineLayout layout_ = VK_NULL_HANDLE;
   VkPipeline pipeline_ = VK_NULL_HANDLE;
   VkPipelineBindPoint bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
+  std::uint32_t pushConstantBytes_ = 0;
+  std::uint32_t slots_ = 0;  // bit n: binding n is there
 };
 
 }  // namespace opaline::gpu

@@ -51,6 +51,7 @@ class UploadRing {
   Buffer& buffer() { return buffer_; }
 
  private:
+  std::string name_;
   Buffer buffer_;
   std::size_t alignment_ = 256;
   std::size_t sliceBytes_ = 0;

@@ -1,0 +1,58 @@
+# The front door. `make help` lists what there is.
+
+BUILD := build/release
+OPALINE := $(BUILD)/bin/opaline
+PYTHON ?= python3
+LAUNCHER := $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+
+.PHONY: help demo build test check bench format asan package dependencies
+
+help:
+	@echo 'make demo      build, render the built-in bear to bear.png and how its light is gathered'
+	@echo 'make build     build $(OPALINE)'
+	@echo 'make test      build, check every rule of the house, run all tests'
+	@echo 'make bench     times of every pass on this machine'
+	@echo 'make format    clang-format everything'
+	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
+	@echo 'make package   a tar.gz of the program that runs on other x86-64 Linux machines'
+
+dependencies:
+	@scripts/install-dependencies.sh
+
+build: dependencies
+	cmake --preset release $(LAUNCHER)
+	cmake --build --preset release
+
+demo: build
+	$(OPALINE) render --fov-degrees 38 -o bear.png
+	$(OPALINE) render --aov dsm-irradiance -o bear-light.exr
+	@echo
+	@echo 'bear.png         the built-in bear in the light that comes through it'
+	@echo 'bear-light.exr   the light that has entered its skin, laid out flat'
+	@echo 'Next: $(OPALINE) render YOUR_MODEL.glb --medium wholemilk --diagonal-mm 50 -o picture.png'
+
+check:
+	$(PYTHON) tools/check_names.py
+	$(PYTHON) tools/check_layers.py
+	$(PYTHON) tools/check_links.py
+	$(PYTHON) tools/check_format.py
+	$(PYTHON) -m unittest discover -q -s tests/tools -p '*_test.py'
+
+test: build check
+	$(PYTHON) tools/check_tidy.py $(BUILD)
+	ctest --preset release -j 2
+
+bench: build
+	$(BUILD)/bin/opaline_bench
+
+format:
+	$(PYTHON) tools/check_format.py --fix
+
+asan: dependencies
+	cmake --preset asan $(LAUNCHER)
+	cmake --build --preset asan
+	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/lsan.supp ctest --preset asan -j 2
+
+package: build
+	scripts/package.sh $(BUILD)
+	scripts/test-package.sh

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+class Option;
+}  // namespace CLI
+
+namespace opaline::app {
+
+/// One value as it was typed, with the option it was typed for.
+struct Given {
+  std::string option;
+  std::string text;
+};
+
+/// The options of one command: reads the arguments and writes the help, which fits a screen.
+class CommandLine {
+ public:
+  CommandLine(std::string name, std::string summary);
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  using Taker = std::function<void(const Given&)>;
+
+  void positional(const std::string& name, const std::string& help, Taker take);
+  void section(const std::string& title);
+  void flag(const std::string& names, const std::string& help, bool& on);
+  void value(const std::string& names, const std::string& placeholder, const std::string& help,
+             Taker take);
+  void repeated(const std::string& names, const std::string& placeholder, const std::string& help,
+                Taker take);
+
+  /// Hands every value to its taker, in the order the options were declared. False when help was
+  /// asked for and printed. Throws UsageError for anything that is not understood.
+  bool parse(const std::vector<std::string>& arguments);
+
+  std::string help() const;
+
+ private:
+  struct Entry {
+    std::string left;  ///< a section's title, or an option with its placeholder
+    std::string help;
+    std::string placeholder;
+    CLI::Option* option = nullptr;
+    bool repeatable = false;
+    Taker take;
+  };
+
+  void addValue(const std::string& names, const std::string& placeholder, const std::string& help,
+                Taker take, bool repeatable);
+  void run(std::vector<std::string> arguments);
+  void refuseLeftovers() const;
+  std::vector<std::string> optionNames() const;
+
+  std::string name_;
+  std::string summary_;
+  std::unique_ptr<CLI::App> app_;
+  CLI::Option* helpFlag_ = nullptr;
+  std::string positionalName_;
+  std::vector<Entry> entries_;
+  std::vector<std::function<void()>> flagTakers_;
+};
+
+/// "; did you mean X?" for the candidate that differs least from what was typed, or nothing.
+std::string suggestion(std::string_view typed, std::span<const std::string> candidates);
+
+}  // namespace opaline::app

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace opaline::app {
+
+using Arguments = std::vector<std::string>;
+
+// Each returns when all that was asked for is on disk or printed, and throws otherwise.
+void runRender(const Arguments& arguments);
+void runInfo(const Arguments& arguments);
+void runMedia(const Arguments& arguments);
+void runProfile(const Arguments& arguments);
+
+}  // namespace opaline::app

@@ -1,0 +1,211 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "atlas/atlas.h"
+#include "atlas/draw.h"
+#include "command_line.h"
+#include "commands.h"
+#include "core/file.h"
+#include "core/image_file.h"
+#include "core/tone.h"
+#include "json.h"
+#include "medium_options.h"
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "output.h"
+#include "paths.h"
+#include "scene/topology.h"
+#include "scene_options.h"
+
+namespace opaline::app {
+
+namespace {
+
+constexpr int atlasPictureTexels = 1024;
+
+struct InfoCommand {
+  SceneOptions scene;
+  std::optional<std::filesystem::path> atlas;
+  bool quiet = false;
+  bool json = false;
+
+  void addTo(CommandLine& line) {
+    line.section("Scene");
+    scene.addTo(line);
+    line.section("Options");
+    line.value("--atlas", "FILE.png", "draw the equiareal atlas",
+               [this](const Given& given) { atlas = readOutput(given, {".png"}); });
+    line.flag("--json", "one JSON object on standard output", json);
+    line.flag("--quiet", "no notes on standard error", quiet);
+  }
+};
+
+/// All objects of a scene end to end, as the atlas wants them.
+struct JoinedSurface {
+  std::vector<Vec3> positionsMm;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> objectOfTriangle;
+};
+
+JoinedSurface join(const Scene& scene) {
+  JoinedSurface joined;
+  std::uint32_t objectIndex = 0;
+  for (const Object& object : scene.objects) {
+    const auto base = static_cast<std::uint32_t>(joined.positionsMm.size());
+    const Mesh& mesh = object.mesh;
+    joined.positionsMm.insert(joined.positionsMm.end(), mesh.positionsMm.begin(),
+                              mesh.positionsMm.end());
+    for (const Triangle& t : mesh.triangles) {
+      joined.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    }
+    joined.objectOfTriangle.resize(joined.triangles.size(), objectIndex++);
+  }
+  return joined;
+}
+
+std::array<double, 3> sizeMm(const Object& object) {
+  Scene alone;
+  alone.objects.push_back(object);
+  const Bounds bounds = boundsOf(alone);
+  return {bounds.maxMm[0] - bounds.minMm[0], bounds.maxMm[1] - bounds.minMm[1],
+          bounds.maxMm[2] - bounds.minMm[2]};
+}
+
+Json objectsJson(const Scene& scene) {
+  Json objects = Json::array();
+  for (const Object& object : scene.objects) {
+    objects.push_back({{"name", object.name},
+                       {"triangles", object.mesh.triangles.size()},
+                       {"vertices", object.mesh.positionsMm.size()},
+                       {"size_mm", sizeMm(object)},
+                       {"medium", mediumJson(object.medium)}});
+  }
+  return objects;
+}
+
+Json devicesJson() {
+  Json devices = Json::array();
+  for (const DeviceDescription& device : listDevices()) {
+    devices.push_back({{"index", devices.size()},
+                       {"name", device.name},
+                       {"type", device.type},
+                       {"driver", device.driver}});
+  }
+  return devices;
+}
+
+Json collect(const Scene& scene, const atlas::AtlasStatistics& statistics) {
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  for (const Object& object : scene.objects) {
+    triangles += object.mesh.triangles.size();
+    vertices += object.mesh.positionsMm.size();
+  }
+  Json repairs = Json::array();
+  for (const Repair& repair : scene.repairs) {
+    repairs.push_back({{"what", repair.what}, {"count", repair.count}});
+  }
+  const scene::MeshFacts facts = scene::factsOf(scene);
+  const Bounds bounds = boundsOf(scene);
+  return {{"name", scene.name},
+          {"triangles", triangles},
+          {"vertices", vertices},
+          {"closed", facts.closed},
+          {"boundary_loops", facts.boundaryLoops},
+          {"components", facts.components},
+          {"bounds_min_mm", bounds.minMm},
+          {"bounds_max_mm", bounds.maxMm},
+          {"diagonal_mm", diagonalMm(scene)},
+          {"clips", Json::array()},
+          {"repairs", std::move(repairs)},
+          {"atlas",
+           {{"charts", statistics.charts},
+            {"coverage", statistics.coverage},
+            {"area_distortion_rms", statistics.areaDistortionRms},
+            {"seconds", statistics.seconds}}},
+          {"objects", objectsJson(scene)},
+          {"devices", devicesJson()}};
+}
+
+std::string rgbText(const std::array<double, 3>& rgb) {
+  return fmt::format("{:.3g} {:.3g} {:.3g}", rgb[0], rgb[1], rgb[2]);
+}
+
+std::string sceneText(const Scene& scene, const Json& facts) {
+  std::string text = fmt::format(
+      "{}: {} triangles, {} vertices, {}, components: {}\n", scene.name,
+      facts["triangles"].get<std::size_t>(), facts["vertices"].get<std::size_t>(),
+      facts["closed"].get<bool>()
+          ? "closed"
+          : fmt::format("open ({} boundary loops)", facts["boundary_loops"].get<std::size_t>()),
+      facts["components"].get<std::size_t>());
+  const Bounds bounds = boundsOf(scene);
+  text += fmt::format(
+      "from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) mm, diagonal {:.4g} mm\n",
+      bounds.minMm[0], bounds.minMm[1], bounds.minMm[2], bounds.maxMm[0], bounds.maxMm[1],
+      bounds.maxMm[2], diagonalMm(scene));
+  for (const Object& object : scene.objects) {
+    const MediumLengths lengths = lengthsOf(object.medium);
+    const std::array<double, 3> size = sizeMm(object);
+    text += fmt::format(
+        "object {}: {:.4g} x {:.4g} x {:.4g} mm of {}, mean free path {} mm, diffusion length {} "
+        "mm\n",
+        object.name, size[0], size[1], size[2], object.medium.name, rgbText(lengths.meanFreePathMm),
+        rgbText(lengths.diffusionMm));
+  }
+  for (const Repair& repair : scene.repairs) {
+    text += fmt::format("mended: {} {}\n", repair.count, repair.what);
+  }
+  return text;
+}
+
+std::string restText(const Json& facts) {
+  const Json& atlas = facts["atlas"];
+  std::string text =
+      fmt::format("atlas: {} charts, {:.1f} % covered, area distortion {:.4f} rms, {:.2f} s\n",
+                  atlas["charts"].get<std::size_t>(), 100 * atlas["coverage"].get<double>(),
+                  atlas["area_distortion_rms"].get<double>(), atlas["seconds"].get<double>());
+  for (const Json& device : facts["devices"]) {
+    text += fmt::format("device {}: {}, {}, {}\n", device["index"].get<std::size_t>(),
+                        device["name"].get<std::string>(), device["type"].get<std::string>(),
+                        device["driver"].get<std::string>());
+  }
+  if (facts["devices"].empty()) text += "no Vulkan device\n";
+  return text;
+}
+
+}  // namespace
+
+void runInfo(const Arguments& arguments) {
+  CommandLine line("info",
+                   "Says what is in a scene and how large beside its medium's mean free path, what "
+                   "was mended in it, how its atlas came out, and which devices there are.");
+  InfoCommand command;
+  command.addTo(line);
+  if (!line.parse(arguments)) return;
+  if (command.atlas) core::requireWritable(*command.atlas);
+
+  const LogCallback log = noteTaker(command.quiet);
+  const Scene scene = command.scene.load(log).scene;
+  for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
+  const JoinedSurface surface = join(scene);
+  const atlas::Atlas atlas =
+      atlas::makeAtlas({surface.positionsMm, surface.triangles, surface.objectOfTriangle});
+  if (command.atlas) {
+    core::ToneOptions plain;
+    plain.curve = core::ToneCurve::None;
+    core::writePng(*command.atlas,
+                   core::toneMap(atlas::drawAtlas(atlas, atlasPictureTexels), plain));
+    log(LogLevel::Note, fmt::format("wrote {}", command.atlas->string()));
+  }
+  const Json facts = collect(scene, atlas.statistics);
+  printOut(command.json ? toText(facts) : sceneText(scene, facts) + restText(facts));
+}
+
+}  // namespace opaline::app

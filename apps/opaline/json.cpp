@@ -1,0 +1,25 @@
+#include "json.h"
+
+#include "medium_options.h"
+
+namespace opaline::app {
+
+Json rgbJson(const std::array<double, 3>& rgb) {
+  return {{"r", rgb[0]}, {"g", rgb[1]}, {"b", rgb[2]}};
+}
+
+Json mediumJson(const Medium& medium) {
+  const MediumLengths lengths = lengthsOf(medium);
+  return {{"name", medium.name},
+          {"sigma_s_per_mm", rgbJson(medium.sigmaSPrimePerMm)},
+          {"sigma_a_per_mm", rgbJson(medium.sigmaAPerMm)},
+          {"eta", medium.eta},
+          {"mean_free_path_mm", rgbJson(lengths.meanFreePathMm)},
+          {"diffusion_length_mm", rgbJson(lengths.diffusionMm)}};
+}
+
+std::string toText(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace opaline::app

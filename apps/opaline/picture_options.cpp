@@ -1,0 +1,212 @@
+#include "picture_options.h"
+
+#include <fmt/format.h>
+
+#include "opaline/error.h"
+#include "paths.h"
+
+namespace opaline::app {
+
+namespace {
+
+const Choices<Aov>& aovs() {
+  static const Choices<Aov> table{
+      {"radiance", Aov::Radiance},     {"exitance", Aov::Exitance},
+      {"irradiance", Aov::Irradiance}, {"position", Aov::Position},
+      {"normal", Aov::Normal},         {"depth", Aov::Depth},
+      {"object", Aov::Object},         {"dsm-position", Aov::DsmPosition},
+      {"dsm-normal", Aov::DsmNormal},  {"dsm-irradiance", Aov::DsmIrradiance},
+      {"dsm-area", Aov::DsmArea}};
+  return table;
+}
+
+const Choices<core::ToneCurve>& curves() {
+  static const Choices<core::ToneCurve> table{{"neutral", core::ToneCurve::Neutral},
+                                              {"none", core::ToneCurve::None}};
+  return table;
+}
+
+template <typename T>
+void setFrom(T& value, const std::optional<T>& asked) {
+  if (asked) value = *asked;
+}
+
+template <typename T>
+void setFromName(T& value, const std::optional<std::string>& name, const Choices<T>& choices) {
+  if (name) value = readChoice(Given{"[render]", *name}, choices);
+}
+
+float readFloat(const Given& given, const Range& range) {
+  return static_cast<float>(readNumber(given, range));
+}
+
+/// The value that --method paper stands for, unless another was asked for beside it.
+template <typename T>
+T paperValue(const std::optional<T>& asked, T paper, const char* option,
+             const Choices<T>& choices) {
+  if (asked && *asked != paper) {
+    throw UsageError(fmt::format("{} {} contradicts --method paper, which means {}", option,
+                                 nameOf(*asked, choices), nameOf(paper, choices)));
+  }
+  return paper;
+}
+
+}  // namespace
+
+const Choices<Transport>& transports() {
+  static const Choices<Transport> table{{"dipole", Transport::Dipole},
+                                        {"better-dipole", Transport::BetterDipole}};
+  return table;
+}
+
+const Choices<Sum>& sums() {
+  static const Choices<Sum> table{{"pattern", Sum::Pattern}, {"all", Sum::All}};
+  return table;
+}
+
+const Choices<Site>& sites() {
+  static const Choices<Site> table{
+      {"auto", Site::Auto}, {"vertex", Site::Vertex}, {"fragment", Site::Fragment}};
+  return table;
+}
+
+RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
+  RenderOptions options;
+  setFrom(options.width, settings.width);
+  setFrom(options.height, settings.height);
+  setFromName(options.transport, settings.transport, transports());
+  setFromName(options.sum, settings.sum, sums());
+  setFromName(options.site, settings.site, sites());
+  setFrom(options.pattern.nearRings, settings.nearRings);
+  setFrom(options.pattern.nearSpacing, settings.nearSpacing);
+  setFrom(options.pattern.farDistance, settings.farDistance);
+  setFrom(options.dsmSize, settings.dsmSize);
+  setFrom(options.shadowSize, settings.shadowSize);
+  setFrom(options.specular, settings.specular);
+  setFrom(options.roughness, settings.roughness);
+  setFrom(options.antialias, settings.antialias);
+  return options;
+}
+
+void MethodOptions::addTo(CommandLine& line) {
+  line.value("--transport", "NAME", "dipole or better-dipole [dipole]",
+             [this](const Given& given) { transport_ = readChoice(given, transports()); });
+  line.value("--sum", "NAME", "pattern, or all sources, exact [pattern]",
+             [this](const Given& given) { sum_ = readChoice(given, sums()); });
+  line.value("--site", "NAME", "vertex, fragment or auto [auto]",
+             [this](const Given& given) { site_ = readChoice(given, sites()); });
+  line.value("--method", "paper", "dipole, pattern, fragment", [this](const Given& given) {
+    paper_ = readChoice<bool>(given, {{"paper", true}});
+  });
+  line.value("--near-rings", "N", "samples around the middle one, 0 to 16 [4]",
+             [this](const Given& given) { nearRings_ = readInteger(given, 0, 16); });
+  line.value("--near-spacing", "X", "between them, mean free paths [1]",
+             [this](const Given& given) {
+               nearSpacing_ = readFloat(given, {0, 100, "mean free paths", true});
+             });
+  line.value("--far-distance", "X", "of the far samples, mean free paths [12]",
+             [this](const Given& given) {
+               farDistance_ = readFloat(given, {0, 1000, "mean free paths", true});
+             });
+  line.value("--dsm-size", "N", "diffusion source map, 64 to 4096 texels [512]",
+             [this](const Given& given) { dsmSize_ = readInteger(given, 64, 4096); });
+  line.value("--shadow-size", "N", "shadow maps, 64 to 8192 texels [1024]",
+             [this](const Given& given) { shadowSize_ = readInteger(given, 64, 8192); });
+}
+
+void MethodOptions::applyTo(RenderOptions& options) const {
+  setFrom(options.transport, transport_);
+  setFrom(options.sum, sum_);
+  setFrom(options.site, site_);
+  if (paper_) {
+    options.transport = paperValue(transport_, Transport::Dipole, "--transport", transports());
+    options.sum = paperValue(sum_, Sum::Pattern, "--sum", sums());
+    options.site = paperValue(site_, Site::Fragment, "--site", sites());
+  }
+  if (options.sum != Sum::Pattern && (nearRings_ || nearSpacing_ || farDistance_)) {
+    throw UsageError(
+        "--near-rings, --near-spacing and --far-distance shape the pattern and need --sum pattern");
+  }
+  setFrom(options.pattern.nearRings, nearRings_);
+  setFrom(options.pattern.nearSpacing, nearSpacing_);
+  setFrom(options.pattern.farDistance, farDistance_);
+  setFrom(options.dsmSize, dsmSize_);
+  setFrom(options.shadowSize, shadowSize_);
+}
+
+void PictureOptions::addTo(CommandLine& line) {
+  line.value("-o,--output", "FILE", ".png, or .exr (linear) [SCENE's name .png]",
+             [this](const Given& given) {
+               file_ = readOutput(given, {".png", ".exr"});
+             });
+  line.value("--size", "WxH", "pixels, each 1 to 16384 [1024x1024]",
+             [this](const Given& given) { size_ = readSize(given, 16384); });
+  line.value("--aov", "NAME",
+             "write this instead, EXR: radiance exitance irradiance position normal depth object "
+             "dsm-position dsm-normal dsm-irradiance dsm-area",
+             [this](const Given& given) { aov_ = readChoice(given, aovs()); });
+  line.value("--antialias", "N", "samples a pixel: 1, 2, 4 or 8 [4; AOVs 1]",
+             [this](const Given& given) {
+               antialias_ = readChoice<int>(given, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}});
+             });
+  line.flag("--no-specular", "without the reflection on the surface", noSpecular_);
+  line.value("--roughness", "X", "of that reflection, 0.05 to 1 [0.25]",
+             [this](const Given& given) {
+               roughness_ = readFloat(given, {0.05, 1});
+             });
+  line.value("--exposure", "X", "stops, -32 to 32, PNG only [0]", [this](const Given& given) {
+    exposureStops_ = readFloat(given, {-32, 32, "stops"});
+  });
+  line.value("--tone", "NAME", "curve: neutral or none, PNG only [neutral]",
+             [this](const Given& given) { curve_ = readChoice(given, curves()); });
+  line.value("--background", "R,G,B", "linear, 0 to 1, PNG only [transparent]",
+             [this](const Given& given) {
+               background_ = readTripleFloat(given, {0, 1});
+             });
+}
+
+void PictureOptions::applyTo(RenderOptions& options) const {
+  const bool picture = aov() == Aov::Radiance;
+  if (aov_ && !isExr()) {
+    throw UsageError("--aov writes figures, not colours: the name after -o must end in .exr");
+  }
+  if (isExr() && (exposureStops_ || curve_ || background_)) {
+    throw UsageError(
+        "--exposure, --tone and --background belong to PNG pictures; an EXR file keeps linear "
+        "radiance");
+  }
+  if (!picture && antialias_ && *antialias_ != 1) {
+    throw UsageError("--antialias belongs to radiance; other AOVs are sampled once a pixel");
+  }
+  if (noSpecular_ && roughness_) {
+    throw UsageError("--roughness and --no-specular exclude each other");
+  }
+  if (size_) {
+    options.width = (*size_)[0];
+    options.height = (*size_)[1];
+  }
+  setFrom(options.antialias, antialias_);
+  if (!picture) options.antialias = 1;
+  options.specular = options.specular && !noSpecular_;
+  setFrom(options.roughness, roughness_);
+}
+
+bool PictureOptions::isExr() const {
+  return file_ ? extensionOf(*file_) == ".exr" : aov_.has_value();
+}
+
+std::filesystem::path PictureOptions::file(const std::string& sceneName) const {
+  return file_.value_or(sceneName + (isExr() ? ".exr" : ".png"));
+}
+
+core::ToneOptions PictureOptions::tone(const scene::SceneFileSettings& settings) const {
+  core::ToneOptions options;
+  setFrom(options.exposureStops, settings.exposureStops);
+  setFromName(options.curve, settings.tone, curves());
+  setFrom(options.exposureStops, exposureStops_);
+  setFrom(options.curve, curve_);
+  options.background = background_;
+  return options;
+}
+
+}  // namespace opaline::app

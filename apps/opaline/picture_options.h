@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "command_line.h"
+#include "core/tone.h"
+#include "opaline/renderer.h"
+#include "scene/scene_settings.h"
+#include "values.h"
+
+namespace opaline::app {
+
+const Choices<Transport>& transports();
+const Choices<Sum>& sums();
+const Choices<Site>& sites();
+
+/// The [render] table of a scene file over the defaults.
+RenderOptions optionsOf(const scene::SceneFileSettings& settings);
+
+/// --transport, --sum, --site, --method and the shape of the pattern.
+class MethodOptions {
+ public:
+  void addTo(CommandLine& line);
+  /// Throws UsageError for a mixture that contradicts itself.
+  void applyTo(RenderOptions& options) const;
+
+ private:
+  bool paper_ = false;
+  std::optional<Transport> transport_;
+  std::optional<Sum> sum_;
+  std::optional<Site> site_;
+  std::optional<int> nearRings_;
+  std::optional<float> nearSpacing_;
+  std::optional<float> farDistance_;
+  std::optional<int> dsmSize_;
+  std::optional<int> shadowSize_;
+};
+
+/// What is written and how it looks.
+class PictureOptions {
+ public:
+  void addTo(CommandLine& line);
+  /// Throws UsageError for a mixture that contradicts itself.
+  void applyTo(RenderOptions& options) const;
+
+  Aov aov() const { return aov_.value_or(Aov::Radiance); }
+  bool isExr() const;
+  /// -o, or a name after the scene's in the current folder.
+  std::filesystem::path file(const std::string& sceneName) const;
+  bool hasFile() const { return file_.has_value(); }
+  /// What was asked for, else what the scene file says.
+  core::ToneOptions tone(const scene::SceneFileSettings& settings) const;
+
+ private:
+  std::optional<std::array<int, 2>> size_;
+  std::optional<int> antialias_;
+  bool noSpecular_ = false;
+  std::optional<float> roughness_;
+  std::optional<float> exposureStops_;
+  std::optional<core::ToneCurve> curve_;
+  std::optional<Rgb> background_;
+  std::optional<Aov> aov_;
+  std::optional<std::filesystem::path> file_;
+};
+
+}  // namespace opaline::app

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command_line.h"
+#include "medium_options.h"
+#include "opaline/log.h"
+#include "opaline/scene.h"
+#include "scene/scene_settings.h"
+
+namespace opaline::app {
+
+/// SCENE or --builtin, its size and its medium.
+class SceneOptions {
+ public:
+  void addTo(CommandLine& line);
+  /// The file's name without folder and extension, or that of the built-in scene.
+  std::string name() const;
+  /// Reads or makes it. Throws UsageError for a mixture of options that makes no sense.
+  scene::LoadedScene load(const LogCallback& log) const;
+
+ private:
+  std::optional<std::filesystem::path> file_;
+  std::optional<std::string> builtIn_;
+  std::optional<float> diagonalMm_;
+  MediumOptions medium_;
+};
+
+/// --directional, --point, --ambient, --environment.
+class LightOptions {
+ public:
+  void addTo(CommandLine& line);
+  /// As soon as one was given, only what was given shines.
+  void applyTo(Scene& scene) const;
+
+ private:
+  bool any_ = false;
+  std::vector<DirectionalLight> directional_;
+  std::vector<PointLight> points_;  ///< relative to the centre of the scene's box
+  Rgb ambient_{};
+  std::optional<std::filesystem::path> environment_;
+};
+
+/// --camera-direction, --fov-degrees.
+class CameraOptions {
+ public:
+  void addTo(CommandLine& line);
+  void applyTo(Scene& scene) const;
+
+ private:
+  std::optional<Vec3> direction_;
+  std::optional<float> verticalFovDegrees_;
+};
+
+/// A sentence for each medium beside which the scene is so large or so small that its size was
+/// probably not meant.
+std::vector<std::string> notesOnSize(const Scene& scene);
+
+}  // namespace opaline::app

@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# Installs what is needed to build, test and run Opaline and is not there yet, with the system's own
+# package manager. Does nothing, quickly, when nothing is missing.
+set -euo pipefail
+export LC_ALL=C
+
+apt_packages=(
+  g++ cmake ninja-build make git python3
+  libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers glslc
+  libeigen3-dev libglm-dev libtinygltf-dev libtinyobjloader-dev libtomlplusplus-dev nlohmann-json3-dev
+  libopenexr-dev libstb-dev libfmt-dev libcli11-dev libgtest-dev libgmock-dev
+)
+# The checks of `make test` are written for version 14; see tools/clang_tools.py.
+apt_checkers=(clang-format clang-tidy)
+
+dnf_packages=(
+  gcc-c++ cmake ninja-build make git python3
+  vulkan-headers vulkan-loader-devel mesa-vulkan-drivers vulkan-validation-layers glslc
+  eigen3-devel glm-devel tinygltf-devel tinyobjloader-devel tomlplusplus-devel json-devel
+  openexr-devel stb-devel fmt-devel cli11-devel gtest-devel gmock-devel clang-tools-extra
+)
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    echo "install-dependencies: missing packages and neither root nor sudo; as root, run: $*" >&2
+    exit 1
+  fi
+}
+
+apt_missing() {
+  dpkg-query -W -f='${db:Status-Abbrev}${Package}\n' "$@" 2>/dev/null |
+    sed -n 's/^ii //p' | sort -u > "$have"
+  printf '%s\n' "$@" | sort -u | comm -23 - "$have"
+}
+
+install_with_apt() {
+  have=$(mktemp)
+  trap 'rm -f "$have"' EXIT
+  local wanted=("${apt_packages[@]}") checker missing
+  for checker in "${apt_checkers[@]}"; do
+    command -v "$checker-14" >/dev/null || wanted+=("$checker")
+  done
+  mapfile -t missing < <(apt_missing "${wanted[@]}")
+  [ "${#missing[@]}" -eq 0 ] && return
+  echo "Installing ${missing[*]}" >&2
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q
+  local package chosen=()
+  for package in "${missing[@]}"; do
+    if [[ " ${apt_checkers[*]} " == *" $package "* ]] && apt-cache show "$package-14" >/dev/null 2>&1; then
+      package=$package-14
+    fi
+    chosen+=("$package")
+  done
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${chosen[@]}"
+}
+
+install_with_dnf() {
+  local missing
+  mapfile -t missing < <(comm -23 <(printf '%s\n' "${dnf_packages[@]}" | sort -u) \
+    <(rpm -q --qf '%{NAME}\n' "${dnf_packages[@]}" 2>/dev/null | sort -u))
+  [ "${#missing[@]}" -eq 0 ] && return
+  echo "Installing ${missing[*]}" >&2
+  as_root dnf install -y --setopt=install_weak_deps=False "${missing[@]}"
+}
+
+on_unknown_system() {
+  local tool missing=()
+  for tool in c++ cmake ninja git python3 glslc; do
+    command -v "$tool" >/dev/null || missing+=("$tool")
+  done
+  cat >&2 <<END
+install-dependencies: this system has neither apt nor dnf. Opaline needs a C++20 compiler, CMake 3.22,
+Ninja, git, Python 3, glslc, a Vulkan 1.3 driver with loader and validation layers, and the headers of
+Vulkan, Eigen, glm, tinygltf, tinyobjloader, toml++, nlohmann-json, OpenEXR, stb, fmt, CLI11, GoogleTest.
+END
+  if [ "${#missing[@]}" -gt 0 ]; then
+    echo "install-dependencies: not found here: ${missing[*]}" >&2
+    exit 1
+  fi
+}
+
+if command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; then
+  install_with_apt
+elif command -v dnf >/dev/null && command -v rpm >/dev/null; then
+  install_with_dnf
+else
+  on_unknown_system
+fi

@@ -1,0 +1,111 @@
+#include "gpu/buffer.h"
+
+#include <fmt/core.h>
+
+#include <cassert>
+#include <utility>
+
+#include "gpu/device.h"
+#include "gpu/vulkan_result.h"
+#include "opaline/error.h"
+
+namespace opaline::gpu {
+
+namespace {
+
+struct MemoryKind {
+  VkMemoryPropertyFlags wanted = 0;
+  VkMemoryPropertyFlags preferred = 0;
+};
+
+MemoryKind kindOf(Memory memory) {
+  constexpr VkMemoryPropertyFlags visible =
+      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  switch (memory) {
+    case Memory::Device:
+      return {0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
+    case Memory::Upload:
+      return {visible, 0};
+    case Memory::Readback:
+      return {visible, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
+  }
+  assert(false);
+  return {};
+}
+
+void checkSize(const Device& device, const BufferOptions& options) {
+  const std::size_t storageLimit = device.limits().maxStorageBufferRange;
+  if ((options.usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) != 0 && options.bytes > storageLimit) {
+    throw Error(fmt::format(
+        "the buffer \"{}\" needs {:.1f} MB, but {} reads at most {:.1f} MB from one buffer; use a "
+        "smaller mesh or map, or another device",
+        options.name, static_cast<double>(options.bytes) / 1e6, device.info().name,
+        static_cast<double>(storageLimit) / 1e6));
+  }
+  if (options.bytes > device.largestBufferBytes()) {
+    throw Error(fmt::format(
+        "the buffer \"{}\" needs {:.1f} MB, which is more than {} allows; use a smaller mesh or "
+        "map, or another device",
+        options.name, static_cast<double>(options.bytes) / 1e6, device.info().name));
+  }
+}
+
+}  // namespace
+
+Buffer::Buffer(Device& device, const BufferOptions& options) : Buffer() {
+  assert(options.bytes > 0);
+  checkSize(device, options);
+  device_ = &device;
+  bytes_ = options.bytes;
+
+  VkBufferCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+  info.size = options.bytes;
+  info.usage = options.usage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+  info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+  check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_),
+        fmt::format("create the buffer \"{}\"", options.name));
+  device.setName(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(buffer_), options.name);
+
+  VkMemoryRequirements requirements{};
+  vkGetBufferMemoryRequirements(device.handle(), buffer_, &requirements);
+  const MemoryKind kind = kindOf(options.memory);
+  memory_ = device.allocate(requirements, kind.wanted, kind.preferred, options.name);
+  allocatedBytes_ = requirements.size;
+  check(vkBindBufferMemory(device.handle(), buffer_, memory_, 0),
+        fmt::format("give memory to the buffer \"{}\"", options.name));
+  if (options.memory != Memory::Device) {
+    void* mapped = nullptr;
+    check(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped),
+          fmt::format("map the buffer \"{}\"", options.name));
+    mapped_ = static_cast<std::byte*>(mapped);
+  }
+}
+
+Buffer::~Buffer() {
+  if (device_ == nullptr) return;
+  vkDestroyBuffer(device_->handle(), buffer_, nullptr);
+  device_->release(memory_, allocatedBytes_);
+}
+
+Buffer::Buffer(Buffer&& other) noexcept {
+  swap(other);
+}
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept {
+  Buffer taken(std::move(other));
+  swap(taken);
+  return *this;
+}
+
+void Buffer::swap(Buffer& other) noexcept {
+  std::swap(device_, other.device_);
+  std::swap(buffer_, other.buffer_);
+  std::swap(memory_, other.memory_);
+  std::swap(bytes_, other.bytes_);
+  std::swap(allocatedBytes_, other.allocatedBytes_);
+  std::swap(mapped_, other.mapped_);
+  std::swap(state_, other.state_);
+}
+
+}  // namespace opaline::gpu

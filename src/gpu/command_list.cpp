@@ -1,0 +1,497 @@
+#include "gpu/command_list.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "gpu/device.h"
+#include "gpu/vulkan_result.h"
+
+namespace opaline::gpu {
+
+namespace {
+
+constexpr std::size_t maxColors = 8;
+
+VkDescriptorType descriptorTypeOf(BindingType type) {
+  switch (type) {
+    case BindingType::UniformBuffer:
+      return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingType::StorageBuffer:
+      return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case BindingType::SampledImage:
+      return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case BindingType::StorageImage:
+      return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+  }
+  assert(false);
+  return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+}
+
+VkDescriptorBufferInfo bufferInfoOf(const Binding& binding, const VkPhysicalDeviceLimits& limits) {
+  assert(binding.offset < binding.buffer->bytes());
+  const std::size_t rest = binding.buffer->bytes() - binding.offset;
+  assert(binding.bytes <= rest);
+  VkDeviceSize range = binding.bytes == 0 ? rest : binding.bytes;
+  if (binding.type == BindingType::UniformBuffer && binding.bytes == 0) {
+    range = std::min<VkDeviceSize>(range, limits.maxUniformBufferRange);
+  }
+  return {binding.buffer->handle(), binding.offset, range};
+}
+
+bool sameResource(const Binding& a, const Binding& b) {
+  return a.buffer == b.buffer && a.image == b.image;
+}
+
+AccessScope bindingScope(const Binding& binding) {
+  AccessScope scope = scopeOf(binding.access);
+  if (binding.buffer != nullptr) scope.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  return scope;
+}
+
+}  // namespace
+
+Binding Binding::uniform(std::uint32_t slot, Buffer& buffer, std::size_t offset,
+                         std::size_t bytes) {
+  Binding binding;
+  binding.slot = slot;
+  binding.type = BindingType::UniformBuffer;
+  binding.access = Access::Uniform;
+  binding.buffer = &buffer;
+  binding.offset = offset;
+  binding.bytes = bytes;
+  return binding;
+}
+
+Binding Binding::read(std::uint32_t slot, Buffer& buffer) {
+  Binding binding;
+  binding.slot = slot;
+  binding.access = Access::StorageRead;
+  binding.buffer = &buffer;
+  return binding;
+}
+
+Binding Binding::write(std::uint32_t slot, Buffer& buffer) {
+  Binding binding = read(slot, buffer);
+  binding.access = Access::StorageWrite;
+  return binding;
+}
+
+Binding Binding::sampled(std::uint32_t slot, GpuImage& image, const Sampler& sampler) {
+  Binding binding;
+  binding.slot = slot;
+  binding.type = BindingType::SampledImage;
+  binding.access = Access::Sampled;
+  binding.image = &image;
+  binding.view = image.view();
+  binding.sampler = sampler.handle();
+  return binding;
+}
+
+Binding Binding::writeImage(std::uint32_t slot, GpuImage& image) {
+  return writeImageLevel(slot, image, 0);
+}
+
+Binding Binding::writeImageLevel(std::uint32_t slot, GpuImage& image, std::uint32_t level) {
+  Binding binding;
+  binding.slot = slot;
+  binding.type = BindingType::StorageImage;
+  binding.access = Access::StorageWrite;
+  binding.image = &image;
+  binding.view = image.levelView(level);
+  return binding;
+}
+
+CommandList::CommandList(Device& device, std::string name, std::uint32_t maxPasses)
+    : device_(device), name_(std::move(name)), timer_(device, name_, maxPasses) {
+  VkCommandPoolCreateInfo poolInfo{};
+  poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+  poolInfo.queueFamilyIndex = device.queueFamily();
+  VkResult result = vkCreateCommandPool(device.handle(), &poolInfo, nullptr, &pool_);
+  if (result >= 0) {
+    VkCommandBufferAllocateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+    info.commandPool = pool_;
+    info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    info.commandBufferCount = 1;
+    result = vkAllocateCommandBuffers(device.handle(), &info, &commands_);
+  }
+  if (result >= 0) {
+    VkFenceCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
+    result = vkCreateFence(device.handle(), &info, nullptr, &fence_);
+  }
+  if (result < 0) {
+    vkDestroyCommandPool(device.handle(), pool_, nullptr);
+    check(result, fmt::format("create the command list \"{}\"", name_));
+  }
+  device.setName(VK_OBJECT_TYPE_COMMAND_POOL, reinterpret_cast<std::uint64_t>(pool_), name_);
+  device.setName(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<std::uint64_t>(commands_), name_);
+  device.setName(VK_OBJECT_TYPE_FENCE, reinterpret_cast<std::uint64_t>(fence_), name_);
+}
+
+CommandList::~CommandList() {
+  // A lost device cannot be waited for; its objects may be destroyed all the same.
+  if (submitted_) vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX);
+  vkDestroyFence(device_.handle(), fence_, nullptr);
+  vkDestroyCommandPool(device_.handle(), pool_, nullptr);
+}
+
+void CommandList::begin() {
+  wait();
+  check(vkResetCommandPool(device_.handle(), pool_, 0), "reset a command list");
+  VkCommandBufferBeginInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+  info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+  check(vkBeginCommandBuffer(commands_, &info), "begin a command list");
+  recording_ = true;
+  inPass_ = false;
+  rendering_ = false;
+  pipeline_ = nullptr;
+  for (auto& slots : bound_) slots.fill({});
+  timer_.reset(commands_);
+}
+
+void CommandList::submit() {
+  assert(recording_ && !inPass_ && !rendering_);
+  check(vkEndCommandBuffer(commands_), fmt::format("record \"{}\"", name_));
+  recording_ = false;
+  check(vkResetFences(device_.handle(), 1, &fence_), "reset a fence");
+  VkCommandBufferSubmitInfo commands{};
+  commands.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
+  commands.commandBuffer = commands_;
+  VkSubmitInfo2 info{};
+  info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
+  info.commandBufferInfoCount = 1;
+  info.pCommandBufferInfos = &commands;
+  check(vkQueueSubmit2(device_.queue(), 1, &info, fence_), "submit work to the device");
+  submitted_ = true;
+}
+
+void CommandList::wait() {
+  if (!submitted_) return;
+  check(vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX), "wait for the device");
+  submitted_ = false;
+  timer_.collect();
+}
+
+void CommandList::beginPass(const char* name) {
+  assert(recording_ && !inPass_);
+  timer_.begin(commands_, name);
+  device_.beginLabel(commands_, name);
+  inPass_ = true;
+}
+
+void CommandList::endPass() {
+  assert(recording_ && inPass_);
+  device_.endLabel(commands_);
+  timer_.end(commands_);
+  inPass_ = false;
+}
+
+const std::vector<PassTiming>& CommandList::timings() {
+  return timer_.timings();
+}
+
+double CommandList::frameMilliseconds() {
+  return timer_.frameMilliseconds();
+}
+
+void CommandList::order(Buffer& buffer, AccessScope scope) {
+  scope.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  const auto barrier = advance(buffer.state_, scope);
+  if (!barrier) return;
+  memoryBarrier_.srcStageMask |= barrier->fromStages;
+  memoryBarrier_.srcAccessMask |= barrier->fromAccesses;
+  memoryBarrier_.dstStageMask |= barrier->toStages;
+  memoryBarrier_.dstAccessMask |= barrier->toAccesses;
+}
+
+void CommandList::order(GpuImage& image, const AccessScope& scope) {
+  const auto barrier = advance(image.state_, scope);
+  if (!barrier) return;
+  assert(imageBarrierCount_ < imageBarriers_.size());
+  VkImageMemoryBarrier2& out = imageBarriers_[imageBarrierCount_++];
+  out = {};
+  out.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
+  out.srcStageMask = barrier->fromStages;
+  out.srcAccessMask = barrier->fromAccesses;
+  out.dstStageMask = barrier->toStages;
+  out.dstAccessMask = barrier->toAccesses;
+  out.oldLayout = barrier->oldLayout;
+  out.newLayout = barrier->newLayout;
+  out.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  out.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  out.image = image.handle();
+  out.subresourceRange = {image.aspect(), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+}
+
+void CommandList::flushBarriers() {
+  const bool memory = memoryBarrier_.dstStageMask != 0;
+  if (!memory && imageBarrierCount_ == 0) return;
+  assert(recording_);
+  assert(!rendering_ && "a barrier inside a rendering scope: bind before beginRendering");
+  memoryBarrier_.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+  VkDependencyInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+  info.memoryBarrierCount = memory ? 1 : 0;
+  info.pMemoryBarriers = &memoryBarrier_;
+  info.imageMemoryBarrierCount = imageBarrierCount_;
+  info.pImageMemoryBarriers = imageBarriers_.data();
+  vkCmdPipelineBarrier2(commands_, &info);
+  memoryBarrier_ = {};
+  imageBarrierCount_ = 0;
+}
+
+void CommandList::use(Buffer& buffer, Access access) {
+  order(buffer, scopeOf(access));
+  flushBarriers();
+}
+
+void CommandList::use(GpuImage& image, Access access) {
+  order(image, scopeOf(access));
+  flushBarriers();
+}
+
+void CommandList::bind(const Pipeline& pipeline) {
+  assert(recording_ && pipeline);
+  pipeline_ = &pipeline;
+  vkCmdBindPipeline(commands_, pipeline.bindPoint(), pipeline.handle());
+}
+
+void CommandList::orderBindings(std::span<const Binding> bindings) {
+  for (std::size_t i = 0; i < bindings.size(); ++i) {
+    const auto same = [&](const Binding& other) { return sameResource(other, bindings[i]); };
+    const auto begin = bindings.begin();
+    const auto here = begin + static_cast<std::ptrdiff_t>(i);
+    if (std::any_of(begin, here, same)) continue;
+    AccessScope scope = bindingScope(bindings[i]);
+    for (auto other = here + 1; other != bindings.end(); ++other) {
+      if (same(*other)) scope = together(scope, bindingScope(*other));
+    }
+    if (bindings[i].buffer != nullptr) {
+      order(*bindings[i].buffer, scope);
+    } else {
+      order(*bindings[i].image, scope);
+    }
+  }
+  flushBarriers();
+}
+
+void CommandList::bindResources(std::span<const Binding> bindings) {
+  assert(recording_ && pipeline_ != nullptr && bindings.size() <= maxSlots_);
+  orderBindings(bindings);
+  std::array<VkWriteDescriptorSet, maxSlots_> writes;
+  std::array<VkDescriptorBufferInfo, maxSlots_> buffers;
+  std::array<VkDescriptorImageInfo, maxSlots_> images;
+  for (std::size_t i = 0; i < bindings.size(); ++i) {
+    const Binding& binding = bindings[i];
+    assert(pipeline_->hasSlot(binding.slot));
+    VkWriteDescriptorSet& write = writes[i];
+    write = {};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstBinding = binding.slot;
+    write.descriptorCount = 1;
+    write.descriptorType = descriptorTypeOf(binding.type);
+    if (binding.buffer != nullptr) {
+      buffers[i] = bufferInfoOf(binding, device_.limits());
+      write.pBufferInfo = &buffers[i];
+    } else {
+      images[i] = {binding.sampler, binding.view, bindingScope(binding).layout};
+      write.pImageInfo = &images[i];
+    }
+    bound_[pipeline_->bindPoint()][binding.slot] = binding;
+  }
+  device_.pushDescriptorSet()(commands_, pipeline_->bindPoint(), pipeline_->layout(), 0,
+                              static_cast<std::uint32_t>(bindings.size()), writes.data());
+}
+
+/// Whether nothing that the pipeline reads or writes was used otherwise since it was bound, for
+/// example became an attachment.
+bool CommandList::boundIsCurrent() const {
+  const auto& slots = bound_[pipeline_->bindPoint()];
+  return std::all_of(slots.begin(), slots.end(), [&](const Binding& binding) {
+    if (binding.access == Access::None || !pipeline_->hasSlot(binding.slot)) return true;
+    const AccessState& state =
+        binding.buffer != nullptr ? binding.buffer->state_ : binding.image->state_;
+    const AccessScope scope = bindingScope(binding);
+    return scope.layout == state.layout &&
+           (scope.accesses & ~(state.readAccesses | state.writeAccesses)) == 0;
+  });
+}
+
+void CommandList::pushConstants(const void* data, std::uint32_t bytes) {
+  assert(recording_ && pipeline_ != nullptr);
+  assert(bytes % 4 == 0 && bytes <= pipeline_->pushConstantBytes());
+  vkCmdPushConstants(commands_, pipeline_->layout(), pipeline_->stages(), 0, bytes, data);
+}
+
+void CommandList::dispatch(std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t groupsZ) {
+  assert(recording_ && !rendering_ && pipeline_ != nullptr);
+  assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
+  assert(boundIsCurrent());
+  vkCmdDispatch(commands_, groupsX, groupsY, groupsZ);
+}
+
+void CommandList::dispatchLinear(std::uint32_t count) {
+  constexpr std::uint32_t groupSize = 64;
+  constexpr std::uint32_t row = 32768;  // groups; every device dispatches that many along an axis
+  const std::uint32_t groups = (count + groupSize - 1) / groupSize;
+  if (groups == 0) return;
+  const std::uint32_t rows = (groups + row - 1) / row;
+  dispatch((groups + rows - 1) / rows, rows);
+}
+
+VkRenderingAttachmentInfo CommandList::attachment(const ColorTarget& target) {
+  GpuImage& image = *target.image;
+  assert(target.clear || image.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
+  const AccessScope scope = scopeOf(Access::ColorWrite);
+  order(image, scope);
+  VkRenderingAttachmentInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+  info.imageView = image.layerView(target.layer);
+  info.imageLayout = scope.layout;
+  info.loadOp = target.clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+  info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  std::copy(std::begin(target.clearValue), std::end(target.clearValue),
+            std::begin(info.clearValue.color.float32));
+  return info;
+}
+
+VkRenderingAttachmentInfo CommandList::attachment(const DepthTarget& target) {
+  GpuImage& image = *target.image;
+  assert(target.clear || image.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
+  assert(target.write || !target.clear);
+  const AccessScope scope = scopeOf(target.write ? Access::DepthWrite : Access::DepthTest);
+  order(image, scope);
+  VkRenderingAttachmentInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+  info.imageView = image.layerView(target.layer);
+  info.imageLayout = scope.layout;
+  info.loadOp = target.clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+  info.storeOp = target.write ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_NONE;
+  info.clearValue.depthStencil.depth = target.clearValue;
+  return info;
+}
+
+void CommandList::beginRendering(std::span<const ColorTarget> colors, const DepthTarget* depth) {
+  assert(recording_ && !rendering_);
+  assert(colors.size() <= maxColors && (!colors.empty() || depth != nullptr));
+  const VkExtent2D extent = colors.empty() ? depth->image->extent() : colors[0].image->extent();
+  std::array<VkRenderingAttachmentInfo, maxColors> colorInfos;
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    assert(colors[i].image->extent().width == extent.width &&
+           colors[i].image->extent().height == extent.height);
+    colorInfos[i] = attachment(colors[i]);
+  }
+  VkRenderingAttachmentInfo depthInfo{};
+  if (depth != nullptr) {
+    assert(depth->image->extent().width == extent.width &&
+           depth->image->extent().height == extent.height);
+    depthInfo = attachment(*depth);
+  }
+  flushBarriers();
+
+  VkRenderingInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+  info.renderArea.extent = extent;
+  info.layerCount = 1;
+  info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
+  info.pColorAttachments = colorInfos.data();
+  info.pDepthAttachment = depth != nullptr ? &depthInfo : nullptr;
+  vkCmdBeginRendering(commands_, &info);
+  rendering_ = true;
+  coverWith(extent);
+}
+
+void CommandList::coverWith(VkExtent2D extent) {
+  const VkViewport viewport{
+      0.0F, 0.0F, static_cast<float>(extent.width), static_cast<float>(extent.height), 0.0F, 1.0F};
+  const VkRect2D scissor{{0, 0}, extent};
+  vkCmdSetViewport(commands_, 0, 1, &viewport);
+  vkCmdSetScissor(commands_, 0, 1, &scissor);
+}
+
+void CommandList::endRendering() {
+  assert(recording_ && rendering_);
+  vkCmdEndRendering(commands_);
+  rendering_ = false;
+}
+
+void CommandList::draw(std::uint32_t vertices, std::uint32_t firstVertex) {
+  assert(recording_ && rendering_ && pipeline_ != nullptr);
+  assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_GRAPHICS);
+  assert(boundIsCurrent());
+  vkCmdDraw(commands_, vertices, 1, firstVertex, 0);
+}
+
+void CommandList::drawIndexed(Buffer& indices, std::uint32_t count) {
+  assert(recording_ && rendering_ && pipeline_ != nullptr);
+  assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_GRAPHICS);
+  assert(boundIsCurrent());
+  assert(count * sizeof(std::uint32_t) <= indices.bytes());
+  vkCmdBindIndexBuffer(commands_, indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+  vkCmdDrawIndexed(commands_, count, 1, 0, 0, 0);
+}
+
+void CommandList::copyBuffer(Buffer& from, Buffer& to, std::size_t bytes, std::size_t fromOffset,
+                             std::size_t toOffset) {
+  assert(recording_ && &from != &to);
+  assert(fromOffset + bytes <= from.bytes() && toOffset + bytes <= to.bytes());
+  order(from, scopeOf(Access::TransferRead));
+  order(to, scopeOf(Access::TransferWrite));
+  flushBarriers();
+  const VkBufferCopy region{fromOffset, toOffset, bytes};
+  vkCmdCopyBuffer(commands_, from.handle(), to.handle(), 1, &region);
+}
+
+namespace {
+
+VkBufferImageCopy regionOf(const GpuImage& image, std::uint32_t layer, std::uint32_t level,
+                           [[maybe_unused]] const Buffer& buffer, std::size_t offset) {
+  const ImageOptions& options = image.options();
+  assert(layer < options.layers && level < options.mipLevels);
+  VkBufferImageCopy region{};
+  region.bufferOffset = offset;
+  region.imageSubresource = {image.aspect(), level, layer, 1};
+  region.imageExtent = {std::max(1U, options.width >> level), std::max(1U, options.height >> level),
+                        1};
+  assert(offset + std::size_t{region.imageExtent.width} * region.imageExtent.height *
+                      bytesPerTexel(options.format) <=
+         buffer.bytes());
+  return region;
+}
+
+}  // namespace
+
+void CommandList::copyToImage(Buffer& from, GpuImage& to, std::uint32_t layer, std::uint32_t level,
+                              std::size_t fromOffset) {
+  assert(recording_);
+  order(from, scopeOf(Access::TransferRead));
+  order(to, scopeOf(Access::TransferWrite));
+  flushBarriers();
+  const VkBufferImageCopy region = regionOf(to, layer, level, from, fromOffset);
+  vkCmdCopyBufferToImage(commands_, from.handle(), to.handle(), to.state_.layout, 1, &region);
+}
+
+void CommandList::copyFromImage(GpuImage& from, Buffer& to, std::uint32_t layer,
+                                std::uint32_t level, std::size_t toOffset) {
+  assert(recording_);
+  assert(from.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
+  order(from, scopeOf(Access::TransferRead));
+  order(to, scopeOf(Access::TransferWrite));
+  flushBarriers();
+  const VkBufferImageCopy region = regionOf(from, layer, level, to, toOffset);
+  vkCmdCopyImageToBuffer(commands_, from.handle(), from.state_.layout, to.handle(), 1, &region);
+}
+
+void CommandList::fill(Buffer& buffer, std::uint32_t value) {
+  assert(recording_ && buffer.bytes() % 4 == 0);
+  order(buffer, scopeOf(Access::TransferWrite));
+  flushBarriers();
+  vkCmdFillBuffer(commands_, buffer.handle(), 0, VK_WHOLE_SIZE, value);
+}
+
+}  // namespace opaline::gpu

@@ -1,0 +1,210 @@
+#include "gpu/device.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "gpu/device_choice.h"
+#include "gpu/instance.h"
+#include "gpu/vulkan_result.h"
+#include "opaline/error.h"
+
+namespace opaline::gpu {
+
+namespace {
+
+std::vector<DeviceInfo> describeAll(const std::vector<VkPhysicalDevice>& devices) {
+  std::vector<DeviceInfo> infos;
+  for (const VkPhysicalDevice device : devices) {
+    infos.push_back(describe(device, static_cast<std::uint32_t>(infos.size())));
+  }
+  return infos;
+}
+
+/// Kinds of memory that only special features or attachments may use.
+constexpr VkMemoryPropertyFlags specialMemory =
+    VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT | VK_MEMORY_PROPERTY_PROTECTED_BIT |
+    VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD | VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD;
+
+Error outOfMemory(const std::string& name, std::size_t bytes, const std::string& device) {
+  return Error(fmt::format(
+      "\"{}\" needs {:.1f} MB, which the memory of {} does not hold; use a smaller image or map, "
+      "or another device",
+      name, static_cast<double>(bytes) / 1e6, device));
+}
+
+}  // namespace
+
+const char* toString(DeviceType type) {
+  switch (type) {
+    case DeviceType::Discrete:
+      return "discrete";
+    case DeviceType::Integrated:
+      return "integrated";
+    case DeviceType::Virtual:
+      return "virtual";
+    case DeviceType::Software:
+      return "software";
+  }
+  assert(false);
+  return "";
+}
+
+std::vector<DeviceInfo> Device::list() {
+  try {
+    return describeAll(Instance().physicalDevices());
+  } catch (const Error& error) {
+    if (std::string(error.what()) == noDeviceMessage) return {};
+    throw;
+  }
+}
+
+Device::Device(const DeviceOptions& options)
+    : instance_(std::make_unique<Instance>(options.validation, options.log)) {
+  const std::vector<VkPhysicalDevice> devices = instance_->physicalDevices();
+  const std::vector<DeviceInfo> infos = describeAll(devices);
+  const std::size_t chosen = choose(infos, options.selector);
+  info_ = infos[chosen];
+  physical_ = devices[chosen];
+  queueFamily_ = findQueueFamily(physical_).value();
+
+  VkPhysicalDeviceMaintenance4Properties buffers{};
+  buffers.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES;
+  VkPhysicalDeviceMaintenance3Properties maintenance{};
+  maintenance.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES;
+  maintenance.pNext = &buffers;
+  VkPhysicalDeviceProperties2 properties{};
+  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+  properties.pNext = &maintenance;
+  vkGetPhysicalDeviceProperties2(physical_, &properties);
+  properties_ = properties.properties;
+  largestBufferBytes_ = buffers.maxBufferSize;
+  largestAllocationBytes_ = maintenance.maxMemoryAllocationSize;
+  vkGetPhysicalDeviceMemoryProperties(physical_, &memoryProperties_);
+
+  createDevice();
+  loadFunctions();
+  vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
+  setName(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<std::uint64_t>(queue_), "queue");
+}
+
+void Device::createDevice() {
+  Features features;
+  features.base.features.imageCubeArray = VK_TRUE;
+  features.base.features.independentBlend = VK_TRUE;
+  features.vulkan13.dynamicRendering = VK_TRUE;
+  features.vulkan13.synchronization2 = VK_TRUE;
+  // What glslc's SPIR-V 1.6 asks for: work-group sizes by specialization constant, and `discard`.
+  features.vulkan13.maintenance4 = VK_TRUE;
+  features.vulkan13.shaderDemoteToHelperInvocation = VK_TRUE;
+  features.vulkan13.shaderTerminateInvocation = VK_TRUE;
+
+  const float priority = 1.0F;
+  VkDeviceQueueCreateInfo queue{};
+  queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+  queue.queueFamilyIndex = queueFamily_;
+  queue.queueCount = 1;
+  queue.pQueuePriorities = &priority;
+  const char* const extension = VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME;
+  VkDeviceCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+  info.pNext = &features.base;
+  info.queueCreateInfoCount = 1;
+  info.pQueueCreateInfos = &queue;
+  info.enabledExtensionCount = 1;
+  info.ppEnabledExtensionNames = &extension;
+  check(vkCreateDevice(physical_, &info, nullptr, &device_),
+        fmt::format("open the device {}", info_.name));
+}
+
+void Device::loadFunctions() {
+  pushDescriptorSet_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
+      vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
+  assert(pushDescriptorSet_ != nullptr);
+  if (!instance_->hasDebugUtils()) return;
+  const VkInstance instance = instance_->handle();
+  setObjectName_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
+      vkGetInstanceProcAddr(instance, "vkSetDebugUtilsObjectNameEXT"));
+  beginLabel_ = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
+      vkGetInstanceProcAddr(instance, "vkCmdBeginDebugUtilsLabelEXT"));
+  endLabel_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
+      vkGetInstanceProcAddr(instance, "vkCmdEndDebugUtilsLabelEXT"));
+}
+
+Device::~Device() {
+  vkDeviceWaitIdle(device_);
+  vkDestroyDevice(device_, nullptr);
+}
+
+std::size_t Device::validationMessages() const {
+  return instance_->messages();
+}
+
+void Device::waitIdle() const {
+  check(vkDeviceWaitIdle(device_), "wait for the device");
+}
+
+VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements,
+                                VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred,
+                                const std::string& name) {
+  if (requirements.size > largestAllocationBytes_) {
+    throw outOfMemory(name, requirements.size, info_.name);
+  }
+  const VkMemoryPropertyFlags tries[] = {wanted | preferred, wanted};
+  for (const VkMemoryPropertyFlags flags : tries) {
+    for (std::uint32_t i = 0; i < memoryProperties_.memoryTypeCount; ++i) {
+      const VkMemoryType& type = memoryProperties_.memoryTypes[i];
+      if ((requirements.memoryTypeBits & (1U << i)) == 0) continue;
+      if ((type.propertyFlags & flags) != flags) continue;
+      if ((type.propertyFlags & specialMemory) != 0) continue;
+      if (requirements.size > memoryProperties_.memoryHeaps[type.heapIndex].size) continue;
+      VkMemoryAllocateInfo info{};
+      info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+      info.allocationSize = requirements.size;
+      info.memoryTypeIndex = i;
+      VkDeviceMemory memory = VK_NULL_HANDLE;
+      const VkResult result = vkAllocateMemory(device_, &info, nullptr, &memory);
+      if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
+        continue;
+      }
+      check(result, fmt::format("find memory for \"{}\"", name));
+      memoryBytes_ += requirements.size;
+      peakMemoryBytes_ = std::max(peakMemoryBytes_, memoryBytes_);
+      setName(VK_OBJECT_TYPE_DEVICE_MEMORY, reinterpret_cast<std::uint64_t>(memory), name);
+      return memory;
+    }
+  }
+  throw outOfMemory(name, requirements.size, info_.name);
+}
+
+void Device::release(VkDeviceMemory memory, std::size_t bytes) {
+  if (memory == VK_NULL_HANDLE) return;
+  assert(bytes <= memoryBytes_);
+  vkFreeMemory(device_, memory, nullptr);
+  memoryBytes_ -= bytes;
+}
+
+void Device::setName(VkObjectType type, std::uint64_t handle, const std::string& name) const {
+  if (setObjectName_ == nullptr) return;
+  VkDebugUtilsObjectNameInfoEXT info{};
+  info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT;
+  info.objectType = type;
+  info.objectHandle = handle;
+  info.pObjectName = name.c_str();
+  check(setObjectName_(device_, &info), "name an object");
+}
+
+void Device::beginLabel(VkCommandBuffer commands, const char* name) const {
+  if (beginLabel_ == nullptr) return;
+  VkDebugUtilsLabelEXT label{};
+  label.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT;
+  label.pLabelName = name;
+  beginLabel_(commands, &label);
+}
+
+void Device::endLabel(VkCommandBuffer commands) const {
+  if (endLabel_ != nullptr) endLabel_(commands);
+}
+
+}  // namespace opaline::gpu

@@ -1,0 +1,161 @@
+#include "gpu/device_choice.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+
+#include "gpu/instance.h"
+#include "gpu/vulkan_result.h"
+#include "opaline/error.h"
+
+namespace opaline::gpu {
+
+namespace {
+
+DeviceType typeOf(VkPhysicalDeviceType type) {
+  switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+      return DeviceType::Discrete;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+      return DeviceType::Integrated;
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+      return DeviceType::Virtual;
+    default:
+      return DeviceType::Software;
+  }
+}
+
+bool hasPushDescriptors(VkPhysicalDevice physical) {
+  std::uint32_t count = 0;
+  check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr),
+        "list a device's extensions");
+  std::vector<VkExtensionProperties> extensions(count);
+  check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data()),
+        "list a device's extensions");
+  return std::any_of(extensions.begin(), extensions.end(), [](const auto& extension) {
+    return std::strcmp(extension.extensionName, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME) == 0;
+  });
+}
+
+std::string whatIsMissing(VkPhysicalDevice physical, std::uint32_t apiVersion) {
+  if (apiVersion < VK_API_VERSION_1_3) {
+    return fmt::format("Vulkan 1.3 (it has {}.{})", VK_API_VERSION_MAJOR(apiVersion),
+                       VK_API_VERSION_MINOR(apiVersion));
+  }
+  std::string missing;
+  const auto need = [&](bool there, const char* name) {
+    if (there) return;
+    if (!missing.empty()) missing += ", ";
+    missing += name;
+  };
+  Features there;
+  vkGetPhysicalDeviceFeatures2(physical, &there.base);
+  need(there.base.features.imageCubeArray == VK_TRUE, "imageCubeArray");
+  need(there.base.features.independentBlend == VK_TRUE, "independentBlend");
+  need(there.vulkan13.dynamicRendering == VK_TRUE, "dynamicRendering");
+  need(there.vulkan13.synchronization2 == VK_TRUE, "synchronization2");
+  need(there.vulkan13.maintenance4 == VK_TRUE, "maintenance4");
+  need(there.vulkan13.shaderDemoteToHelperInvocation == VK_TRUE, "shaderDemoteToHelperInvocation");
+  need(there.vulkan13.shaderTerminateInvocation == VK_TRUE, "shaderTerminateInvocation");
+  need(hasPushDescriptors(physical), VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
+  need(findQueueFamily(physical).has_value(), "a queue for graphics and compute");
+  return missing;
+}
+
+std::string lowered(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::optional<std::size_t> asIndex(const std::string& selector, std::size_t count) {
+  if (selector.size() > 6 || !std::all_of(selector.begin(), selector.end(),
+                                          [](unsigned char c) { return std::isdigit(c) != 0; })) {
+    return std::nullopt;
+  }
+  const std::size_t index = std::stoul(selector);
+  if (index >= count) return std::nullopt;  // it may still be part of a name, as in "4090"
+  return index;
+}
+
+bool isBetter(const DeviceInfo& a, const DeviceInfo& b) {
+  if (a.missing.empty() != b.missing.empty()) return a.missing.empty();
+  return a.type < b.type;
+}
+
+std::string namesOf(const std::vector<DeviceInfo>& devices) {
+  std::string names;
+  for (const DeviceInfo& device : devices) {
+    if (!names.empty()) names += ", ";
+    names += fmt::format("{} ({})", device.index, device.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+Features::Features() {
+  base.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+  base.pNext = &vulkan13;
+  vulkan13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+}
+
+std::optional<std::uint32_t> findQueueFamily(VkPhysicalDevice physical) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+  constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if ((families[i].queueFlags & needed) == needed) return i;
+  }
+  return std::nullopt;
+}
+
+DeviceInfo describe(VkPhysicalDevice physical, std::uint32_t index) {
+  VkPhysicalDeviceProperties properties{};
+  vkGetPhysicalDeviceProperties(physical, &properties);
+  DeviceInfo info;
+  info.index = index;
+  info.name = properties.deviceName;
+  info.type = typeOf(properties.deviceType);
+  info.missing = whatIsMissing(physical, properties.apiVersion);
+  info.driver = fmt::format("version {}", properties.driverVersion);
+  if (properties.apiVersion >= VK_API_VERSION_1_2) {
+    VkPhysicalDeviceDriverProperties driver{};
+    driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
+    VkPhysicalDeviceProperties2 all{};
+    all.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    all.pNext = &driver;
+    vkGetPhysicalDeviceProperties2(physical, &all);
+    info.driver = fmt::format("{} {}", driver.driverName, driver.driverInfo);
+  }
+  return info;
+}
+
+std::size_t choose(const std::vector<DeviceInfo>& devices, const std::string& selector) {
+  if (devices.empty()) throw Error(noDeviceMessage);
+  std::optional<std::size_t> chosen;
+  if (!selector.empty()) chosen = asIndex(selector, devices.size());
+  if (!chosen) {
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+      if (lowered(devices[i].name).find(lowered(selector)) == std::string::npos) continue;
+      if (!chosen || isBetter(devices[i], devices[*chosen])) chosen = i;
+    }
+  }
+  if (!chosen) {
+    throw UsageError(
+        fmt::format("no Vulkan device fits \"{}\"; there are: {}", selector, namesOf(devices)));
+  }
+  const DeviceInfo& device = devices[*chosen];
+  if (!device.missing.empty()) {
+    throw Error(fmt::format(
+        "the Vulkan device {} cannot be used, because it lacks {}; update its driver or choose "
+        "another device",
+        device.name, device.missing));
+  }
+  return *chosen;
+}
+
+}  // namespace opaline::gpu

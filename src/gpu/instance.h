@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include "opaline/log.h"
+
+namespace opaline::gpu {
+
+/// The connection to the Vulkan loader, with the validation layer where asked for.
+class Instance {
+ public:
+  /// Throws Error when there is no driver, or no validation layer although it was asked for.
+  explicit Instance(bool validation = false, LogCallback log = {});
+  ~Instance();
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+
+  VkInstance handle() const { return instance_; }
+  std::vector<VkPhysicalDevice> physicalDevices() const;
+  bool hasDebugUtils() const { return debugUtils_; }
+
+  /// Warnings and errors of the validation layer so far.
+  std::size_t messages() const { return messages_; }
+  /// For the messenger: counts one and hands it to the log.
+  void report(VkDebugUtilsMessageSeverityFlagBitsEXT severity, const char* message);
+
+ private:
+  void create(bool validation);
+
+  LogCallback log_;
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  bool debugUtils_ = false;
+  std::atomic<std::size_t> messages_ = 0;
+};
+
+/// What is said where there is no driver or no device.
+extern const char* const noDeviceMessage;
+
+}  // namespace opaline::gpu

@@ -1,0 +1,104 @@
+#include "gpu/pass_timer.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "gpu/device.h"
+#include "gpu/vulkan_result.h"
+#include "opaline/error.h"
+
+namespace opaline::gpu {
+
+namespace {
+
+std::uint32_t timestampBits(const Device& device) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(device.physical(), &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(device.physical(), &count, families.data());
+  return families.at(device.queueFamily()).timestampValidBits;
+}
+
+}  // namespace
+
+PassTimer::PassTimer(Device& device, const std::string& name, std::uint32_t maxPasses)
+    : device_(device),
+      millisecondsPerTick_(static_cast<double>(device.limits().timestampPeriod) * 1e-6),
+      names_(maxPasses),
+      ticks_(std::size_t{2} * maxPasses) {
+  timings_.reserve(maxPasses);
+  const std::uint32_t bits = timestampBits(device);
+  if (bits == 0 || maxPasses == 0) return;
+  mask_ = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+  VkQueryPoolCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
+  info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+  info.queryCount = 2 * maxPasses;
+  check(vkCreateQueryPool(device.handle(), &info, nullptr, &pool_), "create timestamps");
+  device.setName(VK_OBJECT_TYPE_QUERY_POOL, reinterpret_cast<std::uint64_t>(pool_), name);
+}
+
+PassTimer::~PassTimer() {
+  vkDestroyQueryPool(device_.handle(), pool_, nullptr);
+}
+
+void PassTimer::reset(VkCommandBuffer commands) {
+  count_ = 0;
+  if (pool_ == VK_NULL_HANDLE) return;
+  vkCmdResetQueryPool(commands, pool_, 0, static_cast<std::uint32_t>(ticks_.size()));
+}
+
+// Both timestamps wait for everything before them, so that passes that overlap on the device are
+// not counted twice.
+void PassTimer::begin(VkCommandBuffer commands, const char* name) {
+  if (count_ == names_.size()) {
+    throw Error(fmt::format("a frame has more than {} passes at \"{}\"", names_.size(), name));
+  }
+  names_[count_] = name;
+  if (pool_ == VK_NULL_HANDLE) return;
+  vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_, 2 * count_);
+}
+
+void PassTimer::end(VkCommandBuffer commands) {
+  assert(count_ < names_.size());
+  if (pool_ != VK_NULL_HANDLE) {
+    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_, 2 * count_ + 1);
+  }
+  ++count_;
+}
+
+void PassTimer::collect() {
+  timings_.clear();
+  frameMilliseconds_ = 0;
+  if (count_ == 0) return;
+  if (pool_ != VK_NULL_HANDLE) {
+    check(vkGetQueryPoolResults(device_.handle(), pool_, 0, 2 * count_,
+                                2 * count_ * sizeof(std::uint64_t), ticks_.data(),
+                                sizeof(std::uint64_t),
+                                VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+          "read the timestamps");
+  }
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    add(names_[i], millisecondsBetween(ticks_[2 * i], ticks_[2 * i + 1]));
+  }
+  frameMilliseconds_ = millisecondsBetween(ticks_[0], ticks_[2 * count_ - 1]);
+}
+
+double PassTimer::millisecondsBetween(std::uint64_t from, std::uint64_t to) const {
+  // The mask makes a counter that wrapped around come out right.
+  return static_cast<double>((to - from) & mask_) * millisecondsPerTick_;
+}
+
+void PassTimer::add(const std::string& name, double milliseconds) {
+  const auto same = std::find_if(timings_.begin(), timings_.end(),
+                                 [&](const PassTiming& timing) { return timing.name == name; });
+  if (same != timings_.end()) {
+    same->milliseconds += milliseconds;
+  } else {
+    timings_.push_back({name, milliseconds});
+  }
+}
+
+}  // namespace opaline::gpu

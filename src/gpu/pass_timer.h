@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace opaline::gpu {
+
+class Device;
+
+/// GPU time between the begin and the end of one named pass.
+struct PassTiming {
+  std::string name;
+  double milliseconds = 0;
+};
+
+/// Pairs of timestamps around the passes of one command buffer. Where the device's queue has no
+/// timestamps, passes take 0 ms.
+class PassTimer {
+ public:
+  PassTimer(Device& device, const std::string& name, std::uint32_t maxPasses);
+  ~PassTimer();
+  PassTimer(const PassTimer&) = delete;
+  PassTimer& operator=(const PassTimer&) = delete;
+
+  /// First in a command buffer.
+  void reset(VkCommandBuffer commands);
+  /// Throws Error when there are more than maxPasses.
+  void begin(VkCommandBuffer commands, const char* name);
+  void end(VkCommandBuffer commands);
+
+  /// Reads the timestamps of a submission that has finished.
+  void collect();
+  /// As collected last.
+  const std::vector<PassTiming>& timings() const { return timings_; }
+  double frameMilliseconds() const { return frameMilliseconds_; }
+
+ private:
+  double millisecondsBetween(std::uint64_t from, std::uint64_t to) const;
+  void add(const std::string& name, double milliseconds);
+
+  Device& device_;
+  VkQueryPool pool_ = VK_NULL_HANDLE;  // null: no timestamps
+  std::uint64_t mask_ = 0;
+  double millisecondsPerTick_ = 0;
+  std::uint32_t count_ = 0;
+  std::vector<std::string> names_;
+  std::vector<std::uint64_t> ticks_;
+  std::vector<PassTiming> timings_;
+  double frameMilliseconds_ = 0;
+};
+
+}  // namespace opaline::gpu

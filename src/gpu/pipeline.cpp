@@ -1,0 +1,287 @@
+#include "gpu/pipeline.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cassert>
+#include <utility>
+
+#include "gpu/device.h"
+#include "gpu/vulkan_result.h"
+#include "opaline/error.h"
+
+namespace opaline::gpu {
+
+namespace {
+
+constexpr std::uint32_t maxPushConstantBytes = 128;  // what every device has
+constexpr std::size_t maxColors = 8;
+
+VkDescriptorType descriptorTypeOf(BindingType type) {
+  switch (type) {
+    case BindingType::UniformBuffer:
+      return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingType::StorageBuffer:
+      return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case BindingType::SampledImage:
+      return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case BindingType::StorageImage:
+      return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+  }
+  assert(false);
+  return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+}
+
+/// The values of constant_id 0, 1, 2, …; must outlive the pipeline's creation.
+class Specialization {
+ public:
+  explicit Specialization(std::span<const std::uint32_t> values) {
+    for (std::uint32_t i = 0; i < values.size(); ++i) {
+      entries_.push_back({i, i * 4, sizeof(std::uint32_t)});
+    }
+    info_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), values.size_bytes(),
+             values.data()};
+  }
+  const VkSpecializationInfo* info() const { return &info_; }
+
+ private:
+  std::vector<VkSpecializationMapEntry> entries_;
+  VkSpecializationInfo info_{};
+};
+
+/// A shader module that lives as long as the creation of its pipeline.
+class ShaderModule {
+ public:
+  ShaderModule(const Device& device, Spirv code, const std::string& name) : device_(device) {
+    VkShaderModuleCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+    info.codeSize = code.size_bytes();
+    info.pCode = code.data();
+    check(vkCreateShaderModule(device.handle(), &info, nullptr, &module_),
+          fmt::format("load a shader of \"{}\"", name));
+    device.setName(VK_OBJECT_TYPE_SHADER_MODULE, reinterpret_cast<std::uint64_t>(module_), name);
+  }
+  ~ShaderModule() { vkDestroyShaderModule(device_.handle(), module_, nullptr); }
+  ShaderModule(const ShaderModule&) = delete;
+  ShaderModule& operator=(const ShaderModule&) = delete;
+
+  VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits stage,
+                                        const Specialization& specialization) const {
+    VkPipelineShaderStageCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+    info.stage = stage;
+    info.module = module_;
+    info.pName = "main";
+    info.pSpecializationInfo = specialization.info();
+    return info;
+  }
+
+ private:
+  const Device& device_;
+  VkShaderModule module_ = VK_NULL_HANDLE;
+};
+
+VkPipelineRasterizationStateCreateInfo rasterizationOf(CullMode cull) {
+  VkPipelineRasterizationStateCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
+  info.polygonMode = VK_POLYGON_MODE_FILL;
+  info.cullMode = cull == CullMode::Back    ? VK_CULL_MODE_BACK_BIT
+                  : cull == CullMode::Front ? VK_CULL_MODE_FRONT_BIT
+                                            : VK_CULL_MODE_NONE;
+  // Vulkan's sign of area already accounts for y pointing down, so this is what the eye sees.
+  info.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+  info.lineWidth = 1.0F;
+  return info;
+}
+
+VkPipelineDepthStencilStateCreateInfo depthOf(DepthMode mode) {
+  VkPipelineDepthStencilStateCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
+  info.depthTestEnable = mode != DepthMode::Off ? VK_TRUE : VK_FALSE;
+  info.depthWriteEnable = mode == DepthMode::Write ? VK_TRUE : VK_FALSE;
+  info.depthCompareOp = mode == DepthMode::TestEqual ? VK_COMPARE_OP_EQUAL
+                        : mode == DepthMode::Test    ? VK_COMPARE_OP_GREATER_OR_EQUAL
+                                                     : VK_COMPARE_OP_GREATER;
+  return info;
+}
+
+VkPipelineColorBlendAttachmentState blendOf(bool additive) {
+  VkPipelineColorBlendAttachmentState blend{};
+  blend.blendEnable = additive ? VK_TRUE : VK_FALSE;
+  blend.srcColorBlendFactor = VK_BLEND_FACTOR_ONE;
+  blend.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
+  blend.colorBlendOp = VK_BLEND_OP_ADD;
+  blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  blend.alphaBlendOp = VK_BLEND_OP_ADD;
+  blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
+                         VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  return blend;
+}
+
+VkPipeline createGraphics(const Device& device, const GraphicsPipelineOptions& options,
+                          std::span<const VkPipelineShaderStageCreateInfo> stages,
+                          VkPipelineLayout layout) {
+  const auto colors = static_cast<std::uint32_t>(options.colorFormats.size());
+  VkPipelineRenderingCreateInfo rendering{};
+  rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
+  rendering.colorAttachmentCount = colors;
+  rendering.pColorAttachmentFormats = options.colorFormats.data();
+  rendering.depthAttachmentFormat = options.depthFormat;
+
+  VkPipelineVertexInputStateCreateInfo vertices{};
+  vertices.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
+  VkPipelineInputAssemblyStateCreateInfo assembly{};
+  assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
+  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  VkPipelineViewportStateCreateInfo viewport{};
+  viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
+  viewport.viewportCount = 1;
+  viewport.scissorCount = 1;
+  const VkPipelineRasterizationStateCreateInfo rasterization = rasterizationOf(options.cull);
+  VkPipelineMultisampleStateCreateInfo samples{};
+  samples.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
+  samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+  const VkPipelineDepthStencilStateCreateInfo depth = depthOf(options.depth);
+  std::array<VkPipelineColorBlendAttachmentState, maxColors> blends;
+  blends.fill(blendOf(options.additive));
+  VkPipelineColorBlendStateCreateInfo blending{};
+  blending.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
+  blending.attachmentCount = colors;
+  blending.pAttachments = blends.data();
+  const VkDynamicState dynamicStates[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  VkPipelineDynamicStateCreateInfo dynamic{};
+  dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
+  dynamic.dynamicStateCount = 2;
+  dynamic.pDynamicStates = dynamicStates;
+
+  VkGraphicsPipelineCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
+  info.pNext = &rendering;
+  info.stageCount = static_cast<std::uint32_t>(stages.size());
+  info.pStages = stages.data();
+  info.pVertexInputState = &vertices;
+  info.pInputAssemblyState = &assembly;
+  info.pViewportState = &viewport;
+  info.pRasterizationState = &rasterization;
+  info.pMultisampleState = &samples;
+  info.pDepthStencilState = &depth;
+  info.pColorBlendState = &blending;
+  info.pDynamicState = &dynamic;
+  info.layout = layout;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+        fmt::format("create the pipeline \"{}\"", options.name));
+  return pipeline;
+}
+
+}  // namespace
+
+Pipeline::Pipeline(Device& device, const ComputePipelineOptions& options) : Pipeline() {
+  device_ = &device;
+  bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
+  createLayout(options.name, options.bindings, options.pushConstantBytes);
+  const Specialization specialization(options.specialization);
+  const ShaderModule shader(device, options.shader, options.name);
+  VkComputePipelineCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+  info.stage = shader.stage(VK_SHADER_STAGE_COMPUTE_BIT, specialization);
+  info.layout = layout_;
+  check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_),
+        fmt::format("create the pipeline \"{}\"", options.name));
+  device.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline_), options.name);
+}
+
+Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) : Pipeline() {
+  assert(options.depth == DepthMode::Off || options.depthFormat != VK_FORMAT_UNDEFINED);
+  assert(options.colorFormats.size() <= maxColors);
+  if (options.colorFormats.size() > device.limits().maxColorAttachments) {
+    throw Error(fmt::format("the pass \"{}\" draws into {} targets at once, but {} can do {}",
+                            options.name, options.colorFormats.size(), device.info().name,
+                            device.limits().maxColorAttachments));
+  }
+  device_ = &device;
+  bindPoint_ = VK_PIPELINE_BIND_POINT_GRAPHICS;
+  createLayout(options.name, options.bindings, options.pushConstantBytes);
+  const Specialization specialization(options.specialization);
+  const ShaderModule vertex(device, options.vertexShader, options.name);
+  if (options.fragmentShader.empty()) {
+    const VkPipelineShaderStageCreateInfo stages[] = {
+        vertex.stage(VK_SHADER_STAGE_VERTEX_BIT, specialization)};
+    pipeline_ = createGraphics(device, options, stages, layout_);
+  } else {
+    const ShaderModule fragment(device, options.fragmentShader, options.name);
+    const VkPipelineShaderStageCreateInfo stages[] = {
+        vertex.stage(VK_SHADER_STAGE_VERTEX_BIT, specialization),
+        fragment.stage(VK_SHADER_STAGE_FRAGMENT_BIT, specialization)};
+    pipeline_ = createGraphics(device, options, stages, layout_);
+  }
+  device.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline_), options.name);
+}
+
+void Pipeline::createLayout(const std::string& name, std::span<const BindingSlot> bindings,
+                            std::uint32_t pushConstantBytes) {
+  assert(pushConstantBytes <= maxPushConstantBytes && pushConstantBytes % 4 == 0);
+  pushConstantBytes_ = pushConstantBytes;
+  std::vector<VkDescriptorSetLayoutBinding> slots;
+  for (const BindingSlot& slot : bindings) {
+    assert(slot.binding < 32 && !hasSlot(slot.binding));
+    slots_ |= 1U << slot.binding;
+    slots.push_back({slot.binding, descriptorTypeOf(slot.type), 1, stages(), nullptr});
+  }
+  VkDescriptorSetLayoutCreateInfo setInfo{};
+  setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+  setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
+  setInfo.bindingCount = static_cast<std::uint32_t>(slots.size());
+  setInfo.pBindings = slots.data();
+  check(vkCreateDescriptorSetLayout(device_->handle(), &setInfo, nullptr, &setLayout_),
+        fmt::format("create the bindings of \"{}\"", name));
+  device_->setName(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT,
+                   reinterpret_cast<std::uint64_t>(setLayout_), name);
+
+  const VkPushConstantRange range{stages(), 0, pushConstantBytes};
+  VkPipelineLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+  info.setLayoutCount = 1;
+  info.pSetLayouts = &setLayout_;
+  info.pushConstantRangeCount = pushConstantBytes > 0 ? 1 : 0;
+  info.pPushConstantRanges = &range;
+  check(vkCreatePipelineLayout(device_->handle(), &info, nullptr, &layout_),
+        fmt::format("create the layout of \"{}\"", name));
+  device_->setName(VK_OBJECT_TYPE_PIPELINE_LAYOUT, reinterpret_cast<std::uint64_t>(layout_), name);
+}
+
+VkShaderStageFlags Pipeline::stages() const {
+  return bindPoint_ == VK_PIPELINE_BIND_POINT_COMPUTE
+             ? VkShaderStageFlags{VK_SHADER_STAGE_COMPUTE_BIT}
+             : VkShaderStageFlags{VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT};
+}
+
+Pipeline::~Pipeline() {
+  if (device_ == nullptr) return;
+  vkDestroyPipeline(device_->handle(), pipeline_, nullptr);
+  vkDestroyPipelineLayout(device_->handle(), layout_, nullptr);
+  vkDestroyDescriptorSetLayout(device_->handle(), setLayout_, nullptr);
+}
+
+Pipeline::Pipeline(Pipeline&& other) noexcept {
+  swap(other);
+}
+
+Pipeline& Pipeline::operator=(Pipeline&& other) noexcept {
+  Pipeline taken(std::move(other));
+  swap(taken);
+  return *this;
+}
+
+void Pipeline::swap(Pipeline& other) noexcept {
+  std::swap(device_, other.device_);
+  std::swap(setLayout_, other.setLayout_);
+  std::swap(layout_, other.layout_);
+  std::swap(pipeline_, other.pipeline_);
+  std::swap(bindPoint_, other.bindPoint_);
+  std::swap(pushConstantBytes_, other.pushConstantBytes_);
+  std::swap(slots_, other.slots_);
+}
+
+}  // namespace opaline::gpu

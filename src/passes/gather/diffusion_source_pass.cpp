@@ -1,0 +1,294 @@
+#include "passes/gather/diffusion_source_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "gpu/device.h"
+#include "gpu/transfer.h"
+#include "passes/gather/nearest_texel.h"
+#include "shaders/shaders.h"
+#include "shaders/shared/frame.h"
+#include "shaders/shared/mesh.h"
+
+namespace opaline::passes {
+
+namespace {
+
+using gpu::Binding;
+using gpu::BindingType;
+
+gpu::GpuImage makeMap(gpu::Device& device, const char* name, std::uint32_t size, VkFormat format) {
+  return {device,
+          {.name = name,
+           .width = size,
+           .height = size,
+           .format = format,
+           .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                    VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
+}
+
+gpu::GpuImage makeCoverage(gpu::Device& device, std::uint32_t size) {
+  return {device,
+          {.name = "dsm coverage",
+           .width = size,
+           .height = size,
+           .format = VK_FORMAT_R32_UINT,
+           .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                    VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
+}
+
+std::uint32_t packTexel(std::size_t index, std::uint32_t size) {
+  return static_cast<std::uint32_t>(index % size) |
+         (static_cast<std::uint32_t>(index / size) << 16U);
+}
+
+// Texels that carry surface, sorted by object and within an object by row.
+std::vector<std::uint32_t> listTexels(std::span<const std::uint32_t> coverage, std::uint32_t size,
+                                      std::uint32_t objects, std::vector<std::uint32_t>& first) {
+  first.assign(objects + 1, 0);
+  for (const std::uint32_t value : coverage)
+    if (value != 0) ++first[value];
+  for (std::uint32_t i = 0; i < objects; ++i) first[i + 1] += first[i];
+  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+  std::vector<std::uint32_t> texels(first.back());
+  for (std::size_t i = 0; i < coverage.size(); ++i)
+    if (coverage[i] != 0) texels[next[coverage[i] - 1]++] = packTexel(i, size);
+  return texels;
+}
+
+// The highest bit of an origin; the others hold x and y, 15 bits each.
+constexpr std::uint32_t surfaceBit = 1U << 31U;
+
+std::uint32_t packOrigin(std::uint32_t index, std::uint32_t size) {
+  return index % size | ((index / size) << 15U);
+}
+
+// For every texel among the neighbourhoods the texel of the map that holds its data. What lies
+// beyond the surface takes the position of the nearest texel and no area.
+std::vector<std::uint32_t> listOrigins(const atlas::Neighbourhoods& neighbourhoods,
+                                       std::span<const std::uint32_t> coverage,
+                                       std::uint32_t mapSize) {
+  const std::vector<std::uint32_t> covered = nearestCoveredTexel(coverage, mapSize);
+  std::vector<std::uint32_t> present(neighbourhoods.source.size());
+  std::transform(neighbourhoods.source.begin(), neighbourhoods.source.end(), present.begin(),
+                 [](std::uint32_t texel) { return texel == atlas::Neighbourhoods::nothing ? 0U : 1U; });
+  const std::vector<std::uint32_t> nearest =
+      nearestCoveredTexel(present, static_cast<std::uint32_t>(neighbourhoods.size));
+  std::vector<std::uint32_t> origins(present.size());
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    const std::uint32_t texel = neighbourhoods.source[nearest[i]];
+    if (texel == atlas::Neighbourhoods::nothing) continue;
+    origins[i] = packOrigin(covered[texel], mapSize) | (present[i] != 0 ? surfaceBit : 0U);
+  }
+  return origins;
+}
+
+std::vector<shared::ChartPlaces> chartPlaces(const NeighbourhoodMaps& maps, std::uint32_t mapSize) {
+  const auto nearSize = static_cast<float>(maps.nearby.size);
+  const auto farSize = static_cast<float>(maps.distant.size);
+  std::vector<shared::ChartPlaces> places;
+  for (std::size_t i = 0; i < maps.nearby.shiftOfChart.size(); ++i) {
+    const std::array<int, 2>& near = maps.nearby.shiftOfChart[i];
+    const std::array<int, 2>& far = maps.distant.shiftOfChart[i];
+    places.push_back({.nearShiftU = static_cast<float>(near[0]) / nearSize,
+                      .nearShiftV = static_cast<float>(near[1]) / nearSize,
+                      .nearScale = static_cast<float>(mapSize) / nearSize,
+                      .farShiftU = static_cast<float>(far[0]) / farSize,
+                      .farShiftV = static_cast<float>(far[1]) / farSize,
+                      .farScale = static_cast<float>(mapSize) / farSize});
+  }
+  return places;
+}
+
+// Every cell is read at about this many places along an edge.
+constexpr std::int32_t samplesAlongCell = 4;
+
+struct CellConstants {
+  std::int32_t edge;
+  std::int32_t stride;
+};
+
+}  // namespace
+
+DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
+    : nearest_(device, gpu::Filter::Nearest),
+      linear_(device, gpu::Filter::Linear),
+      coverage_(device, gpu::GraphicsPipelineOptions{
+                            .name = "dsm coverage",
+                            .vertexShader = shaders::gather_dsm_vert,
+                            .fragmentShader = shaders::gather_coverage_frag,
+                            .bindings = {{1, BindingType::StorageBuffer},
+                                         {2, BindingType::StorageBuffer},
+                                         {3, BindingType::StorageBuffer}},
+                            .colorFormats = {VK_FORMAT_R32_UINT},
+                        }),
+      map_(device, gpu::GraphicsPipelineOptions{
+                       .name = "dsm",
+                       .vertexShader = shaders::gather_dsm_vert,
+                       .fragmentShader = shaders::gather_dsm_frag,
+                       .bindings = {{0, BindingType::UniformBuffer},
+                                    {1, BindingType::StorageBuffer},
+                                    {2, BindingType::StorageBuffer},
+                                    {3, BindingType::StorageBuffer},
+                                    {4, BindingType::StorageBuffer},
+                                    {5, BindingType::StorageBuffer},
+                                    {6, BindingType::SampledImage},
+                                    {7, BindingType::SampledImage}},
+                       .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT,
+                                        VK_FORMAT_R16G16B16A16_SFLOAT,
+                                        VK_FORMAT_R32G32B32A32_SFLOAT},
+                   }),
+      neighbours_(device, gpu::ComputePipelineOptions{
+                              .name = "neighbourhoods",
+                              .shader = shaders::gather_neighbours_comp,
+                              .bindings = {{0, BindingType::StorageBuffer},
+                                           {1, BindingType::SampledImage},
+                                           {2, BindingType::SampledImage},
+                                           {3, BindingType::StorageImage},
+                                           {4, BindingType::StorageImage}},
+                          }),
+      cells_(device, gpu::ComputePipelineOptions{
+                         .name = "cells",
+                         .shader = shaders::gather_cells_comp,
+                         .bindings = {{0, BindingType::StorageBuffer},
+                                      {1, BindingType::SampledImage},
+                                      {2, BindingType::SampledImage},
+                                      {3, BindingType::StorageImage},
+                                      {4, BindingType::StorageImage}},
+                         .pushConstantBytes = sizeof(CellConstants),
+                     }),
+      list_(device, gpu::ComputePipelineOptions{
+                        .name = "dsm list",
+                        .shader = shaders::gather_compact_comp,
+                        .bindings = {{0, BindingType::StorageBuffer},
+                                     {1, BindingType::StorageBuffer},
+                                     {2, BindingType::SampledImage},
+                                     {3, BindingType::SampledImage}},
+                        .pushConstantBytes = sizeof(std::uint32_t),
+                    }) {}
+
+DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh& mesh,
+                                              std::uint32_t mapSize, std::uint32_t objects,
+                                              const NeighbourhoodMaps& maps) const {
+  DiffusionSources sources;
+  sources.positionArea =
+      makeMap(device, "dsm position and area", mapSize, VK_FORMAT_R32G32B32A32_SFLOAT);
+  sources.normal = makeMap(device, "dsm normal", mapSize, VK_FORMAT_R16G16B16A16_SFLOAT);
+  sources.irradianceObject =
+      makeMap(device, "dsm irradiance", mapSize, VK_FORMAT_R32G32B32A32_SFLOAT);
+  sources.coverage = makeCoverage(device, mapSize);
+
+  gpu::CommandList commands(device, "dsm coverage");
+  commands.begin();
+  commands.bind(coverage_);
+  commands.use(mesh.indices, gpu::Access::Index);
+  commands.bindResources({Binding::read(1, mesh.positions), Binding::read(2, mesh.normals),
+                          Binding::read(3, mesh.corners)});
+  commands.beginRendering({{.image = &sources.coverage}});
+  commands.drawIndexed(mesh.indices, mesh.indexCount);
+  commands.endRendering();
+  commands.submit();
+  commands.wait();
+
+  const std::vector<std::byte> bytes =
+      gpu::readImage(device, sources.coverage, sizeof(std::uint32_t));
+  std::vector<std::uint32_t> coverage(bytes.size() / sizeof(std::uint32_t));
+  std::memcpy(coverage.data(), bytes.data(), bytes.size());
+
+  const std::vector<std::uint32_t> texels =
+      listTexels(coverage, mapSize, objects, sources.firstOfObject);
+  sources.sourceCount = static_cast<std::uint32_t>(texels.size());
+  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  sources.texels = gpu::makeBuffer(device, "dsm texels", texels, storage);
+  sources.charts = gpu::makeBuffer(device, "charts", chartPlaces(maps, mapSize), storage);
+  sources.nearOrigins = gpu::makeBuffer(device, "origins of near texels",
+                                        listOrigins(maps.nearby, coverage, mapSize), storage);
+  sources.farOrigins = gpu::makeBuffer(device, "origins of far texels",
+                                       listOrigins(maps.distant, coverage, mapSize), storage);
+  const auto nearSize = static_cast<std::uint32_t>(maps.nearby.size);
+  const std::uint32_t cells = static_cast<std::uint32_t>(maps.distant.size) / maps.cellEdge;
+  sources.cellEdge = maps.cellEdge;
+  constexpr VkFormat floats = VK_FORMAT_R32G32B32A32_SFLOAT;
+  sources.nearPosition = makeMap(device, "neighbourhoods' position", nearSize, floats);
+  sources.nearFlux = makeMap(device, "neighbourhoods' flux", nearSize, floats);
+  sources.farPosition = makeMap(device, "cells' position", cells, floats);
+  sources.farFlux = makeMap(device, "cells' flux", cells, floats);
+  return sources;
+}
+
+void DiffusionSourcePass::prepareList(gpu::Device& device, DiffusionSources& sources) const {
+  if (sources.list) return;
+  sources.list = gpu::Buffer(
+      device, {.name = "dsm list",
+               .bytes = std::max<std::size_t>(sources.sourceCount, 1) * 2 * sizeof(shared::vec4),
+               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+}
+
+void DiffusionSourcePass::record(gpu::CommandList& commands, const Inputs& inputs,
+                                 DiffusionSources& sources) const {
+  commands.beginPass("gather");
+  recordMap(commands, inputs, sources);
+  commands.endPass();
+  commands.beginPass("neighbours");
+  recordNeighbours(commands, sources);
+  commands.endPass();
+  if (!sources.list) return;
+  commands.beginPass("list");
+  recordList(commands, sources);
+  commands.endPass();
+}
+
+void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& inputs,
+                                    DiffusionSources& sources) const {
+  DeformedMesh& mesh = inputs.mesh;
+  commands.bind(map_);
+  commands.use(mesh.indices, gpu::Access::Index);
+  commands.bindResources(
+      {Binding::uniform(0, inputs.frame, inputs.frameOffset, sizeof(shared::FrameData)),
+       Binding::read(1, mesh.positions), Binding::read(2, mesh.normals),
+       Binding::read(3, mesh.corners), Binding::read(4, inputs.tables.objects),
+       Binding::read(5, inputs.tables.media), Binding::sampled(6, inputs.shadows.depth, nearest_),
+       Binding::sampled(7, inputs.tables.ambientCubes, linear_)});
+  commands.beginRendering({{.image = &sources.positionArea},
+                           {.image = &sources.normal},
+                           {.image = &sources.irradianceObject}});
+  commands.drawIndexed(mesh.indices, mesh.indexCount);
+  commands.endRendering();
+}
+
+void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
+                                           DiffusionSources& sources) const {
+  const auto tiles = [](const gpu::GpuImage& image) { return (image.extent().width + 7) / 8; };
+  commands.bind(neighbours_);
+  commands.bindResources({Binding::read(0, sources.nearOrigins),
+                          Binding::sampled(1, sources.positionArea, nearest_),
+                          Binding::sampled(2, sources.irradianceObject, nearest_),
+                          Binding::writeImage(3, sources.nearPosition),
+                          Binding::writeImage(4, sources.nearFlux)});
+  commands.dispatch(tiles(sources.nearPosition), tiles(sources.nearPosition));
+
+  commands.bind(cells_);
+  commands.bindResources({Binding::read(0, sources.farOrigins),
+                          Binding::sampled(1, sources.positionArea, nearest_),
+                          Binding::sampled(2, sources.irradianceObject, nearest_),
+                          Binding::writeImage(3, sources.farPosition),
+                          Binding::writeImage(4, sources.farFlux)});
+  const auto edge = static_cast<std::int32_t>(sources.cellEdge);
+  commands.pushConstants(CellConstants{edge, std::max(1, edge / samplesAlongCell)});
+  commands.dispatch(tiles(sources.farPosition), tiles(sources.farPosition));
+}
+
+void DiffusionSourcePass::recordList(gpu::CommandList& commands, DiffusionSources& sources) const {
+  if (sources.sourceCount == 0) return;
+  commands.bind(list_);
+  commands.bindResources({Binding::read(0, sources.texels), Binding::write(1, sources.list),
+                          Binding::sampled(2, sources.positionArea, nearest_),
+                          Binding::sampled(3, sources.irradianceObject, nearest_)});
+  commands.pushConstants(sources.sourceCount);
+  commands.dispatchLinear(sources.sourceCount);
+}
+
+}  // namespace opaline::passes

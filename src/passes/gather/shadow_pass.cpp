@@ -1,0 +1,49 @@
+#include "passes/gather/shadow_pass.h"
+
+#include <algorithm>
+
+#include "gpu/device.h"
+#include "shaders/shaders.h"
+
+namespace opaline::passes {
+
+ShadowPass::ShadowPass(gpu::Device& device)
+    : pipeline_(device, gpu::GraphicsPipelineOptions{
+                            .name = "shadow",
+                            .vertexShader = shaders::gather_shadow_vert,
+                            .bindings = {{1, gpu::BindingType::StorageBuffer},
+                                         {3, gpu::BindingType::StorageBuffer}},
+                            .pushConstantBytes = sizeof(shared::mat4),
+                            .depthFormat = VK_FORMAT_D32_SFLOAT,
+                            .depth = gpu::DepthMode::Write,
+                        }) {}
+
+ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::uint32_t views) {
+  return {gpu::GpuImage(device, {.name = "shadow maps",
+                                 .width = size,
+                                 .height = size,
+                                 .layers = std::max(views, 1U),
+                                 .format = VK_FORMAT_D32_SFLOAT,
+                                 .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                          VK_IMAGE_USAGE_SAMPLED_BIT,
+                                 .kind = gpu::ImageKind::Array})};
+}
+
+void ShadowPass::record(gpu::CommandList& commands, const shared::FrameData& frame,
+                        std::uint32_t views, DeformedMesh& mesh, ShadowMaps& maps) const {
+  commands.beginPass("shadow");
+  commands.bind(pipeline_);
+  commands.use(mesh.indices, gpu::Access::Index);
+  for (std::uint32_t view = 0; view < views; ++view) {
+    commands.bindResources(
+        {gpu::Binding::read(1, mesh.positions), gpu::Binding::read(3, mesh.corners)});
+    const gpu::DepthTarget depth{.image = &maps.depth, .layer = view};
+    commands.beginRendering({}, &depth);
+    commands.pushConstants(frame.shadowViews[view]);
+    commands.drawIndexed(mesh.indices, mesh.indexCount);
+    commands.endRendering();
+  }
+  commands.endPass();
+}
+
+}  // namespace opaline::passes

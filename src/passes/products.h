@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/image.h"
+
+/// What the passes hand to each other. A pass knows these, never another pass.
+namespace opaline::passes {
+
+/// The surface as it is in this frame.
+struct DeformedMesh {
+  gpu::Buffer positions;      ///< vec4 a vertex, mm
+  gpu::Buffer normals;        ///< vec4 a vertex, unit
+  gpu::Buffer corners;        ///< shared::AtlasCorner, the atlas's vertices
+  gpu::Buffer vertexCorners;  ///< shared::AtlasCorner, one for each vertex
+  gpu::Buffer indices;        ///< into corners, three a triangle
+  std::uint32_t vertexCount = 0;
+  std::uint32_t indexCount = 0;
+};
+
+/// What the shaders know of bodies and media.
+struct SceneTables {
+  gpu::Buffer objects;           ///< shared::ObjectData
+  gpu::Buffer media;             ///< shared::MediumData
+  gpu::Buffer pattern;           ///< shared::PatternEntry
+  gpu::Buffer specularAlbedo;    ///< float, see MediumData::tables.w
+  gpu::GpuImage ambientCubes;    ///< E_amb by normal, one cube for each index of refraction
+};
+
+/// Depth from the lights, one layer for each shadow view.
+struct ShadowMaps {
+  gpu::GpuImage depth;
+};
+
+/// The diffusion source map, the same with the charts' neighbourhoods, and the same as a list.
+struct DiffusionSources {
+  gpu::GpuImage positionArea;      ///< xyz mm, w mm²
+  gpu::GpuImage normal;            ///< xyz
+  gpu::GpuImage irradianceObject;  ///< rgb E, a object + 1
+  gpu::GpuImage coverage;          ///< object + 1, 0 where no surface is
+  gpu::Buffer charts;              ///< shared::ChartPlaces
+  gpu::Buffer nearOrigins;         ///< packed texel of the map for each one among the neighbourhoods
+  gpu::GpuImage nearPosition;      ///< xyz mm
+  gpu::GpuImage nearFlux;          ///< rgb E·A, a A in mm², 0 where no surface is
+  gpu::Buffer farOrigins;          ///< the same for aprons that hold the far samples
+  gpu::GpuImage farPosition;       ///< means of these over cells
+  gpu::GpuImage farFlux;
+  gpu::Buffer texels;              ///< packed texels that carry surface, object after object
+  gpu::Buffer list;                ///< two vec4 each: position mm; flux E·A
+  std::uint32_t cellEdge = 1;  ///< of a cell, texels
+  std::uint32_t sourceCount = 0;
+  std::vector<std::uint32_t> firstOfObject;  ///< one more than there are objects
+};
+
+/// What the camera sees, a texel a pixel.
+struct VisibleSurface {
+  gpu::GpuImage position;  ///< xyz mm, w object + 1
+  gpu::GpuImage normal;    ///< xyz unit
+  gpu::GpuImage place;     ///< near place, chart, direction; see scatter/surface.frag
+  gpu::GpuImage depth;
+};
+
+/// Exitance B of what the camera sees, and of the vertices where it is computed there.
+struct Exitance {
+  gpu::GpuImage image;
+  gpu::Buffer vertices;
+};
+
+}  // namespace opaline::passes

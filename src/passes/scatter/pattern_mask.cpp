@@ -1,0 +1,173 @@
+#include "passes/scatter/pattern_mask.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace opaline::passes {
+
+namespace {
+
+constexpr std::array<double, 4> gaussPoints{-0.8611363115940526, -0.3399810435848563,
+                                            0.3399810435848563, 0.8611363115940526};
+constexpr std::array<double, 4> gaussWeights{0.3478548451374538, 0.6521451548625461,
+                                             0.6521451548625461, 0.3478548451374538};
+
+// Of the profile over a square that does not hold the origin, Gauss and Legendre.
+double integralOverSquare(const bssrdf::Profile& profile, double centreX, double centreY,
+                          double edge) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      sum += gaussWeights[i] * gaussWeights[j] *
+             profile(std::hypot(centreX + 0.5 * edge * gaussPoints[i],
+                                centreY + 0.5 * edge * gaussPoints[j]));
+  return sum * 0.25 * edge * edge;
+}
+
+double discOfArea(const bssrdf::Profile& profile, double areaMm2) {
+  return profile.disc(std::sqrt(areaMm2 / std::numbers::pi));
+}
+
+float packOffset(int x, int y) {
+  const auto bits = (static_cast<std::uint32_t>(y) << 16U) | (static_cast<std::uint32_t>(x) & 0xffffU);
+  return std::bit_cast<float>(bits);
+}
+
+// How many texels a sample stands for that alone has to give `reflectance`.
+float texelsFor(double reflectance, double profileValue, double texelArea) {
+  return profileValue > 0 ? static_cast<float>(reflectance / (profileValue * texelArea)) : 0.0F;
+}
+
+// Radius of the disc that is as large as the near block, texels.
+double blockRadius(const PatternExtent& extent) {
+  return (2 * extent.nearRings + 1) * extent.spacing / std::sqrt(std::numbers::pi);
+}
+
+// Radius to which the far samples' ring reaches, texels.
+double outerRadius(const PatternExtent& extent) {
+  return std::max(2 * extent.distance - blockRadius(extent), blockRadius(extent));
+}
+
+// Half the edge of a square as large as an eighth of the ring: a linear filter doubles it.
+int cellEdge(const PatternExtent& extent) {
+  const double ring = std::numbers::pi * (std::pow(outerRadius(extent), 2) -
+                                          std::pow(blockRadius(extent), 2));
+  return std::max(1, static_cast<int>(std::lround(0.5 * std::sqrt(ring / 8))));
+}
+
+class MaskBuilder {
+ public:
+  MaskBuilder(const std::array<bssrdf::Profile, 3>& profiles, const PatternExtent& extent,
+              double texelMm, int farMapSize)
+      : profiles_(profiles), extent_(extent), texelMm_(texelMm), farMapSize_(farMapSize) {}
+
+  PatternMask build() {
+    addCentre();
+    const int rings = extent_.nearRings;
+    for (int y = -rings; y <= rings; ++y)
+      for (int x = -rings; x <= rings; ++x)
+        if (x != 0 || y != 0) addNear(x * extent_.spacing, y * extent_.spacing);
+    mask_.nearSamples = static_cast<std::uint32_t>(mask_.entries.size() - 2);
+    addFar();
+    return std::move(mask_);
+  }
+
+ private:
+  const bssrdf::Profile& profile(int channel) const {
+    return profiles_[static_cast<std::size_t>(channel)];
+  }
+
+  void addCentre() {
+    const double cell = extent_.spacing * extent_.spacing * texelMm_ * texelMm_;
+    shared::PatternEntry reflectance{};
+    shared::PatternEntry exponent{};
+    for (int c = 0; c < 3; ++c) {
+      const double value = discOfArea(profile(c), cell);
+      constexpr double step = 1e-3;
+      const double slope = (discOfArea(profile(c), cell * (1 + step)) -
+                            discOfArea(profile(c), cell * (1 - step))) / (2 * step);
+      reflectance.value[c] = static_cast<float>(value);
+      exponent.value[c] = value > 0 ? static_cast<float>(slope / value) : 0.0F;
+    }
+    reflectance.value.a = static_cast<float>(texelMm_ * texelMm_);
+    exponent.value.a = 1.0F / static_cast<float>(farMapSize_);
+    mask_.entries.push_back(reflectance);
+    mask_.entries.push_back(exponent);
+  }
+
+  void addNear(int x, int y) {
+    const double edge = extent_.spacing * texelMm_;
+    shared::PatternEntry entry{};
+    for (int c = 0; c < 3; ++c)
+      entry.value[c] = texelsFor(integralOverSquare(profile(c), x * texelMm_, y * texelMm_, edge),
+                                 profile(c)(std::hypot(x, y) * texelMm_), texelMm_ * texelMm_);
+    add(entry, x, y);
+  }
+
+  void addFar() {
+    const double inner = blockRadius(extent_) * texelMm_;
+    const double outer = outerRadius(extent_) * texelMm_;
+    shared::PatternEntry entry{};
+    for (int c = 0; c < 3; ++c)
+      entry.value[c] = texelsFor((profile(c).disc(outer) - profile(c).disc(inner)) / 8,
+                                 profile(c)(extent_.distance * texelMm_), texelMm_ * texelMm_);
+    for (int i = 0; i < 8; ++i) {
+      const double angle = (i + 0.5) * std::numbers::pi / 4;
+      add(entry, static_cast<int>(std::lround(extent_.distance * std::cos(angle))),
+          static_cast<int>(std::lround(extent_.distance * std::sin(angle))));
+    }
+  }
+
+  void add(shared::PatternEntry entry, int x, int y) {
+    entry.value.a = packOffset(x, y);
+    mask_.entries.push_back(entry);
+  }
+
+  const std::array<bssrdf::Profile, 3>& profiles_;
+  const PatternExtent& extent_;
+  double texelMm_;
+  int farMapSize_;
+  PatternMask mask_;
+};
+
+}  // namespace
+
+int PatternExtent::nearReach() const { return nearRings * spacing + 2; }
+
+int PatternExtent::farReach() const { return distance + 2 * cell + 1; }
+
+PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2) {
+  constexpr double largest = 16384;
+  const double objectRadius = std::sqrt(objectAreaMm2 / std::numbers::pi) / texelMm;
+  const double across = 2 * shape.nearRings + 1;
+  PatternExtent extent{.nearRings = shape.nearRings};
+  extent.spacing = static_cast<int>(std::clamp(
+      std::min(std::round(shape.nearSpacingMm / texelMm), std::floor(objectRadius / across)), 1.0,
+      largest));
+  const double block = blockRadius(extent);
+  const double nearest = std::ceil(block) + 1;
+  const double furthest = std::max(nearest, std::floor(0.5 * (objectRadius + block)));
+  extent.distance = static_cast<int>(
+      std::clamp(std::round(shape.farDistanceMm / texelMm), nearest, std::min(furthest, largest)));
+  extent.cell = cellEdge(extent);
+  return extent;
+}
+
+PatternExtent fitted(PatternExtent extent, int nearReach, int farReach) {
+  while (extent.nearReach() > nearReach && extent.nearRings > 0) {
+    if (extent.spacing > 1) --extent.spacing;
+    else --extent.nearRings;
+  }
+  extent.cell = std::clamp(extent.cell, 1, std::max(1, farReach / 4));
+  extent.distance = std::clamp(extent.distance, 1, std::max(1, farReach - 2 * extent.cell - 1));
+  return extent;
+}
+
+PatternMask makePatternMask(const std::array<bssrdf::Profile, 3>& profiles,
+                            const PatternExtent& extent, double texelMm, int farMapSize) {
+  return MaskBuilder(profiles, extent, texelMm, farMapSize).build();
+}
+
+}  // namespace opaline::passes

@@ -1,0 +1,185 @@
+#include "passes/scatter/scatter_pass.h"
+
+#include <algorithm>
+
+#include "gpu/device.h"
+#include "shaders/shaders.h"
+
+namespace opaline::passes {
+
+namespace {
+
+using gpu::Binding;
+using gpu::BindingType;
+
+// Sources summed by one dispatch, so that none runs into the time limit of a display's device.
+constexpr std::uint32_t sourcesPerDispatch = 8192;
+
+constexpr std::uint32_t tileSize = 8;
+
+struct SourceRange {
+  std::uint32_t first;
+  std::uint32_t last;
+};
+
+struct VertexSourceRange {
+  std::uint32_t vertexCount;
+  SourceRange range;
+};
+
+template <typename Dispatch>
+void forEachRange(std::uint32_t sources, const Dispatch& dispatch) {
+  std::uint32_t first = 0;
+  do {
+    const std::uint32_t last = first + std::min(sourcesPerDispatch, sources - first);
+    dispatch(SourceRange{first, last});
+    first = last;
+  } while (first < sources);
+}
+
+}  // namespace
+
+ScatterPass::ScatterPass(gpu::Device& device)
+    : nearest_(device, gpu::Filter::Nearest),
+      linear_(device, gpu::Filter::Linear),
+      dipole_(makePipelines(device, ScatterTransport::Dipole)),
+      betterDipole_(makePipelines(device, ScatterTransport::BetterDipole)) {}
+
+ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device,
+                                                  ScatterTransport transport) {
+  const std::vector<std::uint32_t> specialization{static_cast<std::uint32_t>(transport)};
+  return {
+      gpu::Pipeline(device,
+                    gpu::GraphicsPipelineOptions{
+                        .name = "pattern over fragments",
+                        .vertexShader = shaders::scatter_pattern_vert,
+                        .fragmentShader = shaders::scatter_pattern_frag,
+                        .bindings = {{1, BindingType::SampledImage},
+                                     {2, BindingType::SampledImage},
+                                     {4, BindingType::StorageBuffer},
+                                     {5, BindingType::StorageBuffer},
+                                     {6, BindingType::StorageBuffer},
+                                     {7, BindingType::SampledImage},
+                                     {8, BindingType::SampledImage},
+                                     {9, BindingType::SampledImage},
+                                     {10, BindingType::SampledImage},
+                                     {11, BindingType::StorageBuffer}},
+                        .specialization = specialization,
+                        .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT},
+                    }),
+      gpu::Pipeline(device, gpu::ComputePipelineOptions{
+                                .name = "pattern over vertices",
+                                .shader = shaders::scatter_pattern_vertices_comp,
+                                .bindings = {{1, BindingType::StorageBuffer},
+                                             {2, BindingType::StorageBuffer},
+                                             {3, BindingType::StorageBuffer},
+                                             {4, BindingType::StorageBuffer},
+                                             {5, BindingType::StorageBuffer},
+                                             {6, BindingType::StorageBuffer},
+                                             {7, BindingType::SampledImage},
+                                             {8, BindingType::SampledImage},
+                                             {9, BindingType::SampledImage},
+                                             {10, BindingType::SampledImage},
+                                             {11, BindingType::StorageBuffer}},
+                                .pushConstantBytes = sizeof(std::uint32_t),
+                                .specialization = specialization,
+                            }),
+      gpu::Pipeline(device, gpu::ComputePipelineOptions{
+                                .name = "all sources over fragments",
+                                .shader = shaders::scatter_all_comp,
+                                .bindings = {{1, BindingType::SampledImage},
+                                             {2, BindingType::StorageImage},
+                                             {4, BindingType::StorageBuffer},
+                                             {5, BindingType::StorageBuffer},
+                                             {6, BindingType::StorageBuffer}},
+                                .pushConstantBytes = sizeof(SourceRange),
+                                .specialization = specialization,
+                            }),
+      gpu::Pipeline(device, gpu::ComputePipelineOptions{
+                                .name = "all sources over vertices",
+                                .shader = shaders::scatter_all_vertices_comp,
+                                .bindings = {{1, BindingType::StorageBuffer},
+                                             {2, BindingType::StorageBuffer},
+                                             {3, BindingType::StorageBuffer},
+                                             {4, BindingType::StorageBuffer},
+                                             {5, BindingType::StorageBuffer},
+                                             {6, BindingType::StorageBuffer}},
+                                .pushConstantBytes = sizeof(VertexSourceRange),
+                                .specialization = specialization,
+                            }),
+  };
+}
+
+void ScatterPass::patternOverFragments(gpu::CommandList& commands, ScatterTransport transport,
+                                       SceneTables& tables, DiffusionSources& sources,
+                                       VisibleSurface& surface, Exitance& exitance) const {
+  commands.beginPass("scatter");
+  commands.bind(pipelines(transport).patternFragments);
+  commands.bindResources({Binding::sampled(1, surface.position, nearest_),
+                          Binding::sampled(2, surface.place, nearest_),
+                          Binding::read(4, tables.objects), Binding::read(5, tables.media),
+                          Binding::read(6, tables.pattern),
+                          Binding::sampled(7, sources.nearPosition, nearest_),
+                          Binding::sampled(8, sources.nearFlux, linear_),
+                          Binding::sampled(9, sources.farPosition, linear_),
+                          Binding::sampled(10, sources.farFlux, linear_),
+                          Binding::read(11, sources.charts)});
+  commands.beginRendering({{.image = &exitance.image}});
+  commands.draw(3);
+  commands.endRendering();
+  commands.endPass();
+}
+
+void ScatterPass::patternOverVertices(gpu::CommandList& commands, ScatterTransport transport,
+                                      SceneTables& tables, DiffusionSources& sources,
+                                      DeformedMesh& mesh, Exitance& exitance) const {
+  commands.beginPass("scatter");
+  commands.bind(pipelines(transport).patternVertices);
+  commands.bindResources(
+      {Binding::read(1, mesh.positions), Binding::read(2, mesh.vertexCorners),
+       Binding::write(3, exitance.vertices), Binding::read(4, tables.objects),
+       Binding::read(5, tables.media), Binding::read(6, tables.pattern),
+       Binding::sampled(7, sources.nearPosition, nearest_),
+       Binding::sampled(8, sources.nearFlux, linear_),
+       Binding::sampled(9, sources.farPosition, linear_),
+       Binding::sampled(10, sources.farFlux, linear_), Binding::read(11, sources.charts)});
+  commands.pushConstants(mesh.vertexCount);
+  commands.dispatchLinear(mesh.vertexCount);
+  commands.endPass();
+}
+
+void ScatterPass::allOverFragments(gpu::CommandList& commands, ScatterTransport transport,
+                                   SceneTables& tables, DiffusionSources& sources,
+                                   VisibleSurface& surface, Exitance& exitance) const {
+  const VkExtent2D extent = exitance.image.extent();
+  commands.beginPass("scatter");
+  commands.bind(pipelines(transport).allFragments);
+  forEachRange(sources.sourceCount, [&](const SourceRange& range) {
+    commands.bindResources({Binding::sampled(1, surface.position, nearest_),
+                            Binding::writeImage(2, exitance.image),
+                            Binding::read(4, tables.objects), Binding::read(5, tables.media),
+                            Binding::read(6, sources.list)});
+    commands.pushConstants(range);
+    commands.dispatch((extent.width + tileSize - 1) / tileSize,
+                      (extent.height + tileSize - 1) / tileSize);
+  });
+  commands.endPass();
+}
+
+void ScatterPass::allOverVertices(gpu::CommandList& commands, ScatterTransport transport,
+                                  SceneTables& tables, DiffusionSources& sources,
+                                  DeformedMesh& mesh, Exitance& exitance) const {
+  commands.beginPass("scatter");
+  commands.bind(pipelines(transport).allVertices);
+  forEachRange(sources.sourceCount, [&](const SourceRange& range) {
+    commands.bindResources(
+        {Binding::read(1, mesh.positions), Binding::read(2, mesh.vertexCorners),
+         Binding::write(3, exitance.vertices), Binding::read(4, tables.objects),
+         Binding::read(5, tables.media), Binding::read(6, sources.list)});
+    commands.pushConstants(VertexSourceRange{mesh.vertexCount, range});
+    commands.dispatchLinear(mesh.vertexCount);
+  });
+  commands.endPass();
+}
+
+}  // namespace opaline::passes

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+enum class ScatterTransport : std::uint32_t { Dipole = 0, BetterDipole = 1 };
+
+/// The scattering (Gong et al. 2008, section 4; Eq. 8): exitance of visible fragments or of vertices
+/// from the diffusion source map, by the pattern or by every source.
+class ScatterPass {
+ public:
+  explicit ScatterPass(gpu::Device& device);
+
+  void patternOverFragments(gpu::CommandList& commands, ScatterTransport transport,
+                            SceneTables& tables, DiffusionSources& sources,
+                            VisibleSurface& surface, Exitance& exitance) const;
+  void patternOverVertices(gpu::CommandList& commands, ScatterTransport transport,
+                           SceneTables& tables, DiffusionSources& sources, DeformedMesh& mesh,
+                           Exitance& exitance) const;
+  /// Needs sources.list.
+  void allOverFragments(gpu::CommandList& commands, ScatterTransport transport,
+                        SceneTables& tables, DiffusionSources& sources, VisibleSurface& surface,
+                        Exitance& exitance) const;
+  void allOverVertices(gpu::CommandList& commands, ScatterTransport transport, SceneTables& tables,
+                       DiffusionSources& sources, DeformedMesh& mesh, Exitance& exitance) const;
+
+ private:
+  struct Pipelines {
+    gpu::Pipeline patternFragments;
+    gpu::Pipeline patternVertices;
+    gpu::Pipeline allFragments;
+    gpu::Pipeline allVertices;
+  };
+  static Pipelines makePipelines(gpu::Device& device, ScatterTransport transport);
+  const Pipelines& pipelines(ScatterTransport transport) const {
+    return transport == ScatterTransport::Dipole ? dipole_ : betterDipole_;
+  }
+
+  gpu::Sampler nearest_;
+  gpu::Sampler linear_;
+  Pipelines dipole_;
+  Pipelines betterDipole_;
+};
+
+}  // namespace opaline::passes

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+#include "shaders/shared/frame.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Draws what the camera sees, so that sums are spent on visible fragments alone; where exitance
+/// stands at the vertices, interpolates it.
+class SurfacePass {
+ public:
+  explicit SurfacePass(gpu::Device& device);
+
+  static VisibleSurface makeSurface(gpu::Device& device, std::uint32_t width, std::uint32_t height);
+  static Exitance makeExitance(gpu::Device& device, std::uint32_t width, std::uint32_t height,
+                               std::uint32_t vertices);
+
+  struct Inputs {
+    gpu::Buffer& frame;
+    std::size_t frameOffset;
+    DeformedMesh& mesh;
+    gpu::Buffer& charts;  ///< DiffusionSources::charts
+    shared::vec2 jitter;  ///< of the picture, in clip space
+    bool exitanceAtVertices;
+  };
+  void record(gpu::CommandList& commands, const Inputs& inputs, VisibleSurface& surface,
+              Exitance& exitance) const;
+
+ private:
+  gpu::Pipeline place_;
+  gpu::Pipeline exitance_;
+};
+
+}  // namespace opaline::passes

@@ -1,0 +1,104 @@
+#include "passes/shade/environment_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "gpu/command_list.h"
+#include "gpu/device.h"
+#include "gpu/transfer.h"
+#include "shaders/shaders.h"
+
+namespace opaline::passes {
+
+namespace {
+
+constexpr std::uint32_t faceSize = 128;
+constexpr std::uint32_t tileSize = 8;
+constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
+
+// Mean of 2×2 pixels; the last row and column of odd images count twice.
+Image halved(const Image& image) {
+  Image half(std::max(1, image.width / 2), std::max(1, image.height / 2));
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x)
+      for (int c = 0; c < 4; ++c) {
+        const int x1 = std::min(2 * x + 1, image.width - 1);
+        const int y1 = std::min(2 * y + 1, image.height - 1);
+        half.pixel(x, y)[c] = 0.25F * (image.pixel(2 * x, 2 * y)[c] + image.pixel(x1, 2 * y)[c] +
+                                       image.pixel(2 * x, y1)[c] + image.pixel(x1, y1)[c]);
+      }
+  return half;
+}
+
+std::uint32_t levelsOf(const Image& image) {
+  std::uint32_t levels = 1;
+  for (int size = std::min(image.width, image.height); size > 1; size /= 2) ++levels;
+  return levels;
+}
+
+gpu::GpuImage uploadWithLevels(gpu::Device& device, Image image) {
+  const std::uint32_t levels = levelsOf(image);
+  gpu::GpuImage map(device, {.name = "environment",
+                             .width = static_cast<std::uint32_t>(image.width),
+                             .height = static_cast<std::uint32_t>(image.height),
+                             .mipLevels = levels,
+                             .format = format,
+                             .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+  for (std::uint32_t level = 0; level < levels; ++level) {
+    gpu::uploadImage(device, map, std::as_bytes(std::span<const float>(image.rgba)), 0, level);
+    if (level + 1 < levels) image = halved(image);
+  }
+  return map;
+}
+
+gpu::GpuImage makeCubeImage(gpu::Device& device, std::uint32_t size, VkImageUsageFlags usage) {
+  return {device,
+          {.name = "reflected environment",
+           .width = size,
+           .height = size,
+           .layers = 6,
+           .format = format,
+           .usage = VK_IMAGE_USAGE_SAMPLED_BIT | usage,
+           .kind = gpu::ImageKind::CubeArray}};
+}
+
+}  // namespace
+
+EnvironmentPass::EnvironmentPass(gpu::Device& device)
+    : sampler_(device, gpu::Filter::Linear, gpu::Wrap::Repeat, gpu::Wrap::Clamp),
+      pipeline_(device, gpu::ComputePipelineOptions{
+                            .name = "reflected environment",
+                            .shader = shaders::shade_environment_comp,
+                            .bindings = {{0, gpu::BindingType::SampledImage},
+                                         {1, gpu::BindingType::StorageImage}},
+                            .pushConstantBytes = sizeof(float),
+                        }) {}
+
+gpu::GpuImage EnvironmentPass::makeBlack(gpu::Device& device) {
+  gpu::GpuImage cube = makeCubeImage(device, 1, VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+  const std::array<float, 4> black{};
+  for (std::uint32_t face = 0; face < 6; ++face)
+    gpu::uploadImage(device, cube, std::as_bytes(std::span<const float>(black)), face);
+  return cube;
+}
+
+gpu::GpuImage EnvironmentPass::makeCube(gpu::Device& device, const Image& latLong,
+                                        float roughness) const {
+  gpu::GpuImage map = uploadWithLevels(device, latLong);
+  gpu::GpuImage cube = makeCubeImage(device, faceSize, VK_IMAGE_USAGE_STORAGE_BIT);
+  gpu::CommandList commands(device, "reflected environment");
+  commands.begin();
+  commands.bind(pipeline_);
+  commands.bindResources(
+      {gpu::Binding::sampled(0, map, sampler_), gpu::Binding::writeImage(1, cube)});
+  commands.pushConstants(roughness * roughness);
+  commands.dispatch(faceSize / tileSize, faceSize / tileSize, 6);
+  commands.submit();
+  commands.wait();
+  return cube;
+}
+
+}  // namespace opaline::passes

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Radiance towards the camera from exitance, with the reflection on top; adds antialiasing samples.
+class ShadePass {
+ public:
+  explicit ShadePass(gpu::Device& device);
+
+  static gpu::GpuImage makeRadiance(gpu::Device& device, std::uint32_t width, std::uint32_t height);
+
+  struct Inputs {
+    gpu::Buffer& frame;
+    std::size_t frameOffset;
+    SceneTables& tables;
+    ShadowMaps& shadows;
+    VisibleSurface& surface;
+    Exitance& exitance;
+    gpu::GpuImage& environmentCube;
+    std::uint32_t sample;   ///< of `samples`
+    std::uint32_t samples;
+    float roughness;
+    bool specular;
+  };
+  void record(gpu::CommandList& commands, const Inputs& inputs, gpu::GpuImage& radiance) const;
+
+ private:
+  gpu::Sampler nearest_;
+  gpu::Sampler linear_;
+  gpu::Pipeline pipeline_;
+};
+
+}  // namespace opaline::passes

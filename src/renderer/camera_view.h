@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "opaline/scene.h"
+
+namespace opaline {
+
+/// A camera as the shaders need it.
+struct CameraView {
+  glm::mat4 worldToClip{1};  ///< reversed depth, no far plane, y down as in Vulkan
+  glm::vec3 position{0};
+  glm::vec3 axis{0, 0, -1};  ///< unit, towards the scene
+};
+
+/// The near plane lies before the box, as far away as that allows.
+CameraView makeCameraView(const Camera& camera, const Bounds& bounds, float aspect);
+
+/// Offsets of the antialiasing samples from the pixel's centre, in pixels: the standard patterns of
+/// Direct3D for 1, 2, 4 and 8 samples.
+std::span<const glm::vec2> samplePattern(int samples);
+
+}  // namespace opaline

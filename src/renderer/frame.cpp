@@ -1,0 +1,112 @@
+#include "renderer/frame.h"
+
+#include <cassert>
+
+#include "renderer/camera_view.h"
+#include "renderer/light_views.h"
+
+namespace opaline {
+
+namespace {
+
+passes::ScatterTransport scatterTransport(Transport transport) {
+  return transport == Transport::Dipole ? passes::ScatterTransport::Dipole
+                                        : passes::ScatterTransport::BetterDipole;
+}
+
+// What every step of a frame needs.
+struct FrameContext {
+  gpu::CommandList& commands;
+  const Passes& passes;
+  const FramePlan& plan;
+  gpu::Buffer& frameBuffer;
+  std::size_t frameOffset;
+  passes::DeformedMesh& mesh;
+  FrameResources& resources;
+
+  void gather(const shared::FrameData& frame, std::uint32_t shadowViews) const {
+    passes.shadow.record(commands, frame, shadowViews, mesh, resources.shadows);
+    passes.gather.record(
+        commands, {frameBuffer, frameOffset, mesh, resources.tables, resources.shadows},
+        resources.sources);
+  }
+
+  void scatterAtVertices() const {
+    const passes::ScatterTransport transport = scatterTransport(plan.transport);
+    if (plan.sum == Sum::Pattern)
+      passes.scatter.patternOverVertices(commands, transport, resources.tables, resources.sources,
+                                         mesh, resources.exitance);
+    else
+      passes.scatter.allOverVertices(commands, transport, resources.tables, resources.sources,
+                                     mesh, resources.exitance);
+  }
+
+  void scatterAtFragments() const {
+    const passes::ScatterTransport transport = scatterTransport(plan.transport);
+    if (plan.sum == Sum::Pattern)
+      passes.scatter.patternOverFragments(commands, transport, resources.tables,
+                                          resources.sources, resources.surface,
+                                          resources.exitance);
+    else
+      passes.scatter.allOverFragments(commands, transport, resources.tables, resources.sources,
+                                      resources.surface, resources.exitance);
+  }
+
+  void drawSurface(const glm::vec2& jitter, bool exitanceAtVertices) const {
+    passes.surface.record(commands, {frameBuffer, frameOffset, mesh, resources.sources.charts, jitter,
+                                     exitanceAtVertices},
+                          resources.surface, resources.exitance);
+  }
+
+  void seeSurface(const glm::vec2& jitter) const {
+    drawSurface(jitter, plan.site == Site::Vertex);
+    if (plan.site == Site::Fragment) scatterAtFragments();
+  }
+
+  void shade(std::uint32_t sample, std::uint32_t samples) const {
+    passes.shade.record(
+        commands,
+        {frameBuffer, frameOffset, resources.tables, resources.shadows, resources.surface,
+         resources.exitance, resources.environmentCube, sample, samples, plan.roughness,
+         plan.specular},
+        resources.radiance);
+  }
+};
+
+}  // namespace
+
+Passes::Passes(gpu::Device& device)
+    : shadow(device),
+      gather(device),
+      surface(device),
+      scatter(device),
+      environment(device),
+      shade(device) {}
+
+void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
+                 const shared::FrameData& frame, std::uint32_t shadowViews,
+                 gpu::Buffer& frameBuffer, std::size_t frameOffset, passes::DeformedMesh& mesh,
+                 FrameResources& resources) {
+  assert(plan.site != Site::Auto);
+  const FrameContext context{commands, passes,      plan, frameBuffer,
+                             frameOffset, mesh, resources};
+  context.gather(frame, shadowViews);
+  if (plan.site == Site::Vertex) context.scatterAtVertices();
+
+  if (plan.samples > 0) {
+    const VkExtent2D extent = resources.radiance.extent();
+    const glm::vec2 pixel(2 / static_cast<float>(extent.width), 2 / static_cast<float>(extent.height));
+    const auto samples = static_cast<std::uint32_t>(plan.samples);
+    const std::span<const glm::vec2> pattern = samplePattern(plan.samples);
+    for (std::uint32_t sample = 0; sample < samples; ++sample) {
+      context.seeSurface(pattern[sample] * pixel);
+      context.shade(sample, samples);
+    }
+  }
+  if (plan.centre) {
+    context.seeSurface({0, 0});
+    if (plan.places && plan.site == Site::Vertex) context.drawSurface({0, 0}, false);
+  }
+}
+
+}  // namespace opaline

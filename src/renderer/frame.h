@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gpu/command_list.h"
+#include "gpu/transfer.h"
+#include "opaline/renderer.h"
+#include "passes/gather/diffusion_source_pass.h"
+#include "passes/gather/shadow_pass.h"
+#include "passes/products.h"
+#include "passes/scatter/scatter_pass.h"
+#include "passes/scatter/surface_pass.h"
+#include "passes/shade/environment_pass.h"
+#include "passes/shade/shade_pass.h"
+#include "renderer/scene_resources.h"
+
+namespace opaline {
+
+/// The passes' pipelines, made once for a device.
+struct Passes {
+  explicit Passes(gpu::Device& device);
+
+  passes::ShadowPass shadow;
+  passes::DiffusionSourcePass gather;
+  passes::SurfacePass surface;
+  passes::ScatterPass scatter;
+  passes::EnvironmentPass environment;
+  passes::ShadePass shade;
+};
+
+/// What the passes of a frame read and write; depends on scene and options, not on the frame.
+struct FrameResources {
+  passes::SceneTables tables;
+  passes::ShadowMaps shadows;
+  passes::DiffusionSources sources;
+  passes::VisibleSurface surface;
+  passes::Exitance exitance;
+  gpu::GpuImage environmentCube;
+  gpu::GpuImage radiance;
+};
+
+/// What a frame is to do.
+struct FramePlan {
+  Transport transport = Transport::Dipole;
+  Sum sum = Sum::Pattern;
+  Site site = Site::Fragment;  ///< not Auto
+  int samples = 4;             ///< of radiance, 0 for none
+  bool centre = false;         ///< leave the visible surface and exitance of the pixels' centres
+  bool places = false;         ///< with it: places among neighbourhoods, even where the sum is at vertices
+  bool specular = true;
+  float roughness = 0.25F;
+};
+
+/// Records one frame: shadows, gathering, then for every antialiasing sample the visible surface,
+/// scattering and shading.
+void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
+                 const shared::FrameData& frame, std::uint32_t shadowViews,
+                 gpu::Buffer& frameBuffer, std::size_t frameOffset, passes::DeformedMesh& mesh, FrameResources& resources);
+
+}  // namespace opaline

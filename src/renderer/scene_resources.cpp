@@ -1,0 +1,180 @@
+#include "renderer/scene_resources.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "bssrdf/profile.h"
+#include "gpu/device.h"
+#include "gpu/transfer.h"
+#include "shaders/shared/mesh.h"
+
+namespace opaline {
+
+namespace {
+
+MergedMesh merge(const Scene& scene) {
+  MergedMesh merged;
+  std::uint32_t object = 0;
+  for (const Object& body : scene.objects) {
+    const auto base = static_cast<std::uint32_t>(merged.positions.size());
+    const Mesh& mesh = body.mesh;
+    merged.positions.insert(merged.positions.end(), mesh.positionsMm.begin(),
+                            mesh.positionsMm.end());
+    merged.normals.insert(merged.normals.end(), mesh.normals.begin(), mesh.normals.end());
+    for (const Triangle& t : mesh.triangles)
+      merged.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    merged.objectOfTriangle.insert(merged.objectOfTriangle.end(), mesh.triangles.size(), object++);
+  }
+  return merged;
+}
+
+// Gradient of the height y over the atlas, times twice the triangle's area there.
+glm::vec2 rise(const std::array<glm::vec2, 3>& uv, const std::array<float, 3>& y) {
+  const glm::vec2 a = uv[1] - uv[0];
+  const glm::vec2 b = uv[2] - uv[0];
+  const float da = y[1] - y[0];
+  const float db = y[2] - y[0];
+  return {da * b.y - db * a.y, db * a.x - da * b.x};
+}
+
+// The direction in which the surface rises gives every corner a frame that continues across seams;
+// means over the corner's triangles.
+void addDirections(const atlas::Atlas& atlas, const MergedMesh& mesh,
+                   std::vector<shared::AtlasCorner>& corners) {
+  std::vector<glm::vec2> sum(corners.size(), glm::vec2(0));
+  for (const Triangle& triangle : atlas.triangles) {
+    std::array<glm::vec2, 3> uv{};
+    std::array<float, 3> y{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const shared::AtlasCorner& corner = corners[triangle[i]];
+      uv[i] = {corner.u, corner.v};
+      y[i] = mesh.positions[corner.vertex][1];
+    }
+    for (const std::uint32_t corner : triangle) sum[corner] += rise(uv, y);
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const float length = glm::length(sum[i]);
+    corners[i].alongU = length > 0 ? sum[i].x / length : 1;
+    corners[i].alongV = length > 0 ? sum[i].y / length : 0;
+  }
+}
+
+std::vector<shared::AtlasCorner> makeCorners(const atlas::Atlas& atlas, const MergedMesh& mesh) {
+  std::vector<shared::AtlasCorner> corners(atlas.vertices.size());
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = {.vertex = atlas.vertices[i].vertex,
+                  .u = atlas.vertices[i].uv[0],
+                  .v = atlas.vertices[i].uv[1]};
+  for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
+    for (const std::uint32_t corner : atlas.triangles[t]) {
+      corners[corner].object = mesh.objectOfTriangle[t];
+      corners[corner].chart = atlas.chartOfTriangle[t];
+    }
+  addDirections(atlas, mesh, corners);
+  return corners;
+}
+
+// One corner for each vertex: the first of those it has.
+std::vector<shared::AtlasCorner> cornerOfVertex(const std::vector<shared::AtlasCorner>& corners,
+                                                std::size_t vertices) {
+  std::vector<shared::AtlasCorner> chosen(vertices, shared::AtlasCorner{});
+  for (auto corner = corners.rbegin(); corner != corners.rend(); ++corner)
+    chosen[corner->vertex] = *corner;
+  return chosen;
+}
+
+std::vector<glm::vec4> padded(const std::vector<Vec3>& list, float w) {
+  std::vector<glm::vec4> out;
+  out.reserve(list.size());
+  for (const Vec3& v : list) out.emplace_back(v[0], v[1], v[2], w);
+  return out;
+}
+
+double meanEdgeMm(const Mesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& a = mesh.positionsMm[t[i]];
+      const Vec3& b = mesh.positionsMm[t[(i + 1) % 3]];
+      sum += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    }
+  return mesh.triangles.empty() ? 0 : sum / (3.0 * static_cast<double>(mesh.triangles.size()));
+}
+
+double areaMm2(const Mesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const glm::dvec3 a = glm::make_vec3(mesh.positionsMm[t[0]].data());
+    const glm::dvec3 b = glm::make_vec3(mesh.positionsMm[t[1]].data());
+    const glm::dvec3 c = glm::make_vec3(mesh.positionsMm[t[2]].data());
+    sum += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  return sum;
+}
+
+bool same(const Medium& a, const Medium& b) {
+  return a.sigmaSPrimePerMm == b.sigmaSPrimePerMm && a.sigmaAPerMm == b.sigmaAPerMm &&
+         a.eta == b.eta;
+}
+
+void listMedia(const Scene& scene, SceneResources& resources) {
+  for (const Object& object : scene.objects) {
+    auto found = std::find_if(resources.media.begin(), resources.media.end(),
+                              [&](const Medium& medium) { return same(medium, object.medium); });
+    if (found == resources.media.end())
+      found = resources.media.insert(found, object.medium);
+    resources.mediumOfObject.push_back(
+        static_cast<std::uint32_t>(found - resources.media.begin()));
+    resources.meanEdgeOfObjectMm.push_back(meanEdgeMm(object.mesh));
+    resources.areaOfObjectMm2.push_back(areaMm2(object.mesh));
+  }
+}
+
+}  // namespace
+
+atlas::Surface MergedMesh::surface() const {
+  return {.positionsMm = positions, .triangles = triangles, .objectOfTriangle = objectOfTriangle};
+}
+
+double shortestMeanFreePathMm(const Medium& medium) {
+  double shortest = bssrdf::coefficients(medium, 0).meanFreePathMm;
+  for (int channel = 1; channel < 3; ++channel)
+    shortest = std::min(shortest, bssrdf::coefficients(medium, channel).meanFreePathMm);
+  return shortest;
+}
+
+SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, int dsmSize) {
+  SceneResources resources;
+  resources.merged = merge(scene);
+  const MergedMesh& merged = resources.merged;
+  resources.atlas = atlas::makeAtlas(merged.surface(), {.mapSize = dsmSize});
+  const atlas::Atlas& atlas = resources.atlas;
+  const std::vector<shared::AtlasCorner> corners = makeCorners(atlas, merged);
+
+  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  resources.mesh.positions =
+      gpu::makeBuffer(device, "positions", padded(merged.positions, 1), storage);
+  resources.mesh.normals = gpu::makeBuffer(device, "normals", padded(merged.normals, 0), storage);
+  resources.mesh.corners = gpu::makeBuffer(device, "atlas corners", corners, storage);
+  resources.mesh.vertexCorners =
+      gpu::makeBuffer(device, "atlas corner of each vertex",
+                      cornerOfVertex(corners, merged.positions.size()), storage);
+  resources.mesh.indices =
+      gpu::makeBuffer(device, "indices", atlas.triangles, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  resources.mesh.vertexCount = static_cast<std::uint32_t>(merged.positions.size());
+  resources.mesh.indexCount = static_cast<std::uint32_t>(3 * atlas.triangles.size());
+  resources.bounds = boundsOf(scene);
+  resources.objects = static_cast<std::uint32_t>(scene.objects.size());
+  resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
+  listMedia(scene, resources);
+  return resources;
+}
+
+}  // namespace opaline

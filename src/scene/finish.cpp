@@ -1,0 +1,174 @@
+#include "scene/finish.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bssrdf/media.h"
+#include "opaline/error.h"
+#include "scene/formats.h"
+#include "scene/repair.h"
+#include "scene/text.h"
+#include "scene/vector_math.h"
+
+namespace opaline::scene {
+
+namespace {
+
+constexpr double assumedDiagonalMm = 50;
+
+struct Box {
+  Double3 low{INFINITY, INFINITY, INFINITY};
+  Double3 high{-INFINITY, -INFINITY, -INFINITY};
+
+  void add(const Vec3& p) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], double{p[axis]});
+      high[axis] = std::max(high[axis], double{p[axis]});
+    }
+  }
+  Bounds bounds() const {
+    return low[0] <= high[0] ? Bounds{toFloat(low), toFloat(high)} : Bounds{};
+  }
+};
+
+void scalePoint(Vec3& p, double factor) {
+  p = toFloat(factor * toDouble(p));
+}
+
+bool lostArea(const RawMesh& mesh) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+    const Double3 n = areaVector(toDouble(mesh.positions[t[0]]), toDouble(mesh.positions[t[1]]),
+                                 toDouble(mesh.positions[t[2]]));
+    return !(dot(n, n) > 0);
+  });
+}
+
+std::string nameIn(const std::string& file, const RawObject& object) {
+  return fmt::format("{}, object '{}'", file, object.name);
+}
+
+}  // namespace
+
+Bounds boundsOf(const RawScene& raw) {
+  Box box;
+  for (const RawObject& object : raw.objects) {
+    for (const Vec3& p : object.mesh.positions) box.add(p);
+  }
+  return box.bounds();
+}
+
+double diagonalOf(const Bounds& bounds) {
+  return length(toDouble(bounds.maxMm) - toDouble(bounds.minMm));
+}
+
+void scaleBy(RawScene& raw, double factor, const std::string& file) {
+  bool finite = std::isfinite(factor);
+  for (RawObject& object : raw.objects) {
+    for (Vec3& p : object.mesh.positions) {
+      scalePoint(p, factor);
+      finite = finite && isFinite(p);
+    }
+  }
+  for (PointLight& light : raw.lighting.points) {
+    scalePoint(light.positionMm, factor);
+    for (float& channel : light.intensity) {
+      channel = static_cast<float>(double{channel} * factor * factor);
+      finite = finite && std::isfinite(channel);
+    }
+    finite = finite && isFinite(light.positionMm);
+  }
+  if (raw.camera) {
+    scalePoint(raw.camera->positionMm, factor);
+    scalePoint(raw.camera->targetMm, factor);
+    finite = finite && isFinite(raw.camera->positionMm) && isFinite(raw.camera->targetMm);
+  }
+  if (!finite) {
+    throw Error(fmt::format("{}: in millimetres its coordinates are too large for a float", file));
+  }
+}
+
+RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool noteUnit,
+                       const LogCallback& log, std::vector<Repair>& repairs) {
+  const std::string name = cleanText(file.string(), 1000);
+  if (raw.objects.empty()) {
+    throw Error(fmt::format("{}: there is no triangle mesh in it", name));
+  }
+  for (RawObject& object : raw.objects) {
+    for (const Repair& repair : repairMesh(object.mesh, nameIn(name, object))) {
+      addRepair(repairs, repair.what, repair.count);
+    }
+  }
+  double factor = raw.mmPerUnit.value_or(1.0);
+  if (!raw.mmPerUnit) {
+    factor = assumedDiagonalMm / diagonalOf(boundsOf(raw));
+    if (noteUnit) {
+      note(log, fmt::format("{} carries no unit: scaled to a diagonal of {} mm "
+                            "(--diagonal-mm sets another)",
+                            name, assumedDiagonalMm));
+    }
+  }
+  scaleBy(raw, factor, name);
+  raw.mmPerUnit = 1.0;
+  // Rounding to float may have flattened a needle.
+  for (RawObject& object : raw.objects) {
+    if (!lostArea(object.mesh)) continue;
+    for (const Repair& repair : repairMesh(object.mesh, nameIn(name, object))) {
+      addRepair(repairs, repair.what, repair.count);
+    }
+  }
+  return raw;
+}
+
+std::string complaintAbout(const Medium& medium) {
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const double scattering = medium.sigmaSPrimePerMm[channel];
+    const double absorption = medium.sigmaAPerMm[channel];
+    if (!std::isfinite(scattering) || scattering < 0) return "scattering must be at least 0 per mm";
+    if (!std::isfinite(absorption) || absorption < 0) return "absorption must be at least 0 per mm";
+    if (!(scattering + absorption > 0)) {
+      return "scattering and absorption must not both be 0 in a channel";
+    }
+    if (scattering + absorption > 1e9) return "scattering and absorption must be below 1e9 per mm";
+  }
+  if (!(medium.eta >= 1.01 && medium.eta <= 3)) {
+    return fmt::format("the index of refraction must be in [1.01, 3], not {}", medium.eta);
+  }
+  return {};
+}
+
+void requireSensible(const LoadOptions& options) {
+  if (options.diagonalMm && !(*options.diagonalMm > 0 && std::isfinite(*options.diagonalMm))) {
+    throw UsageError(
+        fmt::format("the diagonal must be a length above 0 mm, not {}", *options.diagonalMm));
+  }
+  if (options.medium) {
+    const std::string complaint = complaintAbout(*options.medium);
+    if (!complaint.empty()) {
+      throw UsageError(fmt::format("medium '{}': {}", options.medium->name, complaint));
+    }
+  }
+}
+
+Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repair> repairs,
+               const LoadOptions& options) {
+  if (options.diagonalMm) {
+    scaleBy(raw, double{*options.diagonalMm} / diagonalOf(boundsOf(raw)),
+            cleanText(file.string(), 1000));
+  }
+  Scene scene;
+  scene.name = cleanText(file.stem().string());
+  scene.repairs = std::move(repairs);
+  for (RawObject& object : raw.objects) {
+    Mesh mesh{std::move(object.mesh.positions), std::move(object.mesh.normals),
+              std::move(object.mesh.triangles)};
+    scene.objects.push_back({std::move(object.name), std::move(mesh),
+                             options.medium.value_or(std::move(object.medium))});
+  }
+  scene.lighting = raw.hasLights ? std::move(raw.lighting) : defaultLighting();
+  scene.camera = raw.camera ? *raw.camera : defaultCamera(scene);
+  return scene;
+}
+
+}  // namespace opaline::scene

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+
+#include "opaline/scene.h"
+#include "scene/raw_scene.h"
+
+namespace opaline::scene {
+
+/// Repairs every mesh and scales everything to millimetres: by the file's unit, or to a diagonal of
+/// 50 mm with a note where there is none. `file` is named in errors. Camera and lights may still be
+/// missing.
+RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool noteUnit,
+                       const LogCallback& log, std::vector<Repair>& repairs);
+
+/// Positions, camera and lights times `factor`; intensities times its square, so that the picture
+/// stays.
+void scaleBy(RawScene& raw, double factor, const std::string& file);
+
+/// Bounds of the raw scene's vertices, and their diagonal.
+Bounds boundsOf(const RawScene& raw);
+double diagonalOf(const Bounds& bounds);
+
+/// Applies options and defaults to a scene in millimetres.
+Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repair> repairs,
+               const LoadOptions& options);
+
+/// Throws UsageError for options that make no sense.
+void requireSensible(const LoadOptions& options);
+
+/// What is wrong with a medium, empty if nothing.
+std::string complaintAbout(const Medium& medium);
+
+}  // namespace opaline::scene

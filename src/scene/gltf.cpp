@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/finish.h"
+#include "scene/formats.h"
+#include "scene/gltf_accessor.h"
+#include "scene/gltf_file.h"
+#include "scene/gltf_medium.h"
+#include "scene/gltf_mesh.h"
+#include "scene/gltf_nodes.h"
+#include "scene/text.h"
+
+namespace opaline::scene {
+
+namespace {
+
+constexpr double mmPerMetre = 1000;
+/// A file may draw one mesh any number of times.
+constexpr std::size_t mostTriangles = 20'000'000;
+
+/// What a scene is gathered with.
+struct Gathering {
+  const Input& input;
+  const tinygltf::Model& model;
+  GltfNodes nodes;
+  GltfAccessors accessors;
+  RawScene scene{};
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  std::size_t skippedPrimitives = 0;
+};
+
+bool sameMedium(const Medium& a, const Medium& b) {
+  return a.name == b.name && a.eta == b.eta && a.sigmaAPerMm == b.sigmaAPerMm &&
+         a.sigmaSPrimePerMm == b.sigmaSPrimePerMm;
+}
+
+void append(RawMesh& mesh, RawMesh&& part, std::uint64_t partNumber) {
+  const auto offset = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+  mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
+  // Vertices along the seam of two primitives are no duplicates.
+  for (const std::uint64_t tag : part.tags) mesh.tags.push_back(tag + (partNumber << 56U));
+  for (const Triangle& t : part.triangles) {
+    mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  }
+  mesh.badPolygons += part.badPolygons;
+}
+
+void addMesh(Gathering& to, std::size_t nodeIndex) {
+  const tinygltf::Node& node = to.model.nodes[nodeIndex];
+  if (node.mesh < 0 || static_cast<std::size_t>(node.mesh) >= to.model.meshes.size()) {
+    failGltf(to.input,
+             fmt::format("node {} names mesh {}, which does not exist", nodeIndex, node.mesh));
+  }
+  const tinygltf::Mesh& mesh = to.model.meshes[static_cast<std::size_t>(node.mesh)];
+  const std::string name = !node.name.empty()   ? cleanText(node.name)
+                           : !mesh.name.empty() ? cleanText(mesh.name)
+                                                : fmt::format("node {}", nodeIndex);
+  const std::size_t first = to.scene.objects.size();
+  std::uint64_t part = 0;
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    if (!isSurface(primitive)) {
+      ++to.skippedPrimitives;
+      continue;
+    }
+    const Medium medium = gltfMedium(to.input, to.model, primitive.material, mesh.name, node.name);
+    RawMesh baked = bakePrimitive(to.input, to.model, to.nodes, to.accessors, nodeIndex, primitive);
+    to.triangles += baked.triangles.size();
+    to.vertices += baked.positions.size();
+    if (to.triangles > mostTriangles || to.vertices > mostTriangles) {
+      failGltf(to.input, fmt::format("it draws more than {} triangles or vertices", mostTriangles));
+    }
+    const auto begin = to.scene.objects.begin() + static_cast<std::ptrdiff_t>(first);
+    auto object = std::find_if(begin, to.scene.objects.end(), [&](const RawObject& known) {
+      return sameMedium(known.medium, medium);
+    });
+    if (object == to.scene.objects.end()) {
+      to.scene.objects.push_back({name, {}, medium});
+      object = to.scene.objects.end() - 1;
+    }
+    append(object->mesh, std::move(baked), part++);
+  }
+  // Without this two objects of one node could not be told apart.
+  if (to.scene.objects.size() > first + 1) {
+    for (std::size_t i = first; i < to.scene.objects.size(); ++i) {
+      to.scene.objects[i].name += fmt::format(" ({})", to.scene.objects[i].medium.name);
+    }
+  }
+}
+
+/// The direction of an axis of a node, none where its transform is not invertible.
+std::optional<Double3> axisOf(const Matrix4& world, std::size_t axis) {
+  const Double3& column = world.column[axis];
+  const double size = length(column);
+  if (!isFinite(column) || !(size > 0)) return std::nullopt;
+  return (1 / size) * column;
+}
+
+Rgb lightColor(const Input& input, const tinygltf::Light& light) {
+  Rgb rgb{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double value = (c < light.color.size() ? light.color[c] : 1.0) * light.intensity;
+    if (!(value >= 0) || value > 1e30) {
+      failGltf(input, fmt::format("the intensity of light '{}' makes no sense",
+                                  cleanText(light.name, 60)));
+    }
+    rgb[c] = static_cast<float>(value);
+  }
+  return rgb;
+}
+
+/// KHR_lights_punctual: lux become irradiance as they are; candela become intensity in W/sr per
+/// unit², where the unit is still a metre here.
+void addLight(Gathering& to, std::size_t nodeIndex) {
+  const auto& extensions = to.model.nodes[nodeIndex].extensions;
+  const auto found = extensions.find("KHR_lights_punctual");
+  if (found == extensions.end() || !found->second.Has("light")) return;
+  const tinygltf::Value& value = found->second.Get("light");
+  const int index = value.IsInt() ? value.GetNumberAsInt() : -1;
+  if (index < 0 || static_cast<std::size_t>(index) >= to.model.lights.size()) {
+    failGltf(to.input, fmt::format("node {} names a light that does not exist", nodeIndex));
+  }
+  const tinygltf::Light& light = to.model.lights[static_cast<std::size_t>(index)];
+  const Matrix4& world = to.nodes.world[nodeIndex];
+  const std::string file = cleanText(to.input.file.string(), 1000);
+  if (light.type == "directional") {
+    const auto back = axisOf(world, 2);
+    if (!back) failGltf(to.input, fmt::format("light node {} has no direction", nodeIndex));
+    to.scene.lighting.directional.push_back({toFloat(*back), lightColor(to.input, light)});
+    to.scene.hasLights = true;
+  } else if (light.type == "point") {
+    to.scene.lighting.points.push_back({toFloat(world.column[3]), lightColor(to.input, light)});
+    to.scene.hasLights = true;
+  } else {
+    note(to.input.log,
+         fmt::format("{}: light '{}' of type '{}' is left out, only directional and point lights "
+                     "shine here",
+                     file, cleanText(light.name, 60), cleanText(light.type, 20)));
+  }
+}
+
+/// The first perspective camera; where it looks at is put beside the middle of the scene.
+void takeCamera(Gathering& to, std::size_t nodeIndex) {
+  const int index = to.model.nodes[nodeIndex].camera;
+  if (to.scene.camera || index == -1) return;
+  if (index < 0 || static_cast<std::size_t>(index) >= to.model.cameras.size()) {
+    failGltf(to.input, fmt::format("node {} names a camera that does not exist", nodeIndex));
+  }
+  const tinygltf::Camera& camera = to.model.cameras[static_cast<std::size_t>(index)];
+  if (camera.type != "perspective") {
+    note(to.input.log,
+         fmt::format("{}: orthographic camera '{}' is left out",
+                     cleanText(to.input.file.string(), 1000), cleanText(camera.name, 60)));
+    return;
+  }
+  const Matrix4& world = to.nodes.world[nodeIndex];
+  const auto back = axisOf(world, 2);
+  const auto up = axisOf(world, 1);
+  const double degrees = camera.perspective.yfov * 180 / std::numbers::pi;
+  if (!back || !up || !isFinite(world.column[3]) || !(degrees >= 1 && degrees <= 170)) {
+    failGltf(to.input, fmt::format("camera '{}' makes no sense", cleanText(camera.name, 60)));
+  }
+  Camera taken;
+  taken.positionMm = toFloat(world.column[3]);
+  taken.targetMm = toFloat(world.column[3] - *back);
+  taken.up = toFloat(*up);
+  taken.verticalFovDegrees = static_cast<float>(degrees);
+  to.scene.camera = taken;
+}
+
+void aimAtMiddle(RawScene& scene) {
+  if (!scene.camera) return;
+  const Bounds bounds = boundsOf(scene);
+  const Double3 middle = 0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm));
+  const Double3 from = toDouble(scene.camera->positionMm);
+  const Double3 forward = toDouble(scene.camera->targetMm) - from;
+  const double distance = dot(middle - from, forward);
+  if (distance > 0) scene.camera->targetMm = toFloat(from + distance * forward);
+}
+
+}  // namespace
+
+RawScene loadGltf(const Input& input) {
+  const tinygltf::Model model = readGltf(input);
+  Gathering gathering{input, model, resolveNodes(input, model), GltfAccessors(input, model)};
+  for (const int node : gathering.nodes.drawn) {
+    const auto index = static_cast<std::size_t>(node);
+    if (model.nodes[index].mesh != -1) addMesh(gathering, index);
+    addLight(gathering, index);
+    takeCamera(gathering, index);
+  }
+  if (gathering.skippedPrimitives > 0) {
+    note(input.log, fmt::format("{}: {} primitives of points or lines are left out",
+                                cleanText(input.file.string(), 1000), gathering.skippedPrimitives));
+  }
+  gathering.scene.mmPerUnit = mmPerMetre;
+  aimAtMiddle(gathering.scene);
+  return std::move(gathering.scene);
+}
+
+}  // namespace opaline::scene

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <new>
+
+#include "bssrdf/media.h"
+#include "core/file.h"
+#include "opaline/error.h"
+#include "scene/finish.h"
+#include "scene/formats.h"
+#include "scene/scene_settings.h"
+#include "scene/text.h"
+
+namespace opaline {
+
+namespace scene {
+
+namespace {
+
+enum class Format { Ply, Obj, Gltf, Unknown };
+
+std::string lowerExtension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+Format formatOf(const std::filesystem::path& file, std::string_view start) {
+  if (start.starts_with("glTF")) return Format::Gltf;
+  if (start.starts_with("ply\n") || start.starts_with("ply\r")) return Format::Ply;
+  const std::string extension = lowerExtension(file);
+  if (extension == ".ply") return Format::Ply;
+  if (extension == ".obj") return Format::Obj;
+  if (extension == ".glb" || extension == ".gltf") return Format::Gltf;
+  return Format::Unknown;
+}
+
+}  // namespace
+
+void note(const LogCallback& log, std::string_view message) {
+  if (log) log(LogLevel::Note, message);
+}
+
+Medium defaultMedium() {
+  return bssrdf::findMedium("marble").value();
+}
+
+RawScene loadModel(const std::filesystem::path& file, const LogCallback& log) {
+  const std::vector<std::byte> bytes = core::readFile(file, longestFileBytes);
+  const std::string name = cleanText(file.string(), 1000);
+  if (bytes.empty()) throw Error(fmt::format("{}: the file is empty", name));
+  const Input input{file, bytes, log};
+  const std::string_view start(reinterpret_cast<const char*>(bytes.data()),
+                               std::min<std::size_t>(bytes.size(), 4));
+  switch (formatOf(file, start)) {
+    case Format::Ply:
+      return loadPly(input);
+    case Format::Obj:
+      return loadObj(input);
+    case Format::Gltf:
+      return loadGltf(input);
+    case Format::Unknown:
+      break;
+  }
+  throw Error(fmt::format("{}: a scene is a .glb, .gltf, .obj, .ply or .toml file", name));
+}
+
+}  // namespace scene
+
+Scene loadScene(const std::filesystem::path& file, const LoadOptions& options) {
+  try {
+    if (scene::lowerExtension(file) == ".toml") return scene::loadSceneFile(file, options).scene;
+    scene::requireSensible(options);
+    scene::RawScene raw = scene::loadModel(file, options.log);
+    std::vector<Repair> repairs;
+    raw = scene::inMillimetres(std::move(raw), file, !options.diagonalMm, options.log, repairs);
+    return scene::finished(std::move(raw), file, std::move(repairs), options);
+  } catch (const std::bad_alloc&) {
+    throw Error(fmt::format("{}: there is not enough memory to load it",
+                            scene::cleanText(file.string(), 1000)));
+  }
+}
+
+}  // namespace opaline

@@ -1,0 +1,73 @@
+#include "scene/normals.h"
+
+#include <array>
+#include <cmath>
+
+#include "scene/vector_math.h"
+
+namespace opaline::scene {
+
+namespace {
+
+Double3 unitFaceNormal(const RawMesh& mesh, const Triangle& t) {
+  const Double3 n = areaVector(toDouble(mesh.positions[t[0]]), toDouble(mesh.positions[t[1]]),
+                               toDouble(mesh.positions[t[2]]));
+  const double size = length(n);
+  return size > 0 ? (1.0 / size) * n : Double3{0, 0, 1};
+}
+
+double angleAt(const Double3& p, const Double3& q, const Double3& r) {
+  return std::atan2(length(cross(q - p, r - p)), dot(q - p, r - p));
+}
+
+}  // namespace
+
+std::vector<Vec3> smoothNormals(const RawMesh& mesh) {
+  std::vector<Double3> sums(mesh.positions.size());
+  std::vector<Vec3> normals(mesh.positions.size(), Vec3{0, 0, 1});
+  for (const Triangle& t : mesh.triangles) {
+    const Double3 normal = unitFaceNormal(mesh, t);
+    const std::array<Double3, 3> corner{toDouble(mesh.positions[t[0]]),
+                                        toDouble(mesh.positions[t[1]]),
+                                        toDouble(mesh.positions[t[2]])};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double angle = angleAt(corner[c], corner[(c + 1) % 3], corner[(c + 2) % 3]);
+      sums[t[c]] = sums[t[c]] + angle * normal;
+      normals[t[c]] = toFloat(normal);  // stays where opposite faces cancel
+    }
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    const double size = length(sums[v]);
+    if (size > 1e-6) normals[v] = toFloat((1.0 / size) * sums[v]);
+  }
+  return normals;
+}
+
+std::size_t finishNormals(RawMesh& mesh, const std::vector<bool>& turned) {
+  const std::vector<Vec3> smooth = smoothNormals(mesh);
+  if (mesh.normals.empty()) {
+    mesh.normals = smooth;
+    return 0;
+  }
+  std::vector<bool> mayTurn(mesh.positions.size());
+  for (std::size_t t = 0; t < turned.size(); ++t) {
+    if (!turned[t]) continue;
+    for (const std::uint32_t v : mesh.triangles[t]) mayTurn[v] = true;
+  }
+  std::size_t replaced = 0;
+  for (std::size_t v = 0; v < smooth.size(); ++v) {
+    Double3 normal = toDouble(mesh.normals[v]);
+    const double size = length(normal);
+    if (!isFinite(normal) || !(size > 1e-30)) {
+      mesh.normals[v] = smooth[v];
+      ++replaced;
+      continue;
+    }
+    normal = (1.0 / size) * normal;
+    if (mayTurn[v] && dot(normal, toDouble(smooth[v])) < 0) normal = -1.0 * normal;
+    mesh.normals[v] = toFloat(normal);
+  }
+  return replaced;
+}
+
+}  // namespace opaline::scene

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/raw_scene.h"
+
+namespace opaline::scene {
+
+struct OrientationResult {
+  std::size_t inconsistent = 0;  ///< triangles turned because they disagreed with their component
+  std::size_t inward = 0;        ///< triangles of components that were turned as a whole
+  std::vector<bool> turned;      ///< per triangle
+};
+
+/// Turns triangles so that neighbours agree and surfaces look outwards. `points` names the vertices
+/// that are one point of the surface. Closed components enclose a positive volume afterwards,
+/// unless they are a cavity inside another; open ones are closed by fans first and only turned when
+/// little of the volume is due to the fans; what cannot be told keeps the turn of its majority.
+OrientationResult orientOutward(RawMesh& mesh, std::span<const std::uint32_t> points);
+
+}  // namespace opaline::scene

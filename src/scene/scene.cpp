@@ -1,0 +1,74 @@
+#include "opaline/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "opaline/error.h"
+#include "scene/vector_math.h"
+
+namespace opaline {
+
+using scene::operator+;
+using scene::operator*;
+
+Bounds boundsOf(const Scene& scene) {
+  Bounds bounds;
+  bool first = true;
+  for (const Object& object : scene.objects) {
+    for (const Vec3& p : object.mesh.positionsMm) {
+      if (first) bounds = {p, p};
+      first = false;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        bounds.minMm[axis] = std::min(bounds.minMm[axis], p[axis]);
+        bounds.maxMm[axis] = std::max(bounds.maxMm[axis], p[axis]);
+      }
+    }
+  }
+  return bounds;
+}
+
+float diagonalMm(const Scene& scene) {
+  const Bounds bounds = boundsOf(scene);
+  return std::hypot(bounds.maxMm[0] - bounds.minMm[0], bounds.maxMm[1] - bounds.minMm[1],
+                    bounds.maxMm[2] - bounds.minMm[2]);
+}
+
+Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre, float verticalFovDegrees) {
+  if (!(verticalFovDegrees >= 1 && verticalFovDegrees <= 170)) {
+    throw UsageError(fmt::format("the vertical field of view must be in [1, 170] degrees, not {}",
+                                 verticalFovDegrees));
+  }
+  const scene::Double3 direction = scene::toDouble(directionFromCentre);
+  const double size = scene::length(direction);
+  if (!scene::isFinite(direction) || !(size > 1e-30)) {
+    throw UsageError("the camera's direction must not be zero");
+  }
+  const Bounds bounds = boundsOf(scene);
+  const scene::Double3 centre =
+      0.5 * (scene::toDouble(bounds.minMm) + scene::toDouble(bounds.maxMm));
+  const double distance = 1.4 * double{diagonalMm(scene)};
+  Camera camera;
+  camera.targetMm = scene::toFloat(centre);
+  camera.positionMm = scene::toFloat(centre + (distance / size) * direction);
+  camera.verticalFovDegrees = verticalFovDegrees;
+  // Looking along the usual up needs another.
+  if (std::abs(direction[1]) > 0.999 * size) camera.up = {0, 0, direction[1] > 0 ? -1.0F : 1.0F};
+  return camera;
+}
+
+Lighting defaultLighting() {
+  const auto unit = [](const scene::Double3& v) {
+    return scene::toFloat((1.0 / scene::length(v)) * v);
+  };
+  Lighting lighting;
+  // The key shines through the body towards the camera on +z; a little warm, the fill a little
+  // cool.
+  lighting.directional.push_back({unit({0.45, 0.35, -0.82}), {6.0F, 5.8F, 5.4F}});
+  lighting.directional.push_back({unit({-0.6, 0.45, 0.66}), {0.45F, 0.5F, 0.6F}});
+  lighting.ambient = {0.12F, 0.12F, 0.13F};
+  return lighting;
+}
+
+}  // namespace opaline

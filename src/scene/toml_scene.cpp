@@ -1,0 +1,384 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "bssrdf/media.h"
+#include "core/file.h"
+#include "core/image_file.h"
+#include "opaline/error.h"
+#include "scene/finish.h"
+#include "scene/formats.h"
+#include "scene/matrix.h"
+#include "scene/raw_scene.h"
+#include "scene/scene_settings.h"
+#include "scene/text.h"
+#include "scene/toml_reader.h"
+
+namespace opaline::scene {
+
+namespace {
+
+using Keys = std::string_view;
+
+constexpr std::array<Keys, 9> rootKeys{"model",  "diagonal_mm", "medium", "media", "objects",
+                                       "lights", "environment", "camera", "render"};
+
+/// A .toml scene being put together; lengths in millimetres.
+struct Assembly {
+  const std::filesystem::path& file;
+  const LoadOptions& options;
+  RawScene scene{};
+  std::vector<Repair> repairs{};
+  std::map<std::string, Medium, std::less<>> media{};
+  Vec3 centre{};
+};
+
+std::filesystem::path beside(const std::filesystem::path& file, const std::string& name) {
+  const std::filesystem::path path(name);
+  return path.is_absolute() ? path : file.parent_path() / path;
+}
+
+/// Nesting that toml++ would follow with recursion of its own.
+void requireShallow(const std::filesystem::path& file, std::string_view text) {
+  constexpr std::size_t deepest = 100;
+  std::size_t open = 0;
+  std::size_t dots = 0;
+  for (const char c : text) {
+    if (c == '[' || c == '{') ++open;
+    if ((c == ']' || c == '}') && open > 0) --open;
+    if (c == '\n') dots = 0;
+    if (c == '.') ++dots;
+    if (open > deepest || dots > 4 * deepest) {
+      throw Error(fmt::format("{}: it is nested too deep", cleanText(file.string(), 1000)));
+    }
+  }
+}
+
+toml::table parse(const std::filesystem::path& file) {
+  constexpr std::size_t longestToml = 4U << 20U;
+  const std::vector<std::byte> bytes = core::readFile(file, longestToml);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  requireShallow(file, text);
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    throw Error(fmt::format("{}, line {}: {}", cleanText(file.string(), 1000),
+                            error.source().begin.line, cleanText(error.description())));
+  }
+}
+
+RawScene fromBuiltIn(Scene&& built) {
+  RawScene raw;
+  for (Object& object : built.objects) {
+    RawMesh mesh;
+    mesh.positions = std::move(object.mesh.positionsMm);
+    mesh.normals = std::move(object.mesh.normals);
+    mesh.triangles = std::move(object.mesh.triangles);
+    raw.objects.push_back({std::move(object.name), std::move(mesh), std::move(object.medium)});
+  }
+  raw.mmPerUnit = 1.0;
+  return raw;
+}
+
+void loadModelOf(const TomlTable& root, Assembly& to) {
+  const auto model = root.text("model");
+  if (!model) root.fail("", "has no 'model', a file or builtin:bear or builtin:teapot");
+  const auto diagonal = root.number("diagonal_mm", 1e-6, 1e9);
+  LoadOptions builtInOptions;
+  builtInOptions.log = to.options.log;
+  if (*model == "builtin:bear") {
+    to.scene = fromBuiltIn(builtInBear(builtInOptions));
+  } else if (*model == "builtin:teapot") {
+    to.scene = fromBuiltIn(builtInTeapot(builtInOptions));
+  } else if (model->starts_with("builtin:")) {
+    root.fail("model", "names no built-in model; there are builtin:bear and builtin:teapot");
+  } else {
+    const std::filesystem::path path = beside(to.file, *model);
+    if (path.extension() == ".toml") root.fail("model", "must not be another .toml scene");
+    const bool noteUnit = !diagonal && !to.options.diagonalMm;
+    to.scene =
+        inMillimetres(loadModel(path, to.options.log), path, noteUnit, to.options.log, to.repairs);
+  }
+  if (diagonal) {
+    scaleBy(to.scene, *diagonal / diagonalOf(boundsOf(to.scene)), to.file.string());
+  }
+}
+
+void readMedia(const TomlTable& root, Assembly& to) {
+  constexpr std::array<Keys, 4> keys{"measured", "sigma_s_per_mm", "sigma_a_per_mm", "eta"};
+  const auto media = root.table("media");
+  if (!media) return;
+  for (const auto& [name, table] : media->subtables()) {
+    table.requireKeys(keys);
+    Medium medium;
+    const auto scattering = table.numbers("sigma_s_per_mm", 3);
+    const auto absorption = table.numbers("sigma_a_per_mm", 3);
+    if (const auto measured = table.text("measured")) {
+      const auto known = bssrdf::findMedium(*measured);
+      if (!known) table.fail("measured", "names no medium; `opaline media` lists them");
+      medium = *known;
+    } else if (!scattering || !absorption) {
+      table.fail("", "needs 'measured', or both 'sigma_s_per_mm' and 'sigma_a_per_mm'");
+    }
+    medium.name = cleanText(name);
+    if (scattering) std::copy_n(scattering->begin(), 3, medium.sigmaSPrimePerMm.begin());
+    if (absorption) std::copy_n(absorption->begin(), 3, medium.sigmaAPerMm.begin());
+    medium.eta = table.number("eta", 1.01, 3).value_or(medium.eta);
+    const std::string complaint = complaintAbout(medium);
+    if (!complaint.empty()) table.fail("", "makes no sense: " + complaint);
+    to.media.emplace(name, medium);
+  }
+}
+
+Medium mediumNamed(const TomlTable& table, std::string_view key, const std::string& name,
+                   const Assembly& from) {
+  const auto own = from.media.find(name);
+  if (own != from.media.end()) return own->second;
+  const auto known = bssrdf::findMedium(name);
+  if (!known) {
+    table.fail(key, fmt::format("names '{}', which is neither under [media] nor measured",
+                                cleanText(name, 60)));
+  }
+  return *known;
+}
+
+Matrix4 transformOf(const TomlTable& table) {
+  const bool parts =
+      table.has("translation_mm") || table.has("rotation_degrees") || table.has("scale");
+  if (const auto rows = table.numbers("transform", 16)) {
+    if (parts)
+      table.fail("transform", "cannot stand beside translation_mm, rotation_degrees, scale");
+    std::array<double, 16> columns{};
+    for (std::size_t r = 0; r < 4; ++r) {
+      for (std::size_t c = 0; c < 4; ++c) columns[4 * c + r] = (*rows)[4 * r + c];
+    }
+    if ((*rows)[12] != 0 || (*rows)[13] != 0 || (*rows)[14] != 0 || (*rows)[15] != 1) {
+      table.fail("transform", "must end in the row 0, 0, 0, 1");
+    }
+    return matrixFromColumns(columns);
+  }
+  const auto translation = table.vector("translation_mm").value_or(Vec3{0, 0, 0});
+  const auto degrees = table.vector("rotation_degrees").value_or(Vec3{0, 0, 0});
+  const auto scale = table.has("scale") ? table.number("scale", 1e-6, 1e6).value_or(1) : 1.0;
+  // About x first, then y, then z, all fixed axes.
+  Matrix4 matrix = matrixFromParts({0, 0, 0}, {0, 0, 0, 1}, {scale, scale, scale});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double half = double{degrees[axis]} * std::acos(-1.0) / 360;
+    std::array<double, 4> rotation{0, 0, 0, std::cos(half)};
+    rotation[axis] = std::sin(half);
+    matrix = matrixFromParts({0, 0, 0}, rotation, {1, 1, 1}) * matrix;
+  }
+  matrix.column[3] = toDouble(translation);
+  return matrix;
+}
+
+void place(RawMesh& mesh, const Matrix4& matrix, const TomlTable& table) {
+  if (std::abs(matrix.determinant()) < 1e-30) table.fail("", "has a transform that flattens");
+  for (Vec3& p : mesh.positions) {
+    p = toFloat(matrix.point(toDouble(p)));
+    if (!isFinite(p)) table.fail("", "has a transform that leaves the range of a float");
+  }
+  for (Vec3& n : mesh.normals) {
+    const Double3 mapped = matrix.normal(toDouble(n));
+    n = toFloat((1 / length(mapped)) * mapped);
+  }
+  if (matrix.determinant() < 0) {
+    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  }
+}
+
+void readObjects(const TomlTable& root, Assembly& to) {
+  constexpr std::array<Keys, 5> keys{"medium", "transform", "translation_mm", "rotation_degrees",
+                                     "scale"};
+  if (const auto medium = root.text("medium")) {
+    for (RawObject& object : to.scene.objects) {
+      object.medium = mediumNamed(root, "medium", *medium, to);
+    }
+  }
+  const auto objects = root.table("objects");
+  if (!objects) return;
+  std::vector<std::string_view> names;
+  for (const RawObject& object : to.scene.objects) names.emplace_back(object.name);
+  const auto tables = objects->subtables();
+  for (const auto& [name, table] : tables) {
+    table.requireKeys(keys);
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      table.fail("", fmt::format("names no object of the model; the nearest is '{}'",
+                                 nearest(name, names).value_or("")));
+    }
+    const auto medium = table.text("medium");
+    const Matrix4 matrix = transformOf(table);
+    for (RawObject& object : to.scene.objects) {
+      if (object.name != name) continue;
+      if (medium) object.medium = mediumNamed(table, "medium", *medium, to);
+      place(object.mesh, matrix, table);
+    }
+  }
+}
+
+Vec3 fromCentre(const Assembly& of, const Vec3& offset) {
+  return toFloat(toDouble(of.centre) + toDouble(offset));
+}
+
+void readLight(const TomlTable& table, Assembly& to) {
+  constexpr std::array<Keys, 3> directionalKeys{"type", "direction_to_light", "irradiance"};
+  constexpr std::array<Keys, 3> pointKeys{"type", "position_mm", "intensity"};
+  constexpr std::array<Keys, 2> ambientKeys{"type", "radiance"};
+  constexpr std::array<Keys, 3> types{"directional", "point", "ambient"};
+  const auto type = table.choice("type", types);
+  const auto need = [&](auto value, std::string_view key) {
+    if (!value) table.fail("", fmt::format("of type '{}' has no '{}'", *type, key));
+    return *value;
+  };
+  if (!type) table.fail("", "has no 'type': directional, point or ambient");
+  Lighting& lighting = to.scene.lighting;
+  if (*type == "directional") {
+    table.requireKeys(directionalKeys);
+    lighting.directional.push_back(
+        {need(table.direction("direction_to_light"), "direction_to_light"),
+         table.color("irradiance").value_or(Rgb{1, 1, 1})});
+  } else if (*type == "point") {
+    table.requireKeys(pointKeys);
+    lighting.points.push_back({fromCentre(to, need(table.vector("position_mm"), "position_mm")),
+                               need(table.color("intensity"), "intensity")});
+  } else {
+    table.requireKeys(ambientKeys);
+    const Rgb radiance = need(table.color("radiance"), "radiance");
+    for (std::size_t c = 0; c < 3; ++c) lighting.ambient[c] += radiance[c];
+  }
+}
+
+void readLighting(const TomlTable& root, Assembly& to) {
+  constexpr std::array<Keys, 2> keys{"file", "intensity"};
+  const std::vector<TomlTable> lights = root.tables("lights");
+  const auto environment = root.table("environment");
+  if (root.has("lights") || environment) {
+    to.scene.lighting = {};
+    to.scene.hasLights = true;
+  }
+  for (const TomlTable& light : lights) readLight(light, to);
+  if (!environment) return;
+  environment->requireKeys(keys);
+  const auto file = environment->text("file");
+  if (!file) environment->fail("", "has no 'file'");
+  const auto factor = static_cast<float>(environment->number("intensity", 0, 1e6).value_or(1));
+  Image image = core::readHdrImage(beside(to.file, *file));
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+    if (i % 4 == 3) continue;
+    image.rgba[i] *= factor;
+    if (!std::isfinite(image.rgba[i])) environment->fail("intensity", "makes a pixel infinite");
+  }
+  to.scene.lighting.environment = std::move(image);
+}
+
+void readCamera(const TomlTable& root, Assembly& to) {
+  constexpr std::array<Keys, 4> keys{"direction", "position_mm", "target_mm", "fov_degrees"};
+  const auto table = root.table("camera");
+  if (!table) return;
+  table->requireKeys(keys);
+  const auto direction = table->direction("direction");
+  const auto position = table->vector("position_mm");
+  const auto target = table->vector("target_mm");
+  if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
+  const bool placed = direction || position || target;
+  Scene box;
+  for (const RawObject& object : to.scene.objects) {
+    box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
+  }
+  Camera camera = placed || !to.scene.camera ? defaultCamera(box, direction.value_or(Vec3{0, 0, 1}))
+                                             : *to.scene.camera;
+  if (position) camera.positionMm = fromCentre(to, *position);
+  if (target) camera.targetMm = fromCentre(to, *target);
+  const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
+  if (!(length(view) > 0)) table->fail("", "looks at where it is");
+  if (placed) {
+    const bool alongUp = std::abs(view[1]) > 0.999 * length(view);
+    camera.up = alongUp ? Vec3{0, 0, view[1] < 0 ? -1.0F : 1.0F} : Vec3{0, 1, 0};
+  }
+  camera.verticalFovDegrees = static_cast<float>(
+      table->number("fov_degrees", 1, 170).value_or(double{camera.verticalFovDegrees}));
+  to.scene.camera = camera;
+}
+
+std::optional<float> asFloat(std::optional<double> value) {
+  return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
+}
+
+void readSize(const TomlTable& table, SceneFileSettings& settings) {
+  if (!table.has("size")) return;
+  const auto edges = table.numbers("size", 2);
+  for (const double edge : *edges) {
+    if (!(edge >= 1 && edge <= 16384) || edge != std::floor(edge)) {
+      table.fail("size", "must be two whole numbers in [1, 16384]");
+    }
+  }
+  settings.width = static_cast<int>((*edges)[0]);
+  settings.height = static_cast<int>((*edges)[1]);
+}
+
+SceneFileSettings readSettings(const TomlTable& root) {
+  constexpr std::array<Keys, 15> keys{"size",        "transport",    "sum",          "site",
+                                      "near_rings",  "near_spacing", "far_distance", "dsm_size",
+                                      "shadow_size", "specular",     "roughness",    "antialias",
+                                      "exposure",    "tone",         "device"};
+  constexpr std::array<Keys, 2> transports{"dipole", "better-dipole"};
+  constexpr std::array<Keys, 2> sums{"pattern", "all"};
+  constexpr std::array<Keys, 3> sites{"auto", "vertex", "fragment"};
+  constexpr std::array<Keys, 2> tones{"neutral", "none"};
+  SceneFileSettings settings;
+  const auto table = root.table("render");
+  if (!table) return settings;
+  table->requireKeys(keys);
+  readSize(*table, settings);
+  settings.transport = table->choice("transport", transports);
+  settings.sum = table->choice("sum", sums);
+  settings.site = table->choice("site", sites);
+  settings.nearRings = table->integer("near_rings", 0, 16);
+  settings.nearSpacing = asFloat(table->number("near_spacing", 1e-3, 100));
+  settings.farDistance = asFloat(table->number("far_distance", 1e-3, 1000));
+  settings.dsmSize = table->integer("dsm_size", 64, 4096);
+  settings.shadowSize = table->integer("shadow_size", 64, 8192);
+  settings.specular = table->flag("specular");
+  settings.roughness = asFloat(table->number("roughness", 0.05, 1));
+  settings.antialias = table->integer("antialias", 1, 8);
+  if (settings.antialias && (*settings.antialias & (*settings.antialias - 1)) != 0) {
+    table->fail("antialias", "must be 1, 2, 4 or 8");
+  }
+  settings.exposureStops = asFloat(table->number("exposure", -32, 32));
+  settings.tone = table->choice("tone", tones);
+  settings.device = table->text("device");
+  return settings;
+}
+
+LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& options) {
+  requireSensible(options);
+  const toml::table parsed = parse(file);
+  const TomlTable root(file, parsed, "the scene");
+  root.requireKeys(rootKeys);
+  LoadedScene loaded;
+  loaded.settings = readSettings(root);
+  Assembly assembly{file, options};
+  readMedia(root, assembly);
+  loadModelOf(root, assembly);
+  readObjects(root, assembly);
+  const Bounds bounds = boundsOf(assembly.scene);
+  assembly.centre = toFloat(0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm)));
+  readLighting(root, assembly);
+  readCamera(root, assembly);
+  loaded.scene = finished(std::move(assembly.scene), file, std::move(assembly.repairs), options);
+  return loaded;
+}
+
+}  // namespace
+
+LoadedScene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options) {
+  if (file.extension() != ".toml" && file.extension() != ".TOML") {
+    return {loadScene(file, options), {}};
+  }
+  return loadToml(file, options);
+}
+
+}  // namespace opaline::scene

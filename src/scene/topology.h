@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "opaline/scene.h"
+#include "opaline/types.h"
+
+namespace opaline::scene {
+
+/// Index sets merged pairwise. A set's name is its smallest member.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count);
+  std::uint32_t find(std::uint32_t member);
+  void join(std::uint32_t a, std::uint32_t b);
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// A side of a triangle: from its corner `corner` to the next.
+struct HalfEdge {
+  std::uint32_t low = 0;   ///< the smaller vertex
+  std::uint32_t high = 0;  ///< the larger vertex
+  std::uint32_t triangle = 0;
+  std::uint8_t corner = 0;
+  bool forward = true;  ///< runs from low to high
+};
+
+/// All sides of all triangles, those of one edge beside each other.
+std::vector<HalfEdge> sortedHalfEdges(std::span<const Triangle> triangles);
+
+/// Calls `visit(std::span<const HalfEdge>)` once for every edge.
+template <typename Visit>
+void forEachEdge(std::span<const HalfEdge> sorted, Visit&& visit) {
+  std::size_t begin = 0;
+  while (begin < sorted.size()) {
+    std::size_t end = begin + 1;
+    while (end < sorted.size() && sorted[end].low == sorted[begin].low &&
+           sorted[end].high == sorted[begin].high) {
+      ++end;
+    }
+    visit(sorted.subspan(begin, end - begin));
+    begin = end;
+  }
+}
+
+/// For every position the index of the first that is equal.
+std::vector<std::uint32_t> equalPositions(std::span<const Vec3> positions);
+
+/// For every vertex the smallest vertex that is the same point of the surface: open edges that lie
+/// upon each other are sewn together; surfaces that merely touch in a point, or whose edges are
+/// already taken, stay apart.
+std::vector<std::uint32_t> sewn(std::span<const Vec3> positions,
+                                std::span<const Triangle> triangles);
+
+/// The triangles with their vertices replaced by `names`.
+std::vector<Triangle> renamed(std::span<const Triangle> triangles,
+                              std::span<const std::uint32_t> names);
+
+/// What `info` tells about a surface.
+struct MeshFacts {
+  bool closed = false;
+  std::size_t boundaryLoops = 0;
+  std::size_t components = 0;  ///< triangles connected through vertices
+};
+
+/// Of one mesh, sewn; linear but for the sort of its edges.
+MeshFacts factsOf(std::span<const Vec3> positions, std::span<const Triangle> triangles);
+
+/// Sums over all objects; closed if all are.
+MeshFacts factsOf(const Scene& scene);
+
+}  // namespace opaline::scene

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/raw_scene.h"
+#include "scene/vector_math.h"
+
+namespace opaline::scene {
+
+/// Cuts polygons into triangles: a fan where the polygon is convex, ears where it is not. One
+/// object serves one file, so that a hostile file cannot ask for endless work.
+class Triangulator {
+ public:
+  /// Appends to mesh.triangles, or counts a bad polygon. Corners must be in range of the positions.
+  void add(RawMesh& mesh, std::span<const std::uint32_t> corners);
+
+ private:
+  bool clipEars(RawMesh& mesh, std::span<const std::uint32_t> corners);
+
+  std::size_t steps_ = 0;
+  std::vector<std::array<double, 2>> flat_;
+  std::vector<std::uint32_t> ring_;
+};
+
+}  // namespace opaline::scene

@@ -1,0 +1,41 @@
+// The diffusion source map (Gong et al. 2008, section 3): position, normal, the irradiance that
+// enters (Eq. 7 and 9) and the area of the texel on the surface as it is in this frame.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define SHADOW_BINDING 6
+#include "lib/frame.glsl"
+#include "lib/shadow.glsl"
+#include "lib/fresnel.glsl"
+#include "shared/medium.h"
+
+layout(std430, set = 0, binding = 4) readonly buffer Objects { ObjectData objects[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Media { MediumData media[]; };
+layout(set = 0, binding = 7) uniform samplerCubeArray ambientIrradiance;
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) flat in uint object;
+
+layout(location = 0) out vec4 positionArea;      // mm, mm²
+layout(location = 1) out vec4 unitNormal;
+layout(location = 2) out vec4 irradianceObject;  // object + 1
+
+void main() {
+  vec3 n = normalize(normal);
+  MediumData medium = media[objects[object].table.x];
+
+  vec3 irradiance = texture(ambientIrradiance, vec4(n, float(medium.tables.x))).rgb;
+  for (uint i = 0u; i < frame.counts.x; ++i) {
+    vec3 toLight;
+    vec3 arriving = lightIrradiance(i, position, toLight);
+    float cosine = dot(n, toLight);
+    if (cosine <= 0.0) continue;
+    float entering = cosine * (1.0 - fresnelReflectance(medium.boundary.x, cosine));
+    irradiance += arriving * (entering * lightVisibility(i, position, n));
+  }
+
+  float areaMm2 = length(cross(dFdx(position), dFdy(position)));
+  positionArea = vec4(position, areaMm2);
+  unitNormal = vec4(n, 0.0);
+  irradianceObject = vec4(irradiance, float(object + 1u));
+}

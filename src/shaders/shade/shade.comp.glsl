@@ -1,0 +1,77 @@
+// Radiance towards the camera: what has scattered (Eq. 5) and the reflection on top. One
+// antialiasing sample is added to those before it.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define SHADOW_BINDING 6
+#include "lib/frame.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/ggx.glsl"
+#include "lib/shadow.glsl"
+#include "shared/medium.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
+layout(set = 0, binding = 2) uniform sampler2D surfaceNormal;
+layout(set = 0, binding = 3) uniform sampler2D surfaceExitance;
+layout(std430, set = 0, binding = 4) readonly buffer Objects { ObjectData objects[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Media { MediumData media[]; };
+layout(set = 0, binding = 7) uniform samplerCubeArray reflectedEnvironment;
+layout(std430, set = 0, binding = 8) readonly buffer SpecularAlbedo { float specularAlbedo[]; };
+layout(set = 0, binding = 9, rgba32f) uniform image2D radiance;
+
+layout(push_constant) uniform Push {
+  uint samplesBefore;
+  float sampleWeight;
+  float alpha;  // of the GGX reflection
+  uint specular;
+};
+
+const uint albedoEntries = 64u;
+
+float reflectedAlbedo(MediumData medium, float cosine) {
+  float place = cosine * float(albedoEntries) - 0.5;
+  float lower = clamp(floor(place), 0.0, float(albedoEntries - 2u));
+  uint first = medium.tables.w + uint(lower);
+  return mix(specularAlbedo[first], specularAlbedo[first + 1u], clamp(place - lower, 0.0, 1.0));
+}
+
+vec3 reflection(MediumData medium, vec3 position, vec3 normal, vec3 toCamera) {
+  float eta = medium.boundary.x;
+  float cosineOut = max(dot(normal, toCamera), 1e-3);
+  vec3 sum = vec3(0.0);
+  for (uint i = 0u; i < frame.counts.x; ++i) {
+    vec3 toLight;
+    vec3 arriving = lightIrradiance(i, position, toLight);
+    float cosineIn = dot(normal, toLight);
+    if (cosineIn <= 0.0) continue;
+    vec3 middle = normalize(toLight + toCamera);
+    float value = ggxDistribution(alpha, clamp(dot(normal, middle), 0.0, 1.0)) *
+                  ggxVisibility(alpha, cosineOut, cosineIn) *
+                  fresnelReflectance(eta, clamp(dot(toLight, middle), 0.0, 1.0)) * cosineIn;
+    if (value > 1e-6) sum += arriving * (value * lightVisibility(i, position, normal));
+  }
+  vec3 around = frame.ambient.rgb;
+  if (frame.counts.z != 0u)
+    around += textureLod(reflectedEnvironment, vec4(reflect(-toCamera, normal), 0.0), 0.0).rgb;
+  return sum + around * reflectedAlbedo(medium, cosineOut);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, imageSize(radiance)))) return;
+  vec4 surface = texelFetch(surfacePosition, pixel, 0);
+  vec4 value = vec4(0.0);
+  if (surface.w > 0.0) {
+    MediumData medium = media[objects[uint(surface.w) - 1u].table.x];
+    vec3 normal = texelFetch(surfaceNormal, pixel, 0).xyz;
+    vec3 toCamera = normalize(frame.cameraPosition.xyz - surface.xyz);
+    float cosine = clamp(dot(normal, toCamera), 1e-3, 1.0);
+    float transmitted = 1.0 - fresnelReflectance(medium.boundary.x, cosine);
+    value = vec4(texelFetch(surfaceExitance, pixel, 0).rgb * (transmitted * medium.boundary.y), 1.0);
+    if (specular != 0u) value.rgb += reflection(medium, surface.xyz, normal, toCamera);
+  }
+  value *= sampleWeight;
+  if (samplesBefore != 0u) value += imageLoad(radiance, pixel);
+  imageStore(radiance, pixel, value);
+}

@@ -1,0 +1,61 @@
+// Data that the host writes and every shader reads. Included by C++ and GLSL; the layout rules of
+// both agree because every member is a mat4, a vec4 or a uvec4.
+#ifndef OPALINE_SHARED_FRAME_H
+#define OPALINE_SHARED_FRAME_H
+
+#ifdef __cplusplus
+#include <cstddef>
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+namespace opaline::shared {
+using glm::mat4;
+using glm::uvec4;
+using glm::vec2;
+using glm::vec4;
+#define OPALINE_CONSTANT constexpr std::uint32_t
+#else
+#define OPALINE_CONSTANT const uint
+#endif
+
+OPALINE_CONSTANT maxLights = 16;
+OPALINE_CONSTANT maxShadowViews = 48;
+
+/// One light that casts shadows.
+struct LightData {
+  vec4 place;   // xyz: direction to the light (w = 0) or its position in mm (w = 1)
+  vec4 power;   // rgb: irradiance (directional) or intensity (point)
+  vec4 depth;   // depth d of its shadow map in mm: x + y·d (directional), x / (y + d) (point)
+  vec4 texel;   // x: edge of a shadow texel in mm (directional), or per mm of distance (point)
+  uvec4 views;  // x: first shadow view; y: their number, 1 or 6
+};
+
+struct FrameData {
+  mat4 worldToClip;
+  vec4 cameraPosition;  // xyz mm
+  vec4 cameraAxis;      // xyz unit, towards the scene
+  uvec4 counts;         // x: lights; y: shadow map size; z: 1 with an environment; w: dsm size
+  vec4 ambient;         // rgb radiance, the same from everywhere
+  LightData lights[maxLights];
+  mat4 shadowViews[maxShadowViews];  // world to clip
+};
+
+/// One body.
+struct ObjectData {
+  uvec4 table;  // x: medium; y: first source; z: number of sources
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(LightData) == 80);
+static_assert(offsetof(LightData, views) == 64);
+static_assert(offsetof(FrameData, cameraPosition) == 64);
+static_assert(offsetof(FrameData, counts) == 96);
+static_assert(offsetof(FrameData, lights) == 128);
+static_assert(offsetof(FrameData, shadowViews) == 128 + 80 * maxLights);
+static_assert(sizeof(FrameData) == 128 + 80 * maxLights + 64 * maxShadowViews);
+static_assert(sizeof(ObjectData) == 16);
+}  // namespace opaline::shared
+#endif
+
+#endif

@@ -1,0 +1,143 @@
+"""What is not understood is refused with a sentence; help fits a screen."""
+
+import unittest
+
+from program import COMMANDS, ProgramTest
+
+SCREEN_COLUMNS = 80
+SCREEN_LINES = 55
+
+
+class Help(ProgramTest):
+    def test_fits_a_screen(self):
+        for arguments in [("--help",), *((command, "--help") for command in COMMANDS)]:
+            lines = self.succeed(*arguments).out.splitlines()
+            self.assertLessEqual(len(lines), SCREEN_LINES, arguments)
+            self.assertLessEqual(max(map(len, lines)), SCREEN_COLUMNS, max(lines, key=len))
+
+    def test_lists_the_commands_there_are_and_no_other(self):
+        text = self.succeed("--help").out
+        for command in COMMANDS:
+            self.assertIn(f"\n  {command} ", text)
+        for later in ("view", "reference", "compare", "bench"):
+            self.assertNotIn(f"\n  {later} ", text)
+
+    def test_comes_before_complaints(self):
+        self.assertIn("--medium", self.succeed("render", "--size", "x", "--help").out)
+
+    def test_version(self):
+        self.assertRegex(self.succeed("--version").out, r"^opaline \d+\.\d+\.\d+\n$")
+
+
+class Refusals(ProgramTest):
+    def test_commands(self):
+        self.refused(2, says="no command")
+        self.refused(2, "rendr", says=("rendr", "did you mean render?"))
+        self.refused(2, "xyzzyxyzzy", says="there is no command xyzzyxyzzy;")
+        self.refused(2, "", says="there is no command")
+
+    def test_an_unknown_option_suggests_its_neighbour(self):
+        for typed, meant in [("--sizee", "--size"), ("--fov", "--fov-degrees"), ("--diagonal-m", "--diagonal-mm"),
+                             ("--ouptut", "--output"), ("--repotr=x.json", "--report")]:
+            says = ("render has no option", typed.split("=")[0])
+            run = self.refused(2, "render", typed, "1", says=says)
+            if meant != "--fov-degrees":  # too far from what was typed to guess
+                self.assertIn(f"did you mean {meant}?", run.err)
+        for command in COMMANDS:
+            self.refused(2, command, "--jsom", says="did you mean --json?")
+
+    def test_what_comes_later_is_no_option_yet(self):
+        for option in ("--frames", "--time", "--clip", "--fps"):
+            self.refused(2, "render", option, "1", says=f"render has no option {option}")
+        self.refused(2, "render", "--sum", "tree", says=("--sum tree", "pattern, all"))
+        self.refused(2, "render", "--transport", "boundary", says=("--transport boundary", "dipole, better-dipole"))
+
+    def test_one_scene_and_no_argument_too_many(self):
+        self.refused(2, "render", "a.ply", "b.ply", says="b.ply")
+        self.refused(2, "media", "marble", says="media takes no argument marble")
+
+    def test_an_option_without_its_value_or_twice(self):
+        self.refused(2, "render", "--size", says=("--size needs a value", "WxH"))
+        self.refused(2, "render", "-o", says="needs a value")
+        self.refused(2, "render", "--size", "8x8", "--size", "9x9", says=("--size", "8x8", "9x9"))
+        self.refused(2, "media", "--json=maybe", says="--json")
+
+    def test_values_out_of_range_name_option_reason_and_range(self):
+        for option, text, says in [
+            ("--size", "0x10", "from 1 to 16384"),
+            ("--size", "16385x10", "from 1 to 16384"),
+            ("--size", "10", "WIDTHxHEIGHT"),
+            ("--size", "10x10x10", "WIDTHxHEIGHT"),
+            ("--size", "-5x10", "WIDTHxHEIGHT"),
+            ("--size", "99999999999999999999x1", "WIDTHxHEIGHT"),
+            ("--eta", "1", "from 1.01 to 3"),
+            ("--eta", "nan", "nan is not from 1.01 to 3"),
+            ("--eta", "1.3x", "'1.3x' is not a number"),
+            ("--sigma-s", "1,2", "three numbers"),
+            ("--sigma-s", "1,2,3,4", "three numbers"),
+            ("--sigma-s", "1,2,inf", "inf is not from 0"),
+            ("--sigma-a", "-1,0,0", "-1 is not from 0"),
+            ("--sigma-a", "1,,0", "'' is not a number"),
+            ("--diagonal-mm", "0", "from 0.001 to"),
+            ("--diagonal-mm", "-3", "mm"),
+            ("--diagonal-mm", "1e999", "is not a number"),
+            ("--fov-degrees", "0", "from 1 to 170 degrees"),
+            ("--fov-degrees", "171", "from 1 to 170 degrees"),
+            ("--roughness", "0", "from 0.05 to 1"),
+            ("--exposure", "33", "from -32 to 32 stops"),
+            ("--antialias", "3", "1, 2, 4, 8"),
+            ("--tone", "filmic", "neutral, none"),
+            ("--background", "2,0,0", "from 0 to 1"),
+            ("--directional", "0,0,0", "must not be zero"),
+            ("--directional", "0,0,1:1,1", "three numbers"),
+            ("--directional", "0,0,nan", "nan is not"),
+            ("--directional", "0,0,1:-1,1,1", "-1 is not"),
+            ("--point", "0,0,10", "needs an intensity"),
+            ("--ambient", "-1,0,0", "-1 is not"),
+            ("--camera-direction", "0,0,0", "must not be zero"),
+            ("--near-rings", "17", "from 0 to 16"),
+            ("--near-rings", "1.5", "whole number"),
+            ("--near-spacing", "0", "above 0"),
+            ("--far-distance", "1001", "at most 1000"),
+            ("--dsm-size", "63", "from 64 to 4096"),
+            ("--shadow-size", "8193", "from 64 to 8192"),
+            ("--aov", "depht", "did you mean depth?"),
+            ("--site", "edge", "auto, vertex, fragment"),
+            ("--method", "ours", "paper"),
+            ("--medium", "marbel", "did you mean marble?"),
+            ("--builtin", "bunny", "bear, teapot"),
+            ("-o", "a.jpg", ".png or .exr"),
+            ("-o", "png", ".png or .exr"),
+            ("--report", "a.txt", ".json"),
+        ]:
+            with self.subTest(option=option, text=text):
+                self.refused(2, "render", f"{option}={text}" if option != "-o" else f"-o{text}",
+                             says=says)
+        for option, text in [("--samples", "1"), ("--max-radius-mm", "0"), ("--plot", "a.png")]:
+            self.refused(2, "profile", option, text, says=(f"{option} {text}",))
+        self.assertEqual(self.listing(), [])
+
+    def test_mixtures_that_make_no_sense(self):
+        for arguments, says in [
+            (("--sigma-s", "1,1,1"), "--sigma-a"),
+            (("--sigma-a", "1,1,1"), "--sigma-s"),
+            (("--eta", "1.4"), "--sigma-s"),
+            (("--medium", "skin1", "--sigma-s", "1,1,1", "--sigma-a", "1,1,1"), "exclude each other"),
+            (("--sigma-s", "0,1,1", "--sigma-a", "0,1,1"), "every channel"),
+            (("--builtin", "bear", "a.ply"), "exclude each other"),
+            (("--aov", "normal", "-o", "a.png"), ".exr"),
+            (("--aov", "normal", "--antialias", "4"), "--antialias"),
+            (("-o", "a.exr", "--exposure", "1"), "linear"),
+            (("--no-specular", "--roughness", ".3"), "--roughness"),
+            (("--method", "paper", "--transport", "better-dipole"), "contradicts --method paper"),
+            (("--method", "paper", "--sum", "all"), "contradicts --method paper"),
+            (("--method", "paper", "--site", "vertex"), "contradicts --method paper"),
+            (("--sum", "all", "--near-rings", "3"), "--sum pattern"),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.refused(2, "render", *arguments, says=says)
+        self.assertEqual(self.listing(), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

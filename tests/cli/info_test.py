@@ -1,0 +1,84 @@
+"""`info` tells what is in a scene."""
+
+import math
+import struct
+import unittest
+
+from program import CUBE_OBJ, ProgramTest
+
+FIELDS = {"triangles", "vertices", "closed", "boundary_loops", "components", "bounds_min_mm", "bounds_max_mm",
+          "clips", "repairs", "atlas"}
+
+
+class Info(ProgramTest):
+    def test_a_closed_cube(self):
+        self.write("cube.obj", CUBE_OBJ)
+        info = self.succeed("info", "cube.obj", "--diagonal-mm", "30", "--medium", "skin1", "--json").json()
+        self.assertLessEqual(FIELDS, set(info))
+        self.assertEqual((info["triangles"], info["vertices"]), (12, 24))
+        self.assertTrue(info["closed"], "sides with normals of their own still meet")
+        self.assertEqual((info["boundary_loops"], info["components"]), (0, 1))
+        edge = 30 / math.sqrt(3)
+        for least, most in zip(info["bounds_min_mm"], info["bounds_max_mm"]):
+            self.assertAlmostEqual(most - least, edge, delta=1e-4)
+        self.assertAlmostEqual(info["diagonal_mm"], 30, delta=1e-4)
+        cube, = info["objects"]
+        self.assertEqual(cube["medium"]["name"], "skin1")
+        self.assertAlmostEqual(cube["medium"]["mean_free_path_mm"]["r"], 1 / (.74 + .032), delta=1e-9)
+        for extent in cube["size_mm"]:
+            self.assertAlmostEqual(extent, edge, delta=1e-4)
+        self.assertGreater(info["atlas"]["charts"], 0)
+        self.assertTrue(0 < info["atlas"]["coverage"] <= 1)
+        self.assertLess(info["atlas"]["area_distortion_rms"], .05)
+
+    def test_an_open_one_and_its_repairs(self):
+        without_lid = CUBE_OBJ.replace("f 5//2 6//2 7//2 8//2\n", "")
+        self.assertNotEqual(without_lid, CUBE_OBJ)
+        self.write("box.obj", without_lid + "f 1//3 2//3 6//3 5//3\nf 1 1 2\nv 7 7 7\n")
+        run = self.succeed("info", "box.obj", "--json")
+        info = run.json()
+        self.assertFalse(info["closed"])
+        self.assertEqual((info["boundary_loops"], info["components"], info["triangles"]), (1, 1, 10))
+        self.assertTrue(info["repairs"])
+        for repair in info["repairs"]:
+            self.assertGreater(repair["count"], 0)
+        self.assertIn("50 mm", run.err, "a file without a unit is scaled, with a note")
+        self.assertEqual(self.succeed("info", "box.obj", "--json", "--quiet").err, "")
+
+    def test_the_built_in_scenes(self):
+        bear = self.succeed("info", "--json").json()
+        self.assertTrue(bear["closed"])
+        self.assertEqual(bear["components"], 1)
+        self.assertTrue(40000 < bear["triangles"] < 60000, bear["triangles"])
+        self.assertEqual(bear["repairs"], [])
+        teapot = self.succeed("info", "--builtin", "teapot", "--json").json()
+        self.assertEqual((teapot["triangles"], teapot["vertices"]), (2256, 1177))
+
+    def test_sizes_that_were_hardly_meant_draw_a_note(self):
+        # Marble's longest diffusion length is red's: 1 / sqrt(3 * .0021 * (2.19 + .0021)) = 8.51 mm.
+        length = 1 / math.sqrt(3 * .0021 * 2.1921)
+        self.write("cube.obj", CUBE_OBJ)
+        for lengths, word in [(1.9, "fog"), (2.1, None), (990, None), (1010, "opaque")]:
+            arguments = ("info", "cube.obj", "--medium", "marble", "--diagonal-mm", lengths * length)
+            notes = self.succeed(*arguments).err
+            self.assertEqual("diffusion lengths" in notes, word is not None, (lengths, notes))
+            if word:
+                self.assertIn(word, notes)
+            self.assertEqual(self.succeed(*arguments, "--quiet").err, "")
+
+    def test_the_text_says_the_same(self):
+        self.write("cube.obj", CUBE_OBJ)
+        text = self.succeed("info", "cube.obj", "--diagonal-mm", "30").out
+        for part in ("cube: 12 triangles", "closed", "diagonal 30 mm", "mean free path", "atlas:", "evice"):
+            self.assertIn(part, text)
+
+    def test_the_picture_of_the_atlas(self):
+        self.write("cube.obj", CUBE_OBJ)
+        self.succeed("info", "cube.obj", "--atlas", "atlas.png")
+        data = (self.folder / "atlas.png").read_bytes()
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack(">II", data[16:24]), (1024, 1024))
+
+
+if __name__ == "__main__":
+    unittest.main()

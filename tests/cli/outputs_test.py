@@ -1,0 +1,60 @@
+"""What cannot be written is said, before the work where that can be known."""
+
+import os
+import subprocess
+import unittest
+
+from program import PROGRAM, ProgramTest
+
+
+class StandardOutput(ProgramTest):
+    def test_full(self):
+        with open("/dev/full", "wb") as full:
+            run = self.refused(1, "media", stdout=full, says="standard output")
+        self.assertIn("No space left", run.err)
+
+    def test_closed(self):
+        done = subprocess.run(["sh", "-c", 'exec "$0" media >&-', PROGRAM], capture_output=True, timeout=60)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(b"standard output", done.stderr)
+
+    def test_a_reader_that_leaves(self):
+        process = subprocess.Popen([PROGRAM, "profile", "--samples", "100000"], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE)
+        process.stdout.close()
+        self.assertIn(b"standard output", process.stderr.read())
+        process.stderr.close()
+        self.assertEqual(process.wait(60), 1)
+
+
+class Files(ProgramTest):
+    def test_what_cannot_be_written_is_refused_before_work(self):
+        (self.folder / "folder.png").mkdir()
+        (self.folder / "folder.svg").mkdir()
+        (self.folder / "folder.json").mkdir()
+        # The scene does not exist either: that the output is complained about shows what comes first.
+        for arguments in [("render", "no.ply", "-o", "missing/a.png"), ("render", "no.ply", "-o", "folder.png"),
+                          ("render", "no.ply", "--report", "missing/a.json"),
+                          ("render", "no.ply", "--report", "folder.json"),
+                          ("info", "no.ply", "--atlas", "missing/a.png"), ("info", "no.ply", "--atlas", "folder.png"),
+                          ("profile", "--plot", "missing/a.svg"), ("profile", "--plot", "folder.svg")]:
+            with self.subTest(arguments=arguments):
+                self.refused(1, *arguments, says=arguments[-1])
+        self.assertEqual(self.listing(), ["folder.json", "folder.png", "folder.svg"])
+
+    def test_devices_and_pipes_are_not_replaced(self):
+        (self.folder / "full.svg").symlink_to("/dev/full")
+        os.mkfifo(self.folder / "pipe.svg")
+        for name in ("full.svg", "pipe.svg"):
+            self.refused(1, "profile", "--plot", name, says=(name, "no regular file"))
+        self.assertTrue((self.folder / "full.svg").is_symlink())
+
+    def test_a_file_that_is_there_is_replaced_whole(self):
+        self.write("a.svg", "x" * 1000000)
+        self.succeed("profile", "--plot", "a.svg")
+        self.assertTrue((self.folder / "a.svg").read_text().endswith("</svg>\n"))
+        self.assertEqual(self.listing(), ["a.svg"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,225 @@
+"""`render`: what each option does to the picture, against values known on paper."""
+
+import json
+import math
+import unittest
+
+from images import read_exr, read_png
+from program import CUBE_OBJ, ProgramTest
+
+REPORT = {"device", "size", "transport", "sum", "site", "triangles", "vertices", "sources", "passes", "frame_ms",
+          "peak_memory_mb", "outputs"}
+DIAGONAL = 30
+EDGE = DIAGONAL / math.sqrt(3)
+# Marble's boundary at normal incidence, eta 1.5: 1 - ((1.5 - 1) / (1.5 + 1))^2.
+ENTERING = .96
+# A cube whose centre is not the origin, of a medium in which nothing shines through.
+CUBE = ("cube.obj", "--diagonal-mm", DIAGONAL, "--medium", "marble", "--size", "64x48", "--dsm-size", 128,
+        "--shadow-size", 256, "--quiet")
+
+
+class Render(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("cube.obj", CUBE_OBJ)
+
+    def exr(self, *arguments):
+        self.succeed("render", *CUBE, *arguments, "-o", "out.exr")
+        return read_exr((self.folder / "out.exr").read_bytes())
+
+    def png(self, *arguments):
+        self.succeed("render", *CUBE, *arguments, "-o", "out.png")
+        return read_png((self.folder / "out.png").read_bytes())
+
+    def near(self, got, wanted, relative):
+        for a, b in zip(got, wanted, strict=True):
+            self.assertAlmostEqual(a, b, delta=relative * max(map(abs, wanted)))
+
+
+class Outputs(Render):
+    def test_the_built_in_bear(self):
+        run = self.succeed("render", "--size", "128x96", "--dsm-size", 128)
+        self.assertEqual(run.out, "")
+        self.assertIn("bear.png", run.err)
+        self.assertEqual(self.listing(), ["bear.png", "cube.obj"])
+        picture = read_png((self.folder / "bear.png").read_bytes())
+        self.assertEqual((picture.width, picture.height), (128, 96))
+        share = len(picture.covered()) / (128 * 96)
+        self.assertTrue(.1 < share < .6, share)
+        inside = [max(pixel[:3]) for pixel in picture.pixels() if pixel[3] == 255]
+        self.assertGreater(min(inside), 0, "light comes through everywhere")
+        self.assertGreater(sum(inside) / len(inside), 40)
+
+    def test_the_name_follows_the_scene(self):
+        self.assertEqual(self.succeed("render", *CUBE).err, "")
+        self.succeed("render", *CUBE, "--aov", "depth")
+        self.assertEqual(self.listing(), ["cube.exr", "cube.obj", "cube.png"])
+
+    def test_report(self):
+        run = self.succeed("render", *CUBE, "--json", "--report", "r.json", "-o", "a.png", "--method", "paper")
+        report = run.json()
+        self.assertEqual(report, json.loads((self.folder / "r.json").read_text()))
+        self.assertEqual(set(report), REPORT)
+        self.assertEqual(set(report["device"]), {"name", "type", "driver"})
+        self.assertIn(report["device"]["type"], ("discrete", "integrated", "virtual", "software"))
+        self.assertEqual(report["size"], [64, 48])
+        self.assertEqual((report["transport"], report["sum"], report["site"]), ("dipole", "pattern", "fragment"))
+        self.assertEqual((report["triangles"], report["outputs"]), (12, ["a.png"]))
+        self.assertTrue(0 < report["sources"] <= 128 * 128)
+        self.assertTrue(report["passes"])
+        for entry in report["passes"]:
+            self.assertTrue(entry["name"] and entry["ms"] >= 0, entry)
+        self.assertGreater(report["frame_ms"], 0)
+        self.assertGreater(report["peak_memory_mb"], 0)
+
+    def test_every_method_is_what_the_report_says(self):
+        for transport in ("dipole", "better-dipole"):
+            for total in ("pattern", "all"):
+                for site in ("vertex", "fragment"):
+                    asked = {"transport": transport, "sum": total, "site": site}
+                    options = [part for name, value in asked.items() for part in (f"--{name}", value)]
+                    report = self.succeed("render", *CUBE, *options, "--json", "-o", "a.png").json()
+                    self.assertEqual({name: report[name] for name in asked}, asked)
+
+    def test_site_auto_looks_at_the_edges(self):
+        # The cube's edges of 17 mm are longer than any mean free path of marble, the bear's are not
+        # longer than one of 100 mm.
+        self.assertEqual(self.succeed("render", *CUBE, "--json").json()["site"], "fragment")
+        bear = self.succeed("render", "--size", "16x16", "--dsm-size", 64, "--sigma-s", ".01,.01,.01",
+                            "--sigma-a", "0,0,0", "--json").json()
+        self.assertEqual(bear["site"], "vertex")
+
+    def test_exr_reports_coverage_and_linear_radiance(self):
+        picture = self.exr()
+        self.assertEqual(picture.at(0, 0)[3], 0)
+        self.assertEqual(picture.centre()[3], 1)
+
+    def test_devices(self):
+        devices = self.succeed("info", "cube.obj", "--json").json()["devices"]
+        name = devices[0]["name"]
+        for asked in ("0", name, name.upper()):
+            report = self.succeed("render", *CUBE, "--device", asked, "--json").json()
+            self.assertEqual(report["device"]["name"], name)
+        self.refused(2, "render", *CUBE, "--device", "nosuchdevice", says="nosuchdevice")
+        self.refused(2, "render", *CUBE, "--device", "99", says="99")
+
+    def test_the_validation_layer_has_nothing_to_say(self):
+        for method in (("--sum", "pattern"), ("--sum", "all")):
+            run = self.succeed("render", *CUBE, "--validation", *method,
+                               "--point", "0,0,20:1,1,1", "--directional", "1,1,1", "--ambient", "1,1,1")
+            self.assertEqual(run.err, "")
+
+
+class Geometry(Render):
+    def test_normal_position_depth_object(self):
+        front = EDGE  # the cube is scaled about the origin
+        self.near(self.exr("--aov", "normal").centre(), (0, 0, 1, 1), 1e-4)
+        position = self.exr("--aov", "position").centre()
+        # Pixel (32, 24) looks half a pixel right of and below the centre.
+        distance = 1.4 * DIAGONAL - EDGE / 2
+        half_pixel = distance * math.tan(math.radians(15)) / 48
+        centre = EDGE / 2
+        self.near(position, (centre + half_pixel, centre - half_pixel, front, 1), 1e-3)
+        self.near(self.exr("--aov", "depth").centre(), (distance,) * 3 + (1,), 1e-4)
+        self.near(self.exr("--aov", "object").centre(), (0, 0, 0, 1), 1e-6)
+
+    def test_camera(self):
+        self.near(self.exr("--aov", "normal", "--camera-direction", "-5,0,0").centre(), (-1, 0, 0, 1), 1e-4)
+        wide = len(self.exr("--aov", "normal", "--fov-degrees", "60").covered())
+        narrow = len(self.exr("--aov", "normal", "--fov-degrees", "30").covered())
+        expected = (math.tan(math.radians(30)) / math.tan(math.radians(15)))**2
+        self.assertAlmostEqual(narrow / wide / expected, 1, delta=.15)
+
+    def test_the_diffusion_source_map_holds_the_whole_surface(self):
+        area = self.exr("--aov", "dsm-area")
+        self.assertEqual((area.width, area.height), (128, 128))
+        total = sum(pixel[0] for pixel in area.covered())
+        self.assertAlmostEqual(total / (6 * EDGE**2), 1, delta=.03)
+        for normal in self.exr("--aov", "dsm-normal").covered():
+            self.assertAlmostEqual(math.hypot(*normal[:3]), 1, delta=1e-3)
+
+
+class Light(Render):
+    def test_directional(self):
+        light = ("--directional", "0,0,5:1,2,3", "--aov", "irradiance")
+        self.near(self.exr(*light).centre()[:3], (ENTERING, 2 * ENTERING, 3 * ENTERING), 2e-3)
+        self.near(self.exr(*light, "--directional", "0,0,1").centre()[:3],
+                  (2 * ENTERING, 3 * ENTERING, 4 * ENTERING), 2e-3)
+        self.near(self.exr("--directional", "0,0,-1", "--aov", "irradiance").centre()[:3], (0, 0, 0), 0)
+
+    def test_point(self):
+        height = 25
+        picture = self.exr("--point", f"0,0,{EDGE / 2 + height}:100,200,400", "--aov", "irradiance")
+        wanted = [intensity / height**2 * ENTERING for intensity in (100, 200, 400)]
+        self.near(picture.centre()[:3], wanted, 3e-3)
+
+    def test_ambient(self):
+        # 2 times the integral of F_t mu over mu at eta 1.5 is .908.
+        picture = self.exr("--ambient", "1,2,0", "--aov", "irradiance")
+        self.near(picture.centre()[:3], (math.pi * .908, 2 * math.pi * .908, 0), 2e-3)
+
+    def test_only_what_is_given_shines(self):
+        for pixel in self.exr("--ambient", "0,0,0").pixels():
+            self.assertEqual(pixel[:3], (0, 0, 0))
+
+    def test_radiance_is_linear_in_the_light(self):
+        once = self.exr("--directional", "1,1,2:1,1,1", "--no-specular").centre()
+        thrice = self.exr("--directional", "1,1,2:3,3,3", "--no-specular").centre()
+        self.assertGreater(min(once[:3]), 0)
+        self.near(thrice[:3], [3 * value for value in once[:3]], 2e-3)
+
+    def test_environment(self):
+        # A uniform Radiance file of value 1: mantissa 128, exponent 129.
+        self.write("white.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n" +
+                   bytes([128, 128, 128, 129]) * (8 * 16))
+        picture = self.exr("--environment", "white.hdr", "--aov", "irradiance")
+        self.near(picture.centre()[:3], (math.pi * .908,) * 3, 1e-2)
+
+
+class Look(Render):
+    LIGHT = ("--directional", "0,0,1:.4,.4,.4", "--no-specular")
+
+    def linear(self, *arguments):
+        """The centre of a PNG, decoded (IEC 61966-2-1)."""
+        values = [v / 255 for v in self.png(*self.LIGHT, *arguments).centre()[:3]]
+        return [v / 12.92 if v <= .04045 else ((v + .055) / 1.055)**2.4 for v in values]
+
+    def test_exposure_is_in_stops_and_no_tone_curve_keeps_the_values(self):
+        radiance = self.exr(*self.LIGHT).centre()[:3]
+        self.near(self.linear("--tone", "none"), radiance, .02)
+        self.near(self.linear("--tone", "none", "--exposure", "1"), [2 * v for v in radiance], .02)
+        self.assertNotEqual(self.linear("--tone", "none", "--exposure", "3"),
+                            self.linear("--tone", "neutral", "--exposure", "3"))
+
+    def test_background(self):
+        self.assertEqual(self.png().at(0, 0)[3], 0)
+        self.assertEqual(self.png("--background", "1,0,0", "--tone", "none").at(0, 0), (255, 0, 0, 255))
+
+    def test_antialiasing_softens_edges(self):
+        hard = {pixel[3] for pixel in self.png("--antialias", 1, "--camera-direction", "1,2,3").pixels()}
+        soft = {pixel[3] for pixel in self.png("--antialias", 8, "--camera-direction", "1,2,3").pixels()}
+        self.assertEqual(hard, {0, 255})
+        self.assertGreater(len(soft), 4)
+
+    def test_the_surface_reflects(self):
+        light = ("--directional", "0,0,1:1,1,1")
+        plain = self.exr(*light, "--no-specular").centre()
+        shiny = self.exr(*light).centre()
+        self.assertGreater(shiny[0], plain[0] * 1.2)
+        self.assertNotEqual(self.exr(*light, "--roughness", 1).centre(), shiny)
+
+
+class SceneFiles(Render):
+    def test_settings_of_the_file_and_options_over_them(self):
+        self.write("scene.toml", 'model = "cube.obj"\ndiagonal_mm = 30\n'
+                   '[render]\nsize = [40, 30]\ntransport = "better-dipole"\nsite = "vertex"\ndsm_size = 64\n')
+        report = self.succeed("render", "scene.toml", "--json").json()
+        self.assertEqual((report["size"], report["transport"], report["site"], report["outputs"]),
+                         ([40, 30], "better-dipole", "vertex", ["scene.png"]))
+        report = self.succeed("render", "scene.toml", "--json", "--size", "20x10", "--site", "fragment").json()
+        self.assertEqual((report["size"], report["transport"], report["site"]),
+                         ([20, 10], "better-dipole", "fragment"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "gpu/device.h"
+#include "opaline/error.h"
+
+namespace opaline::gpu {
+
+/// The device of all GPU tests of a process, opened at first use with the validation layer on, and
+/// what the layer said.
+struct SharedDevice {
+  std::unique_ptr<Device> device;
+  std::string reason;  ///< why there is no device
+  bool opened = false;
+  std::vector<std::string> messages;
+
+  void open() {
+    if (std::exchange(opened, true)) return;
+    DeviceOptions options;
+    options.validation = true;
+    options.log = [this](LogLevel, std::string_view message) { messages.emplace_back(message); };
+    try {
+      device = std::make_unique<Device>(options);
+    } catch (const Error& error) {
+      reason = error.what();
+    }
+  }
+  /// Any message fails the running test.
+  void reportMessages() {
+    for (const std::string& message : std::exchange(messages, {})) ADD_FAILURE() << message;
+  }
+};
+
+inline SharedDevice& sharedDevice() {
+  static SharedDevice shared;
+  return shared;
+}
+
+/// Closes the device after the last test, when the layer speaks of objects that were left behind.
+class CloseSharedDevice : public testing::Environment {
+ public:
+  void TearDown() override {
+    sharedDevice().device.reset();
+    sharedDevice().reportMessages();
+  }
+};
+
+inline const testing::Environment* const closeSharedDevice =
+    testing::AddGlobalTestEnvironment(new CloseSharedDevice);
+
+/// A test that needs a device: fails where there is none, and on any validation message.
+class GpuTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    sharedDevice().open();
+    ASSERT_NE(sharedDevice().device, nullptr)
+        << "GPU tests need a Vulkan device and the validation layer: " << sharedDevice().reason;
+  }
+  void TearDown() override { sharedDevice().reportMessages(); }
+
+  static Device& device() { return *sharedDevice().device; }
+};
+
+}  // namespace opaline::gpu

@@ -1,0 +1,142 @@
+#include "renderer/shapes.h"
+
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace opaline::test {
+
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Directions and triangles of a finer and finer sphere.
+struct Ball {
+  std::vector<Vector> directions;
+  std::vector<Triangle> triangles;
+
+  void halve() {
+    std::map<Edge, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [place, isNew] =
+          middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(directions.size()));
+      if (isNew) directions.push_back(unit(directions[a] + directions[b]));
+      return place->second;
+    };
+    std::vector<Triangle> finer;
+    for (const auto& [a, b, c] : triangles) {
+      const std::uint32_t ab = middle(a, b);
+      const std::uint32_t bc = middle(b, c);
+      const std::uint32_t ca = middle(c, a);
+      for (const Triangle& t : {Triangle{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}})
+        finer.push_back(t);
+    }
+    triangles = std::move(finer);
+  }
+};
+
+Ball icosahedron() {
+  constexpr double g = std::numbers::phi;
+  Ball ball{{{-1, g, 0},
+             {1, g, 0},
+             {-1, -g, 0},
+             {1, -g, 0},
+             {0, -1, g},
+             {0, 1, g},
+             {0, -1, -g},
+             {0, 1, -g},
+             {g, 0, -1},
+             {g, 0, 1},
+             {-g, 0, -1},
+             {-g, 0, 1}},
+            {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+             {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+             {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
+  for (Vector& v : ball.directions) v = unit(v);
+  return ball;
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+}  // namespace
+
+Mesh sphere(const Vec3& centreMm, float radiusMm, int levels) {
+  Ball ball = icosahedron();
+  for (int i = 0; i < levels; ++i) ball.halve();
+  Mesh mesh;
+  mesh.triangles = ball.triangles;
+  for (const Vector& direction : ball.directions) {
+    mesh.normals.push_back(toVec3(direction));
+    mesh.positionsMm.push_back(
+        toVec3(toVector(centreMm) + static_cast<double>(radiusMm) * direction));
+  }
+  return mesh;
+}
+
+Mesh sheet(const Vec3& centreMm, const Vec3& halfU, const Vec3& halfV, int cells) {
+  Mesh mesh;
+  const Vec3 normal = toVec3(unit(cross(toVector(halfU), toVector(halfV))));
+  for (int j = 0; j <= cells; ++j)
+    for (int i = 0; i <= cells; ++i) {
+      mesh.positionsMm.push_back(toVec3(toVector(centreMm) +
+                                        (2.0 * i / cells - 1) * toVector(halfU) +
+                                        (2.0 * j / cells - 1) * toVector(halfV)));
+      mesh.normals.push_back(normal);
+    }
+  const auto row = static_cast<std::uint32_t>(cells + 1);
+  for (std::uint32_t j = 0; j + 1 < row; ++j)
+    for (std::uint32_t i = 0; i + 1 < row; ++i) {
+      const std::uint32_t a = j * row + i;
+      mesh.triangles.push_back({a, a + 1, a + row + 1});
+      mesh.triangles.push_back({a, a + row + 1, a + row});
+    }
+  return mesh;
+}
+
+Mesh box(const Vec3& centreMm, const Vec3& halfMm, int cells) {
+  Mesh mesh;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      Vector outward{};
+      Vector u{};
+      Vector v{};
+      outward[axis] = side * static_cast<double>(halfMm[axis]);
+      u[(axis + 1) % 3] = static_cast<double>(halfMm[(axis + 1) % 3]);
+      v[(axis + 2) % 3] = side * static_cast<double>(halfMm[(axis + 2) % 3]);
+      mesh =
+          together(mesh, sheet(toVec3(toVector(centreMm) + outward), toVec3(u), toVec3(v), cells));
+    }
+  return mesh;
+}
+
+Mesh together(const Mesh& a, const Mesh& b) {
+  Mesh sum = a;
+  const auto base = static_cast<std::uint32_t>(a.positionsMm.size());
+  sum.positionsMm.insert(sum.positionsMm.end(), b.positionsMm.begin(), b.positionsMm.end());
+  sum.normals.insert(sum.normals.end(), b.normals.begin(), b.normals.end());
+  for (const Triangle& t : b.triangles)
+    sum.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  return sum;
+}
+
+Medium marble() {
+  return {"marble", {2.19, 2.62, 3.00}, {.0021, .0041, .0071}, 1.5};
+}
+Medium skin() {
+  return {"skin1", {.74, .88, 1.01}, {.032, .17, .48}, 1.3};
+}
+
+Scene sceneOf(const Mesh& mesh, const Medium& medium, const Vec3& cameraMm, float reachMm) {
+  Scene scene;
+  scene.name = "test";
+  scene.objects.push_back({"body", mesh, medium});
+  scene.camera.positionMm = cameraMm;
+  const double sine = static_cast<double>(reachMm) / length(toVector(cameraMm));
+  scene.camera.verticalFovDegrees =
+      static_cast<float>(2 * std::asin(sine) * 180 / std::numbers::pi);
+  return scene;
+}
+
+}  // namespace opaline::test

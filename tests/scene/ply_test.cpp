@@ -1,0 +1,234 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "opaline/error.h"
+#include "opaline/scene.h"
+#include "scene/shapes.h"
+
+namespace opaline {
+namespace {
+
+using testing::HasSubstr;
+
+class Ply : public testing::Test {
+ protected:
+  Scene load(const std::string& bytes, const LoadOptions& options = {}) {
+    test::writeBytes(folder_ / "a.ply", bytes);
+    return loadScene(folder_ / "a.ply", options);
+  }
+  std::string errorOf(const std::string& bytes) {
+    const std::string message = test::messageOf([&] { load(bytes); });
+    EXPECT_THAT(message, HasSubstr("a.ply"));
+    return message;
+  }
+  test::TemporaryFolder folder_;
+};
+
+const std::string tetrahedron =
+    "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty float x\n"
+    "property float y\nproperty float z\nelement face 4\nproperty list uchar int vertex_indices\n"
+    "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+LoadOptions exactly(float diagonal) {
+  LoadOptions options;
+  options.diagonalMm = diagonal;
+  return options;
+}
+
+TEST_F(Ply, AsciiIsScaledToFiftyMillimetresWithANote) {
+  std::vector<std::string> notes;
+  LoadOptions options;
+  options.log = [&](LogLevel, std::string_view message) { notes.emplace_back(message); };
+  const Scene scene = load(tetrahedron, options);
+  test::expectSound(scene);
+  EXPECT_NEAR(diagonalMm(scene), 50, 1e-4);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_THAT(notes[0], HasSubstr("50 mm"));
+  EXPECT_EQ(scene.name, "a");
+  EXPECT_EQ(scene.objects[0].medium.name, "marble");
+  EXPECT_TRUE(scene.repairs.empty());
+  EXPECT_NEAR(diagonalMm(load(tetrahedron, exactly(7))), 7, 1e-5);
+}
+
+TEST_F(Ply, OldMacintoshAndWindowsLineEnds) {
+  for (const std::string end : {"\r", "\r\n"}) {
+    std::string text;
+    for (const char c : tetrahedron) text += c == '\n' ? end : std::string(1, c);
+    EXPECT_EQ(load(text).objects[0].mesh.triangles.size(), 4U);
+  }
+}
+
+template <typename T>
+void put(std::string& bytes, T value, bool big) {
+  std::array<char, sizeof(T)> raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  if (big) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
+}
+
+/// A cube with an element that nobody knows, extra properties and odd types.
+std::string binaryCube(bool big) {
+  const scene::RawMesh cube = test::cube();
+  std::string bytes = std::string("ply\nformat ") +
+                      (big ? "binary_big_endian" : "binary_little_endian") +
+                      " 1.0\nelement strange 2\nproperty list ushort double what\nproperty char c\n"
+                      "element vertex 8\nproperty uchar red\nproperty double x\nproperty short y\n"
+                      "property list uchar float nothing\nproperty float z\n"
+                      "element face 6\nproperty float quality\n"
+                      "property list ushort uint vertex_index\nproperty list uchar int more\n"
+                      "end_header\n";
+  for (int i = 0; i < 2; ++i) {
+    put<std::uint16_t>(bytes, 2, big);
+    put<double>(bytes, 1.5, big);
+    put<double>(bytes, 2.5, big);
+    put<std::int8_t>(bytes, -1, big);
+  }
+  for (const Vec3& p : cube.positions) {
+    put<std::uint8_t>(bytes, 200, big);
+    put<double>(bytes, double{p[0]}, big);
+    put<std::int16_t>(bytes, static_cast<std::int16_t>(p[1]), big);
+    put<std::uint8_t>(bytes, 1, big);
+    put<float>(bytes, 9, big);
+    put<float>(bytes, p[2], big);
+  }
+  for (std::size_t side = 0; side < 6; ++side) {
+    // Two triangles a b c, a c d of each side make the quad a b c d.
+    const Triangle& first = cube.triangles[2 * side];
+    const Triangle& second = cube.triangles[2 * side + 1];
+    put<float>(bytes, 0.5F, big);
+    put<std::uint16_t>(bytes, 4, big);
+    for (const std::uint32_t v : {first[0], first[1], first[2], second[2]}) put(bytes, v, big);
+    put<std::uint8_t>(bytes, 1, big);
+    put<std::int32_t>(bytes, 77, big);
+  }
+  return bytes;
+}
+
+TEST_F(Ply, BinaryOfBothEndsWithStrangeProperties) {
+  for (const bool big : {false, true}) {
+    const Scene scene = load(binaryCube(big), exactly(std::sqrt(3.0F)));
+    test::expectSound(scene);
+    EXPECT_TRUE(scene.repairs.empty());
+    const Mesh& mesh = scene.objects[0].mesh;
+    EXPECT_EQ(mesh.positionsMm.size(), 8U);
+    EXPECT_EQ(mesh.triangles.size(), 12U);
+    EXPECT_NEAR(test::signedVolume(mesh.positionsMm, mesh.triangles), 1, 1e-6);
+  }
+}
+
+TEST_F(Ply, EveryTruncationIsAnErrorAndNothingElse) {
+  const std::string whole = binaryCube(false);
+  for (std::size_t size = 0; size < whole.size(); size += 7) {
+    EXPECT_NE(errorOf(whole.substr(0, size)), "");
+  }
+}
+
+TEST_F(Ply, NormalsAreUsed) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 0 3 4\n1 0 0 0 3 4\n0 1 0 0 3 4\n3 0 1 2\n";
+  const Vec3 normal = load(text).objects[0].mesh.normals[0];
+  EXPECT_FLOAT_EQ(normal[1], 0.6F);
+  EXPECT_FLOAT_EQ(normal[2], 0.8F);
+}
+
+TEST_F(Ply, ConcavePolygonsAreCutInside) {
+  // An L of area 3 and an arrow head; a fan from the first corner would leave them.
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 0\n2 0 0\n6 0 1 2 3 4 5\n";
+  const Mesh mesh = load(text, exactly(std::sqrt(8.0F))).objects[0].mesh;
+  EXPECT_EQ(mesh.triangles.size(), 4U);
+  double area = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3& a = mesh.positionsMm[t[0]];
+    const Vec3& b = mesh.positionsMm[t[1]];
+    const Vec3& c = mesh.positionsMm[t[2]];
+    const double twice =
+        double{b[0] - a[0]} * double{c[1] - a[1]} - double{b[1] - a[1]} * double{c[0] - a[0]};
+    EXPECT_GT(twice, 0);
+    area += twice / 2;
+  }
+  EXPECT_NEAR(area, 3, 1e-5);
+}
+
+TEST_F(Ply, HugePromisesAreRefusedBeforeAnythingIsAllocated) {
+  for (const std::string format : {"ascii", "binary_little_endian"}) {
+    const std::string head = "ply\nformat " + format + " 1.0\n";
+    const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+    const std::string faces = "property list uint int vertex_indices\nend_header\n";
+    EXPECT_THAT(errorOf(head + "element vertex 4000000000000\n" + xyz + "element face 1\n" + faces +
+                        "0 0 0\n"),
+                HasSubstr("4000000000000"));
+    EXPECT_THAT(errorOf(head + "element vertex 99999999999999999999999\n" + xyz + faces),
+                HasSubstr("number"));
+    errorOf(head + "element vertex 0\n" + xyz + "element face 4000000000000\n" + faces);
+    // An element without properties takes no bytes at all.
+    errorOf(head + "element void 18446744073709551615\nelement vertex 0\n" + xyz +
+            "element face 0\n" + faces);
+  }
+  std::string list =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 1\n"
+      "property list uint int vertex_indices\nend_header\n";
+  list += std::string(12, '\0') + "\xFF\xFF\xFF\xFF" + std::string(8, '\0');
+  EXPECT_THAT(errorOf(list), HasSubstr("ends before"));
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  text.replace(text.find(what), what.size(), with);
+  return text;
+}
+
+TEST_F(Ply, BadContentsAreNamed) {
+  EXPECT_THAT(errorOf(""), HasSubstr("empty"));
+  EXPECT_THAT(errorOf("plx\nformat ascii 1.0\n"), HasSubstr("no PLY"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "3 1 2 3", "3 1 2 4")), HasSubstr("vertex 4"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "3 1 2 3", "3 1 2 -1")), HasSubstr("vertex -1"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "3 1 2 3", "-3 1 2 3")), HasSubstr("-3"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "1 0 0", "1 nan 0")), HasSubstr("not finite"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "1 0 0", "1 inf 0")), HasSubstr("not finite"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "1 0 0", "1 1e999 0")), HasSubstr("not finite"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "1 0 0", "1 zero 0")), HasSubstr("zero"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "ascii", "utf8")), HasSubstr("utf8"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "float x", "quad x")), HasSubstr("property"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "float x", "float a")), HasSubstr("x, y and z"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "element face 4", "element face 0")),
+              HasSubstr("no face"));
+  EXPECT_THAT(errorOf(replaced(tetrahedron, "end_header\n", "")), HasSubstr("header"));
+  std::string flat = tetrahedron.substr(0, tetrahedron.find("3 0 2 1"));
+  EXPECT_THAT(errorOf(flat + "3 0 0 1\n3 2 2 2\n3 0 1 0\n2 0 1\n"), HasSubstr("degenerate"));
+}
+
+TEST_F(Ply, PathsThatAreNoFilesAreNamed) {
+  EXPECT_THAT(test::messageOf([&] { loadScene(folder_.path()); }),
+              HasSubstr(folder_.path().string()));
+  EXPECT_THAT(test::messageOf([&] { loadScene(folder_ / "none.ply"); }), HasSubstr("none.ply"));
+  test::writeBytes(folder_ / "a.stl", "solid");
+  EXPECT_THAT(test::messageOf([&] { loadScene(folder_ / "a.stl"); }), HasSubstr(".glb"));
+}
+
+TEST_F(Ply, MagicWinsOverTheExtension) {
+  test::writeBytes(folder_ / "a.obj", tetrahedron);
+  EXPECT_EQ(loadScene(folder_ / "a.obj").objects[0].mesh.triangles.size(), 4U);
+}
+
+TEST_F(Ply, OptionsAreChecked) {
+  EXPECT_THROW(load(tetrahedron, exactly(0)), UsageError);
+  EXPECT_THROW(load(tetrahedron, exactly(NAN)), UsageError);
+  LoadOptions options;
+  options.medium = Medium{"mine", {1, 1, 1}, {0.1, 0.1, 0.1}, 1.4};
+  EXPECT_EQ(load(tetrahedron, options).objects[0].medium.name, "mine");
+  options.medium->eta = 0.5;
+  EXPECT_THROW(load(tetrahedron, options), UsageError);
+}
+
+}  // namespace
+}  // namespace opaline

@@ -1,0 +1,100 @@
+"""The checkers find what they are there to find, and only that."""
+
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+
+import check_layers
+import check_links
+import check_names
+
+
+def includes(path, *headers):
+    return check_layers.check(path, "".join(f"#include {header}\n" for header in headers))
+
+
+class Layers(unittest.TestCase):
+    def test_what_is_allowed_passes(self):
+        for path, header in [
+            ("include/opaline/scene.h", '"opaline/types.h"'),
+            ("include/opaline/vulkan.h", "<vulkan/vulkan.h>"),
+            ("src/bssrdf/profile.cpp", '"opaline/medium.h"'),
+            ("src/bssrdf/profile.cpp", "<cmath>"),
+            ("src/gpu/device.cpp", "<vulkan/vulkan.h>"),
+            ("src/passes/scatter/pattern.cpp", '"passes/scatter/pattern.h"'),
+            ("src/passes/scatter/pattern.cpp", '"passes/products.h"'),
+            ("src/renderer/renderer.cpp", '"passes/scatter/pattern.h"'),
+            ("apps/opaline/main.cpp", "<CLI/CLI.hpp>"),
+            ("tests/core/file_test.cpp", '"core/file.h"'),
+        ]:
+            self.assertEqual(includes(path, header), [], (path, header))
+
+    def test_every_forbidden_arrow_is_found(self):
+        for path, header in [
+            ("include/opaline/scene.h", "<vulkan/vulkan.h>"),
+            ("include/opaline/scene.h", "<glm/glm.hpp>"),
+            ("include/opaline/scene.h", '"core/file.h"'),
+            ("src/bssrdf/profile.cpp", '"core/file.h"'),
+            ("src/bssrdf/profile.cpp", '"opaline/scene.h"'),
+            ("src/bssrdf/profile.cpp", "<fmt/format.h>"),
+            ("src/core/file.cpp", '"opaline/scene.h"'),
+            ("src/gpu/device.cpp", '"opaline/scene.h"'),
+            ("src/gpu/device.cpp", '"bssrdf/media.h"'),
+            ("src/gpu/device.cpp", '"passes/products.h"'),
+            ("src/scene/gltf.cpp", '"atlas/atlas.h"'),
+            ("src/scene/gltf.cpp", "<vulkan/vulkan.h>"),
+            ("src/passes/scatter/pattern.cpp", '"passes/gather/dsm.h"'),
+            ("src/passes/scatter/pattern.cpp", '"renderer/frame.h"'),
+            ("src/core/file.cpp", "<CLI/CLI.hpp>"),
+            ("src/renderer/renderer.cpp", "<GLFW/glfw3.h>"),
+            ("src/renderer/renderer.cpp", "<imgui.h>"),
+            ("src/renderer/renderer.cpp", "<Python.h>"),
+            ("src/renderer/renderer.cpp", "<embree3/rtcore.h>"),
+            ("src/core/file.cpp", '"tests/helpers.h"'),
+            ("reference/path.cpp", '"gpu/device.h"'),
+            ("src/renderer/renderer.cpp", '"reference/path.h"'),
+            ("src/core/file.cpp", "<gtest/gtest.h>"),
+        ]:
+            self.assertEqual(len(includes(path, header)), 1, (path, header))
+
+    def test_the_finding_names_file_and_line(self):
+        finding, = includes("src/core/file.cpp", "<vector>", "<CLI/CLI.hpp>")
+        self.assertTrue(finding.startswith("src/core/file.cpp:2: includes CLI/CLI.hpp"), finding)
+
+
+class Names(unittest.TestCase):
+    def test_file_names(self):
+        self.assertEqual(check_names.check_name("src/core/image_file.h"), [])
+        self.assertEqual(check_names.check_name("src/shaders/gather/dsm.frag.glsl"), [])
+        self.assertEqual(check_names.check_name("scripts/install-dependencies.sh"), [])
+        self.assertEqual(len(check_names.check_name("src/core/ImageFile.h")), 1)
+        self.assertEqual(len(check_names.check_name("src/Core/image-file.cpp")), 2)
+
+    def test_machine_paths_and_promises(self):
+        for line in ["/ho" "me/ann/x", '"/wo' 'rk/data"', "/tm" "p/out.png", "// TO" "DO later", "FIX" "ME"]:
+            self.assertEqual(len(check_names.check_text("a.cpp", line)), 1, line)
+        for line in ["a/work/b", "frame_work/x", "/dev/full", "homework", "https://x.org/home/a"]:
+            self.assertEqual(check_names.check_text("a.cpp", line), [], line)
+
+
+class Links(unittest.TestCase):
+    def test_a_link_must_lead_somewhere(self):
+        sizes = {"README.md": 1, "docs/a.md": 1, "docs/bear.png": 1}
+        good = {"README.md": "[a](docs/a.md#top) ![b](docs/bear.png) [c](https://x.org) [d](docs) [e](#here)",
+                "docs/a.md": '<img src="bear.png">\n```\n[x](nowhere.md)\n```\n'}
+        self.assertEqual(check_links.check(good, sizes), [])
+        bad = {**good, "docs/a.md": "[a](b.md) ![](pictures/x.png)"}
+        self.assertEqual(len(check_links.check(bad, sizes)), 2)
+
+    def test_pictures_are_small_and_used(self):
+        documents = {"README.md": "![](docs/bear.png)"}
+        self.assertEqual(check_links.check(documents, {"README.md": 1, "docs/bear.png": 300 * 1024}), [])
+        self.assertEqual(len(check_links.check(documents, {"README.md": 1, "docs/bear.png": 300 * 1024 + 1})), 1)
+        self.assertEqual(
+            len(check_links.check(documents, {"README.md": 1, "docs/bear.png": 1, "docs/old.jpg": 1})), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""Which folder may include what. The table below is the whole law; everything else reads it."""
+
+import posixpath
+import re
+import sys
+
+from repository import ROOT, finish, read_text, tracked_files
+
+PLAIN = ("opaline/error.h", "opaline/image.h", "opaline/log.h", "opaline/types.h")
+
+# Folder (longest match wins) -> what it may include of ours. A folder name allows all below it, a
+# name that ends in .h just that header. A folder may always include itself; * allows everything
+# but tests.
+ALLOWED = {
+    "include/opaline": ("opaline",),
+    "src/core": PLAIN,
+    "src/bssrdf": ("opaline/medium.h",),
+    "src/scene": ("opaline", "core", "bssrdf", "builtin"),
+    "src/environment": (*PLAIN, "core", "bssrdf"),
+    "src/deform": ("opaline", "core", "scene"),
+    "src/builtin": ("opaline", "core"),
+    "src/atlas": (*PLAIN, "core"),
+    "src/surfels": (*PLAIN, "core"),
+    "src/gpu": (*PLAIN, "core"),
+    "src/shaders": ("bssrdf",),
+    "src/shaders/shared": (),  # GLSL reads these too
+    "src/passes": ("opaline", "core", "bssrdf", "environment", "gpu", "shaders", "passes/products.h"),
+    "src/renderer": ("opaline", "core", "bssrdf", "scene", "environment", "deform", "atlas", "surfels", "gpu",
+                     "passes", "shaders"),
+    "reference": ("opaline", "core", "bssrdf"),
+    "apps": ("opaline", "core", "bssrdf", "scene", "atlas", "reference"),
+    "bench": ("*",),
+    "python": ("opaline",),
+    "examples": ("opaline",),
+    "tests": ("*", "tests"),
+}
+
+# Of one folder's own files, which may not meet: a pass knows no other pass.
+APART = ("src/passes",)
+
+# Headers of others -> the folders that may include them. What is not named here is free.
+THIRD_PARTY = {
+    "vulkan": ("include/opaline/vulkan.h", "src/gpu", "src/passes", "src/renderer", "tests",
+               "apps/opaline/viewer"),
+    "glm": ("src/shaders", "src/passes", "src/renderer", "src/gpu", "tests", "bench", "apps/opaline/viewer"),
+    "embree3": ("reference", "tests", "bench"),
+    "tbb": ("reference", "tests", "bench"),
+    "GLFW": ("apps/opaline/viewer",),
+    "imgui.h": ("apps/opaline/viewer",),
+    "imgui": ("apps/opaline/viewer",),
+    "CLI": ("apps",),
+    "pybind11": ("python",),
+    "Python.h": ("python",),
+    "gtest": ("tests",),
+    "gmock": ("tests",),
+    "benchmark": ("bench",),
+}
+
+# Folders that know nothing but themselves and the standard library.
+STANDARD_ONLY = ("include/opaline", "src/bssrdf")
+
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
+SOURCE = (".h", ".cpp", ".glsl")
+
+
+def folder_name(layer):
+    """How includes spell a layer: src/core is core, include/opaline is opaline."""
+    return re.sub(r"^(src|include)/", "", layer)
+
+
+OUR_FOLDERS = {folder_name(layer).split("/")[0] for layer in ALLOWED}
+
+
+def within(path, folder):
+    return path == folder or path.startswith(folder + "/")
+
+
+def layer_of(path):
+    return max((folder for folder in ALLOWED if within(path, folder)), key=len, default=None)
+
+
+def own_target(path, header):
+    """The file of ours an include means, as it is written below src/ or include/; None if foreign."""
+    if header.split("/")[0] in OUR_FOLDERS and "/" in header:
+        return header
+    beside = posixpath.normpath(posixpath.join(posixpath.dirname(path), header))
+    if (ROOT / beside).is_file():
+        return re.sub(r"^(src|include)/", "", beside)
+    return None
+
+
+def violation(path, quote, header):
+    """Why this file may not include this header, or None."""
+    layer = layer_of(path)
+    if layer is None:
+        return None
+    target = own_target(path, header)
+    if target is None:
+        places = next((THIRD_PARTY[key] for key in THIRD_PARTY if within(header, key)), None)
+        if places is not None:
+            may = any(within(path, place) for place in places)
+            return None if may else f"only {', '.join(places)} may"
+        if layer in STANDARD_ONLY and (quote == '"' or "/" in header or "." in header):
+            return f"{layer} includes nothing but itself and the standard library"
+        return None
+    if within(target, "tests") and layer != "tests":
+        return "production code never includes tests"
+    if within(target, folder_name(layer)):
+        return crossing(path, target)
+    allowed = ALLOWED[layer]
+    if "*" in allowed or any(within(target, name) for name in allowed):
+        return None
+    return f"{layer} may include {', '.join(allowed) or 'nothing'}"
+
+
+def crossing(path, target):
+    """Why two siblings of a folder whose parts stay apart may not meet, or None."""
+    for parent in APART:
+        parts = target.split("/")
+        if within(path, parent) and len(parts) > 2:
+            own = path[len(parent) + 1:].split("/")[0]
+            if parts[1] not in (own, "products"):
+                return "a pass never includes another pass; they meet through passes/products"
+    return None
+
+
+def check(path, text):
+    findings = []
+    for match in INCLUDE.finditer(text):
+        reason = violation(path, match[1], match[2])
+        if reason:
+            line = text.count("\n", 0, match.start()) + 1
+            findings.append(f"{path}:{line}: includes {match[2]}: {reason}")
+    return findings
+
+
+def main():
+    findings = []
+    for path in tracked_files():
+        if path.endswith(SOURCE):
+            findings += check(path, read_text(ROOT / path))
+    finish("layers", findings)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

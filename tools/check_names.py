@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+"""File names are snake_case; no source names a path of one machine or promises work for later."""
+
+import re
+import sys
+
+from repository import ROOT, SOURCE_FOLDERS, finish, read_text, tracked_files
+
+SNAKE_CASE = re.compile(r"^[a-z0-9_]+(\.[a-z0-9_]+)*$")
+# Names that others prescribe, or that are typed at a prompt.
+OTHER_NAMES = re.compile(r"^(CMakeLists\.txt|Opaline\w+\.cmake|README\.md|[a-z0-9-]+\.sh)$")
+TEXT = (".h", ".cpp", ".glsl", ".py", ".sh", ".cmake", ".txt", ".toml", ".json", ".md", "Makefile")
+MACHINE_PATH = re.compile(r"(?<![\w.~-])/(?:work|home|root|farm|tmp|Users)(?:/|\b(?=[\"'\s]))")
+LATER = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX)\b")
+# Data from outside keeps the words of its source.
+EXEMPT = ("LICENSE",)
+
+
+def check_name(path):
+    parts = path.split("/")
+    if parts[0] not in SOURCE_FOLDERS:
+        return []
+    wrong = [part for part in parts if not SNAKE_CASE.match(part) and not OTHER_NAMES.match(part)]
+    return [f"{path}: {part} is not snake_case" for part in wrong]
+
+
+def check_text(path, text):
+    findings = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        if MACHINE_PATH.search(line):
+            findings.append(f"{path}:{number}: a path of one machine")
+        if LATER.search(line):
+            findings.append(f"{path}:{number}: work put off to later")
+    return findings
+
+
+def main():
+    findings = []
+    for path in tracked_files():
+        findings += check_name(path)
+        if path.endswith(TEXT) and path not in EXEMPT:
+            findings += check_text(path, read_text(ROOT / path))
+    finish("names", findings)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
