@@ -105,7 +105,9 @@ TexelBox boxOfChart(const Atlas& atlas, std::span<const std::uint32_t> triangles
           static_cast<int>(std::ceil(high[1])) - top};
 }
 
-int roundedUp(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
+int roundedUp(int value, int multiple) {
+  return (value + multiple - 1) / multiple * multiple;
+}
 
 // Where the tiles lie: shelves of falling height in a square.
 struct Layout {
@@ -153,7 +155,10 @@ Layout layOut(const std::vector<TexelBox>& charts, int reach, int alignment) {
 class TilePainter {
  public:
   TilePainter(const Topology& topology, const Atlas& atlas, int mapSize, Neighbourhoods& result)
-      : topology_(topology), atlas_(atlas), mapSize_(mapSize), result_(result),
+      : topology_(topology),
+        atlas_(atlas),
+        mapSize_(mapSize),
+        result_(result),
         visitedBy_(topology.triangles.size(), none) {}
 
   void paint(std::uint32_t chart, std::span<const std::uint32_t> triangles, const TexelBox& tile) {
@@ -172,7 +177,7 @@ class TilePainter {
 
  private:
   struct Unfolded {
-    double distance;         // from the chart's border, texels
+    double distance;  // from the chart's border, texels
     std::uint32_t triangle;
     Corners2 corners;
 
@@ -185,9 +190,9 @@ class TilePainter {
   void draw(std::uint32_t triangle, const Corners2& corners) {
     const Corners2 home = atlasCorners(atlas_, triangle, mapSize_);
     rasterise(corners, tile_, [&](int x, int y, const std::array<double, 3>& b) {
-      std::uint32_t& texel = result_.source[static_cast<std::size_t>(y) *
-                                                static_cast<std::size_t>(result_.size) +
-                                            static_cast<std::size_t>(x)];
+      std::uint32_t& texel =
+          result_.source[static_cast<std::size_t>(y) * static_cast<std::size_t>(result_.size) +
+                         static_cast<std::size_t>(x)];
       if (texel != Neighbourhoods::nothing) return;
       const auto at = [&](std::size_t axis) {
         const double place = b[0] * home[0][axis] + b[1] * home[1][axis] + b[2] * home[2][axis];
@@ -216,8 +221,9 @@ class TilePainter {
     const Point2& a = corners[edge];
     const Point2& b = corners[(edge + 1) % 3];
     const Corners2 placed = placeBeside(next, topology_.triangles[triangle][edge], a, b);
-    const double step = std::hypot((placed[0][0] + placed[1][0] + placed[2][0]) / 3 - 0.5 * (a[0] + b[0]),
-                                   (placed[0][1] + placed[1][1] + placed[2][1]) / 3 - 0.5 * (a[1] + b[1]));
+    const double step =
+        std::hypot((placed[0][0] + placed[1][0] + placed[2][0]) / 3 - 0.5 * (a[0] + b[0]),
+                   (placed[0][1] + placed[1][1] + placed[2][1]) / 3 - 0.5 * (a[1] + b[1]));
     queue_.push({distance + step, next, placed});
   }
 
@@ -304,12 +310,12 @@ Neighbourhoods makeNeighbourhoods(const Surface& surface, const Atlas& atlas,
   }
   result.size = roundedUp(std::max(layout.size, 1), options.alignment);
   for (std::size_t chart = 0; chart < boxes.size(); ++chart)
-    result.shiftOfChart.push_back(
-        {layout.tiles[chart].left + result.reach - boxes[chart].left,
-         layout.tiles[chart].top + result.reach - boxes[chart].top});
+    result.shiftOfChart.push_back({layout.tiles[chart].left + result.reach - boxes[chart].left,
+                                   layout.tiles[chart].top + result.reach - boxes[chart].top});
 
-  result.source.assign(static_cast<std::size_t>(result.size) * static_cast<std::size_t>(result.size),
-                       Neighbourhoods::nothing);
+  result.source.assign(
+      static_cast<std::size_t>(result.size) * static_cast<std::size_t>(result.size),
+      Neighbourhoods::nothing);
   const Topology topology = makeTopology(surface);
   TilePainter painter(topology, atlas, options.mapSize, result);
   for (std::uint32_t chart = 0; chart < charts.count(); ++chart)

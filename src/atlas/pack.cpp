@@ -272,10 +272,10 @@ Layout pack(const std::vector<Outline>& outlines, int mapSize, int gutter) {
   if (static_cast<double>(outlines.size()) < .7 * room) {
     if (auto layout = bestOfOrders(outlines, cells, gutterCells)) return *layout;
   }
-  const double crowdedRoom = mostCellsCrowded * static_cast<double>(mostCellsCrowded) / 4;
-  if (static_cast<double>(outlines.size()) < .1 * crowdedRoom) {
-    const Packer packer(outlines, mostCellsCrowded, 1, Packer::Order::Area);
-    if (auto layout = packer.best()) return *layout;
+  // Too many charts for such gutters: they become a cell of an ever finer bitmap.
+  for (int fine = 4 * cells; fine <= mostCellsCrowded; fine *= 4) {
+    if (static_cast<double>(outlines.size()) > .025 * fine * fine) continue;
+    if (auto layout = Packer(outlines, fine, 1, Packer::Order::Area).best()) return *layout;
   }
   return packInGrid(outlines);
 }
