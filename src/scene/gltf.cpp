@@ -18,8 +18,9 @@ namespace opaline::scene {
 namespace {
 
 constexpr double mmPerMetre = 1000;
-/// A file may draw one mesh any number of times.
-constexpr std::size_t mostTriangles = 20'000'000;
+/// A file may draw one mesh any number of times: this many triangles or vertices at most, beyond
+/// one for every four bytes that are really there.
+constexpr std::size_t mostRepeated = 4'000'000;
 
 /// What a scene is gathered with.
 struct Gathering {
@@ -31,6 +32,12 @@ struct Gathering {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   std::size_t skippedPrimitives = 0;
+
+  std::size_t most() const {
+    std::size_t bytes = 0;
+    for (const tinygltf::Buffer& buffer : model.buffers) bytes += buffer.data.size();
+    return mostRepeated + bytes / 4;
+  }
 };
 
 bool sameMedium(const Medium& a, const Medium& b) {
@@ -71,8 +78,9 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
     RawMesh baked = bakePrimitive(to.input, to.model, to.nodes, to.accessors, nodeIndex, primitive);
     to.triangles += baked.triangles.size();
     to.vertices += baked.positions.size();
-    if (to.triangles > mostTriangles || to.vertices > mostTriangles) {
-      failGltf(to.input, fmt::format("it draws more than {} triangles or vertices", mostTriangles));
+    if (to.triangles > to.most() || to.vertices > to.most()) {
+      failGltf(to.input, fmt::format("it repeats its meshes to more than {} triangles or vertices",
+                                     to.most()));
     }
     const auto begin = to.scene.objects.begin() + static_cast<std::ptrdiff_t>(first);
     auto object = std::find_if(begin, to.scene.objects.end(), [&](const RawObject& known) {

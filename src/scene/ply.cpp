@@ -116,21 +116,24 @@ Element parseElement(const Input& input, const std::vector<std::string_view>& li
 }
 
 Header parseHeader(const Input& input) {
+  constexpr std::size_t longestHeader = 1U << 20U;
   const std::string_view text(reinterpret_cast<const char*>(input.bytes.data()),
-                              input.bytes.size());
+                              std::min(input.bytes.size(), longestHeader));
   Header header;
   std::size_t at = 0;
   bool sawFormat = false;
-  constexpr std::size_t longestHeader = 1U << 20U;
+  bool pairs = false;
   for (std::size_t lineNumber = 0;; ++lineNumber) {
     // Line ends are \n, \r\n or, in files from old Macintoshes, \r.
     const std::size_t end = text.find_first_of("\r\n", at);
-    if (end == std::string_view::npos || end > longestHeader) {
+    if (end == std::string_view::npos) {
       fail(input, lineNumber == 0 ? "this is no PLY file" : "the PLY header has no end");
     }
     const std::vector<std::string_view> line = words(text.substr(at, end - at));
     at = end + 1;
-    if (text[end] == '\r' && at < text.size() && text[at] == '\n') ++at;
+    // Decided once: after a lone \r the first byte of the body may be a \n.
+    if (lineNumber == 0) pairs = text.substr(end).starts_with("\r\n");
+    if (pairs && text.substr(end).starts_with("\r\n")) ++at;
     if (lineNumber == 0) {
       if (line.size() != 1 || line[0] != "ply") fail(input, "this is no PLY file");
       continue;
@@ -192,7 +195,8 @@ class Body {
     }
     const std::size_t least = encoding_ == Encoding::Ascii ? 2 : sizeOf(property.type);
     const std::size_t room = rest_.size() + (encoding_ == Encoding::Ascii ? 1 : 0);
-    if (count > static_cast<double>(room / least)) truncated(element);
+    const std::size_t most = room / least;
+    if (count > static_cast<double>(most)) truncated(element);
     return static_cast<std::uint64_t>(count);
   }
 

@@ -46,16 +46,16 @@ struct Parts {
 class Gltf : public testing::Test {
  protected:
   Scene loadBytes(const std::string& bytes, const LoadOptions& options = {}) {
-    test::writeBytes(folder_ / "a.glb", bytes);
-    return loadScene(folder_ / "a.glb", options);
+    test::writeBytes(folder / "a.glb", bytes);
+    return loadScene(folder / "a.glb", options);
   }
   Scene load(const Parts& parts, const std::string& binary = tetrahedronBytes()) {
     LoadOptions options;
-    options.log = [&](LogLevel, std::string_view message) { notes_.emplace_back(message); };
+    options.log = [&](LogLevel, std::string_view message) { notes.emplace_back(message); };
     return loadBytes(test::glb(parts.json(), binary), options);
   }
   std::string errorOf(const Parts& parts, const std::string& binary = tetrahedronBytes()) {
-    const std::string message = test::messageOf([&] { load(parts, binary); });
+    std::string message = test::messageOf([&] { load(parts, binary); });
     EXPECT_THAT(message, HasSubstr("a.glb"));
     EXPECT_LT(message.size(), 500U);
     return message;
@@ -67,8 +67,8 @@ class Gltf : public testing::Test {
     }
     return sum;
   }
-  test::TemporaryFolder folder_;
-  std::vector<std::string> notes_;
+  test::TemporaryFolder folder;
+  std::vector<std::string> notes;
 };
 
 TEST_F(Gltf, MetresBecomeMillimetresAndMissingNormalsAreFlat) {
@@ -83,7 +83,7 @@ TEST_F(Gltf, MetresBecomeMillimetresAndMissingNormalsAreFlat) {
   EXPECT_EQ(mesh.normals[0], (Vec3{0, 0, -1}));
   EXPECT_EQ(mesh.normals[2], (Vec3{0, 0, -1}));
   EXPECT_NEAR(volumeMm3(scene), 1e9 / 6, 1e3);
-  EXPECT_TRUE(notes_.empty());
+  EXPECT_TRUE(notes.empty());
 }
 
 TEST_F(Gltf, TransformsAreAppliedDownTheTree) {
@@ -117,7 +117,7 @@ TEST_F(Gltf, InstancesPrimitivesAndMedia) {
   EXPECT_EQ(scene.objects[1].medium.name, "skimmilk");
   EXPECT_EQ(scene.objects[2].medium.name, "ketchup");
   EXPECT_EQ(scene.objects[0].name, "left (marble)");
-  EXPECT_THAT(notes_, testing::ElementsAre(HasSubstr("points or lines")));
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("points or lines")));
 }
 
 TEST_F(Gltf, StripsFansAndMissingIndices) {
@@ -229,7 +229,7 @@ TEST_F(Gltf, CamerasAndLights) {
   EXPECT_EQ(scene.lighting.points[0].positionMm, (Vec3{0, 0, 2000}));
   // At one metre 7 candela give 7 lux.
   EXPECT_NEAR(scene.lighting.points[0].intensity[0] / 1e6, 7, 1e-5);
-  EXPECT_THAT(notes_, testing::ElementsAre(HasSubstr("spot")));
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("spot")));
 }
 
 TEST_F(Gltf, MediumFromExtrasNameOrVolume) {
@@ -266,21 +266,21 @@ TEST_F(Gltf, MediumFromExtrasNameOrVolume) {
 
 TEST_F(Gltf, ExternalBuffersOnlyFromTheOwnFolder) {
   namespace fs = std::filesystem;
-  fs::create_directories(folder_ / "models/parts");
+  fs::create_directories(folder / "models/parts");
   const std::string bytes = tetrahedronBytes();
-  test::writeBytes(folder_ / "models/parts/a b.bin", bytes);
-  test::writeBytes(folder_ / "secret.bin", bytes);
-  fs::create_symlink(folder_ / "secret.bin", folder_ / "models/link.bin");
+  test::writeBytes(folder / "models/parts/a b.bin", bytes);
+  test::writeBytes(folder / "secret.bin", bytes);
+  fs::create_symlink(folder / "secret.bin", folder / "models/link.bin");
   const auto load = [&](const std::string& uri) {
     Parts parts;
     parts.buffers = R"({"byteLength":72,"uri":")" + uri + R"("})";
-    test::writeBytes(folder_ / "models/a.gltf", parts.json());
-    return loadScene(folder_ / "models/a.gltf");
+    test::writeBytes(folder / "models/a.gltf", parts.json());
+    return loadScene(folder / "models/a.gltf");
   };
   test::expectSound(load("parts/a%20b.bin"));
   for (const std::string& uri :
        {std::string("../secret.bin"), std::string("parts/../../secret.bin"),
-        (folder_ / "secret.bin").string(), std::string("link.bin"), std::string("none.bin"),
+        (folder / "secret.bin").string(), std::string("link.bin"), std::string("none.bin"),
         std::string("%2e%2e/secret.bin"), std::string("parts")}) {
     EXPECT_THAT(test::messageOf([&] { load(uri); }), HasSubstr("a.gltf")) << uri;
   }
@@ -412,8 +412,8 @@ TEST_F(Gltf, BrokenContainersAndJsonAreErrors) {
     EXPECT_NE(test::messageOf([&] { loadBytes(whole.substr(0, size)); }), "");
   }
   const auto textError = [&](const std::string& json) {
-    test::writeBytes(folder_ / "a.gltf", json);
-    return test::messageOf([&] { loadScene(folder_ / "a.gltf"); });
+    test::writeBytes(folder / "a.gltf", json);
+    return test::messageOf([&] { loadScene(folder / "a.gltf"); });
   };
   EXPECT_THAT(textError(std::string(100'000, '[')), HasSubstr("nested"));
   EXPECT_THAT(textError("{\"a\":" + std::string(100'000, '{')), HasSubstr("JSON"));

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -122,7 +123,7 @@ TEST(SharedModels, TurnedInsideOutAreTurnedBack) {
       std::istringstream words(line);
       std::string keyword, a, b, c;
       words >> keyword >> a >> b >> c;
-      turned += keyword == "f" ? "f " + a + " " + c + " " + b + "\n" : line + "\n";
+      turned += keyword == "f" ? fmt::format("f {} {} {}\n", a, c, b) : line + "\n";
     }
     test::writeBytes(temporary / "turned.obj", turned);
     const Scene straight = loadScene(*folder / name);

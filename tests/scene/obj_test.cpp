@@ -13,17 +13,17 @@ using testing::HasSubstr;
 class Obj : public testing::Test {
  protected:
   Scene load(const std::string& text) {
-    test::writeBytes(folder_ / "a.obj", text);
+    test::writeBytes(folder / "a.obj", text);
     LoadOptions options;
     options.diagonalMm = std::sqrt(3.0F);
-    return loadScene(folder_ / "a.obj", options);
+    return loadScene(folder / "a.obj", options);
   }
   std::string errorOf(const std::string& text) {
-    const std::string message = test::messageOf([&] { load(text); });
+    std::string message = test::messageOf([&] { load(text); });
     EXPECT_THAT(message, HasSubstr("a.obj"));
     return message;
   }
-  test::TemporaryFolder folder_;
+  test::TemporaryFolder folder;
 };
 
 const std::string corners =
@@ -91,7 +91,7 @@ TEST_F(Obj, BadLinesAreNamed) {
   EXPECT_THAT(errorOf(corners), HasSubstr("no faces"));
   EXPECT_THAT(errorOf(corners + "f 1 1 1\nf 1 2\n"), HasSubstr("degenerate"));
   EXPECT_THAT(errorOf("hello"), HasSubstr("no vertices"));
-  EXPECT_THAT(errorOf(corners + std::string("f 1 2 3\0 4\n", 12)), HasSubstr("zero bytes"));
+  EXPECT_THAT(errorOf(corners + std::string("f 1 2 3\0 4\n", 11)), HasSubstr("zero bytes"));
 }
 
 TEST_F(Obj, BadUtf8InNamesIsHarmless) {

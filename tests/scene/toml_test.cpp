@@ -28,25 +28,25 @@ class Toml : public testing::Test {
       cube += "\n3";
       for (const std::uint32_t v : t) cube += " " + std::to_string(v);
     }
-    test::writeBytes(folder_ / "cube.ply", cube);
+    test::writeBytes(folder / "cube.ply", cube);
   }
   scene::LoadedScene load(const std::string& text, const LoadOptions& options = {}) {
-    test::writeBytes(folder_ / "a.toml", text);
-    return scene::loadSceneFile(folder_ / "a.toml", options);
+    test::writeBytes(folder / "a.toml", text);
+    return scene::loadSceneFile(folder / "a.toml", options);
   }
   std::string errorOf(const std::string& text) {
-    const std::string message = test::messageOf([&] { load(text); });
+    std::string message = test::messageOf([&] { load(text); });
     EXPECT_THAT(message, HasSubstr("a.toml"));
     return message;
   }
-  test::TemporaryFolder folder_;
+  test::TemporaryFolder folder;
 };
 
 // A cube of edge 10 mm.
 const std::string model = "model = 'cube.ply'\ndiagonal_mm = 17.3205081\n";
 
 TEST_F(Toml, EverythingThatCanBeSaid) {
-  core::writeExr(folder_ / "sky.exr", [] {
+  core::writeExr(folder / "sky.exr", [] {
     Image sky(4, 2);
     for (float& value : sky.rgba) value = 0.5F;
     return sky;
@@ -143,7 +143,7 @@ TEST_F(Toml, DefaultsStayWhereNothingIsSaid) {
   EXPECT_NEAR(diagonalMm(loaded.scene), 50, 1e-3);
   EXPECT_EQ(loaded.scene.objects[0].medium.name, "ketchup");
   EXPECT_FALSE(loaded.settings.width.has_value());
-  EXPECT_EQ(loadScene(folder_ / "a.toml").objects.size(), 1U);
+  EXPECT_EQ(loadScene(folder / "a.toml").objects.size(), 1U);
 }
 
 TEST_F(Toml, BuiltInModels) {
