@@ -21,6 +21,8 @@ if ! command -v dpkg-query >/dev/null; then
   exit 1
 fi
 
+# The package that a library comes from, whether its path is recorded below /usr or not.
+owner_of() { { dpkg-query -S "$1" || dpkg-query -S "${1#/usr}"; } 2>/dev/null | head -n 1 | cut -d: -f1; }
 licence_of() { cp "/usr/share/doc/$1/copyright" "$stage/licences/$1.txt"; }
 
 version=$("$build/bin/opaline" --version | cut -d' ' -f2)
@@ -38,7 +40,7 @@ while read -r library _ path _; do
   folder=$stage/lib
   [[ $library =~ $fallback ]] && folder=$stage/lib/fallback
   install -m 644 -s "$(readlink -f "$path")" "$folder/$library"
-  licence_of "$(dpkg-query -S "*/$(basename "$(readlink -f "$path")")" | head -n 1 | cut -d: -f1)"
+  licence_of "$(owner_of "$(readlink -f "$path")")"
 done < <(ldd "$build/bin/opaline" | grep '=> /')
 for package in "${compiled_in[@]}"; do licence_of "$package"; done
 

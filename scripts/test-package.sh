@@ -25,9 +25,9 @@ done < <(find "$package/libexec" "$package/lib" -type f)
 for file in LICENSE README.txt licences; do [ -e "$package/$file" ] || fail "no $file inside"; done
 
 clean() { (cd "$folder" && env -i PATH=/usr/bin:/bin "$@"); }
-clean "$package/opaline" --version | grep -q '^opaline [0-9]' || fail "--version"
-clean "$package/opaline" media --json | grep -q '"marble"' || fail "media"
-taken=$(clean ldd "$package/libexec/opaline" | grep -c "$package/lib/") || fail "no library comes from the package"
+[[ $(clean "$package/opaline" --version) == "opaline "[0-9]* ]] || fail "--version"
+[[ $(clean "$package/opaline" media --json) == *'"marble"'* ]] || fail "media"
+taken=$(clean ldd "$package/libexec/opaline" | grep -c "=> $package/libexec/../lib/") || fail "no library comes from the package"
 echo "test-package: runs with a cleared environment, $taken libraries from the package"
 clean "$package/opaline" render --size 96x96 --quiet -o picture.png
 [ "$(head -c 4 "$folder/picture.png" | tail -c 3)" = PNG ] || fail "render wrote no PNG"
@@ -52,14 +52,14 @@ cp -r "$package" "$root/opaline"
 if [ "$(id -u)" -eq 0 ]; then
   bare=(chroot "$root")
 elif unshare -r true 2>/dev/null; then
-  bare=(unshare -r chroot "$root")
+  bare=(unshare -r "$(command -v chroot)" "$root")
 else
   echo "test-package: no bare root here, as this system allows no user namespaces"
   exit 0
 fi
-env -i PATH=/bin "$(command -v "${bare[0]}")" "${bare[@]:1}" /opaline/opaline media --json |
-  grep -q '"marble"' || fail "does not run in a bare root"
+bare=(env -i PATH=/bin "$(command -v "${bare[0]}")" "${bare[@]:1}")
+[[ $("${bare[@]}" /opaline/opaline media --json) == *'"marble"'* ]] || fail "does not run in a bare root"
 status=0
-message=$(env -i PATH=/bin "$(command -v "${bare[0]}")" "${bare[@]:1}" /opaline/opaline render --quiet -o /a.png 2>&1) || status=$?
+message=$("${bare[@]}" /opaline/opaline render --quiet -o /a.png 2>&1) || status=$?
 [ "$status" -eq 1 ] && [[ $message == *Vulkan* ]] || fail "without a driver, render says: $message ($status)"
 echo "test-package: runs in a bare root, and says there that no Vulkan driver is to be found"

@@ -163,13 +163,16 @@ void CommandLine::run(std::vector<std::string> arguments) {
   try {
     app_->parse(std::move(arguments));
   } catch (const CLI::ArgumentMismatch& error) {
+    // "--size: 1 required TEXT missing", but "json was given a disallowed flag override"
     const std::string message = error.what();
     const std::string name = message.substr(0, message.find_first_of(": "));
     for (const Entry& entry : entries_) {
-      if (entry.option == nullptr || entry.option->get_name() != name) continue;
+      if (entry.option == nullptr) continue;
+      const std::string option = entry.option->get_name();
+      if (option != name && option != "--" + name) continue;
       throw UsageError(entry.placeholder.empty()
-                           ? fmt::format("{} takes no value", name)
-                           : fmt::format("{} needs a value, {}", name, entry.placeholder));
+                           ? fmt::format("{} takes no value", option)
+                           : fmt::format("{} needs a value, {}", option, entry.placeholder));
     }
     throw UsageError(message);
   } catch (const CLI::ParseError& error) {

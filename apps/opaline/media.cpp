@@ -39,7 +39,7 @@ std::string cells(const Triple& values, int width, const char* precision) {
 std::string row(const Medium& medium, const std::optional<Triple>& published) {
   const MediumLengths lengths = lengthsOf(medium);
   return fmt::format(
-      "{:<11}{}{} {:<4}{}{}{}{}\n", medium.name, cells(medium.sigmaSPrimePerMm, 6, "{:.4g}"),
+      "{:<13}{}{} {:<4}{}{}{}{}\n", medium.name, cells(medium.sigmaSPrimePerMm, 6, "{:.4g}"),
       cells(medium.sigmaAPerMm, 8, "{:.4g}"), fmt::format(" {:g}", medium.eta),
       cells(lengths.meanFreePathMm, 7, "{:.3g}"), cells(lengths.diffusionMm, 7, "{:.3g}"),
       cells(reflectance(medium), 6, "{:.3f}"), published ? cells(*published, 5, "{:.2f}") : "");
@@ -47,7 +47,7 @@ std::string row(const Medium& medium, const std::optional<Triple>& published) {
 
 std::string table() {
   std::string text =
-      fmt::format("{:<11}{:^18}{:^24}{:<6}{:^21}{:^21}{:^18}{:^15}\n{:<11}", "", "s'", "a", "  eta",
+      fmt::format("{:<13}{:^18}{:^24}{:<6}{:^21}{:^21}{:^18}{:^15}\n{:<13}", "", "s'", "a", "  eta",
                   "mean free path", "diffusion length", "reflectance", "published", "");
   text += fmt::format("{:^18}{:^24}{:<6}{:^21}{:^21}\n", "1/mm", "1/mm", "", "mm", "mm");
   text += "measured (Jensen, Marschner, Levoy, Hanrahan 2001, Fig. 5); R G B each\n";

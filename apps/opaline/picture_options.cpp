@@ -158,9 +158,7 @@ void PictureOptions::addTo(CommandLine& line) {
     exposureStops_ = readFloat(given, {-32, 32, "stops"});
   });
   line.value("--tone", "NAME", "curve: neutral or none, PNG only [neutral]",
-             [this](const Given& given) {
-               curve_ = readChoice(given, curves());
-             });
+             [this](const Given& given) { curve_ = readChoice(given, curves()); });
   line.value("--background", "R,G,B", "linear, 0 to 1, PNG only [transparent]",
              [this](const Given& given) {
                background_ = readTripleFloat(given, {0, 1});

@@ -109,14 +109,14 @@ void runRender(const Arguments& arguments) {
   command.camera.applyTo(scene);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
 
-  Renderer renderer({command.device.value_or(settings.device.value_or("")), command.validation, log});
+  Renderer renderer(
+      {command.device.value_or(settings.device.value_or("")), command.validation, log});
   renderer.setScene(scene);
   const RenderResult result = renderer.render(options, {command.picture.aov()});
   if (command.picture.isExr()) {
     core::writeExr(output, result.images.at(0));
   } else {
-    core::writePng(output,
-                   core::toneMap(result.images.at(0), command.picture.tone(settings)));
+    core::writePng(output, core::toneMap(result.images.at(0), command.picture.tone(settings)));
   }
   log(LogLevel::Note, fmt::format("wrote {}, rendered on {} ({})", output.string(),
                                   result.report.device.name, result.report.device.type));

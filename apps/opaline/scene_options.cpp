@@ -70,7 +70,7 @@ void LightOptions::addTo(CommandLine& line) {
         directional_.push_back({readDirection(light.place), light.colour.value_or(Rgb{1, 1, 1})});
         any_ = true;
       });
-  line.repeated("--point", "X,Y,Z:R,G,B", "mm from the box's centre, intensity (W/sr)",
+  line.repeated("--point", "X,Y,Z:R,G,B", "mm from the box's centre, irradiance at 1 mm",
                 [this](const Given& given) {
                   const PlacedColour light = readPlacedColour(given);
                   if (!light.colour) {

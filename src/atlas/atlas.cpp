@@ -1,95 +1,19 @@
 #include "atlas/atlas.h"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <cassert>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <thread>
-#include <utility>
 
-#include "atlas/chart_mesh.h"
 #include "atlas/charts.h"
-#include "atlas/flatten.h"
+#include "atlas/flat_charts.h"
 #include "atlas/measure.h"
 #include "atlas/pack.h"
 #include "atlas/topology.h"
 
 namespace opaline::atlas {
 namespace {
-
-constexpr double mostAreaDistortion = .06;
-constexpr double mostStretch = 1.6;
-
-struct FinishedChart {
-  Chart triangles;
-  ChartMesh mesh;
-  FlatChart flat;
-};
-
-std::optional<FinishedChart> finish(const Topology& topology, const Chart& chart) {
-  FinishedChart finished = {chart, extract(topology, chart), {}};
-  auto flat = flatten(finished.mesh);
-  if (!flat) return std::nullopt;
-  const bool isSplittable = chart.size() > 1;
-  if (isSplittable &&
-      (flat->areaDistortionRms > mostAreaDistortion || flat->stretch > mostStretch)) {
-    return std::nullopt;
-  }
-  finished.flat = std::move(*flat);
-  return finished;
-}
-
-/// A triangle by itself, in its own shape.
-FinishedChart singleTriangle(const Topology& topology, std::uint32_t triangle) {
-  const Chart chart = {triangle};
-  FinishedChart finished = {chart, extract(topology, chart), {}};
-  const auto& p = finished.mesh.positions;
-  const Point3 ab = subtract(p[1], p[0]);
-  const Point3 ac = subtract(p[2], p[0]);
-  const double base = length(ab);
-  finished.flat.places = {{0, 0}, {base, 0}, {dot(ab, ac) / base, length(cross(ab, ac)) / base}};
-  return finished;
-}
-
-/// Runs work(i) for every i below count on two threads.
-template <typename Work>
-void inParallel(std::size_t count, const Work& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto loop = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::jthread other;
-  if (count > 1) other = std::jthread(loop);
-  loop();
-}
-
-/// Flattens the charts and divides those that do not lie flat until all do; a single triangle
-/// always does.
-std::vector<FinishedChart> flattenAll(const Topology& topology, std::vector<Chart> charts) {
-  std::vector<FinishedChart> result;
-  while (!charts.empty()) {
-    std::vector<std::optional<FinishedChart>> finished(charts.size());
-    std::vector<std::vector<Chart>> parts(charts.size());
-    inParallel(charts.size(), [&](std::size_t i) {
-      if (charts[i].size() == 1) {
-        finished[i] = singleTriangle(topology, charts[i].front());
-      } else {
-        finished[i] = finish(topology, charts[i]);
-      }
-      if (!finished[i]) parts[i] = split(topology, charts[i]);
-    });
-    charts.clear();
-    for (std::size_t i = 0; i < finished.size(); ++i) {
-      if (finished[i]) result.push_back(std::move(*finished[i]));
-      for (Chart& part : parts[i]) charts.push_back(std::move(part));
-    }
-  }
-  return result;
-}
 
 Vec2 toUv(const Layout& layout, const Placement& placement, const Point2& p) {
   const double u =
@@ -99,9 +23,9 @@ Vec2 toUv(const Layout& layout, const Placement& placement, const Point2& p) {
   return {static_cast<float>(std::clamp(u, 0.0, 1.0)), static_cast<float>(std::clamp(v, 0.0, 1.0))};
 }
 
-Layout layOut(const std::vector<FinishedChart>& charts, const AtlasOptions& options) {
+Layout layOut(const std::vector<SurfaceChart>& charts, const AtlasOptions& options) {
   std::vector<Outline> outlines;
-  for (const FinishedChart& chart : charts) {
+  for (const SurfaceChart& chart : charts) {
     double area = 0;
     for (const Triangle& t : chart.mesh.triangles) {
       const auto& p = chart.mesh.positions;
@@ -114,7 +38,7 @@ Layout layOut(const std::vector<FinishedChart>& charts, const AtlasOptions& opti
 
 /// Atlas vertices of the flat charts. A flat vertex that stands for several vertices of the surface
 /// (of one position) becomes several.
-void addChart(const Surface& surface, const FinishedChart& chart, const Layout& layout,
+void addChart(const Surface& surface, const SurfaceChart& chart, const Layout& layout,
               std::uint32_t index, Atlas& atlas) {
   std::vector<std::vector<std::uint32_t>> copies(chart.mesh.positions.size());
   for (std::size_t i = 0; i < chart.triangles.size(); ++i) {
@@ -176,7 +100,7 @@ Atlas makeAtlas(const Surface& surface, const AtlasOptions& options) {
          surface.objectOfTriangle.size() == surface.triangles.size());
   const auto start = std::chrono::steady_clock::now();
   const Topology topology = makeTopology(surface);
-  const std::vector<FinishedChart> charts = flattenAll(topology, segment(topology));
+  const std::vector<SurfaceChart> charts = flattenCharts(topology, segment(topology));
   const Layout layout = layOut(charts, options);
   Atlas atlas;
   atlas.triangles.resize(surface.triangles.size());

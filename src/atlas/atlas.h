@@ -19,7 +19,8 @@ struct Surface {
 
 struct AtlasOptions {
   int mapSize = 512;  ///< edge of the map the gutters are made for, texels, in [64, 4096]
-  int gutter = 2;     ///< least distance of two charts, texels, in [1, 16]
+  int gutter = 2;  ///< least distance of two charts, texels, in [1, 16]; less only where there are
+                   ///< more charts than such a map has room for
 };
 
 /// One corner position in the atlas. A mesh vertex on a seam has several.

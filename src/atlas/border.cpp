@@ -86,15 +86,31 @@ class EdgeGrid {
   std::vector<std::vector<std::uint32_t>> edges_;
 };
 
-}  // namespace
-
 bool bordersCross(const ChartMesh& mesh, const std::vector<Point2>& places) {
-  if (mesh.borders.empty()) return false;
   EdgeGrid grid(mesh, places);
   for (std::uint32_t e = 0; e < mesh.borders.size(); ++e) {
     if (grid.addMeets(e)) return true;
   }
   return false;
+}
+
+bool runsCounterClockwise(const std::vector<std::uint32_t>& loop,
+                          const std::vector<Point2>& places) {
+  double area = 0;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    area += signedArea(places[loop[0]], places[loop[i]], places[loop[i + 1]]);
+  }
+  return area > 0;
+}
+
+}  // namespace
+
+bool isOneToOne(const ChartMesh& mesh, const std::vector<Point2>& places) {
+  if (mesh.borders.empty()) return false;
+  const auto outer = std::count_if(mesh.loops.begin(), mesh.loops.end(), [&](const auto& loop) {
+    return runsCounterClockwise(loop, places);
+  });
+  return outer == 1 && !bordersCross(mesh, places);
 }
 
 }  // namespace opaline::atlas

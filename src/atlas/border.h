@@ -6,8 +6,9 @@
 
 namespace opaline::atlas {
 
-/// Whether any two border edges that share no vertex meet. A map that mirrors no triangle and
-/// whose borders do not cross is one-to-one.
-bool bordersCross(const ChartMesh& mesh, const std::vector<Point2>& places);
+/// Whether a map that mirrors no triangle is one-to-one: no two border edges meet but at a vertex
+/// they share, and one loop alone runs counter-clockwise. The plane is then covered as often as the
+/// loops wind around it: once or not at all.
+bool isOneToOne(const ChartMesh& mesh, const std::vector<Point2>& places);
 
 }  // namespace opaline::atlas

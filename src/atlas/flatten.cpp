@@ -4,8 +4,10 @@
 #include <Eigen/Sparse>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "atlas/border.h"
 #include "atlas/initial_map.h"
@@ -13,9 +15,9 @@
 namespace opaline::atlas {
 namespace {
 
-constexpr int mostSteps = 25;
+constexpr int mostSteps = 10;
 constexpr double angleWeight = .1;
-constexpr double enoughProgress = 2e-4;  // of the energy, for a step to be followed by another
+constexpr double enoughProgress = 2e-3;  // of the energy, for a step to be followed by another
 
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
@@ -52,6 +54,7 @@ class EqualAreaEnergy {
     }
     area_ = total;
     for (double& w : weights_) w /= total;
+    layOutHessian();
   }
 
   double area() const { return area_; }
@@ -69,10 +72,9 @@ class EqualAreaEnergy {
 
   /// Gradient, and a positive semidefinite stand-in for the second derivatives: those of the energy
   /// as a convex function of (J, r), and of r itself only what keeps rotations free of charge.
-  void differentiate(const Vector& places, Vector& gradient, Matrix& hessian) {
+  void differentiate(const Vector& places, Vector& gradient) {
     gradient = Vector::Zero(places.size());
-    entries_.clear();
-    entries_.reserve(36 * weights_.size() + static_cast<std::size_t>(places.size()));
+    std::fill_n(hessian_.valuePtr(), hessian_.nonZeros(), 0.0);
     for (std::size_t t = 0; t < weights_.size(); ++t) {
       const Vector4 j = jacobian(t, places);
       const double r = determinant(j);
@@ -89,12 +91,12 @@ class EqualAreaEnergy {
       curvature += (2 / (r * r * r)) * c * c.transpose();
       add(t, slope, curvature, gradient);
     }
-    const double mean = trace_ / static_cast<double>(places.size());
-    for (int i = 0; i < places.size(); ++i) entries_.emplace_back(i, i, 1e-7 * mean);
-    trace_ = 0;
-    hessian.resize(places.size(), places.size());
-    hessian.setFromTriplets(entries_.begin(), entries_.end());
+    const double mean = hessian_.diagonal().mean();
+    for (Eigen::Index i = 0; i < places.size(); ++i) *diagonal(i) += 1e-7 * mean;
   }
+
+  /// Lower triangle of the stand-in for the second derivatives.
+  const Matrix& hessian() const { return hessian_; }
 
   /// The longest step in a direction, at most 1, that keeps every triangle clear of collapse.
   double longestStep(const Vector& places, const Vector& direction) const {
@@ -152,18 +154,52 @@ class EqualAreaEnergy {
     const Matrix46& g = toJacobian_[t];
     const Eigen::Matrix<double, 6, 1> force = weights_[t] * (g.transpose() * slope);
     const Eigen::Matrix<double, 6, 6> block = weights_[t] * (g.transpose() * curvature * g);
-    trace_ += block.trace();
+    const std::array<int, 6> index = unknowns(t);
+    std::size_t slot = 0;
+    for (int k = 0; k < 6; ++k) {
+      gradient[index[static_cast<std::size_t>(k)]] += force[k];
+      for (int l = 0; l <= k; ++l) hessian_.valuePtr()[slots_[t][slot++]] += block(k, l);
+    }
+  }
+
+  std::array<int, 6> unknowns(std::size_t t) const {
     std::array<int, 6> index{};
     for (std::size_t k = 0; k < 6; ++k) {
       index[k] = 2 * static_cast<int>(mesh_.triangles[t][k / 2]) + static_cast<int>(k % 2);
     }
-    for (int k = 0; k < 6; ++k) {
-      gradient[index[static_cast<std::size_t>(k)]] += force[k];
-      for (int l = 0; l < 6; ++l) {
-        const int row = index[static_cast<std::size_t>(k)];
-        const int column = index[static_cast<std::size_t>(l)];
-        if (row >= column) entries_.emplace_back(row, column, block(k, l));
+    return index;
+  }
+
+  double* diagonal(Eigen::Index i) { return hessian_.valuePtr() + hessian_.outerIndexPtr()[i]; }
+
+  /// Lays out the matrix once and finds where the entries of each triangle go.
+  void layOutHessian() {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(21 * weights_.size());
+    const auto forEntries = [&](std::size_t t, const auto& use) {
+      const std::array<int, 6> index = unknowns(t);
+      for (std::size_t k = 0; k < 6; ++k) {
+        for (std::size_t l = 0; l <= k; ++l) {
+          use(std::max(index[k], index[l]), std::min(index[k], index[l]));
+        }
       }
+    };
+    for (std::size_t t = 0; t < weights_.size(); ++t) {
+      forEntries(t, [&](int row, int column) { entries.emplace_back(row, column, 1); });
+    }
+    const auto size = 2 * static_cast<Eigen::Index>(mesh_.positions.size());
+    hessian_.resize(size, size);
+    hessian_.setFromTriplets(entries.begin(), entries.end());
+    for (std::size_t t = 0; t < weights_.size(); ++t) {
+      std::array<int, 21> slots{};
+      std::size_t slot = 0;
+      forEntries(t, [&](int row, int column) {
+        const int* rows = hessian_.innerIndexPtr();
+        const int* first = rows + hessian_.outerIndexPtr()[column];
+        const int* last = rows + hessian_.outerIndexPtr()[column + 1];
+        slots[slot++] = static_cast<int>(std::lower_bound(first, last, row) - rows);
+      });
+      slots_.push_back(slots);
     }
   }
 
@@ -171,8 +207,8 @@ class EqualAreaEnergy {
   std::vector<Matrix46> toJacobian_;
   std::vector<double> weights_;
   double area_ = 0;
-  double trace_ = 0;
-  std::vector<Eigen::Triplet<double>> entries_;
+  Matrix hessian_;
+  std::vector<std::array<int, 21>> slots_;
 };
 
 double flatArea(const ChartMesh& mesh, const Vector& places) {
@@ -196,12 +232,11 @@ void scaleToArea(const ChartMesh& mesh, double area, Vector& places) {
 void minimise(EqualAreaEnergy& energy, Vector& places) {
   Eigen::SimplicialLDLT<Matrix, Eigen::Lower> solver;
   Vector gradient;
-  Matrix hessian;
   double value = energy.value(places);
   for (int step = 0; step < mostSteps && std::isfinite(value); ++step) {
-    energy.differentiate(places, gradient, hessian);
-    if (step == 0) solver.analyzePattern(hessian);
-    solver.factorize(hessian);
+    energy.differentiate(places, gradient);
+    if (step == 0) solver.analyzePattern(energy.hessian());
+    solver.factorize(energy.hessian());
     if (solver.info() != Eigen::Success) return;
     const Vector direction = -solver.solve(gradient);
     const double slope = gradient.dot(direction);
@@ -241,7 +276,7 @@ std::optional<FlatChart> flatten(const ChartMesh& mesh) {
   for (Eigen::Index v = 0; v < places.size() / 2; ++v) {
     chart.places.push_back({places[2 * v], places[2 * v + 1]});
   }
-  if (bordersCross(mesh, chart.places)) return std::nullopt;
+  if (!isOneToOne(mesh, chart.places)) return std::nullopt;
   return chart;
 }
 

@@ -1,11 +1,15 @@
 #include "atlas/pack.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <random>
+#include <thread>
+#include <utility>
 
 #include "atlas/bitmap.h"
 #include "atlas/initial_map.h"
@@ -16,7 +20,9 @@ namespace {
 constexpr int mostCells = 1024;  // of an edge of the bitmap, unless there are very many charts
 constexpr int mostCellsCrowded = 4096;
 constexpr double firstCoverage = .74;
-constexpr double coveragePrecision = .004;
+constexpr double coveragePrecision = .006;
+constexpr std::size_t fewCharts = 40;  // for which many turns and orders are tried
+constexpr int disturbedOrders = 16;
 
 /// Andrew's monotone chain.
 std::vector<Point2> convexHull(const Outline& outline) {
@@ -32,7 +38,7 @@ std::vector<Point2> convexHull(const Outline& outline) {
       }
       hull.push_back(p);
     }
-    hull.pop_back();
+    hull.pop_back();  // the other side starts with it
     std::reverse(points.begin(), points.end());
   }
   return hull;
@@ -44,7 +50,7 @@ struct Turn {
 
 /// The turn that gives a chart the smallest box; one of the box's sides lies along the hull
 /// (Freeman, Shapira 1975).
-Turn smallestBox(const Outline& outline) {
+Turn smallestBox(const Outline& outline, double& longestSide) {
   const std::vector<Point2> hull = convexHull(outline);
   Turn best = {1, 0};
   double least = -1;
@@ -68,44 +74,49 @@ Turn smallestBox(const Outline& outline) {
     if (least >= 0 && area >= least) continue;
     least = area;
     best = turn;
+    longestSide = std::max(high[0] - low[0], high[1] - low[1]);
   }
   return best;
 }
 
 class Packer {
  public:
-  Packer(const std::vector<Outline>& outlines, int cells, int gutterCells)
-      : outlines_(outlines), cells_(cells), gutter_(gutterCells), order_(outlines.size()) {
+  /// In which order charts are laid out.
+  enum class Order { Area, Extent };
+
+  Packer(const std::vector<Outline>& outlines, int cells, int gutterCells, Order order)
+      : outlines_(outlines), cells_(cells), gutter_(gutterCells) {
     for (const Outline& outline : outlines) {
-      boxes_.push_back(smallestBox(outline));
+      double longestSide = 0;
+      boxes_.push_back(smallestBox(outline, longestSide));
       area_ += outline.area;
+      sizes_.push_back(order == Order::Area ? outline.area : longestSide);
     }
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
-      return outlines[a].area > outlines[b].area;
-    });
-    turns_ = outlines.size() <= 300 ? 8 : outlines.size() <= 2000 ? 4 : 1;
+    const std::size_t count = outlines.size();
+    turns_ = count <= fewCharts ? 16 : count <= 200 ? 8 : count <= 1000 ? 4 : 1;
   }
 
   std::optional<Layout> best() const {
+    const std::vector<std::size_t> order = ordered(sizes_);
     double works = firstCoverage;
     double fails = .98;
-    std::optional<Layout> result = at(works);
+    std::optional<Layout> result = at(works, order);
     while (!result) {
       fails = works;
       works *= works > .5 ? .9 : .5;
       if (works < 1e-9) return std::nullopt;
-      result = at(works);
+      result = at(works, order);
     }
     while (fails - works > coveragePrecision && fails / works > 1.01) {
       const double middle = (works + fails) / 2;
-      if (auto layout = at(middle)) {
+      if (auto layout = at(middle, order)) {
         result = std::move(layout);
         works = middle;
       } else {
         fails = middle;
       }
     }
+    if (outlines_.size() > 1 && outlines_.size() <= fewCharts) improve(works, *result);
     return result;
   }
 
@@ -115,18 +126,43 @@ class Packer {
     Silhouette silhouette;
     Point2 corner{};
     Bitmap::Cell cell{};
-    int top = 0;
+    int middle2 = 0;
   };
 
-  /// A layout whose charts cover that part of the square, if they find room.
-  std::optional<Layout> at(double coverage) const {
+  /// Largest first.
+  static std::vector<std::size_t> ordered(const std::vector<double>& sizes) {
+    std::vector<std::size_t> order(sizes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+    return order;
+  }
+
+  /// Tries orders that chance disturbs, each at a slightly larger scale than the last that worked.
+  /// The generator is the one whose sequence the standard prescribes, so that every run agrees.
+  void improve(double works, Layout& result) const {
+    std::minstd_rand random(1);
+    for (int i = 0; i < disturbedOrders; ++i) {
+      std::vector<double> sizes = sizes_;
+      for (double& size : sizes) {
+        size *= std::exp2(static_cast<double>(random()) / std::minstd_rand::max() - .5);
+      }
+      auto layout = at(works * (1 + coveragePrecision), ordered(sizes));
+      if (!layout) continue;
+      works *= 1 + coveragePrecision;
+      result = std::move(*layout);
+    }
+  }
+
+  /// A layout whose charts cover that part of the square, if they find room in that order.
+  std::optional<Layout> at(double coverage, const std::vector<std::size_t>& order) const {
     const double cellsPerMm = cells_ * std::sqrt(coverage / area_);
     Bitmap bitmap(cells_);
     Layout layout;
     layout.scale = cellsPerMm / cells_;
     layout.placements.resize(outlines_.size());
     LowestRows lowest(static_cast<std::size_t>(cells_) + 1, 0);
-    for (const std::size_t chart : order_) {
+    for (const std::size_t chart : order) {
       const auto found = place(bitmap, chart, cellsPerMm, lowest);
       if (!found) return std::nullopt;
       bitmap.occupy(found->silhouette, found->cell, gutter_);
@@ -154,20 +190,21 @@ class Packer {
       const bool isCrowded = turns_ == 1;
       int& lowestRow = lowest[static_cast<std::size_t>(height)];
       const auto cell = bitmap.findRoom(candidate.silhouette, isCrowded ? lowestRow : 0,
-                                        best ? best->top - 1 : cells_);
+                                        best ? (best->middle2 - 1 + height) / 2 : cells_);
       if (!cell) continue;
       if (isCrowded) lowestRow = cell->y;
       candidate.cell = *cell;
-      candidate.top = cell->y + height;
+      candidate.middle2 = 2 * cell->y + height;
       best = std::move(candidate);
     }
     return best;
   }
 
-  /// The box upright and lying, then turned by half a right angle, then the same upside down.
+  /// The box upright and lying, both ways up, then by ever smaller parts of a turn between.
   static Turn turned(const Turn& turn, int i) {
-    constexpr std::array<int, 8> eighths = {0, 2, 4, 6, 1, 3, 5, 7};
-    const double angle = eighths[static_cast<std::size_t>(i)] * std::numbers::pi / 4;
+    constexpr std::array<int, 16> sixteenths = {0, 4, 8, 12, 2, 6,  10, 14,
+                                                1, 3, 5, 7,  9, 11, 13, 15};
+    const double angle = sixteenths[static_cast<std::size_t>(i)] * std::numbers::pi / 8;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
     return {turn.cosine * c - turn.sine * s, turn.sine * c + turn.cosine * s};
@@ -179,8 +216,21 @@ class Packer {
   int turns_;
   double area_ = 0;
   std::vector<Turn> boxes_;
-  std::vector<std::size_t> order_;
+  std::vector<double> sizes_;
 };
+
+/// Both orders at once, on two threads.
+std::optional<Layout> bestOfOrders(const std::vector<Outline>& outlines, int cells,
+                                   int gutterCells) {
+  std::optional<Layout> byArea;
+  std::optional<Layout> byExtent;
+  {
+    const std::jthread other(
+        [&] { byExtent = Packer(outlines, cells, gutterCells, Packer::Order::Extent).best(); });
+    byArea = Packer(outlines, cells, gutterCells, Packer::Order::Area).best();
+  }
+  return !byArea || (byExtent && byExtent->scale > byArea->scale) ? byExtent : byArea;
+}
 
 /// One chart in each cell of a regular grid.
 Layout packInGrid(const std::vector<Outline>& outlines) {
@@ -220,11 +270,12 @@ Layout pack(const std::vector<Outline>& outlines, int mapSize, int gutter) {
   const int gutterCells = (gutter * cells + mapSize - 1) / mapSize;
   const auto room = static_cast<double>(cells) * cells / ((1. + gutterCells) * (1. + gutterCells));
   if (static_cast<double>(outlines.size()) < .7 * room) {
-    if (auto layout = Packer(outlines, cells, gutterCells).best()) return *layout;
+    if (auto layout = bestOfOrders(outlines, cells, gutterCells)) return *layout;
   }
-  const double crowdedRoom = mostCellsCrowded * static_cast<double>(mostCellsCrowded) / 4;
-  if (static_cast<double>(outlines.size()) < .1 * crowdedRoom) {
-    if (auto layout = Packer(outlines, mostCellsCrowded, 1).best()) return *layout;
+  // Too many charts for such gutters: they become a cell of an ever finer bitmap.
+  for (int fine = 4 * cells; fine <= mostCellsCrowded; fine *= 4) {
+    if (static_cast<double>(outlines.size()) > .025 * fine * fine) continue;
+    if (auto layout = Packer(outlines, fine, 1, Packer::Order::Area).best()) return *layout;
   }
   return packInGrid(outlines);
 }

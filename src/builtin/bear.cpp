@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -163,7 +164,7 @@ T head(const Place<T>& p) {
   d = unite(d, ellipsoid<T>(p, {0, 1.495, .53}, {.08, .055, .05}), .02);
   for (const double side : {-1.0, 1.0}) {
     const T smile = stick(p, {side * .005, 1.375, .57}, {side * .085, 1.405, .52}, .017);
-    d = subtract(d, smile, .035);
+    d = subtract(d, smile, .06);
   }
   for (const double side : {-1.0, 1.0}) {
     d = unite(d, ellipsoid<T>(p, {side * .175, 1.635, .37}, {.055, .063, .045}), .02);
@@ -177,8 +178,8 @@ T bear(const Place<T>& p) {
   body = unite(body, ellipsoid<T>(p, {0, .56, .07}, {.47, .43, .42}), .2);
   T d = unite(body, head(p), .14);
   for (const double side : {-1.0, 1.0}) {
-    d = unite(d, arm(p, side), .06);
-    d = unite(d, leg(p, side), .06);
+    d = unite(d, arm(p, side), .11);
+    d = unite(d, leg(p, side), .12);
   }
   d = unite(d, ellipsoid<T>(p, {0, .24, -.37}, {.115, .115, .11}), .1);
   return intersect<T>(d, -1.0 * p.y, .08);
@@ -198,6 +199,9 @@ FieldSample bearSample(const Point& p) {
 Mesh bearMesh() {
   Mesh mesh =
       polygonise({bearDistance, bearSample}, {{-.85, -.1, -.75}, {.85, 2.25, .95}, gridSpacing});
+  float lowest = mesh.positionsMm.front()[1];
+  for (const Vec3& p : mesh.positionsMm) lowest = std::min(lowest, p[1]);
+  for (Vec3& p : mesh.positionsMm) p[1] -= lowest;
   scaleToDiagonal(mesh, 50);
   return mesh;
 }

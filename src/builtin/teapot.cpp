@@ -107,11 +107,7 @@ std::vector<PatchInSpace> teapotPatches() {
       patches.push_back({revolved(*profile, quarter), true});
     }
   }
-  for (const Tube* tube : {&upperHandle, &lowerHandle}) {
-    patches.push_back({halfTube(*tube, 1), false});
-    patches.push_back({halfTube(*tube, -1), true});
-  }
-  for (const Tube* tube : {&lowerSpout, &upperSpout}) {
+  for (const Tube* tube : {&upperHandle, &lowerHandle, &lowerSpout, &upperSpout}) {
     patches.push_back({halfTube(*tube, 1), true});
     patches.push_back({halfTube(*tube, -1), false});
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -52,7 +53,7 @@ class HeaderCheck {
   /// The library sets memory aside for one chunk of all channels before it reads any.
   void requireBoundedChunk(exr_storage_t storage, long long width) const {
     constexpr long long bytesPerSample = 4;
-    constexpr long long mostBytes = 1LL << 30;
+    constexpr long long mostBytes = 1LL << 29;
     const exr_attr_chlist_t* channels = nullptr;
     require(exr_get_channels(context_, 0, &channels));
     long long pixels = 0;
@@ -80,6 +81,37 @@ class HeaderCheck {
   std::filesystem::path file_;
   exr_context_t context_ = nullptr;
 };
+
+/// The C++ interface sets aside as many bytes as an attribute of unknown type claims to have,
+/// before it reads them. So every claim is held against the length of the file first.
+void requireAttributesFit(const std::filesystem::path& file) {
+  constexpr std::streamoff startOfHeader = 8;
+  const auto fileBytes = static_cast<std::streamoff>(std::filesystem::file_size(file));
+  std::ifstream stream(file, std::ios::binary);
+  std::array<unsigned char, startOfHeader> start{};
+  stream.read(reinterpret_cast<char*>(start.data()), startOfHeader);
+  const bool multiPart = (start[5] & 0x10U) != 0;
+  std::string name;
+  std::string type;
+  bool afterAttribute = false;
+  while (std::getline(stream, name, '\0')) {
+    if (name.empty()) {
+      // One empty name ends a header; of several headers the last one is empty itself.
+      if (!multiPart || !afterAttribute) return;
+      afterAttribute = false;
+      continue;
+    }
+    std::array<unsigned char, 4> bytes{};
+    std::getline(stream, type, '\0');
+    stream.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+    const std::streamoff size =
+        static_cast<std::streamoff>(bytes[3]) << 24U | bytes[2] << 16U | bytes[1] << 8U | bytes[0];
+    if (!stream || size > fileBytes - stream.tellg()) break;
+    stream.seekg(size, std::ios::cur);
+    afterAttribute = true;
+  }
+  failToReadImage(file, "its header claims more than the file holds");
+}
 
 std::string channelNames(const Imf::ChannelList& channels) {
   std::string names;
@@ -141,8 +173,9 @@ void readRows(Imf::InputFile& input, const std::array<const char*, 4>& channels,
 }  // namespace
 
 Image readExr(const std::filesystem::path& file) {
-  HeaderCheck(file).requireBoundedSize();
   try {
+    requireAttributesFit(file);
+    HeaderCheck(file).requireBoundedSize();
     Imf::InputFile input(file.c_str(), 0);
     const Imf::Header& header = input.header();
     if (header.dataWindow() != header.displayWindow()) {

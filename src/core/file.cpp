@@ -65,7 +65,7 @@ void readExactly(std::ifstream& stream, const fs::path& file, std::vector<std::b
 fs::path resolved(const fs::path& target) {
   std::error_code error;
   if (!fs::is_symlink(target, error)) return target;
-  const fs::path real = fs::canonical(target, error);
+  fs::path real = fs::canonical(target, error);
   if (error) failToWrite(target, "it is a symbolic link to nothing");
   return real;
 }

@@ -39,7 +39,7 @@ float exposed(float radiance, float factor) {
 }
 
 std::uint8_t quantized(float unit) {
-  return static_cast<std::uint8_t>(std::clamp(unit, 0.0F, 1.0F) * 255.0F + 0.5F);
+  return static_cast<std::uint8_t>(std::lround(std::clamp(unit, 0.0F, 1.0F) * 255.0F));
 }
 
 void requireValid(const ToneOptions& options) {

@@ -34,16 +34,22 @@ struct ShadowMaps {
   gpu::GpuImage depth;
 };
 
-/// The diffusion source map, and the same as a list.
+/// The diffusion source map, the same with the charts' neighbourhoods, and the same as a list.
 struct DiffusionSources {
   gpu::GpuImage positionArea;      ///< xyz mm, w mm²
   gpu::GpuImage normal;            ///< xyz
   gpu::GpuImage irradianceObject;  ///< rgb E, a object + 1
   gpu::GpuImage coverage;          ///< object + 1, 0 where no surface is
-  gpu::Buffer fills;               ///< two packed texels each: to, from
+  gpu::Buffer charts;              ///< shared::ChartPlaces
+  gpu::Buffer nearOrigins;         ///< packed texel of the map for each one among the neighbourhoods
+  gpu::GpuImage nearPosition;      ///< xyz mm
+  gpu::GpuImage nearFlux;          ///< rgb E·A, a A in mm², 0 where no surface is
+  gpu::Buffer farOrigins;          ///< the same for aprons that hold the far samples
+  gpu::GpuImage farPosition;       ///< means of these over cells
+  gpu::GpuImage farFlux;
   gpu::Buffer texels;              ///< packed texels that carry surface, object after object
   gpu::Buffer list;                ///< two vec4 each: position mm; flux E·A
-  std::uint32_t fillCount = 0;
+  std::uint32_t cellEdge = 1;  ///< of a cell, texels
   std::uint32_t sourceCount = 0;
   std::vector<std::uint32_t> firstOfObject;  ///< one more than there are objects
 };
@@ -52,7 +58,7 @@ struct DiffusionSources {
 struct VisibleSurface {
   gpu::GpuImage position;  ///< xyz mm, w object + 1
   gpu::GpuImage normal;    ///< xyz unit
-  gpu::GpuImage place;     ///< xy place in the atlas
+  gpu::GpuImage place;     ///< near place, chart, direction; see scatter/surface.frag
   gpu::GpuImage depth;
 };
 

@@ -53,7 +53,8 @@ struct FrameContext {
   }
 
   void drawSurface(const glm::vec2& jitter, bool exitanceAtVertices) const {
-    passes.surface.record(commands, {frameBuffer, frameOffset, mesh, jitter, exitanceAtVertices},
+    passes.surface.record(commands, {frameBuffer, frameOffset, mesh, resources.sources.charts, jitter,
+                                     exitanceAtVertices},
                           resources.surface, resources.exitance);
   }
 

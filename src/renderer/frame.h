@@ -47,7 +47,7 @@ struct FramePlan {
   Site site = Site::Fragment;  ///< not Auto
   int samples = 4;             ///< of radiance, 0 for none
   bool centre = false;         ///< leave the visible surface and exitance of the pixels' centres
-  bool places = false;         ///< with it: places in the atlas, even where the sum is at vertices
+  bool places = false;         ///< with it: places among neighbourhoods, even where the sum is at vertices
   bool specular = true;
   float roughness = 0.25F;
 };

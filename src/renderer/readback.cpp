@@ -1,6 +1,7 @@
 #include "renderer/readback.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -56,7 +57,7 @@ Image combine(Image image, const Image& other, const Change& change) {
 void setGrey(float* pixel, float value) { std::fill_n(pixel, 3, value); }
 
 // What a shader reads by linear filtering with clamped coordinates.
-void sampleLinear(const Image& map, float u, float v, float* rgb) {
+void sampleLinear(const Image& map, float u, float v, float* rgba) {
   const float x = std::clamp(u * static_cast<float>(map.width) - 0.5F, 0.0F,
                              static_cast<float>(map.width - 1));
   const float y = std::clamp(v * static_cast<float>(map.height) - 0.5F, 0.0F,
@@ -67,8 +68,8 @@ void sampleLinear(const Image& map, float u, float v, float* rgb) {
   const float fy = y - static_cast<float>(y0);
   const int x1 = std::min(x0 + 1, map.width - 1);
   const int y1 = std::min(y0 + 1, map.height - 1);
-  for (int c = 0; c < 3; ++c)
-    rgb[c] = std::lerp(std::lerp(map.pixel(x0, y0)[c], map.pixel(x1, y0)[c], fx),
+  for (int c = 0; c < 4; ++c)
+    rgba[c] = std::lerp(std::lerp(map.pixel(x0, y0)[c], map.pixel(x1, y0)[c], fx),
                        std::lerp(map.pixel(x0, y1)[c], map.pixel(x1, y1)[c], fx), fy);
 }
 
@@ -112,10 +113,14 @@ Image object(gpu::Device& device, FrameResources& resources) {
 }
 
 Image irradiance(gpu::Device& device, FrameResources& resources) {
-  const Image map = readFloats(device, resources.sources.irradianceObject);
+  const Image flux = readFloats(device, resources.sources.nearFlux);
   return combine(position(device, resources), readFloats(device, resources.surface.place),
                  [&](float* pixel, const float* place) {
-                   if (pixel[3] > 0) sampleLinear(map, place[0], place[1], pixel);
+                   if (pixel[3] <= 0) return;
+                   std::array<float, 4> mean{};
+                   sampleLinear(flux, place[0], place[1], mean.data());
+                   for (std::size_t c = 0; c < 3; ++c)
+                     pixel[c] = mean[3] > 0 ? mean[c] / mean[3] : 0.0F;
                  });
 }
 

@@ -13,7 +13,7 @@ namespace opaline {
 /// The image of one output variable, from what a finished frame left on the device. Blocks.
 Image readAov(gpu::Device& device, Aov aov, FrameResources& resources, const CameraView& camera);
 
-/// Whether a variable is read off the pixels' centres, or needs places in the atlas there.
+/// Whether a variable is read off the pixels' centres, or needs places among the neighbourhoods there.
 bool needsCentre(Aov aov);
 bool needsPlaces(Aov aov);
 

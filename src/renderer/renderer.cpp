@@ -130,11 +130,12 @@ class Renderer::Implementation {
   FrameResources makeFrameResources(const RenderOptions& options) {
     const auto width = static_cast<std::uint32_t>(options.width);
     const auto height = static_cast<std::uint32_t>(options.height);
+    const PatternLayout pattern = layOutPattern(*uploaded_, options);
     FrameResources made;
-    made.sources = passes_.gather.prepare(device_, uploaded_->mesh,
-                                          static_cast<std::uint32_t>(options.dsmSize),
-                                          uploaded_->objects);
-    made.tables = makeSceneTables(device_, *uploaded_, made.sources.firstOfObject,
+    made.sources = passes_.gather.prepare(
+        device_, uploaded_->mesh, static_cast<std::uint32_t>(options.dsmSize), uploaded_->objects,
+        pattern.maps);
+    made.tables = makeSceneTables(device_, *uploaded_, pattern, made.sources.firstOfObject,
                                   scene_->lighting, options);
     made.shadows = passes::ShadowPass::makeMaps(device_,
                                                 static_cast<std::uint32_t>(options.shadowSize),

@@ -1,8 +1,13 @@
 #include "renderer/scene_resources.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "bssrdf/profile.h"
@@ -13,14 +18,6 @@
 namespace opaline {
 
 namespace {
-
-// All objects end to end.
-struct MergedMesh {
-  std::vector<Vec3> positions;
-  std::vector<Vec3> normals;
-  std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> objectOfTriangle;
-};
 
 MergedMesh merge(const Scene& scene) {
   MergedMesh merged;
@@ -38,20 +35,56 @@ MergedMesh merge(const Scene& scene) {
   return merged;
 }
 
+// Gradient of the height y over the atlas, times twice the triangle's area there.
+glm::vec2 rise(const std::array<glm::vec2, 3>& uv, const std::array<float, 3>& y) {
+  const glm::vec2 a = uv[1] - uv[0];
+  const glm::vec2 b = uv[2] - uv[0];
+  const float da = y[1] - y[0];
+  const float db = y[2] - y[0];
+  return {da * b.y - db * a.y, db * a.x - da * b.x};
+}
+
+// The direction in which the surface rises gives every corner a frame that continues across seams;
+// means over the corner's triangles.
+void addDirections(const atlas::Atlas& atlas, const MergedMesh& mesh,
+                   std::vector<shared::AtlasCorner>& corners) {
+  std::vector<glm::vec2> sum(corners.size(), glm::vec2(0));
+  for (const Triangle& triangle : atlas.triangles) {
+    std::array<glm::vec2, 3> uv{};
+    std::array<float, 3> y{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const shared::AtlasCorner& corner = corners[triangle[i]];
+      uv[i] = {corner.u, corner.v};
+      y[i] = mesh.positions[corner.vertex][1];
+    }
+    for (const std::uint32_t corner : triangle) sum[corner] += rise(uv, y);
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const float length = glm::length(sum[i]);
+    corners[i].alongU = length > 0 ? sum[i].x / length : 1;
+    corners[i].alongV = length > 0 ? sum[i].y / length : 0;
+  }
+}
+
 std::vector<shared::AtlasCorner> makeCorners(const atlas::Atlas& atlas, const MergedMesh& mesh) {
   std::vector<shared::AtlasCorner> corners(atlas.vertices.size());
   for (std::size_t i = 0; i < corners.size(); ++i)
-    corners[i] = {atlas.vertices[i].vertex, 0, atlas.vertices[i].uv[0], atlas.vertices[i].uv[1]};
+    corners[i] = {.vertex = atlas.vertices[i].vertex,
+                  .u = atlas.vertices[i].uv[0],
+                  .v = atlas.vertices[i].uv[1]};
   for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
-    for (const std::uint32_t corner : atlas.triangles[t])
+    for (const std::uint32_t corner : atlas.triangles[t]) {
       corners[corner].object = mesh.objectOfTriangle[t];
+      corners[corner].chart = atlas.chartOfTriangle[t];
+    }
+  addDirections(atlas, mesh, corners);
   return corners;
 }
 
 // One corner for each vertex: the first of those it has.
 std::vector<shared::AtlasCorner> cornerOfVertex(const std::vector<shared::AtlasCorner>& corners,
                                                 std::size_t vertices) {
-  std::vector<shared::AtlasCorner> chosen(vertices, shared::AtlasCorner{0, 0, 0, 0});
+  std::vector<shared::AtlasCorner> chosen(vertices, shared::AtlasCorner{});
   for (auto corner = corners.rbegin(); corner != corners.rend(); ++corner)
     chosen[corner->vertex] = *corner;
   return chosen;
@@ -75,6 +108,17 @@ double meanEdgeMm(const Mesh& mesh) {
   return mesh.triangles.empty() ? 0 : sum / (3.0 * static_cast<double>(mesh.triangles.size()));
 }
 
+double areaMm2(const Mesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const glm::dvec3 a = glm::make_vec3(mesh.positionsMm[t[0]].data());
+    const glm::dvec3 b = glm::make_vec3(mesh.positionsMm[t[1]].data());
+    const glm::dvec3 c = glm::make_vec3(mesh.positionsMm[t[2]].data());
+    sum += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  return sum;
+}
+
 bool same(const Medium& a, const Medium& b) {
   return a.sigmaSPrimePerMm == b.sigmaSPrimePerMm && a.sigmaAPerMm == b.sigmaAPerMm &&
          a.eta == b.eta;
@@ -89,10 +133,15 @@ void listMedia(const Scene& scene, SceneResources& resources) {
     resources.mediumOfObject.push_back(
         static_cast<std::uint32_t>(found - resources.media.begin()));
     resources.meanEdgeOfObjectMm.push_back(meanEdgeMm(object.mesh));
+    resources.areaOfObjectMm2.push_back(areaMm2(object.mesh));
   }
 }
 
 }  // namespace
+
+atlas::Surface MergedMesh::surface() const {
+  return {.positionsMm = positions, .triangles = triangles, .objectOfTriangle = objectOfTriangle};
+}
 
 double shortestMeanFreePathMm(const Medium& medium) {
   double shortest = bssrdf::coefficients(medium, 0).meanFreePathMm;
@@ -102,14 +151,13 @@ double shortestMeanFreePathMm(const Medium& medium) {
 }
 
 SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, int dsmSize) {
-  const MergedMesh merged = merge(scene);
-  const atlas::Atlas atlas = atlas::makeAtlas({.positionsMm = merged.positions,
-                                               .triangles = merged.triangles,
-                                               .objectOfTriangle = merged.objectOfTriangle},
-                                              {.mapSize = dsmSize});
+  SceneResources resources;
+  resources.merged = merge(scene);
+  const MergedMesh& merged = resources.merged;
+  resources.atlas = atlas::makeAtlas(merged.surface(), {.mapSize = dsmSize});
+  const atlas::Atlas& atlas = resources.atlas;
   const std::vector<shared::AtlasCorner> corners = makeCorners(atlas, merged);
 
-  SceneResources resources;
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   resources.mesh.positions =
       gpu::makeBuffer(device, "positions", padded(merged.positions, 1), storage);
@@ -122,7 +170,6 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, int d
       gpu::makeBuffer(device, "indices", atlas.triangles, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   resources.mesh.vertexCount = static_cast<std::uint32_t>(merged.positions.size());
   resources.mesh.indexCount = static_cast<std::uint32_t>(3 * atlas.triangles.size());
-  resources.atlasEdgeMm = atlas.mmPerUnit;
   resources.bounds = boundsOf(scene);
   resources.objects = static_cast<std::uint32_t>(scene.objects.size());
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numbers>
 
 #include "bssrdf/fresnel.h"
@@ -10,7 +11,6 @@
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "passes/gather/ambient_cube.h"
-#include "passes/scatter/pattern_mask.h"
 #include "passes/shade/specular_albedo.h"
 #include "shaders/profile_packing.h"
 #include "shaders/shared/frame.h"
@@ -42,17 +42,33 @@ std::vector<double> differentEtas(const std::vector<Medium>& media) {
   return etas;
 }
 
+double texelEdgeMm(const SceneResources& resources, const RenderOptions& options) {
+  return resources.atlas.mmPerUnit / options.dsmSize;
+}
+
+// Area of the smallest object of a medium.
+double smallestAreaMm2(const SceneResources& resources, std::size_t medium) {
+  double smallest = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < resources.objects; ++i)
+    if (resources.mediumOfObject[i] == medium)
+      smallest = std::min(smallest, resources.areaOfObjectMm2[i]);
+  return smallest;
+}
+
 // Collects the tables of all media.
 class TableBuilder {
  public:
-  TableBuilder(const SceneResources& resources, const RenderOptions& options)
-      : options_(options), texelMm_(resources.atlasEdgeMm / options.dsmSize),
+  TableBuilder(const SceneResources& resources, const PatternLayout& pattern,
+               const RenderOptions& options)
+      : options_(options),
+        texelMm_(texelEdgeMm(resources, options)),
         etas_(differentEtas(resources.media)) {
     for (const double eta : etas_) {
       const std::vector<float> entries = passes::specularAlbedo(eta, static_cast<double>(options.roughness));
       albedo_.insert(albedo_.end(), entries.begin(), entries.end());
     }
-    for (const Medium& medium : resources.media) add(medium);
+    for (std::size_t i = 0; i < resources.media.size(); ++i)
+      add(resources.media[i], pattern.extentOfMedium[i], pattern.maps.distant.size);
   }
 
   const std::vector<double>& etas() const { return etas_; }
@@ -61,21 +77,15 @@ class TableBuilder {
   const std::vector<float>& albedo() const { return albedo_; }
 
  private:
-  void add(const Medium& medium) {
+  void add(const Medium& medium, const passes::PatternExtent& extent, int farMapSize) {
     const std::array<bssrdf::Profile, 3> profiles = profilesOf(medium, options_.transport);
-    const double freePathMm = shortestMeanFreePathMm(medium);
-    const passes::PatternMask mask = passes::makePatternMask(
-        profiles, {.nearRings = options_.pattern.nearRings,
-                   .nearSpacingMm = static_cast<double>(options_.pattern.nearSpacing) * freePathMm,
-                   .farDistanceMm = static_cast<double>(options_.pattern.farDistance) * freePathMm,
-                   .texelMm = texelMm_,
-                   .mapSize = options_.dsmSize});
+    const passes::PatternMask mask = passes::makePatternMask(profiles, extent, texelMm_, farMapSize);
     const auto eta = static_cast<std::uint32_t>(
         std::find(etas_.begin(), etas_.end(), medium.eta) - etas_.begin());
     media_.push_back({.profile = shaders::packProfile(profiles),
                       .boundary = {static_cast<float>(medium.eta),
                                    static_cast<float>(exitFactor(medium, options_.transport)), 0, 0},
-                      .tables = {eta, static_cast<std::uint32_t>(pattern_.size()), mask.samples,
+                      .tables = {eta, static_cast<std::uint32_t>(pattern_.size()), mask.nearSamples,
                                  eta * passes::specularAlbedoEntries}});
     pattern_.insert(pattern_.end(), mask.entries.begin(), mask.entries.end());
   }
@@ -107,10 +117,45 @@ ShCoefficients ambientRadiance(const Lighting& lighting) {
 
 }  // namespace
 
+PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions& options) {
+  // Aprons take room: where they would need more than this, the pattern shrinks.
+  const int largestNear = std::max(2 * options.dsmSize, 1024);
+  const int largestFar = std::max(4 * options.dsmSize, 2048);
+  const double texelMm = texelEdgeMm(resources, options);
+  PatternLayout layout;
+  int nearReach = 1;
+  int farReach = 1;
+  int cell = options.dsmSize;
+  for (std::size_t i = 0; i < resources.media.size(); ++i) {
+    const double freePathMm = shortestMeanFreePathMm(resources.media[i]);
+    const passes::PatternExtent extent = passes::patternExtent(
+        {.nearRings = options.pattern.nearRings,
+         .nearSpacingMm = static_cast<double>(options.pattern.nearSpacing) * freePathMm,
+         .farDistanceMm = static_cast<double>(options.pattern.farDistance) * freePathMm},
+        texelMm, smallestAreaMm2(resources, i));
+    layout.extentOfMedium.push_back(extent);
+    nearReach = std::max(nearReach, extent.nearReach());
+    farReach = std::max(farReach, extent.farReach());
+    cell = std::min(cell, extent.cell);
+  }
+  const atlas::Surface surface = resources.merged.surface();
+  layout.maps.nearby = atlas::makeNeighbourhoods(
+      surface, resources.atlas,
+      {.mapSize = options.dsmSize, .reach = nearReach, .alignment = 1, .maxSize = largestNear});
+  layout.maps.distant = atlas::makeNeighbourhoods(
+      surface, resources.atlas,
+      {.mapSize = options.dsmSize, .reach = farReach, .alignment = cell, .maxSize = largestFar});
+  layout.maps.cellEdge = static_cast<std::uint32_t>(cell);
+  for (passes::PatternExtent& extent : layout.extentOfMedium)
+    extent = passes::fitted(extent, layout.maps.nearby.reach, layout.maps.distant.reach);
+  return layout;
+}
+
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
+                                    const PatternLayout& pattern,
                                     const std::vector<std::uint32_t>& firstSourceOfObject,
                                     const Lighting& lighting, const RenderOptions& options) {
-  const TableBuilder builder(resources, options);
+  const TableBuilder builder(resources, pattern, options);
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   passes::SceneTables tables;
   tables.objects =

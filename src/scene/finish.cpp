@@ -33,7 +33,9 @@ struct Box {
   }
 };
 
-void scalePoint(Vec3& p, double factor) { p = toFloat(factor * toDouble(p)); }
+void scalePoint(Vec3& p, double factor) {
+  p = toFloat(factor * toDouble(p));
+}
 
 bool lostArea(const RawMesh& mesh) {
   return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {

@@ -18,8 +18,9 @@ namespace opaline::scene {
 namespace {
 
 constexpr double mmPerMetre = 1000;
-/// A file may draw one mesh any number of times.
-constexpr std::size_t mostTriangles = 20'000'000;
+/// A file may draw one mesh any number of times: this many triangles or vertices at most, beyond
+/// one for every four bytes that are really there.
+constexpr std::size_t mostRepeated = 4'000'000;
 
 /// What a scene is gathered with.
 struct Gathering {
@@ -31,6 +32,12 @@ struct Gathering {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   std::size_t skippedPrimitives = 0;
+
+  std::size_t most() const {
+    std::size_t bytes = 0;
+    for (const tinygltf::Buffer& buffer : model.buffers) bytes += buffer.data.size();
+    return mostRepeated + bytes / 4;
+  }
 };
 
 bool sameMedium(const Medium& a, const Medium& b) {
@@ -53,8 +60,8 @@ void append(RawMesh& mesh, RawMesh&& part, std::uint64_t partNumber) {
 void addMesh(Gathering& to, std::size_t nodeIndex) {
   const tinygltf::Node& node = to.model.nodes[nodeIndex];
   if (node.mesh < 0 || static_cast<std::size_t>(node.mesh) >= to.model.meshes.size()) {
-    failGltf(to.input, fmt::format("node {} names mesh {}, which does not exist", nodeIndex,
-                                   node.mesh));
+    failGltf(to.input,
+             fmt::format("node {} names mesh {}, which does not exist", nodeIndex, node.mesh));
   }
   const tinygltf::Mesh& mesh = to.model.meshes[static_cast<std::size_t>(node.mesh)];
   const std::string name = !node.name.empty()   ? cleanText(node.name)
@@ -67,14 +74,13 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
       ++to.skippedPrimitives;
       continue;
     }
-    const Medium medium =
-        gltfMedium(to.input, to.model, primitive.material, mesh.name, node.name);
-    RawMesh baked =
-        bakePrimitive(to.input, to.model, to.nodes, to.accessors, nodeIndex, primitive);
+    const Medium medium = gltfMedium(to.input, to.model, primitive.material, mesh.name, node.name);
+    RawMesh baked = bakePrimitive(to.input, to.model, to.nodes, to.accessors, nodeIndex, primitive);
     to.triangles += baked.triangles.size();
     to.vertices += baked.positions.size();
-    if (to.triangles > mostTriangles || to.vertices > mostTriangles) {
-      failGltf(to.input, fmt::format("it draws more than {} triangles or vertices", mostTriangles));
+    if (to.triangles > to.most() || to.vertices > to.most()) {
+      failGltf(to.input, fmt::format("it repeats its meshes to more than {} triangles or vertices",
+                                     to.most()));
     }
     const auto begin = to.scene.objects.begin() + static_cast<std::ptrdiff_t>(first);
     auto object = std::find_if(begin, to.scene.objects.end(), [&](const RawObject& known) {
@@ -135,8 +141,7 @@ void addLight(Gathering& to, std::size_t nodeIndex) {
     to.scene.lighting.directional.push_back({toFloat(*back), lightColor(to.input, light)});
     to.scene.hasLights = true;
   } else if (light.type == "point") {
-    to.scene.lighting.points.push_back(
-        {toFloat(world.column[3]), lightColor(to.input, light)});
+    to.scene.lighting.points.push_back({toFloat(world.column[3]), lightColor(to.input, light)});
     to.scene.hasLights = true;
   } else {
     note(to.input.log,
@@ -155,9 +160,9 @@ void takeCamera(Gathering& to, std::size_t nodeIndex) {
   }
   const tinygltf::Camera& camera = to.model.cameras[static_cast<std::size_t>(index)];
   if (camera.type != "perspective") {
-    note(to.input.log, fmt::format("{}: orthographic camera '{}' is left out",
-                                   cleanText(to.input.file.string(), 1000),
-                                   cleanText(camera.name, 60)));
+    note(to.input.log,
+         fmt::format("{}: orthographic camera '{}' is left out",
+                     cleanText(to.input.file.string(), 1000), cleanText(camera.name, 60)));
     return;
   }
   const Matrix4& world = to.nodes.world[nodeIndex];

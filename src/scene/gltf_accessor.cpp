@@ -23,37 +23,49 @@ T load(const unsigned char* bytes) {
 
 template <typename T>
 float normalised(const unsigned char* bytes) {
-  const float value = static_cast<float>(load<T>(bytes)) /
-                      static_cast<float>(std::numeric_limits<T>::max());
+  const float value =
+      static_cast<float>(load<T>(bytes)) / static_cast<float>(std::numeric_limits<T>::max());
   return std::max(value, -1.0F);
 }
 
 float toFloat(const unsigned char* bytes, int type, bool normalise) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return normalise ? normalised<std::int8_t>(bytes) : static_cast<float>(load<std::int8_t>(bytes));
+      return normalise ? normalised<std::int8_t>(bytes)
+                       : static_cast<float>(load<std::int8_t>(bytes));
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return normalise ? normalised<std::uint8_t>(bytes) : static_cast<float>(load<std::uint8_t>(bytes));
+      return normalise ? normalised<std::uint8_t>(bytes)
+                       : static_cast<float>(load<std::uint8_t>(bytes));
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return normalise ? normalised<std::int16_t>(bytes) : static_cast<float>(load<std::int16_t>(bytes));
+      return normalise ? normalised<std::int16_t>(bytes)
+                       : static_cast<float>(load<std::int16_t>(bytes));
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return normalise ? normalised<std::uint16_t>(bytes) : static_cast<float>(load<std::uint16_t>(bytes));
-    case TINYGLTF_COMPONENT_TYPE_INT: return static_cast<float>(load<std::int32_t>(bytes));
+      return normalise ? normalised<std::uint16_t>(bytes)
+                       : static_cast<float>(load<std::uint16_t>(bytes));
+    case TINYGLTF_COMPONENT_TYPE_INT:
+      return static_cast<float>(load<std::int32_t>(bytes));
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
       return normalise ? normalised<std::uint32_t>(bytes)
                        : static_cast<float>(load<std::uint32_t>(bytes));
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return load<float>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_DOUBLE: return static_cast<float>(load<double>(bytes));
-    default: return 0;
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+      return load<float>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_DOUBLE:
+      return static_cast<float>(load<double>(bytes));
+    default:
+      return 0;
   }
 }
 
 std::optional<std::uint32_t> toInteger(const unsigned char* bytes, int type) {
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return load<std::uint8_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load<std::uint16_t>(bytes);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return load<std::uint32_t>(bytes);
-    default: return std::nullopt;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return load<std::uint8_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return load<std::uint16_t>(bytes);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return load<std::uint32_t>(bytes);
+    default:
+      return std::nullopt;
   }
 }
 
@@ -66,7 +78,9 @@ const tinygltf::Accessor& GltfAccessors::at(int accessor) const {
   return model_.accessors[static_cast<std::size_t>(accessor)];
 }
 
-std::size_t GltfAccessors::countOf(int accessor) const { return at(accessor).count; }
+std::size_t GltfAccessors::countOf(int accessor) const {
+  return at(accessor).count;
+}
 
 const unsigned char* GltfAccessors::bytes(int view, std::size_t offset, std::size_t count,
                                           std::size_t elementBytes,
@@ -86,8 +100,9 @@ const unsigned char* GltfAccessors::bytes(int view, std::size_t offset, std::siz
   if (strideBytes < elementBytes) {
     failGltf(input_, fmt::format("the elements of buffer view {} overlap", view));
   }
-  const bool fits = count == 0 || (offset <= of.byteLength && elementBytes <= of.byteLength - offset &&
-                                   count - 1 <= (of.byteLength - offset - elementBytes) / strideBytes);
+  const bool fits =
+      count == 0 || (offset <= of.byteLength && elementBytes <= of.byteLength - offset &&
+                     count - 1 <= (of.byteLength - offset - elementBytes) / strideBytes);
   if (!fits) {
     failGltf(input_, fmt::format("an accessor reaches beyond the end of buffer view {}", view));
   }
@@ -101,7 +116,8 @@ std::vector<T> GltfAccessors::read(int index, int components, std::optional<std:
   const int size = tinygltf::GetComponentSizeInBytes(static_cast<unsigned>(accessor.componentType));
   const int own = tinygltf::GetNumComponentsInType(static_cast<unsigned>(accessor.type));
   if (size <= 0 || own != components) {
-    failGltf(input_, fmt::format("accessor {} has elements of another type than its use needs", index));
+    failGltf(input_,
+             fmt::format("accessor {} has elements of another type than its use needs", index));
   }
   if (count && accessor.count != *count) {
     failGltf(input_, fmt::format("accessor {} has {} elements where {} are needed", index,

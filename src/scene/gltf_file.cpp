@@ -63,8 +63,7 @@ bool readWholeFile(std::vector<unsigned char>* out, std::string*, const std::str
   const auto file = allowed(access, path);
   if (!file) return false;
   try {
-    const std::vector<std::byte> bytes =
-        core::readFile(*file, longestFileBytes - access.bytesRead);
+    const std::vector<std::byte> bytes = core::readFile(*file, longestFileBytes - access.bytesRead);
     access.bytesRead += bytes.size();
     out->resize(bytes.size());
     if (!bytes.empty()) std::memcpy(out->data(), bytes.data(), bytes.size());
@@ -106,9 +105,18 @@ std::string_view jsonOf(const Input& input, bool binary) {
   return {text + headerBytes, size};
 }
 
-/// The first sentence of what the library complains about.
-std::string firstLine(const std::string& text) {
-  return cleanText(std::string_view(text).substr(0, text.find('\n')), 200);
+/// The first sentence of what the library complains about, empty if that is nothing serious: a
+/// skin's inverse bind matrices are optional (glTF 2.0, section 5.28), the library finds them
+/// missing and goes on.
+std::string firstComplaint(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (!line.empty() && line != "'inverseBindMatrices' property is missing in Skin.") {
+      return cleanText(line, 200);
+    }
+  }
+  return {};
 }
 
 /// Extensions that change where the vertices are, or how they are stored, and are understood.
@@ -162,12 +170,13 @@ tinygltf::Model readGltf(const Input& input) {
     throw;
   } catch (const std::exception& exception) {
     // A value of another type than the library expects.
-    failGltf(input, fmt::format("its JSON is no glTF: {}", firstLine(exception.what())));
+    failGltf(input, fmt::format("its JSON is no glTF: {}", firstComplaint(exception.what())));
   }
   if (!access.refusal.empty()) failGltf(input, access.refusal);
-  if (!whole || !error.empty()) {
+  const std::string complaint = firstComplaint(error);
+  if (!whole || !complaint.empty()) {
     failGltf(input, fmt::format("it is no sound glTF: {}",
-                                error.empty() ? "unknown reason" : firstLine(error)));
+                                complaint.empty() ? "unknown reason" : complaint));
   }
   if (!model.asset.version.starts_with("2.")) {
     failGltf(input, fmt::format("it is of glTF version '{}', not 2.0",

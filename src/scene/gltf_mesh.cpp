@@ -60,7 +60,8 @@ std::vector<std::uint32_t> indicesOf(const Input& input, GltfAccessors& accessor
 std::vector<Triangle> assemble(int mode, const std::vector<std::uint32_t>& v) {
   std::vector<Triangle> triangles;
   if (mode == TINYGLTF_MODE_TRIANGLES) {
-    for (std::size_t i = 0; i + 2 < v.size(); i += 3) triangles.push_back({v[i], v[i + 1], v[i + 2]});
+    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
+      triangles.push_back({v[i], v[i + 1], v[i + 2]});
     return triangles;
   }
   for (std::size_t i = 0; i + 2 < v.size(); ++i) {
@@ -116,7 +117,8 @@ void morph(const tinygltf::Model& model, GltfAccessors& accessors, const tinyglt
       const auto accessor = attribute(primitive.targets[t], name);
       if (!accessor || values.empty()) return;
       const std::vector<Double3> deltas = vectors(accessors, *accessor, values.size());
-      for (std::size_t v = 0; v < values.size(); ++v) values[v] = values[v] + weights[t] * deltas[v];
+      for (std::size_t v = 0; v < values.size(); ++v)
+        values[v] = values[v] + weights[t] * deltas[v];
     };
     addTo("POSITION", draft.positions);
     addTo("NORMAL", draft.normals);
@@ -149,9 +151,9 @@ std::vector<Matrix4> jointMatrices(const Input& input, const tinygltf::Model& mo
       failGltf(input, fmt::format("skin {} names a joint that does not exist", skin));
     }
     const Matrix4& world = nodes.world[static_cast<std::size_t>(of.joints[j])];
-    matrices.push_back(
-        inverse.empty() ? world
-                        : world * matrixFromColumns(std::span(inverse).subspan(16 * j, 16)));
+    matrices.push_back(inverse.empty()
+                           ? world
+                           : world * matrixFromColumns(std::span(inverse).subspan(16 * j, 16)));
   }
   return matrices;
 }
@@ -170,7 +172,8 @@ std::vector<Influences> influencesOf(const Input& input, GltfAccessors& accessor
     const auto joints = attribute(primitive.attributes, fmt::format("JOINTS_{}", set).c_str());
     const auto weights = attribute(primitive.attributes, fmt::format("WEIGHTS_{}", set).c_str());
     if (!joints || !weights) break;
-    sets.push_back({accessors.integers(*joints, 4, vertices), accessors.floats(*weights, 4, vertices)});
+    sets.push_back(
+        {accessors.integers(*joints, 4, vertices), accessors.floats(*weights, 4, vertices)});
     for (std::size_t i = 0; i < sets.back().joints.size(); ++i) {
       const float weight = sets.back().weights[i];
       if (!(weight >= 0 && std::isfinite(weight))) sets.back().weights[i] = 0;
@@ -226,8 +229,8 @@ RawMesh flatMesh(const Draft& draft) {
       ++mesh.badPolygons;
       continue;
     }
-    const Vec3 normal = unit(
-        areaVector(draft.positions[t[0]], draft.positions[t[1]], draft.positions[t[2]]));
+    const Vec3 normal =
+        unit(areaVector(draft.positions[t[0]], draft.positions[t[1]], draft.positions[t[2]]));
     Triangle own{};
     for (std::size_t c = 0; c < 3; ++c) {
       own[c] = static_cast<std::uint32_t>(mesh.positions.size());

@@ -84,8 +84,7 @@ GltfNodes resolveNodes(const Input& input, const tinygltf::Model& model) {
     const auto index = static_cast<std::size_t>(n);
     const Matrix4 local = localMatrix(input, model.nodes[index], index);
     const int parent = parents[index];
-    nodes.world[index] =
-        parent < 0 ? local : nodes.world[static_cast<std::size_t>(parent)] * local;
+    nodes.world[index] = parent < 0 ? local : nodes.world[static_cast<std::size_t>(parent)] * local;
   }
   // A scene may list a node and one above it; each is drawn once.
   std::vector<bool> inScene(model.nodes.size());

@@ -88,9 +88,9 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
                    const nlohmann::json::exception& error) override {
     const std::string_view what(error.what());
     const std::size_t start = what.find("] ");
-    problem = fmt::format("its JSON is damaged at byte {}: {}", position,
-                          cleanText(start == std::string_view::npos ? what
-                                                                    : what.substr(start + 2)));
+    problem =
+        fmt::format("its JSON is damaged at byte {}: {}", position,
+                    cleanText(start == std::string_view::npos ? what : what.substr(start + 2)));
     return false;
   }
 

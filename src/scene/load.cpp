@@ -22,9 +22,8 @@ enum class Format { Ply, Obj, Gltf, Unknown };
 
 std::string lowerExtension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
 }
 
@@ -44,7 +43,9 @@ void note(const LogCallback& log, std::string_view message) {
   if (log) log(LogLevel::Note, message);
 }
 
-Medium defaultMedium() { return bssrdf::findMedium("marble").value(); }
+Medium defaultMedium() {
+  return bssrdf::findMedium("marble").value();
+}
 
 RawScene loadModel(const std::filesystem::path& file, const LogCallback& log) {
   const std::vector<std::byte> bytes = core::readFile(file, longestFileBytes);
@@ -54,10 +55,14 @@ RawScene loadModel(const std::filesystem::path& file, const LogCallback& log) {
   const std::string_view start(reinterpret_cast<const char*>(bytes.data()),
                                std::min<std::size_t>(bytes.size(), 4));
   switch (formatOf(file, start)) {
-    case Format::Ply: return loadPly(input);
-    case Format::Obj: return loadObj(input);
-    case Format::Gltf: return loadGltf(input);
-    case Format::Unknown: break;
+    case Format::Ply:
+      return loadPly(input);
+    case Format::Obj:
+      return loadObj(input);
+    case Format::Gltf:
+      return loadGltf(input);
+    case Format::Unknown:
+      break;
   }
   throw Error(fmt::format("{}: a scene is a .glb, .gltf, .obj, .ply or .toml file", name));
 }

@@ -16,8 +16,8 @@ struct Matrix4 {
   Double3 point(const Double3& p) const { return direction(p) + column[3]; }
   /// Cofactors times the normal: the inverse transpose but for a positive factor.
   Double3 normal(const Double3& n) const {
-    const Double3 mapped = n[0] * cross(column[1], column[2]) +
-                           n[1] * cross(column[2], column[0]) + n[2] * cross(column[0], column[1]);
+    const Double3 mapped = n[0] * cross(column[1], column[2]) + n[1] * cross(column[2], column[0]) +
+                           n[2] * cross(column[0], column[1]);
     return determinant() < 0 ? -1.0 * mapped : mapped;
   }
   double determinant() const { return dot(column[0], cross(column[1], column[2])); }

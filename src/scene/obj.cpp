@@ -42,8 +42,7 @@ bool isNumber(std::string_view word) {
   const auto [stop, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (stop != word.data() + word.size() || word.empty()) return false;
   if (problem == std::errc::result_out_of_range) return word.find("e-") != std::string_view::npos;
-  return problem == std::errc{} &&
-         std::abs(value) <= double{std::numeric_limits<float>::max()};
+  return problem == std::errc{} && std::abs(value) <= double{std::numeric_limits<float>::max()};
 }
 
 void checkNumbers(const Input& input, std::string_view line, std::size_t number) {
@@ -64,7 +63,8 @@ bool isCorner(std::string_view word) {
     const auto [stop, problem] =
         std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool absent = digits.empty() && part == 1 && end < word.size();
-    if (!absent && (problem != std::errc{} || stop != digits.data() + digits.size() || value == 0)) {
+    if (!absent &&
+        (problem != std::errc{} || stop != digits.data() + digits.size() || value == 0)) {
       return false;
     }
     if (end == word.size()) return true;
@@ -201,16 +201,16 @@ class VertexTable {
 
   std::uint32_t indexOf(const Corner& corner, RawMesh& mesh) {
     const std::int64_t normal = withNormals_ ? corner.normal : noNormal;
-    const std::uint64_t key = (static_cast<std::uint64_t>(corner.position) << 32U) |
-                              static_cast<std::uint32_t>(normal);
+    const std::uint64_t key =
+        (static_cast<std::uint64_t>(corner.position) << 32U) | static_cast<std::uint32_t>(normal);
     const auto [entry, isNew] =
         known_.try_emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
     if (isNew) {
       mesh.positions.push_back(reader_.positions[static_cast<std::size_t>(corner.position)]);
       if (withNormals_) {
         // A zero normal is replaced by a smooth one on repair.
-        mesh.normals.push_back(normal == noNormal ? Vec3{0, 0, 0}
-                                          : reader_.normals[static_cast<std::size_t>(normal)]);
+        mesh.normals.push_back(
+            normal == noNormal ? Vec3{0, 0, 0} : reader_.normals[static_cast<std::size_t>(normal)]);
       }
     }
     return entry->second;
@@ -225,7 +225,8 @@ class VertexTable {
 /// Positions that no face names join the first mesh, so that they are seen and counted.
 void addUnused(const Reader& reader, RawMesh& mesh) {
   std::vector<bool> used(reader.positions.size());
-  for (const Corner& corner : reader.corners) used[static_cast<std::size_t>(corner.position)] = true;
+  for (const Corner& corner : reader.corners)
+    used[static_cast<std::size_t>(corner.position)] = true;
   for (std::size_t v = 0; v < used.size(); ++v) {
     if (used[v]) continue;
     mesh.positions.push_back(reader.positions[v]);

@@ -59,11 +59,21 @@ std::vector<std::string_view> words(std::string_view line) {
 
 std::optional<Scalar> scalarNamed(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, Scalar>, 16> names{{
-      {"char", Scalar::Int8},      {"int8", Scalar::Int8},      {"uchar", Scalar::Uint8},
-      {"uint8", Scalar::Uint8},    {"short", Scalar::Int16},    {"int16", Scalar::Int16},
-      {"ushort", Scalar::Uint16},  {"uint16", Scalar::Uint16},  {"int", Scalar::Int32},
-      {"int32", Scalar::Int32},    {"uint", Scalar::Uint32},    {"uint32", Scalar::Uint32},
-      {"float", Scalar::Float32},  {"float32", Scalar::Float32}, {"double", Scalar::Float64},
+      {"char", Scalar::Int8},
+      {"int8", Scalar::Int8},
+      {"uchar", Scalar::Uint8},
+      {"uint8", Scalar::Uint8},
+      {"short", Scalar::Int16},
+      {"int16", Scalar::Int16},
+      {"ushort", Scalar::Uint16},
+      {"uint16", Scalar::Uint16},
+      {"int", Scalar::Int32},
+      {"int32", Scalar::Int32},
+      {"uint", Scalar::Uint32},
+      {"uint32", Scalar::Uint32},
+      {"float", Scalar::Float32},
+      {"float32", Scalar::Float32},
+      {"double", Scalar::Float64},
       {"float64", Scalar::Float64},
   }};
   for (const auto& [known, type] : names) {
@@ -106,21 +116,24 @@ Element parseElement(const Input& input, const std::vector<std::string_view>& li
 }
 
 Header parseHeader(const Input& input) {
+  constexpr std::size_t longestHeader = 1U << 20U;
   const std::string_view text(reinterpret_cast<const char*>(input.bytes.data()),
-                              input.bytes.size());
+                              std::min(input.bytes.size(), longestHeader));
   Header header;
   std::size_t at = 0;
   bool sawFormat = false;
-  constexpr std::size_t longestHeader = 1U << 20U;
+  bool pairs = false;
   for (std::size_t lineNumber = 0;; ++lineNumber) {
     // Line ends are \n, \r\n or, in files from old Macintoshes, \r.
     const std::size_t end = text.find_first_of("\r\n", at);
-    if (end == std::string_view::npos || end > longestHeader) {
+    if (end == std::string_view::npos) {
       fail(input, lineNumber == 0 ? "this is no PLY file" : "the PLY header has no end");
     }
     const std::vector<std::string_view> line = words(text.substr(at, end - at));
     at = end + 1;
-    if (text[end] == '\r' && at < text.size() && text[at] == '\n') ++at;
+    // Decided once: after a lone \r the first byte of the body may be a \n.
+    if (lineNumber == 0) pairs = text.substr(end).starts_with("\r\n");
+    if (pairs && text.substr(end).starts_with("\r\n")) ++at;
     if (lineNumber == 0) {
       if (line.size() != 1 || line[0] != "ply") fail(input, "this is no PLY file");
       continue;
@@ -161,8 +174,8 @@ class Body {
   void requireRoom(const Element& element) const {
     std::uint64_t least = 0;
     for (const Property& property : element.properties) {
-      least += encoding_ == Encoding::Ascii ? 2
-                                            : sizeOf(property.listCount.value_or(property.type));
+      least +=
+          encoding_ == Encoding::Ascii ? 2 : sizeOf(property.listCount.value_or(property.type));
     }
     // The last number of a text needs no separator behind it.
     const std::uint64_t room = rest_.size() + (encoding_ == Encoding::Ascii ? 1 : 0);
@@ -177,11 +190,13 @@ class Body {
   std::uint64_t nextCount(const Property& property, const Element& element) {
     const double count = next(*property.listCount, element);
     if (!(count >= 0) || count != std::floor(count)) {
-      fail(input_, fmt::format("a list of '{}' has {} entries", cleanText(element.name, 40), count));
+      fail(input_,
+           fmt::format("a list of '{}' has {} entries", cleanText(element.name, 40), count));
     }
     const std::size_t least = encoding_ == Encoding::Ascii ? 2 : sizeOf(property.type);
     const std::size_t room = rest_.size() + (encoding_ == Encoding::Ascii ? 1 : 0);
-    if (count > static_cast<double>(room / least)) truncated(element);
+    const std::size_t most = room / least;
+    if (count > static_cast<double>(most)) truncated(element);
     return static_cast<std::uint64_t>(count);
   }
 
@@ -231,14 +246,22 @@ class Body {
   double nextBinary(Scalar type, const Element& element) {
     if (rest_.size() < sizeOf(type)) truncated(element);
     switch (type) {
-      case Scalar::Int8: return take<std::int8_t>();
-      case Scalar::Uint8: return take<std::uint8_t>();
-      case Scalar::Int16: return take<std::int16_t>();
-      case Scalar::Uint16: return take<std::uint16_t>();
-      case Scalar::Int32: return take<std::int32_t>();
-      case Scalar::Uint32: return take<std::uint32_t>();
-      case Scalar::Float32: return take<float>();
-      case Scalar::Float64: return take<double>();
+      case Scalar::Int8:
+        return take<std::int8_t>();
+      case Scalar::Uint8:
+        return take<std::uint8_t>();
+      case Scalar::Int16:
+        return take<std::int16_t>();
+      case Scalar::Uint16:
+        return take<std::uint16_t>();
+      case Scalar::Int32:
+        return take<std::int32_t>();
+      case Scalar::Uint32:
+        return take<std::uint32_t>();
+      case Scalar::Float32:
+        return take<float>();
+      case Scalar::Float64:
+        return take<double>();
     }
     return 0;
   }
@@ -297,7 +320,8 @@ void readFaces(const Input& input, const Element& element, Body& body, Faces& fa
   const auto isIndices = [](const Property& p) {
     return p.listCount && (p.name == "vertex_indices" || p.name == "vertex_index");
   };
-  const auto indices = std::find_if(element.properties.begin(), element.properties.end(), isIndices);
+  const auto indices =
+      std::find_if(element.properties.begin(), element.properties.end(), isIndices);
   if (indices == element.properties.end()) fail(input, "its faces have no vertex_indices");
   for (std::uint64_t face = 0; face < element.count; ++face) {
     for (const Property& property : element.properties) {

@@ -10,10 +10,10 @@ namespace opaline::scene {
 
 /// Mends a mesh whose indices are in range and returns what was mended, only counts above 0:
 ///   unused vertices           that no triangle names
-///   degenerate triangles      a repeated corner or no area, and polygons of fewer than three corners
-///   duplicate vertices        same point of the surface, same normal, same tag; now one vertex
-///   duplicate faces           same three places in the same turn, or on one surface in any turn
-///   inconsistent orientation  triangles turned to agree with the rest of their component
+///   degenerate triangles      a repeated corner or no area, and polygons of fewer than three
+///   corners duplicate vertices        same point of the surface, same normal, same tag; now one
+///   vertex duplicate faces           same three places in the same turn, or on one surface in any
+///   turn inconsistent orientation  triangles turned to agree with the rest of their component
 ///   inward orientation        triangles of components turned as a whole
 ///   non-manifold edges        with more than two triangles or two that cannot agree; cut apart
 ///   unusable normals          zero or not finite; now smooth

@@ -10,8 +10,23 @@
 
 namespace opaline {
 
-using scene::operator+;
-using scene::operator*;
+namespace scene {
+namespace {
+
+Vec3 unit(const Double3& v) {
+  return toFloat((1.0 / length(v)) * v);
+}
+
+Double3 centreOf(const Bounds& bounds) {
+  return 0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm));
+}
+
+Vec3 along(const Double3& from, double factor, const Double3& direction) {
+  return toFloat(from + factor * direction);
+}
+
+}  // namespace
+}  // namespace scene
 
 Bounds boundsOf(const Scene& scene) {
   Bounds bounds;
@@ -45,13 +60,11 @@ Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre, float vertica
   if (!scene::isFinite(direction) || !(size > 1e-30)) {
     throw UsageError("the camera's direction must not be zero");
   }
-  const Bounds bounds = boundsOf(scene);
-  const scene::Double3 centre =
-      0.5 * (scene::toDouble(bounds.minMm) + scene::toDouble(bounds.maxMm));
+  const scene::Double3 centre = scene::centreOf(boundsOf(scene));
   const double distance = 1.4 * double{diagonalMm(scene)};
   Camera camera;
   camera.targetMm = scene::toFloat(centre);
-  camera.positionMm = scene::toFloat(centre + (distance / size) * direction);
+  camera.positionMm = scene::along(centre, distance / size, direction);
   camera.verticalFovDegrees = verticalFovDegrees;
   // Looking along the usual up needs another.
   if (std::abs(direction[1]) > 0.999 * size) camera.up = {0, 0, direction[1] > 0 ? -1.0F : 1.0F};
@@ -59,13 +72,11 @@ Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre, float vertica
 }
 
 Lighting defaultLighting() {
-  const auto unit = [](const scene::Double3& v) {
-    return scene::toFloat((1.0 / scene::length(v)) * v);
-  };
   Lighting lighting;
-  // The key shines through the body towards the camera on +z; a little warm, the fill a little cool.
-  lighting.directional.push_back({unit({0.45, 0.35, -0.82}), {6.0F, 5.8F, 5.4F}});
-  lighting.directional.push_back({unit({-0.6, 0.45, 0.66}), {0.45F, 0.5F, 0.6F}});
+  // The key shines through the body towards the camera on +z; a little warm, the fill a little
+  // cool.
+  lighting.directional.push_back({scene::unit({0.45, 0.35, -0.82}), {6.0F, 5.8F, 5.4F}});
+  lighting.directional.push_back({scene::unit({-0.6, 0.45, 0.66}), {0.45F, 0.5F, 0.6F}});
   lighting.ambient = {0.12F, 0.12F, 0.13F};
   return lighting;
 }

@@ -12,22 +12,22 @@ namespace opaline::scene {
 /// What a .toml scene says beyond the scene itself: its [render] table, unmerged. Names of choices
 /// are those of the command line and checked.
 struct SceneFileSettings {
-  std::optional<int> width;                ///< size = [1024, 1024]
+  std::optional<int> width;  ///< size = [1024, 1024]
   std::optional<int> height;
-  std::optional<std::string> transport;    ///< dipole, better-dipole
-  std::optional<std::string> sum;          ///< pattern, all
-  std::optional<std::string> site;         ///< auto, vertex, fragment
-  std::optional<int> nearRings;            ///< near_rings
-  std::optional<float> nearSpacing;        ///< near_spacing, mean free paths
-  std::optional<float> farDistance;        ///< far_distance, mean free paths
-  std::optional<int> dsmSize;              ///< dsm_size
-  std::optional<int> shadowSize;           ///< shadow_size
-  std::optional<bool> specular;            ///< specular
-  std::optional<float> roughness;          ///< roughness
-  std::optional<int> antialias;            ///< antialias
-  std::optional<float> exposureStops;      ///< exposure
-  std::optional<std::string> tone;         ///< neutral, none
-  std::optional<std::string> device;       ///< device
+  std::optional<std::string> transport;  ///< dipole, better-dipole
+  std::optional<std::string> sum;        ///< pattern, all
+  std::optional<std::string> site;       ///< auto, vertex, fragment
+  std::optional<int> nearRings;          ///< near_rings
+  std::optional<float> nearSpacing;      ///< near_spacing, mean free paths
+  std::optional<float> farDistance;      ///< far_distance, mean free paths
+  std::optional<int> dsmSize;            ///< dsm_size
+  std::optional<int> shadowSize;         ///< shadow_size
+  std::optional<bool> specular;          ///< specular
+  std::optional<float> roughness;        ///< roughness
+  std::optional<int> antialias;          ///< antialias
+  std::optional<float> exposureStops;    ///< exposure
+  std::optional<std::string> tone;       ///< neutral, none
+  std::optional<std::string> device;     ///< device
 };
 
 struct LoadedScene {

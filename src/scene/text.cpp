@@ -73,7 +73,9 @@ std::optional<std::string_view> nearest(std::string_view word,
   std::optional<std::string_view> best;
   std::size_t bestDistance = 0;
   for (const std::string_view candidate : candidates) {
-    const std::size_t distance = editDistance(word, candidate);
+    const bool begins =
+        !word.empty() && (candidate.starts_with(word) || word.starts_with(candidate));
+    const std::size_t distance = begins ? 1 : editDistance(word, candidate);
     if (!best || distance < bestDistance) {
       best = candidate;
       bestDistance = distance;

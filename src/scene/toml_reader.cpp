@@ -16,8 +16,8 @@ void TomlTable::fail(std::string_view key, const std::string& reason) const {
   const auto line = (node != nullptr ? node->source() : table_.source()).begin.line;
   const std::string subject =
       key.empty() ? place_ : fmt::format("'{}' in {}", cleanText(key, 60), place_);
-  throw Error(fmt::format("{}, line {}: {} {}", cleanText(file_.string(), 1000), line, subject,
-                          reason));
+  throw Error(
+      fmt::format("{}, line {}: {} {}", cleanText(file_.string(), 1000), line, subject, reason));
 }
 
 void TomlTable::requireKeys(std::span<const std::string_view> known) const {
@@ -39,8 +39,8 @@ std::optional<std::string> TomlTable::choice(std::string_view key,
                                              std::span<const std::string_view> choices) const {
   auto chosen = text(key);
   if (chosen && std::find(choices.begin(), choices.end(), *chosen) == choices.end()) {
-    fail(key, fmt::format("is '{}', but the choices are {}", cleanText(*chosen, 40),
-                          listed(choices)));
+    fail(key,
+         fmt::format("is '{}', but the choices are {}", cleanText(*chosen, 40), listed(choices)));
   }
   return chosen;
 }

@@ -99,8 +99,8 @@ void loadModelOf(const TomlTable& root, Assembly& to) {
     const std::filesystem::path path = beside(to.file, *model);
     if (path.extension() == ".toml") root.fail("model", "must not be another .toml scene");
     const bool noteUnit = !diagonal && !to.options.diagonalMm;
-    to.scene = inMillimetres(loadModel(path, to.options.log), path, noteUnit, to.options.log,
-                             to.repairs);
+    to.scene =
+        inMillimetres(loadModel(path, to.options.log), path, noteUnit, to.options.log, to.repairs);
   }
   if (diagonal) {
     scaleBy(to.scene, *diagonal / diagonalOf(boundsOf(to.scene)), to.file.string());
@@ -149,7 +149,8 @@ Matrix4 transformOf(const TomlTable& table) {
   const bool parts =
       table.has("translation_mm") || table.has("rotation_degrees") || table.has("scale");
   if (const auto rows = table.numbers("transform", 16)) {
-    if (parts) table.fail("transform", "cannot stand beside translation_mm, rotation_degrees, scale");
+    if (parts)
+      table.fail("transform", "cannot stand beside translation_mm, rotation_degrees, scale");
     std::array<double, 16> columns{};
     for (std::size_t r = 0; r < 4; ++r) {
       for (std::size_t c = 0; c < 4; ++c) columns[4 * c + r] = (*rows)[4 * r + c];
@@ -236,8 +237,9 @@ void readLight(const TomlTable& table, Assembly& to) {
   Lighting& lighting = to.scene.lighting;
   if (*type == "directional") {
     table.requireKeys(directionalKeys);
-    lighting.directional.push_back({need(table.direction("direction_to_light"), "direction_to_light"),
-                                    table.color("irradiance").value_or(Rgb{1, 1, 1})});
+    lighting.directional.push_back(
+        {need(table.direction("direction_to_light"), "direction_to_light"),
+         table.color("irradiance").value_or(Rgb{1, 1, 1})});
   } else if (*type == "point") {
     table.requireKeys(pointKeys);
     lighting.points.push_back({fromCentre(to, need(table.vector("position_mm"), "position_mm")),
@@ -318,10 +320,10 @@ void readSize(const TomlTable& table, SceneFileSettings& settings) {
 }
 
 SceneFileSettings readSettings(const TomlTable& root) {
-  constexpr std::array<Keys, 15> keys{
-      "size",     "transport",   "sum",        "site",      "near_rings", "near_spacing", "far_distance",
-      "dsm_size", "shadow_size", "specular",   "roughness", "antialias",  "exposure",     "tone",
-      "device"};
+  constexpr std::array<Keys, 15> keys{"size",        "transport",    "sum",          "site",
+                                      "near_rings",  "near_spacing", "far_distance", "dsm_size",
+                                      "shadow_size", "specular",     "roughness",    "antialias",
+                                      "exposure",    "tone",         "device"};
   constexpr std::array<Keys, 2> transports{"dipole", "better-dipole"};
   constexpr std::array<Keys, 2> sums{"pattern", "all"};
   constexpr std::array<Keys, 3> sites{"auto", "vertex", "fragment"};
@@ -366,8 +368,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   assembly.centre = toFloat(0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm)));
   readLighting(root, assembly);
   readCamera(root, assembly);
-  loaded.scene =
-      finished(std::move(assembly.scene), file, std::move(assembly.repairs), options);
+  loaded.scene = finished(std::move(assembly.scene), file, std::move(assembly.repairs), options);
   return loaded;
 }
 

@@ -10,7 +10,9 @@ namespace opaline::scene {
 /// Geometry decisions are taken in double precision.
 using Double3 = std::array<double, 3>;
 
-inline Double3 toDouble(const Vec3& v) { return {double{v[0]}, double{v[1]}, double{v[2]}}; }
+inline Double3 toDouble(const Vec3& v) {
+  return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
 inline Vec3 toFloat(const Double3& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
@@ -20,18 +22,24 @@ inline Double3 operator+(const Double3& a, const Double3& b) {
 inline Double3 operator-(const Double3& a, const Double3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-inline Double3 operator*(double s, const Double3& a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline Double3 operator*(double s, const Double3& a) {
+  return {s * a[0], s * a[1], s * a[2]};
+}
 inline double dot(const Double3& a, const Double3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 inline Double3 cross(const Double3& a, const Double3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline double length(const Double3& a) { return std::sqrt(dot(a, a)); }
+inline double length(const Double3& a) {
+  return std::sqrt(dot(a, a));
+}
 inline bool isFinite(const Double3& a) {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }
-inline bool isFinite(const Vec3& a) { return isFinite(toDouble(a)); }
+inline bool isFinite(const Vec3& a) {
+  return isFinite(toDouble(a));
+}
 
 /// Twice the area times the normal, by the right-hand rule.
 inline Double3 areaVector(const Double3& a, const Double3& b, const Double3& c) {

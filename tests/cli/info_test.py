@@ -15,8 +15,8 @@ class Info(ProgramTest):
         self.write("cube.obj", CUBE_OBJ)
         info = self.succeed("info", "cube.obj", "--diagonal-mm", "30", "--medium", "skin1", "--json").json()
         self.assertLessEqual(FIELDS, set(info))
-        self.assertEqual(info["triangles"], 12)
-        self.assertTrue(info["closed"])
+        self.assertEqual((info["triangles"], info["vertices"]), (12, 24))
+        self.assertTrue(info["closed"], "sides with normals of their own still meet")
         self.assertEqual((info["boundary_loops"], info["components"]), (0, 1))
         edge = 30 / math.sqrt(3)
         for least, most in zip(info["bounds_min_mm"], info["bounds_max_mm"]):
@@ -32,9 +32,9 @@ class Info(ProgramTest):
         self.assertLess(info["atlas"]["area_distortion_rms"], .05)
 
     def test_an_open_one_and_its_repairs(self):
-        without_lid = "\n".join(line for line in CUBE_OBJ.splitlines() if line != "f 5 6 7 8")
-        twice = without_lid + "\nf 1 2 6 5\nf 1 1 2\nv 7 7 7\n"
-        self.write("box.obj", twice)
+        without_lid = CUBE_OBJ.replace("f 5//2 6//2 7//2 8//2\n", "")
+        self.assertNotEqual(without_lid, CUBE_OBJ)
+        self.write("box.obj", without_lid + "f 1//3 2//3 6//3 5//3\nf 1 1 2\nv 7 7 7\n")
         run = self.succeed("info", "box.obj", "--json")
         info = run.json()
         self.assertFalse(info["closed"])

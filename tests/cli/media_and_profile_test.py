@@ -70,13 +70,13 @@ class Media(ProgramTest):
                     self.assertAlmostEqual(row["diffusion_length_mm"][channel] * dipole.sigma_tr, 1, delta=1e-9)
                 if (name, channel) not in KNOWN_OUTLIERS:
                     self.assertAlmostEqual(row["total_reflectance"][channel], reflectance[i],
-                                           delta=PUBLISHED_TOLERANCE + .005, msg=f"{name} {channel}")
+                                           delta=PUBLISHED_TOLERANCE, msg=f"{name} {channel}")
 
     def test_the_artistic_ones_stand_apart(self):
         lines = self.succeed("media").out.splitlines()
         begin = next(i for i, line in enumerate(lines) if line.startswith("artistic"))
         artistic = {line.split()[0] for line in lines[begin + 1:]}
-        self.assertGreaterEqual(artistic, {"jade", "wax", "gummy"})
+        self.assertGreaterEqual(artistic, {"jade", "wax"})
         self.assertFalse(artistic & set(PUBLISHED))
         rows = self.succeed("media", "--json").json()["media"]
         self.assertEqual({row["name"] for row in rows if not row["measured"]}, artistic)

@@ -14,7 +14,7 @@ EDGE = DIAGONAL / math.sqrt(3)
 # Marble's boundary at normal incidence, eta 1.5: 1 - ((1.5 - 1) / (1.5 + 1))^2.
 ENTERING = .96
 # A cube whose centre is not the origin, of a medium in which nothing shines through.
-CUBE = ("cube.obj", "--diagonal-mm", DIAGONAL, "--medium", "marble", "--size", "64x48", "--dsm-size", 64,
+CUBE = ("cube.obj", "--diagonal-mm", DIAGONAL, "--medium", "marble", "--size", "64x48", "--dsm-size", 128,
         "--shadow-size", 256, "--quiet")
 
 
@@ -65,7 +65,7 @@ class Outputs(Render):
         self.assertEqual(report["size"], [64, 48])
         self.assertEqual((report["transport"], report["sum"], report["site"]), ("dipole", "pattern", "fragment"))
         self.assertEqual((report["triangles"], report["outputs"]), (12, ["a.png"]))
-        self.assertTrue(0 < report["sources"] <= 64 * 64)
+        self.assertTrue(0 < report["sources"] <= 128 * 128)
         self.assertTrue(report["passes"])
         for entry in report["passes"]:
             self.assertTrue(entry["name"] and entry["ms"] >= 0, entry)
@@ -131,7 +131,7 @@ class Geometry(Render):
         self.assertAlmostEqual(narrow / wide / expected, 1, delta=.15)
 
     def test_the_diffusion_source_map_holds_the_whole_surface(self):
-        area = self.exr("--aov", "dsm-area", "--dsm-size", 128)
+        area = self.exr("--aov", "dsm-area")
         self.assertEqual((area.width, area.height), (128, 128))
         total = sum(pixel[0] for pixel in area.covered())
         self.assertAlmostEqual(total / (6 * EDGE**2), 1, delta=.03)
@@ -212,7 +212,7 @@ class Look(Render):
 class SceneFiles(Render):
     def test_settings_of_the_file_and_options_over_them(self):
         self.write("scene.toml", 'model = "cube.obj"\ndiagonal_mm = 30\n'
-                   '[render]\nsize = "40x30"\ntransport = "better-dipole"\nsite = "vertex"\ndsm_size = 64\n')
+                   '[render]\nsize = [40, 30]\ntransport = "better-dipole"\nsite = "vertex"\ndsm_size = 64\n')
         report = self.succeed("render", "scene.toml", "--json").json()
         self.assertEqual((report["size"], report["transport"], report["site"], report["outputs"]),
                          ([40, 30], "better-dipole", "vertex", ["scene.png"]))

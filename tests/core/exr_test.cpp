@@ -2,11 +2,15 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
+#include <ImfMultiPartOutputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
 #include <ImfTiledOutputFile.h>
 #include <gmock/gmock.h>
 #include <half.h>
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -128,6 +132,31 @@ TEST(Exr, LuminanceBecomesGrey) {
   expectPattern(readHdrImage(folder / "a.exr"), {0, 0, 0}, false);
 }
 
+TEST(Exr, TheFirstOfSeveralPartsIsRead) {
+  const TemporaryFolder folder;
+  std::vector<float> pixels = {1, 2, 3, 4};
+  std::array<Imf::Header, 2> headers = {Imf::Header(2, 2), Imf::Header(2, 2)};
+  for (std::size_t i = 0; i < headers.size(); ++i) {
+    headers[i].setName(i == 0 ? "first" : "second");
+    headers[i].setType(Imf::SCANLINEIMAGE);
+    headers[i].channels().insert("Y", Imf::Channel(Imf::FLOAT));
+  }
+  {
+    Imf::MultiPartOutputFile file((folder / "a.exr").c_str(), headers.data(), 2, false, 0);
+    Imf::FrameBuffer frame;
+    frame.insert("Y", Imf::Slice::Make(Imf::FLOAT, pixels.data(), headers[0].dataWindow()));
+    for (int i = 0; i < 2; ++i) {
+      Imf::OutputPart part(file, i);
+      part.setFrameBuffer(frame);
+      part.writePixels(2);
+      for (float& value : pixels) value *= 10;
+    }
+  }
+  const Image image = readHdrImage(folder / "a.exr");
+  EXPECT_EQ(image.pixel(1, 0)[2], 2.0F);
+  EXPECT_EQ(image.pixel(0, 1)[0], 3.0F);
+}
+
 TEST(Exr, RefusesOtherChannels) {
   const TemporaryFolder folder;
   writeHalf(folder / "a.exr", {"R", "G"}, false, Imf::ZIP_COMPRESSION);
@@ -172,7 +201,7 @@ TEST(Exr, NegativeBecomesZeroAndNanIsAnError) {
 
 TEST(Exr, RefusesACroppedDataWindow) {
   const TemporaryFolder folder;
-  std::vector<float> pixels(4 * 4, 1.0F);
+  std::vector<float> pixels(16, 1.0F);
   const Imath::Box2i data(Imath::V2i(2, 2), Imath::V2i(5, 5));
   Imf::Header header(Imath::Box2i(Imath::V2i(0, 0), Imath::V2i(7, 7)), data);
   header.channels().insert("Y", Imf::Channel(Imf::FLOAT));

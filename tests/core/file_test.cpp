@@ -165,7 +165,7 @@ TEST(FullDisk, IsAnErrorAndLeavesNothing) {
   Image image(64, 64);
   std::mt19937 random(1);
   for (float& value : image.rgba) value = static_cast<float>(random());
-  Image8 pixels{64, 64, std::vector<std::uint8_t>(64 * 64 * 4)};
+  Image8 pixels{64, 64, std::vector<std::uint8_t>(std::size_t{64} * 64 * 4)};
   for (std::uint8_t& value : pixels.rgba) value = static_cast<std::uint8_t>(random());
   // The last byte as well as the first may be the one that does not fit.
   writeExr(folder / "a.exr", image);

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "core/image_file.h"
@@ -90,30 +91,35 @@ TEST(Radiance, EveryTruncationIsAnError) {
   }
 }
 
-TEST(Radiance, HostileFilesAreErrors) {
-  const std::string pixel = "\x80\x80\x80\x81";
-  for (const std::string& bytes : {
-           head + "-Y 16384 +X 16384\n" + pixel,
-           head + "-Y 16385 +X 1\n" + pixel,
-           head + "-Y 2147483648 +X 1\n" + pixel,
-           head + "-Y 99999999999999999999 +X 1\n" + pixel,
-           head + "-Y 0 +X 1\n" + pixel,
-           head + "-Y -1 +X 1\n" + pixel,
-           head + "+Y 1 +X 1\n" + pixel,
-           head + "-Y 1 +X 1 \n" + pixel,
-           head + "\n" + pixel,
-           "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n" + pixel,
-           "#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\n" + pixel,
-           "#?RADIANCE\nEXPOSURE=x\n\n-Y 1 +X 1\n" + pixel,
-           "#?RADIANCE\nEXPOSURE=1e-300\n\n-Y 1 +X 1\n" + pixel,
-           "#?" + std::string(10000, 'x'),
-           head + resolution(8, 1) + std::string("\x02\x02\x00\x09\x88\x01", 6),
-           head + resolution(8, 1) + std::string("\x02\x02\x00\x08\x89\x01", 6),
-           head + resolution(8, 1) + std::string("\x02\x02\x00\x08\x00\x00\x00\x00", 8),
-           head + resolution(2, 1) + "\x01\x01\x01\x02",
-           head + resolution(2, 1) + pixel + "\x01\x01\x01\x02",
-       }) {
-    EXPECT_THAT(messageOf([&] { read(bytes); }), HasSubstr("sky.hdr")) << bytes.substr(0, 80);
+TEST(Radiance, HostileResolutionsAreErrors) {
+  for (const char* line :
+       {"-Y 16384 +X 16384", "-Y 16385 +X 1", "-Y 2147483648 +X 1", "-Y 99999999999999999999 +X 1",
+        "-Y 0 +X 1", "-Y -1 +X 1", "+Y 1 +X 1", "-Y 1 +X 1 ", ""}) {
+    const std::string bytes = fmt::format("{}{}\n\x80\x80\x80\x81", head, line);
+    EXPECT_THAT(messageOf([&] { read(bytes); }), HasSubstr("sky.hdr")) << line;
+  }
+}
+
+TEST(Radiance, HostileHeadersAreErrors) {
+  const std::string endless(10000, 'x');
+  for (const std::string& line :
+       {std::string("FORMAT=32-bit_rle_xyze"), std::string("EXPOSURE=0"), std::string("EXPOSURE=x"),
+        std::string("EXPOSURE=1e-300"), endless}) {
+    const std::string bytes = fmt::format("#?RADIANCE\n{}\n\n-Y 1 +X 1\n\x80\x80\x80\x81", line);
+    EXPECT_THAT(messageOf([&] { read(bytes); }), HasSubstr("sky.hdr")) << line.substr(0, 80);
+  }
+}
+
+TEST(Radiance, HostileRunsAreErrors) {
+  const std::string intro = head + resolution(8, 1);
+  for (const std::string_view row :
+       {std::string_view("\x02\x02\x00\x09\x88\x01", 6),          // another width
+        std::string_view("\x02\x02\x00\x08\x89\x01", 6),          // a run past the end
+        std::string_view("\x02\x02\x00\x08\x00\x00\x00\x00", 8),  // no pixels at all
+        std::string_view("\x01\x01\x01\x02", 4),                  // repeats nothing
+        std::string_view("\x80\x80\x80\x81\x01\x01\x01\x08", 8)}) {
+    const std::string bytes = fmt::format("{}{}", intro, row);
+    EXPECT_THAT(messageOf([&] { read(bytes); }), HasSubstr("sky.hdr"));
   }
 }
 

@@ -41,6 +41,8 @@ class TemporaryFolder {
 };
 
 inline void writeBytes(const std::filesystem::path& file, std::string_view bytes) {
+  // Some file systems wait for the disk when a file is cut to nothing and written anew.
+  std::filesystem::remove(file);
   std::ofstream stream(file, std::ios::binary);
   stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   ASSERT_TRUE(stream.good());

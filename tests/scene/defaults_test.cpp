@@ -64,7 +64,10 @@ TEST(Defaults, EmptySceneHasNoSize) {
 
 TEST(Text, BadBytesAreReplaced) {
   EXPECT_EQ(scene::cleanText("gr\xC3\xBCn"), "gr\xC3\xBCn");
-  EXPECT_EQ(scene::cleanText("a\xFF" "b"), "a\xEF\xBF\xBD" "b");
+  EXPECT_EQ(scene::cleanText("a\xFF"
+                             "b"),
+            "a\xEF\xBF\xBD"
+            "b");
   EXPECT_EQ(scene::cleanText("\xC0\x80"), "\xEF\xBF\xBD\xEF\xBF\xBD");  // overlong
   EXPECT_EQ(scene::cleanText("\xE2\x82"), "\xEF\xBF\xBD\xEF\xBF\xBD");  // cut short
   EXPECT_EQ(scene::cleanText("a\nb\x1B"), "a b\xEF\xBF\xBD");

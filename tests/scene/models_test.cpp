@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -85,14 +86,13 @@ TEST_P(Models, HaveTheCountsOfTheirReadme) {
   EXPECT_EQ(facts.components, of.facts->components);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Models, testing::ValuesIn(expected),
-                         [](const auto& of) {
-                           std::string name(of.param.file);
-                           for (char& c : name) {
-                             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-                           }
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, Models, testing::ValuesIn(expected), [](const auto& of) {
+  std::string name(of.param.file);
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return name;
+});
 
 TEST(SharedModels, TrioHasTheMeasuredMedia) {
   const auto folder = modelsFolder();
@@ -123,7 +123,7 @@ TEST(SharedModels, TurnedInsideOutAreTurnedBack) {
       std::istringstream words(line);
       std::string keyword, a, b, c;
       words >> keyword >> a >> b >> c;
-      turned += keyword == "f" ? "f " + a + " " + c + " " + b + "\n" : line + "\n";
+      turned += keyword == "f" ? fmt::format("f {} {} {}\n", a, c, b) : line + "\n";
     }
     test::writeBytes(temporary / "turned.obj", turned);
     const Scene straight = loadScene(*folder / name);

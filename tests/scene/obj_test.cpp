@@ -1,1 +1,118 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "opaline/error.h"
+#include "opaline/scene.h"
+#include "scene/shapes.h"
+
+namespace opaline {
+namespace {
+
+using testing::HasSubstr;
+
+class Obj : public testing::Test {
+ protected:
+  Scene load(const std::string& text) {
+    test::writeBytes(folder / "a.obj", text);
+    LoadOptions options;
+    options.diagonalMm = std::sqrt(3.0F);
+    return loadScene(folder / "a.obj", options);
+  }
+  std::string errorOf(const std::string& text) {
+    std::string message = test::messageOf([&] { load(text); });
+    EXPECT_THAT(message, HasSubstr("a.obj"));
+    return message;
+  }
+  test::TemporaryFolder folder;
+};
+
+const std::string corners =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n";
+// Counter-clockwise from outside.
+const std::string quads = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+
+TEST_F(Obj, PolygonsBecomeTriangles) {
+  const Scene scene = load("# a cube\no cube\n" + corners + "s off\ng a b\n" + quads);
+  test::expectSound(scene);
+  const Mesh& mesh = scene.objects[0].mesh;
+  EXPECT_EQ(mesh.positionsMm.size(), 8U);
+  EXPECT_EQ(mesh.triangles.size(), 12U);
+  EXPECT_TRUE(scene.repairs.empty());
+  EXPECT_NEAR(test::signedVolume(mesh.positionsMm, mesh.triangles), 1, 1e-6);
+}
+
+TEST_F(Obj, NegativeAndForwardIndicesAndComments) {
+  const Mesh forward = load(quads + corners).objects[0].mesh;
+  EXPECT_EQ(forward.triangles.size(), 12U);
+  const Mesh mesh = load(corners +
+                         "f -8 -6 -5 -7 # 5 of six\nf -4 -3 -1 -2\nf -8 -7 -3 -4\n"
+                         "f -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n")
+                        .objects[0]
+                        .mesh;
+  EXPECT_NEAR(test::signedVolume(mesh.positionsMm, mesh.triangles), 1, 1e-6);
+}
+
+TEST_F(Obj, NormalsAndTextureCoordinates) {
+  const Scene scene = load(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\nvt 0 0\nvn 0 0 2\nvn 0 0.6 0.8\n"
+      "f 1/1/1 2//1 3/1/1\nf 2//2 4//2 3//2\n");
+  // The two sides of the crease have normals of their own.
+  EXPECT_EQ(scene.objects[0].mesh.positionsMm.size(), 6U);
+  EXPECT_EQ(scene.objects[0].mesh.normals[0], (Vec3{0, 0, 1}));
+  EXPECT_FLOAT_EQ(scene.objects[0].mesh.normals[4][1], 0.6F);
+}
+
+TEST_F(Obj, MaterialsThatAreMediaMakeObjects) {
+  const Scene scene = load(corners +
+                           "usemtl Ketchup\nf 1 3 4 2\nf 5 6 8 7\nusemtl red paint\nf 1 2 6 5\n"
+                           "usemtl other\nf 3 7 8 4\nusemtl ketchup\nf 1 5 7 3\nf 2 4 8 6\n");
+  ASSERT_EQ(scene.objects.size(), 2U);
+  EXPECT_EQ(scene.objects[0].medium.name, "marble");
+  EXPECT_EQ(scene.objects[0].mesh.triangles.size(), 4U);
+  EXPECT_EQ(scene.objects[1].medium.name, "ketchup");
+  EXPECT_EQ(scene.objects[1].mesh.triangles.size(), 8U);
+}
+
+TEST_F(Obj, UnusedVerticesAreCounted) {
+  EXPECT_EQ(test::countOf(load(corners + "v 9 9 9\n" + quads).repairs, "unused vertices"), 1U);
+}
+
+TEST_F(Obj, BadLinesAreNamed) {
+  EXPECT_THAT(errorOf(corners + "f 1 2 9\n"), HasSubstr("vertex 9"));
+  EXPECT_THAT(errorOf(corners + "f 1 2 -9\n"), HasSubstr("8 vertices"));
+  EXPECT_THAT(errorOf(corners + "f 1 2 0\n"), HasSubstr("line 9"));
+  EXPECT_THAT(errorOf(corners + "f 1 2 4294967297\n"), HasSubstr("4294967297"));
+  EXPECT_THAT(errorOf(corners + "f 1//5 2//5 3//5\n"), HasSubstr("normal 5"));
+  EXPECT_THAT(errorOf(corners + "f 1 2 x\n"), HasSubstr("'x'"));
+  EXPECT_THAT(errorOf("v 0 nan 0\n" + corners + quads), HasSubstr("line 1"));
+  EXPECT_THAT(errorOf("v 0 inf 0\n" + corners + quads), HasSubstr("finite"));
+  EXPECT_THAT(errorOf("v 0 1e39 0\n" + corners + quads), HasSubstr("1e39"));
+  EXPECT_THAT(errorOf("v 0 1\n" + corners + quads), HasSubstr("line 1"));
+  EXPECT_THAT(errorOf(corners), HasSubstr("no faces"));
+  EXPECT_THAT(errorOf(corners + "f 1 1 1\nf 1 2\n"), HasSubstr("degenerate"));
+  EXPECT_THAT(errorOf("hello"), HasSubstr("no vertices"));
+  EXPECT_THAT(errorOf(corners + std::string("f 1 2 3\0 4\n", 11)), HasSubstr("zero bytes"));
+}
+
+TEST_F(Obj, BadUtf8InNamesIsHarmless) {
+  const Scene scene =
+      load("mtllib ../\xFF.mtl\no \xC3\x28\n" + corners + "usemtl \xFF\xFE\n" + quads);
+  test::expectSound(scene);
+}
+
+TEST_F(Obj, OnePolygonOfManyCornersIsCutInBoundedTime) {
+  // A comb, concave at every second corner.
+  std::string text;
+  std::string face = "f";
+  constexpr int teeth = 4000;
+  for (int i = 0; i <= 2 * teeth; ++i) {
+    text += "v " + std::to_string(i) + " " + (i % 2 == 0 ? "1" : "0.1") + " 0\n";
+    face += " " + std::to_string(i + 1);
+  }
+  text += "v 4000 -10000 0\n";
+  face += " " + std::to_string(2 * teeth + 2);
+  EXPECT_FALSE(load(text + face + "\n").objects[0].mesh.triangles.empty());
+}
+
+}  // namespace
+}  // namespace opaline

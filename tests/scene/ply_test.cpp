@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,15 +19,15 @@ using testing::HasSubstr;
 class Ply : public testing::Test {
  protected:
   Scene load(const std::string& bytes, const LoadOptions& options = {}) {
-    test::writeBytes(folder_ / "a.ply", bytes);
-    return loadScene(folder_ / "a.ply", options);
+    test::writeBytes(folder / "a.ply", bytes);
+    return loadScene(folder / "a.ply", options);
   }
   std::string errorOf(const std::string& bytes) {
-    const std::string message = test::messageOf([&] { load(bytes); });
+    std::string message = test::messageOf([&] { load(bytes); });
     EXPECT_THAT(message, HasSubstr("a.ply"));
     return message;
   }
-  test::TemporaryFolder folder_;
+  test::TemporaryFolder folder;
 };
 
 const std::string tetrahedron =
@@ -151,8 +152,8 @@ TEST_F(Ply, ConcavePolygonsAreCutInside) {
     const Vec3& a = mesh.positionsMm[t[0]];
     const Vec3& b = mesh.positionsMm[t[1]];
     const Vec3& c = mesh.positionsMm[t[2]];
-    const double twice = double{b[0] - a[0]} * double{c[1] - a[1]} -
-                         double{b[1] - a[1]} * double{c[0] - a[0]};
+    const double twice =
+        double{b[0] - a[0]} * double{c[1] - a[1]} - double{b[1] - a[1]} * double{c[0] - a[0]};
     EXPECT_GT(twice, 0);
     area += twice / 2;
   }
@@ -160,23 +161,24 @@ TEST_F(Ply, ConcavePolygonsAreCutInside) {
 }
 
 TEST_F(Ply, HugePromisesAreRefusedBeforeAnythingIsAllocated) {
-  for (const std::string format : {"ascii", "binary_little_endian"}) {
-    const std::string head = "ply\nformat " + format + " 1.0\n";
-    const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
-    const std::string faces = "property list uint int vertex_indices\nend_header\n";
-    EXPECT_THAT(errorOf(head + "element vertex 4000000000000\n" + xyz +
-                        "element face 1\n" + faces + "0 0 0\n"),
-                HasSubstr("4000000000000"));
-    EXPECT_THAT(errorOf(head + "element vertex 99999999999999999999999\n" + xyz + faces),
-                HasSubstr("number"));
-    errorOf(head + "element vertex 0\n" + xyz + "element face 4000000000000\n" + faces);
+  for (const char* format : {"ascii", "binary_little_endian"}) {
+    const auto file = [&](const char* vertices, const char* faces, const char* more = "") {
+      return fmt::format(
+          "ply\nformat {} 1.0\n{}element vertex {}\nproperty float x\nproperty float y\n"
+          "property float z\nelement face {}\nproperty list uint int vertex_indices\n"
+          "end_header\n0 0 0\n",
+          format, more, vertices, faces);
+    };
+    EXPECT_THAT(errorOf(file("4000000000000", "1")), HasSubstr("4000000000000"));
+    EXPECT_THAT(errorOf(file("99999999999999999999999", "1")), HasSubstr("number"));
+    errorOf(file("0", "4000000000000"));
     // An element without properties takes no bytes at all.
-    errorOf(head + "element void 18446744073709551615\nelement vertex 0\n" + xyz +
-            "element face 0\n" + faces);
+    errorOf(file("0", "0", "element void 18446744073709551615\n"));
   }
-  std::string list = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\n"
-                     "property float y\nproperty float z\nelement face 1\n"
-                     "property list uint int vertex_indices\nend_header\n";
+  std::string list =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 1\n"
+      "property list uint int vertex_indices\nend_header\n";
   list += std::string(12, '\0') + "\xFF\xFF\xFF\xFF" + std::string(8, '\0');
   EXPECT_THAT(errorOf(list), HasSubstr("ends before"));
 }
@@ -207,16 +209,16 @@ TEST_F(Ply, BadContentsAreNamed) {
 }
 
 TEST_F(Ply, PathsThatAreNoFilesAreNamed) {
-  EXPECT_THAT(test::messageOf([&] { loadScene(folder_.path()); }),
-              HasSubstr(folder_.path().string()));
-  EXPECT_THAT(test::messageOf([&] { loadScene(folder_ / "none.ply"); }), HasSubstr("none.ply"));
-  test::writeBytes(folder_ / "a.stl", "solid");
-  EXPECT_THAT(test::messageOf([&] { loadScene(folder_ / "a.stl"); }), HasSubstr(".glb"));
+  EXPECT_THAT(test::messageOf([&] { loadScene(folder.path()); }),
+              HasSubstr(folder.path().string()));
+  EXPECT_THAT(test::messageOf([&] { loadScene(folder / "none.ply"); }), HasSubstr("none.ply"));
+  test::writeBytes(folder / "a.stl", "solid");
+  EXPECT_THAT(test::messageOf([&] { loadScene(folder / "a.stl"); }), HasSubstr(".glb"));
 }
 
 TEST_F(Ply, MagicWinsOverTheExtension) {
-  test::writeBytes(folder_ / "a.obj", tetrahedron);
-  EXPECT_EQ(loadScene(folder_ / "a.obj").objects[0].mesh.triangles.size(), 4U);
+  test::writeBytes(folder / "a.obj", tetrahedron);
+  EXPECT_EQ(loadScene(folder / "a.obj").objects[0].mesh.triangles.size(), 4U);
 }
 
 TEST_F(Ply, OptionsAreChecked) {

@@ -45,7 +45,9 @@ RawMesh ball(std::uint32_t rings, std::uint32_t sides) {
   return mesh;
 }
 
-double volumeOf(const RawMesh& mesh) { return test::signedVolume(mesh.positions, mesh.triangles); }
+double volumeOf(const RawMesh& mesh) {
+  return test::signedVolume(mesh.positions, mesh.triangles);
+}
 
 TEST(Repair, CleanMeshesStayAsTheyAre) {
   for (RawMesh mesh : {cube(), ball(8, 12)}) {
@@ -276,8 +278,8 @@ TEST(Repair, BookOfManyPagesComesApart) {
   mesh.positions = {{0, 0, 0}, {0, 1, 0}};
   for (std::uint32_t page = 0; page < 40; ++page) {
     const double angle = 2 * std::numbers::pi * page / 40;
-    mesh.positions.push_back({static_cast<float>(std::cos(angle)), 0.5F,
-                              static_cast<float>(std::sin(angle))});
+    mesh.positions.push_back(
+        {static_cast<float>(std::cos(angle)), 0.5F, static_cast<float>(std::sin(angle))});
     mesh.triangles.push_back({0, 1, page + 2});
   }
   const Repairs repairs = repairMesh(mesh, "book");
@@ -294,8 +296,8 @@ TEST(Repair, WhatHasNoSurfaceIsAnError) {
   flat.triangles = {{0, 0, 1}, {2, 2, 2}};
   EXPECT_THAT(test::messageOf([&] { repairMesh(flat, "a.ply"); }),
               testing::HasSubstr("degenerate"));
-  for (const float bad : {std::numeric_limits<float>::quiet_NaN(),
-                          std::numeric_limits<float>::infinity()}) {
+  for (const float bad :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     RawMesh mesh = cube();
     mesh.positions[2][1] = bad;
     EXPECT_THAT(test::messageOf([&] { repairMesh(mesh, "a.ply"); }),

@@ -44,7 +44,9 @@ inline scene::RawMesh soup(const scene::RawMesh& mesh) {
   return result;
 }
 
-inline void turn(Triangle& t) { std::swap(t[1], t[2]); }
+inline void turn(Triangle& t) {
+  std::swap(t[1], t[2]);
+}
 
 /// Divergence theorem.
 inline double signedVolume(const std::vector<Vec3>& p, const std::vector<Triangle>& triangles) {

@@ -1,1 +1,234 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "core/image_file.h"
+#include "opaline/error.h"
+#include "opaline/scene.h"
+#include "scene/scene_settings.h"
+#include "scene/shapes.h"
+
+namespace opaline {
+namespace {
+
+using testing::HasSubstr;
+
+class Toml : public testing::Test {
+ protected:
+  Toml() {
+    // A cube from (1,0,0) to (2,1,1).
+    std::string cube =
+        "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\n"
+        "property float y\nproperty float z\nelement face 12\n"
+        "property list uchar int vertex_indices\nend_header\n";
+    const scene::RawMesh mesh = test::cube({1, 0, 0});
+    for (const Vec3& p : mesh.positions) {
+      for (const float x : p) cube += std::to_string(x) + " ";
+    }
+    for (const Triangle& t : mesh.triangles) {
+      cube += "\n3";
+      for (const std::uint32_t v : t) cube += " " + std::to_string(v);
+    }
+    test::writeBytes(folder / "cube.ply", cube);
+  }
+  scene::LoadedScene load(const std::string& text, const LoadOptions& options = {}) {
+    test::writeBytes(folder / "a.toml", text);
+    return scene::loadSceneFile(folder / "a.toml", options);
+  }
+  std::string errorOf(const std::string& text) {
+    std::string message = test::messageOf([&] { load(text); });
+    EXPECT_THAT(message, HasSubstr("a.toml"));
+    return message;
+  }
+  test::TemporaryFolder folder;
+};
+
+// A cube of edge 10 mm.
+const std::string model = "model = 'cube.ply'\ndiagonal_mm = 17.3205081\n";
+
+TEST_F(Toml, EverythingThatCanBeSaid) {
+  core::writeExr(folder / "sky.exr", [] {
+    Image sky(4, 2);
+    for (float& value : sky.rgba) value = 0.5F;
+    return sky;
+  }());
+  const scene::LoadedScene loaded = load(model + R"(
+[media.soap]
+sigma_s_per_mm = [1, 2, 3.5]
+sigma_a_per_mm = [0.1, 0.2, 0.3]
+eta = 1.4
+[media.veined]
+measured = "Marble"
+eta = 1.6
+[objects.cube]
+medium = "soap"
+translation_mm = [0, 0, 100]
+[[lights]]
+type = "directional"
+direction_to_light = [0, 0, -2]
+irradiance = 3
+[[lights]]
+type = "point"
+position_mm = [0, 20, 0]
+intensity = [1, 2, 3]
+[[lights]]
+type = "ambient"
+radiance = 0.25
+[environment]
+file = "sky.exr"
+intensity = 4
+[camera]
+position_mm = [0, 0, 50]
+target_mm = [0, 5, 0]
+fov_degrees = 45
+[render]
+size = [640, 480]
+transport = "better-dipole"
+sum = "all"
+site = "vertex"
+near_rings = 3
+near_spacing = 0.5
+far_distance = 20
+dsm_size = 256
+shadow_size = 2048
+specular = false
+roughness = 0.5
+antialias = 8
+exposure = -1.5
+tone = "none"
+device = "llvmpipe"
+)");
+  const Scene& scene = loaded.scene;
+  test::expectSound(scene);
+  EXPECT_EQ(scene.objects[0].medium.name, "soap");
+  EXPECT_EQ(scene.objects[0].medium.sigmaSPrimePerMm[2], 3.5);
+  EXPECT_EQ(scene.objects[0].medium.eta, 1.4);
+  const Bounds bounds = boundsOf(scene);
+  EXPECT_NEAR(bounds.minMm[0], 10, 1e-4);
+  EXPECT_NEAR(bounds.minMm[2], 100, 1e-4);
+  EXPECT_NEAR(bounds.maxMm[2], 110, 1e-4);
+  ASSERT_EQ(scene.lighting.directional.size(), 1U);
+  EXPECT_EQ(scene.lighting.directional[0].directionToLight, (Vec3{0, 0, -1}));
+  EXPECT_EQ(scene.lighting.directional[0].irradiance, (Rgb{3, 3, 3}));
+  ASSERT_EQ(scene.lighting.points.size(), 1U);
+  EXPECT_NEAR(scene.lighting.points[0].positionMm[0], 15, 1e-4);  // from the box's centre
+  EXPECT_NEAR(scene.lighting.points[0].positionMm[1], 25, 1e-4);
+  EXPECT_EQ(scene.lighting.ambient[1], 0.25F);
+  ASSERT_TRUE(scene.lighting.environment);
+  EXPECT_FLOAT_EQ(scene.lighting.environment->rgba[0], 2.0F);
+  EXPECT_NEAR(scene.camera.positionMm[2], 155, 1e-4);
+  EXPECT_NEAR(scene.camera.targetMm[1], 10, 1e-4);
+  EXPECT_EQ(scene.camera.verticalFovDegrees, 45);
+  const scene::SceneFileSettings& s = loaded.settings;
+  EXPECT_EQ(s.width, 640);
+  EXPECT_EQ(s.height, 480);
+  EXPECT_EQ(s.transport, "better-dipole");
+  EXPECT_EQ(s.sum, "all");
+  EXPECT_EQ(s.site, "vertex");
+  EXPECT_EQ(s.nearRings, 3);
+  EXPECT_EQ(s.nearSpacing, 0.5F);
+  EXPECT_EQ(s.farDistance, 20.0F);
+  EXPECT_EQ(s.dsmSize, 256);
+  EXPECT_EQ(s.shadowSize, 2048);
+  EXPECT_EQ(s.specular, false);
+  EXPECT_EQ(s.roughness, 0.5F);
+  EXPECT_EQ(s.antialias, 8);
+  EXPECT_EQ(s.exposureStops, -1.5F);
+  EXPECT_EQ(s.tone, "none");
+  EXPECT_EQ(s.device, "llvmpipe");
+}
+
+TEST_F(Toml, DefaultsStayWhereNothingIsSaid) {
+  const scene::LoadedScene loaded = load("model = 'cube.ply'\nmedium = 'ketchup'\n");
+  EXPECT_EQ(loaded.scene.lighting.directional.size(), defaultLighting().directional.size());
+  EXPECT_NEAR(diagonalMm(loaded.scene), 50, 1e-3);
+  EXPECT_EQ(loaded.scene.objects[0].medium.name, "ketchup");
+  EXPECT_FALSE(loaded.settings.width.has_value());
+  EXPECT_EQ(loadScene(folder / "a.toml").objects.size(), 1U);
+}
+
+TEST_F(Toml, BuiltInModels) {
+  const Scene teapot = load("model = 'builtin:teapot'\ndiagonal_mm = 80\n").scene;
+  EXPECT_EQ(teapot.objects[0].mesh.triangles.size(), 2256U);
+  EXPECT_NEAR(diagonalMm(teapot), 80, 1e-3);
+  EXPECT_THAT(errorOf("model = 'builtin:dragon'\n"), HasSubstr("builtin:bear"));
+}
+
+TEST_F(Toml, ADiagonalFromOutsideScalesLightsAndCameraToo) {
+  LoadOptions options;
+  options.diagonalMm = 2 * 17.3205081F;
+  const std::string text = model +
+                           "[[lights]]\ntype = 'point'\nposition_mm = [-15, -5, 15]\n"
+                           "intensity = 10\n[camera]\nposition_mm = [0, 0, 50]\n";
+  const Scene scene = load(text, options).scene;
+  EXPECT_NEAR(diagonalMm(scene), *options.diagonalMm, 1e-3);
+  EXPECT_NEAR(scene.lighting.points[0].positionMm[2], 40, 1e-3);
+  EXPECT_NEAR(scene.lighting.points[0].intensity[0], 40, 1e-3);
+  EXPECT_NEAR(scene.camera.positionMm[2], 110, 1e-3);
+}
+
+TEST_F(Toml, TransformsAreRowMajorAndMirrorsKeepTheOutside) {
+  const Scene mirrored =
+      load(model + "[objects.cube]\ntransform = [-1,0,0,5, 0,2,0,0, 0,0,1,0, 0,0,0,1]\n").scene;
+  const Mesh& mesh = mirrored.objects[0].mesh;
+  test::expectSound(mirrored);
+  EXPECT_NEAR(boundsOf(mirrored).maxMm[0], -5, 1e-3);
+  EXPECT_NEAR(boundsOf(mirrored).maxMm[1], 20, 1e-3);
+  EXPECT_NEAR(test::signedVolume(mesh.positionsMm, mesh.triangles), 2000, 0.1);
+  const Scene turned =
+      load(model + "[objects.cube]\nrotation_degrees = [0, 0, 90]\nscale = 2\n").scene;
+  EXPECT_NEAR(boundsOf(turned).minMm[1], 20, 1e-3);  // +x became +y
+  EXPECT_NEAR(boundsOf(turned).minMm[0], -20, 1e-3);
+}
+
+TEST_F(Toml, UnknownKeysNameTheNearest) {
+  EXPECT_THAT(errorOf("modle = 'cube.ply'\n"), AllOf(HasSubstr("'modle'"), HasSubstr("'model'")));
+  EXPECT_THAT(errorOf(model + "[camera]\nfov = 30\n"),
+              AllOf(HasSubstr("line 4"), HasSubstr("'fov_degrees'")));
+  EXPECT_THAT(errorOf(model + "[render]\nexposrue = 1\n"), HasSubstr("'exposure'"));
+  EXPECT_THAT(errorOf(model + "[objects.cub]\n"), HasSubstr("'cube'"));
+  EXPECT_THAT(errorOf(model + "[[lights]]\ntype='point'\nposition_mm=[0,0,0]\nirradiance=1\n"),
+              HasSubstr("'irradiance'"));
+}
+
+TEST_F(Toml, WrongValuesNameKeyAndLine) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"model = 5\n", "'model'"},
+      {"diagonal_mm = 5\n", "'model'"},
+      {"model = 'cube.ply'\ndiagonal_mm = -1\n", "line 2"},
+      {"model = 'cube.ply'\ndiagonal_mm = nan\n", "'diagonal_mm'"},
+      {"model = 'cube.ply'\n[render]\nsize = [0, 5]\n", "'size'"},
+      {"model = 'cube.ply'\n[render]\nantialias = 3\n", "1, 2, 4 or 8"},
+      {"model = 'cube.ply'\n[render]\nspecular = 1\n", "true or false"},
+      {"model = 'cube.ply'\n[render]\ndsm_size = 99999999999999999\n", "[64, 4096]"},
+      {"model = 'cube.ply'\n[render]\nsite = 'pixel'\n", "'fragment'"},
+      {"model = 'cube.ply'\n[media.a]\nmeasured = 'lava'\n", "'measured'"},
+      {"model = 'cube.ply'\n[media.a]\neta = 1.3\n", "sigma_s_per_mm"},
+      {"model = 'cube.ply'\n[media.a]\nsigma_s_per_mm=[1,1,1]\nsigma_a_per_mm=[-1,1,1]\n",
+       "absorption"},
+      {"model = 'cube.ply'\nmedia = 3\n", "table"},
+      {"model = 'cube.ply'\n[objects.cube]\nmedium = 'x'\n", "'x'"},
+      {"model = 'cube.ply'\n[objects.cube]\ntransform = [1,2]\n", "16"},
+      {"model = 'cube.ply'\n[objects.cube]\ntransform = [0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1]\n",
+       "flattens"},
+      {"model = 'cube.ply'\n[[lights]]\nirradiance = 1\n", "'type'"},
+      {"model = 'cube.ply'\nlights = 5\n", "[[lights]]"},
+      {"model = 'cube.ply'\n[[lights]]\ntype = 'directional'\ndirection_to_light = [0,0,0]\n",
+       "zero"},
+      {"model = 'cube.ply'\n[camera]\nposition_mm = [0,0,0]\n", "looks"},
+      {"model = 'cube.ply'\n[camera]\nfov_degrees = 0\n", "[1, 170]"},
+      {"model = 'cube.ply\n", "line 1"},
+      {"model = '\xFF'\n", "line 1"},
+      {"model = 'a.toml'\n", "another .toml"},
+  };
+  for (const auto& [text, part] : cases) {
+    EXPECT_THAT(errorOf(text), HasSubstr(part)) << text;
+  }
+  EXPECT_THAT(errorOf("model = " + std::string(100000, '[')), HasSubstr("deep"));
+}
+
+TEST_F(Toml, AMissingModelIsNamed) {
+  EXPECT_THAT(test::messageOf([&] { load("model = 'none.obj'\n"); }), HasSubstr("none.obj"));
+}
+
+}  // namespace
+}  // namespace opaline

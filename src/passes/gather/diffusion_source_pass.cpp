@@ -1,6 +1,7 @@
 #include "passes/gather/diffusion_source_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <span>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "passes/gather/nearest_texel.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/frame.h"
+#include "shaders/shared/mesh.h"
 
 namespace opaline::passes {
 
@@ -57,16 +59,57 @@ std::vector<std::uint32_t> listTexels(std::span<const std::uint32_t> coverage, s
   return texels;
 }
 
-std::vector<std::uint32_t> listFills(std::span<const std::uint32_t> coverage, std::uint32_t size) {
-  const std::vector<std::uint32_t> nearest = nearestCoveredTexel(coverage, size);
-  std::vector<std::uint32_t> fills;
-  for (std::size_t i = 0; i < coverage.size(); ++i) {
-    if (coverage[i] != 0) continue;
-    fills.push_back(packTexel(i, size));
-    fills.push_back(packTexel(nearest[i], size));
-  }
-  return fills;
+// The highest bit of an origin; the others hold x and y, 15 bits each.
+constexpr std::uint32_t surfaceBit = 1U << 31U;
+
+std::uint32_t packOrigin(std::uint32_t index, std::uint32_t size) {
+  return index % size | ((index / size) << 15U);
 }
+
+// For every texel among the neighbourhoods the texel of the map that holds its data. What lies
+// beyond the surface takes the position of the nearest texel and no area.
+std::vector<std::uint32_t> listOrigins(const atlas::Neighbourhoods& neighbourhoods,
+                                       std::span<const std::uint32_t> coverage,
+                                       std::uint32_t mapSize) {
+  const std::vector<std::uint32_t> covered = nearestCoveredTexel(coverage, mapSize);
+  std::vector<std::uint32_t> present(neighbourhoods.source.size());
+  std::transform(neighbourhoods.source.begin(), neighbourhoods.source.end(), present.begin(),
+                 [](std::uint32_t texel) { return texel == atlas::Neighbourhoods::nothing ? 0U : 1U; });
+  const std::vector<std::uint32_t> nearest =
+      nearestCoveredTexel(present, static_cast<std::uint32_t>(neighbourhoods.size));
+  std::vector<std::uint32_t> origins(present.size());
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    const std::uint32_t texel = neighbourhoods.source[nearest[i]];
+    if (texel == atlas::Neighbourhoods::nothing) continue;
+    origins[i] = packOrigin(covered[texel], mapSize) | (present[i] != 0 ? surfaceBit : 0U);
+  }
+  return origins;
+}
+
+std::vector<shared::ChartPlaces> chartPlaces(const NeighbourhoodMaps& maps, std::uint32_t mapSize) {
+  const auto nearSize = static_cast<float>(maps.nearby.size);
+  const auto farSize = static_cast<float>(maps.distant.size);
+  std::vector<shared::ChartPlaces> places;
+  for (std::size_t i = 0; i < maps.nearby.shiftOfChart.size(); ++i) {
+    const std::array<int, 2>& near = maps.nearby.shiftOfChart[i];
+    const std::array<int, 2>& far = maps.distant.shiftOfChart[i];
+    places.push_back({.nearShiftU = static_cast<float>(near[0]) / nearSize,
+                      .nearShiftV = static_cast<float>(near[1]) / nearSize,
+                      .nearScale = static_cast<float>(mapSize) / nearSize,
+                      .farShiftU = static_cast<float>(far[0]) / farSize,
+                      .farShiftV = static_cast<float>(far[1]) / farSize,
+                      .farScale = static_cast<float>(mapSize) / farSize});
+  }
+  return places;
+}
+
+// Every cell is read at about this many places along an edge.
+constexpr std::int32_t samplesAlongCell = 4;
+
+struct CellConstants {
+  std::int32_t edge;
+  std::int32_t stride;
+};
 
 }  // namespace
 
@@ -98,16 +141,25 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
                                         VK_FORMAT_R16G16B16A16_SFLOAT,
                                         VK_FORMAT_R32G32B32A32_SFLOAT},
                    }),
-      fill_(device, gpu::ComputePipelineOptions{
-                        .name = "dsm fill",
-                        .shader = shaders::gather_fill_comp,
-                        .bindings = {{0, BindingType::StorageBuffer},
-                                     {1, BindingType::StorageImage},
-                                     {2, BindingType::StorageImage},
-                                     {3, BindingType::StorageImage},
-                                     {4, BindingType::SampledImage}},
-                        .pushConstantBytes = sizeof(std::uint32_t),
-                    }),
+      neighbours_(device, gpu::ComputePipelineOptions{
+                              .name = "neighbourhoods",
+                              .shader = shaders::gather_neighbours_comp,
+                              .bindings = {{0, BindingType::StorageBuffer},
+                                           {1, BindingType::SampledImage},
+                                           {2, BindingType::SampledImage},
+                                           {3, BindingType::StorageImage},
+                                           {4, BindingType::StorageImage}},
+                          }),
+      cells_(device, gpu::ComputePipelineOptions{
+                         .name = "cells",
+                         .shader = shaders::gather_cells_comp,
+                         .bindings = {{0, BindingType::StorageBuffer},
+                                      {1, BindingType::SampledImage},
+                                      {2, BindingType::SampledImage},
+                                      {3, BindingType::StorageImage},
+                                      {4, BindingType::StorageImage}},
+                         .pushConstantBytes = sizeof(CellConstants),
+                     }),
       list_(device, gpu::ComputePipelineOptions{
                         .name = "dsm list",
                         .shader = shaders::gather_compact_comp,
@@ -119,7 +171,8 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
                     }) {}
 
 DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh& mesh,
-                                              std::uint32_t mapSize, std::uint32_t objects) const {
+                                              std::uint32_t mapSize, std::uint32_t objects,
+                                              const NeighbourhoodMaps& maps) const {
   DiffusionSources sources;
   sources.positionArea =
       makeMap(device, "dsm position and area", mapSize, VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -147,13 +200,22 @@ DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh&
 
   const std::vector<std::uint32_t> texels =
       listTexels(coverage, mapSize, objects, sources.firstOfObject);
-  const std::vector<std::uint32_t> fills =
-      texels.empty() ? std::vector<std::uint32_t>{} : listFills(coverage, mapSize);
   sources.sourceCount = static_cast<std::uint32_t>(texels.size());
-  sources.fillCount = static_cast<std::uint32_t>(fills.size() / 2);
-  sources.texels =
-      gpu::makeBuffer(device, "dsm texels", texels, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  sources.fills = gpu::makeBuffer(device, "dsm fills", fills, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  sources.texels = gpu::makeBuffer(device, "dsm texels", texels, storage);
+  sources.charts = gpu::makeBuffer(device, "charts", chartPlaces(maps, mapSize), storage);
+  sources.nearOrigins = gpu::makeBuffer(device, "origins of near texels",
+                                        listOrigins(maps.nearby, coverage, mapSize), storage);
+  sources.farOrigins = gpu::makeBuffer(device, "origins of far texels",
+                                       listOrigins(maps.distant, coverage, mapSize), storage);
+  const auto nearSize = static_cast<std::uint32_t>(maps.nearby.size);
+  const std::uint32_t cells = static_cast<std::uint32_t>(maps.distant.size) / maps.cellEdge;
+  sources.cellEdge = maps.cellEdge;
+  constexpr VkFormat floats = VK_FORMAT_R32G32B32A32_SFLOAT;
+  sources.nearPosition = makeMap(device, "neighbourhoods' position", nearSize, floats);
+  sources.nearFlux = makeMap(device, "neighbourhoods' flux", nearSize, floats);
+  sources.farPosition = makeMap(device, "cells' position", cells, floats);
+  sources.farFlux = makeMap(device, "cells' flux", cells, floats);
   return sources;
 }
 
@@ -170,8 +232,8 @@ void DiffusionSourcePass::record(gpu::CommandList& commands, const Inputs& input
   commands.beginPass("gather");
   recordMap(commands, inputs, sources);
   commands.endPass();
-  commands.beginPass("fill");
-  recordFill(commands, sources);
+  commands.beginPass("neighbours");
+  recordNeighbours(commands, sources);
   commands.endPass();
   if (!sources.list) return;
   commands.beginPass("list");
@@ -197,15 +259,26 @@ void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& in
   commands.endRendering();
 }
 
-void DiffusionSourcePass::recordFill(gpu::CommandList& commands, DiffusionSources& sources) const {
-  if (sources.fillCount == 0) return;
-  commands.bind(fill_);
-  commands.bindResources(
-      {Binding::read(0, sources.fills), Binding::writeImage(1, sources.positionArea),
-       Binding::writeImage(2, sources.normal), Binding::writeImage(3, sources.irradianceObject),
-       Binding::sampled(4, sources.coverage, nearest_)});
-  commands.pushConstants(sources.fillCount);
-  commands.dispatchLinear(sources.fillCount);
+void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
+                                           DiffusionSources& sources) const {
+  const auto tiles = [](const gpu::GpuImage& image) { return (image.extent().width + 7) / 8; };
+  commands.bind(neighbours_);
+  commands.bindResources({Binding::read(0, sources.nearOrigins),
+                          Binding::sampled(1, sources.positionArea, nearest_),
+                          Binding::sampled(2, sources.irradianceObject, nearest_),
+                          Binding::writeImage(3, sources.nearPosition),
+                          Binding::writeImage(4, sources.nearFlux)});
+  commands.dispatch(tiles(sources.nearPosition), tiles(sources.nearPosition));
+
+  commands.bind(cells_);
+  commands.bindResources({Binding::read(0, sources.farOrigins),
+                          Binding::sampled(1, sources.positionArea, nearest_),
+                          Binding::sampled(2, sources.irradianceObject, nearest_),
+                          Binding::writeImage(3, sources.farPosition),
+                          Binding::writeImage(4, sources.farFlux)});
+  const auto edge = static_cast<std::int32_t>(sources.cellEdge);
+  commands.pushConstants(CellConstants{edge, std::max(1, edge / samplesAlongCell)});
+  commands.dispatch(tiles(sources.farPosition), tiles(sources.farPosition));
 }
 
 void DiffusionSourcePass::recordList(gpu::CommandList& commands, DiffusionSources& sources) const {

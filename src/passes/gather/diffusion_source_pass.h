@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "atlas/neighbourhood.h"
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
@@ -12,8 +13,15 @@ class Device;
 
 namespace opaline::passes {
 
+/// Layouts of the atlas with aprons, for the near and the far samples of the pattern.
+struct NeighbourhoodMaps {
+  atlas::Neighbourhoods nearby;
+  atlas::Neighbourhoods distant;  ///< its size is a multiple of cellEdge
+  std::uint32_t cellEdge = 1;     ///< of the cells over which far samples want means, texels
+};
+
 /// The gathering of irradiance (Gong et al. 2008, section 3): draws the mesh into its atlas, in one
-/// pass with three targets, then fills what stays empty and lists what does not.
+/// pass with three targets, lays it out anew so that charts go on beyond their seams, and lists it.
 class DiffusionSourcePass {
  public:
   explicit DiffusionSourcePass(gpu::Device& device);
@@ -21,7 +29,7 @@ class DiffusionSourcePass {
   /// Makes the map and finds out which texels carry surface; blocks. For set-up, not for frames: it
   /// depends on the atlas, not on the pose. `objects` is their number.
   DiffusionSources prepare(gpu::Device& device, DeformedMesh& mesh, std::uint32_t mapSize,
-                           std::uint32_t objects) const;
+                           std::uint32_t objects, const NeighbourhoodMaps& maps) const;
 
   /// Makes room for the list of sources; from then on every frame writes it. For set-up.
   void prepareList(gpu::Device& device, DiffusionSources& sources) const;
@@ -37,14 +45,15 @@ class DiffusionSourcePass {
 
  private:
   void recordMap(gpu::CommandList& commands, const Inputs& inputs, DiffusionSources& sources) const;
-  void recordFill(gpu::CommandList& commands, DiffusionSources& sources) const;
+  void recordNeighbours(gpu::CommandList& commands, DiffusionSources& sources) const;
   void recordList(gpu::CommandList& commands, DiffusionSources& sources) const;
 
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
   gpu::Pipeline coverage_;
   gpu::Pipeline map_;
-  gpu::Pipeline fill_;
+  gpu::Pipeline neighbours_;
+  gpu::Pipeline cells_;
   gpu::Pipeline list_;
 };
 

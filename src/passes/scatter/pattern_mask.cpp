@@ -40,100 +40,134 @@ float texelsFor(double reflectance, double profileValue, double texelArea) {
   return profileValue > 0 ? static_cast<float>(reflectance / (profileValue * texelArea)) : 0.0F;
 }
 
+// Radius of the disc that is as large as the near block, texels.
+double blockRadius(const PatternExtent& extent) {
+  return (2 * extent.nearRings + 1) * extent.spacing / std::sqrt(std::numbers::pi);
+}
+
+// Radius to which the far samples' ring reaches, texels.
+double outerRadius(const PatternExtent& extent) {
+  return std::max(2 * extent.distance - blockRadius(extent), blockRadius(extent));
+}
+
+// Half the edge of a square as large as an eighth of the ring: a linear filter doubles it.
+int cellEdge(const PatternExtent& extent) {
+  const double ring = std::numbers::pi * (std::pow(outerRadius(extent), 2) -
+                                          std::pow(blockRadius(extent), 2));
+  return std::max(1, static_cast<int>(std::lround(0.5 * std::sqrt(ring / 8))));
+}
+
 class MaskBuilder {
  public:
-  MaskBuilder(const std::array<bssrdf::Profile, 3>& profiles, const PatternShape& shape)
-      : profiles_(profiles),
-        texelMm_(shape.texelMm),
-        rings_(shape.nearRings),
-        limit_(std::max(1, shape.mapSize / 2)),
-        spacing_(toTexels(shape.nearSpacingMm)),
-        far_(std::clamp(toTexels(shape.farDistanceMm), (rings_ + 1) * spacing_,
-                        std::max(limit_, (rings_ + 1) * spacing_))) {}
+  MaskBuilder(const std::array<bssrdf::Profile, 3>& profiles, const PatternExtent& extent,
+              double texelMm, int farMapSize)
+      : profiles_(profiles), extent_(extent), texelMm_(texelMm), farMapSize_(farMapSize) {}
 
   PatternMask build() {
     addCentre();
-    for (int y = -rings_; y <= rings_; ++y)
-      for (int x = -rings_; x <= rings_; ++x)
-        if (x != 0 || y != 0) addNear(x * spacing_, y * spacing_);
+    const int rings = extent_.nearRings;
+    for (int y = -rings; y <= rings; ++y)
+      for (int x = -rings; x <= rings; ++x)
+        if (x != 0 || y != 0) addNear(x * extent_.spacing, y * extent_.spacing);
+    mask_.nearSamples = static_cast<std::uint32_t>(mask_.entries.size() - 2);
     addFar();
     return std::move(mask_);
   }
 
  private:
-  int toTexels(double lengthMm) const {
-    return static_cast<int>(std::clamp(std::round(lengthMm / texelMm_), 1.0,
-                                       static_cast<double>(limit_)));
+  const bssrdf::Profile& profile(int channel) const {
+    return profiles_[static_cast<std::size_t>(channel)];
   }
 
   void addCentre() {
-    const double cell = spacing_ * spacing_ * texelMm_ * texelMm_;
+    const double cell = extent_.spacing * extent_.spacing * texelMm_ * texelMm_;
     shared::PatternEntry reflectance{};
     shared::PatternEntry exponent{};
     for (int c = 0; c < 3; ++c) {
-      const bssrdf::Profile& profile = profiles_[static_cast<std::size_t>(c)];
-      const double value = discOfArea(profile, cell);
+      const double value = discOfArea(profile(c), cell);
       constexpr double step = 1e-3;
-      const double slope = (discOfArea(profile, cell * (1 + step)) -
-                            discOfArea(profile, cell * (1 - step))) / (2 * step);
+      const double slope = (discOfArea(profile(c), cell * (1 + step)) -
+                            discOfArea(profile(c), cell * (1 - step))) / (2 * step);
       reflectance.value[c] = static_cast<float>(value);
       exponent.value[c] = value > 0 ? static_cast<float>(slope / value) : 0.0F;
     }
     reflectance.value.a = static_cast<float>(texelMm_ * texelMm_);
+    exponent.value.a = 1.0F / static_cast<float>(farMapSize_);
     mask_.entries.push_back(reflectance);
     mask_.entries.push_back(exponent);
   }
 
   void addNear(int x, int y) {
-    const double edge = spacing_ * texelMm_;
+    const double edge = extent_.spacing * texelMm_;
     shared::PatternEntry entry{};
-    for (int c = 0; c < 3; ++c) {
-      const bssrdf::Profile& profile = profiles_[static_cast<std::size_t>(c)];
-      entry.value[c] =
-          texelsFor(integralOverSquare(profile, x * texelMm_, y * texelMm_, edge),
-                    profile(std::hypot(x, y) * texelMm_), texelMm_ * texelMm_);
-    }
+    for (int c = 0; c < 3; ++c)
+      entry.value[c] = texelsFor(integralOverSquare(profile(c), x * texelMm_, y * texelMm_, edge),
+                                 profile(c)(std::hypot(x, y) * texelMm_), texelMm_ * texelMm_);
     add(entry, x, y);
   }
 
   void addFar() {
-    const double block = (2 * rings_ + 1) * spacing_ * texelMm_;
-    const double inner = block / std::sqrt(std::numbers::pi);
-    const double distance = far_ * texelMm_;
-    const double outer = std::max(2 * distance - inner, inner);
+    const double inner = blockRadius(extent_) * texelMm_;
+    const double outer = outerRadius(extent_) * texelMm_;
     shared::PatternEntry entry{};
-    for (int c = 0; c < 3; ++c) {
-      const bssrdf::Profile& profile = profiles_[static_cast<std::size_t>(c)];
-      entry.value[c] = texelsFor((profile.disc(outer) - profile.disc(inner)) / 8,
-                                 profile(distance), texelMm_ * texelMm_);
-    }
+    for (int c = 0; c < 3; ++c)
+      entry.value[c] = texelsFor((profile(c).disc(outer) - profile(c).disc(inner)) / 8,
+                                 profile(c)(extent_.distance * texelMm_), texelMm_ * texelMm_);
     for (int i = 0; i < 8; ++i) {
       const double angle = (i + 0.5) * std::numbers::pi / 4;
-      add(entry, static_cast<int>(std::lround(far_ * std::cos(angle))),
-          static_cast<int>(std::lround(far_ * std::sin(angle))));
+      add(entry, static_cast<int>(std::lround(extent_.distance * std::cos(angle))),
+          static_cast<int>(std::lround(extent_.distance * std::sin(angle))));
     }
   }
 
   void add(shared::PatternEntry entry, int x, int y) {
     entry.value.a = packOffset(x, y);
     mask_.entries.push_back(entry);
-    ++mask_.samples;
   }
 
   const std::array<bssrdf::Profile, 3>& profiles_;
+  const PatternExtent& extent_;
   double texelMm_;
-  int rings_;
-  int limit_;
-  int spacing_;
-  int far_;
+  int farMapSize_;
   PatternMask mask_;
 };
 
 }  // namespace
 
+int PatternExtent::nearReach() const { return nearRings * spacing + 2; }
+
+int PatternExtent::farReach() const { return distance + 2 * cell + 1; }
+
+PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2) {
+  constexpr double largest = 16384;
+  const double objectRadius = std::sqrt(objectAreaMm2 / std::numbers::pi) / texelMm;
+  const double across = 2 * shape.nearRings + 1;
+  PatternExtent extent{.nearRings = shape.nearRings};
+  extent.spacing = static_cast<int>(std::clamp(
+      std::min(std::round(shape.nearSpacingMm / texelMm), std::floor(objectRadius / across)), 1.0,
+      largest));
+  const double block = blockRadius(extent);
+  const double nearest = std::ceil(block) + 1;
+  const double furthest = std::max(nearest, std::floor(0.5 * (objectRadius + block)));
+  extent.distance = static_cast<int>(
+      std::clamp(std::round(shape.farDistanceMm / texelMm), nearest, std::min(furthest, largest)));
+  extent.cell = cellEdge(extent);
+  return extent;
+}
+
+PatternExtent fitted(PatternExtent extent, int nearReach, int farReach) {
+  while (extent.nearReach() > nearReach && extent.nearRings > 0) {
+    if (extent.spacing > 1) --extent.spacing;
+    else --extent.nearRings;
+  }
+  extent.cell = std::clamp(extent.cell, 1, std::max(1, farReach / 4));
+  extent.distance = std::clamp(extent.distance, 1, std::max(1, farReach - 2 * extent.cell - 1));
+  return extent;
+}
+
 PatternMask makePatternMask(const std::array<bssrdf::Profile, 3>& profiles,
-                            const PatternShape& shape) {
-  return MaskBuilder(profiles, shape).build();
+                            const PatternExtent& extent, double texelMm, int farMapSize) {
+  return MaskBuilder(profiles, extent, texelMm, farMapSize).build();
 }
 
 }  // namespace opaline::passes

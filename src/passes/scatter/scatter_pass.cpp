@@ -60,7 +60,10 @@ ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device,
                                      {5, BindingType::StorageBuffer},
                                      {6, BindingType::StorageBuffer},
                                      {7, BindingType::SampledImage},
-                                     {8, BindingType::SampledImage}},
+                                     {8, BindingType::SampledImage},
+                                     {9, BindingType::SampledImage},
+                                     {10, BindingType::SampledImage},
+                                     {11, BindingType::StorageBuffer}},
                         .specialization = specialization,
                         .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT},
                     }),
@@ -74,7 +77,10 @@ ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device,
                                              {5, BindingType::StorageBuffer},
                                              {6, BindingType::StorageBuffer},
                                              {7, BindingType::SampledImage},
-                                             {8, BindingType::SampledImage}},
+                                             {8, BindingType::SampledImage},
+                                             {9, BindingType::SampledImage},
+                                             {10, BindingType::SampledImage},
+                                             {11, BindingType::StorageBuffer}},
                                 .pushConstantBytes = sizeof(std::uint32_t),
                                 .specialization = specialization,
                             }),
@@ -113,8 +119,11 @@ void ScatterPass::patternOverFragments(gpu::CommandList& commands, ScatterTransp
                           Binding::sampled(2, surface.place, nearest_),
                           Binding::read(4, tables.objects), Binding::read(5, tables.media),
                           Binding::read(6, tables.pattern),
-                          Binding::sampled(7, sources.positionArea, nearest_),
-                          Binding::sampled(8, sources.irradianceObject, linear_)});
+                          Binding::sampled(7, sources.nearPosition, nearest_),
+                          Binding::sampled(8, sources.nearFlux, linear_),
+                          Binding::sampled(9, sources.farPosition, linear_),
+                          Binding::sampled(10, sources.farFlux, linear_),
+                          Binding::read(11, sources.charts)});
   commands.beginRendering({{.image = &exitance.image}});
   commands.draw(3);
   commands.endRendering();
@@ -130,8 +139,10 @@ void ScatterPass::patternOverVertices(gpu::CommandList& commands, ScatterTranspo
       {Binding::read(1, mesh.positions), Binding::read(2, mesh.vertexCorners),
        Binding::write(3, exitance.vertices), Binding::read(4, tables.objects),
        Binding::read(5, tables.media), Binding::read(6, tables.pattern),
-       Binding::sampled(7, sources.positionArea, nearest_),
-       Binding::sampled(8, sources.irradianceObject, linear_)});
+       Binding::sampled(7, sources.nearPosition, nearest_),
+       Binding::sampled(8, sources.nearFlux, linear_),
+       Binding::sampled(9, sources.farPosition, linear_),
+       Binding::sampled(10, sources.farFlux, linear_), Binding::read(11, sources.charts)});
   commands.pushConstants(mesh.vertexCount);
   commands.dispatchLinear(mesh.vertexCount);
   commands.endPass();

@@ -31,7 +31,8 @@ gpu::Pipeline makePipeline(gpu::Device& device, bool exitanceAtVertices) {
                                    {1, BindingType::StorageBuffer},
                                    {2, BindingType::StorageBuffer},
                                    {3, BindingType::StorageBuffer},
-                                   {4, BindingType::StorageBuffer}},
+                                   {4, BindingType::StorageBuffer},
+                                   {5, BindingType::StorageBuffer}},
                       .pushConstantBytes = sizeof(shared::vec2),
                       .specialization = {exitanceAtVertices ? 1U : 0U},
                       .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT,
@@ -84,7 +85,8 @@ void SurfacePass::record(gpu::CommandList& commands, const Inputs& inputs, Visib
   commands.bindResources(
       {Binding::uniform(0, inputs.frame, inputs.frameOffset, sizeof(shared::FrameData)),
        Binding::read(1, mesh.positions), Binding::read(2, mesh.normals),
-       Binding::read(3, mesh.corners), Binding::read(4, exitance.vertices)});
+       Binding::read(3, mesh.corners), Binding::read(4, exitance.vertices),
+       Binding::read(5, inputs.charts)});
   gpu::GpuImage& value = inputs.exitanceAtVertices ? exitance.image : surface.place;
   const gpu::DepthTarget depth{.image = &surface.depth};
   commands.beginRendering(

@@ -27,6 +27,7 @@ class SurfacePass {
     gpu::Buffer& frame;
     std::size_t frameOffset;
     DeformedMesh& mesh;
+    gpu::Buffer& charts;  ///< DiffusionSources::charts
     shared::vec2 jitter;  ///< of the picture, in clip space
     bool exitanceAtVertices;
   };

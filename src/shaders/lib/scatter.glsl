@@ -1,5 +1,6 @@
 // The sums of sources (Eq. 8). Needs, before it, BINDING_OBJECTS, BINDING_MEDIA, BINDING_PATTERN,
-// BINDING_POSITION, BINDING_IRRADIANCE (pattern) or BINDING_SOURCES (all).
+// BINDING_POSITION, BINDING_FLUX, BINDING_FAR_POSITION, BINDING_FAR_FLUX (pattern) or BINDING_SOURCES
+// (all).
 #ifndef OPALINE_LIB_SCATTER
 #define OPALINE_LIB_SCATTER
 #include "shared/frame.h"
@@ -18,34 +19,45 @@ vec3 reflectanceProfile(Profile profile, float squaredMm2) {
 
 #ifdef BINDING_PATTERN
 layout(std430, set = 0, binding = BINDING_PATTERN) readonly buffer Pattern { PatternEntry pattern[]; };
-layout(set = 0, binding = BINDING_POSITION) uniform sampler2D dsmPosition;
-layout(set = 0, binding = BINDING_IRRADIANCE) uniform sampler2D dsmIrradiance;  // filtered linearly
+layout(set = 0, binding = BINDING_POSITION) uniform sampler2D nearPosition;      // mm
+layout(set = 0, binding = BINDING_FLUX) uniform sampler2D nearFlux;              // E·A; A
+layout(set = 0, binding = BINDING_FAR_POSITION) uniform sampler2D farPosition;   // means over cells
+layout(set = 0, binding = BINDING_FAR_FLUX) uniform sampler2D farFlux;
 
-// The near block and the eight far samples around a place in the atlas (Gong et al. 2008,
-// section 4.1), each weighted by the texels it stands for (section 4.2). The cell at the centre,
-// where the profile is sharpest, is integrated rather than sampled.
-vec3 patternSum(vec3 position, vec2 uv, uint object) {
+// The near block and the eight far samples around a place in the two maps (Gong et al. 2008,
+// section 4.1), each weighted by the texels it stands for (section 4.2). The cell at the
+// centre, where the profile is sharpest, is integrated rather than sampled; the far samples read
+// means over cells, so that the pieces of surface are small nearby and large far away, and stand
+// around the direction in which the surface rises, so that charts on both sides of a seam see the same.
+vec3 patternSum(vec3 position, uint object, vec2 nearPlace, vec2 farPlace, float angle) {
   MediumData medium = media[objects[object].table.x];
   uint first = medium.tables.y;
-  ivec2 size = textureSize(dsmPosition, 0);
-  ivec2 centre = clamp(ivec2(uv * vec2(size)), ivec2(0), size - 1);
+  vec2 size = vec2(textureSize(nearPosition, 0));
+  ivec2 centre = ivec2(nearPlace * size);
 
   vec4 cell = pattern[first].value;
-  float stretch = texelFetch(dsmPosition, centre, 0).w / cell.a;
-  vec3 sum = textureLod(dsmIrradiance, uv, 0.0).rgb * cell.rgb *
+  vec4 flux = textureLod(nearFlux, nearPlace, 0.0);
+  float stretch = flux.a / cell.a;
+  vec3 sum = flux.rgb / max(flux.a, 1e-20) * cell.rgb *
              pow(vec3(stretch), pattern[first + 1u].value.rgb);
 
-  float wanted = float(object + 1u);
-  for (uint i = first + 2u; i < first + 2u + medium.tables.z; ++i) {
-    vec4 tap = pattern[i].value;
-    int packed = floatBitsToInt(tap.a);
+  uint end = first + 2u + medium.tables.z;
+  for (uint i = first + 2u; i < end; ++i) {
+    vec4 entry = pattern[i].value;
+    int packed = floatBitsToInt(entry.a);
     ivec2 texel = centre + ivec2(bitfieldExtract(packed, 0, 16), packed >> 16);
-    texel = clamp(texel, ivec2(0), size - 1);
-    vec4 irradiance = texelFetch(dsmIrradiance, texel, 0);
-    vec4 place = texelFetch(dsmPosition, texel, 0);
-    vec3 offset = place.xyz - position;
-    float area = irradiance.a == wanted ? place.w : 0.0;
-    sum += irradiance.rgb * tap.rgb * area *
+    vec3 offset = texelFetch(nearPosition, texel, 0).xyz - position;
+    sum += texelFetch(nearFlux, texel, 0).rgb * entry.rgb *
+           reflectanceProfile(medium.profile, dot(offset, offset));
+  }
+  float texel = pattern[first + 1u].value.a;
+  mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle)) * texel;
+  for (uint i = end; i < end + 8u; ++i) {
+    vec4 entry = pattern[i].value;
+    int packed = floatBitsToInt(entry.a);
+    vec2 there = farPlace + turn * vec2(bitfieldExtract(packed, 0, 16), packed >> 16);
+    vec3 offset = textureLod(farPosition, there, 0.0).xyz - position;
+    sum += textureLod(farFlux, there, 0.0).rgb * entry.rgb *
            reflectanceProfile(medium.profile, dot(offset, offset));
   }
   return sum;

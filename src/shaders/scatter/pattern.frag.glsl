@@ -5,11 +5,16 @@
 #define BINDING_MEDIA 5
 #define BINDING_PATTERN 6
 #define BINDING_POSITION 7
-#define BINDING_IRRADIANCE 8
+#define BINDING_FLUX 8
+#define BINDING_FAR_POSITION 9
+#define BINDING_FAR_FLUX 10
 #include "lib/scatter.glsl"
+#include "lib/place.glsl"
 
 layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
 layout(set = 0, binding = 2) uniform sampler2D surfacePlace;
+
+layout(std430, set = 0, binding = 11) readonly buffer Charts { ChartPlaces charts[]; };
 
 layout(location = 0) out vec4 exitance;
 
@@ -19,7 +24,8 @@ void main() {
   exitance = vec4(0.0);
   if (surface.w > 0.0) {
     uint object = uint(surface.w) - 1u;
-    vec2 uv = texelFetch(surfacePlace, pixel, 0).xy;
-    exitance = vec4(patternSum(surface.xyz, uv, object), 1.0);
+    vec4 place = texelFetch(surfacePlace, pixel, 0);
+    vec2 farPlace = farPlaceOf(place.xy, charts[uint(place.z)]);
+    exitance = vec4(patternSum(surface.xyz, object, place.xy, farPlace, place.w), 1.0);
   }
 }

@@ -5,14 +5,18 @@
 #define BINDING_MEDIA 5
 #define BINDING_PATTERN 6
 #define BINDING_POSITION 7
-#define BINDING_IRRADIANCE 8
+#define BINDING_FLUX 8
+#define BINDING_FAR_POSITION 9
+#define BINDING_FAR_FLUX 10
 #include "lib/scatter.glsl"
-#include "shared/mesh.h"
+#include "lib/place.glsl"
 #include "lib/linear.glsl"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Corners { AtlasCorner corners[]; };  // one a vertex
 layout(std430, set = 0, binding = 3) writeonly buffer Exitance { vec4 exitances[]; };
+
+layout(std430, set = 0, binding = 11) readonly buffer Charts { ChartPlaces charts[]; };
 
 layout(push_constant) uniform Push { uint vertexCount; };
 
@@ -20,6 +24,9 @@ void main() {
   uint i = linearIndex();
   if (i >= vertexCount) return;
   AtlasCorner corner = corners[i];
-  vec3 sum = patternSum(positions[i].xyz, vec2(corner.u, corner.v), corner.object);
+  ChartPlaces chart = charts[corner.chart];
+  vec2 place = nearPlaceOf(vec2(corner.u, corner.v), chart);
+  vec3 sum = patternSum(positions[i].xyz, corner.object, place, farPlaceOf(place, chart),
+                        atan(corner.alongV, corner.alongU));
   exitances[i] = vec4(sum, 1.0);
 }

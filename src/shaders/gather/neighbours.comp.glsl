@@ -1,0 +1,24 @@
+// The diffusion source map in the layout of neighbourhoods: each chart with the surface beyond its
+// seams around it, so that every sample of the pattern falls on what lies there.
+#version 460
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(std430, set = 0, binding = 0) readonly buffer Origins { uint origins[]; };
+layout(set = 0, binding = 1) uniform sampler2D positionArea;
+layout(set = 0, binding = 2) uniform sampler2D irradianceObject;
+layout(set = 0, binding = 3, rgba32f) writeonly uniform image2D nearPosition;
+layout(set = 0, binding = 4, rgba32f) writeonly uniform image2D nearFlux;
+
+void main() {
+  ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 size = imageSize(nearPosition);
+  if (any(greaterThanEqual(texel, size))) return;
+  // x in the low 15 bits, y in the next 15; the highest bit is set where surface lies.
+  uint origin = origins[texel.y * size.x + texel.x];
+  ivec2 from = ivec2(bitfieldExtract(origin, 0, 15), bitfieldExtract(origin, 15, 15));
+  vec4 place = texelFetch(positionArea, from, 0);
+  float area = (origin >> 31) != 0u ? place.w : 0.0;
+  imageStore(nearPosition, texel, place);
+  imageStore(nearFlux, texel, vec4(texelFetch(irradianceObject, from, 0).rgb, 1.0) * area);
+}
