@@ -1,0 +1,159 @@
+// What the renderer refuses, and sizes at the edges of what it takes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "renderer/renderer_fixture.h"
+#include "renderer/shapes.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+
+using RobustnessTest = RendererTest;
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+Scene ball() {
+  Scene scene = sceneOf(sphere({0, 0, 0}, 5, 3), marble(), {0, 0, 20}, 6);
+  scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+  scene.lighting.ambient = {0.1F, 0.1F, 0.1F};
+  return scene;
+}
+
+template <typename Change>
+RenderOptions changed(const Change& change) {
+  RenderOptions options = smallOptions();
+  change(options);
+  return options;
+}
+
+TEST_F(RobustnessTest, OptionsOutOfRangeAreRefused) {
+  renderer().setScene(ball());
+  const std::vector<RenderOptions> wrong{
+      changed([](RenderOptions& o) { o.width = 0; }),
+      changed([](RenderOptions& o) { o.width = 16385; }),
+      changed([](RenderOptions& o) { o.height = -3; }),
+      changed([](RenderOptions& o) { o.dsmSize = 63; }),
+      changed([](RenderOptions& o) { o.dsmSize = 4097; }),
+      changed([](RenderOptions& o) { o.shadowSize = 32; }),
+      changed([](RenderOptions& o) { o.shadowSize = 8193; }),
+      changed([](RenderOptions& o) { o.roughness = 0.01F; }),
+      changed([](RenderOptions& o) { o.roughness = nan; }),
+      changed([](RenderOptions& o) { o.antialias = 3; }),
+      changed([](RenderOptions& o) { o.antialias = 0; }),
+      changed([](RenderOptions& o) { o.frames = 0; }),
+      changed([](RenderOptions& o) { o.pattern.nearRings = 17; }),
+      changed([](RenderOptions& o) { o.pattern.nearRings = -1; }),
+      changed([](RenderOptions& o) { o.pattern.nearSpacing = 0; }),
+      changed([](RenderOptions& o) { o.pattern.nearSpacing = nan; }),
+      changed([](RenderOptions& o) { o.pattern.farDistance = 1001; }),
+  };
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+    EXPECT_THROW(renderer().render(wrong[i]), UsageError) << i;
+  EXPECT_EQ(render(smallOptions(), {Aov::Depth}).size(), 1U);  // and is none the worse for it
+}
+
+template <typename Change>
+Scene changedScene(const Change& change) {
+  Scene scene = ball();
+  change(scene);
+  return scene;
+}
+
+TEST_F(RobustnessTest, ScenesThatMakeNoSenseAreRefused) {
+  const std::vector<Scene> wrong{
+      Scene{},
+      changedScene([](Scene& s) { s.objects[0].mesh = {}; }),
+      changedScene([](Scene& s) { s.objects[0].mesh.positionsMm[7][1] = nan; }),
+      changedScene([](Scene& s) { s.objects[0].mesh.positionsMm[0][2] = infinity; }),
+      changedScene([](Scene& s) { s.objects[0].mesh.normals[3][0] = nan; }),
+      changedScene([](Scene& s) { s.objects[0].mesh.normals.pop_back(); }),
+      changedScene([](Scene& s) { s.objects[0].mesh.triangles[5][1] = 1'000'000; }),
+      changedScene([](Scene& s) { s.objects[0].medium.eta = 0.5; }),
+      changedScene([](Scene& s) { s.objects[0].medium.sigmaAPerMm[1] = -1; }),
+      changedScene([](Scene& s) {
+        s.objects[0].medium.sigmaSPrimePerMm = {0, 0, 0};
+      }),
+      changedScene([](Scene& s) { s.lighting.directional.resize(17); }),
+      changedScene([](Scene& s) { s.lighting.points.resize(9); }),
+      changedScene([](Scene& s) {
+        s.lighting.directional[0].directionToLight = {0, 0, 0};
+      }),
+      changedScene([](Scene& s) { s.lighting.directional[0].irradiance[1] = nan; }),
+      changedScene([](Scene& s) {
+        s.lighting.points = {{{0, nan, 0}, {1, 1, 1}}};
+      }),
+      changedScene([](Scene& s) { s.lighting.ambient[0] = -1; }),
+      changedScene([](Scene& s) { s.camera.positionMm = s.camera.targetMm; }),
+      changedScene([](Scene& s) { s.camera.verticalFovDegrees = 0; }),
+  };
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+    EXPECT_THROW(renderer().setScene(wrong[i]), Error) << i;
+}
+
+TEST_F(RobustnessTest, NothingIsRenderedWithoutAScene) {
+  Renderer fresh(sharedRenderer().options());
+  EXPECT_THROW(fresh.render(smallOptions()), Error);
+}
+
+TEST_F(RobustnessTest, AsManyLightsAsThereMayBe) {
+  Scene scene = ball();
+  scene.lighting.directional.assign(8, {{0, 0, 1}, {1, 1, 1}});
+  scene.lighting.points.assign(6, {{3, 4, 15}, {50, 50, 50}});
+  const Image many = render(scene, smallOptions(), {Aov::DsmIrradiance})[0];
+  scene.lighting.directional.assign(1, {{0, 0, 1}, {8, 8, 8}});
+  scene.lighting.points.assign(1, {{3, 4, 15}, {300, 300, 300}});
+  const Image few = render(scene, smallOptions(), {Aov::DsmIrradiance})[0];
+  forEachCovered(many, [&](std::size_t i) {
+    ASSERT_NEAR(many.rgba[i], few.rgba[i], 1e-5F * (1 + few.rgba[i]));
+  });
+}
+
+TEST_F(RobustnessTest, SizesAtTheEdges) {
+  struct Sizes {
+    int width, height, dsm, shadow;
+  };
+  renderer().setScene(ball());
+  for (const Sizes& sizes : {Sizes{1, 1, 64, 64},
+                             {3, 500, 128, 64},
+                             {500, 3, 128, 256},
+                             {33, 17, 2048, 128},
+                             {17, 65, 64, 2048}}) {
+    RenderOptions options = smallOptions();
+    options.width = sizes.width;
+    options.height = sizes.height;
+    options.dsmSize = sizes.dsm;
+    options.shadowSize = sizes.shadow;
+    const auto images = render(options, {Aov::Radiance, Aov::Exitance, Aov::DsmArea});
+    ASSERT_EQ(images[0].width, sizes.width);
+    ASSERT_EQ(images[0].height, sizes.height);
+    ASSERT_EQ(images[2].width, sizes.dsm);
+    for (const Image& image : images) {
+      EXPECT_GT(forEachCovered(image, [](std::size_t) {}), 0);
+      for (const float value : image.rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0);
+    }
+  }
+}
+
+TEST_F(RobustnessTest, TrianglesWithoutAreaAndIsolatedVerticesAreBorne) {
+  Scene scene = ball();
+  Mesh& mesh = scene.objects[0].mesh;
+  mesh.triangles.push_back({0, 0, 1});
+  mesh.triangles.push_back({4, 4, 4});
+  mesh.positionsMm.push_back({1, 1, 1});
+  mesh.normals.push_back({0, 0, 1});
+  for (const Site site : {Site::Vertex, Site::Fragment}) {
+    RenderOptions options = smallOptions();
+    options.site = site;
+    for (const Image& image : render(scene, options, {Aov::Radiance, Aov::Exitance}))
+      for (const float value : image.rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0);
+  }
+}
+
+}  // namespace
+}  // namespace opaline
