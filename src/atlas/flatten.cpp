@@ -43,7 +43,7 @@ class EqualAreaEnergy {
       const std::array<double, 3> ds = {-1 / base, 1 / base, 0};
       const std::array<double, 3> dt = {(along / base - 1) / height, -along / base / height,
                                         1 / height};
-      for (int k = 0; k < 3; ++k) {
+      for (Eigen::Index k = 0; k < 3; ++k) {
         const auto i = static_cast<std::size_t>(k);
         toJacobian(0, 2 * k) = toJacobian(2, 2 * k + 1) = ds[i];
         toJacobian(1, 2 * k) = toJacobian(3, 2 * k + 1) = dt[i];
@@ -142,7 +142,7 @@ class EqualAreaEnergy {
   Vector4 jacobian(std::size_t t, const Vector& places) const {
     const Triangle& v = mesh_.triangles[t];
     Eigen::Matrix<double, 6, 1> local;
-    for (int k = 0; k < 3; ++k) {
+    for (Eigen::Index k = 0; k < 3; ++k) {
       const auto i = static_cast<Eigen::Index>(v[static_cast<std::size_t>(k)]);
       local[2 * k] = places[2 * i];
       local[2 * k + 1] = places[2 * i + 1];

@@ -62,7 +62,6 @@ std::vector<Point2> conformalMap(const ChartMesh& mesh) {
       heldB = v;
     }
   }
-  const auto n = static_cast<int>(mesh.positions.size());
   Entries entries;
   const auto add = [&](std::uint32_t row, int rowAxis, std::uint32_t column, int columnAxis,
                        double value) {
@@ -91,10 +90,11 @@ std::vector<Point2> conformalMap(const ChartMesh& mesh) {
     add(b, 0, a, 1, .5);
     add(a, 1, b, 0, .5);
   }
-  Matrix matrix(2 * n, 2 * n);
+  const Eigen::Index unknowns = 2 * static_cast<Eigen::Index>(mesh.positions.size());
+  Matrix matrix(unknowns, unknowns);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  Eigen::VectorXd held = Eigen::VectorXd::Zero(2 * n);
-  held[2 * static_cast<int>(heldB)] =
+  Eigen::VectorXd held = Eigen::VectorXd::Zero(unknowns);
+  held[2 * static_cast<Eigen::Index>(heldB)] =
       length(subtract(mesh.positions[heldB], mesh.positions[heldA]));
   Eigen::VectorXd right = -(matrix * held);
   // A held unknown keeps its value: its row and column give way to an identity of like size.
@@ -115,7 +115,8 @@ std::vector<Point2> conformalMap(const ChartMesh& mesh) {
   if (solver.info() != Eigen::Success) return {};
   const Eigen::VectorXd solution = solver.solve(right);
   std::vector<Point2> places;
-  for (int v = 0; v < n; ++v) places.push_back({solution[2 * v], solution[2 * v + 1]});
+  places.reserve(mesh.positions.size());
+  for (Eigen::Index i = 0; i < unknowns; i += 2) places.push_back({solution[i], solution[i + 1]});
   return places;
 }
 

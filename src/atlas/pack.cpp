@@ -254,8 +254,9 @@ Layout packInGrid(const std::vector<Outline>& outlines) {
   Layout layout;
   layout.scale = .7 * cell / extent;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    const double x = (static_cast<double>(i % columns) + .15) * cell;
-    const double y = (static_cast<double>(i / columns) + .15) * cell;
+    const std::size_t row = i / columns;
+    const double x = (static_cast<double>(i - row * columns) + .15) * cell;
+    const double y = (static_cast<double>(row) + .15) * cell;
     layout.placements.push_back(
         {1, 0, {x - layout.scale * corners[i][0], y - layout.scale * corners[i][1]}});
   }

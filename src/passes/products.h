@@ -40,13 +40,14 @@ struct DiffusionSources {
   gpu::GpuImage normal;            ///< xyz
   gpu::GpuImage irradianceObject;  ///< rgb E, a object + 1
   gpu::GpuImage coverage;          ///< object + 1, 0 where no surface is
-  gpu::Buffer charts;              ///< shared::ChartPlaces
+  gpu::Buffer charts;              ///< shared::ChartPlace
   gpu::Buffer nearOrigins;         ///< packed texel of the map for each one among the neighbourhoods
   gpu::GpuImage nearPosition;      ///< xyz mm
   gpu::GpuImage nearFlux;          ///< rgb E·A, a A in mm², 0 where no surface is
-  gpu::Buffer farOrigins;          ///< the same for aprons that hold the far samples
-  gpu::GpuImage farPosition;       ///< means of these over cells
+  gpu::Buffer farOrigins;          ///< the same in a layout for cells
+  gpu::GpuImage farPosition;       ///< means over cells
   gpu::GpuImage farFlux;
+  gpu::Buffer farPlaces;           ///< vec2, eight a vertex, in [0,1]² of the cells; or negative
   gpu::Buffer texels;              ///< packed texels that carry surface, object after object
   gpu::Buffer list;                ///< two vec4 each: position mm; flux E·A
   std::uint32_t cellEdge = 1;  ///< of a cell, texels
@@ -58,11 +59,12 @@ struct DiffusionSources {
 struct VisibleSurface {
   gpu::GpuImage position;  ///< xyz mm, w object + 1
   gpu::GpuImage normal;    ///< xyz unit
-  gpu::GpuImage place;     ///< near place, chart, direction; see scatter/surface.frag
+  gpu::GpuImage place;     ///< xy place among the neighbourhoods
+  gpu::GpuImage exitance;  ///< rgb of the vertices, interpolated
   gpu::GpuImage depth;
 };
 
-/// Exitance B of what the camera sees, and of the vertices where it is computed there.
+/// Exitance B of what the camera sees; and of the vertices, all of it or the far samples' part.
 struct Exitance {
   gpu::GpuImage image;
   gpu::Buffer vertices;

@@ -31,12 +31,15 @@ struct FrameContext {
         resources.sources);
   }
 
+  // Everything where the site is the vertices; else what of the pattern is always summed there.
   void scatterAtVertices() const {
     const passes::ScatterTransport transport = scatterTransport(plan.transport);
+    using Part = passes::ScatterPass::VertexPart;
     if (plan.sum == Sum::Pattern)
-      passes.scatter.patternOverVertices(commands, transport, resources.tables, resources.sources,
-                                         mesh, resources.exitance);
-    else
+      passes.scatter.patternOverVertices(
+          commands, transport, plan.site == Site::Vertex ? Part::Everything : Part::FarSamples,
+          resources.tables, resources.sources, mesh, resources.exitance);
+    else if (plan.site == Site::Vertex)
       passes.scatter.allOverVertices(commands, transport, resources.tables, resources.sources,
                                      mesh, resources.exitance);
   }
@@ -52,14 +55,11 @@ struct FrameContext {
                                       resources.surface, resources.exitance);
   }
 
-  void drawSurface(const glm::vec2& jitter, bool exitanceAtVertices) const {
-    passes.surface.record(commands, {frameBuffer, frameOffset, mesh, resources.sources.charts, jitter,
-                                     exitanceAtVertices},
-                          resources.surface, resources.exitance);
-  }
-
   void seeSurface(const glm::vec2& jitter) const {
-    drawSurface(jitter, plan.site == Site::Vertex);
+    passes.surface.record(commands,
+                          {frameBuffer, frameOffset, mesh, resources.sources.charts, jitter,
+                           resources.exitance.vertices},
+                          resources.surface);
     if (plan.site == Site::Fragment) scatterAtFragments();
   }
 
@@ -67,13 +67,17 @@ struct FrameContext {
     passes.shade.record(
         commands,
         {frameBuffer, frameOffset, resources.tables, resources.shadows, resources.surface,
-         resources.exitance, resources.environmentCube, sample, samples, plan.roughness,
+         visibleExitance(plan.site, resources), resources.environmentCube, sample, samples, plan.roughness,
          plan.specular},
         resources.radiance);
   }
 };
 
 }  // namespace
+
+gpu::GpuImage& visibleExitance(Site site, FrameResources& resources) {
+  return site == Site::Vertex ? resources.surface.exitance : resources.exitance.image;
+}
 
 Passes::Passes(gpu::Device& device)
     : shadow(device),
@@ -91,7 +95,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   const FrameContext context{commands, passes,      plan, frameBuffer,
                              frameOffset, mesh, resources};
   context.gather(frame, shadowViews);
-  if (plan.site == Site::Vertex) context.scatterAtVertices();
+  context.scatterAtVertices();
 
   if (plan.samples > 0) {
     const VkExtent2D extent = resources.radiance.extent();
@@ -103,10 +107,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
       context.shade(sample, samples);
     }
   }
-  if (plan.centre) {
-    context.seeSurface({0, 0});
-    if (plan.places && plan.site == Site::Vertex) context.drawSurface({0, 0}, false);
-  }
+  if (plan.centre) context.seeSurface({0, 0});
 }
 
 }  // namespace opaline

@@ -47,10 +47,12 @@ struct FramePlan {
   Site site = Site::Fragment;  ///< not Auto
   int samples = 4;             ///< of radiance, 0 for none
   bool centre = false;         ///< leave the visible surface and exitance of the pixels' centres
-  bool places = false;         ///< with it: places among neighbourhoods, even where the sum is at vertices
   bool specular = true;
   float roughness = 0.25F;
 };
+
+/// The image that a frame leaves the exitance of visible pixels in.
+gpu::GpuImage& visibleExitance(Site site, FrameResources& resources);
 
 /// Records one frame: shadows, gathering, then for every antialiasing sample the visible surface,
 /// scattering and shading.

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "gpu/device.h"
@@ -114,14 +115,19 @@ Image object(gpu::Device& device, FrameResources& resources) {
 
 Image irradiance(gpu::Device& device, FrameResources& resources) {
   const Image flux = readFloats(device, resources.sources.nearFlux);
-  return combine(position(device, resources), readFloats(device, resources.surface.place),
-                 [&](float* pixel, const float* place) {
-                   if (pixel[3] <= 0) return;
-                   std::array<float, 4> mean{};
-                   sampleLinear(flux, place[0], place[1], mean.data());
-                   for (std::size_t c = 0; c < 3; ++c)
-                     pixel[c] = mean[3] > 0 ? mean[c] / mean[3] : 0.0F;
-                 });
+  const std::vector<std::byte> bytes =
+      gpu::readImage(device, resources.surface.place, sizeof(glm::vec2));
+  Image image = position(device, resources);
+  for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
+    float* pixel = &image.rgba[4 * i];
+    if (pixel[3] <= 0) continue;
+    glm::vec2 place{};
+    std::memcpy(&place, &bytes[i * sizeof(place)], sizeof(place));
+    std::array<float, 4> mean{};
+    sampleLinear(flux, place.x, place.y, mean.data());
+    for (std::size_t c = 0; c < 3; ++c) pixel[c] = mean[3] > 0 ? mean[c] / mean[3] : 0.0F;
+  }
+  return image;
 }
 
 Image withAlphaOf(Image image, const Image& coverage) {
@@ -143,16 +149,15 @@ bool needsCentre(Aov aov) {
   }
 }
 
-bool needsPlaces(Aov aov) { return aov == Aov::Irradiance; }
-
-Image readAov(gpu::Device& device, Aov aov, FrameResources& resources, const CameraView& camera) {
+Image readAov(gpu::Device& device, Aov aov, Site site, FrameResources& resources,
+              const CameraView& camera) {
   const auto dsm = [&](Image image) {
     return withAlphaOf(std::move(image), readCoverage(device, resources.sources.coverage));
   };
   switch (aov) {
     case Aov::Radiance: return radiance(device, resources);
     case Aov::Exitance:
-      return withAlphaOf(readFloats(device, resources.exitance.image), position(device, resources));
+      return withAlphaOf(readFloats(device, visibleExitance(site, resources)), position(device, resources));
     case Aov::Irradiance: return irradiance(device, resources);
     case Aov::Position: return position(device, resources);
     case Aov::Normal:

@@ -36,10 +36,6 @@ Site chooseSite(Site wanted, const SceneResources& resources) {
   return Site::Vertex;
 }
 
-bool wants(const std::vector<Aov>& aovs, bool (*predicate)(Aov)) {
-  return std::any_of(aovs.begin(), aovs.end(), predicate);
-}
-
 FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, Site site) {
   return {.transport = options.transport,
           .sum = options.sum,
@@ -47,8 +43,7 @@ FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, S
           .samples = std::find(aovs.begin(), aovs.end(), Aov::Radiance) != aovs.end()
                          ? options.antialias
                          : 0,
-          .centre = wants(aovs, needsCentre),
-          .places = wants(aovs, needsPlaces),
+          .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),
           .specular = options.specular,
           .roughness = options.roughness};
 }
@@ -96,7 +91,7 @@ class Renderer::Implementation {
     }
 
     RenderResult result;
-    for (const Aov aov : aovs) result.images.push_back(readAov(device_, aov, *resources_, camera));
+    for (const Aov aov : aovs) result.images.push_back(readAov(device_, aov, site, *resources_, camera));
     result.report = makeReport(options, site, times);
     return result;
   }

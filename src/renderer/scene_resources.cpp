@@ -1,12 +1,10 @@
 #include "renderer/scene_resources.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -35,37 +33,6 @@ MergedMesh merge(const Scene& scene) {
   return merged;
 }
 
-// Gradient of the height y over the atlas, times twice the triangle's area there.
-glm::vec2 rise(const std::array<glm::vec2, 3>& uv, const std::array<float, 3>& y) {
-  const glm::vec2 a = uv[1] - uv[0];
-  const glm::vec2 b = uv[2] - uv[0];
-  const float da = y[1] - y[0];
-  const float db = y[2] - y[0];
-  return {da * b.y - db * a.y, db * a.x - da * b.x};
-}
-
-// The direction in which the surface rises gives every corner a frame that continues across seams;
-// means over the corner's triangles.
-void addDirections(const atlas::Atlas& atlas, const MergedMesh& mesh,
-                   std::vector<shared::AtlasCorner>& corners) {
-  std::vector<glm::vec2> sum(corners.size(), glm::vec2(0));
-  for (const Triangle& triangle : atlas.triangles) {
-    std::array<glm::vec2, 3> uv{};
-    std::array<float, 3> y{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const shared::AtlasCorner& corner = corners[triangle[i]];
-      uv[i] = {corner.u, corner.v};
-      y[i] = mesh.positions[corner.vertex][1];
-    }
-    for (const std::uint32_t corner : triangle) sum[corner] += rise(uv, y);
-  }
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const float length = glm::length(sum[i]);
-    corners[i].alongU = length > 0 ? sum[i].x / length : 1;
-    corners[i].alongV = length > 0 ? sum[i].y / length : 0;
-  }
-}
-
 std::vector<shared::AtlasCorner> makeCorners(const atlas::Atlas& atlas, const MergedMesh& mesh) {
   std::vector<shared::AtlasCorner> corners(atlas.vertices.size());
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -77,7 +44,6 @@ std::vector<shared::AtlasCorner> makeCorners(const atlas::Atlas& atlas, const Me
       corners[corner].object = mesh.objectOfTriangle[t];
       corners[corner].chart = atlas.chartOfTriangle[t];
     }
-  addDirections(atlas, mesh, corners);
   return corners;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "atlas/geodesic.h"
 #include "bssrdf/fresnel.h"
 #include "bssrdf/profile.h"
 #include "environment/spherical_harmonics.h"
@@ -68,7 +69,7 @@ class TableBuilder {
       albedo_.insert(albedo_.end(), entries.begin(), entries.end());
     }
     for (std::size_t i = 0; i < resources.media.size(); ++i)
-      add(resources.media[i], pattern.extentOfMedium[i], pattern.maps.distant.size);
+      add(resources.media[i], pattern.extentOfMedium[i]);
   }
 
   const std::vector<double>& etas() const { return etas_; }
@@ -77,14 +78,16 @@ class TableBuilder {
   const std::vector<float>& albedo() const { return albedo_; }
 
  private:
-  void add(const Medium& medium, const passes::PatternExtent& extent, int farMapSize) {
+  void add(const Medium& medium, const passes::PatternExtent& extent) {
     const std::array<bssrdf::Profile, 3> profiles = profilesOf(medium, options_.transport);
-    const passes::PatternMask mask = passes::makePatternMask(profiles, extent, texelMm_, farMapSize);
+    const passes::PatternMask mask = passes::makePatternMask(profiles, extent, texelMm_);
     const auto eta = static_cast<std::uint32_t>(
         std::find(etas_.begin(), etas_.end(), medium.eta) - etas_.begin());
     media_.push_back({.profile = shaders::packProfile(profiles),
                       .boundary = {static_cast<float>(medium.eta),
-                                   static_cast<float>(exitFactor(medium, options_.transport)), 0, 0},
+                                   static_cast<float>(exitFactor(medium, options_.transport)),
+                                   static_cast<float>(mask.nearSquareMm2),
+                                   static_cast<float>(mask.farSquareMm2)},
                       .tables = {eta, static_cast<std::uint32_t>(pattern_.size()), mask.nearSamples,
                                  eta * passes::specularAlbedoEntries}});
     pattern_.insert(pattern_.end(), mask.entries.begin(), mask.entries.end());
@@ -115,6 +118,40 @@ ShCoefficients ambientRadiance(const Lighting& lighting) {
   return sum;
 }
 
+// Where the far samples of every vertex lie among the cells.
+std::vector<Vec2> farPlaces(const SceneResources& resources, const PatternLayout& layout,
+                            const RenderOptions& options) {
+  const atlas::Atlas& atlas = resources.atlas;
+  const atlas::Neighbourhoods& cells = layout.maps.distant;
+  std::vector<double> distanceMm(resources.merged.positions.size(), 0);
+  for (std::size_t t = 0; t < resources.merged.triangles.size(); ++t) {
+    const std::uint32_t medium = resources.mediumOfObject[resources.merged.objectOfTriangle[t]];
+    for (const std::uint32_t vertex : resources.merged.triangles[t])
+      distanceMm[vertex] =
+          layout.extentOfMedium[medium].distance * texelEdgeMm(resources, options);
+  }
+  std::vector<Vec2> places;
+  places.reserve(8 * distanceMm.size());
+  for (const atlas::GeodesicStar& star :
+       atlas::walkFromVertices(resources.merged.surface(), distanceMm))
+    for (const atlas::SurfacePoint& point : star) {
+      Vec2 place{-1, -1};
+      if (point.triangle != atlas::SurfacePoint::nowhere) {
+        const std::array<int, 2>& shift = cells.shiftOfChart[atlas.chartOfTriangle[point.triangle]];
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          float uv = 0;
+          for (std::size_t i = 0; i < 3; ++i)
+            uv += point.barycentric[i] *
+                  atlas.vertices[atlas.triangles[point.triangle][i]].uv[axis];
+          place[axis] = (uv * static_cast<float>(options.dsmSize) + static_cast<float>(shift[axis])) /
+                        static_cast<float>(cells.size);
+        }
+      }
+      places.push_back(place);
+    }
+  return places;
+}
+
 }  // namespace
 
 PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions& options) {
@@ -124,7 +161,7 @@ PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions
   const double texelMm = texelEdgeMm(resources, options);
   PatternLayout layout;
   int nearReach = 1;
-  int farReach = 1;
+  int cellReach = 1;
   int cell = options.dsmSize;
   for (std::size_t i = 0; i < resources.media.size(); ++i) {
     const double freePathMm = shortestMeanFreePathMm(resources.media[i]);
@@ -135,7 +172,7 @@ PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions
         texelMm, smallestAreaMm2(resources, i));
     layout.extentOfMedium.push_back(extent);
     nearReach = std::max(nearReach, extent.nearReach());
-    farReach = std::max(farReach, extent.farReach());
+    cellReach = std::max(cellReach, extent.cellReach());
     cell = std::min(cell, extent.cell);
   }
   const atlas::Surface surface = resources.merged.surface();
@@ -144,10 +181,11 @@ PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions
       {.mapSize = options.dsmSize, .reach = nearReach, .alignment = 1, .maxSize = largestNear});
   layout.maps.distant = atlas::makeNeighbourhoods(
       surface, resources.atlas,
-      {.mapSize = options.dsmSize, .reach = farReach, .alignment = cell, .maxSize = largestFar});
+      {.mapSize = options.dsmSize, .reach = cellReach, .alignment = cell, .maxSize = largestFar});
   layout.maps.cellEdge = static_cast<std::uint32_t>(cell);
   for (passes::PatternExtent& extent : layout.extentOfMedium)
-    extent = passes::fitted(extent, layout.maps.nearby.reach, layout.maps.distant.reach);
+    extent = passes::fitted(extent, layout.maps.nearby.reach);
+  layout.maps.farPlaces = farPlaces(resources, layout, options);
   return layout;
 }
 

@@ -135,8 +135,9 @@ inline Shape edgeFan() {
 inline Shape manyComponents() {
   Shape shape{"many_components", {}, {}, {}};
   for (int k = 0; k < 400; ++k) {
-    const double x = k % 20;
-    const double z = k / 20;
+    const int row = k / 20;
+    const double x = k - 20 * row;
+    const double z = row;
     const double size = .1 + .002 * k;
     const std::uint32_t a = addVertex(shape, x, 0, z);
     const std::uint32_t b = addVertex(shape, x + size, 0, z);

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -174,7 +175,7 @@ TEST(Teapot, IsTheSharedModel) {
   for (std::string line; std::getline(file, line) && line != "end_header";) {
   }
   std::vector<Vec3> positions(1177);
-  file.read(reinterpret_cast<char*>(positions.data()), 12 * 1177);
+  file.read(reinterpret_cast<char*>(positions.data()), std::streamsize{12} * 1177);
   Mesh shared;
   shared.positionsMm = positions;
   shared.triangles.resize(2256);
@@ -186,8 +187,9 @@ TEST(Teapot, IsTheSharedModel) {
   const Mesh mesh = teapotMesh();
   std::vector<std::array<int, 3>> ours;
   std::vector<std::array<int, 3>> theirs;
-  for (const Vec3& p : mesh.positionsMm) ours.push_back(rounded(p));
-  for (const Vec3& p : positions) theirs.push_back(rounded(p));
+  std::transform(mesh.positionsMm.begin(), mesh.positionsMm.end(), std::back_inserter(ours),
+                 rounded);
+  std::transform(positions.begin(), positions.end(), std::back_inserter(theirs), rounded);
   std::sort(ours.begin(), ours.end());
   std::sort(theirs.begin(), theirs.end());
   std::size_t apart = 0;

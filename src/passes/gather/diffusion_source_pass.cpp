@@ -86,20 +86,14 @@ std::vector<std::uint32_t> listOrigins(const atlas::Neighbourhoods& neighbourhoo
   return origins;
 }
 
-std::vector<shared::ChartPlaces> chartPlaces(const NeighbourhoodMaps& maps, std::uint32_t mapSize) {
-  const auto nearSize = static_cast<float>(maps.nearby.size);
-  const auto farSize = static_cast<float>(maps.distant.size);
-  std::vector<shared::ChartPlaces> places;
-  for (std::size_t i = 0; i < maps.nearby.shiftOfChart.size(); ++i) {
-    const std::array<int, 2>& near = maps.nearby.shiftOfChart[i];
-    const std::array<int, 2>& far = maps.distant.shiftOfChart[i];
-    places.push_back({.nearShiftU = static_cast<float>(near[0]) / nearSize,
-                      .nearShiftV = static_cast<float>(near[1]) / nearSize,
-                      .nearScale = static_cast<float>(mapSize) / nearSize,
-                      .farShiftU = static_cast<float>(far[0]) / farSize,
-                      .farShiftV = static_cast<float>(far[1]) / farSize,
-                      .farScale = static_cast<float>(mapSize) / farSize});
-  }
+std::vector<shared::ChartPlace> chartPlaces(const atlas::Neighbourhoods& neighbourhoods,
+                                            std::uint32_t mapSize) {
+  const auto size = static_cast<float>(neighbourhoods.size);
+  std::vector<shared::ChartPlace> places;
+  for (const std::array<int, 2>& shift : neighbourhoods.shiftOfChart)
+    places.push_back({.shiftU = static_cast<float>(shift[0]) / size,
+                      .shiftV = static_cast<float>(shift[1]) / size,
+                      .scale = static_cast<float>(mapSize) / size});
   return places;
 }
 
@@ -203,7 +197,7 @@ DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh&
   sources.sourceCount = static_cast<std::uint32_t>(texels.size());
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   sources.texels = gpu::makeBuffer(device, "dsm texels", texels, storage);
-  sources.charts = gpu::makeBuffer(device, "charts", chartPlaces(maps, mapSize), storage);
+  sources.charts = gpu::makeBuffer(device, "charts", chartPlaces(maps.nearby, mapSize), storage);
   sources.nearOrigins = gpu::makeBuffer(device, "origins of near texels",
                                         listOrigins(maps.nearby, coverage, mapSize), storage);
   sources.farOrigins = gpu::makeBuffer(device, "origins of far texels",
@@ -216,6 +210,7 @@ DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh&
   sources.nearFlux = makeMap(device, "neighbourhoods' flux", nearSize, floats);
   sources.farPosition = makeMap(device, "cells' position", cells, floats);
   sources.farFlux = makeMap(device, "cells' flux", cells, floats);
+  sources.farPlaces = gpu::makeBuffer(device, "far places", maps.farPlaces, storage);
   return sources;
 }
 

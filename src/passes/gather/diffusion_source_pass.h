@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "atlas/neighbourhood.h"
 #include "gpu/command_list.h"
@@ -18,6 +19,7 @@ struct NeighbourhoodMaps {
   atlas::Neighbourhoods nearby;
   atlas::Neighbourhoods distant;  ///< its size is a multiple of cellEdge
   std::uint32_t cellEdge = 1;     ///< of the cells over which far samples want means, texels
+  std::vector<Vec2> farPlaces;    ///< see DiffusionSources
 };
 
 /// The gathering of irradiance (Gong et al. 2008, section 3): draws the mesh into its atlas, in one

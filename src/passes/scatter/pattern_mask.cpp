@@ -50,20 +50,29 @@ double outerRadius(const PatternExtent& extent) {
   return std::max(2 * extent.distance - blockRadius(extent), blockRadius(extent));
 }
 
+// Texels.
+double ringArea(const PatternExtent& extent) {
+  return std::numbers::pi *
+         (std::pow(outerRadius(extent), 2) - std::pow(blockRadius(extent), 2));
+}
+
 // Half the edge of a square as large as an eighth of the ring: a linear filter doubles it.
 int cellEdge(const PatternExtent& extent) {
-  const double ring = std::numbers::pi * (std::pow(outerRadius(extent), 2) -
-                                          std::pow(blockRadius(extent), 2));
-  return std::max(1, static_cast<int>(std::lround(0.5 * std::sqrt(ring / 8))));
+  return std::max(1, static_cast<int>(std::lround(0.5 * std::sqrt(ringArea(extent) / 8))));
 }
+
+// Of a disc about its centre.
+double meanSquareRadius(double area) { return area / (2 * std::numbers::pi); }
 
 class MaskBuilder {
  public:
   MaskBuilder(const std::array<bssrdf::Profile, 3>& profiles, const PatternExtent& extent,
-              double texelMm, int farMapSize)
-      : profiles_(profiles), extent_(extent), texelMm_(texelMm), farMapSize_(farMapSize) {}
+              double texelMm)
+      : profiles_(profiles), extent_(extent), texelMm_(texelMm) {}
 
   PatternMask build() {
+    mask_.nearSquareMm2 = meanSquareRadius(std::pow(extent_.spacing * texelMm_, 2));
+    mask_.farSquareMm2 = meanSquareRadius(ringArea(extent_) / 8 * texelMm_ * texelMm_);
     addCentre();
     const int rings = extent_.nearRings;
     for (int y = -rings; y <= rings; ++y)
@@ -92,7 +101,6 @@ class MaskBuilder {
       exponent.value[c] = value > 0 ? static_cast<float>(slope / value) : 0.0F;
     }
     reflectance.value.a = static_cast<float>(texelMm_ * texelMm_);
-    exponent.value.a = 1.0F / static_cast<float>(farMapSize_);
     mask_.entries.push_back(reflectance);
     mask_.entries.push_back(exponent);
   }
@@ -102,7 +110,9 @@ class MaskBuilder {
     shared::PatternEntry entry{};
     for (int c = 0; c < 3; ++c)
       entry.value[c] = texelsFor(integralOverSquare(profile(c), x * texelMm_, y * texelMm_, edge),
-                                 profile(c)(std::hypot(x, y) * texelMm_), texelMm_ * texelMm_);
+                                 profile(c)(std::hypot(std::hypot(x, y) * texelMm_,
+                                                       std::sqrt(mask_.nearSquareMm2))),
+                                 texelMm_ * texelMm_);
     add(entry, x, y);
   }
 
@@ -112,12 +122,10 @@ class MaskBuilder {
     shared::PatternEntry entry{};
     for (int c = 0; c < 3; ++c)
       entry.value[c] = texelsFor((profile(c).disc(outer) - profile(c).disc(inner)) / 8,
-                                 profile(c)(extent_.distance * texelMm_), texelMm_ * texelMm_);
-    for (int i = 0; i < 8; ++i) {
-      const double angle = (i + 0.5) * std::numbers::pi / 4;
-      add(entry, static_cast<int>(std::lround(extent_.distance * std::cos(angle))),
-          static_cast<int>(std::lround(extent_.distance * std::sin(angle))));
-    }
+                                 profile(c)(std::hypot(extent_.distance * texelMm_,
+                                                       std::sqrt(mask_.farSquareMm2))),
+                                 texelMm_ * texelMm_);
+    mask_.entries.push_back(entry);
   }
 
   void add(shared::PatternEntry entry, int x, int y) {
@@ -128,7 +136,6 @@ class MaskBuilder {
   const std::array<bssrdf::Profile, 3>& profiles_;
   const PatternExtent& extent_;
   double texelMm_;
-  int farMapSize_;
   PatternMask mask_;
 };
 
@@ -136,7 +143,7 @@ class MaskBuilder {
 
 int PatternExtent::nearReach() const { return nearRings * spacing + 2; }
 
-int PatternExtent::farReach() const { return distance + 2 * cell + 1; }
+int PatternExtent::cellReach() const { return 2 * cell + 1; }
 
 PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2) {
   constexpr double largest = 16384;
@@ -155,19 +162,17 @@ PatternExtent patternExtent(const PatternShape& shape, double texelMm, double ob
   return extent;
 }
 
-PatternExtent fitted(PatternExtent extent, int nearReach, int farReach) {
+PatternExtent fitted(PatternExtent extent, int nearReach) {
   while (extent.nearReach() > nearReach && extent.nearRings > 0) {
     if (extent.spacing > 1) --extent.spacing;
     else --extent.nearRings;
   }
-  extent.cell = std::clamp(extent.cell, 1, std::max(1, farReach / 4));
-  extent.distance = std::clamp(extent.distance, 1, std::max(1, farReach - 2 * extent.cell - 1));
   return extent;
 }
 
 PatternMask makePatternMask(const std::array<bssrdf::Profile, 3>& profiles,
-                            const PatternExtent& extent, double texelMm, int farMapSize) {
-  return MaskBuilder(profiles, extent, texelMm, farMapSize).build();
+                            const PatternExtent& extent, double texelMm) {
+  return MaskBuilder(profiles, extent, texelMm).build();
 }
 
 }  // namespace opaline::passes

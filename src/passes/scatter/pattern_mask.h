@@ -23,30 +23,30 @@ struct PatternExtent {
   int distance = 1;  ///< of the far samples from the centre, texels
   int cell = 1;      ///< edge of the cells over which far samples want means, texels
 
-  /// Texels that near and far samples may lie away from the centre, their filters included.
+  /// Texels that a near sample may lie away from the centre, and a far sample's filter from it.
   int nearReach() const;
-  int farReach() const;
+  int cellReach() const;
 };
 
 /// Rounds to whole texels, keeps the far samples off the block and the whole pattern from being
 /// larger than a disc of the object's area.
 PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2);
 
-/// The largest pattern of that kind that stays within these reaches, texels.
-PatternExtent fitted(PatternExtent extent, int nearReach, int farReach);
+/// The largest pattern of that kind whose near samples stay within that reach, texels.
+PatternExtent fitted(PatternExtent extent, int nearReach);
 
-/// The entries of one medium, see shared::PatternEntry, and the number of near samples among them;
-/// eight far ones follow.
+/// The entries of one medium, see shared::PatternEntry, and the number of near samples among them.
 struct PatternMask {
   std::vector<shared::PatternEntry> entries;
   std::uint32_t nearSamples = 0;
+  double nearSquareMm2 = 0;  ///< mean square radius of what a near sample stands for
+  double farSquareMm2 = 0;   ///< and a far one
 };
 
 /// Offsets and weights of the samples. On a plane under uniform light every near sample gives
 /// exactly what its square cell reflects, and the eight far samples together what the ring gives that
-/// lies around the block and reaches as far beyond them as they lie beyond the block. `farMapSize` is
-/// the edge, in texels, of the map in whose [0,1]² the far samples are placed.
+/// lies around the block and reaches as far beyond them as they lie beyond the block.
 PatternMask makePatternMask(const std::array<bssrdf::Profile, 3>& profiles,
-                            const PatternExtent& extent, double texelMm, int farMapSize);
+                            const PatternExtent& extent, double texelMm);
 
 }  // namespace opaline::passes

@@ -45,6 +45,29 @@ ScatterPass::ScatterPass(gpu::Device& device)
       dipole_(makePipelines(device, ScatterTransport::Dipole)),
       betterDipole_(makePipelines(device, ScatterTransport::BetterDipole)) {}
 
+gpu::Pipeline ScatterPass::makeVertexPattern(gpu::Device& device, ScatterTransport transport,
+                                             VertexPart part) {
+  return {device, gpu::ComputePipelineOptions{
+                      .name = "pattern over vertices",
+                      .shader = shaders::scatter_pattern_vertices_comp,
+                      .bindings = {{1, BindingType::StorageBuffer},
+                                   {2, BindingType::StorageBuffer},
+                                   {3, BindingType::StorageBuffer},
+                                   {4, BindingType::StorageBuffer},
+                                   {5, BindingType::StorageBuffer},
+                                   {6, BindingType::StorageBuffer},
+                                   {7, BindingType::SampledImage},
+                                   {8, BindingType::SampledImage},
+                                   {9, BindingType::SampledImage},
+                                   {10, BindingType::SampledImage},
+                                   {11, BindingType::StorageBuffer},
+                                   {12, BindingType::StorageBuffer}},
+                      .pushConstantBytes = sizeof(std::uint32_t),
+                      .specialization = {static_cast<std::uint32_t>(transport),
+                                         part == VertexPart::Everything ? 1U : 0U},
+                  }};
+}
+
 ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device,
                                                   ScatterTransport transport) {
   const std::vector<std::uint32_t> specialization{static_cast<std::uint32_t>(transport)};
@@ -56,34 +79,17 @@ ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device,
                         .fragmentShader = shaders::scatter_pattern_frag,
                         .bindings = {{1, BindingType::SampledImage},
                                      {2, BindingType::SampledImage},
+                                     {3, BindingType::SampledImage},
                                      {4, BindingType::StorageBuffer},
                                      {5, BindingType::StorageBuffer},
                                      {6, BindingType::StorageBuffer},
                                      {7, BindingType::SampledImage},
-                                     {8, BindingType::SampledImage},
-                                     {9, BindingType::SampledImage},
-                                     {10, BindingType::SampledImage},
-                                     {11, BindingType::StorageBuffer}},
+                                     {8, BindingType::SampledImage}},
                         .specialization = specialization,
                         .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT},
                     }),
-      gpu::Pipeline(device, gpu::ComputePipelineOptions{
-                                .name = "pattern over vertices",
-                                .shader = shaders::scatter_pattern_vertices_comp,
-                                .bindings = {{1, BindingType::StorageBuffer},
-                                             {2, BindingType::StorageBuffer},
-                                             {3, BindingType::StorageBuffer},
-                                             {4, BindingType::StorageBuffer},
-                                             {5, BindingType::StorageBuffer},
-                                             {6, BindingType::StorageBuffer},
-                                             {7, BindingType::SampledImage},
-                                             {8, BindingType::SampledImage},
-                                             {9, BindingType::SampledImage},
-                                             {10, BindingType::SampledImage},
-                                             {11, BindingType::StorageBuffer}},
-                                .pushConstantBytes = sizeof(std::uint32_t),
-                                .specialization = specialization,
-                            }),
+      makeVertexPattern(device, transport, VertexPart::FarSamples),
+      makeVertexPattern(device, transport, VertexPart::Everything),
       gpu::Pipeline(device, gpu::ComputePipelineOptions{
                                 .name = "all sources over fragments",
                                 .shader = shaders::scatter_all_comp,
@@ -110,31 +116,13 @@ ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device,
   };
 }
 
-void ScatterPass::patternOverFragments(gpu::CommandList& commands, ScatterTransport transport,
-                                       SceneTables& tables, DiffusionSources& sources,
-                                       VisibleSurface& surface, Exitance& exitance) const {
-  commands.beginPass("scatter");
-  commands.bind(pipelines(transport).patternFragments);
-  commands.bindResources({Binding::sampled(1, surface.position, nearest_),
-                          Binding::sampled(2, surface.place, nearest_),
-                          Binding::read(4, tables.objects), Binding::read(5, tables.media),
-                          Binding::read(6, tables.pattern),
-                          Binding::sampled(7, sources.nearPosition, nearest_),
-                          Binding::sampled(8, sources.nearFlux, linear_),
-                          Binding::sampled(9, sources.farPosition, linear_),
-                          Binding::sampled(10, sources.farFlux, linear_),
-                          Binding::read(11, sources.charts)});
-  commands.beginRendering({{.image = &exitance.image}});
-  commands.draw(3);
-  commands.endRendering();
-  commands.endPass();
-}
-
 void ScatterPass::patternOverVertices(gpu::CommandList& commands, ScatterTransport transport,
-                                      SceneTables& tables, DiffusionSources& sources,
-                                      DeformedMesh& mesh, Exitance& exitance) const {
+                                      VertexPart part, SceneTables& tables,
+                                      DiffusionSources& sources, DeformedMesh& mesh,
+                                      Exitance& exitance) const {
+  const Pipelines& made = pipelines(transport);
   commands.beginPass("scatter");
-  commands.bind(pipelines(transport).patternVertices);
+  commands.bind(part == VertexPart::Everything ? made.patternVertices : made.patternFar);
   commands.bindResources(
       {Binding::read(1, mesh.positions), Binding::read(2, mesh.vertexCorners),
        Binding::write(3, exitance.vertices), Binding::read(4, tables.objects),
@@ -142,9 +130,28 @@ void ScatterPass::patternOverVertices(gpu::CommandList& commands, ScatterTranspo
        Binding::sampled(7, sources.nearPosition, nearest_),
        Binding::sampled(8, sources.nearFlux, linear_),
        Binding::sampled(9, sources.farPosition, linear_),
-       Binding::sampled(10, sources.farFlux, linear_), Binding::read(11, sources.charts)});
+       Binding::sampled(10, sources.farFlux, linear_), Binding::read(11, sources.charts),
+       Binding::read(12, sources.farPlaces)});
   commands.pushConstants(mesh.vertexCount);
   commands.dispatchLinear(mesh.vertexCount);
+  commands.endPass();
+}
+
+void ScatterPass::patternOverFragments(gpu::CommandList& commands, ScatterTransport transport,
+                                       SceneTables& tables, DiffusionSources& sources,
+                                       VisibleSurface& surface, Exitance& exitance) const {
+  commands.beginPass("scatter");
+  commands.bind(pipelines(transport).patternFragments);
+  commands.bindResources({Binding::sampled(1, surface.position, nearest_),
+                          Binding::sampled(2, surface.place, nearest_),
+                          Binding::sampled(3, surface.exitance, nearest_),
+                          Binding::read(4, tables.objects), Binding::read(5, tables.media),
+                          Binding::read(6, tables.pattern),
+                          Binding::sampled(7, sources.nearPosition, nearest_),
+                          Binding::sampled(8, sources.nearFlux, linear_)});
+  commands.beginRendering({{.image = &exitance.image}});
+  commands.draw(3);
+  commands.endRendering();
   commands.endPass();
 }
 

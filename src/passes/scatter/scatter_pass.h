@@ -20,12 +20,16 @@ class ScatterPass {
  public:
   explicit ScatterPass(gpu::Device& device);
 
+  /// Which part of the pattern is summed at the vertices.
+  enum class VertexPart { FarSamples, Everything };
+
+  void patternOverVertices(gpu::CommandList& commands, ScatterTransport transport, VertexPart part,
+                           SceneTables& tables, DiffusionSources& sources, DeformedMesh& mesh,
+                           Exitance& exitance) const;
+  /// Adds the near block to the far samples' part, which has been interpolated: surface.exitance.
   void patternOverFragments(gpu::CommandList& commands, ScatterTransport transport,
                             SceneTables& tables, DiffusionSources& sources,
                             VisibleSurface& surface, Exitance& exitance) const;
-  void patternOverVertices(gpu::CommandList& commands, ScatterTransport transport,
-                           SceneTables& tables, DiffusionSources& sources, DeformedMesh& mesh,
-                           Exitance& exitance) const;
   /// Needs sources.list.
   void allOverFragments(gpu::CommandList& commands, ScatterTransport transport,
                         SceneTables& tables, DiffusionSources& sources, VisibleSurface& surface,
@@ -36,10 +40,13 @@ class ScatterPass {
  private:
   struct Pipelines {
     gpu::Pipeline patternFragments;
+    gpu::Pipeline patternFar;
     gpu::Pipeline patternVertices;
     gpu::Pipeline allFragments;
     gpu::Pipeline allVertices;
   };
+  static gpu::Pipeline makeVertexPattern(gpu::Device& device, ScatterTransport transport,
+                                         VertexPart part);
   static Pipelines makePipelines(gpu::Device& device, ScatterTransport transport);
   const Pipelines& pipelines(ScatterTransport transport) const {
     return transport == ScatterTransport::Dipole ? dipole_ : betterDipole_;

@@ -22,31 +22,27 @@ gpu::GpuImage makeTarget(gpu::Device& device, const char* name, std::uint32_t wi
            .usage = usage | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
 }
 
-gpu::Pipeline makePipeline(gpu::Device& device, bool exitanceAtVertices) {
-  return {device, gpu::GraphicsPipelineOptions{
-                      .name = exitanceAtVertices ? "surface with exitance" : "surface",
-                      .vertexShader = shaders::scatter_surface_vert,
-                      .fragmentShader = shaders::scatter_surface_frag,
-                      .bindings = {{0, BindingType::UniformBuffer},
-                                   {1, BindingType::StorageBuffer},
-                                   {2, BindingType::StorageBuffer},
-                                   {3, BindingType::StorageBuffer},
-                                   {4, BindingType::StorageBuffer},
-                                   {5, BindingType::StorageBuffer}},
-                      .pushConstantBytes = sizeof(shared::vec2),
-                      .specialization = {exitanceAtVertices ? 1U : 0U},
-                      .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT,
-                                       VK_FORMAT_R16G16B16A16_SFLOAT,
-                                       VK_FORMAT_R32G32B32A32_SFLOAT},
-                      .depthFormat = VK_FORMAT_D32_SFLOAT,
-                      .depth = gpu::DepthMode::Write,
-                  }};
-}
-
 }  // namespace
 
 SurfacePass::SurfacePass(gpu::Device& device)
-    : place_(makePipeline(device, false)), exitance_(makePipeline(device, true)) {}
+    : pipeline_(device, gpu::GraphicsPipelineOptions{
+                            .name = "surface",
+                            .vertexShader = shaders::scatter_surface_vert,
+                            .fragmentShader = shaders::scatter_surface_frag,
+                            .bindings = {{0, BindingType::UniformBuffer},
+                                         {1, BindingType::StorageBuffer},
+                                         {2, BindingType::StorageBuffer},
+                                         {3, BindingType::StorageBuffer},
+                                         {4, BindingType::StorageBuffer},
+                                         {5, BindingType::StorageBuffer}},
+                            .pushConstantBytes = sizeof(shared::vec2),
+                            .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT,
+                                             VK_FORMAT_R16G16B16A16_SFLOAT,
+                                             VK_FORMAT_R32G32_SFLOAT,
+                                             VK_FORMAT_R32G32B32A32_SFLOAT},
+                            .depthFormat = VK_FORMAT_D32_SFLOAT,
+                            .depth = gpu::DepthMode::Write,
+                        }) {}
 
 VisibleSurface SurfacePass::makeSurface(gpu::Device& device, std::uint32_t width,
                                         std::uint32_t height) {
@@ -57,7 +53,9 @@ VisibleSurface SurfacePass::makeSurface(gpu::Device& device, std::uint32_t width
   surface.normal =
       makeTarget(device, "surface normal", width, height, VK_FORMAT_R16G16B16A16_SFLOAT, color);
   surface.place =
-      makeTarget(device, "surface place", width, height, VK_FORMAT_R32G32B32A32_SFLOAT, color);
+      makeTarget(device, "surface place", width, height, VK_FORMAT_R32G32_SFLOAT, color);
+  surface.exitance = makeTarget(device, "surface exitance", width, height,
+                                VK_FORMAT_R32G32B32A32_SFLOAT, color);
   surface.depth = makeTarget(device, "surface depth", width, height, VK_FORMAT_D32_SFLOAT,
                              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
   return surface;
@@ -76,21 +74,23 @@ Exitance SurfacePass::makeExitance(gpu::Device& device, std::uint32_t width, std
   return exitance;
 }
 
-void SurfacePass::record(gpu::CommandList& commands, const Inputs& inputs, VisibleSurface& surface,
-                         Exitance& exitance) const {
+void SurfacePass::record(gpu::CommandList& commands, const Inputs& inputs,
+                         VisibleSurface& surface) const {
   DeformedMesh& mesh = inputs.mesh;
   commands.beginPass("surface");
-  commands.bind(inputs.exitanceAtVertices ? exitance_ : place_);
+  commands.bind(pipeline_);
   commands.use(mesh.indices, gpu::Access::Index);
   commands.bindResources(
       {Binding::uniform(0, inputs.frame, inputs.frameOffset, sizeof(shared::FrameData)),
        Binding::read(1, mesh.positions), Binding::read(2, mesh.normals),
-       Binding::read(3, mesh.corners), Binding::read(4, exitance.vertices),
+       Binding::read(3, mesh.corners), Binding::read(4, inputs.vertexExitance),
        Binding::read(5, inputs.charts)});
-  gpu::GpuImage& value = inputs.exitanceAtVertices ? exitance.image : surface.place;
   const gpu::DepthTarget depth{.image = &surface.depth};
-  commands.beginRendering(
-      {{.image = &surface.position}, {.image = &surface.normal}, {.image = &value}}, &depth);
+  commands.beginRendering({{.image = &surface.position},
+                           {.image = &surface.normal},
+                           {.image = &surface.place},
+                           {.image = &surface.exitance}},
+                          &depth);
   commands.pushConstants(inputs.jitter);
   commands.drawIndexed(mesh.indices, mesh.indexCount);
   commands.endRendering();

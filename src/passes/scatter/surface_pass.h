@@ -13,8 +13,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// Draws what the camera sees, so that sums are spent on visible fragments alone; where exitance
-/// stands at the vertices, interpolates it.
+/// Draws what the camera sees, so that sums are spent on visible fragments alone, and interpolates
+/// the exitance of the vertices.
 class SurfacePass {
  public:
   explicit SurfacePass(gpu::Device& device);
@@ -29,14 +29,12 @@ class SurfacePass {
     DeformedMesh& mesh;
     gpu::Buffer& charts;  ///< DiffusionSources::charts
     shared::vec2 jitter;  ///< of the picture, in clip space
-    bool exitanceAtVertices;
+    gpu::Buffer& vertexExitance;
   };
-  void record(gpu::CommandList& commands, const Inputs& inputs, VisibleSurface& surface,
-              Exitance& exitance) const;
+  void record(gpu::CommandList& commands, const Inputs& inputs, VisibleSurface& surface) const;
 
  private:
-  gpu::Pipeline place_;
-  gpu::Pipeline exitance_;
+  gpu::Pipeline pipeline_;
 };
 
 }  // namespace opaline::passes

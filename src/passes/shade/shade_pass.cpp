@@ -61,7 +61,7 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
       {Binding::uniform(0, inputs.frame, inputs.frameOffset, sizeof(shared::FrameData)),
        Binding::sampled(1, inputs.surface.position, nearest_),
        Binding::sampled(2, inputs.surface.normal, nearest_),
-       Binding::sampled(3, inputs.exitance.image, nearest_), Binding::read(4, inputs.tables.objects),
+       Binding::sampled(3, inputs.exitance, nearest_), Binding::read(4, inputs.tables.objects),
        Binding::read(5, inputs.tables.media), Binding::sampled(6, inputs.shadows.depth, nearest_),
        Binding::sampled(7, inputs.environmentCube, linear_),
        Binding::read(8, inputs.tables.specularAlbedo), Binding::writeImage(9, radiance)});

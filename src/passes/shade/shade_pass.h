@@ -26,7 +26,7 @@ class ShadePass {
     SceneTables& tables;
     ShadowMaps& shadows;
     VisibleSurface& surface;
-    Exitance& exitance;
+    gpu::GpuImage& exitance;  ///< of what is visible
     gpu::GpuImage& environmentCube;
     std::uint32_t sample;   ///< of `samples`
     std::uint32_t samples;

@@ -1,6 +1,5 @@
 // The sums of sources (Eq. 8). Needs, before it, BINDING_OBJECTS, BINDING_MEDIA, BINDING_PATTERN,
-// BINDING_POSITION, BINDING_FLUX, BINDING_FAR_POSITION, BINDING_FAR_FLUX (pattern) or BINDING_SOURCES
-// (all).
+// BINDING_POSITION, BINDING_FLUX (pattern) or BINDING_SOURCES (all).
 #ifndef OPALINE_LIB_SCATTER
 #define OPALINE_LIB_SCATTER
 #include "shared/frame.h"
@@ -19,24 +18,21 @@ vec3 reflectanceProfile(Profile profile, float squaredMm2) {
 
 #ifdef BINDING_PATTERN
 layout(std430, set = 0, binding = BINDING_PATTERN) readonly buffer Pattern { PatternEntry pattern[]; };
-layout(set = 0, binding = BINDING_POSITION) uniform sampler2D nearPosition;      // mm
-layout(set = 0, binding = BINDING_FLUX) uniform sampler2D nearFlux;              // E·A; A
-layout(set = 0, binding = BINDING_FAR_POSITION) uniform sampler2D farPosition;   // means over cells
-layout(set = 0, binding = BINDING_FAR_FLUX) uniform sampler2D farFlux;
+layout(set = 0, binding = BINDING_POSITION) uniform sampler2D nearPosition;  // mm
+layout(set = 0, binding = BINDING_FLUX) uniform sampler2D nearFlux;          // E·A; A
 
-// The near block and the eight far samples around a place in the two maps (Gong et al. 2008,
-// section 4.1), each weighted by the texels it stands for (section 4.2). The cell at the
-// centre, where the profile is sharpest, is integrated rather than sampled; the far samples read
-// means over cells, so that the pieces of surface are small nearby and large far away, and stand
-// around the direction in which the surface rises, so that charts on both sides of a seam see the same.
-vec3 patternSum(vec3 position, uint object, vec2 nearPlace, vec2 farPlace, float angle) {
+// The near block around a place among the neighbourhoods (Gong et al. 2008, section 4.1), each
+// sample weighted by the texels it stands for (section 4.2). The cell at the centre, where the
+// profile is sharpest, is integrated rather than sampled. To the square of a sample's distance comes
+// that of the extent of the piece of surface it stands for: one that comes close in space, where the
+// surface folds, must not outshine it.
+vec3 nearSum(vec3 position, uint object, vec2 place) {
   MediumData medium = media[objects[object].table.x];
   uint first = medium.tables.y;
-  vec2 size = vec2(textureSize(nearPosition, 0));
-  ivec2 centre = ivec2(nearPlace * size);
+  ivec2 centre = ivec2(place * vec2(textureSize(nearPosition, 0)));
 
   vec4 cell = pattern[first].value;
-  vec4 flux = textureLod(nearFlux, nearPlace, 0.0);
+  vec4 flux = textureLod(nearFlux, place, 0.0);
   float stretch = flux.a / cell.a;
   vec3 sum = flux.rgb / max(flux.a, 1e-20) * cell.rgb *
              pow(vec3(stretch), pattern[first + 1u].value.rgb);
@@ -48,17 +44,7 @@ vec3 patternSum(vec3 position, uint object, vec2 nearPlace, vec2 farPlace, float
     ivec2 texel = centre + ivec2(bitfieldExtract(packed, 0, 16), packed >> 16);
     vec3 offset = texelFetch(nearPosition, texel, 0).xyz - position;
     sum += texelFetch(nearFlux, texel, 0).rgb * entry.rgb *
-           reflectanceProfile(medium.profile, dot(offset, offset));
-  }
-  float texel = pattern[first + 1u].value.a;
-  mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle)) * texel;
-  for (uint i = end; i < end + 8u; ++i) {
-    vec4 entry = pattern[i].value;
-    int packed = floatBitsToInt(entry.a);
-    vec2 there = farPlace + turn * vec2(bitfieldExtract(packed, 0, 16), packed >> 16);
-    vec3 offset = textureLod(farPosition, there, 0.0).xyz - position;
-    sum += textureLod(farFlux, there, 0.0).rgb * entry.rgb *
-           reflectanceProfile(medium.profile, dot(offset, offset));
+           reflectanceProfile(medium.profile, dot(offset, offset) + medium.boundary.z);
   }
   return sum;
 }

@@ -1,4 +1,5 @@
-// The paper's FTF: the pattern summed for every visible fragment.
+// The paper's FTF: the near block of the pattern summed for every visible fragment, on top of what
+// the far samples gave the vertices.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 4
@@ -6,15 +7,11 @@
 #define BINDING_PATTERN 6
 #define BINDING_POSITION 7
 #define BINDING_FLUX 8
-#define BINDING_FAR_POSITION 9
-#define BINDING_FAR_FLUX 10
 #include "lib/scatter.glsl"
-#include "lib/place.glsl"
 
 layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
 layout(set = 0, binding = 2) uniform sampler2D surfacePlace;
-
-layout(std430, set = 0, binding = 11) readonly buffer Charts { ChartPlaces charts[]; };
+layout(set = 0, binding = 3) uniform sampler2D farExitance;
 
 layout(location = 0) out vec4 exitance;
 
@@ -24,8 +21,7 @@ void main() {
   exitance = vec4(0.0);
   if (surface.w > 0.0) {
     uint object = uint(surface.w) - 1u;
-    vec4 place = texelFetch(surfacePlace, pixel, 0);
-    vec2 farPlace = farPlaceOf(place.xy, charts[uint(place.z)]);
-    exitance = vec4(patternSum(surface.xyz, object, place.xy, farPlace, place.w), 1.0);
+    vec3 near = nearSum(surface.xyz, object, texelFetch(surfacePlace, pixel, 0).xy);
+    exitance = vec4(near + texelFetch(farExitance, pixel, 0).rgb, 1.0);
   }
 }

@@ -13,16 +13,17 @@ using glm::vec4;
 
 struct MediumData {
   Profile profile;
-  vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t)
+  vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t); z, w: mean square
+                  // radius of the piece of surface that a near and a far sample stand for, mm²
   uvec4 tables;   // x: layer of the ambient cube map; y: first pattern entry; z: number of near samples;
                   // w: first entry of the specular albedo
 };
 
 /// The pattern of Gong et al. 2008, Figure 5, as a list of entries. The first two are about the
 /// centre: [0] rgb: reflectance of its cell, a: area of a texel in the rest pose, mm²; [1] rgb: its
-/// logarithmic derivative by area, a: edge of a texel in the map of the far samples. Each further one is a sample: rgb: number of texels it stands
-/// for; a: its offset in texels, two signed 16-bit integers (x low, y high) as a float's bits. The
-/// eight far samples come last.
+/// logarithmic derivative by area. Then follow the near samples, rgb: number of texels that one stands
+/// for, a: its offset in texels, two signed 16-bit integers (x low, y high) as a float's bits. The
+/// last entry's rgb is the number of texels that each of the eight far samples stands for.
 struct PatternEntry {
   vec4 value;
 };

@@ -16,24 +16,19 @@ struct AtlasCorner {
   float u;
   float v;
   uint chart;
-  float alongU;  // unit direction in the atlas in which the surface rises most, along +y
-  float alongV;
 };
 
-/// Where a chart lies in the two maps of neighbourhoods: place = uv · scale + shift.
-struct ChartPlaces {
-  float nearShiftU;
-  float nearShiftV;
-  float nearScale;
-  float farShiftU;
-  float farShiftV;
-  float farScale;
+/// Where a chart lies in the map of neighbourhoods: place = uv · scale + shift.
+struct ChartPlace {
+  float shiftU;
+  float shiftV;
+  float scale;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(AtlasCorner) == 28);
+static_assert(sizeof(AtlasCorner) == 20);
 static_assert(offsetof(AtlasCorner, u) == 8);
-static_assert(sizeof(ChartPlaces) == 24);
+static_assert(sizeof(ChartPlace) == 12);
 }  // namespace opaline::shared
 #endif
 
