@@ -43,7 +43,7 @@ test: build check
 	ctest --preset release -j 2
 
 bench: build
-	$(BUILD)/bin/opaline_bench
+	$(BUILD)/bin/opaline_frame_bench
 
 format:
 	$(PYTHON) tools/check_format.py --fix

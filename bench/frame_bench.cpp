@@ -1,0 +1,217 @@
+// Times of the passes of the paper's method on this machine, and how they compare with an opaque
+// frame of the same mesh.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bssrdf/media.h"
+#include "comparison_frames.h"
+#include "opaline/error.h"
+#include "opaline/renderer.h"
+
+namespace opaline::bench {
+
+namespace {
+
+using nlohmann::json;
+
+struct Arguments {
+  bool json = false;
+  int frames = 11;
+};
+
+Arguments parse(int count, char** values) {
+  Arguments arguments;
+  for (int i = 1; i < count; ++i) {
+    const std::string_view argument = values[i];
+    if (argument == "--json") {
+      arguments.json = true;
+    } else if (argument == "--frames" && i + 1 < count) {
+      arguments.frames = std::atoi(values[++i]);
+    } else {
+      throw UsageError(fmt::format(
+          "usage: opaline_frame_bench [--json] [--frames N]; '{}' is unknown", argument));
+    }
+  }
+  return arguments;
+}
+
+std::optional<std::filesystem::path> findBunny() {
+  const char* models = std::getenv("OPALINE_MODELS");
+  const std::filesystem::path folder =
+      models != nullptr ? std::filesystem::path(models)
+                        : std::filesystem::path(OPALINE_SOURCE_DIR) / ".." / "shared" / "models";
+  std::filesystem::path file = folder / "bunny.ply";
+  if (std::filesystem::exists(file)) return file;
+  return std::nullopt;
+}
+
+Scene loadModel() {
+  LoadOptions options;
+  options.diagonalMm = 50;
+  options.medium = bssrdf::findMedium("marble");
+  if (const auto bunny = findBunny()) return loadScene(*bunny, options);
+  fmt::print(
+      stderr,
+      "no bunny.ply in the folder that OPALINE_MODELS names; the built-in bear stands in for it\n");
+  return builtInBear(options);
+}
+
+/// The frame of `opaline render --method paper` at a site.
+RenderOptions paperOptions(Site site) {
+  RenderOptions options;
+  options.site = site;
+  options.dsmSize = 512;
+  options.antialias = 1;
+  return options;
+}
+
+std::size_t coveredPixels(Renderer& renderer, const RenderOptions& options) {
+  const Image object = renderer.render(options, {Aov::Object}).images[0];
+  std::size_t covered = 0;
+  for (std::size_t i = 3; i < object.rgba.size(); i += 4) covered += object.rgba[i] > 0 ? 1U : 0U;
+  return covered;
+}
+
+json describe(const FrameTimes& times) {
+  json description;
+  description["frame_ms"] = times.frameMilliseconds();
+  for (const PassTime& pass : times.passes()) {
+    description["passes_ms"][pass.name] = pass.milliseconds;
+  }
+  return description;
+}
+
+void renderPaper(Renderer& renderer, const RenderOptions& options, FrameTimes& times) {
+  const RenderReport report = renderer.render(options).report;
+  std::vector<gpu::PassTiming> passes;
+  for (const PassTime& pass : report.passes) passes.push_back({pass.name, pass.milliseconds});
+  times.add(report.frameMilliseconds, passes);
+}
+
+/// One kind of frame after the other, again and again, so that what else the machine does falls on
+/// all of them alike.
+struct Times {
+  FrameTimes fragment;
+  FrameTimes vertex;
+  FrameTimes opaque;
+  FrameTimes vertexStage;
+};
+
+Times timeFrames(Renderer& renderer, ComparisonFrames& comparison, int frames) {
+  Times times;
+  for (int i = 0; i < frames; ++i) {
+    renderPaper(renderer, paperOptions(Site::Fragment), times.fragment);
+    comparison.renderOpaque(times.opaque);
+    renderPaper(renderer, paperOptions(Site::Vertex), times.vertex);
+    comparison.renderVertexStage(times.vertexStage);
+  }
+  return times;
+}
+
+double passMilliseconds(const json& frame, const std::string& name) {
+  return frame["passes_ms"].value(name, 0.0);
+}
+
+json measure(const Arguments& arguments) {
+  const Scene scene = loadModel();
+  Renderer renderer;
+  renderer.setScene(scene);
+
+  const RenderOptions options = paperOptions(Site::Fragment);
+  ComparisonFrames comparison(scene, options);
+  const Times times = timeFrames(renderer, comparison, arguments.frames);
+  const RenderReport report = renderer.render(options).report;
+
+  json result;
+  const int block = 2 * options.pattern.nearRings + 1;
+  const int taps = block * block + 8;
+  const std::size_t covered = coveredPixels(renderer, options);
+  result["scene"] = scene.name;
+  result["device"] = report.device.name;
+  result["width"] = options.width;
+  result["height"] = options.height;
+  result["dsm_size"] = options.dsmSize;
+  result["triangles"] = report.triangles;
+  result["vertices"] = report.vertices;
+  result["corners"] = comparison.corners();
+  result["covered_pixels"] = covered;
+  result["taps"] = taps;
+  result["fragment"] = describe(times.fragment);
+  result["vertex"] = describe(times.vertex);
+  result["opaque"] = describe(times.opaque);
+  result["vertex_stage"] = describe(times.vertexStage);
+  const double opaque = times.opaque.frameMilliseconds();
+  result["fragment"]["opaque_frames"] = times.fragment.frameMilliseconds() / opaque;
+  result["vertex"]["opaque_frames"] = times.vertex.frameMilliseconds() / opaque;
+  result["fragment"]["ns_per_pixel_and_tap"] =
+      passMilliseconds(result["fragment"], "scatter") * 1e6 /
+      (static_cast<double>(std::max<std::size_t>(covered, 1)) * taps);
+  result["vertex"]["ns_per_vertex_and_tap"] = passMilliseconds(result["vertex"], "scatter") * 1e6 /
+                                              (static_cast<double>(report.vertices) * taps);
+  return result;
+}
+
+void printFrame(const char* title, const json& frame) {
+  fmt::print("\n{}\n", title);
+  for (const auto& [name, milliseconds] : frame["passes_ms"].items())
+    fmt::print("  {:<24}{:>10.2f} ms\n", name, milliseconds.get<double>());
+  fmt::print("  {:<24}{:>10.2f} ms\n", "whole frame", frame["frame_ms"].get<double>());
+}
+
+void print(const json& r) {
+  fmt::print("{}, {} triangles, {} x {} pixels, map of {} texels, on {}\n",
+             r["scene"].get<std::string>(), r["triangles"].get<std::size_t>(),
+             r["width"].get<int>(), r["height"].get<int>(), r["dsm_size"].get<int>(),
+             r["device"].get<std::string>());
+  fmt::print("medians of warm frames; {} covered pixels, {} vertices ({} with seams), {} taps\n",
+             r["covered_pixels"].get<std::size_t>(), r["vertices"].get<std::size_t>(),
+             r["corners"].get<std::size_t>(), r["taps"].get<int>());
+  printFrame("pattern over fragments", r["fragment"]);
+  fmt::print("  {:<24}{:>10.2f} opaque frames\n", "", r["fragment"]["opaque_frames"].get<double>());
+  fmt::print("  {:<24}{:>10.2f} ns a covered pixel and tap\n", "",
+             r["fragment"]["ns_per_pixel_and_tap"].get<double>());
+  printFrame("pattern over vertices", r["vertex"]);
+  fmt::print("  {:<24}{:>10.2f} opaque frames\n", "", r["vertex"]["opaque_frames"].get<double>());
+  fmt::print("  {:<24}{:>10.2f} ns a vertex and tap\n", "",
+             r["vertex"]["ns_per_vertex_and_tap"].get<double>());
+  printFrame("pattern summed in the vertex stage, instead of scatter and surface",
+             r["vertex_stage"]);
+  printFrame("opaque frame", r["opaque"]);
+}
+
+int run(int count, char** values) {
+  const Arguments arguments = parse(count, values);
+  const json result = measure(arguments);
+  if (arguments.json) {
+    fmt::print("{}\n", result.dump(2));
+  } else {
+    print(result);
+  }
+  return 0;
+}
+
+}  // namespace
+
+}  // namespace opaline::bench
+
+int main(int count, char** values) {
+  try {
+    return opaline::bench::run(count, values);
+  } catch (const opaline::UsageError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+}
