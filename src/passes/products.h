@@ -50,7 +50,7 @@ struct DiffusionSources {
   gpu::Buffer farPlaces;           ///< shared::FarPlace, eight a vertex
   gpu::Buffer texels;              ///< packed texels that carry surface, object after object
   gpu::Buffer list;                ///< two vec4 each: position mm; flux E·A
-  std::uint32_t cellEdge = 1;  ///< of a cell, texels
+  std::uint32_t cellEdge = 1;  ///< of a cell, in texels of farOrigins
   std::uint32_t sourceCount = 0;
   std::vector<std::uint32_t> firstOfObject;  ///< one more than there are objects
 };

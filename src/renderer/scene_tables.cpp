@@ -198,7 +198,7 @@ std::vector<shared::FarPlace> farPlaces(const SceneResources& resources,
       distanceMm[vertex] =
           layout.extentOfMedium[medium].distance * texelEdgeMm(resources, options);
   }
-  FarPlacer placer(resources, layout.maps.distant, options.dsmSize);
+  FarPlacer placer(resources, layout.maps.distant, static_cast<int>(layout.maps.distantMapSize));
   const std::vector<atlas::GeodesicStar> stars =
       atlas::walkFromVertices(merged.surface(), distanceMm);
   for (std::size_t i = 0; i < stars.size(); ++i) placer.add(stars[i], distanceMm[i]);
@@ -208,13 +208,12 @@ std::vector<shared::FarPlace> farPlaces(const SceneResources& resources,
 }  // namespace
 
 PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions& options) {
-  // Aprons take room: where they would need more than this, the pattern shrinks.
-  const int largestNear = std::max(2 * options.dsmSize, 1024);
-  const int largestFar = std::max(4 * options.dsmSize, 2048);
+  // Aprons take room: where they would need more than this, the pattern shrinks. 32 million texels
+  // are what every device reads from one buffer.
+  const int largest = std::min(std::max(2 * options.dsmSize, 1024), 5632);
   const double texelMm = texelEdgeMm(resources, options);
   PatternLayout layout;
   int nearReach = 1;
-  int cellReach = 1;
   int cell = options.dsmSize;
   for (std::size_t i = 0; i < resources.media.size(); ++i) {
     const double freePathMm = shortestMeanFreePathMm(resources.media[i]);
@@ -225,17 +224,25 @@ PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions
         texelMm, smallestAreaMm2(resources, i));
     layout.extentOfMedium.push_back(extent);
     nearReach = std::max(nearReach, extent.nearReach());
-    cellReach = std::max(cellReach, extent.cellReach());
     cell = std::min(cell, extent.cell);
   }
   const atlas::Surface surface = resources.merged.surface();
   layout.maps.nearby = atlas::makeNeighbourhoods(
       surface, resources.atlas,
-      {.mapSize = options.dsmSize, .reach = nearReach, .alignment = 1, .maxSize = largestNear});
-  layout.maps.distant = atlas::makeNeighbourhoods(
-      surface, resources.atlas,
-      {.mapSize = options.dsmSize, .reach = cellReach, .alignment = cell, .maxSize = largestFar});
-  layout.maps.cellEdge = static_cast<std::uint32_t>(cell);
+      {.mapSize = options.dsmSize, .reach = nearReach, .alignment = 1, .maxSize = largest});
+
+  // Means over cells need no more than about 8² texels each.
+  int coarseness = 1;
+  while (cell / coarseness >= 16) coarseness *= 2;
+  const int distantMapSize = std::max(1, options.dsmSize / coarseness);
+  const int coarseCell = std::max(1, cell * distantMapSize / options.dsmSize);
+  layout.maps.distant = atlas::makeNeighbourhoods(surface, resources.atlas,
+                                                  {.mapSize = distantMapSize,
+                                                   .reach = 2 * coarseCell + 1,
+                                                   .alignment = coarseCell,
+                                                   .maxSize = largest});
+  layout.maps.distantMapSize = static_cast<std::uint32_t>(distantMapSize);
+  layout.maps.cellEdge = static_cast<std::uint32_t>(coarseCell);
   for (passes::PatternExtent& extent : layout.extentOfMedium)
     extent = passes::fitted(extent, layout.maps.nearby.reach);
   layout.maps.farPlaces = farPlaces(resources, layout, options);

@@ -66,22 +66,30 @@ std::uint32_t packOrigin(std::uint32_t index, std::uint32_t size) {
   return index % size | ((index / size) << 15U);
 }
 
-// For every texel among the neighbourhoods the texel of the map that holds its data. What lies
-// beyond the surface takes the position of the nearest texel and no area.
+// For every texel among the neighbourhoods the texel of the map that holds its data; the
+// neighbourhoods may be coarser than the map, their atlas has an edge of `atlasSize` texels. What
+// lies beyond the surface takes the position of the nearest texel and no area.
 std::vector<std::uint32_t> listOrigins(const atlas::Neighbourhoods& neighbourhoods,
-                                       std::span<const std::uint32_t> coverage,
+                                       std::uint32_t atlasSize,
+                                       std::span<const std::uint32_t> nearestCovered,
                                        std::uint32_t mapSize) {
-  const std::vector<std::uint32_t> covered = nearestCoveredTexel(coverage, mapSize);
   std::vector<std::uint32_t> present(neighbourhoods.source.size());
   std::transform(neighbourhoods.source.begin(), neighbourhoods.source.end(), present.begin(),
                  [](std::uint32_t texel) { return texel == atlas::Neighbourhoods::nothing ? 0U : 1U; });
   const std::vector<std::uint32_t> nearest =
       nearestCoveredTexel(present, static_cast<std::uint32_t>(neighbourhoods.size));
+  // The middle of a coarse texel.
+  const auto fine = [&](std::uint32_t coarse) {
+    return (2 * coarse + 1) * mapSize / (2 * atlasSize);
+  };
   std::vector<std::uint32_t> origins(present.size());
   for (std::size_t i = 0; i < origins.size(); ++i) {
     const std::uint32_t texel = neighbourhoods.source[nearest[i]];
     if (texel == atlas::Neighbourhoods::nothing) continue;
-    origins[i] = packOrigin(covered[texel], mapSize) | (present[i] != 0 ? surfaceBit : 0U);
+    const std::size_t inMap =
+        std::size_t{fine(texel / atlasSize)} * mapSize + fine(texel % atlasSize);
+    origins[i] =
+        packOrigin(nearestCovered[inMap], mapSize) | (present[i] != 0 ? surfaceBit : 0U);
   }
   return origins;
 }
@@ -96,14 +104,6 @@ std::vector<shared::ChartPlace> chartPlaces(const atlas::Neighbourhoods& neighbo
                       .scale = static_cast<float>(mapSize) / size});
   return places;
 }
-
-// Every cell is read at about this many places along an edge.
-constexpr std::int32_t samplesAlongCell = 4;
-
-struct CellConstants {
-  std::int32_t edge;
-  std::int32_t stride;
-};
 
 }  // namespace
 
@@ -152,7 +152,7 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
                                       {2, BindingType::SampledImage},
                                       {3, BindingType::StorageImage},
                                       {4, BindingType::StorageImage}},
-                         .pushConstantBytes = sizeof(CellConstants),
+                         .pushConstantBytes = sizeof(std::int32_t),
                      }),
       list_(device, gpu::ComputePipelineOptions{
                         .name = "dsm list",
@@ -198,10 +198,13 @@ DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh&
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   sources.texels = gpu::makeBuffer(device, "dsm texels", texels, storage);
   sources.charts = gpu::makeBuffer(device, "charts", chartPlaces(maps.nearby, mapSize), storage);
-  sources.nearOrigins = gpu::makeBuffer(device, "origins of near texels",
-                                        listOrigins(maps.nearby, coverage, mapSize), storage);
-  sources.farOrigins = gpu::makeBuffer(device, "origins of far texels",
-                                       listOrigins(maps.distant, coverage, mapSize), storage);
+  const std::vector<std::uint32_t> covered = nearestCoveredTexel(coverage, mapSize);
+  sources.nearOrigins =
+      gpu::makeBuffer(device, "origins of near texels",
+                      listOrigins(maps.nearby, mapSize, covered, mapSize), storage);
+  sources.farOrigins =
+      gpu::makeBuffer(device, "origins of far texels",
+                      listOrigins(maps.distant, maps.distantMapSize, covered, mapSize), storage);
   const auto nearSize = static_cast<std::uint32_t>(maps.nearby.size);
   const std::uint32_t cells = static_cast<std::uint32_t>(maps.distant.size) / maps.cellEdge;
   sources.cellEdge = maps.cellEdge;
@@ -271,8 +274,7 @@ void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
                           Binding::sampled(2, sources.irradianceObject, nearest_),
                           Binding::writeImage(3, sources.farPosition),
                           Binding::writeImage(4, sources.farFlux)});
-  const auto edge = static_cast<std::int32_t>(sources.cellEdge);
-  commands.pushConstants(CellConstants{edge, std::max(1, edge / samplesAlongCell)});
+  commands.pushConstants(static_cast<std::int32_t>(sources.cellEdge));
   commands.dispatch(tiles(sources.farPosition), tiles(sources.farPosition));
 }
 

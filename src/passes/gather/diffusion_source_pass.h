@@ -18,8 +18,9 @@ namespace opaline::passes {
 /// Layouts of the atlas with aprons, for the near and the far samples of the pattern.
 struct NeighbourhoodMaps {
   atlas::Neighbourhoods nearby;
-  atlas::Neighbourhoods distant;  ///< its size is a multiple of cellEdge
-  std::uint32_t cellEdge = 1;     ///< of the cells over which far samples want means, texels
+  atlas::Neighbourhoods distant;      ///< its size is a multiple of cellEdge
+  std::uint32_t distantMapSize = 0;   ///< edge of the atlas in the texels of `distant`, ≤ mapSize
+  std::uint32_t cellEdge = 1;         ///< of the far samples' cells, in texels of `distant`
   std::vector<shared::FarPlace> farPlaces;  ///< eight a vertex
 };
 

@@ -157,8 +157,6 @@ class MaskBuilder {
 
 int PatternExtent::nearReach() const { return nearRings * spacing + 2; }
 
-int PatternExtent::cellReach() const { return 2 * cell + 1; }
-
 PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2) {
   constexpr double largest = 16384;
   const double objectRadius = std::sqrt(objectAreaMm2 / std::numbers::pi) / texelMm;

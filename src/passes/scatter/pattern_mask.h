@@ -23,9 +23,8 @@ struct PatternExtent {
   int distance = 1;  ///< of the far samples from the centre, texels
   int cell = 1;      ///< edge of the cells over which far samples want means, texels
 
-  /// Texels that a near sample may lie away from the centre, and a far sample's filter from it.
+  /// Texels that a near sample and the filter of the centre may lie away from it.
   int nearReach() const;
-  int cellReach() const;
 };
 
 /// Rounds to whole texels, keeps the far samples off the block and the whole pattern from being

@@ -1,5 +1,5 @@
 // Means of the diffusion source map over square cells, in a layout of neighbourhoods whose aprons
-// reach as far as the far samples. A few texels of each cell suffice.
+// hold a linear filter.
 #version 460
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -10,10 +10,7 @@ layout(set = 0, binding = 2) uniform sampler2D irradianceObject;
 layout(set = 0, binding = 3, rgba32f) writeonly uniform image2D farPosition;
 layout(set = 0, binding = 4, rgba32f) writeonly uniform image2D farFlux;
 
-layout(push_constant) uniform Push {
-  int cellEdge;  // texels
-  int stride;    // between those that are read
-};
+layout(push_constant) uniform Push { int cellEdge; };  // texels
 
 void main() {
   ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
@@ -22,9 +19,8 @@ void main() {
   vec3 weighted = vec3(0.0);
   vec3 plain = vec3(0.0);
   vec4 flux = vec4(0.0);
-  float count = 0.0;
-  for (int y = stride / 2; y < cellEdge; y += stride) {
-    for (int x = stride / 2; x < cellEdge; x += stride) {
+  for (int y = 0; y < cellEdge; ++y) {
+    for (int x = 0; x < cellEdge; ++x) {
       ivec2 texel = cell * cellEdge + ivec2(x, y);
       // See gather/neighbours.comp.glsl.
       uint origin = origins[texel.y * cells.x * cellEdge + texel.x];
@@ -34,9 +30,9 @@ void main() {
       flux += vec4(texelFetch(irradianceObject, from, 0).rgb, 1.0) * area;
       weighted += place.xyz * area;
       plain += place.xyz;
-      count += 1.0;
     }
   }
+  float count = float(cellEdge * cellEdge);
   imageStore(farPosition, cell, vec4(flux.a > 0.0 ? weighted / flux.a : plain / count, 0.0));
   imageStore(farFlux, cell, flux / count);
 }
