@@ -50,8 +50,8 @@ enum class Aov {
 /// channel with the shortest.
 struct PatternOptions {
   int nearRings = 4;          ///< the near block has (2·nearRings+1)² samples; in [0, 16]
-  float nearSpacing = 1.5F;   ///< between near samples, mean free paths, in (0, 100]
-  float farDistance = 22.0F;  ///< of the eight far samples, mean free paths, in (0, 1000]
+  float nearSpacing = 2.0F;   ///< between near samples, mean free paths, in (0, 100]
+  float farDistance = 24.0F;  ///< of the eight far samples, mean free paths, in (0, 1000]
 };
 
 /// Everything about a picture that is not the scene.

@@ -47,7 +47,7 @@ struct DiffusionSources {
   gpu::Buffer farOrigins;          ///< the same in a layout for cells
   gpu::GpuImage farPosition;       ///< means over cells
   gpu::GpuImage farFlux;
-  gpu::Buffer farPlaces;           ///< vec2, eight a vertex, in [0,1]² of the cells; or negative
+  gpu::Buffer farPlaces;           ///< shared::FarPlace, eight a vertex
   gpu::Buffer texels;              ///< packed texels that carry surface, object after object
   gpu::Buffer list;                ///< two vec4 each: position mm; flux E·A
   std::uint32_t cellEdge = 1;  ///< of a cell, texels

@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vec3.hpp>
 
 #include "atlas/geodesic.h"
 #include "bssrdf/fresnel.h"
@@ -118,38 +124,85 @@ ShCoefficients ambientRadiance(const Lighting& lighting) {
   return sum;
 }
 
-// Where the far samples of every vertex lie among the cells.
-std::vector<Vec2> farPlaces(const SceneResources& resources, const PatternLayout& layout,
-                            const RenderOptions& options) {
-  const atlas::Atlas& atlas = resources.atlas;
-  const atlas::Neighbourhoods& cells = layout.maps.distant;
-  std::vector<double> distanceMm(resources.merged.positions.size(), 0);
-  for (std::size_t t = 0; t < resources.merged.triangles.size(); ++t) {
-    const std::uint32_t medium = resources.mediumOfObject[resources.merged.objectOfTriangle[t]];
-    for (const std::uint32_t vertex : resources.merged.triangles[t])
+// Finds where far samples lie among the cells and how much surface each stands for.
+class FarPlacer {
+ public:
+  FarPlacer(const SceneResources& resources, const atlas::Neighbourhoods& cells, int mapSize)
+      : resources_(resources), cells_(cells), mapSize_(mapSize) {}
+
+  void add(const atlas::GeodesicStar& star, double distanceMm) {
+    const std::size_t first = places_.size();
+    std::array<glm::dvec3, 8> ends{};
+    for (std::size_t i = 0; i < star.size(); ++i) {
+      places_.push_back(placeOf(star[i]));
+      ends[i] = positionOf(star[i]);
+    }
+    // Walks that start 45° apart end that far apart on a plane.
+    const double onPlane = 2 * distanceMm * std::sin(std::numbers::pi / 8);
+    for (std::size_t i = 0; i < star.size(); ++i) {
+      if (star[i].triangle == atlas::SurfacePoint::nowhere) continue;
+      double apart = 0;
+      double neighbours = 0;
+      for (const std::size_t other : {(i + 1) % 8, (i + 7) % 8})
+        if (star[other].triangle != atlas::SurfacePoint::nowhere) {
+          apart += glm::length(ends[i] - ends[other]);
+          neighbours += 1;
+        }
+      const double ratio = neighbours > 0 ? apart / (neighbours * onPlane) : 1;
+      places_[first + i].weight = static_cast<float>(std::clamp(ratio, 1e-3, 2.0));
+    }
+  }
+
+  std::vector<shared::FarPlace> take() { return std::move(places_); }
+
+ private:
+  shared::FarPlace placeOf(const atlas::SurfacePoint& point) const {
+    if (point.triangle == atlas::SurfacePoint::nowhere) return {0, 0, 0};
+    const atlas::Atlas& atlas = resources_.atlas;
+    const std::array<int, 2>& shift = cells_.shiftOfChart[atlas.chartOfTriangle[point.triangle]];
+    std::array<float, 2> place{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      float uv = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        uv += point.barycentric[i] * atlas.vertices[atlas.triangles[point.triangle][i]].uv[axis];
+      place[axis] = (uv * static_cast<float>(mapSize_) + static_cast<float>(shift[axis])) /
+                    static_cast<float>(cells_.size);
+    }
+    return {place[0], place[1], 0};
+  }
+
+  glm::dvec3 positionOf(const atlas::SurfacePoint& point) const {
+    glm::dvec3 position(0);
+    if (point.triangle == atlas::SurfacePoint::nowhere) return position;
+    const Triangle& triangle = resources_.merged.triangles[point.triangle];
+    for (std::size_t i = 0; i < 3; ++i)
+      position += static_cast<double>(point.barycentric[i]) *
+                  glm::dvec3(glm::make_vec3(resources_.merged.positions[triangle[i]].data()));
+    return position;
+  }
+
+  const SceneResources& resources_;
+  const atlas::Neighbourhoods& cells_;
+  int mapSize_;
+  std::vector<shared::FarPlace> places_;
+};
+
+std::vector<shared::FarPlace> farPlaces(const SceneResources& resources,
+                                        const PatternLayout& layout,
+                                        const RenderOptions& options) {
+  const MergedMesh& merged = resources.merged;
+  std::vector<double> distanceMm(merged.positions.size(), 0);
+  for (std::size_t t = 0; t < merged.triangles.size(); ++t) {
+    const std::uint32_t medium = resources.mediumOfObject[merged.objectOfTriangle[t]];
+    for (const std::uint32_t vertex : merged.triangles[t])
       distanceMm[vertex] =
           layout.extentOfMedium[medium].distance * texelEdgeMm(resources, options);
   }
-  std::vector<Vec2> places;
-  places.reserve(8 * distanceMm.size());
-  for (const atlas::GeodesicStar& star :
-       atlas::walkFromVertices(resources.merged.surface(), distanceMm))
-    for (const atlas::SurfacePoint& point : star) {
-      Vec2 place{-1, -1};
-      if (point.triangle != atlas::SurfacePoint::nowhere) {
-        const std::array<int, 2>& shift = cells.shiftOfChart[atlas.chartOfTriangle[point.triangle]];
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-          float uv = 0;
-          for (std::size_t i = 0; i < 3; ++i)
-            uv += point.barycentric[i] *
-                  atlas.vertices[atlas.triangles[point.triangle][i]].uv[axis];
-          place[axis] = (uv * static_cast<float>(options.dsmSize) + static_cast<float>(shift[axis])) /
-                        static_cast<float>(cells.size);
-        }
-      }
-      places.push_back(place);
-    }
-  return places;
+  FarPlacer placer(resources, layout.maps.distant, options.dsmSize);
+  const std::vector<atlas::GeodesicStar> stars =
+      atlas::walkFromVertices(merged.surface(), distanceMm);
+  for (std::size_t i = 0; i < stars.size(); ++i) placer.add(stars[i], distanceMm[i]);
+  return placer.take();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/shared/mesh.h"
 
 namespace opaline::gpu {
 class Device;
@@ -19,7 +20,7 @@ struct NeighbourhoodMaps {
   atlas::Neighbourhoods nearby;
   atlas::Neighbourhoods distant;  ///< its size is a multiple of cellEdge
   std::uint32_t cellEdge = 1;     ///< of the cells over which far samples want means, texels
-  std::vector<Vec2> farPlaces;    ///< see DiffusionSources
+  std::vector<shared::FarPlace> farPlaces;  ///< eight a vertex
 };
 
 /// The gathering of irradiance (Gong et al. 2008, section 3): draws the mesh into its atlas, in one

@@ -119,13 +119,27 @@ class MaskBuilder {
   void addFar() {
     const double inner = blockRadius(extent_) * texelMm_;
     const double outer = outerRadius(extent_) * texelMm_;
+    const double texels = ringArea(extent_) / 8;
     shared::PatternEntry entry{};
-    for (int c = 0; c < 3; ++c)
-      entry.value[c] = texelsFor((profile(c).disc(outer) - profile(c).disc(inner)) / 8,
-                                 profile(c)(std::hypot(extent_.distance * texelMm_,
-                                                       std::sqrt(mask_.farSquareMm2))),
-                                 texelMm_ * texelMm_);
+    for (int c = 0; c < 3; ++c) {
+      const double mean = (profile(c).disc(outer) - profile(c).disc(inner)) /
+                          (8 * texels * texelMm_ * texelMm_);
+      entry.value[c] = static_cast<float>(distanceOfMean(profile(c), mean, outer) /
+                                          (extent_.distance * texelMm_));
+    }
+    entry.value.a = static_cast<float>(texels);
     mask_.entries.push_back(entry);
+  }
+
+  // Where a far sample's profile, its piece's extent included, has a given value; bisection.
+  double distanceOfMean(const bssrdf::Profile& profile, double mean, double outerMm) const {
+    double low = 0;
+    double high = outerMm;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (profile(std::hypot(middle, std::sqrt(mask_.farSquareMm2))) > mean ? low : high) = middle;
+    }
+    return low;
   }
 
   void add(shared::PatternEntry entry, int x, int y) {

@@ -45,7 +45,8 @@ struct PatternMask {
 
 /// Offsets and weights of the samples. On a plane under uniform light every near sample gives
 /// exactly what its square cell reflects, and the eight far samples together what the ring gives that
-/// lies around the block and reaches as far beyond them as they lie beyond the block.
+/// lies around the block and reaches as far beyond them as they lie beyond the block. No weight of a
+/// far sample grows where its profile falls steeply: folds would turn it into a spark.
 PatternMask makePatternMask(const std::array<bssrdf::Profile, 3>& profiles,
                             const PatternExtent& extent, double texelMm);
 

@@ -6,7 +6,7 @@
 #include "../shared/profile_data.h"
 
 // Jensen et al. 2001, Eq. 4: Σ_z w (1 + σ d) e^{-σ d} / d³, written with 1/d.
-vec3 dipoleProfile(Profile p, float radiusSquaredMm2) {
+vec3 dipoleProfile(Profile p, vec3 radiusSquaredMm2) {
   vec3 realSquared = radiusSquaredMm2 + p.zRealSquared;
   vec3 virtualSquared = radiusSquaredMm2 + p.zVirtualSquared;
   vec3 overReal = inversesqrt(realSquared);
@@ -31,7 +31,7 @@ vec3 oneMinusExp(vec3 x, vec3 expMinusX) {
 
 // d'Eon 2012: α' (C_φ φ + C_E J). With Δ = d_v - d_r, all terms positive:
 // e^{-σ d_r}/d_r - e^{-σ d_v}/d_v = e^{-σ d_r} (Δ/d_r + 1 - e^{-σ Δ}) / d_v.
-vec3 betterDipoleProfile(Profile p, float radiusSquaredMm2) {
+vec3 betterDipoleProfile(Profile p, vec3 radiusSquaredMm2) {
   vec3 realSquared = radiusSquaredMm2 + p.zRealSquared;
   vec3 virtualSquared = radiusSquaredMm2 + p.zVirtualSquared;
   vec3 overReal = inversesqrt(realSquared);
@@ -46,6 +46,14 @@ vec3 betterDipoleProfile(Profile p, float radiusSquaredMm2) {
   vec3 fluxVirtual =
       p.weightVirtual * (overVirtual * overVirtual) * (overVirtual + p.sigmaTr) * decayFurther;
   return decayReal * (fluence + fluxReal + fluxVirtual);
+}
+
+vec3 dipoleProfile(Profile p, float radiusSquaredMm2) {
+  return dipoleProfile(p, vec3(radiusSquaredMm2));
+}
+
+vec3 betterDipoleProfile(Profile p, float radiusSquaredMm2) {
+  return betterDipoleProfile(p, vec3(radiusSquaredMm2));
 }
 
 #endif

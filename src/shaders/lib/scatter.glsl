@@ -11,7 +11,8 @@ layout(constant_id = 0) const uint transport = 0u;  // 0: dipole, 1: better dipo
 layout(std430, set = 0, binding = BINDING_OBJECTS) readonly buffer Objects { ObjectData objects[]; };
 layout(std430, set = 0, binding = BINDING_MEDIA) readonly buffer Media { MediumData media[]; };
 
-vec3 reflectanceProfile(Profile profile, float squaredMm2) {
+// Of a distance for each channel, squared.
+vec3 reflectanceProfile(Profile profile, vec3 squaredMm2) {
   return transport == 0u ? dipoleProfile(profile, squaredMm2)
                          : betterDipoleProfile(profile, squaredMm2);
 }
@@ -44,7 +45,7 @@ vec3 nearSum(vec3 position, uint object, vec2 place) {
     ivec2 texel = centre + ivec2(bitfieldExtract(packed, 0, 16), packed >> 16);
     vec3 offset = texelFetch(nearPosition, texel, 0).xyz - position;
     sum += texelFetch(nearFlux, texel, 0).rgb * entry.rgb *
-           reflectanceProfile(medium.profile, dot(offset, offset) + medium.boundary.z);
+           reflectanceProfile(medium.profile, vec3(dot(offset, offset) + medium.boundary.z));
   }
   return sum;
 }
@@ -62,7 +63,7 @@ vec3 sourceSum(vec3 position, uint object, uint first, uint last) {
   vec3 sum = vec3(0.0);
   for (uint i = first; i < last; ++i) {
     vec3 offset = sources[2u * i].xyz - position;
-    sum += sources[2u * i + 1u].rgb * reflectanceProfile(profile, dot(offset, offset));
+    sum += sources[2u * i + 1u].rgb * reflectanceProfile(profile, vec3(dot(offset, offset)));
   }
   return sum;
 }

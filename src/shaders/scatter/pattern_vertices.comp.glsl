@@ -19,23 +19,24 @@ layout(std430, set = 0, binding = 3) writeonly buffer Exitance { vec4 exitances[
 layout(set = 0, binding = 9) uniform sampler2D farPosition;  // means over cells
 layout(set = 0, binding = 10) uniform sampler2D farFlux;
 layout(std430, set = 0, binding = 11) readonly buffer Charts { ChartPlace charts[]; };
-layout(std430, set = 0, binding = 12) readonly buffer FarPlaces { vec2 farPlaces[]; };  // 8 a vertex
+layout(std430, set = 0, binding = 12) readonly buffer FarPlaces { FarPlace farPlaces[]; };  // 8 a vertex
 
 layout(push_constant) uniform Push { uint vertexCount; };
 
 // Means over cells: pieces of surface are small nearby and large far away.
 vec3 farSum(uint vertex, vec3 position, uint object) {
   MediumData medium = media[objects[object].table.x];
-  vec3 weight = pattern[medium.tables.y + 2u + medium.tables.z].value.rgb;
+  vec4 piece = pattern[medium.tables.y + 2u + medium.tables.z].value;
   vec3 sum = vec3(0.0);
   for (uint i = 8u * vertex; i < 8u * vertex + 8u; ++i) {
-    vec2 place = farPlaces[i];
-    if (place.x < 0.0) continue;  // beyond the surface's border
+    FarPlace far = farPlaces[i];
+    if (far.weight == 0.0) continue;
+    vec2 place = vec2(far.u, far.v);
     vec3 offset = textureLod(farPosition, place, 0.0).xyz - position;
-    sum += textureLod(farFlux, place, 0.0).rgb *
-           reflectanceProfile(medium.profile, dot(offset, offset) + medium.boundary.w);
+    sum += far.weight * textureLod(farFlux, place, 0.0).rgb *
+           reflectanceProfile(medium.profile, dot(offset, offset) * piece.rgb * piece.rgb + medium.boundary.w);
   }
-  return sum * weight;
+  return sum * piece.a;
 }
 
 void main() {

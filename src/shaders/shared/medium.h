@@ -23,7 +23,8 @@ struct MediumData {
 /// centre: [0] rgb: reflectance of its cell, a: area of a texel in the rest pose, mm²; [1] rgb: its
 /// logarithmic derivative by area. Then follow the near samples, rgb: number of texels that one stands
 /// for, a: its offset in texels, two signed 16-bit integers (x low, y high) as a float's bits. The
-/// last entry's rgb is the number of texels that each of the eight far samples stands for.
+/// last entry is about the eight far samples, rgb: the part of a sample's distance at which its piece
+/// of surface reflects as much as in the mean, a: number of texels that it stands for.
 struct PatternEntry {
   vec4 value;
 };

@@ -25,7 +25,16 @@ struct ChartPlace {
   float scale;
 };
 
+/// A far sample of a vertex: its place in the map of cells, in [0,1]², and how much surface it
+/// stands for, of what it would on a plane; 0 beyond the surface's border.
+struct FarPlace {
+  float u;
+  float v;
+  float weight;
+};
+
 #ifdef __cplusplus
+static_assert(sizeof(FarPlace) == 12);
 static_assert(sizeof(AtlasCorner) == 20);
 static_assert(offsetof(AtlasCorner, u) == 8);
 static_assert(sizeof(ChartPlace) == 12);
