@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "bssrdf/media.h"
-#include "comparison_frames.h"
 #include "opaline/error.h"
 #include "opaline/renderer.h"
+#include "opaque_frame.h"
 
 namespace opaline::bench {
 
@@ -104,16 +104,14 @@ struct Times {
   FrameTimes fragment;
   FrameTimes vertex;
   FrameTimes opaque;
-  FrameTimes vertexStage;
 };
 
-Times timeFrames(Renderer& renderer, ComparisonFrames& comparison, int frames) {
+Times timeFrames(Renderer& renderer, OpaqueFrame& opaque, int frames) {
   Times times;
   for (int i = 0; i < frames; ++i) {
     renderPaper(renderer, paperOptions(Site::Fragment), times.fragment);
-    comparison.renderOpaque(times.opaque);
+    opaque.render(times.opaque);
     renderPaper(renderer, paperOptions(Site::Vertex), times.vertex);
-    comparison.renderVertexStage(times.vertexStage);
   }
   return times;
 }
@@ -128,13 +126,14 @@ json measure(const Arguments& arguments) {
   renderer.setScene(scene);
 
   const RenderOptions options = paperOptions(Site::Fragment);
-  ComparisonFrames comparison(scene, options);
-  const Times times = timeFrames(renderer, comparison, arguments.frames);
+  OpaqueFrame opaqueFrame(scene, options);
+  const Times times = timeFrames(renderer, opaqueFrame, arguments.frames);
   const RenderReport report = renderer.render(options).report;
 
   json result;
   const int block = 2 * options.pattern.nearRings + 1;
-  const int taps = block * block + 8;
+  const int farTaps = 8;
+  const int taps = block * block + farTaps;
   const std::size_t covered = coveredPixels(renderer, options);
   result["scene"] = scene.name;
   result["device"] = report.device.name;
@@ -143,13 +142,11 @@ json measure(const Arguments& arguments) {
   result["dsm_size"] = options.dsmSize;
   result["triangles"] = report.triangles;
   result["vertices"] = report.vertices;
-  result["corners"] = comparison.corners();
   result["covered_pixels"] = covered;
   result["taps"] = taps;
   result["fragment"] = describe(times.fragment);
   result["vertex"] = describe(times.vertex);
   result["opaque"] = describe(times.opaque);
-  result["vertex_stage"] = describe(times.vertexStage);
   const double opaque = times.opaque.frameMilliseconds();
   result["fragment"]["opaque_frames"] = times.fragment.frameMilliseconds() / opaque;
   result["vertex"]["opaque_frames"] = times.vertex.frameMilliseconds() / opaque;
@@ -173,9 +170,9 @@ void print(const json& r) {
              r["scene"].get<std::string>(), r["triangles"].get<std::size_t>(),
              r["width"].get<int>(), r["height"].get<int>(), r["dsm_size"].get<int>(),
              r["device"].get<std::string>());
-  fmt::print("medians of warm frames; {} covered pixels, {} vertices ({} with seams), {} taps\n",
+  fmt::print("medians of warm frames; {} covered pixels, {} vertices, {} taps\n",
              r["covered_pixels"].get<std::size_t>(), r["vertices"].get<std::size_t>(),
-             r["corners"].get<std::size_t>(), r["taps"].get<int>());
+             r["taps"].get<int>());
   printFrame("pattern over fragments", r["fragment"]);
   fmt::print("  {:<24}{:>10.2f} opaque frames\n", "", r["fragment"]["opaque_frames"].get<double>());
   fmt::print("  {:<24}{:>10.2f} ns a covered pixel and tap\n", "",
@@ -184,8 +181,6 @@ void print(const json& r) {
   fmt::print("  {:<24}{:>10.2f} opaque frames\n", "", r["vertex"]["opaque_frames"].get<double>());
   fmt::print("  {:<24}{:>10.2f} ns a vertex and tap\n", "",
              r["vertex"]["ns_per_vertex_and_tap"].get<double>());
-  printFrame("pattern summed in the vertex stage, instead of scatter and surface",
-             r["vertex_stage"]);
   printFrame("opaque frame", r["opaque"]);
 }
 

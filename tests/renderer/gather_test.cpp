@@ -25,7 +25,7 @@ double transmitted(double eta, double cosine) {
 }
 
 Scene ball(float radiusMm) {
-  return sceneOf(sphere({0, 0, 0}, radiusMm), marble(), {0, 0, 4 * radiusMm}, radiusMm * 1.05F);
+  return sceneOf(sphere({0, 0, 0}, radiusMm, 4), marble(), {0, 0, 4 * radiusMm}, radiusMm * 1.05F);
 }
 
 // Radiance by direction, made into an environment of small pixels.
