@@ -49,7 +49,7 @@ enum class Aov {
 /// Shape of the pattern of Gong et al. 2008, Figure 5. Lengths are in mean free paths 1/σ_t' of the
 /// channel with the shortest.
 struct PatternOptions {
-  int nearRings = 4;          ///< the near block has (2·nearRings+1)² samples; in [0, 16]
+  int nearRings = 4;          ///< the near block has (2·nearRings+1)² samples; in [0, 15]
   float nearSpacing = 2.0F;   ///< between near samples, mean free paths, in (0, 100]
   float farDistance = 24.0F;  ///< of the eight far samples, mean free paths, in (0, 1000]
 };

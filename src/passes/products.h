@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,7 +25,9 @@ struct DeformedMesh {
 struct SceneTables {
   gpu::Buffer objects;           ///< shared::ObjectData
   gpu::Buffer media;             ///< shared::MediumData
-  gpu::Buffer pattern;           ///< shared::PatternEntry
+  gpu::Buffer pattern;           ///< maxPatternEntries shared::PatternEntry for each medium
+  std::size_t patternStride = 0; ///< bytes from one medium's to the next
+  std::uint32_t mediumCount = 0;
   gpu::Buffer specularAlbedo;    ///< float, see MediumData::tables.w
   gpu::GpuImage ambientCubes;    ///< E_amb by normal, one cube for each index of refraction
 };

@@ -62,6 +62,10 @@ double smallestAreaMm2(const SceneResources& resources, std::size_t medium) {
   return smallest;
 }
 
+// Entries from one medium's pattern to the next: a multiple of every device's alignment of uniform
+// blocks, which is at most 256 bytes.
+constexpr std::size_t patternStride = (shared::maxPatternEntries + 15) / 16 * 16;
+
 // Collects the tables of all media.
 class TableBuilder {
  public:
@@ -94,9 +98,10 @@ class TableBuilder {
                                    static_cast<float>(exitFactor(medium, options_.transport)),
                                    static_cast<float>(mask.nearSquareMm2),
                                    static_cast<float>(mask.farSquareMm2)},
-                      .tables = {eta, static_cast<std::uint32_t>(pattern_.size()), mask.nearSamples,
+                      .tables = {eta, mask.nearSamples, 0,
                                  eta * passes::specularAlbedoEntries}});
     pattern_.insert(pattern_.end(), mask.entries.begin(), mask.entries.end());
+    pattern_.resize(media_.size() * patternStride);
   }
 
   const RenderOptions& options_;
@@ -259,7 +264,10 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
   tables.objects =
       gpu::makeBuffer(device, "objects", makeObjects(resources, firstSourceOfObject), storage);
   tables.media = gpu::makeBuffer(device, "media", builder.media(), storage);
-  tables.pattern = gpu::makeBuffer(device, "pattern", builder.pattern(), storage);
+  tables.pattern = gpu::makeBuffer(device, "pattern", builder.pattern(),
+                                   VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  tables.patternStride = patternStride * sizeof(shared::PatternEntry);
+  tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
   tables.ambientCubes =
       passes::makeAmbientCubes(device, ambientRadiance(lighting), builder.etas());

@@ -84,7 +84,7 @@ void validateLighting(const Lighting& lighting) {
 void validate(const RenderOptions& options) {
   requireWithin("the width", options.width, 1, 16384);
   requireWithin("the height", options.height, 1, 16384);
-  requireWithin("the number of near rings", options.pattern.nearRings, 0, 16);
+  requireWithin("the number of near rings", options.pattern.nearRings, 0, 15);
   requireWithin("the near spacing", options.pattern.nearSpacing, 1e-3F, 100.0F);
   requireWithin("the far distance", options.pattern.farDistance, 1e-3F, 1000.0F);
   requireWithin("the size of the diffusion source map", options.dsmSize, 64, 4096);

@@ -4,6 +4,7 @@
 
 #include "gpu/device.h"
 #include "shaders/shaders.h"
+#include "shaders/shared/medium.h"
 
 namespace opaline::passes {
 
@@ -26,6 +27,17 @@ struct VertexSourceRange {
   std::uint32_t vertexCount;
   SourceRange range;
 };
+
+struct VertexMedium {
+  std::uint32_t vertexCount;
+  std::uint32_t medium;
+};
+
+// The pattern of one medium.
+Binding patternOf(SceneTables& tables, std::uint32_t slot, std::uint32_t medium) {
+  return Binding::uniform(slot, tables.pattern, medium * tables.patternStride,
+                          shared::maxPatternEntries * sizeof(shared::PatternEntry));
+}
 
 template <typename Dispatch>
 void forEachRange(std::uint32_t sources, const Dispatch& dispatch) {
@@ -55,14 +67,14 @@ gpu::Pipeline ScatterPass::makeVertexPattern(gpu::Device& device, ScatterTranspo
                                    {3, BindingType::StorageBuffer},
                                    {4, BindingType::StorageBuffer},
                                    {5, BindingType::StorageBuffer},
-                                   {6, BindingType::StorageBuffer},
+                                   {6, BindingType::UniformBuffer},
                                    {7, BindingType::SampledImage},
                                    {8, BindingType::SampledImage},
                                    {9, BindingType::SampledImage},
                                    {10, BindingType::SampledImage},
                                    {11, BindingType::StorageBuffer},
                                    {12, BindingType::StorageBuffer}},
-                      .pushConstantBytes = sizeof(std::uint32_t),
+                      .pushConstantBytes = sizeof(VertexMedium),
                       .specialization = {static_cast<std::uint32_t>(transport),
                                          part == VertexPart::Everything ? 1U : 0U},
                   }};
@@ -82,9 +94,10 @@ ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device,
                                      {3, BindingType::SampledImage},
                                      {4, BindingType::StorageBuffer},
                                      {5, BindingType::StorageBuffer},
-                                     {6, BindingType::StorageBuffer},
+                                     {6, BindingType::UniformBuffer},
                                      {7, BindingType::SampledImage},
                                      {8, BindingType::SampledImage}},
+                        .pushConstantBytes = sizeof(std::uint32_t),
                         .specialization = specialization,
                         .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT},
                     }),
@@ -123,17 +136,19 @@ void ScatterPass::patternOverVertices(gpu::CommandList& commands, ScatterTranspo
   const Pipelines& made = pipelines(transport);
   commands.beginPass("scatter");
   commands.bind(part == VertexPart::Everything ? made.patternVertices : made.patternFar);
-  commands.bindResources(
-      {Binding::read(1, mesh.positions), Binding::read(2, mesh.vertexCorners),
-       Binding::write(3, exitance.vertices), Binding::read(4, tables.objects),
-       Binding::read(5, tables.media), Binding::read(6, tables.pattern),
-       Binding::sampled(7, sources.nearPosition, nearest_),
-       Binding::sampled(8, sources.nearFlux, linear_),
-       Binding::sampled(9, sources.farPosition, linear_),
-       Binding::sampled(10, sources.farFlux, linear_), Binding::read(11, sources.charts),
-       Binding::read(12, sources.farPlaces)});
-  commands.pushConstants(mesh.vertexCount);
-  commands.dispatchLinear(mesh.vertexCount);
+  for (std::uint32_t medium = 0; medium < tables.mediumCount; ++medium) {
+    commands.bindResources(
+        {Binding::read(1, mesh.positions), Binding::read(2, mesh.vertexCorners),
+         Binding::write(3, exitance.vertices), Binding::read(4, tables.objects),
+         Binding::read(5, tables.media), patternOf(tables, 6, medium),
+         Binding::sampled(7, sources.nearPosition, nearest_),
+         Binding::sampled(8, sources.nearFlux, linear_),
+         Binding::sampled(9, sources.farPosition, linear_),
+         Binding::sampled(10, sources.farFlux, linear_), Binding::read(11, sources.charts),
+         Binding::read(12, sources.farPlaces)});
+    commands.pushConstants(VertexMedium{mesh.vertexCount, medium});
+    commands.dispatchLinear(mesh.vertexCount);
+  }
   commands.endPass();
 }
 
@@ -142,16 +157,19 @@ void ScatterPass::patternOverFragments(gpu::CommandList& commands, ScatterTransp
                                        VisibleSurface& surface, Exitance& exitance) const {
   commands.beginPass("scatter");
   commands.bind(pipelines(transport).patternFragments);
-  commands.bindResources({Binding::sampled(1, surface.position, nearest_),
-                          Binding::sampled(2, surface.place, nearest_),
-                          Binding::sampled(3, surface.exitance, nearest_),
-                          Binding::read(4, tables.objects), Binding::read(5, tables.media),
-                          Binding::read(6, tables.pattern),
-                          Binding::sampled(7, sources.nearPosition, nearest_),
-                          Binding::sampled(8, sources.nearFlux, linear_)});
-  commands.beginRendering({{.image = &exitance.image}});
-  commands.draw(3);
-  commands.endRendering();
+  for (std::uint32_t medium = 0; medium < tables.mediumCount; ++medium) {
+    commands.bindResources({Binding::sampled(1, surface.position, nearest_),
+                            Binding::sampled(2, surface.place, nearest_),
+                            Binding::sampled(3, surface.exitance, nearest_),
+                            Binding::read(4, tables.objects), Binding::read(5, tables.media),
+                            patternOf(tables, 6, medium),
+                            Binding::sampled(7, sources.nearPosition, nearest_),
+                            Binding::sampled(8, sources.nearFlux, linear_)});
+    commands.beginRendering({{.image = &exitance.image, .clear = medium == 0}});
+    commands.pushConstants(medium);
+    commands.draw(3);
+    commands.endRendering();
+  }
   commands.endPass();
 }
 

@@ -18,7 +18,9 @@ vec3 reflectanceProfile(Profile profile, vec3 squaredMm2) {
 }
 
 #ifdef BINDING_PATTERN
-layout(std430, set = 0, binding = BINDING_PATTERN) readonly buffer Pattern { PatternEntry pattern[]; };
+layout(std140, set = 0, binding = BINDING_PATTERN) uniform Pattern {
+  PatternEntry pattern[maxPatternEntries];
+};
 layout(set = 0, binding = BINDING_POSITION) uniform sampler2D nearPosition;  // mm
 layout(set = 0, binding = BINDING_FLUX) uniform sampler2D nearFlux;          // E·A; A
 
@@ -26,20 +28,19 @@ layout(set = 0, binding = BINDING_FLUX) uniform sampler2D nearFlux;          // 
 // sample weighted by the texels it stands for (section 4.2). The cell at the centre, where the
 // profile is sharpest, is integrated rather than sampled. To the square of a sample's distance comes
 // that of the extent of the piece of surface it stands for: one that comes close in space, where the
-// surface folds, must not outshine it.
-vec3 nearSum(vec3 position, uint object, vec2 place) {
-  MediumData medium = media[objects[object].table.x];
-  uint first = medium.tables.y;
+// surface folds, must not outshine it. The pattern is that of the medium, the same for all
+// invocations.
+vec3 nearSum(vec3 position, MediumData medium, vec2 place) {
   ivec2 centre = ivec2(place * vec2(textureSize(nearPosition, 0)));
 
-  vec4 cell = pattern[first].value;
+  vec4 cell = pattern[0].value;
   vec4 flux = textureLod(nearFlux, place, 0.0);
   float stretch = flux.a / cell.a;
   vec3 sum = flux.rgb / max(flux.a, 1e-20) * cell.rgb *
-             pow(vec3(stretch), pattern[first + 1u].value.rgb);
+             pow(vec3(stretch), pattern[1].value.rgb);
 
-  uint end = first + 2u + medium.tables.z;
-  for (uint i = first + 2u; i < end; ++i) {
+  uint end = 2u + medium.tables.y;
+  for (uint i = 2u; i < end; ++i) {
     vec4 entry = pattern[i].value;
     int packed = floatBitsToInt(entry.a);
     ivec2 texel = centre + ivec2(bitfieldExtract(packed, 0, 16), packed >> 16);

@@ -1,5 +1,5 @@
 // The pattern at every vertex: the eight far samples, which change slowly over the surface, and for
-// the paper's VTF the near block with them.
+// the paper's VTF the near block with them. One medium at a time.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 4
@@ -21,12 +21,14 @@ layout(set = 0, binding = 10) uniform sampler2D farFlux;
 layout(std430, set = 0, binding = 11) readonly buffer Charts { ChartPlace charts[]; };
 layout(std430, set = 0, binding = 12) readonly buffer FarPlaces { FarPlace farPlaces[]; };  // 8 a vertex
 
-layout(push_constant) uniform Push { uint vertexCount; };
+layout(push_constant) uniform Push {
+  uint vertexCount;
+  uint medium;
+};
 
 // Means over cells: pieces of surface are small nearby and large far away.
-vec3 farSum(uint vertex, vec3 position, uint object) {
-  MediumData medium = media[objects[object].table.x];
-  vec4 piece = pattern[medium.tables.y + 2u + medium.tables.z].value;
+vec3 farSum(uint vertex, vec3 position, MediumData medium) {
+  vec4 piece = pattern[2u + medium.tables.y].value;
   vec3 sum = vec3(0.0);
   for (uint i = 8u * vertex; i < 8u * vertex + 8u; ++i) {
     FarPlace far = farPlaces[i];
@@ -43,9 +45,10 @@ void main() {
   uint i = linearIndex();
   if (i >= vertexCount) return;
   AtlasCorner corner = corners[i];
+  if (objects[corner.object].table.x != medium) return;
   vec3 position = positions[i].xyz;
-  vec3 sum = farSum(i, position, corner.object);
+  vec3 sum = farSum(i, position, media[medium]);
   if (withNearBlock != 0u)
-    sum += nearSum(position, corner.object, nearPlace(corner, charts[corner.chart]));
+    sum += nearSum(position, media[medium], nearPlace(corner, charts[corner.chart]));
   exitances[i] = vec4(sum, 1.0);
 }

@@ -5,17 +5,21 @@
 #include "profile_data.h"
 
 #ifdef __cplusplus
+#include <cstdint>
 #include <glm/vec4.hpp>
 namespace opaline::shared {
 using glm::uvec4;
 using glm::vec4;
+#define OPALINE_PATTERN_CONSTANT constexpr std::uint32_t
+#else
+#define OPALINE_PATTERN_CONSTANT const uint
 #endif
 
 struct MediumData {
   Profile profile;
   vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t); z, w: mean square
                   // radius of the piece of surface that a near and a far sample stand for, mm²
-  uvec4 tables;   // x: layer of the ambient cube map; y: first pattern entry; z: number of near samples;
+  uvec4 tables;   // x: layer of the ambient cube map; y: number of near samples; z: 0;
                   // w: first entry of the specular albedo
 };
 
@@ -23,15 +27,19 @@ struct MediumData {
 /// centre: [0] rgb: reflectance of its cell, a: area of a texel in the rest pose, mm²; [1] rgb: its
 /// logarithmic derivative by area. Then follow the near samples, rgb: number of texels that one stands
 /// for, a: its offset in texels, two signed 16-bit integers (x low, y high) as a float's bits. The
-/// last entry is about the eight far samples, rgb: the part of a sample's distance at which its piece
+/// next entry is about the eight far samples, rgb: the part of a sample's distance at which its piece
 /// of surface reflects as much as in the mean, a: number of texels that it stands for.
 struct PatternEntry {
   vec4 value;
 };
 
+/// A near block of 31² samples and the other entries: what every device reads as one uniform block.
+OPALINE_PATTERN_CONSTANT maxPatternEntries = 31 * 31 + 2;
+
 #ifdef __cplusplus
 static_assert(sizeof(MediumData) == sizeof(Profile) + 32);
 static_assert(sizeof(PatternEntry) == 16);
+static_assert(sizeof(PatternEntry) * maxPatternEntries <= 16384);
 }  // namespace opaline::shared
 #endif
 
