@@ -99,7 +99,7 @@ void MethodOptions::addTo(CommandLine& line) {
     paper_ = readChoice<bool>(given, {{"paper", true}});
   });
   line.value("--near-rings", "N", "samples around the middle one, 0 to 16 [4]",
-             [this](const Given& given) { nearRings_ = readInteger(given, 0, 16); });
+             [this](const Given& given) { nearRings_ = readInteger(given, 0, 15); });
   line.value("--near-spacing", "X", "between them, mean free paths [1]",
              [this](const Given& given) {
                nearSpacing_ = readFloat(given, {0, 100, "mean free paths", true});

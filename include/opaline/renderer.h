@@ -91,10 +91,10 @@ struct RenderReport {
   Site site = Site::Fragment;  ///< never Auto
   std::size_t triangles = 0;
   std::size_t vertices = 0;
-  std::size_t sources = 0;        ///< texels of the diffusion source map that carry surface
-  std::vector<PassTime> passes;   ///< in the order they ran
-  double frameMilliseconds = 0;   ///< GPU time, median over the frames after the first
-  double peakMemoryMegabytes = 0; ///< of the device's memory, by this renderer
+  std::size_t sources = 0;         ///< texels of the diffusion source map that carry surface
+  std::vector<PassTime> passes;    ///< in the order they ran
+  double frameMilliseconds = 0;    ///< GPU time, median over the frames after the first
+  double peakMemoryMegabytes = 0;  ///< of the device's memory, by this renderer
 };
 
 /// Pictures, in the order they were asked for, and how they came to be.

@@ -51,8 +51,7 @@ struct Fans {
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
     for (std::uint32_t t = 0; t < topology.triangles.size(); ++t)
       if (!topology.degenerate[t])
-        for (std::uint32_t i = 0; i < 3; ++i)
-          corners[next[topology.triangles[t][i]]++] = 3 * t + i;
+        for (std::uint32_t i = 0; i < 3; ++i) corners[next[topology.triangles[t][i]]++] = 3 * t + i;
   }
 
   std::span<const std::uint32_t> around(std::uint32_t vertex) const {
@@ -80,13 +79,13 @@ class Walk {
       normal = add(normal, topology_.normals[corner / 3], topology_.areas[corner / 3]);
     normal = unit(normal);
     if (length(normal) == 0) return star;
-    const Point3 rise = std::abs(normal[1]) < 0.999 ? alongPlane({0, 1, 0}, normal)
-                                                    : alongPlane({0, 0, 1}, normal);
+    const Point3 rise =
+        std::abs(normal[1]) < 0.999 ? alongPlane({0, 1, 0}, normal) : alongPlane({0, 0, 1}, normal);
     for (std::size_t i = 0; i < star.size(); ++i) {
       const double angle = (static_cast<double>(i) + 0.5) * std::numbers::pi / 4;
       if (std::optional<Walker> walker = depart(vertex, turned(rise, normal, angle))) {
         walker->left = distanceMm;
-        star[i] = arrive(*walker);
+        star[i] = arrive(*walker, distanceMm);
       }
     }
     return star;
@@ -123,7 +122,7 @@ class Walk {
     return std::max(0.0, dot(subtract(from, walker.position), outward) / speed);
   }
 
-  SurfacePoint arrive(Walker walker) const {
+  SurfacePoint arrive(Walker walker, double distanceMm) const {
     for (int step = 0; step < maxSteps; ++step) {
       std::size_t exit = 3;
       double distance = 0;
@@ -135,18 +134,18 @@ class Walk {
           distance = *ahead;
         }
       }
-      if (exit == 3 || distance >= walker.left) return stop(walker);
+      if (exit == 3 || distance >= walker.left) return stop(walker, walker.left, distanceMm);
       const std::uint32_t next = topology_.neighbours[walker.triangle][exit];
-      if (next == none) return {};
+      if (next == none) return stop(walker, distance, distanceMm - walker.left + distance);
       crossEdge(walker, exit, distance, next);
     }
-    return stop(walker);
+    return stop(walker, 0, distanceMm - walker.left);
   }
 
-  SurfacePoint stop(const Walker& walker) const {
-    const Point3 end = add(walker.position, walker.direction, walker.left);
+  SurfacePoint stop(const Walker& walker, double ahead, double walkedMm) const {
+    const Point3 end = add(walker.position, walker.direction, ahead);
     const Point3& normal = topology_.normals[walker.triangle];
-    SurfacePoint point{walker.triangle, {}};
+    SurfacePoint point{walker.triangle, {}, static_cast<float>(walkedMm)};
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const Point3& a = corner(walker.triangle, i + 1);
@@ -155,20 +154,23 @@ class Walk {
       point.barycentric[i] = static_cast<float>(weight);
       sum += weight;
     }
-    if (!(sum > 0)) return {walker.triangle, {1, 0, 0}};
+    if (!(sum > 0)) return {walker.triangle, {1, 0, 0}, point.walkedMm};
     for (float& weight : point.barycentric) weight = static_cast<float>(weight / sum);
     return point;
   }
 
-  // Unfolds the next triangle into the plane of the walk: the parts along the edge and across it stay.
+  // Unfolds the next triangle into the plane of the walk: the parts along the edge and across it
+  // stay.
   void crossEdge(Walker& walker, std::size_t edge, double distance, std::uint32_t next) const {
-    const Point3 along = unit(subtract(corner(walker.triangle, edge + 1), corner(walker.triangle, edge)));
+    const Point3 along =
+        unit(subtract(corner(walker.triangle, edge + 1), corner(walker.triangle, edge)));
     const Point3 outward = cross(along, topology_.normals[walker.triangle]);
     const Point3 inward = cross(along, topology_.normals[next]);
     const double forward = dot(walker.direction, along);
     const double across = dot(walker.direction, outward);
     walker.position = add(walker.position, walker.direction, distance);
-    walker.direction = unit(add({forward * along[0], forward * along[1], forward * along[2]}, inward, across));
+    walker.direction =
+        unit(add({forward * along[0], forward * along[1], forward * along[2]}, inward, across));
     walker.left -= distance;
     walker.enteredBy = edgeTo(next, walker.triangle);
     walker.triangle = next;

@@ -23,13 +23,13 @@ struct DeformedMesh {
 
 /// What the shaders know of bodies and media.
 struct SceneTables {
-  gpu::Buffer objects;           ///< shared::ObjectData
-  gpu::Buffer media;             ///< shared::MediumData
-  gpu::Buffer pattern;           ///< maxPatternEntries shared::PatternEntry for each medium
-  std::size_t patternStride = 0; ///< bytes from one medium's to the next
+  gpu::Buffer objects;            ///< shared::ObjectData
+  gpu::Buffer media;              ///< shared::MediumData
+  gpu::Buffer pattern;            ///< maxPatternEntries shared::PatternEntry for each medium
+  std::size_t patternStride = 0;  ///< bytes from one medium's to the next
   std::uint32_t mediumCount = 0;
-  gpu::Buffer specularAlbedo;    ///< float, see MediumData::tables.w
-  gpu::GpuImage ambientCubes;    ///< E_amb by normal, one cube for each index of refraction
+  gpu::Buffer specularAlbedo;  ///< float, see MediumData::tables.w
+  gpu::GpuImage ambientCubes;  ///< E_amb by normal, one cube for each index of refraction
 };
 
 /// Depth from the lights, one layer for each shadow view.
@@ -43,16 +43,18 @@ struct DiffusionSources {
   gpu::GpuImage normal;            ///< xyz
   gpu::GpuImage irradianceObject;  ///< rgb E, a object + 1
   gpu::GpuImage coverage;          ///< object + 1, 0 where no surface is
-  gpu::Buffer charts;              ///< shared::ChartPlace
-  gpu::Buffer nearOrigins;         ///< packed texel of the map for each one among the neighbourhoods
-  gpu::GpuImage nearPosition;      ///< xyz mm
-  gpu::GpuImage nearFlux;          ///< rgb E·A, a A in mm², 0 where no surface is
-  gpu::Buffer farOrigins;          ///< the same in a layout for cells
-  gpu::GpuImage farPosition;       ///< means over cells
+  gpu::GpuImage
+      texelSurface;         ///< what a texel stands for: xy offset of the centroid, z area, texels
+  gpu::Buffer charts;       ///< shared::ChartPlace
+  gpu::Buffer nearOrigins;  ///< packed texel of the map for each one among the neighbourhoods
+  gpu::GpuImage nearPosition;  ///< xyz mm, w 1 where surface is
+  gpu::GpuImage nearFlux;      ///< rgb E·A, a A in mm², 0 where no surface is
+  gpu::Buffer farOrigins;      ///< the same in a layout for cells
+  gpu::GpuImage farPosition;   ///< means over cells
   gpu::GpuImage farFlux;
-  gpu::Buffer farPlaces;           ///< shared::FarPlace, eight a vertex
-  gpu::Buffer texels;              ///< packed texels that carry surface, object after object
-  gpu::Buffer list;                ///< two vec4 each: position mm; flux E·A
+  gpu::Buffer farPlaces;       ///< shared::FarPlace, eight a vertex
+  gpu::Buffer texels;          ///< packed texels that carry surface, object after object
+  gpu::Buffer list;            ///< two vec4 each: position mm; flux E·A
   std::uint32_t cellEdge = 1;  ///< of a cell, in texels of farOrigins
   std::uint32_t sourceCount = 0;
   std::vector<std::uint32_t> firstOfObject;  ///< one more than there are objects

@@ -36,8 +36,8 @@ CameraView makeCameraView(const Camera& camera, const Bounds& bounds, float aspe
       glm::normalize(glm::cross(view.axis, usableUp(glm::make_vec3(camera.up.data()), view.axis)));
   const glm::vec3 up = glm::cross(right, view.axis);
 
-  const float diagonal = glm::length(glm::make_vec3(bounds.maxMm.data()) -
-                                     glm::make_vec3(bounds.minMm.data()));
+  const float diagonal =
+      glm::length(glm::make_vec3(bounds.maxMm.data()) - glm::make_vec3(bounds.minMm.data()));
   const float nearMm =
       std::max(0.5F * distanceToBox(view.position, bounds), std::max(1e-4F * diagonal, 1e-6F));
   const float focal = 1 / std::tan(0.5F * glm::radians(camera.verticalFovDegrees));
@@ -65,11 +65,17 @@ std::span<const glm::vec2> samplePattern(int samples) {
                                                {.1875F, .4375F},
                                                {.4375F, -.4375F}}};
   switch (samples) {
-    case 1: return one;
-    case 2: return two;
-    case 4: return four;
-    case 8: return eight;
-    default: assert(false); return one;
+    case 1:
+      return one;
+    case 2:
+      return two;
+    case 4:
+      return four;
+    case 8:
+      return eight;
+    default:
+      assert(false);
+      return one;
   }
 }
 

@@ -26,9 +26,9 @@ struct FrameContext {
 
   void gather(const shared::FrameData& frame, std::uint32_t shadowViews) const {
     passes.shadow.record(commands, frame, shadowViews, mesh, resources.shadows);
-    passes.gather.record(
-        commands, {frameBuffer, frameOffset, mesh, resources.tables, resources.shadows},
-        resources.sources);
+    passes.gather.record(commands,
+                         {frameBuffer, frameOffset, mesh, resources.tables, resources.shadows},
+                         resources.sources);
   }
 
   // Everything where the site is the vertices; else what of the pattern is always summed there.
@@ -40,16 +40,15 @@ struct FrameContext {
           commands, transport, plan.site == Site::Vertex ? Part::Everything : Part::FarSamples,
           resources.tables, resources.sources, mesh, resources.exitance);
     else if (plan.site == Site::Vertex)
-      passes.scatter.allOverVertices(commands, transport, resources.tables, resources.sources,
-                                     mesh, resources.exitance);
+      passes.scatter.allOverVertices(commands, transport, resources.tables, resources.sources, mesh,
+                                     resources.exitance);
   }
 
   void scatterAtFragments() const {
     const passes::ScatterTransport transport = scatterTransport(plan.transport);
     if (plan.sum == Sum::Pattern)
-      passes.scatter.patternOverFragments(commands, transport, resources.tables,
-                                          resources.sources, resources.surface,
-                                          resources.exitance);
+      passes.scatter.patternOverFragments(commands, transport, resources.tables, resources.sources,
+                                          resources.surface, resources.exitance);
     else
       passes.scatter.allOverFragments(commands, transport, resources.tables, resources.sources,
                                       resources.surface, resources.exitance);
@@ -64,12 +63,11 @@ struct FrameContext {
   }
 
   void shade(std::uint32_t sample, std::uint32_t samples) const {
-    passes.shade.record(
-        commands,
-        {frameBuffer, frameOffset, resources.tables, resources.shadows, resources.surface,
-         visibleExitance(plan.site, resources), resources.environmentCube, sample, samples, plan.roughness,
-         plan.specular},
-        resources.radiance);
+    passes.shade.record(commands,
+                        {frameBuffer, frameOffset, resources.tables, resources.shadows,
+                         resources.surface, visibleExitance(plan.site, resources),
+                         resources.environmentCube, sample, samples, plan.roughness, plan.specular},
+                        resources.radiance);
   }
 };
 
@@ -92,14 +90,14 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
                  gpu::Buffer& frameBuffer, std::size_t frameOffset, passes::DeformedMesh& mesh,
                  FrameResources& resources) {
   assert(plan.site != Site::Auto);
-  const FrameContext context{commands, passes,      plan, frameBuffer,
-                             frameOffset, mesh, resources};
+  const FrameContext context{commands, passes, plan, frameBuffer, frameOffset, mesh, resources};
   context.gather(frame, shadowViews);
   context.scatterAtVertices();
 
   if (plan.samples > 0) {
     const VkExtent2D extent = resources.radiance.extent();
-    const glm::vec2 pixel(2 / static_cast<float>(extent.width), 2 / static_cast<float>(extent.height));
+    const glm::vec2 pixel(2 / static_cast<float>(extent.width),
+                          2 / static_cast<float>(extent.height));
     const auto samples = static_cast<std::uint32_t>(plan.samples);
     const std::span<const glm::vec2> pattern = samplePattern(plan.samples);
     for (std::uint32_t sample = 0; sample < samples; ++sample) {

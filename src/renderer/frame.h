@@ -58,6 +58,7 @@ gpu::GpuImage& visibleExitance(Site site, FrameResources& resources);
 /// scattering and shading.
 void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
                  const shared::FrameData& frame, std::uint32_t shadowViews,
-                 gpu::Buffer& frameBuffer, std::size_t frameOffset, passes::DeformedMesh& mesh, FrameResources& resources);
+                 gpu::Buffer& frameBuffer, std::size_t frameOffset, passes::DeformedMesh& mesh,
+                 FrameResources& resources);
 
 }  // namespace opaline

@@ -50,8 +50,7 @@ Interval project(const Bounds& bounds, const glm::vec3& axis) {
   return interval;
 }
 
-glm::mat4 fromRows(const glm::vec4& x, const glm::vec4& y, const glm::vec4& z,
-                   const glm::vec4& w) {
+glm::mat4 fromRows(const glm::vec4& x, const glm::vec4& y, const glm::vec4& z, const glm::vec4& w) {
   return glm::transpose(glm::mat4(x, y, z, w));
 }
 
@@ -98,8 +97,8 @@ void addPoint(const PointLight& light, const Bounds& bounds, float shadowSize,
   for (std::size_t face = 0; face < 6; ++face) {
     const Basis basis = basisAlong(axes[face]);
     const auto row = [&](const glm::vec3& v) { return glm::vec4(v, -glm::dot(v, position)); };
-    views[face] = fromRows(row(basis.right) / tangent, row(basis.up) / tangent,
-                           {0, 0, 0, nearMm}, row(basis.forward));
+    views[face] = fromRows(row(basis.right) / tangent, row(basis.up) / tangent, {0, 0, 0, nearMm},
+                           row(basis.forward));
   }
   data.place = {position, 1};
   data.power = {glm::make_vec3(light.intensity.data()), 0};

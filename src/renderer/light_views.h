@@ -11,8 +11,8 @@ namespace opaline {
 std::uint32_t shadowViewCount(const Lighting& lighting);
 
 /// Fills the lights and shadow views of a frame. Directional lights get an orthographic view fitted
-/// to the box, point lights the six faces of a cube, each wider than 90° by the texels that filtering
-/// reaches beyond its edge. Depth is reversed. The lighting has been validated.
+/// to the box, point lights the six faces of a cube, each wider than 90° by the texels that
+/// filtering reaches beyond its edge. Depth is reversed. The lighting has been validated.
 void fillLights(const Lighting& lighting, const Bounds& bounds, std::uint32_t shadowSize,
                 shared::FrameData& frame);
 

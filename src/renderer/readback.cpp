@@ -55,12 +55,14 @@ Image combine(Image image, const Image& other, const Change& change) {
   return image;
 }
 
-void setGrey(float* pixel, float value) { std::fill_n(pixel, 3, value); }
+void setGrey(float* pixel, float value) {
+  std::fill_n(pixel, 3, value);
+}
 
 // What a shader reads by linear filtering with clamped coordinates.
 void sampleLinear(const Image& map, float u, float v, float* rgba) {
-  const float x = std::clamp(u * static_cast<float>(map.width) - 0.5F, 0.0F,
-                             static_cast<float>(map.width - 1));
+  const float x =
+      std::clamp(u * static_cast<float>(map.width) - 0.5F, 0.0F, static_cast<float>(map.width - 1));
   const float y = std::clamp(v * static_cast<float>(map.height) - 0.5F, 0.0F,
                              static_cast<float>(map.height - 1));
   const int x0 = std::min(static_cast<int>(x), std::max(map.width - 2, 0));
@@ -71,7 +73,7 @@ void sampleLinear(const Image& map, float u, float v, float* rgba) {
   const int y1 = std::min(y0 + 1, map.height - 1);
   for (int c = 0; c < 4; ++c)
     rgba[c] = std::lerp(std::lerp(map.pixel(x0, y0)[c], map.pixel(x1, y0)[c], fx),
-                       std::lerp(map.pixel(x0, y1)[c], map.pixel(x1, y1)[c], fx), fy);
+                        std::lerp(map.pixel(x0, y1)[c], map.pixel(x1, y1)[c], fx), fy);
 }
 
 // The accumulated samples hold colour times coverage.
@@ -144,8 +146,10 @@ bool needsCentre(Aov aov) {
     case Aov::Position:
     case Aov::Normal:
     case Aov::Depth:
-    case Aov::Object: return true;
-    default: return false;
+    case Aov::Object:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -155,18 +159,27 @@ Image readAov(gpu::Device& device, Aov aov, Site site, FrameResources& resources
     return withAlphaOf(std::move(image), readCoverage(device, resources.sources.coverage));
   };
   switch (aov) {
-    case Aov::Radiance: return radiance(device, resources);
+    case Aov::Radiance:
+      return radiance(device, resources);
     case Aov::Exitance:
-      return withAlphaOf(readFloats(device, visibleExitance(site, resources)), position(device, resources));
-    case Aov::Irradiance: return irradiance(device, resources);
-    case Aov::Position: return position(device, resources);
+      return withAlphaOf(readFloats(device, visibleExitance(site, resources)),
+                         position(device, resources));
+    case Aov::Irradiance:
+      return irradiance(device, resources);
+    case Aov::Position:
+      return position(device, resources);
     case Aov::Normal:
       return withAlphaOf(readHalves(device, resources.surface.normal), position(device, resources));
-    case Aov::Depth: return depth(device, resources, camera);
-    case Aov::Object: return object(device, resources);
-    case Aov::DsmPosition: return dsm(readFloats(device, resources.sources.positionArea));
-    case Aov::DsmNormal: return dsm(readHalves(device, resources.sources.normal));
-    case Aov::DsmIrradiance: return dsm(readFloats(device, resources.sources.irradianceObject));
+    case Aov::Depth:
+      return depth(device, resources, camera);
+    case Aov::Object:
+      return object(device, resources);
+    case Aov::DsmPosition:
+      return dsm(readFloats(device, resources.sources.positionArea));
+    case Aov::DsmNormal:
+      return dsm(readHalves(device, resources.sources.normal));
+    case Aov::DsmIrradiance:
+      return dsm(readFloats(device, resources.sources.irradianceObject));
     case Aov::DsmArea:
       return combine(readCoverage(device, resources.sources.coverage),
                      readFloats(device, resources.sources.positionArea),

@@ -79,9 +79,9 @@ class Renderer::Implementation {
 
     const Site site = chooseSite(options.site, *uploaded_);
     const FramePlan plan = makePlan(options, aovs, site);
-    const CameraView camera = makeCameraView(
-        scene_->camera, uploaded_->bounds,
-        static_cast<float>(options.width) / static_cast<float>(options.height));
+    const CameraView camera =
+        makeCameraView(scene_->camera, uploaded_->bounds,
+                       static_cast<float>(options.width) / static_cast<float>(options.height));
     const shared::FrameData frame = makeFrameData(camera, options);
 
     FrameTimes times;
@@ -91,7 +91,8 @@ class Renderer::Implementation {
     }
 
     RenderResult result;
-    for (const Aov aov : aovs) result.images.push_back(readAov(device_, aov, site, *resources_, camera));
+    for (const Aov aov : aovs)
+      result.images.push_back(readAov(device_, aov, site, *resources_, camera));
     result.report = makeReport(options, site, times);
     return result;
   }
@@ -127,14 +128,13 @@ class Renderer::Implementation {
     const auto height = static_cast<std::uint32_t>(options.height);
     const PatternLayout pattern = layOutPattern(*uploaded_, options);
     FrameResources made;
-    made.sources = passes_.gather.prepare(
-        device_, uploaded_->mesh, static_cast<std::uint32_t>(options.dsmSize), uploaded_->objects,
-        pattern.maps);
+    made.sources = passes_.gather.prepare(device_, uploaded_->mesh,
+                                          static_cast<std::uint32_t>(options.dsmSize),
+                                          uploaded_->objects, pattern.maps);
     made.tables = makeSceneTables(device_, *uploaded_, pattern, made.sources.firstOfObject,
                                   scene_->lighting, options);
-    made.shadows = passes::ShadowPass::makeMaps(device_,
-                                                static_cast<std::uint32_t>(options.shadowSize),
-                                                shadowViewCount(scene_->lighting));
+    made.shadows = passes::ShadowPass::makeMaps(
+        device_, static_cast<std::uint32_t>(options.shadowSize), shadowViewCount(scene_->lighting));
     made.surface = passes::SurfacePass::makeSurface(device_, width, height);
     made.exitance =
         passes::SurfacePass::makeExitance(device_, width, height, uploaded_->mesh.vertexCount);
@@ -200,13 +200,17 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::setScene(const Scene& scene) { implementation_->setScene(scene); }
+void Renderer::setScene(const Scene& scene) {
+  implementation_->setScene(scene);
+}
 
 RenderResult Renderer::render(const RenderOptions& options, const std::vector<Aov>& aovs) {
   return implementation_->render(options, aovs);
 }
 
-std::size_t Renderer::validationMessages() const { return implementation_->validationMessages(); }
+std::size_t Renderer::validationMessages() const {
+  return implementation_->validationMessages();
+}
 
 std::vector<DeviceDescription> listDevices() {
   std::vector<DeviceDescription> devices;

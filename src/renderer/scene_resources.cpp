@@ -94,10 +94,8 @@ void listMedia(const Scene& scene, SceneResources& resources) {
   for (const Object& object : scene.objects) {
     auto found = std::find_if(resources.media.begin(), resources.media.end(),
                               [&](const Medium& medium) { return same(medium, object.medium); });
-    if (found == resources.media.end())
-      found = resources.media.insert(found, object.medium);
-    resources.mediumOfObject.push_back(
-        static_cast<std::uint32_t>(found - resources.media.begin()));
+    if (found == resources.media.end()) found = resources.media.insert(found, object.medium);
+    resources.mediumOfObject.push_back(static_cast<std::uint32_t>(found - resources.media.begin()));
     resources.meanEdgeOfObjectMm.push_back(meanEdgeMm(object.mesh));
     resources.areaOfObjectMm2.push_back(areaMm2(object.mesh));
   }

@@ -24,8 +24,8 @@ struct MergedMesh {
   atlas::Surface surface() const;
 };
 
-/// A scene on the device: what depends on the rest pose alone. Objects are laid end to end and share
-/// one atlas.
+/// A scene on the device: what depends on the rest pose alone. Objects are laid end to end and
+/// share one atlas.
 struct SceneResources {
   passes::DeformedMesh mesh;
   MergedMesh merged;
@@ -33,7 +33,7 @@ struct SceneResources {
   Bounds bounds;
   std::uint32_t objects = 0;
   std::uint32_t triangles = 0;
-  std::vector<Medium> media;                 ///< the different ones
+  std::vector<Medium> media;  ///< the different ones
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<double> meanEdgeOfObjectMm;
   std::vector<double> areaOfObjectMm2;

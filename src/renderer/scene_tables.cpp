@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include "atlas/geodesic.h"
+#include "atlas/texel_area.h"
 #include "bssrdf/fresnel.h"
 #include "bssrdf/profile.h"
 #include "environment/spherical_harmonics.h"
@@ -75,7 +76,8 @@ class TableBuilder {
         texelMm_(texelEdgeMm(resources, options)),
         etas_(differentEtas(resources.media)) {
     for (const double eta : etas_) {
-      const std::vector<float> entries = passes::specularAlbedo(eta, static_cast<double>(options.roughness));
+      const std::vector<float> entries =
+          passes::specularAlbedo(eta, static_cast<double>(options.roughness));
       albedo_.insert(albedo_.end(), entries.begin(), entries.end());
     }
     for (std::size_t i = 0; i < resources.media.size(); ++i)
@@ -91,15 +93,14 @@ class TableBuilder {
   void add(const Medium& medium, const passes::PatternExtent& extent) {
     const std::array<bssrdf::Profile, 3> profiles = profilesOf(medium, options_.transport);
     const passes::PatternMask mask = passes::makePatternMask(profiles, extent, texelMm_);
-    const auto eta = static_cast<std::uint32_t>(
-        std::find(etas_.begin(), etas_.end(), medium.eta) - etas_.begin());
+    const auto eta = static_cast<std::uint32_t>(std::find(etas_.begin(), etas_.end(), medium.eta) -
+                                                etas_.begin());
     media_.push_back({.profile = shaders::packProfile(profiles),
                       .boundary = {static_cast<float>(medium.eta),
                                    static_cast<float>(exitFactor(medium, options_.transport)),
                                    static_cast<float>(mask.nearSquareMm2),
                                    static_cast<float>(mask.farSquareMm2)},
-                      .tables = {eta, mask.nearSamples, 0,
-                                 eta * passes::specularAlbedoEntries}});
+                      .tables = {eta, mask.nearSamples, 0, eta * passes::specularAlbedoEntries}});
     pattern_.insert(pattern_.end(), mask.entries.begin(), mask.entries.end());
     pattern_.resize(media_.size() * patternStride);
   }
@@ -135,7 +136,9 @@ class FarPlacer {
   FarPlacer(const SceneResources& resources, const atlas::Neighbourhoods& cells, int mapSize)
       : resources_(resources), cells_(cells), mapSize_(mapSize) {}
 
-  void add(const atlas::GeodesicStar& star, double distanceMm) {
+  // The ring that the samples stand for begins at `innerMm`; a walk that ends early finds part of
+  // it.
+  void add(const atlas::GeodesicStar& star, double innerMm, double distanceMm) {
     const std::size_t first = places_.size();
     std::array<glm::dvec3, 8> ends{};
     for (std::size_t i = 0; i < star.size(); ++i) {
@@ -143,18 +146,24 @@ class FarPlacer {
       ends[i] = positionOf(star[i]);
     }
     // Walks that start 45° apart end that far apart on a plane.
-    const double onPlane = 2 * distanceMm * std::sin(std::numbers::pi / 8);
+    const auto onPlane = [&](std::size_t a, std::size_t b) {
+      return std::sin(std::numbers::pi / 8) *
+             (static_cast<double>(star[a].walkedMm) + static_cast<double>(star[b].walkedMm));
+    };
     for (std::size_t i = 0; i < star.size(); ++i) {
       if (star[i].triangle == atlas::SurfacePoint::nowhere) continue;
       double apart = 0;
-      double neighbours = 0;
+      double expected = 0;
       for (const std::size_t other : {(i + 1) % 8, (i + 7) % 8})
         if (star[other].triangle != atlas::SurfacePoint::nowhere) {
           apart += glm::length(ends[i] - ends[other]);
-          neighbours += 1;
+          expected += onPlane(i, other);
         }
-      const double ratio = neighbours > 0 ? apart / (neighbours * onPlane) : 1;
-      places_[first + i].weight = static_cast<float>(std::clamp(ratio, 1e-3, 2.0));
+      const double ratio = expected > 0 ? apart / expected : 1;
+      const double found =
+          (static_cast<double>(star[i].walkedMm) - innerMm) / (distanceMm - innerMm);
+      places_[first + i].weight =
+          static_cast<float>(std::clamp(ratio, 0.0, 2.0) * std::clamp(found, 0.0, 1.0));
     }
   }
 
@@ -193,20 +202,23 @@ class FarPlacer {
 };
 
 std::vector<shared::FarPlace> farPlaces(const SceneResources& resources,
-                                        const PatternLayout& layout,
-                                        const RenderOptions& options) {
+                                        const PatternLayout& layout, const RenderOptions& options) {
   const MergedMesh& merged = resources.merged;
+  const double texelMm = texelEdgeMm(resources, options);
+  std::vector<double> innerMm(merged.positions.size(), 0);
   std::vector<double> distanceMm(merged.positions.size(), 0);
   for (std::size_t t = 0; t < merged.triangles.size(); ++t) {
     const std::uint32_t medium = resources.mediumOfObject[merged.objectOfTriangle[t]];
-    for (const std::uint32_t vertex : merged.triangles[t])
-      distanceMm[vertex] =
-          layout.extentOfMedium[medium].distance * texelEdgeMm(resources, options);
+    const passes::PatternExtent& extent = layout.extentOfMedium[medium];
+    for (const std::uint32_t vertex : merged.triangles[t]) {
+      innerMm[vertex] = extent.blockRadius() * texelMm;
+      distanceMm[vertex] = extent.distance * texelMm;
+    }
   }
   FarPlacer placer(resources, layout.maps.distant, static_cast<int>(layout.maps.distantMapSize));
   const std::vector<atlas::GeodesicStar> stars =
       atlas::walkFromVertices(merged.surface(), distanceMm);
-  for (std::size_t i = 0; i < stars.size(); ++i) placer.add(stars[i], distanceMm[i]);
+  for (std::size_t i = 0; i < stars.size(); ++i) placer.add(stars[i], innerMm[i], distanceMm[i]);
   return placer.take();
 }
 
@@ -250,6 +262,7 @@ PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions
   layout.maps.cellEdge = static_cast<std::uint32_t>(coarseCell);
   for (passes::PatternExtent& extent : layout.extentOfMedium)
     extent = passes::fitted(extent, layout.maps.nearby.reach);
+  layout.maps.texelAreas = atlas::texelAreas(resources.atlas, options.dsmSize);
   layout.maps.farPlaces = farPlaces(resources, layout, options);
   return layout;
 }
@@ -264,13 +277,12 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
   tables.objects =
       gpu::makeBuffer(device, "objects", makeObjects(resources, firstSourceOfObject), storage);
   tables.media = gpu::makeBuffer(device, "media", builder.media(), storage);
-  tables.pattern = gpu::makeBuffer(device, "pattern", builder.pattern(),
-                                   VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  tables.pattern =
+      gpu::makeBuffer(device, "pattern", builder.pattern(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   tables.patternStride = patternStride * sizeof(shared::PatternEntry);
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
-  tables.ambientCubes =
-      passes::makeAmbientCubes(device, ambientRadiance(lighting), builder.etas());
+  tables.ambientCubes = passes::makeAmbientCubes(device, ambientRadiance(lighting), builder.etas());
   return tables;
 }
 

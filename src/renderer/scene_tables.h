@@ -17,7 +17,7 @@ namespace opaline {
 
 /// The pattern of every medium of the scene, and the neighbourhoods that hold them all.
 struct PatternLayout {
-  passes::NeighbourhoodMaps maps;
+  passes::AtlasMaps maps;
   std::vector<passes::PatternExtent> extentOfMedium;
 };
 

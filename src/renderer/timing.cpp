@@ -28,7 +28,9 @@ void FrameTimes::add(double frameMilliseconds, const std::vector<gpu::PassTiming
   }
 }
 
-double FrameTimes::frameMilliseconds() const { return medianAfterFirst(frames_); }
+double FrameTimes::frameMilliseconds() const {
+  return medianAfterFirst(frames_);
+}
 
 std::vector<PassTime> FrameTimes::passes() const {
   std::vector<PassTime> passes;

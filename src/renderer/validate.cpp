@@ -48,11 +48,13 @@ void validateMedium(const Medium& medium) {
     if (!(s > 0) || !(a >= 0) || !std::isfinite(s) || !std::isfinite(a))
       throw Error(fmt::format(
           "medium '{}' must have scattering above 0 and absorption of at least 0 per mm in every "
-          "channel, but has {} and {}", medium.name, s, a));
+          "channel, but has {} and {}",
+          medium.name, s, a));
   }
   if (!(medium.eta >= 1.01 && medium.eta <= 3))
-    throw Error(fmt::format("the index of refraction of medium '{}' is {}, but must be from 1.01 to 3",
-                            medium.name, medium.eta));
+    throw Error(
+        fmt::format("the index of refraction of medium '{}' is {}, but must be from 1.01 to 3",
+                    medium.name, medium.eta));
 }
 
 bool isDirection(const Vec3& v) {
@@ -66,13 +68,16 @@ bool isPower(const Rgb& rgb) {
 void validateLighting(const Lighting& lighting) {
   if (lighting.directional.size() + lighting.points.size() > shared::maxLights ||
       shadowViewCount(lighting) > shared::maxShadowViews)
-    throw Error(fmt::format(
-        "the scene has {} directional and {} point lights, but there may be {} lights in all, and at "
-        "most {} point lights", lighting.directional.size(), lighting.points.size(),
-        shared::maxLights, shared::maxShadowViews / 6));
+    throw Error(
+        fmt::format("the scene has {} directional and {} point lights, but there may be {} lights "
+                    "in all, and at "
+                    "most {} point lights",
+                    lighting.directional.size(), lighting.points.size(), shared::maxLights,
+                    shared::maxShadowViews / 6));
   for (const DirectionalLight& light : lighting.directional)
     if (!isDirection(light.directionToLight) || !isPower(light.irradiance))
-      throw Error("a directional light needs a direction other than 0,0,0 and an irradiance of at least 0");
+      throw Error(
+          "a directional light needs a direction other than 0,0,0 and an irradiance of at least 0");
   for (const PointLight& light : lighting.points)
     if (!finite(light.positionMm) || !isPower(light.intensity))
       throw Error("a point light needs a finite position and an intensity of at least 0");
@@ -93,8 +98,8 @@ void validate(const RenderOptions& options) {
   requireWithin("the number of frames", options.frames, 1, 1'000'000);
   if (options.antialias != 1 && options.antialias != 2 && options.antialias != 4 &&
       options.antialias != 8)
-    throw UsageError(fmt::format("the number of antialiasing samples is {}, but must be 1, 2, 4 or 8",
-                                 options.antialias));
+    throw UsageError(fmt::format(
+        "the number of antialiasing samples is {}, but must be 1, 2, 4 or 8", options.antialias));
 }
 
 void validate(const Scene& scene) {

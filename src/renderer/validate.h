@@ -8,8 +8,8 @@ namespace opaline {
 /// Throws UsageError that names the option, its value and its range.
 void validate(const RenderOptions& options);
 
-/// Throws Error for a scene that cannot be rendered: no triangles, indices out of range, numbers that
-/// are not finite, media out of range, more lights than there may be.
+/// Throws Error for a scene that cannot be rendered: no triangles, indices out of range, numbers
+/// that are not finite, media out of range, more lights than there may be.
 void validate(const Scene& scene);
 
 }  // namespace opaline

@@ -336,7 +336,7 @@ SceneFileSettings readSettings(const TomlTable& root) {
   settings.transport = table->choice("transport", transports);
   settings.sum = table->choice("sum", sums);
   settings.site = table->choice("site", sites);
-  settings.nearRings = table->integer("near_rings", 0, 16);
+  settings.nearRings = table->integer("near_rings", 0, 15);
   settings.nearSpacing = asFloat(table->number("near_spacing", 1e-3, 100));
   settings.farDistance = asFloat(table->number("far_distance", 1e-3, 1000));
   settings.dsmSize = table->integer("dsm_size", 64, 4096);

@@ -33,18 +33,20 @@ std::vector<float> makeFace(const ShCoefficients& radiance, const std::array<dou
 
 gpu::GpuImage makeAmbientCubes(gpu::Device& device, const ShCoefficients& radiance,
                                const std::vector<double>& etas) {
-  gpu::GpuImage cubes(device, {.name = "ambient cube map",
-                               .width = faceSize,
-                               .height = faceSize,
-                               .layers = static_cast<std::uint32_t>(6 * etas.size()),
-                               .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-                               .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-                               .kind = gpu::ImageKind::CubeArray});
+  gpu::GpuImage cubes(device,
+                      {.name = "ambient cube map",
+                       .width = faceSize,
+                       .height = faceSize,
+                       .layers = static_cast<std::uint32_t>(6 * etas.size()),
+                       .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                       .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                       .kind = gpu::ImageKind::CubeArray});
   for (std::uint32_t i = 0; i < etas.size(); ++i) {
     const std::array<double, 3> kernel = irradianceKernel(etas[i]);
     const ShCoefficients smooth = windowed(radiance, kernel);
     for (std::uint32_t face = 0; face < 6; ++face)
-      gpu::uploadImage(device, cubes, std::as_bytes(std::span<const float>(makeFace(smooth, kernel, face))),
+      gpu::uploadImage(device, cubes,
+                       std::as_bytes(std::span<const float>(makeFace(smooth, kernel, face))),
                        6 * i + face);
   }
   return cubes;

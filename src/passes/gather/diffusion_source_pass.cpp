@@ -40,6 +40,30 @@ gpu::GpuImage makeCoverage(gpu::Device& device, std::uint32_t size) {
                     VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
 }
 
+// A texel is drawn all or not at all, by its centre. What the drawn ones stand for besides their
+// own comes from those around the border that are not: area and its centroid (offset in texels) are
+// exact, wherever charts end.
+std::vector<shared::vec4> surfaceOfTexels(std::span<const atlas::TexelArea> areas,
+                                          std::span<const std::uint32_t> coverage,
+                                          std::span<const std::uint32_t> nearestCovered,
+                                          std::uint32_t size) {
+  std::vector<shared::vec4> surface(areas.size(), shared::vec4(0));
+  for (std::uint32_t i = 0; i < areas.size(); ++i) {
+    const std::uint32_t to = nearestCovered[i];
+    if (!(areas[i].area > 0) || coverage[to] == 0) continue;
+    const float dx = static_cast<float>(i % size) - static_cast<float>(to % size);
+    const float dy = static_cast<float>(i / size) - static_cast<float>(to / size);
+    surface[to] += shared::vec4(areas[i].moment[0] + areas[i].area * dx,
+                                areas[i].moment[1] + areas[i].area * dy, areas[i].area, 0);
+  }
+  for (shared::vec4& texel : surface)
+    if (texel.z > 0) {
+      texel.x /= texel.z;
+      texel.y /= texel.z;
+    }
+  return surface;
+}
+
 std::uint32_t packTexel(std::size_t index, std::uint32_t size) {
   return static_cast<std::uint32_t>(index % size) |
          (static_cast<std::uint32_t>(index / size) << 16U);
@@ -74,8 +98,9 @@ std::vector<std::uint32_t> listOrigins(const atlas::Neighbourhoods& neighbourhoo
                                        std::span<const std::uint32_t> nearestCovered,
                                        std::uint32_t mapSize) {
   std::vector<std::uint32_t> present(neighbourhoods.source.size());
-  std::transform(neighbourhoods.source.begin(), neighbourhoods.source.end(), present.begin(),
-                 [](std::uint32_t texel) { return texel == atlas::Neighbourhoods::nothing ? 0U : 1U; });
+  std::transform(
+      neighbourhoods.source.begin(), neighbourhoods.source.end(), present.begin(),
+      [](std::uint32_t texel) { return texel == atlas::Neighbourhoods::nothing ? 0U : 1U; });
   const std::vector<std::uint32_t> nearest =
       nearestCoveredTexel(present, static_cast<std::uint32_t>(neighbourhoods.size));
   // The middle of a coarse texel.
@@ -88,8 +113,7 @@ std::vector<std::uint32_t> listOrigins(const atlas::Neighbourhoods& neighbourhoo
     if (texel == atlas::Neighbourhoods::nothing) continue;
     const std::size_t inMap =
         std::size_t{fine(texel / atlasSize)} * mapSize + fine(texel % atlasSize);
-    origins[i] =
-        packOrigin(nearestCovered[inMap], mapSize) | (present[i] != 0 ? surfaceBit : 0U);
+    origins[i] = packOrigin(nearestCovered[inMap], mapSize) | (present[i] != 0 ? surfaceBit : 0U);
   }
   return origins;
 }
@@ -110,50 +134,54 @@ std::vector<shared::ChartPlace> chartPlaces(const atlas::Neighbourhoods& neighbo
 DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       linear_(device, gpu::Filter::Linear),
-      coverage_(device, gpu::GraphicsPipelineOptions{
-                            .name = "dsm coverage",
-                            .vertexShader = shaders::gather_dsm_vert,
-                            .fragmentShader = shaders::gather_coverage_frag,
-                            .bindings = {{1, BindingType::StorageBuffer},
-                                         {2, BindingType::StorageBuffer},
-                                         {3, BindingType::StorageBuffer}},
-                            .colorFormats = {VK_FORMAT_R32_UINT},
-                        }),
-      map_(device, gpu::GraphicsPipelineOptions{
-                       .name = "dsm",
-                       .vertexShader = shaders::gather_dsm_vert,
-                       .fragmentShader = shaders::gather_dsm_frag,
-                       .bindings = {{0, BindingType::UniformBuffer},
-                                    {1, BindingType::StorageBuffer},
-                                    {2, BindingType::StorageBuffer},
-                                    {3, BindingType::StorageBuffer},
-                                    {4, BindingType::StorageBuffer},
-                                    {5, BindingType::StorageBuffer},
-                                    {6, BindingType::SampledImage},
-                                    {7, BindingType::SampledImage}},
-                       .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT,
-                                        VK_FORMAT_R16G16B16A16_SFLOAT,
-                                        VK_FORMAT_R32G32B32A32_SFLOAT},
-                   }),
-      neighbours_(device, gpu::ComputePipelineOptions{
-                              .name = "neighbourhoods",
-                              .shader = shaders::gather_neighbours_comp,
-                              .bindings = {{0, BindingType::StorageBuffer},
-                                           {1, BindingType::SampledImage},
-                                           {2, BindingType::SampledImage},
-                                           {3, BindingType::StorageImage},
-                                           {4, BindingType::StorageImage}},
-                          }),
-      cells_(device, gpu::ComputePipelineOptions{
-                         .name = "cells",
-                         .shader = shaders::gather_cells_comp,
-                         .bindings = {{0, BindingType::StorageBuffer},
-                                      {1, BindingType::SampledImage},
-                                      {2, BindingType::SampledImage},
-                                      {3, BindingType::StorageImage},
-                                      {4, BindingType::StorageImage}},
-                         .pushConstantBytes = sizeof(std::int32_t),
-                     }),
+      coverage_(device,
+                gpu::GraphicsPipelineOptions{
+                    .name = "dsm coverage",
+                    .vertexShader = shaders::gather_dsm_vert,
+                    .fragmentShader = shaders::gather_coverage_frag,
+                    .bindings = {{1, BindingType::StorageBuffer},
+                                 {2, BindingType::StorageBuffer},
+                                 {3, BindingType::StorageBuffer}},
+                    .colorFormats = {VK_FORMAT_R32_UINT},
+                }),
+      map_(device,
+           gpu::GraphicsPipelineOptions{
+               .name = "dsm",
+               .vertexShader = shaders::gather_dsm_vert,
+               .fragmentShader = shaders::gather_dsm_frag,
+               .bindings = {{0, BindingType::UniformBuffer},
+                            {1, BindingType::StorageBuffer},
+                            {2, BindingType::StorageBuffer},
+                            {3, BindingType::StorageBuffer},
+                            {4, BindingType::StorageBuffer},
+                            {5, BindingType::StorageBuffer},
+                            {6, BindingType::SampledImage},
+                            {7, BindingType::SampledImage},
+                            {8, BindingType::SampledImage}},
+               .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
+                                VK_FORMAT_R32G32B32A32_SFLOAT},
+           }),
+      neighbours_(device,
+                  gpu::ComputePipelineOptions{
+                      .name = "neighbourhoods",
+                      .shader = shaders::gather_neighbours_comp,
+                      .bindings = {{0, BindingType::StorageBuffer},
+                                   {1, BindingType::SampledImage},
+                                   {2, BindingType::SampledImage},
+                                   {3, BindingType::StorageImage},
+                                   {4, BindingType::StorageImage}},
+                  }),
+      cells_(device,
+             gpu::ComputePipelineOptions{
+                 .name = "cells",
+                 .shader = shaders::gather_cells_comp,
+                 .bindings = {{0, BindingType::StorageBuffer},
+                              {1, BindingType::SampledImage},
+                              {2, BindingType::SampledImage},
+                              {3, BindingType::StorageImage},
+                              {4, BindingType::StorageImage}},
+                 .pushConstantBytes = sizeof(std::int32_t),
+             }),
       list_(device, gpu::ComputePipelineOptions{
                         .name = "dsm list",
                         .shader = shaders::gather_compact_comp,
@@ -166,7 +194,7 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
 
 DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh& mesh,
                                               std::uint32_t mapSize, std::uint32_t objects,
-                                              const NeighbourhoodMaps& maps) const {
+                                              const AtlasMaps& maps) const {
   DiffusionSources sources;
   sources.positionArea =
       makeMap(device, "dsm position and area", mapSize, VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -199,6 +227,16 @@ DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh&
   sources.texels = gpu::makeBuffer(device, "dsm texels", texels, storage);
   sources.charts = gpu::makeBuffer(device, "charts", chartPlaces(maps.nearby, mapSize), storage);
   const std::vector<std::uint32_t> covered = nearestCoveredTexel(coverage, mapSize);
+  const std::vector<shared::vec4> surface =
+      surfaceOfTexels(maps.texelAreas, coverage, covered, mapSize);
+  sources.texelSurface = gpu::GpuImage(
+      device, {.name = "dsm surface of texels",
+               .width = mapSize,
+               .height = mapSize,
+               .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+               .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+  gpu::uploadImage(device, sources.texelSurface,
+                   std::as_bytes(std::span<const shared::vec4>(surface)));
   sources.nearOrigins =
       gpu::makeBuffer(device, "origins of near texels",
                       listOrigins(maps.nearby, mapSize, covered, mapSize), storage);
@@ -249,7 +287,8 @@ void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& in
        Binding::read(1, mesh.positions), Binding::read(2, mesh.normals),
        Binding::read(3, mesh.corners), Binding::read(4, inputs.tables.objects),
        Binding::read(5, inputs.tables.media), Binding::sampled(6, inputs.shadows.depth, nearest_),
-       Binding::sampled(7, inputs.tables.ambientCubes, linear_)});
+       Binding::sampled(7, inputs.tables.ambientCubes, linear_),
+       Binding::sampled(8, sources.texelSurface, nearest_)});
   commands.beginRendering({{.image = &sources.positionArea},
                            {.image = &sources.normal},
                            {.image = &sources.irradianceObject}});
@@ -261,19 +300,17 @@ void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
                                            DiffusionSources& sources) const {
   const auto tiles = [](const gpu::GpuImage& image) { return (image.extent().width + 7) / 8; };
   commands.bind(neighbours_);
-  commands.bindResources({Binding::read(0, sources.nearOrigins),
-                          Binding::sampled(1, sources.positionArea, nearest_),
-                          Binding::sampled(2, sources.irradianceObject, nearest_),
-                          Binding::writeImage(3, sources.nearPosition),
-                          Binding::writeImage(4, sources.nearFlux)});
+  commands.bindResources(
+      {Binding::read(0, sources.nearOrigins), Binding::sampled(1, sources.positionArea, nearest_),
+       Binding::sampled(2, sources.irradianceObject, nearest_),
+       Binding::writeImage(3, sources.nearPosition), Binding::writeImage(4, sources.nearFlux)});
   commands.dispatch(tiles(sources.nearPosition), tiles(sources.nearPosition));
 
   commands.bind(cells_);
-  commands.bindResources({Binding::read(0, sources.farOrigins),
-                          Binding::sampled(1, sources.positionArea, nearest_),
-                          Binding::sampled(2, sources.irradianceObject, nearest_),
-                          Binding::writeImage(3, sources.farPosition),
-                          Binding::writeImage(4, sources.farFlux)});
+  commands.bindResources(
+      {Binding::read(0, sources.farOrigins), Binding::sampled(1, sources.positionArea, nearest_),
+       Binding::sampled(2, sources.irradianceObject, nearest_),
+       Binding::writeImage(3, sources.farPosition), Binding::writeImage(4, sources.farFlux)});
   commands.pushConstants(static_cast<std::int32_t>(sources.cellEdge));
   commands.dispatch(tiles(sources.farPosition), tiles(sources.farPosition));
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "atlas/neighbourhood.h"
+#include "atlas/texel_area.h"
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
@@ -15,12 +16,14 @@ class Device;
 
 namespace opaline::passes {
 
-/// Layouts of the atlas with aprons, for the near and the far samples of the pattern.
-struct NeighbourhoodMaps {
+/// What the map takes from the atlas: how much of each texel is surface, and layouts with aprons
+/// for the near and the far samples of the pattern.
+struct AtlasMaps {
+  std::vector<atlas::TexelArea> texelAreas;
   atlas::Neighbourhoods nearby;
-  atlas::Neighbourhoods distant;      ///< its size is a multiple of cellEdge
-  std::uint32_t distantMapSize = 0;   ///< edge of the atlas in the texels of `distant`, ≤ mapSize
-  std::uint32_t cellEdge = 1;         ///< of the far samples' cells, in texels of `distant`
+  atlas::Neighbourhoods distant;     ///< its size is a multiple of cellEdge
+  std::uint32_t distantMapSize = 0;  ///< edge of the atlas in the texels of `distant`, ≤ mapSize
+  std::uint32_t cellEdge = 1;        ///< of the far samples' cells, in texels of `distant`
   std::vector<shared::FarPlace> farPlaces;  ///< eight a vertex
 };
 
@@ -33,7 +36,7 @@ class DiffusionSourcePass {
   /// Makes the map and finds out which texels carry surface; blocks. For set-up, not for frames: it
   /// depends on the atlas, not on the pose. `objects` is their number.
   DiffusionSources prepare(gpu::Device& device, DeformedMesh& mesh, std::uint32_t mapSize,
-                           std::uint32_t objects, const NeighbourhoodMaps& maps) const;
+                           std::uint32_t objects, const AtlasMaps& maps) const;
 
   /// Makes room for the list of sources; from then on every frame writes it. For set-up.
   void prepareList(gpu::Device& device, DiffusionSources& sources) const;

@@ -19,14 +19,14 @@ ShadowPass::ShadowPass(gpu::Device& device)
                         }) {}
 
 ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::uint32_t views) {
-  return {gpu::GpuImage(device, {.name = "shadow maps",
-                                 .width = size,
-                                 .height = size,
-                                 .layers = std::max(views, 1U),
-                                 .format = VK_FORMAT_D32_SFLOAT,
-                                 .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
-                                          VK_IMAGE_USAGE_SAMPLED_BIT,
-                                 .kind = gpu::ImageKind::Array})};
+  return {gpu::GpuImage(
+      device, {.name = "shadow maps",
+               .width = size,
+               .height = size,
+               .layers = std::max(views, 1U),
+               .format = VK_FORMAT_D32_SFLOAT,
+               .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+               .kind = gpu::ImageKind::Array})};
 }
 
 void ShadowPass::record(gpu::CommandList& commands, const shared::FrameData& frame,

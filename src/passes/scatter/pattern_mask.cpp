@@ -31,29 +31,19 @@ double discOfArea(const bssrdf::Profile& profile, double areaMm2) {
 }
 
 float packOffset(int x, int y) {
-  const auto bits = (static_cast<std::uint32_t>(y) << 16U) | (static_cast<std::uint32_t>(x) & 0xffffU);
+  const auto bits =
+      (static_cast<std::uint32_t>(y) << 16U) | (static_cast<std::uint32_t>(x) & 0xffffU);
   return std::bit_cast<float>(bits);
-}
-
-// How many texels a sample stands for that alone has to give `reflectance`.
-float texelsFor(double reflectance, double profileValue, double texelArea) {
-  return profileValue > 0 ? static_cast<float>(reflectance / (profileValue * texelArea)) : 0.0F;
-}
-
-// Radius of the disc that is as large as the near block, texels.
-double blockRadius(const PatternExtent& extent) {
-  return (2 * extent.nearRings + 1) * extent.spacing / std::sqrt(std::numbers::pi);
 }
 
 // Radius to which the far samples' ring reaches, texels.
 double outerRadius(const PatternExtent& extent) {
-  return std::max(2 * extent.distance - blockRadius(extent), blockRadius(extent));
+  return std::max(2 * extent.distance - extent.blockRadius(), extent.blockRadius());
 }
 
 // Texels.
 double ringArea(const PatternExtent& extent) {
-  return std::numbers::pi *
-         (std::pow(outerRadius(extent), 2) - std::pow(blockRadius(extent), 2));
+  return std::numbers::pi * (std::pow(outerRadius(extent), 2) - std::pow(extent.blockRadius(), 2));
 }
 
 // Half the edge of a square as large as an eighth of the ring: a linear filter doubles it.
@@ -62,7 +52,9 @@ int cellEdge(const PatternExtent& extent) {
 }
 
 // Of a disc about its centre.
-double meanSquareRadius(double area) { return area / (2 * std::numbers::pi); }
+double meanSquareRadius(double area) {
+  return area / (2 * std::numbers::pi);
+}
 
 class MaskBuilder {
  public:
@@ -95,56 +87,61 @@ class MaskBuilder {
     for (int c = 0; c < 3; ++c) {
       const double value = discOfArea(profile(c), cell);
       constexpr double step = 1e-3;
-      const double slope = (discOfArea(profile(c), cell * (1 + step)) -
-                            discOfArea(profile(c), cell * (1 - step))) / (2 * step);
+      const double slope =
+          (discOfArea(profile(c), cell * (1 + step)) - discOfArea(profile(c), cell * (1 - step))) /
+          (2 * step);
       reflectance.value[c] = static_cast<float>(value);
       exponent.value[c] = value > 0 ? static_cast<float>(slope / value) : 0.0F;
     }
     reflectance.value.a = static_cast<float>(texelMm_ * texelMm_);
+    exponent.value.a = static_cast<float>(extent_.spacing * extent_.spacing);
     mask_.entries.push_back(reflectance);
     mask_.entries.push_back(exponent);
   }
 
   void addNear(int x, int y) {
     const double edge = extent_.spacing * texelMm_;
+    const double distanceMm = std::hypot(x, y) * texelMm_;
     shared::PatternEntry entry{};
-    for (int c = 0; c < 3; ++c)
-      entry.value[c] = texelsFor(integralOverSquare(profile(c), x * texelMm_, y * texelMm_, edge),
-                                 profile(c)(std::hypot(std::hypot(x, y) * texelMm_,
-                                                       std::sqrt(mask_.nearSquareMm2))),
-                                 texelMm_ * texelMm_);
-    add(entry, x, y);
+    for (int c = 0; c < 3; ++c) {
+      const double mean =
+          integralOverSquare(profile(c), x * texelMm_, y * texelMm_, edge) / (edge * edge);
+      entry.value[c] = partOfDistance(profile(c), mean, distanceMm, mask_.nearSquareMm2);
+    }
+    entry.value.a = packOffset(x, y);
+    mask_.entries.push_back(entry);
   }
 
   void addFar() {
-    const double inner = blockRadius(extent_) * texelMm_;
+    const double inner = extent_.blockRadius() * texelMm_;
     const double outer = outerRadius(extent_) * texelMm_;
     const double texels = ringArea(extent_) / 8;
     shared::PatternEntry entry{};
     for (int c = 0; c < 3; ++c) {
-      const double mean = (profile(c).disc(outer) - profile(c).disc(inner)) /
-                          (8 * texels * texelMm_ * texelMm_);
-      entry.value[c] = static_cast<float>(distanceOfMean(profile(c), mean, outer) /
-                                          (extent_.distance * texelMm_));
+      const double mean = texels > 0 ? (profile(c).disc(outer) - profile(c).disc(inner)) /
+                                           (8 * texels * texelMm_ * texelMm_)
+                                     : 0;
+      entry.value[c] =
+          partOfDistance(profile(c), mean, extent_.distance * texelMm_, mask_.farSquareMm2);
     }
     entry.value.a = static_cast<float>(texels);
     mask_.entries.push_back(entry);
   }
 
-  // Where a far sample's profile, its piece's extent included, has a given value; bisection.
-  double distanceOfMean(const bssrdf::Profile& profile, double mean, double outerMm) const {
+  // Square of the part of a sample's distance at which the profile, the extent of the sample's
+  // piece of surface included, has the mean that it has over the piece; by bisection.
+  static float partOfDistance(const bssrdf::Profile& profile, double mean, double distanceMm,
+                              double squareMm2) {
+    constexpr double largest = 4;
+    if (!(mean > 0)) return static_cast<float>(largest);  // too little to be told from nothing
     double low = 0;
-    double high = outerMm;
+    double high = largest;
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (low + high);
-      (profile(std::hypot(middle, std::sqrt(mask_.farSquareMm2))) > mean ? low : high) = middle;
+      const double there = profile(std::sqrt(middle * distanceMm * distanceMm + squareMm2));
+      (there > mean ? low : high) = middle;
     }
-    return low;
-  }
-
-  void add(shared::PatternEntry entry, int x, int y) {
-    entry.value.a = packOffset(x, y);
-    mask_.entries.push_back(entry);
+    return static_cast<float>(low);
   }
 
   const std::array<bssrdf::Profile, 3>& profiles_;
@@ -155,7 +152,13 @@ class MaskBuilder {
 
 }  // namespace
 
-int PatternExtent::nearReach() const { return nearRings * spacing + 2; }
+double PatternExtent::blockRadius() const {
+  return (2 * nearRings + 1) * spacing / std::sqrt(std::numbers::pi);
+}
+
+int PatternExtent::nearReach() const {
+  return nearRings * spacing + 2;
+}
 
 PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2) {
   constexpr double largest = 16384;
@@ -165,7 +168,7 @@ PatternExtent patternExtent(const PatternShape& shape, double texelMm, double ob
   extent.spacing = static_cast<int>(std::clamp(
       std::min(std::round(shape.nearSpacingMm / texelMm), std::floor(objectRadius / across)), 1.0,
       largest));
-  const double block = blockRadius(extent);
+  const double block = extent.blockRadius();
   const double nearest = std::ceil(block) + 1;
   const double furthest = std::max(nearest, std::floor(0.5 * (objectRadius + block)));
   extent.distance = static_cast<int>(
@@ -176,8 +179,10 @@ PatternExtent patternExtent(const PatternShape& shape, double texelMm, double ob
 
 PatternExtent fitted(PatternExtent extent, int nearReach) {
   while (extent.nearReach() > nearReach && extent.nearRings > 0) {
-    if (extent.spacing > 1) --extent.spacing;
-    else --extent.nearRings;
+    if (extent.spacing > 1)
+      --extent.spacing;
+    else
+      --extent.nearRings;
   }
   return extent;
 }

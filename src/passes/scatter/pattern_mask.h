@@ -23,6 +23,8 @@ struct PatternExtent {
   int distance = 1;  ///< of the far samples from the centre, texels
   int cell = 1;      ///< edge of the cells over which far samples want means, texels
 
+  /// Of the disc that is as large as the near block, texels.
+  double blockRadius() const;
   /// Texels that a near sample and the filter of the centre may lie away from it.
   int nearReach() const;
 };
@@ -43,9 +45,10 @@ struct PatternMask {
 };
 
 /// Offsets and weights of the samples. On a plane under uniform light every near sample gives
-/// exactly what its square cell reflects, and the eight far samples together what the ring gives that
-/// lies around the block and reaches as far beyond them as they lie beyond the block. No weight of a
-/// far sample grows where its profile falls steeply: folds would turn it into a spark.
+/// exactly what its square cell reflects, and the eight far samples together what the ring gives
+/// that lies around the block and reaches as far beyond them as they lie beyond the block. Where a
+/// profile falls steeply the distance shrinks rather than the weight grows: folds would make sparks
+/// of it.
 PatternMask makePatternMask(const std::array<bssrdf::Profile, 3>& profiles,
                             const PatternExtent& extent, double texelMm);
 

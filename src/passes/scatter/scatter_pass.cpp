@@ -80,8 +80,7 @@ gpu::Pipeline ScatterPass::makeVertexPattern(gpu::Device& device, ScatterTranspo
                   }};
 }
 
-ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device,
-                                                  ScatterTransport transport) {
+ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device, ScatterTransport transport) {
   const std::vector<std::uint32_t> specialization{static_cast<std::uint32_t>(transport)};
   return {
       gpu::Pipeline(device,
@@ -103,29 +102,31 @@ ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device,
                     }),
       makeVertexPattern(device, transport, VertexPart::FarSamples),
       makeVertexPattern(device, transport, VertexPart::Everything),
-      gpu::Pipeline(device, gpu::ComputePipelineOptions{
-                                .name = "all sources over fragments",
-                                .shader = shaders::scatter_all_comp,
-                                .bindings = {{1, BindingType::SampledImage},
-                                             {2, BindingType::StorageImage},
-                                             {4, BindingType::StorageBuffer},
-                                             {5, BindingType::StorageBuffer},
-                                             {6, BindingType::StorageBuffer}},
-                                .pushConstantBytes = sizeof(SourceRange),
-                                .specialization = specialization,
-                            }),
-      gpu::Pipeline(device, gpu::ComputePipelineOptions{
-                                .name = "all sources over vertices",
-                                .shader = shaders::scatter_all_vertices_comp,
-                                .bindings = {{1, BindingType::StorageBuffer},
-                                             {2, BindingType::StorageBuffer},
-                                             {3, BindingType::StorageBuffer},
-                                             {4, BindingType::StorageBuffer},
-                                             {5, BindingType::StorageBuffer},
-                                             {6, BindingType::StorageBuffer}},
-                                .pushConstantBytes = sizeof(VertexSourceRange),
-                                .specialization = specialization,
-                            }),
+      gpu::Pipeline(device,
+                    gpu::ComputePipelineOptions{
+                        .name = "all sources over fragments",
+                        .shader = shaders::scatter_all_comp,
+                        .bindings = {{1, BindingType::SampledImage},
+                                     {2, BindingType::StorageImage},
+                                     {4, BindingType::StorageBuffer},
+                                     {5, BindingType::StorageBuffer},
+                                     {6, BindingType::StorageBuffer}},
+                        .pushConstantBytes = sizeof(SourceRange),
+                        .specialization = specialization,
+                    }),
+      gpu::Pipeline(device,
+                    gpu::ComputePipelineOptions{
+                        .name = "all sources over vertices",
+                        .shader = shaders::scatter_all_vertices_comp,
+                        .bindings = {{1, BindingType::StorageBuffer},
+                                     {2, BindingType::StorageBuffer},
+                                     {3, BindingType::StorageBuffer},
+                                     {4, BindingType::StorageBuffer},
+                                     {5, BindingType::StorageBuffer},
+                                     {6, BindingType::StorageBuffer}},
+                        .pushConstantBytes = sizeof(VertexSourceRange),
+                        .specialization = specialization,
+                    }),
   };
 }
 
@@ -137,15 +138,15 @@ void ScatterPass::patternOverVertices(gpu::CommandList& commands, ScatterTranspo
   commands.beginPass("scatter");
   commands.bind(part == VertexPart::Everything ? made.patternVertices : made.patternFar);
   for (std::uint32_t medium = 0; medium < tables.mediumCount; ++medium) {
-    commands.bindResources(
-        {Binding::read(1, mesh.positions), Binding::read(2, mesh.vertexCorners),
-         Binding::write(3, exitance.vertices), Binding::read(4, tables.objects),
-         Binding::read(5, tables.media), patternOf(tables, 6, medium),
-         Binding::sampled(7, sources.nearPosition, nearest_),
-         Binding::sampled(8, sources.nearFlux, linear_),
-         Binding::sampled(9, sources.farPosition, linear_),
-         Binding::sampled(10, sources.farFlux, linear_), Binding::read(11, sources.charts),
-         Binding::read(12, sources.farPlaces)});
+    commands.bindResources({Binding::read(1, mesh.positions), Binding::read(2, mesh.vertexCorners),
+                            Binding::write(3, exitance.vertices), Binding::read(4, tables.objects),
+                            Binding::read(5, tables.media), patternOf(tables, 6, medium),
+                            Binding::sampled(7, sources.nearPosition, linear_),
+                            Binding::sampled(8, sources.nearFlux, linear_),
+                            Binding::sampled(9, sources.farPosition, linear_),
+                            Binding::sampled(10, sources.farFlux, linear_),
+                            Binding::read(11, sources.charts),
+                            Binding::read(12, sources.farPlaces)});
     commands.pushConstants(VertexMedium{mesh.vertexCount, medium});
     commands.dispatchLinear(mesh.vertexCount);
   }
@@ -163,7 +164,7 @@ void ScatterPass::patternOverFragments(gpu::CommandList& commands, ScatterTransp
                             Binding::sampled(3, surface.exitance, nearest_),
                             Binding::read(4, tables.objects), Binding::read(5, tables.media),
                             patternOf(tables, 6, medium),
-                            Binding::sampled(7, sources.nearPosition, nearest_),
+                            Binding::sampled(7, sources.nearPosition, linear_),
                             Binding::sampled(8, sources.nearFlux, linear_)});
     commands.beginRendering({{.image = &exitance.image, .clear = medium == 0}});
     commands.pushConstants(medium);
@@ -197,10 +198,9 @@ void ScatterPass::allOverVertices(gpu::CommandList& commands, ScatterTransport t
   commands.beginPass("scatter");
   commands.bind(pipelines(transport).allVertices);
   forEachRange(sources.sourceCount, [&](const SourceRange& range) {
-    commands.bindResources(
-        {Binding::read(1, mesh.positions), Binding::read(2, mesh.vertexCorners),
-         Binding::write(3, exitance.vertices), Binding::read(4, tables.objects),
-         Binding::read(5, tables.media), Binding::read(6, sources.list)});
+    commands.bindResources({Binding::read(1, mesh.positions), Binding::read(2, mesh.vertexCorners),
+                            Binding::write(3, exitance.vertices), Binding::read(4, tables.objects),
+                            Binding::read(5, tables.media), Binding::read(6, sources.list)});
     commands.pushConstants(VertexSourceRange{mesh.vertexCount, range});
     commands.dispatchLinear(mesh.vertexCount);
   });

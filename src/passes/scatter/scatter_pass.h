@@ -14,8 +14,8 @@ namespace opaline::passes {
 
 enum class ScatterTransport : std::uint32_t { Dipole = 0, BetterDipole = 1 };
 
-/// The scattering (Gong et al. 2008, section 4; Eq. 8): exitance of visible fragments or of vertices
-/// from the diffusion source map, by the pattern or by every source.
+/// The scattering (Gong et al. 2008, section 4; Eq. 8): exitance of visible fragments or of
+/// vertices from the diffusion source map, by the pattern or by every source.
 class ScatterPass {
  public:
   explicit ScatterPass(gpu::Device& device);
@@ -28,11 +28,11 @@ class ScatterPass {
                            Exitance& exitance) const;
   /// Adds the near block to the far samples' part, which has been interpolated: surface.exitance.
   void patternOverFragments(gpu::CommandList& commands, ScatterTransport transport,
-                            SceneTables& tables, DiffusionSources& sources,
-                            VisibleSurface& surface, Exitance& exitance) const;
+                            SceneTables& tables, DiffusionSources& sources, VisibleSurface& surface,
+                            Exitance& exitance) const;
   /// Needs sources.list.
-  void allOverFragments(gpu::CommandList& commands, ScatterTransport transport,
-                        SceneTables& tables, DiffusionSources& sources, VisibleSurface& surface,
+  void allOverFragments(gpu::CommandList& commands, ScatterTransport transport, SceneTables& tables,
+                        DiffusionSources& sources, VisibleSurface& surface,
                         Exitance& exitance) const;
   void allOverVertices(gpu::CommandList& commands, ScatterTransport transport, SceneTables& tables,
                        DiffusionSources& sources, DeformedMesh& mesh, Exitance& exitance) const;

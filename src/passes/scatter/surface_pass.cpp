@@ -25,37 +25,36 @@ gpu::GpuImage makeTarget(gpu::Device& device, const char* name, std::uint32_t wi
 }  // namespace
 
 SurfacePass::SurfacePass(gpu::Device& device)
-    : pipeline_(device, gpu::GraphicsPipelineOptions{
-                            .name = "surface",
-                            .vertexShader = shaders::scatter_surface_vert,
-                            .fragmentShader = shaders::scatter_surface_frag,
-                            .bindings = {{0, BindingType::UniformBuffer},
-                                         {1, BindingType::StorageBuffer},
-                                         {2, BindingType::StorageBuffer},
-                                         {3, BindingType::StorageBuffer},
-                                         {4, BindingType::StorageBuffer},
-                                         {5, BindingType::StorageBuffer}},
-                            .pushConstantBytes = sizeof(shared::vec2),
-                            .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT,
-                                             VK_FORMAT_R16G16B16A16_SFLOAT,
-                                             VK_FORMAT_R32G32_SFLOAT,
-                                             VK_FORMAT_R32G32B32A32_SFLOAT},
-                            .depthFormat = VK_FORMAT_D32_SFLOAT,
-                            .depth = gpu::DepthMode::Write,
-                        }) {}
+    : pipeline_(device,
+                gpu::GraphicsPipelineOptions{
+                    .name = "surface",
+                    .vertexShader = shaders::scatter_surface_vert,
+                    .fragmentShader = shaders::scatter_surface_frag,
+                    .bindings = {{0, BindingType::UniformBuffer},
+                                 {1, BindingType::StorageBuffer},
+                                 {2, BindingType::StorageBuffer},
+                                 {3, BindingType::StorageBuffer},
+                                 {4, BindingType::StorageBuffer},
+                                 {5, BindingType::StorageBuffer}},
+                    .pushConstantBytes = sizeof(shared::vec2),
+                    .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
+                                     VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT},
+                    .depthFormat = VK_FORMAT_D32_SFLOAT,
+                    .depth = gpu::DepthMode::Write,
+                }) {}
 
 VisibleSurface SurfacePass::makeSurface(gpu::Device& device, std::uint32_t width,
                                         std::uint32_t height) {
   constexpr VkImageUsageFlags color = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
   VisibleSurface surface;
-  surface.position = makeTarget(device, "surface position", width, height,
-                                VK_FORMAT_R32G32B32A32_SFLOAT, color);
+  surface.position =
+      makeTarget(device, "surface position", width, height, VK_FORMAT_R32G32B32A32_SFLOAT, color);
   surface.normal =
       makeTarget(device, "surface normal", width, height, VK_FORMAT_R16G16B16A16_SFLOAT, color);
   surface.place =
       makeTarget(device, "surface place", width, height, VK_FORMAT_R32G32_SFLOAT, color);
-  surface.exitance = makeTarget(device, "surface exitance", width, height,
-                                VK_FORMAT_R32G32B32A32_SFLOAT, color);
+  surface.exitance =
+      makeTarget(device, "surface exitance", width, height, VK_FORMAT_R32G32B32A32_SFLOAT, color);
   surface.depth = makeTarget(device, "surface depth", width, height, VK_FORMAT_D32_SFLOAT,
                              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
   return surface;
@@ -64,9 +63,8 @@ VisibleSurface SurfacePass::makeSurface(gpu::Device& device, std::uint32_t width
 Exitance SurfacePass::makeExitance(gpu::Device& device, std::uint32_t width, std::uint32_t height,
                                    std::uint32_t vertices) {
   Exitance exitance;
-  exitance.image =
-      makeTarget(device, "exitance", width, height, VK_FORMAT_R32G32B32A32_SFLOAT,
-                 VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT);
+  exitance.image = makeTarget(device, "exitance", width, height, VK_FORMAT_R32G32B32A32_SFLOAT,
+                              VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT);
   exitance.vertices = gpu::Buffer(
       device, {.name = "exitance of vertices",
                .bytes = std::max<std::size_t>(vertices, 1) * sizeof(shared::vec4),

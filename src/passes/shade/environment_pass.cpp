@@ -41,12 +41,13 @@ std::uint32_t levelsOf(const Image& image) {
 
 gpu::GpuImage uploadWithLevels(gpu::Device& device, Image image) {
   const std::uint32_t levels = levelsOf(image);
-  gpu::GpuImage map(device, {.name = "environment",
-                             .width = static_cast<std::uint32_t>(image.width),
-                             .height = static_cast<std::uint32_t>(image.height),
-                             .mipLevels = levels,
-                             .format = format,
-                             .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+  gpu::GpuImage map(device,
+                    {.name = "environment",
+                     .width = static_cast<std::uint32_t>(image.width),
+                     .height = static_cast<std::uint32_t>(image.height),
+                     .mipLevels = levels,
+                     .format = format,
+                     .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
   for (std::uint32_t level = 0; level < levels; ++level) {
     gpu::uploadImage(device, map, std::as_bytes(std::span<const float>(image.rgba)), 0, level);
     if (level + 1 < levels) image = halved(image);

@@ -13,7 +13,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// Radiance towards the camera from exitance, with the reflection on top; adds antialiasing samples.
+/// Radiance towards the camera from exitance, with the reflection on top; adds antialiasing
+/// samples.
 class ShadePass {
  public:
   explicit ShadePass(gpu::Device& device);
@@ -28,7 +29,7 @@ class ShadePass {
     VisibleSurface& surface;
     gpu::GpuImage& exitance;  ///< of what is visible
     gpu::GpuImage& environmentCube;
-    std::uint32_t sample;   ///< of `samples`
+    std::uint32_t sample;  ///< of `samples`
     std::uint32_t samples;
     float roughness;
     bool specular;

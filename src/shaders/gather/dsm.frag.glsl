@@ -1,5 +1,5 @@
 // The diffusion source map (Gong et al. 2008, section 3): position, normal, the irradiance that
-// enters (Eq. 7 and 9) and the area of the texel on the surface as it is in this frame.
+// enters (Eq. 7 and 9) and the area on the surface, as it is in this frame, that the texel stands for.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define SHADOW_BINDING 6
@@ -12,7 +12,9 @@ layout(std430, set = 0, binding = 4) readonly buffer Objects { ObjectData object
 layout(std430, set = 0, binding = 5) readonly buffer Media { MediumData media[]; };
 layout(set = 0, binding = 7) uniform samplerCubeArray ambientIrradiance;
 
-layout(location = 0) in vec3 position;
+layout(set = 0, binding = 8) uniform sampler2D texelSurface;
+
+layout(location = 0) in vec3 centre;
 layout(location = 1) in vec3 normal;
 layout(location = 2) flat in uint object;
 
@@ -22,6 +24,10 @@ layout(location = 2) out vec4 irradianceObject;  // object + 1
 
 void main() {
   vec3 n = normalize(normal);
+  vec3 along = dFdx(centre);
+  vec3 across = dFdy(centre);
+  vec3 surface = texelFetch(texelSurface, ivec2(gl_FragCoord.xy), 0).xyz;
+  vec3 position = centre + surface.x * along + surface.y * across;
   MediumData medium = media[objects[object].table.x];
 
   vec3 irradiance = texture(ambientIrradiance, vec4(n, float(medium.tables.x))).rgb;
@@ -34,8 +40,7 @@ void main() {
     irradiance += arriving * (entering * lightVisibility(i, position, n));
   }
 
-  float areaMm2 = length(cross(dFdx(position), dFdy(position)));
-  positionArea = vec4(position, areaMm2);
+  positionArea = vec4(position, surface.z * length(cross(along, across)));
   unitNormal = vec4(n, 0.0);
   irradianceObject = vec4(irradiance, float(object + 1u));
 }

@@ -18,7 +18,8 @@ void main() {
   uint origin = origins[texel.y * size.x + texel.x];
   ivec2 from = ivec2(bitfieldExtract(origin, 0, 15), bitfieldExtract(origin, 15, 15));
   vec4 place = texelFetch(positionArea, from, 0);
-  float area = (origin >> 31) != 0u ? place.w : 0.0;
-  imageStore(nearPosition, texel, place);
-  imageStore(nearFlux, texel, vec4(texelFetch(irradianceObject, from, 0).rgb, 1.0) * area);
+  float present = float(origin >> 31);
+  imageStore(nearPosition, texel, vec4(place.xyz, present));
+  imageStore(nearFlux, texel,
+             vec4(texelFetch(irradianceObject, from, 0).rgb, 1.0) * (present * place.w));
 }

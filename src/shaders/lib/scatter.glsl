@@ -21,7 +21,7 @@ vec3 reflectanceProfile(Profile profile, vec3 squaredMm2) {
 layout(std140, set = 0, binding = BINDING_PATTERN) uniform Pattern {
   PatternEntry pattern[maxPatternEntries];
 };
-layout(set = 0, binding = BINDING_POSITION) uniform sampler2D nearPosition;  // mm
+layout(set = 0, binding = BINDING_POSITION) uniform sampler2D nearPosition;  // mm; 1 on surface
 layout(set = 0, binding = BINDING_FLUX) uniform sampler2D nearFlux;          // E·A; A
 
 // The near block around a place among the neighbourhoods (Gong et al. 2008, section 4.1), each
@@ -35,20 +35,22 @@ vec3 nearSum(vec3 position, MediumData medium, vec2 place) {
 
   vec4 cell = pattern[0].value;
   vec4 flux = textureLod(nearFlux, place, 0.0);
-  float stretch = flux.a / cell.a;
-  vec3 sum = flux.rgb / max(flux.a, 1e-20) * cell.rgb *
-             pow(vec3(stretch), pattern[1].value.rgb);
+  float present = textureLod(nearPosition, place, 0.0).a;
+  float stretch = flux.a / (max(present, 1e-6) * cell.a);
+  vec3 atCentre = flux.rgb / max(flux.a, 1e-20) * cell.rgb *
+                  pow(vec3(stretch), pattern[1].value.rgb);
 
+  vec3 sum = vec3(0.0);
   uint end = 2u + medium.tables.y;
   for (uint i = 2u; i < end; ++i) {
     vec4 entry = pattern[i].value;
     int packed = floatBitsToInt(entry.a);
     ivec2 texel = centre + ivec2(bitfieldExtract(packed, 0, 16), packed >> 16);
     vec3 offset = texelFetch(nearPosition, texel, 0).xyz - position;
-    sum += texelFetch(nearFlux, texel, 0).rgb * entry.rgb *
-           reflectanceProfile(medium.profile, vec3(dot(offset, offset) + medium.boundary.z));
+    sum += texelFetch(nearFlux, texel, 0).rgb *
+           reflectanceProfile(medium.profile, dot(offset, offset) * entry.rgb + medium.boundary.z);
   }
-  return sum;
+  return atCentre + sum * pattern[1].value.a;
 }
 #endif
 

@@ -36,7 +36,7 @@ vec3 farSum(uint vertex, vec3 position, MediumData medium) {
     vec2 place = vec2(far.u, far.v);
     vec3 offset = textureLod(farPosition, place, 0.0).xyz - position;
     sum += far.weight * textureLod(farFlux, place, 0.0).rgb *
-           reflectanceProfile(medium.profile, dot(offset, offset) * piece.rgb * piece.rgb + medium.boundary.w);
+           reflectanceProfile(medium.profile, dot(offset, offset) * piece.rgb + medium.boundary.w);
   }
   return sum * piece.a;
 }

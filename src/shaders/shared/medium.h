@@ -19,16 +19,17 @@ struct MediumData {
   Profile profile;
   vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t); z, w: mean square
                   // radius of the piece of surface that a near and a far sample stand for, mm²
-  uvec4 tables;   // x: layer of the ambient cube map; y: number of near samples; z: 0;
-                  // w: first entry of the specular albedo
+  uvec4 tables;  // x: layer of the ambient cube map; y: number of near samples; z: 0;
+                 // w: first entry of the specular albedo
 };
 
 /// The pattern of Gong et al. 2008, Figure 5, as a list of entries. The first two are about the
 /// centre: [0] rgb: reflectance of its cell, a: area of a texel in the rest pose, mm²; [1] rgb: its
-/// logarithmic derivative by area. Then follow the near samples, rgb: number of texels that one stands
-/// for, a: its offset in texels, two signed 16-bit integers (x low, y high) as a float's bits. The
-/// next entry is about the eight far samples, rgb: the part of a sample's distance at which its piece
-/// of surface reflects as much as in the mean, a: number of texels that it stands for.
+/// logarithmic derivative by area, a: number of texels in the cell of a near sample. Then follow
+/// the near samples, rgb: square of the part of its distance at which a sample's piece of surface
+/// reflects as much as in the mean, a: its offset in texels, two signed 16-bit integers (x low, y
+/// high) as a float's bits. The next entry is about the eight far samples, rgb: the same, a: number
+/// of texels that one stands for.
 struct PatternEntry {
   vec4 value;
 };
