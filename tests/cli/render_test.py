@@ -153,12 +153,12 @@ class Geometry(Render):
         plate = ("plate.ply", "--diagonal-mm", 50, "--size", "30x30", "--dsm-size", 64)
         # Half height 20 mm at 70 - 15 mm: 2 atan(20 / 55) = 39.97 degrees.
         self.assertIn("--fov-degrees 40", self.succeed("render", *plate).err)
-        for quiet in (("--fov-degrees", 40), ("--fov-degrees", 20), ("--quiet",), ("--camera-direction", "1,0,0"),
-                      ("--aov", "dsm-area")):
-            wide = ("--size", "60x30") if "--camera-direction" in quiet else ()
-            arguments = (*plate[:3], *wide, *plate[5:]) if wide else plate
-            self.assertNotIn("does not fit", self.succeed("render", *arguments, *quiet).err, quiet)
-        tall = self.succeed("render", *plate[:3], "--size", "10x30", "--dsm-size", 64, "--camera-direction", "1,0,0").err
+        # From the side all corners are 70 mm away: 2 atan(20 / 70) = 31.9 degrees.
+        self.assertIn("--fov-degrees 32", self.succeed("render", *plate, "--camera-direction", "1,0,0").err)
+        for fits in (("--fov-degrees", 40), ("--fov-degrees", 20), ("--quiet",), ("--aov", "dsm-area")):
+            self.assertNotIn("does not fit", self.succeed("render", *plate, *fits).err, fits)
+        # A cube's front is 1.4 - .289 diagonals away: 2 atan(.289 / 1.111) = 29.1 degrees.
+        self.assertNotIn("does not fit", self.succeed("render", "cube.obj", *plate[3:]).err)
         # Half width 15 mm in a third of the height, 70 mm away: 2 atan(3 * 15 / 70) = 65.5 degrees.
         self.assertIn("--fov-degrees 66", tall)
 
