@@ -11,6 +11,9 @@ namespace builtin {
 namespace {
 
 constexpr float defaultDiagonalMm = 50;
+/// The bear is so tall beside its diagonal that from the usual 1.4 diagonals its ears and feet are
+/// cut off.
+constexpr float bearDistanceDiagonals = 1.8F;
 
 Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options) {
   const float diagonal = options.diagonalMm.value_or(defaultDiagonalMm);
@@ -31,7 +34,11 @@ Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options) {
 }  // namespace builtin
 
 Scene builtInBear(const LoadOptions& options) {
-  return builtin::sceneOf("bear", builtin::bearMesh(), options);
+  Scene scene = builtin::sceneOf("bear", builtin::bearMesh(), options);
+  Camera& camera = scene.camera;
+  camera.positionMm = camera.targetMm;
+  camera.positionMm[2] += builtin::bearDistanceDiagonals * diagonalMm(scene);
+  return scene;
 }
 
 Scene builtInTeapot(const LoadOptions& options) {

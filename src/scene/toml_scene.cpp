@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -34,6 +35,8 @@ struct Assembly {
   std::vector<Repair> repairs{};
   std::map<std::string, Medium, std::less<>> media{};
   Vec3 centre{};
+  /// How far a built-in scene's own camera stands from its target.
+  std::optional<double> builtInDistanceDiagonals{};
 };
 
 std::filesystem::path beside(const std::filesystem::path& file, const std::string& name) {
@@ -70,6 +73,10 @@ toml::table parse(const std::filesystem::path& file) {
   }
 }
 
+double distanceMm(const Camera& camera) {
+  return length(toDouble(camera.positionMm) - toDouble(camera.targetMm));
+}
+
 RawScene fromBuiltIn(Scene&& built) {
   RawScene raw;
   for (Object& object : built.objects) {
@@ -83,6 +90,11 @@ RawScene fromBuiltIn(Scene&& built) {
   return raw;
 }
 
+void takeBuiltIn(Scene&& built, Assembly& to) {
+  to.builtInDistanceDiagonals = distanceMm(built.camera) / double{diagonalMm(built)};
+  to.scene = fromBuiltIn(std::move(built));
+}
+
 void loadModelOf(const TomlTable& root, Assembly& to) {
   const auto model = root.text("model");
   if (!model) root.fail("", "has no 'model', a file or builtin:bear or builtin:teapot");
@@ -90,9 +102,9 @@ void loadModelOf(const TomlTable& root, Assembly& to) {
   LoadOptions builtInOptions;
   builtInOptions.log = to.options.log;
   if (*model == "builtin:bear") {
-    to.scene = fromBuiltIn(builtInBear(builtInOptions));
+    takeBuiltIn(builtInBear(builtInOptions), to);
   } else if (*model == "builtin:teapot") {
-    to.scene = fromBuiltIn(builtInTeapot(builtInOptions));
+    takeBuiltIn(builtInTeapot(builtInOptions), to);
   } else if (model->starts_with("builtin:")) {
     root.fail("model", "names no built-in model; there are builtin:bear and builtin:teapot");
   } else {
@@ -274,6 +286,16 @@ void readLighting(const TomlTable& root, Assembly& to) {
   to.scene.lighting.environment = std::move(image);
 }
 
+/// The camera that a built-in scene brings, for what has become of its model.
+void frameBuiltIn(Assembly& to) {
+  if (!to.builtInDistanceDiagonals) return;
+  const double distance = *to.builtInDistanceDiagonals * diagonalOf(boundsOf(to.scene));
+  Camera camera;
+  camera.targetMm = to.centre;
+  camera.positionMm = toFloat(toDouble(to.centre) + Double3{0, 0, distance});
+  to.scene.camera = camera;
+}
+
 void readCamera(const TomlTable& root, Assembly& to) {
   constexpr std::array<Keys, 4> keys{"direction", "position_mm", "target_mm", "fov_degrees"};
   const auto table = root.table("camera");
@@ -284,12 +306,17 @@ void readCamera(const TomlTable& root, Assembly& to) {
   const auto target = table->vector("target_mm");
   if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
   const bool placed = direction || position || target;
+  const std::optional<Camera> own = to.scene.camera;
   Scene box;
   for (const RawObject& object : to.scene.objects) {
     box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
   }
   Camera camera = placed || !to.scene.camera ? defaultCamera(box, direction.value_or(Vec3{0, 0, 1}))
                                              : *to.scene.camera;
+  if (direction && own) {
+    camera.targetMm = own->targetMm;
+    camera.positionMm = toFloat(toDouble(own->targetMm) + distanceMm(*own) * toDouble(*direction));
+  }
   if (position) camera.positionMm = fromCentre(to, *position);
   if (target) camera.targetMm = fromCentre(to, *target);
   const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
@@ -307,16 +334,35 @@ std::optional<float> asFloat(std::optional<double> value) {
   return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
 }
 
+/// "1024x1024", as it is typed on the command line.
+std::optional<std::array<int, 2>> sizeFromText(std::string_view text) {
+  std::array<int, 2> edges{};
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, edges[0]);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+  const auto height = std::from_chars(width.ptr + 1, end, edges[1]);
+  if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
+  return edges;
+}
+
 void readSize(const TomlTable& table, SceneFileSettings& settings) {
+  constexpr const char* hint = "must be \"WIDTHxHEIGHT\" or [WIDTH, HEIGHT], each in [1, 16384]";
   if (!table.has("size")) return;
-  const auto edges = table.numbers("size", 2);
-  for (const double edge : *edges) {
-    if (!(edge >= 1 && edge <= 16384) || edge != std::floor(edge)) {
-      table.fail("size", "must be two whole numbers in [1, 16384]");
+  std::array<int, 2> edges{};
+  if (table.holdsText("size")) {
+    edges = sizeFromText(*table.text("size")).value_or(edges);
+  } else {
+    const auto numbers = table.numbers("size", 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double edge = (*numbers)[i];
+      if (std::abs(edge) <= 1e6 && edge == std::floor(edge)) edges[i] = static_cast<int>(edge);
     }
   }
-  settings.width = static_cast<int>((*edges)[0]);
-  settings.height = static_cast<int>((*edges)[1]);
+  for (const int edge : edges) {
+    if (edge < 1 || edge > 16384) table.fail("size", hint);
+  }
+  settings.width = edges[0];
+  settings.height = edges[1];
 }
 
 SceneFileSettings readSettings(const TomlTable& root) {
@@ -367,6 +413,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   const Bounds bounds = boundsOf(assembly.scene);
   assembly.centre = toFloat(0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm)));
   readLighting(root, assembly);
+  frameBuiltIn(assembly);
   readCamera(root, assembly);
   loaded.scene = finished(std::move(assembly.scene), file, std::move(assembly.repairs), options);
   return loaded;
