@@ -91,7 +91,7 @@ class MaskBuilder {
           (discOfArea(profile(c), cell * (1 + step)) - discOfArea(profile(c), cell * (1 - step))) /
           (2 * step);
       reflectance.value[c] = static_cast<float>(value);
-      exponent.value[c] = value > 0 ? static_cast<float>(slope / value) : 0.0F;
+      exponent.value[c] = value > 0 ? static_cast<float>(std::max(slope, 0.0) / value) : 0.0F;
     }
     reflectance.value.a = static_cast<float>(texelMm_ * texelMm_);
     exponent.value.a = static_cast<float>(extent_.spacing * extent_.spacing);
