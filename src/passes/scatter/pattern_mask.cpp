@@ -169,14 +169,13 @@ PatternExtent patternExtent(const PatternShape& shape, double texelMm, double ob
   const double objectRadius = std::sqrt(objectAreaMm2 / std::numbers::pi) / texelMm;
   const double across = 2 * shape.nearRings + 1;
   PatternExtent extent{.nearRings = shape.nearRings};
-  extent.spacing = static_cast<int>(
-      std::clamp(std::min(std::round(shape.nearSpacingMm / texelMm),
-                          std::floor(largestBlock * objectRadius / across)),
-                 1.0, largest));
+  extent.spacing =
+      static_cast<int>(std::clamp(std::min(std::round(shape.nearSpacingMm / texelMm),
+                                           std::floor(largestBlock * objectRadius / across)),
+                                  1.0, largest));
   const double block = extent.blockRadius();
   const double nearest = std::ceil(block) + 1;
-  const double furthest =
-      std::max(nearest, std::floor(0.5 * (largestRing * objectRadius + block)));
+  const double furthest = std::max(nearest, std::floor(0.5 * (largestRing * objectRadius + block)));
   extent.distance = static_cast<int>(
       std::clamp(std::round(shape.farDistanceMm / texelMm), nearest, std::min(furthest, largest)));
   extent.cell = cellEdge(extent);
