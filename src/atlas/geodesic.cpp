@@ -83,7 +83,7 @@ class Walk {
         std::abs(normal[1]) < 0.999 ? alongPlane({0, 1, 0}, normal) : alongPlane({0, 0, 1}, normal);
     for (std::size_t i = 0; i < star.size(); ++i) {
       const double angle = (static_cast<double>(i) + 0.5) * std::numbers::pi / 4;
-      if (std::optional<Walker> walker = depart(vertex, turned(rise, normal, angle))) {
+      if (std::optional<Walker> walker = depart(vertex, turned(rise, normal, angle), normal)) {
         walker->left = distanceMm;
         star[i] = arrive(*walker, distanceMm);
       }
@@ -96,18 +96,21 @@ class Walk {
     return topology_.positions[topology_.triangles[triangle][i % 3]];
   }
 
-  // Into the triangle of the fan that lies in the direction.
-  std::optional<Walker> depart(std::uint32_t vertex, const Point3& direction) const {
+  // Into the triangle of the fan that lies in the direction. Triangles are told apart as they are
+  // seen along the vertex's normal: there they meet without gaps.
+  std::optional<Walker> depart(std::uint32_t vertex, const Point3& direction,
+                               const Point3& vertexNormal) const {
     for (const std::uint32_t fan : fans_.around(vertex)) {
       const std::uint32_t triangle = fan / 3;
       const std::size_t at = fan % 3;
       const Point3& normal = topology_.normals[triangle];
-      const Point3 flat = alongPlane(direction, normal);
       const Point3 first = subtract(corner(triangle, at + 1), corner(triangle, at));
       const Point3 second = subtract(corner(triangle, at + 2), corner(triangle, at));
-      if (dot(cross(first, flat), normal) < 0 || dot(cross(flat, second), normal) < 0) continue;
+      if (dot(cross(first, direction), vertexNormal) < 0 ||
+          dot(cross(direction, second), vertexNormal) < 0)
+        continue;
       // The edge opposite is the only one that the walk can leave by.
-      return Walker{triangle, 3, corner(triangle, at), flat, 0};
+      return Walker{triangle, 3, corner(triangle, at), alongPlane(direction, normal), 0};
     }
     return std::nullopt;
   }

@@ -169,7 +169,8 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
                                    {1, BindingType::SampledImage},
                                    {2, BindingType::SampledImage},
                                    {3, BindingType::StorageImage},
-                                   {4, BindingType::StorageImage}},
+                                   {4, BindingType::StorageImage},
+                                   {5, BindingType::SampledImage}},
                   }),
       cells_(device,
              gpu::ComputePipelineOptions{
@@ -179,7 +180,8 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
                               {1, BindingType::SampledImage},
                               {2, BindingType::SampledImage},
                               {3, BindingType::StorageImage},
-                              {4, BindingType::StorageImage}},
+                              {4, BindingType::StorageImage},
+                              {5, BindingType::SampledImage}},
                  .pushConstantBytes = sizeof(std::int32_t),
              }),
       list_(device, gpu::ComputePipelineOptions{
@@ -303,14 +305,16 @@ void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
   commands.bindResources(
       {Binding::read(0, sources.nearOrigins), Binding::sampled(1, sources.positionArea, nearest_),
        Binding::sampled(2, sources.irradianceObject, nearest_),
-       Binding::writeImage(3, sources.nearPosition), Binding::writeImage(4, sources.nearFlux)});
+       Binding::writeImage(3, sources.nearPosition), Binding::writeImage(4, sources.nearFlux),
+       Binding::sampled(5, sources.texelSurface, nearest_)});
   commands.dispatch(tiles(sources.nearPosition), tiles(sources.nearPosition));
 
   commands.bind(cells_);
   commands.bindResources(
       {Binding::read(0, sources.farOrigins), Binding::sampled(1, sources.positionArea, nearest_),
        Binding::sampled(2, sources.irradianceObject, nearest_),
-       Binding::writeImage(3, sources.farPosition), Binding::writeImage(4, sources.farFlux)});
+       Binding::writeImage(3, sources.farPosition), Binding::writeImage(4, sources.farFlux),
+       Binding::sampled(5, sources.texelSurface, nearest_)});
   commands.pushConstants(static_cast<std::int32_t>(sources.cellEdge));
   commands.dispatch(tiles(sources.farPosition), tiles(sources.farPosition));
 }

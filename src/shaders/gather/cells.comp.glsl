@@ -9,6 +9,7 @@ layout(set = 0, binding = 1) uniform sampler2D positionArea;
 layout(set = 0, binding = 2) uniform sampler2D irradianceObject;
 layout(set = 0, binding = 3, rgba32f) writeonly uniform image2D farPosition;
 layout(set = 0, binding = 4, rgba32f) writeonly uniform image2D farFlux;
+layout(set = 0, binding = 5) uniform sampler2D texelSurface;
 
 layout(push_constant) uniform Push { int cellEdge; };  // texels
 
@@ -26,7 +27,9 @@ void main() {
       uint origin = origins[texel.y * cells.x * cellEdge + texel.x];
       ivec2 from = ivec2(bitfieldExtract(origin, 0, 15), bitfieldExtract(origin, 15, 15));
       vec4 place = texelFetch(positionArea, from, 0);
-      float area = (origin >> 31) != 0u ? place.w : 0.0;
+      // Of a whole texel, see there.
+      float whole = place.w / max(texelFetch(texelSurface, from, 0).z, 1e-6);
+      float area = (origin >> 31) != 0u ? whole : 0.0;
       flux += vec4(texelFetch(irradianceObject, from, 0).rgb, 1.0) * area;
       weighted += place.xyz * area;
       plain += place.xyz;

@@ -9,6 +9,7 @@ layout(set = 0, binding = 1) uniform sampler2D positionArea;
 layout(set = 0, binding = 2) uniform sampler2D irradianceObject;
 layout(set = 0, binding = 3, rgba32f) writeonly uniform image2D nearPosition;
 layout(set = 0, binding = 4, rgba32f) writeonly uniform image2D nearFlux;
+layout(set = 0, binding = 5) uniform sampler2D texelSurface;
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
@@ -20,6 +21,8 @@ void main() {
   vec4 place = texelFetch(positionArea, from, 0);
   float present = float(origin >> 31);
   imageStore(nearPosition, texel, vec4(place.xyz, present));
+  // Of a whole texel: what its border cuts off lies in the tile as well, shown by other texels.
+  float area = place.w / max(texelFetch(texelSurface, from, 0).z, 1e-6);
   imageStore(nearFlux, texel,
-             vec4(texelFetch(irradianceObject, from, 0).rgb, 1.0) * (present * place.w));
+             vec4(texelFetch(irradianceObject, from, 0).rgb, 1.0) * (present * area));
 }
