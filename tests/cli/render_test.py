@@ -159,8 +159,9 @@ class Geometry(Render):
             self.assertNotIn("does not fit", self.succeed("render", *plate, *fits).err, fits)
         # A cube's front is 1.4 - .289 diagonals away: 2 atan(.289 / 1.111) = 29.1 degrees.
         self.assertNotIn("does not fit", self.succeed("render", "cube.obj", *plate[3:]).err)
+        narrow = (*plate[:3], "--size", "10x30", "--dsm-size", 64, "--camera-direction", "1,0,0")
         # Half width 15 mm in a third of the height, 70 mm away: 2 atan(3 * 15 / 70) = 65.5 degrees.
-        self.assertIn("--fov-degrees 66", tall)
+        self.assertIn("--fov-degrees 66", self.succeed("render", *narrow).err)
 
     def test_the_diffusion_source_map_holds_the_whole_surface(self):
         area = self.exr("--aov", "dsm-area")
