@@ -24,7 +24,7 @@ build: dependencies
 	cmake --build --preset release
 
 demo: build
-	$(OPALINE) render --fov-degrees 38 -o bear.png
+	$(OPALINE) render -o bear.png
 	$(OPALINE) render --aov dsm-irradiance -o bear-light.exr
 	@echo
 	@echo 'bear.png         the built-in bear in the light that comes through it'

@@ -7,10 +7,11 @@
 namespace opaline::app {
 
 /// Opens what the caller closed of the three standard streams, so that no picture is ever mistaken
-/// for one of them, and lets a closed pipe be an error instead of a signal.
+/// for one of them, and lets a closed pipe be no signal.
 void guardStandardStreams();
 
-/// Writes to standard output. Throws Error when not all of it arrives.
+/// Writes to standard output. Throws Error when it cannot be written; a reader that has left is
+/// no error.
 void printOut(std::string_view text);
 
 /// One line on standard error; control characters become '?', as they may come from file names.

@@ -89,6 +89,8 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
 }
 
 void MethodOptions::addTo(CommandLine& line) {
+  const RenderOptions defaults;
+  const PatternOptions& pattern = defaults.pattern;
   line.value("--transport", "NAME", "dipole or better-dipole [dipole]",
              [this](const Given& given) { transport_ = readChoice(given, transports()); });
   line.value("--sum", "NAME", "pattern, or all sources, exact [pattern]",
@@ -98,19 +100,24 @@ void MethodOptions::addTo(CommandLine& line) {
   line.value("--method", "paper", "dipole, pattern, fragment", [this](const Given& given) {
     paper_ = readChoice<bool>(given, {{"paper", true}});
   });
-  line.value("--near-rings", "N", "samples around the middle one, 0 to 16 [4]",
+  line.value("--near-rings", "N",
+             fmt::format("samples around the middle one, 0 to 15 [{}]", pattern.nearRings),
              [this](const Given& given) { nearRings_ = readInteger(given, 0, 15); });
-  line.value("--near-spacing", "X", "between them, mean free paths [1]",
+  line.value("--near-spacing", "X",
+             fmt::format("between them, mean free paths [{}]", pattern.nearSpacing),
              [this](const Given& given) {
                nearSpacing_ = readFloat(given, {0, 100, "mean free paths", true});
              });
-  line.value("--far-distance", "X", "of the far samples, mean free paths [12]",
+  line.value("--far-distance", "X",
+             fmt::format("of the far samples, mean free paths [{}]", pattern.farDistance),
              [this](const Given& given) {
                farDistance_ = readFloat(given, {0, 1000, "mean free paths", true});
              });
-  line.value("--dsm-size", "N", "diffusion source map, 64 to 4096 texels [512]",
+  line.value("--dsm-size", "N",
+             fmt::format("diffusion source map, 64 to 4096 texels [{}]", defaults.dsmSize),
              [this](const Given& given) { dsmSize_ = readInteger(given, 64, 4096); });
-  line.value("--shadow-size", "N", "shadow maps, 64 to 8192 texels [1024]",
+  line.value("--shadow-size", "N",
+             fmt::format("shadow maps, 64 to 8192 texels [{}]", defaults.shadowSize),
              [this](const Given& given) { shadowSize_ = readInteger(given, 64, 8192); });
 }
 
@@ -135,22 +142,26 @@ void MethodOptions::applyTo(RenderOptions& options) const {
 }
 
 void PictureOptions::addTo(CommandLine& line) {
+  const RenderOptions defaults;
   line.value("-o,--output", "FILE", ".png, or .exr (linear) [SCENE's name .png]",
              [this](const Given& given) {
                file_ = readOutput(given, {".png", ".exr"});
              });
-  line.value("--size", "WxH", "pixels, each 1 to 16384 [1024x1024]",
+  line.value("--size", "WxH",
+             fmt::format("pixels, each 1 to 16384 [{}x{}]", defaults.width, defaults.height),
              [this](const Given& given) { size_ = readSize(given, 16384); });
   line.value("--aov", "NAME",
              "write this instead, EXR: radiance exitance irradiance position normal depth object "
              "dsm-position dsm-normal dsm-irradiance dsm-area",
              [this](const Given& given) { aov_ = readChoice(given, aovs()); });
-  line.value("--antialias", "N", "samples a pixel: 1, 2, 4 or 8 [4; AOVs 1]",
+  line.value("--antialias", "N",
+             fmt::format("samples a pixel: 1, 2, 4 or 8 [{}; AOVs 1]", defaults.antialias),
              [this](const Given& given) {
                antialias_ = readChoice<int>(given, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}});
              });
   line.flag("--no-specular", "without the reflection on the surface", noSpecular_);
-  line.value("--roughness", "X", "of that reflection, 0.05 to 1 [0.25]",
+  line.value("--roughness", "X",
+             fmt::format("of that reflection, 0.05 to 1 [{}]", defaults.roughness),
              [this](const Given& given) {
                roughness_ = readFloat(given, {0.05, 1});
              });

@@ -109,7 +109,7 @@ void LightOptions::applyTo(Scene& scene) const {
 }
 
 void CameraOptions::addTo(CommandLine& line) {
-  line.value("--camera-direction", "X,Y,Z", "from the centre to the camera [0,0,1]",
+  line.value("--camera-direction", "X,Y,Z", "from its target to the camera [0,0,1]",
              [this](const Given& given) { direction_ = readDirection(given); });
   line.value("--fov-degrees", "X", "vertical field of view, 1 to 170 [30]",
              [this](const Given& given) {
@@ -118,11 +118,8 @@ void CameraOptions::addTo(CommandLine& line) {
 }
 
 void CameraOptions::applyTo(Scene& scene) const {
-  const float fovDegrees = verticalFovDegrees_.value_or(scene.camera.verticalFovDegrees);
-  if (direction_) {
-    scene.camera = defaultCamera(scene, *direction_, fovDegrees);
-  }
-  scene.camera.verticalFovDegrees = fovDegrees;
+  if (direction_) scene.camera = turnedTo(scene.camera, *direction_);
+  if (verticalFovDegrees_) scene.camera.verticalFovDegrees = *verticalFovDegrees_;
 }
 
 std::vector<std::string> notesOnSize(const Scene& scene) {

@@ -12,7 +12,10 @@ namespace {
 
 constexpr float defaultDiagonalMm = 50;
 
-Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options) {
+/// The bear fills its box from top to bottom, more than the default camera sees.
+constexpr float bearCameraDiagonals = 1.8F;
+
+Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options, float cameraDiagonals) {
   const float diagonal = options.diagonalMm.value_or(defaultDiagonalMm);
   if (!(diagonal > 0) || !std::isfinite(diagonal)) {
     throw UsageError("The diagonal of a scene must be a positive number of millimetres.");
@@ -22,7 +25,7 @@ Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options) {
   scene.name = name;
   const Medium medium = options.medium ? *options.medium : bssrdf::findMedium("marble").value();
   scene.objects.push_back({name, std::move(mesh), medium});
-  scene.camera = defaultCamera(scene);
+  scene.camera = defaultCamera(scene, {0, 0, 1}, 30, cameraDiagonals);
   scene.lighting = defaultLighting();
   return scene;
 }
@@ -31,11 +34,11 @@ Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options) {
 }  // namespace builtin
 
 Scene builtInBear(const LoadOptions& options) {
-  return builtin::sceneOf("bear", builtin::bearMesh(), options);
+  return builtin::sceneOf("bear", builtin::bearMesh(), options, builtin::bearCameraDiagonals);
 }
 
 Scene builtInTeapot(const LoadOptions& options) {
-  return builtin::sceneOf("teapot", builtin::teapotMesh(), options);
+  return builtin::sceneOf("teapot", builtin::teapotMesh(), options, defaultCameraDiagonals);
 }
 
 }  // namespace opaline

@@ -25,6 +25,7 @@ class TomlTable {
   void requireKeys(std::span<const std::string_view> known) const;
 
   bool has(std::string_view key) const { return table_.contains(key); }
+  bool isText(std::string_view key) const;
   std::optional<std::string> text(std::string_view key) const;
   std::optional<std::string> choice(std::string_view key,
                                     std::span<const std::string_view> choices) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -34,6 +35,9 @@ struct Assembly {
   std::vector<Repair> repairs{};
   std::map<std::string, Medium, std::less<>> media{};
   Vec3 centre{};
+  /// From the box's centre to where a camera stands by default, for a model that has a view of its
+  /// own.
+  std::optional<float> cameraDiagonals{};
 };
 
 std::filesystem::path beside(const std::filesystem::path& file, const std::string& name) {
@@ -90,7 +94,9 @@ void loadModelOf(const TomlTable& root, Assembly& to) {
   LoadOptions builtInOptions;
   builtInOptions.log = to.options.log;
   if (*model == "builtin:bear") {
-    to.scene = fromBuiltIn(builtInBear(builtInOptions));
+    Scene bear = builtInBear(builtInOptions);
+    to.cameraDiagonals = cameraDistanceMm(bear.camera) / diagonalMm(bear);
+    to.scene = fromBuiltIn(std::move(bear));
   } else if (*model == "builtin:teapot") {
     to.scene = fromBuiltIn(builtInTeapot(builtInOptions));
   } else if (model->starts_with("builtin:")) {
@@ -276,6 +282,11 @@ void readLighting(const TomlTable& root, Assembly& to) {
 
 void readCamera(const TomlTable& root, Assembly& to) {
   constexpr std::array<Keys, 4> keys{"direction", "position_mm", "target_mm", "fov_degrees"};
+  Scene box;
+  for (const RawObject& object : to.scene.objects) {
+    box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
+  }
+  if (to.cameraDiagonals) to.scene.camera = defaultCamera(box, {0, 0, 1}, 30, *to.cameraDiagonals);
   const auto table = root.table("camera");
   if (!table) return;
   table->requireKeys(keys);
@@ -284,12 +295,10 @@ void readCamera(const TomlTable& root, Assembly& to) {
   const auto target = table->vector("target_mm");
   if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
   const bool placed = direction || position || target;
-  Scene box;
-  for (const RawObject& object : to.scene.objects) {
-    box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
-  }
-  Camera camera = placed || !to.scene.camera ? defaultCamera(box, direction.value_or(Vec3{0, 0, 1}))
-                                             : *to.scene.camera;
+  Camera camera = placed || !to.scene.camera
+                      ? defaultCamera(box, direction.value_or(Vec3{0, 0, 1}), 30,
+                                      to.cameraDiagonals.value_or(defaultCameraDiagonals))
+                      : *to.scene.camera;
   if (position) camera.positionMm = fromCentre(to, *position);
   if (target) camera.targetMm = fromCentre(to, *target);
   const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
@@ -307,13 +316,36 @@ std::optional<float> asFloat(std::optional<double> value) {
   return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
 }
 
+/// WIDTHxHEIGHT, as --size has it; nothing but digits around the x.
+std::optional<std::array<double, 2>> parsedSize(std::string_view text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) return std::nullopt;
+  const std::array<std::string_view, 2> parts{text.substr(0, cross), text.substr(cross + 1)};
+  std::array<double, 2> edges{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const char* end = parts[i].data() + parts[i].size();
+    unsigned edge = 0;
+    const auto read = std::from_chars(parts[i].data(), end, edge);
+    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    edges[i] = edge;
+  }
+  return edges;
+}
+
 void readSize(const TomlTable& table, SceneFileSettings& settings) {
-  if (!table.has("size")) return;
-  const auto edges = table.numbers("size", 2);
-  for (const double edge : *edges) {
-    if (!(edge >= 1 && edge <= 16384) || edge != std::floor(edge)) {
-      table.fail("size", "must be two whole numbers in [1, 16384]");
-    }
+  std::optional<std::array<double, 2>> edges;
+  if (table.isText("size")) {
+    edges = parsedSize(table.text("size").value_or(""));
+  } else if (const auto list = table.numbers("size", 2)) {
+    edges = {(*list)[0], (*list)[1]};
+  } else {
+    return;
+  }
+  const auto fits = [](double edge) {
+    return edge >= 1 && edge <= 16384 && edge == std::floor(edge);
+  };
+  if (!edges || !fits((*edges)[0]) || !fits((*edges)[1])) {
+    table.fail("size", "must be \"WIDTHxHEIGHT\", each from 1 to 16384 pixels");
   }
   settings.width = static_cast<int>((*edges)[0]);
   settings.height = static_cast<int>((*edges)[1]);

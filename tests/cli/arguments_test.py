@@ -95,7 +95,7 @@ class Refusals(ProgramTest):
             ("--point", "0,0,10", "needs an intensity"),
             ("--ambient", "-1,0,0", "-1 is not"),
             ("--camera-direction", "0,0,0", "must not be zero"),
-            ("--near-rings", "17", "from 0 to 16"),
+            ("--near-rings", "16", "from 0 to 15"),
             ("--near-rings", "1.5", "whole number"),
             ("--near-spacing", "0", "above 0"),
             ("--far-distance", "1001", "at most 1000"),

@@ -146,6 +146,27 @@ TEST_F(Toml, DefaultsStayWhereNothingIsSaid) {
   EXPECT_EQ(loadScene(folder / "a.toml").objects.size(), 1U);
 }
 
+TEST_F(Toml, ASizeMayBeATextToo) {
+  const scene::LoadedScene loaded = load(model + "[render]\nsize = '320x200'\n");
+  EXPECT_EQ(loaded.settings.width, 320);
+  EXPECT_EQ(loaded.settings.height, 200);
+  for (const char* size : {"''", "'320'", "'x200'", "'320x'", "'320x200x1'", "'-320x200'", "'0x9'",
+                           "'16385x9'", "'99999999999x9'", "' 320x200'", "'3.5x9'", "320"}) {
+    EXPECT_THAT(errorOf(model + "[render]\nsize = " + size + "\n"), HasSubstr("'size'")) << size;
+  }
+}
+
+TEST_F(Toml, TheBearIsSeenWholeWhereverItStands) {
+  const Scene bear = load("model = 'builtin:bear'\ndiagonal_mm = 80\n").scene;
+  EXPECT_NEAR(bear.camera.positionMm[2] - bear.camera.targetMm[2], 1.8 * 80, 1e-2);
+  const Scene moved = load(
+                          "model = 'builtin:bear'\n[objects.bear]\ntranslation_mm = [100, 0, 0]\n"
+                          "[camera]\ndirection = [-1, 0, 0]\n")
+                          .scene;
+  EXPECT_NEAR(moved.camera.positionMm[0] - moved.camera.targetMm[0], -1.8 * 50, 1e-2);
+  EXPECT_GT(moved.camera.targetMm[0], 90);
+}
+
 TEST_F(Toml, BuiltInModels) {
   const Scene teapot = load("model = 'builtin:teapot'\ndiagonal_mm = 80\n").scene;
   EXPECT_EQ(teapot.objects[0].mesh.triangles.size(), 2256U);
