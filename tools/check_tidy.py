@@ -53,7 +53,7 @@ def units(build, salt):
 
 
 def tidy(program, build, source):
-    result = subprocess.run([program, "-p", build, "--quiet", source], capture_output=True, text=True)
+    result = subprocess.run([program, "-p", build, "--quiet", "--extra-arg=-Wno-unknown-warning-option", source], capture_output=True, text=True)
     return result.returncode == 0, result.stdout.strip() or result.stderr.strip()
 
 
