@@ -47,7 +47,10 @@ struct RenderCommand {
     method.addTo(line);
     line.section("Run");
     line.value("--device", "NAME|INDEX", "as opaline info lists them [the best]",
-               [this](const Given& given) { device = given.text; });
+               [this](const Given& given) {
+                 if (given.text.empty()) throw UsageError("--device needs a value, NAME|INDEX");
+                 device = given.text;
+               });
     line.flag("--validation", "run Vulkan's validation layer, fail on messages", validation);
     line.value("--report", "FILE.json", "what was done, and how long it took",
                [this](const Given& given) { report = readOutput(given, {".json"}); });

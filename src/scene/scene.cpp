@@ -21,6 +21,10 @@ Double3 centreOf(const Bounds& bounds) {
   return 0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm));
 }
 
+double distance(const Vec3& a, const Vec3& b) {
+  return length(toDouble(a) - toDouble(b));
+}
+
 Vec3 along(const Double3& from, double factor, const Double3& direction) {
   return toFloat(from + factor * direction);
 }
@@ -82,8 +86,7 @@ Camera turnedTo(const Camera& camera, Vec3 directionFromTarget) {
 }
 
 float cameraDistanceMm(const Camera& camera) {
-  const scene::Double3 position = scene::toDouble(camera.positionMm);
-  return static_cast<float>(scene::length(position - scene::toDouble(camera.targetMm)));
+  return static_cast<float>(scene::distance(camera.positionMm, camera.targetMm));
 }
 
 Lighting defaultLighting() {

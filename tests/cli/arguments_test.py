@@ -106,6 +106,7 @@ class Refusals(ProgramTest):
             ("--method", "ours", "paper"),
             ("--medium", "marbel", "did you mean marble?"),
             ("--builtin", "bunny", "bear, teapot"),
+            ("--device", "", "needs a value, NAME|INDEX"),
             ("-o", "a.jpg", ".png or .exr"),
             ("-o", "png", ".png or .exr"),
             ("--report", "a.txt", ".json"),
