@@ -19,7 +19,7 @@ function(opaline_shaders target)
     set(source ${CMAKE_CURRENT_BINARY_DIR}/generated/${name}.cpp)
     add_custom_command(OUTPUT ${words}
       COMMAND ${GLSLC} -fshader-stage=${stage} --target-env=vulkan1.3 -O -Werror -mfmt=num
-              -I ${CMAKE_CURRENT_SOURCE_DIR} -I ${CMAKE_SOURCE_DIR}/src/shaders -MD -MF ${words}.d -o ${words} ${CMAKE_CURRENT_SOURCE_DIR}/${file}
+              -I ${CMAKE_CURRENT_SOURCE_DIR} -I ${PROJECT_SOURCE_DIR}/src/shaders -MD -MF ${words}.d -o ${words} ${CMAKE_CURRENT_SOURCE_DIR}/${file}
       DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file} DEPFILE ${words}.d
       COMMENT "Compiling shader ${file}" VERBATIM)
     file(GENERATE OUTPUT ${source} CONTENT
@@ -31,5 +31,5 @@ function(opaline_shaders target)
   string(APPEND declarations "// NOLINTEND\n\n}  // namespace opaline::shaders\n")
   file(CONFIGURE OUTPUT ${header} CONTENT "${declarations}" @ONLY)
   add_library(${target} STATIC ${sources})
-  target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_BINARY_DIR}/generated ${CMAKE_SOURCE_DIR}/src)
+  target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_BINARY_DIR}/generated ${PROJECT_SOURCE_DIR}/src)
 endfunction()

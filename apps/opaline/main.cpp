@@ -70,6 +70,8 @@ int main(int count, char** values) {
   try {
     dispatch({values + (count > 0 ? 1 : 0), values + count});
     return 0;
+  } catch (const ReaderLeft&) {
+    return 1;
   } catch (const opaline::UsageError& error) {
     return fail(error.what(), 2);
   } catch (const std::bad_alloc&) {

@@ -53,6 +53,9 @@ std::optional<Medium> MediumOptions::medium() const {
   if (!sigmaAPerMm_) throw UsageError("--sigma-s needs --sigma-a beside it");
   if (!sigmaSPrimePerMm_) throw UsageError("--sigma-a needs --sigma-s beside it");
   for (std::size_t channel = 0; channel < 3; ++channel) {
+    if (!((*sigmaSPrimePerMm_)[channel] > 0)) {
+      throw UsageError("--sigma-s must be above 0 per mm in every channel");
+    }
     if ((*sigmaSPrimePerMm_)[channel] + (*sigmaAPerMm_)[channel] < leastExtinctionPerMm) {
       throw UsageError(
           fmt::format("--sigma-s plus --sigma-a must be at least {} per mm in every channel",

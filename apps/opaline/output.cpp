@@ -43,7 +43,7 @@ void guardStandardStreams() {
 
 void printOut(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    if (errno == EPIPE) return;  // `| head -1` has all it wanted
+    if (errno == EPIPE) throw ReaderLeft();
     throw Error(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
   }
 }

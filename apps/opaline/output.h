@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <string_view>
 
 #include "opaline/log.h"
@@ -7,11 +8,14 @@
 namespace opaline::app {
 
 /// Opens what the caller closed of the three standard streams, so that no picture is ever mistaken
-/// for one of them, and lets a closed pipe be no signal.
+/// for one of them, and lets a closed pipe be an error instead of a signal.
 void guardStandardStreams();
 
-/// Writes to standard output. Throws Error when it cannot be written; a reader that has left is
-/// no error.
+/// Whoever read standard output wants no more, as in `opaline media | head -1`: the program ends,
+/// but nobody is told.
+class ReaderLeft : public std::exception {};
+
+/// Writes to standard output. Throws ReaderLeft, or Error when not all of it arrives.
 void printOut(std::string_view text);
 
 /// One line on standard error; control characters become '?', as they may come from file names.

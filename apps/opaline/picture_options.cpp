@@ -90,7 +90,6 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
 
 void MethodOptions::addTo(CommandLine& line) {
   const RenderOptions defaults;
-  const PatternOptions& pattern = defaults.pattern;
   line.value("--transport", "NAME", "dipole or better-dipole [dipole]",
              [this](const Given& given) { transport_ = readChoice(given, transports()); });
   line.value("--sum", "NAME", "pattern, or all sources, exact [pattern]",
@@ -101,17 +100,17 @@ void MethodOptions::addTo(CommandLine& line) {
     paper_ = readChoice<bool>(given, {{"paper", true}});
   });
   line.value("--near-rings", "N",
-             fmt::format("samples around the middle one, 0 to 15 [{}]", pattern.nearRings),
+             fmt::format("samples around the middle one, 0 to 15 [{}]", defaults.pattern.nearRings),
              [this](const Given& given) { nearRings_ = readInteger(given, 0, 15); });
   line.value("--near-spacing", "X",
-             fmt::format("between them, mean free paths [{}]", pattern.nearSpacing),
+             fmt::format("between them, mean free paths [{}]", defaults.pattern.nearSpacing),
              [this](const Given& given) {
-               nearSpacing_ = readFloat(given, {0, 100, "mean free paths", true});
+               nearSpacing_ = readFloat(given, {1e-3, 100, "mean free paths"});
              });
   line.value("--far-distance", "X",
-             fmt::format("of the far samples, mean free paths [{}]", pattern.farDistance),
+             fmt::format("of the far samples, mean free paths [{}]", defaults.pattern.farDistance),
              [this](const Given& given) {
-               farDistance_ = readFloat(given, {0, 1000, "mean free paths", true});
+               farDistance_ = readFloat(given, {1e-3, 1000, "mean free paths"});
              });
   line.value("--dsm-size", "N",
              fmt::format("diffusion source map, 64 to 4096 texels [{}]", defaults.dsmSize),

@@ -46,6 +46,8 @@ class PictureOptions {
   void applyTo(RenderOptions& options) const;
 
   Aov aov() const { return aov_.value_or(Aov::Radiance); }
+  /// False for what lies in the diffusion source map.
+  bool seenByCamera() const { return aov() < Aov::DsmPosition; }
   bool isExr() const;
   /// -o, or a name after the scene's in the current folder.
   std::filesystem::path file(const std::string& sceneName) const;

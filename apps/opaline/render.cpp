@@ -48,7 +48,9 @@ struct RenderCommand {
     line.section("Run");
     line.value("--device", "NAME|INDEX", "as opaline info lists them [the best]",
                [this](const Given& given) {
-                 if (given.text.empty()) throw UsageError("--device needs a value, NAME|INDEX");
+                 if (given.text.empty()) {
+                   throw UsageError("--device needs a value, NAME|INDEX");
+                 }
                  device = given.text;
                });
     line.flag("--validation", "run Vulkan's validation layer, fail on messages", validation);
@@ -111,6 +113,10 @@ void runRender(const Arguments& arguments) {
   command.lights.applyTo(scene);
   command.camera.applyTo(scene);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
+  if (command.picture.seenByCamera()) {
+    const auto note = command.camera.noteOnFraming(scene, options.width, options.height);
+    if (note) log(LogLevel::Note, *note);
+  }
 
   Renderer renderer(
       {command.device.value_or(settings.device.value_or("")), command.validation, log});

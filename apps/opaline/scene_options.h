@@ -48,7 +48,10 @@ class LightOptions {
 class CameraOptions {
  public:
   void addTo(CommandLine& line);
+  /// A direction turns the scene's camera about its target; its distance stays.
   void applyTo(Scene& scene) const;
+  /// A sentence when the default camera cuts off some of the scene's box; call after applyTo().
+  std::optional<std::string> noteOnFraming(const Scene& scene, int width, int height) const;
 
  private:
   std::optional<Vec3> direction_;

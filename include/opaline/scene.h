@@ -96,29 +96,16 @@ struct LoadOptions {
 /// lights where the file has none. Throws Error when the file cannot be read or makes no sense.
 Scene loadScene(const std::filesystem::path& file, const LoadOptions& options = {});
 
-/// The built-in scene: a gummy bear, closed and smooth, about 50,000 triangles, 50 mm diagonal. Its
-/// camera is 1.8 diagonals away, from where the whole bear is in the picture.
+/// The built-in scene: a gummy bear, closed and smooth, about 50,000 triangles, 50 mm diagonal.
 Scene builtInBear(const LoadOptions& options = {});
 
 /// The Utah teapot (Newell 1975) from its Bézier patches: 2256 triangles, 1177 vertices.
 Scene builtInTeapot(const LoadOptions& options = {});
 
-/// From the centre of the box to the default camera.
-inline constexpr float defaultCameraDiagonals = 1.4F;
-
 /// The default camera: on the given direction from the centre of the box (default +z), looking at
-/// the centre, at a distance in diagonals of the box. Throws UsageError for a direction of length 0
-/// and for an angle out of range.
+/// the centre, distance 1.4 diagonals.
 Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre = {0, 0, 1},
-                     float verticalFovDegrees = 30,
-                     float distanceInDiagonals = defaultCameraDiagonals);
-
-/// The camera moved to another side of its target: same distance, same angle, upright. Throws
-/// UsageError for a direction of length 0.
-Camera turnedTo(const Camera& camera, Vec3 directionFromTarget);
-
-/// From the camera to its target, mm.
-float cameraDistanceMm(const Camera& camera);
+                     float verticalFovDegrees = 30);
 
 /// The default lights: a key from behind at the side, a weak fill and weak ambient light.
 Lighting defaultLighting();

@@ -12,6 +12,7 @@
 #include "renderer/camera_view.h"
 #include "renderer/frame.h"
 #include "renderer/light_views.h"
+#include "renderer/pattern_layout.h"
 #include "renderer/readback.h"
 #include "renderer/scene_resources.h"
 #include "renderer/scene_tables.h"
@@ -154,7 +155,6 @@ class Renderer::Implementation {
     fillLights(scene_->lighting, uploaded_->bounds, static_cast<std::uint32_t>(options.shadowSize),
                frame);
     frame.counts.z = scene_->lighting.environment ? 1 : 0;
-    frame.counts.w = static_cast<std::uint32_t>(options.dsmSize);
     frame.ambient = {glm::make_vec3(scene_->lighting.ambient.data()), 0};
     return frame;
   }

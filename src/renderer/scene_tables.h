@@ -4,9 +4,8 @@
 
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
-#include "passes/gather/diffusion_source_pass.h"
 #include "passes/products.h"
-#include "passes/scatter/pattern_mask.h"
+#include "renderer/pattern_layout.h"
 #include "renderer/scene_resources.h"
 
 namespace opaline::gpu {
@@ -14,15 +13,6 @@ class Device;
 }
 
 namespace opaline {
-
-/// The pattern of every medium of the scene, and the neighbourhoods that hold them all.
-struct PatternLayout {
-  passes::AtlasMaps maps;
-  std::vector<passes::PatternExtent> extentOfMedium;
-};
-
-/// For set-up, not for frames.
-PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions& options);
 
 /// Puts what the shaders know of bodies, media and ambient light on the device. It depends on the
 /// options' transport, pattern, map size and roughness; for set-up, not for frames.

@@ -11,11 +11,11 @@ namespace builtin {
 namespace {
 
 constexpr float defaultDiagonalMm = 50;
+/// The bear is so tall beside its diagonal that from the usual 1.4 diagonals its ears and feet are
+/// cut off.
+constexpr float bearDistanceDiagonals = 1.8F;
 
-/// The bear fills its box from top to bottom, more than the default camera sees.
-constexpr float bearCameraDiagonals = 1.8F;
-
-Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options, float cameraDiagonals) {
+Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options) {
   const float diagonal = options.diagonalMm.value_or(defaultDiagonalMm);
   if (!(diagonal > 0) || !std::isfinite(diagonal)) {
     throw UsageError("The diagonal of a scene must be a positive number of millimetres.");
@@ -25,7 +25,7 @@ Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options, float cam
   scene.name = name;
   const Medium medium = options.medium ? *options.medium : bssrdf::findMedium("marble").value();
   scene.objects.push_back({name, std::move(mesh), medium});
-  scene.camera = defaultCamera(scene, {0, 0, 1}, 30, cameraDiagonals);
+  scene.camera = defaultCamera(scene);
   scene.lighting = defaultLighting();
   return scene;
 }
@@ -34,11 +34,15 @@ Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options, float cam
 }  // namespace builtin
 
 Scene builtInBear(const LoadOptions& options) {
-  return builtin::sceneOf("bear", builtin::bearMesh(), options, builtin::bearCameraDiagonals);
+  Scene scene = builtin::sceneOf("bear", builtin::bearMesh(), options);
+  Camera& camera = scene.camera;
+  camera.positionMm = camera.targetMm;
+  camera.positionMm[2] += builtin::bearDistanceDiagonals * diagonalMm(scene);
+  return scene;
 }
 
 Scene builtInTeapot(const LoadOptions& options) {
-  return builtin::sceneOf("teapot", builtin::teapotMesh(), options, defaultCameraDiagonals);
+  return builtin::sceneOf("teapot", builtin::teapotMesh(), options);
 }
 
 }  // namespace opaline

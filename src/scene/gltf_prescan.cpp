@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::size_t deepestNesting = 200;
 constexpr std::size_t mostValues = 4'000'000;
+constexpr std::uint64_t largestCount = 0x7fffffff;
 
 int hexDigit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -46,8 +48,18 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
 
   bool null() override { return value(); }
   bool boolean(bool) override { return value(); }
-  bool number_integer(number_integer_t) override { return value(); }
-  bool number_unsigned(number_unsigned_t) override { return value(); }
+  bool number_integer(number_integer_t number) override {
+    if (number < 0 && isExtent()) {
+      problem = fmt::format("'{}' of its data must not be negative", lastKey_);
+    }
+    return value();
+  }
+  bool number_unsigned(number_unsigned_t number) override {
+    if (number > largestCount && isExtent() && lastKey_ == "count") {
+      problem = fmt::format("'count' is {}, but at most {} are possible", number, largestCount);
+    }
+    return value();
+  }
   bool number_float(number_float_t, const string_t&) override { return value(); }
   bool binary(binary_t&) override { return value(); }
   bool string(string_t& text) override {
@@ -63,7 +75,10 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
     return value();
   }
   bool key(string_t& name) override {
-    if (depth_ == 1) inBuffers_ = name == "buffers";
+    if (depth_ == 1) {
+      inBuffers_ = name == "buffers";
+      inData_ = inBuffers_ || name == "bufferViews" || name == "accessors";
+    }
     lastKey_ = name.substr(0, 16);
     return true;
   }
@@ -98,6 +113,12 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
   /// An object directly in root.buffers.
   bool inBuffer() const { return inBuffers_ && depth_ == 3; }
 
+  /// A number that tinygltf would take for 0, or cut to 32 bits, where it is out of range.
+  bool isExtent() const {
+    return inData_ && (lastKey_ == "count" || lastKey_ == "byteOffset" ||
+                       lastKey_ == "byteLength" || lastKey_ == "byteStride");
+  }
+
   bool value() {
     if (depth_ > deepestNesting) {
       problem = fmt::format("its JSON is nested deeper than {} levels", deepestNesting);
@@ -111,6 +132,7 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
   std::size_t values_ = 0;
   std::size_t embedded_ = 0;
   bool inBuffers_ = false;
+  bool inData_ = false;  ///< in root.buffers, root.bufferViews or root.accessors
   bool bufferHasUri_ = false;
   std::string lastKey_;
 };

@@ -21,26 +21,8 @@ Double3 centreOf(const Bounds& bounds) {
   return 0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm));
 }
 
-double distance(const Vec3& a, const Vec3& b) {
-  return length(toDouble(a) - toDouble(b));
-}
-
 Vec3 along(const Double3& from, double factor, const Double3& direction) {
   return toFloat(from + factor * direction);
-}
-
-Camera placed(Camera camera, const Double3& target, Vec3 directionFromTarget, double distanceMm) {
-  const Double3 direction = toDouble(directionFromTarget);
-  const double size = length(direction);
-  if (!isFinite(direction) || !(size > 1e-30)) {
-    throw UsageError("the camera's direction must not be zero");
-  }
-  camera.targetMm = toFloat(target);
-  camera.positionMm = along(target, distanceMm / size, direction);
-  // Looking along the usual up needs another.
-  const bool alongUp = std::abs(direction[1]) > 0.999 * size;
-  camera.up = alongUp ? Vec3{0, 0, direction[1] > 0 ? -1.0F : 1.0F} : Vec3{0, 1, 0};
-  return camera;
 }
 
 }  // namespace
@@ -68,25 +50,25 @@ float diagonalMm(const Scene& scene) {
                     bounds.maxMm[2] - bounds.minMm[2]);
 }
 
-Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre, float verticalFovDegrees,
-                     float distanceInDiagonals) {
+Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre, float verticalFovDegrees) {
   if (!(verticalFovDegrees >= 1 && verticalFovDegrees <= 170)) {
     throw UsageError(fmt::format("the vertical field of view must be in [1, 170] degrees, not {}",
                                  verticalFovDegrees));
   }
+  const scene::Double3 direction = scene::toDouble(directionFromCentre);
+  const double size = scene::length(direction);
+  if (!scene::isFinite(direction) || !(size > 1e-30)) {
+    throw UsageError("the camera's direction must not be zero");
+  }
+  const scene::Double3 centre = scene::centreOf(boundsOf(scene));
+  const double distance = 1.4 * double{diagonalMm(scene)};
   Camera camera;
+  camera.targetMm = scene::toFloat(centre);
+  camera.positionMm = scene::along(centre, distance / size, direction);
   camera.verticalFovDegrees = verticalFovDegrees;
-  return scene::placed(camera, scene::centreOf(boundsOf(scene)), directionFromCentre,
-                       double{distanceInDiagonals} * double{diagonalMm(scene)});
-}
-
-Camera turnedTo(const Camera& camera, Vec3 directionFromTarget) {
-  return scene::placed(camera, scene::toDouble(camera.targetMm), directionFromTarget,
-                       double{cameraDistanceMm(camera)});
-}
-
-float cameraDistanceMm(const Camera& camera) {
-  return static_cast<float>(scene::distance(camera.positionMm, camera.targetMm));
+  // Looking along the usual up needs another.
+  if (std::abs(direction[1]) > 0.999 * size) camera.up = {0, 0, direction[1] > 0 ? -1.0F : 1.0F};
+  return camera;
 }
 
 Lighting defaultLighting() {

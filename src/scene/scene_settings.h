@@ -12,7 +12,7 @@ namespace opaline::scene {
 /// What a .toml scene says beyond the scene itself: its [render] table, unmerged. Names of choices
 /// are those of the command line and checked.
 struct SceneFileSettings {
-  std::optional<int> width;  ///< size = "1024x1024" or [1024, 1024]
+  std::optional<int> width;  ///< size = [1024, 1024]
   std::optional<int> height;
   std::optional<std::string> transport;  ///< dipole, better-dipole
   std::optional<std::string> sum;        ///< pattern, all

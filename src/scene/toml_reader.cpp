@@ -28,11 +28,6 @@ void TomlTable::requireKeys(std::span<const std::string_view> known) const {
   }
 }
 
-bool TomlTable::isText(std::string_view key) const {
-  const toml::node* node = table_.get(key);
-  return node != nullptr && node->is_string();
-}
-
 std::optional<std::string> TomlTable::text(std::string_view key) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) return std::nullopt;

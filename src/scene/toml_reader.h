@@ -25,7 +25,9 @@ class TomlTable {
   void requireKeys(std::span<const std::string_view> known) const;
 
   bool has(std::string_view key) const { return table_.contains(key); }
-  bool isText(std::string_view key) const;
+  bool holdsText(std::string_view key) const {
+    return table_.get(key) && table_.get(key)->is_string();
+  }
   std::optional<std::string> text(std::string_view key) const;
   std::optional<std::string> choice(std::string_view key,
                                     std::span<const std::string_view> choices) const;

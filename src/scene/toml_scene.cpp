@@ -35,9 +35,8 @@ struct Assembly {
   std::vector<Repair> repairs{};
   std::map<std::string, Medium, std::less<>> media{};
   Vec3 centre{};
-  /// From the box's centre to where a camera stands by default, for a model that has a view of its
-  /// own.
-  std::optional<float> cameraDiagonals{};
+  /// How far a built-in scene's own camera stands from its target.
+  std::optional<double> builtInDistanceDiagonals{};
 };
 
 std::filesystem::path beside(const std::filesystem::path& file, const std::string& name) {
@@ -74,6 +73,10 @@ toml::table parse(const std::filesystem::path& file) {
   }
 }
 
+double distanceMm(const Camera& camera) {
+  return length(toDouble(camera.positionMm) - toDouble(camera.targetMm));
+}
+
 RawScene fromBuiltIn(Scene&& built) {
   RawScene raw;
   for (Object& object : built.objects) {
@@ -87,6 +90,11 @@ RawScene fromBuiltIn(Scene&& built) {
   return raw;
 }
 
+void takeBuiltIn(Scene&& built, Assembly& to) {
+  to.builtInDistanceDiagonals = distanceMm(built.camera) / double{diagonalMm(built)};
+  to.scene = fromBuiltIn(std::move(built));
+}
+
 void loadModelOf(const TomlTable& root, Assembly& to) {
   const auto model = root.text("model");
   if (!model) root.fail("", "has no 'model', a file or builtin:bear or builtin:teapot");
@@ -94,11 +102,9 @@ void loadModelOf(const TomlTable& root, Assembly& to) {
   LoadOptions builtInOptions;
   builtInOptions.log = to.options.log;
   if (*model == "builtin:bear") {
-    Scene bear = builtInBear(builtInOptions);
-    to.cameraDiagonals = cameraDistanceMm(bear.camera) / diagonalMm(bear);
-    to.scene = fromBuiltIn(std::move(bear));
+    takeBuiltIn(builtInBear(builtInOptions), to);
   } else if (*model == "builtin:teapot") {
-    to.scene = fromBuiltIn(builtInTeapot(builtInOptions));
+    takeBuiltIn(builtInTeapot(builtInOptions), to);
   } else if (model->starts_with("builtin:")) {
     root.fail("model", "names no built-in model; there are builtin:bear and builtin:teapot");
   } else {
@@ -280,13 +286,18 @@ void readLighting(const TomlTable& root, Assembly& to) {
   to.scene.lighting.environment = std::move(image);
 }
 
+/// The camera that a built-in scene brings, for what has become of its model.
+void frameBuiltIn(Assembly& to) {
+  if (!to.builtInDistanceDiagonals) return;
+  const double distance = *to.builtInDistanceDiagonals * diagonalOf(boundsOf(to.scene));
+  Camera camera;
+  camera.targetMm = to.centre;
+  camera.positionMm = toFloat(toDouble(to.centre) + Double3{0, 0, distance});
+  to.scene.camera = camera;
+}
+
 void readCamera(const TomlTable& root, Assembly& to) {
   constexpr std::array<Keys, 4> keys{"direction", "position_mm", "target_mm", "fov_degrees"};
-  Scene box;
-  for (const RawObject& object : to.scene.objects) {
-    box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
-  }
-  if (to.cameraDiagonals) to.scene.camera = defaultCamera(box, {0, 0, 1}, 30, *to.cameraDiagonals);
   const auto table = root.table("camera");
   if (!table) return;
   table->requireKeys(keys);
@@ -295,10 +306,17 @@ void readCamera(const TomlTable& root, Assembly& to) {
   const auto target = table->vector("target_mm");
   if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
   const bool placed = direction || position || target;
-  Camera camera = placed || !to.scene.camera
-                      ? defaultCamera(box, direction.value_or(Vec3{0, 0, 1}), 30,
-                                      to.cameraDiagonals.value_or(defaultCameraDiagonals))
-                      : *to.scene.camera;
+  const std::optional<Camera> own = to.scene.camera;
+  Scene box;
+  for (const RawObject& object : to.scene.objects) {
+    box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
+  }
+  Camera camera = placed || !to.scene.camera ? defaultCamera(box, direction.value_or(Vec3{0, 0, 1}))
+                                             : *to.scene.camera;
+  if (direction && own) {
+    camera.targetMm = own->targetMm;
+    camera.positionMm = toFloat(toDouble(own->targetMm) + distanceMm(*own) * toDouble(*direction));
+  }
   if (position) camera.positionMm = fromCentre(to, *position);
   if (target) camera.targetMm = fromCentre(to, *target);
   const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
@@ -316,39 +334,35 @@ std::optional<float> asFloat(std::optional<double> value) {
   return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
 }
 
-/// WIDTHxHEIGHT, as --size has it; nothing but digits around the x.
-std::optional<std::array<double, 2>> parsedSize(std::string_view text) {
-  const std::size_t cross = text.find('x');
-  if (cross == std::string_view::npos) return std::nullopt;
-  const std::array<std::string_view, 2> parts{text.substr(0, cross), text.substr(cross + 1)};
-  std::array<double, 2> edges{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const char* end = parts[i].data() + parts[i].size();
-    unsigned edge = 0;
-    const auto read = std::from_chars(parts[i].data(), end, edge);
-    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
-    edges[i] = edge;
-  }
+/// "1024x1024", as it is typed on the command line.
+std::optional<std::array<int, 2>> sizeFromText(std::string_view text) {
+  std::array<int, 2> edges{};
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, edges[0]);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+  const auto height = std::from_chars(width.ptr + 1, end, edges[1]);
+  if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
   return edges;
 }
 
 void readSize(const TomlTable& table, SceneFileSettings& settings) {
-  std::optional<std::array<double, 2>> edges;
-  if (table.isText("size")) {
-    edges = parsedSize(table.text("size").value_or(""));
-  } else if (const auto list = table.numbers("size", 2)) {
-    edges = {(*list)[0], (*list)[1]};
+  constexpr const char* hint = "must be \"WIDTHxHEIGHT\" or [WIDTH, HEIGHT], each in [1, 16384]";
+  if (!table.has("size")) return;
+  std::array<int, 2> edges{};
+  if (table.holdsText("size")) {
+    edges = sizeFromText(*table.text("size")).value_or(edges);
   } else {
-    return;
+    const auto numbers = table.numbers("size", 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double edge = (*numbers)[i];
+      if (std::abs(edge) <= 1e6 && edge == std::floor(edge)) edges[i] = static_cast<int>(edge);
+    }
   }
-  const auto fits = [](double edge) {
-    return edge >= 1 && edge <= 16384 && edge == std::floor(edge);
-  };
-  if (!edges || !fits((*edges)[0]) || !fits((*edges)[1])) {
-    table.fail("size", "must be \"WIDTHxHEIGHT\", each from 1 to 16384 pixels");
+  for (const int edge : edges) {
+    if (edge < 1 || edge > 16384) table.fail("size", hint);
   }
-  settings.width = static_cast<int>((*edges)[0]);
-  settings.height = static_cast<int>((*edges)[1]);
+  settings.width = edges[0];
+  settings.height = edges[1];
 }
 
 SceneFileSettings readSettings(const TomlTable& root) {
@@ -399,6 +413,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   const Bounds bounds = boundsOf(assembly.scene);
   assembly.centre = toFloat(0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm)));
   readLighting(root, assembly);
+  frameBuiltIn(assembly);
   readCamera(root, assembly);
   loaded.scene = finished(std::move(assembly.scene), file, std::move(assembly.repairs), options);
   return loaded;

@@ -125,16 +125,42 @@ class Geometry(Render):
 
     def test_camera(self):
         self.near(self.exr("--aov", "normal", "--camera-direction", "-5,0,0").centre(), (-1, 0, 0, 1), 1e-4)
-        # From the scene's camera only the side changes, not the distance.
-        self.write("far.toml", 'model = "cube.obj"\n[camera]\nposition_mm = [0, 0, 100]\n')
-        self.succeed("render", "far.toml", *CUBE[1:], "--aov", "depth", "--camera-direction", "2,0,0", "-o", "out.exr")
-        depth = read_exr((self.folder / "out.exr").read_bytes()).centre()[0]
-        scale = DIAGONAL / 50  # the file's lengths belong to the model at its default size
-        self.assertAlmostEqual(depth, 100 * scale - EDGE / 2, delta=.01)
         wide = len(self.exr("--aov", "normal", "--fov-degrees", "60").covered())
         narrow = len(self.exr("--aov", "normal", "--fov-degrees", "30").covered())
         expected = (math.tan(math.radians(30)) / math.tan(math.radians(15)))**2
         self.assertAlmostEqual(narrow / wide / expected, 1, delta=.15)
+
+    def test_the_whole_bear_is_in_the_picture(self):
+        self.succeed("render", "--aov", "depth", "--size", "96x96", "--dsm-size", 64, "-o", "bear.exr")
+        picture = read_exr((self.folder / "bear.exr").read_bytes())
+        edge = [*picture.rows[0], *picture.rows[-1], *(row[x] for row in picture.rows for x in (0, -1))]
+        self.assertFalse(any(pixel[3] for pixel in edge))
+        self.assertGreater(len(picture.covered()), .15 * 96 * 96)
+
+    def test_a_direction_keeps_the_distance_of_the_scenes_camera(self):
+        self.write("near.toml", 'model = "cube.obj"\ndiagonal_mm = 30\n[camera]\nposition_mm = [0, 0, 40]\n')
+        arguments = ("--aov", "depth", "--size", "16x15", "--dsm-size", 64)
+        for turned in ((), ("--camera-direction", "0,0,-7"), ("--camera-direction", "3,0,0")):
+            self.succeed("render", "near.toml", *arguments, *turned, "-o", "near.exr")
+            centre = read_exr((self.folder / "near.exr").read_bytes()).centre()
+            self.near(centre, (40 - EDGE / 2,) * 3 + (1,), 1e-4)
+
+    def test_a_model_that_is_cut_off_draws_a_note_that_cures_it(self):
+        # A plate on edge: its corners are half a diagonal up, nearer by half its depth.
+        self.write("plate.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                   "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                   "0 0 0\n0 4 0\n0 4 3\n0 0 3\n4 0 1 2 3\n")
+        plate = ("plate.ply", "--diagonal-mm", 50, "--size", "30x30", "--dsm-size", 64)
+        # Half height 20 mm at 70 - 15 mm: 2 atan(20 / 55) = 39.97 degrees.
+        self.assertIn("--fov-degrees 40", self.succeed("render", *plate).err)
+        # From the side all corners are 70 mm away: 2 atan(20 / 70) = 31.9 degrees.
+        self.assertIn("--fov-degrees 32", self.succeed("render", *plate, "--camera-direction", "1,0,0").err)
+        for fits in (("--fov-degrees", 40), ("--fov-degrees", 20), ("--quiet",), ("--aov", "dsm-area")):
+            self.assertNotIn("does not fit", self.succeed("render", *plate, *fits).err, fits)
+        # A cube's front is 1.4 - .289 diagonals away: 2 atan(.289 / 1.111) = 29.1 degrees.
+        self.assertNotIn("does not fit", self.succeed("render", "cube.obj", *plate[3:]).err)
+        # Half width 15 mm in a third of the height, 70 mm away: 2 atan(3 * 15 / 70) = 65.5 degrees.
+        self.assertIn("--fov-degrees 66", tall)
 
     def test_the_diffusion_source_map_holds_the_whole_surface(self):
         area = self.exr("--aov", "dsm-area")
@@ -225,6 +251,8 @@ class SceneFiles(Render):
         report = self.succeed("render", "scene.toml", "--json", "--size", "20x10", "--site", "fragment").json()
         self.assertEqual((report["size"], report["transport"], report["site"]),
                          ([20, 10], "better-dipole", "fragment"))
+        self.write("scene.toml", 'model = "cube.obj"\n[render]\nsize = "36x24"\ndsm_size = 64\n')
+        self.assertEqual(self.succeed("render", "scene.toml", "--json").json()["size"], [36, 24])
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Scenes that are wrong get one sentence that names the file, quickly and without much memory. What
 each loader refuses is tested beside the loaders; here the whole program is."""
 
+import base64
 import resource
 import struct
 import unittest
@@ -17,6 +18,16 @@ property list uchar int vertex_indices\nend_header\n"""
 def ply(vertices, faces, body="", format="ascii"):
     header = PLY_HEADER.format(format=format, vertices=vertices, faces=faces).encode()
     return header + (body if isinstance(body, bytes) else body.encode())
+
+
+def gltf(accessor="", view=""):
+    """One triangle, the points of which are in the file itself."""
+    points = base64.b64encode(struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)).decode()
+    return ('{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],'
+            '"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "accessors": [{' + accessor +
+            '"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}], "bufferViews": [{' + view +
+            '"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri":'
+            f'"data:application/octet-stream;base64,{points}"' + '}]}').encode()
 
 
 TRIANGLE = "0 0 0\n1 0 0\n0 1 0\n"
@@ -43,6 +54,10 @@ WRONG = {
     "negative.ply": ply(3, 1, TRIANGLE + "3 0 1 -1\n"),
     "nan.ply": ply(3, 1, "0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n"),
     "infinite.ply": ply(3, 1, "0 0 0\ninf 0 0\n0 1 0\n3 0 1 2\n"),
+    "negative_offset.gltf": gltf(accessor='"byteOffset": -4, '),
+    "negative_view.gltf": gltf(view='"byteOffset": -1, '),
+    "sparse.gltf": gltf(accessor='"sparse": {"count": 1099511627776, "indices": {"bufferView": 0,'
+                                 '"componentType": 5125}, "values": {"bufferView": 0}}, '),
     "faceless.ply": ply(3, 0, TRIANGLE),
     "flat.ply": ply(3, 1, "0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n"),
     "index.obj": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n",
@@ -70,6 +85,10 @@ class WrongScenes(ProgramTest):
                     self.refused(1, command, name, "--quiet", says=says)
         self.assertEqual(self.listing(), before)
         self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, LARGEST_MEMORY_KB)
+
+    def test_a_right_one_like_the_wrong_ones_is_read(self):
+        self.write("right.gltf", gltf())
+        self.assertEqual(self.succeed("info", "right.gltf", "--json").json()["triangles"], 1)
 
     def test_an_unknown_key_names_its_neighbour(self):
         self.write("cube.obj", CUBE_OBJ)

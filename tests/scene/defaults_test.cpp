@@ -36,30 +36,6 @@ TEST(Defaults, CameraFromAboveHasAnUpThatItCanUse) {
   }
 }
 
-TEST(Defaults, ATurnedCameraKeepsTargetDistanceAndAngle) {
-  const Camera camera = turnedTo({{1, 2, 13}, {1, 2, 3}, {0, 1, 0}, 42}, {-3, 0, 4});
-  EXPECT_EQ(camera.targetMm, (Vec3{1, 2, 3}));
-  EXPECT_NEAR(camera.positionMm[0], 1 - 6, 1e-5F);
-  EXPECT_NEAR(camera.positionMm[1], 2, 1e-5F);
-  EXPECT_NEAR(camera.positionMm[2], 3 + 8, 1e-5F);
-  EXPECT_EQ(camera.verticalFovDegrees, 42);
-  EXPECT_EQ(turnedTo(camera, {0, 1, 0}).up, (Vec3{0, 0, -1}));
-  EXPECT_THROW(turnedTo(camera, {0, 0, 0}), UsageError);
-}
-
-TEST(Defaults, TheWholeBearIsInASquarePicture) {
-  const Scene bear = builtInBear();
-  const float distance = cameraDistanceMm(bear.camera);
-  EXPECT_NEAR(distance, 1.8F * diagonalMm(bear), 1e-2F);
-  const double pi = std::acos(-1.0);
-  const double slope = std::tan(bear.camera.verticalFovDegrees * pi / 360);
-  for (const Vec3& p : bear.objects[0].mesh.positionsMm) {
-    const double depth = bear.camera.positionMm[2] - p[2];
-    ASSERT_LT(std::abs(p[0] - bear.camera.targetMm[0]), depth * slope);
-    ASSERT_LT(std::abs(p[1] - bear.camera.targetMm[1]), depth * slope);
-  }
-}
-
 TEST(Defaults, SenselessCamerasAreRefused) {
   EXPECT_THROW(defaultCamera(boxScene(), {0, 0, 0}), UsageError);
   EXPECT_THROW(defaultCamera(boxScene(), {0, NAN, 1}), UsageError);

@@ -29,8 +29,7 @@ struct PatternExtent {
   int nearReach() const;
 };
 
-/// Rounds to whole texels, keeps the far samples off the block and the whole pattern from being
-/// larger than a disc of the object's area.
+/// Rounds to whole texels, keeps the far samples off the block and both small beside the object.
 PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2);
 
 /// The largest pattern of that kind whose near samples stay within that reach, texels.
