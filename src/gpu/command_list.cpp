@@ -281,11 +281,11 @@ void CommandList::orderBindings(std::span<const Binding> bindings) {
 }
 
 void CommandList::bindResources(std::span<const Binding> bindings) {
-  assert(recording_ && pipeline_ != nullptr && bindings.size() <= maxSlots_);
+  assert(recording_ && pipeline_ != nullptr && bindings.size() <= maxSlots);
   orderBindings(bindings);
-  std::array<VkWriteDescriptorSet, maxSlots_> writes;
-  std::array<VkDescriptorBufferInfo, maxSlots_> buffers;
-  std::array<VkDescriptorImageInfo, maxSlots_> images;
+  std::array<VkWriteDescriptorSet, maxSlots> writes;
+  std::array<VkDescriptorBufferInfo, maxSlots> buffers;
+  std::array<VkDescriptorImageInfo, maxSlots> images;
   for (std::size_t i = 0; i < bindings.size(); ++i) {
     const Binding& binding = bindings[i];
     assert(pipeline_->hasSlot(binding.slot));

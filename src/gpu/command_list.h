@@ -129,7 +129,7 @@ class CommandList {
   void use(GpuImage& image, Access access);
 
  private:
-  static constexpr std::size_t maxSlots_ = 32;
+  static constexpr std::size_t maxSlots = 32;
 
   void order(Buffer& buffer, AccessScope scope);
   void order(GpuImage& image, const AccessScope& scope);
@@ -153,9 +153,9 @@ class CommandList {
 
   const Pipeline* pipeline_ = nullptr;
   // What is bound at each slot, graphics and compute apart.
-  std::array<std::array<Binding, maxSlots_>, 2> bound_;
+  std::array<std::array<Binding, maxSlots>, 2> bound_;
 
-  std::array<VkImageMemoryBarrier2, maxSlots_> imageBarriers_;
+  std::array<VkImageMemoryBarrier2, maxSlots> imageBarriers_;
   std::uint32_t imageBarrierCount_ = 0;
   VkMemoryBarrier2 memoryBarrier_{};
 };

@@ -16,6 +16,7 @@ namespace {
 
 std::vector<DeviceInfo> describeAll(const std::vector<VkPhysicalDevice>& devices) {
   std::vector<DeviceInfo> infos;
+  infos.reserve(devices.size());
   for (const VkPhysicalDevice device : devices) {
     infos.push_back(describe(device, static_cast<std::uint32_t>(infos.size())));
   }

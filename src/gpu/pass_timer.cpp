@@ -75,15 +75,15 @@ void PassTimer::collect() {
   if (count_ == 0) return;
   if (pool_ != VK_NULL_HANDLE) {
     check(vkGetQueryPoolResults(device_.handle(), pool_, 0, 2 * count_,
-                                2 * count_ * sizeof(std::uint64_t), ticks_.data(),
+                                std::size_t{2} * count_ * sizeof(std::uint64_t), ticks_.data(),
                                 sizeof(std::uint64_t),
                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
           "read the timestamps");
   }
-  for (std::uint32_t i = 0; i < count_; ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     add(names_[i], millisecondsBetween(ticks_[2 * i], ticks_[2 * i + 1]));
   }
-  frameMilliseconds_ = millisecondsBetween(ticks_[0], ticks_[2 * count_ - 1]);
+  frameMilliseconds_ = millisecondsBetween(ticks_[0], ticks_[std::size_t{2} * count_ - 1]);
 }
 
 double PassTimer::millisecondsBetween(std::uint64_t from, std::uint64_t to) const {

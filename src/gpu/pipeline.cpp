@@ -14,7 +14,7 @@ namespace opaline::gpu {
 
 namespace {
 
-constexpr std::uint32_t maxPushConstantBytes = 128;  // what every device has
+[[maybe_unused]] constexpr std::uint32_t maxPushConstantBytes = 128;  // what every device has
 constexpr std::size_t maxColors = 8;
 
 VkDescriptorType descriptorTypeOf(BindingType type) {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 namespace opaline::shared {
-using uint = std::uint32_t;
+using uint = std::uint32_t;  // NOLINT(readability-identifier-naming): GLSL's word
 #endif
 
 /// A corner in the atlas; several share a vertex along seams.
