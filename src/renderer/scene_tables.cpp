@@ -43,7 +43,7 @@ std::vector<double> differentEtas(const std::vector<Medium>& media) {
 
 // Entries from one medium's pattern to the next: a multiple of every device's alignment of uniform
 // blocks, which is at most 256 bytes.
-constexpr std::size_t patternStride = (shared::maxPatternEntries + 15) / 16 * 16;
+constexpr std::size_t patternStride = (std::size_t{shared::maxPatternEntries} + 15) / 16 * 16;
 
 // Collects the tables of all media.
 class TableBuilder {

@@ -52,7 +52,9 @@ std::vector<shared::vec4> surfaceOfTexels(std::span<const atlas::TexelArea> area
     const std::uint32_t to = nearestCovered[i];
     if (!(areas[i].area > 0) || coverage[to] == 0) continue;
     const float dx = static_cast<float>(i % size) - static_cast<float>(to % size);
-    const float dy = static_cast<float>(i / size) - static_cast<float>(to / size);
+    const std::uint32_t row = i / size;
+    const std::uint32_t toRow = to / size;
+    const float dy = static_cast<float>(row) - static_cast<float>(toRow);
     surface[to] += shared::vec4(areas[i].moment[0] + areas[i].area * dx,
                                 areas[i].moment[1] + areas[i].area * dy, areas[i].area, 0);
   }

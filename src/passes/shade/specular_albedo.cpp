@@ -71,6 +71,7 @@ double albedoAt(double eta, double alpha, double cosine) {
 
 std::vector<float> specularAlbedo(double eta, double roughness) {
   std::vector<float> entries;
+  entries.reserve(specularAlbedoEntries);
   for (int i = 0; i < specularAlbedoEntries; ++i)
     entries.push_back(static_cast<float>(
         albedoAt(eta, roughness * roughness, (i + 0.5) / specularAlbedoEntries)));
