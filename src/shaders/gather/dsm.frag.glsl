@@ -23,11 +23,13 @@ layout(location = 1) out vec4 unitNormal;
 layout(location = 2) out vec4 irradianceObject;  // object + 1
 
 void main() {
-  vec3 n = normalize(normal);
+  // All is taken where what the texel stands for has its middle; beside the border of a chart that is
+  // not the texel's centre.
   vec3 along = dFdx(centre);
   vec3 across = dFdy(centre);
   vec3 surface = texelFetch(texelSurface, ivec2(gl_FragCoord.xy), 0).xyz;
   vec3 position = centre + surface.x * along + surface.y * across;
+  vec3 n = normalize(normal + surface.x * dFdx(normal) + surface.y * dFdy(normal));
   MediumData medium = media[objects[object].table.x];
 
   vec3 irradiance = texture(ambientIrradiance, vec4(n, float(medium.tables.x))).rgb;
