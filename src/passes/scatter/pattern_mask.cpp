@@ -36,14 +36,9 @@ float packOffset(int x, int y) {
   return std::bit_cast<float>(bits);
 }
 
-// Radius to which the far samples' ring reaches, texels.
-double outerRadius(const PatternExtent& extent) {
-  return std::max(2 * extent.distance - extent.blockRadius(), extent.blockRadius());
-}
-
 // Texels.
 double ringArea(const PatternExtent& extent) {
-  return std::numbers::pi * (std::pow(outerRadius(extent), 2) - std::pow(extent.blockRadius(), 2));
+  return std::numbers::pi * (std::pow(extent.outer, 2) - std::pow(extent.blockRadius(), 2));
 }
 
 // Half the edge of a square as large as an eighth of the ring: a linear filter doubles it.
@@ -114,7 +109,7 @@ class MaskBuilder {
 
   void addFar() {
     const double inner = extent_.blockRadius() * texelMm_;
-    const double outer = outerRadius(extent_) * texelMm_;
+    const double outer = extent_.outer * texelMm_;
     const double texels = ringArea(extent_) / 8;
     shared::PatternEntry entry{};
     for (int c = 0; c < 3; ++c) {
@@ -175,9 +170,10 @@ PatternExtent patternExtent(const PatternShape& shape, double texelMm, double ob
                                   1.0, largest));
   const double block = extent.blockRadius();
   const double nearest = std::ceil(block) + 1;
-  const double furthest = std::max(nearest, std::floor(0.5 * (largestRing * objectRadius + block)));
-  extent.distance = static_cast<int>(
-      std::clamp(std::round(shape.farDistanceMm / texelMm), nearest, std::min(furthest, largest)));
+  const double wanted = std::max(nearest, shape.farDistanceMm / texelMm);
+  const double furthest = std::max(nearest, 0.5 * (largestRing * objectRadius + block));
+  extent.distance = static_cast<int>(std::round(std::min({wanted, furthest, largest})));
+  extent.outer = std::clamp(2 * wanted - block, block, std::max(block, objectRadius));
   extent.cell = cellEdge(extent);
   return extent;
 }

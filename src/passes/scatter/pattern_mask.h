@@ -21,6 +21,7 @@ struct PatternExtent {
   int nearRings = 0;
   int spacing = 1;   ///< between near samples, texels
   int distance = 1;  ///< of the far samples from the centre, texels
+  double outer = 1;  ///< radius to which the ring reaches that they stand for, texels
   int cell = 1;      ///< edge of the cells over which far samples want means, texels
 
   /// Of the disc that is as large as the near block, texels.
@@ -29,7 +30,9 @@ struct PatternExtent {
   int nearReach() const;
 };
 
-/// Rounds to whole texels, keeps the far samples off the block and both small beside the object.
+/// Rounds to whole texels, keeps the far samples off the block and both small beside the object. The
+/// ring reaches as far beyond the wanted distance as that lies beyond the block, but no further than
+/// a disc of the object's area.
 PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2);
 
 /// The largest pattern of that kind whose near samples stay within that reach, texels.
