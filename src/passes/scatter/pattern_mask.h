@@ -30,9 +30,9 @@ struct PatternExtent {
   int nearReach() const;
 };
 
-/// Rounds to whole texels, keeps the far samples off the block and both small beside the object. The
-/// ring reaches as far beyond the wanted distance as that lies beyond the block, but no further than
-/// a disc of the object's area.
+/// Rounds to whole texels, keeps the far samples off the block and both small beside the object.
+/// The ring reaches as far beyond the wanted distance as that lies beyond the block, but no further
+/// than a disc of the object's area.
 PatternExtent patternExtent(const PatternShape& shape, double texelMm, double objectAreaMm2);
 
 /// The largest pattern of that kind whose near samples stay within that reach, texels.
