@@ -24,10 +24,10 @@ build: dependencies
 	cmake --build --preset release
 
 demo: build
-	$(OPALINE) render -o bear.png
+	$(OPALINE) render --medium jade -o bear.png
 	$(OPALINE) render --aov dsm-irradiance -o bear-light.exr
 	@echo
-	@echo 'bear.png         the built-in bear in the light that comes through it'
+	@echo 'bear.png         the built-in bear, of jade, in the light that comes through it'
 	@echo 'bear-light.exr   the light that has entered its skin, laid out flat'
 	@echo 'Next: $(OPALINE) render YOUR_MODEL.glb --medium wholemilk --diagonal-mm 50 -o picture.png'
 
