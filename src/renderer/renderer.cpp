@@ -58,8 +58,7 @@ constexpr std::uint32_t maxPassesOfFrame = 8 + 3 * 10;
 class Renderer::Implementation {
  public:
   explicit Implementation(const RendererOptions& options)
-      : log_(options.log),
-        device_({.selector = options.device, .validation = options.validation, .log = options.log}),
+      : device_({.selector = options.device, .validation = options.validation, .log = options.log}),
         passes_(device_),
         commands_(device_, "frame", maxPassesOfFrame),
         frameData_(device_, "frame data", sizeof(shared::FrameData), 2,
@@ -183,7 +182,6 @@ class Renderer::Implementation {
             .peakMemoryMegabytes = static_cast<double>(device_.peakMemoryBytes()) / megabyte};
   }
 
-  LogCallback log_;
   gpu::Device device_;
   Passes passes_;
   gpu::CommandList commands_;
