@@ -15,21 +15,6 @@ namespace {
 
 constexpr std::size_t maxColors = 8;
 
-VkDescriptorType descriptorTypeOf(BindingType type) {
-  switch (type) {
-    case BindingType::UniformBuffer:
-      return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    case BindingType::StorageBuffer:
-      return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    case BindingType::SampledImage:
-      return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    case BindingType::StorageImage:
-      return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-  }
-  assert(false);
-  return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-}
-
 VkDescriptorBufferInfo bufferInfoOf(const Binding& binding, const VkPhysicalDeviceLimits& limits) {
   assert(binding.offset < binding.buffer->bytes());
   const std::size_t rest = binding.buffer->bytes() - binding.offset;
@@ -52,57 +37,6 @@ AccessScope bindingScope(const Binding& binding) {
 }
 
 }  // namespace
-
-Binding Binding::uniform(std::uint32_t slot, Buffer& buffer, std::size_t offset,
-                         std::size_t bytes) {
-  Binding binding;
-  binding.slot = slot;
-  binding.type = BindingType::UniformBuffer;
-  binding.access = Access::Uniform;
-  binding.buffer = &buffer;
-  binding.offset = offset;
-  binding.bytes = bytes;
-  return binding;
-}
-
-Binding Binding::read(std::uint32_t slot, Buffer& buffer) {
-  Binding binding;
-  binding.slot = slot;
-  binding.access = Access::StorageRead;
-  binding.buffer = &buffer;
-  return binding;
-}
-
-Binding Binding::write(std::uint32_t slot, Buffer& buffer) {
-  Binding binding = read(slot, buffer);
-  binding.access = Access::StorageWrite;
-  return binding;
-}
-
-Binding Binding::sampled(std::uint32_t slot, GpuImage& image, const Sampler& sampler) {
-  Binding binding;
-  binding.slot = slot;
-  binding.type = BindingType::SampledImage;
-  binding.access = Access::Sampled;
-  binding.image = &image;
-  binding.view = image.view();
-  binding.sampler = sampler.handle();
-  return binding;
-}
-
-Binding Binding::writeImage(std::uint32_t slot, GpuImage& image) {
-  return writeImageLevel(slot, image, 0);
-}
-
-Binding Binding::writeImageLevel(std::uint32_t slot, GpuImage& image, std::uint32_t level) {
-  Binding binding;
-  binding.slot = slot;
-  binding.type = BindingType::StorageImage;
-  binding.access = Access::StorageWrite;
-  binding.image = &image;
-  binding.view = image.levelView(level);
-  return binding;
-}
 
 CommandList::CommandList(Device& device, std::string name, std::uint32_t maxPasses)
     : device_(device), name_(std::move(name)), timer_(device, name_, maxPasses) {
@@ -434,64 +368,6 @@ void CommandList::drawIndexed(Buffer& indices, std::uint32_t count) {
   assert(count * sizeof(std::uint32_t) <= indices.bytes());
   vkCmdBindIndexBuffer(commands_, indices.handle(), 0, VK_INDEX_TYPE_UINT32);
   vkCmdDrawIndexed(commands_, count, 1, 0, 0, 0);
-}
-
-void CommandList::copyBuffer(Buffer& from, Buffer& to, std::size_t bytes, std::size_t fromOffset,
-                             std::size_t toOffset) {
-  assert(recording_ && &from != &to);
-  assert(fromOffset + bytes <= from.bytes() && toOffset + bytes <= to.bytes());
-  order(from, scopeOf(Access::TransferRead));
-  order(to, scopeOf(Access::TransferWrite));
-  flushBarriers();
-  const VkBufferCopy region{fromOffset, toOffset, bytes};
-  vkCmdCopyBuffer(commands_, from.handle(), to.handle(), 1, &region);
-}
-
-namespace {
-
-VkBufferImageCopy regionOf(const GpuImage& image, std::uint32_t layer, std::uint32_t level,
-                           [[maybe_unused]] const Buffer& buffer, std::size_t offset) {
-  const ImageOptions& options = image.options();
-  assert(layer < options.layers && level < options.mipLevels);
-  VkBufferImageCopy region{};
-  region.bufferOffset = offset;
-  region.imageSubresource = {image.aspect(), level, layer, 1};
-  region.imageExtent = {std::max(1U, options.width >> level), std::max(1U, options.height >> level),
-                        1};
-  assert(offset + std::size_t{region.imageExtent.width} * region.imageExtent.height *
-                      bytesPerTexel(options.format) <=
-         buffer.bytes());
-  return region;
-}
-
-}  // namespace
-
-void CommandList::copyToImage(Buffer& from, GpuImage& to, std::uint32_t layer, std::uint32_t level,
-                              std::size_t fromOffset) {
-  assert(recording_);
-  order(from, scopeOf(Access::TransferRead));
-  order(to, scopeOf(Access::TransferWrite));
-  flushBarriers();
-  const VkBufferImageCopy region = regionOf(to, layer, level, from, fromOffset);
-  vkCmdCopyBufferToImage(commands_, from.handle(), to.handle(), to.state_.layout, 1, &region);
-}
-
-void CommandList::copyFromImage(GpuImage& from, Buffer& to, std::uint32_t layer,
-                                std::uint32_t level, std::size_t toOffset) {
-  assert(recording_);
-  assert(from.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
-  order(from, scopeOf(Access::TransferRead));
-  order(to, scopeOf(Access::TransferWrite));
-  flushBarriers();
-  const VkBufferImageCopy region = regionOf(from, layer, level, to, toOffset);
-  vkCmdCopyImageToBuffer(commands_, from.handle(), from.state_.layout, to.handle(), 1, &region);
-}
-
-void CommandList::fill(Buffer& buffer, std::uint32_t value) {
-  assert(recording_ && buffer.bytes() % 4 == 0);
-  order(buffer, scopeOf(Access::TransferWrite));
-  flushBarriers();
-  vkCmdFillBuffer(commands_, buffer.handle(), 0, VK_WHOLE_SIZE, value);
 }
 
 }  // namespace opaline::gpu

@@ -70,20 +70,21 @@ void PassTimer::end(VkCommandBuffer commands) {
 }
 
 void PassTimer::collect() {
-  timings_.clear();
+  const std::size_t queries = std::size_t{2} * count_;
   frameMilliseconds_ = 0;
-  if (count_ == 0) return;
-  if (pool_ != VK_NULL_HANDLE) {
-    check(vkGetQueryPoolResults(device_.handle(), pool_, 0, 2 * count_,
-                                std::size_t{2} * count_ * sizeof(std::uint64_t), ticks_.data(),
-                                sizeof(std::uint64_t),
-                                VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-          "read the timestamps");
+  named_ = 0;
+  if (pool_ != VK_NULL_HANDLE && queries > 0) {
+    check(
+        vkGetQueryPoolResults(device_.handle(), pool_, 0, 2 * count_,
+                              queries * sizeof(std::uint64_t), ticks_.data(), sizeof(std::uint64_t),
+                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+        "read the timestamps");
   }
   for (std::size_t i = 0; i < count_; ++i) {
     add(names_[i], millisecondsBetween(ticks_[2 * i], ticks_[2 * i + 1]));
   }
-  frameMilliseconds_ = millisecondsBetween(ticks_[0], ticks_[std::size_t{2} * count_ - 1]);
+  timings_.resize(named_);
+  if (queries > 0) frameMilliseconds_ = millisecondsBetween(ticks_[0], ticks_[queries - 1]);
 }
 
 double PassTimer::millisecondsBetween(std::uint64_t from, std::uint64_t to) const {
@@ -92,13 +93,18 @@ double PassTimer::millisecondsBetween(std::uint64_t from, std::uint64_t to) cons
 }
 
 void PassTimer::add(const std::string& name, double milliseconds) {
-  const auto same = std::find_if(timings_.begin(), timings_.end(),
+  const auto end = timings_.begin() + static_cast<std::ptrdiff_t>(named_);
+  const auto same = std::find_if(timings_.begin(), end,
                                  [&](const PassTiming& timing) { return timing.name == name; });
-  if (same != timings_.end()) {
+  if (same != end) {
     same->milliseconds += milliseconds;
-  } else {
-    timings_.push_back({name, milliseconds});
+    return;
   }
+  // The entries of the last frame are written over, so that their strings need no new memory.
+  if (named_ == timings_.size()) timings_.emplace_back();
+  timings_[named_].name = name;
+  timings_[named_].milliseconds = milliseconds;
+  ++named_;
 }
 
 }  // namespace opaline::gpu

@@ -2,6 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -49,6 +50,7 @@ class PassTimer {
   std::vector<std::string> names_;
   std::vector<std::uint64_t> ticks_;
   std::vector<PassTiming> timings_;
+  std::size_t named_ = 0;  // how many of them have been filled in
   double frameMilliseconds_ = 0;
 };
 

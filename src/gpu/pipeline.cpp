@@ -14,23 +14,7 @@ namespace opaline::gpu {
 
 namespace {
 
-[[maybe_unused]] constexpr std::uint32_t maxPushConstantBytes = 128;  // what every device has
 constexpr std::size_t maxColors = 8;
-
-VkDescriptorType descriptorTypeOf(BindingType type) {
-  switch (type) {
-    case BindingType::UniformBuffer:
-      return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    case BindingType::StorageBuffer:
-      return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    case BindingType::SampledImage:
-      return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    case BindingType::StorageImage:
-      return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-  }
-  assert(false);
-  return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-}
 
 /// The values of constant_id 0, 1, 2, …; must outlive the pipeline's creation.
 class Specialization {
@@ -177,6 +161,21 @@ VkPipeline createGraphics(const Device& device, const GraphicsPipelineOptions& o
 
 }  // namespace
 
+VkDescriptorType descriptorTypeOf(BindingType type) {
+  switch (type) {
+    case BindingType::UniformBuffer:
+      return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingType::StorageBuffer:
+      return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case BindingType::SampledImage:
+      return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case BindingType::StorageImage:
+      return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+  }
+  assert(false);
+  return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+}
+
 Pipeline::Pipeline(Device& device, const ComputePipelineOptions& options) : Pipeline() {
   device_ = &device;
   bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
@@ -221,7 +220,7 @@ Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) : Pip
 
 void Pipeline::createLayout(const std::string& name, std::span<const BindingSlot> bindings,
                             std::uint32_t pushConstantBytes) {
-  assert(pushConstantBytes <= maxPushConstantBytes && pushConstantBytes % 4 == 0);
+  assert(pushConstantBytes <= 128 && pushConstantBytes % 4 == 0);
   pushConstantBytes_ = pushConstantBytes;
   std::vector<VkDescriptorSetLayoutBinding> slots;
   for (const BindingSlot& slot : bindings) {

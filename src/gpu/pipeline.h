@@ -16,6 +16,8 @@ using Spirv = std::span<const std::uint32_t>;
 
 enum class BindingType { UniformBuffer, StorageBuffer, SampledImage, StorageImage };
 
+VkDescriptorType descriptorTypeOf(BindingType type);
+
 /// `binding` of set 0, below 32, visible to every stage.
 struct BindingSlot {
   std::uint32_t binding = 0;

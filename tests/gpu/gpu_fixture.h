@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "gpu/instance.h"
 #include "opaline/error.h"
 
 namespace opaline::gpu {
@@ -28,6 +29,10 @@ struct SharedDevice {
     options.log = [this](LogLevel, std::string_view message) { messages.emplace_back(message); };
     try {
       device = std::make_unique<Device>(options);
+      // Never closed: it keeps the driver loaded, whose globals the leak checker would otherwise
+      // take for lost memory.
+      static const Instance* const driver = new Instance;
+      static_cast<void>(driver);
     } catch (const Error& error) {
       reason = error.what();
     }

@@ -285,5 +285,34 @@ TEST_F(GraphicsTest, ResourcesCanBeBoundAgainInsideRendering) {
   EXPECT_EQ(colors(color).back(), green);
 }
 
+#ifndef NDEBUG
+// Bugs in the order of calls that only asserts find.
+TEST_F(GraphicsTest, OrderOfCallsIsAsserted) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  Buffer all = vertices(everywhere(0, green));
+  GpuImage color = image("color", color32);
+  const Pipeline pipeline(device(), options());
+  CommandList list(device(), "frame");
+  EXPECT_DEATH(
+      {
+        list.begin();
+        list.beginRendering({ColorTarget{&color}});
+        list.bind(pipeline);
+        list.bindResources({Binding::read(0, all)});
+      },
+      "bind before beginRendering");
+  EXPECT_DEATH(
+      {
+        list.begin();
+        list.bind(pipeline);
+        list.bindResources({Binding::read(0, all)});
+        list.use(all, Access::TransferWrite);
+        list.beginRendering({ColorTarget{&color}});
+        list.draw(3);
+      },
+      "boundIsCurrent");
+}
+#endif
+
 }  // namespace
 }  // namespace opaline::gpu
