@@ -32,7 +32,8 @@ as_root() {
 }
 
 apt_missing() {
-  dpkg-query -W -f='${db:Status-Abbrev}${Package}\n' "$@" 2>/dev/null |
+  # dpkg-query fails where it has never heard of one of them: that is the answer, not an error.
+  { dpkg-query -W -f='${db:Status-Abbrev}${Package}\n' "$@" 2>/dev/null || true; } |
     sed -n 's/^ii //p' | sort -u > "$have"
   printf '%s\n' "$@" | sort -u | comm -23 - "$have"
 }
@@ -61,7 +62,7 @@ install_with_apt() {
 install_with_dnf() {
   local missing
   mapfile -t missing < <(comm -23 <(printf '%s\n' "${dnf_packages[@]}" | sort -u) \
-    <(rpm -q --qf '%{NAME}\n' "${dnf_packages[@]}" 2>/dev/null | sort -u))
+    <({ rpm -q --qf '%{NAME}\n' "${dnf_packages[@]}" 2>/dev/null || true; } | sort -u))
   [ "${#missing[@]}" -eq 0 ] && return
   echo "Installing ${missing[*]}" >&2
   as_root dnf install -y --setopt=install_weak_deps=False "${missing[@]}"
