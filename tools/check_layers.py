@@ -29,7 +29,7 @@ ALLOWED = {
     "src/renderer": ("opaline", "core", "bssrdf", "scene", "environment", "deform", "atlas", "surfels", "gpu",
                      "passes", "shaders"),
     "reference": ("opaline", "core", "bssrdf"),
-    "apps": ("opaline", "core", "bssrdf", "scene", "atlas", "reference"),
+    "apps": ("opaline", "core", "bssrdf", "scene", "deform", "atlas", "reference"),
     "bench": ("*",),
     "python": ("opaline",),
     "examples": ("opaline",),

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -67,7 +68,9 @@ struct RenderOptions {
   bool specular = true;     ///< GGX reflection of lights and environment on top
   float roughness = 0.25F;  ///< of that reflection, GGX α = roughness², in [0.05, 1]
   int antialias = 4;        ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
-  int frames = 1;           ///< how often the same picture is rendered, for timing; ≥ 1
+  int frames = 1;           ///< how often render() renders the picture, for timing; ≥ 1
+  double seconds = 0;       ///< time of clip and deformers, ≥ 0
+  int clip = 0;  ///< which of the scene's clips plays; -1: none, nodes as the file has them
 };
 
 /// GPU time of one pass.
@@ -103,6 +106,17 @@ struct RenderResult {
   RenderReport report;
 };
 
+/// One finished frame. Handed to Renderer::collect again and again, it is filled without
+/// allocating.
+struct Frame {
+  std::vector<Image> images;  ///< in the order they were asked for
+  double milliseconds = 0;    ///< GPU time
+  std::vector<PassTime> passes;
+};
+
+/// Positions in a buffer of the device; see opaline/vulkan.h.
+struct DevicePositions;
+
 /// Which device to use.
 struct RendererOptions {
   std::string device;       ///< index or part of a name; empty: the best there is
@@ -129,6 +143,32 @@ class Renderer {
   /// Renders the scene and returns one image for each of `aovs`. Throws UsageError for options out
   /// of range and Error when no scene is set or the device fails.
   RenderResult render(const RenderOptions& options, const std::vector<Aov>& aovs = {Aov::Radiance});
+
+  /// How many frames may be submitted and not yet collected.
+  static constexpr int framesInFlight = 2;
+
+  /// Hands one frame to the device and returns while it is rendered. Throws as render() does, and
+  /// UsageError when framesInFlight frames wait to be collected. Where neither the scene nor the
+  /// options but seconds and clip changed, it allocates nothing.
+  void submit(const RenderOptions& options, const std::vector<Aov>& aovs = {Aov::Radiance});
+
+  /// Waits for the oldest frame that was submitted and not collected. Throws UsageError when there
+  /// is none.
+  void collect(Frame& frame);
+
+  /// What there is to say of the frames collected since the last setScene().
+  RenderReport report() const;
+
+  /// From the next submitted frame on the object's vertices lie where the caller says instead of
+  /// where its mesh or rig puts them; normals follow; the scene's deformers still apply. The values
+  /// are copied. Throws UsageError unless there is a finite position for each of its vertices.
+  void replacePositions(std::size_t object, std::span<const Vec3> positionsMm);
+
+  /// The same from a buffer of the device, which every frame reads anew.
+  void replacePositions(std::size_t object, const DevicePositions& positions);
+
+  /// Undoes replacePositions.
+  void restorePositions(std::size_t object);
 
   /// Messages of the validation layer so far; 0 without validation.
   std::size_t validationMessages() const;

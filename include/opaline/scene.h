@@ -10,6 +10,7 @@
 #include "opaline/image.h"
 #include "opaline/log.h"
 #include "opaline/medium.h"
+#include "opaline/motion.h"
 #include "opaline/types.h"
 
 namespace opaline {
@@ -20,13 +21,15 @@ struct Mesh {
   std::vector<Vec3> positionsMm;
   std::vector<Vec3> normals;  ///< unit, one per position
   std::vector<Triangle> triangles;
+  bool facetted = false;  ///< normals are those of the triangles, and stay so when they move
 };
 
 /// One body of one medium.
 struct Object {
   std::string name;
-  Mesh mesh;
+  Mesh mesh;  ///< in the rest pose
   Medium medium;
+  std::optional<Rig> rig;  ///< none: only the scene's deformers move it
 };
 
 /// Light from infinitely far away.
@@ -70,6 +73,9 @@ struct Scene {
   std::vector<Object> objects;
   Lighting lighting;
   Camera camera;
+  std::vector<Node> nodes;  ///< parents before children
+  std::vector<Clip> clips;
+  std::vector<Deformer> deformers;  ///< applied in this order, after the rigs
   std::vector<Repair> repairs;
 };
 

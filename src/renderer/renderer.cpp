@@ -97,6 +97,22 @@ class Renderer::Implementation {
     return result;
   }
 
+  void submit(const RenderOptions& options, const std::vector<Aov>& aovs) {
+    if (waiting_.size() >= framesInFlight) throw UsageError("collect a frame before the next");
+    RenderResult result = render(options, aovs);
+    waiting_.push_back({std::move(result.images), result.report.frameMilliseconds,
+                        std::move(result.report.passes)});
+    report_ = std::move(result.report);
+  }
+
+  void collect(Frame& frame) {
+    if (waiting_.empty()) throw UsageError("no frame is under way; call submit first");
+    frame = std::move(waiting_.front());
+    waiting_.erase(waiting_.begin());
+  }
+
+  RenderReport report() const { return report_; }
+
   std::size_t validationMessages() const { return device_.validationMessages(); }
 
  private:
@@ -190,6 +206,8 @@ class Renderer::Implementation {
   std::optional<SceneResources> uploaded_;
   std::optional<FrameResources> resources_;
   RenderOptions prepared_;
+  std::vector<Frame> waiting_;
+  RenderReport report_;
 };
 
 Renderer::Renderer(const RendererOptions& options)
@@ -204,6 +222,18 @@ void Renderer::setScene(const Scene& scene) {
 
 RenderResult Renderer::render(const RenderOptions& options, const std::vector<Aov>& aovs) {
   return implementation_->render(options, aovs);
+}
+
+void Renderer::submit(const RenderOptions& options, const std::vector<Aov>& aovs) {
+  implementation_->submit(options, aovs);
+}
+
+void Renderer::collect(Frame& frame) {
+  implementation_->collect(frame);
+}
+
+RenderReport Renderer::report() const {
+  return implementation_->report();
 }
 
 std::size_t Renderer::validationMessages() const {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+
+#include "opaline/renderer.h"
+
+namespace opaline {
+
+/// The Vulkan objects a renderer works with, for callers who fill buffers of its device. They live
+/// as long as the renderer. Work on the queue is submitted from the renderer's thread.
+struct VulkanDevice {
+  VkInstance instance = VK_NULL_HANDLE;
+  VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
+  VkDevice device = VK_NULL_HANDLE;
+  std::uint32_t queueFamily = 0;
+  VkQueue queue = VK_NULL_HANDLE;
+};
+
+VulkanDevice vulkanDevice(const Renderer& renderer);
+
+/// Positions in mm, three floats each, of an object's vertices in their order. The buffer has the
+/// usage VK_BUFFER_USAGE_STORAGE_BUFFER_BIT and lives until every frame that reads it was
+/// collected. What writes it goes to the same queue before the frame and makes its writes available
+/// to shader storage reads of compute shaders. Positions that are not finite are taken from the
+/// rest pose.
+struct DevicePositions {
+  VkBuffer buffer = VK_NULL_HANDLE;
+  VkDeviceSize offsetBytes = 0;    ///< multiple of 4
+  std::uint32_t strideBytes = 12;  ///< from one position to the next, multiple of 4, at least 12
+};
+
+}  // namespace opaline
