@@ -101,6 +101,8 @@ void SceneOptions::addTo(CommandLine& line) {
                diagonalMm_ = static_cast<float>(readNumber(given, {1e-3, 1e6, "mm"}));
              });
   medium_.addTo(line);
+  line.value("--morph-to", "FILE", "mesh that it turns into: clip \"morph\"",
+             [this](const Given& given) { morphTo_ = given.text; });
 }
 
 std::string SceneOptions::name() const {
@@ -112,7 +114,11 @@ scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
     throw UsageError(fmt::format("--builtin {} and the scene {} exclude each other", *builtIn_,
                                  file_->string()));
   }
-  const LoadOptions options{diagonalMm_, medium_.medium(), log};
+  LoadOptions options;
+  options.diagonalMm = diagonalMm_;
+  options.medium = medium_.medium();
+  options.morphTo = morphTo_;
+  options.log = log;
   if (file_) return scene::loadSceneFile(*file_, options);
   return {builtIn_ == "teapot" ? builtInTeapot(options) : builtInBear(options), {}};
 }

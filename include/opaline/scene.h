@@ -95,7 +95,9 @@ float diagonalMm(const Scene& scene);
 struct LoadOptions {
   std::optional<float> diagonalMm;  ///< scale the bounding-box diagonal to this length, mm, > 0
   std::optional<Medium> medium;     ///< of every object, instead of what the file says
-  LogCallback log;                  ///< receives notes, for example about an assumed unit
+  std::optional<std::filesystem::path>
+      morphTo;      ///< a mesh of the same topology that the model turns into: clip "morph"
+  LogCallback log;  ///< receives notes, for example about an assumed unit
 };
 
 /// Reads a .glb, .gltf, .obj, .ply or .toml scene, repairs its meshes and adds default camera and
