@@ -46,16 +46,18 @@ std::size_t renderFrames(Renderer& renderer, const FilmOrder& order, FrameWriter
   const std::vector<Aov> aovs{order.aov};
   std::deque<int> underWay;
   std::size_t skipped = 0;
+  const auto showProgress = [&] { progress.show(writer.written() + skipped, skipped); };
   const auto collectOldest = [&] {
     Frame frame = writer.take();
     renderer.collect(frame);
     writer.push(underWay.front(), std::move(frame));
     underWay.pop_front();
-    progress.show(writer.written() + skipped, skipped);
+    showProgress();
   };
   for (int frame = order.frames.first; frame <= order.frames.last; ++frame) {
     if (isThere(order, frame)) {
       ++skipped;
+      showProgress();
       continue;
     }
     if (underWay.size() == Renderer::framesInFlight) collectOldest();
@@ -65,6 +67,7 @@ std::size_t renderFrames(Renderer& renderer, const FilmOrder& order, FrameWriter
   }
   while (!underWay.empty()) collectOldest();
   writer.finish();
+  showProgress();
   return skipped;
 }
 
