@@ -7,11 +7,14 @@
 #include "gpu/command_list.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
+#include "passes/deform/deform_pass.h"
+#include "passes/gather/fit_pass.h"
 #include "passes/gather/shadow_pass.h"
 #include "passes/scatter/surface_pass.h"
 #include "passes/shade/shade_pass.h"
 #include "renderer/camera_view.h"
 #include "renderer/light_views.h"
+#include "renderer/scene_motion.h"
 #include "renderer/scene_resources.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/frame.h"
@@ -30,15 +33,14 @@ std::uint32_t unsignedOf(int value) {
   return static_cast<std::uint32_t>(value);
 }
 
-shared::FrameData makeFrameData(const Scene& scene, const Bounds& bounds,
-                                const RenderOptions& options) {
+shared::FrameData makeFrameData(const Scene& scene, const RenderOptions& options) {
   const CameraView camera = makeCameraView(
-      scene.camera, bounds, static_cast<float>(options.width) / static_cast<float>(options.height));
+      scene.camera, static_cast<float>(options.width) / static_cast<float>(options.height));
   shared::FrameData frame{};
   frame.worldToClip = camera.worldToClip;
   frame.cameraPosition = {camera.position, 1};
   frame.cameraAxis = {camera.axis, 0};
-  fillLights(scene.lighting, bounds, unsignedOf(options.shadowSize), frame);
+  fillLights(scene.lighting, unsignedOf(options.shadowSize), frame);
   frame.counts.w = unsignedOf(options.dsmSize);
   frame.ambient = {glm::make_vec3(scene.lighting.ambient.data()), 0};
   return frame;
@@ -59,37 +61,43 @@ gpu::Pipeline makeLambert(gpu::Device& device) {
 class OpaqueFrame::Implementation {
  public:
   Implementation(const Scene& scene, const RenderOptions& options)
-      : views_(shadowViewCount(scene.lighting)),
+      : deform_(device_),
+        fit_(device_),
         shadow_(device_),
         surface_(device_),
         nearest_(device_, gpu::Filter::Nearest),
         lambert_(makeLambert(device_)),
-        resources_(makeSceneResources(device_, scene, options.dsmSize)),
+        scene_(scene),
+        resources_(makeSceneResources(device_, scene_, options.dsmSize)),
+        motion_(device_, scene_, resources_.merged),
+        view_(passes::FitPass::makeView(device_)),
         commands_(device_, "opaque frame") {
     const std::uint32_t width = unsignedOf(options.width);
     const std::uint32_t height = unsignedOf(options.height);
     const std::vector<shared::ChartPlace> charts(resources_.atlas.statistics.charts);
     charts_ = gpu::makeBuffer(device_, "charts", charts, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    shadows_ = passes::ShadowPass::makeMaps(device_, unsignedOf(options.shadowSize), views_);
+    view_.shadowViews = shadowViewCount(scene.lighting);
+    shadows_ =
+        passes::ShadowPass::makeMaps(device_, unsignedOf(options.shadowSize), view_.shadowViews);
     visible_ = passes::SurfacePass::makeSurface(device_, width, height);
     exitance_ =
         passes::SurfacePass::makeExitance(device_, width, height, resources_.mesh.vertexCount);
     radiance_ = passes::ShadePass::makeRadiance(device_, width, height);
-    frame_ = makeFrameData(scene, resources_.bounds, options);
-    frameBuffer_ = gpu::makeBuffer(device_, "frame data", std::vector<shared::FrameData>{frame_},
-                                   VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    upload_ = gpu::makeBuffer(device_, "frame data",
+                              std::vector<shared::FrameData>{makeFrameData(scene, options)}, 0);
   }
 
   void render(FrameTimes& times) {
     commands_.begin();
-    shadow_.record(commands_, frame_, views_, resources_.mesh, shadows_);
-    surface_.record(commands_,
-                    {frameBuffer_, 0, resources_.mesh, charts_, {0, 0}, exitance_.vertices},
+    motion_.record(commands_, deform_, 0, 0, resources_.mesh);
+    fit_.record(commands_, upload_, 0, resources_.mesh, view_);
+    shadow_.record(commands_, view_, resources_.mesh, shadows_);
+    surface_.record(commands_, {view_, resources_.mesh, charts_, {0, 0}, exitance_.vertices},
                     visible_);
     commands_.beginPass("lambert");
     commands_.bind(lambert_);
     commands_.bindResources(
-        {Binding::uniform(0, frameBuffer_), Binding::sampled(1, visible_.position, nearest_),
+        {Binding::uniform(0, view_.data), Binding::sampled(1, visible_.position, nearest_),
          Binding::sampled(2, visible_.normal, nearest_),
          Binding::sampled(3, shadows_.depth, nearest_), Binding::writeImage(4, radiance_)});
     const VkExtent2D extent = radiance_.extent();
@@ -103,20 +111,23 @@ class OpaqueFrame::Implementation {
 
  private:
   gpu::Device device_;
-  std::uint32_t views_;
+  passes::DeformPass deform_;
+  passes::FitPass fit_;
   passes::ShadowPass shadow_;
   passes::SurfacePass surface_;
   gpu::Sampler nearest_;
   gpu::Pipeline lambert_;
+  Scene scene_;
   SceneResources resources_;
+  SceneMotion motion_;
+  passes::FrameView view_;
   gpu::CommandList commands_;
   gpu::Buffer charts_;
   passes::ShadowMaps shadows_;
   passes::VisibleSurface visible_;
   passes::Exitance exitance_;
   gpu::GpuImage radiance_;
-  shared::FrameData frame_{};
-  gpu::Buffer frameBuffer_;
+  gpu::Buffer upload_;
 };
 
 OpaqueFrame::OpaqueFrame(const Scene& scene, const RenderOptions& options)

@@ -94,8 +94,9 @@ enum class DeformerKind {
 
 struct Deformer {
   DeformerKind kind = DeformerKind::Twist;
-  float amount = 0;  ///< Twist [-100, 100], Bend [-6.28, 6.28], Squash [-3, 0.9], Wobble [-1, 1]
-  float periodSeconds = 0;  ///< amount swings as sin 2πt/period; 0: it stays; Wobble: 0 is 1 s
+  float amount = 0;  ///< Twist [-100, 100], Bend [-6.28, 6.28], Wobble [-1, 1], Squash [-3, 0.9]
+                     ///< and [-0.9, 0.9] where it swings
+  float periodSeconds = 0;  ///< ≥ 0; amount swings as sin 2πt/period; 0: it stays; Wobble: 0 is 1 s
 };
 
 }  // namespace opaline

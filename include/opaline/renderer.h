@@ -114,8 +114,9 @@ struct Frame {
   std::vector<PassTime> passes;
 };
 
-/// Positions in a buffer of the device; see opaline/vulkan.h.
+// For callers who work with the renderer's Vulkan device; see opaline/vulkan.h.
 struct DevicePositions;
+struct VulkanDevice;
 
 /// Which device to use.
 struct RendererOptions {
@@ -161,7 +162,8 @@ class Renderer {
 
   /// From the next submitted frame on the object's vertices lie where the caller says instead of
   /// where its mesh or rig puts them; normals follow; the scene's deformers still apply. The values
-  /// are copied. Throws UsageError unless there is a finite position for each of its vertices.
+  /// are copied. Throws UsageError unless there is a finite position for
+  /// each of its vertices.
   void replacePositions(std::size_t object, std::span<const Vec3> positionsMm);
 
   /// The same from a buffer of the device, which every frame reads anew.
@@ -169,6 +171,9 @@ class Renderer {
 
   /// Undoes replacePositions.
   void restorePositions(std::size_t object);
+
+  /// The Vulkan objects that it works with.
+  VulkanDevice vulkanDevice() const;
 
   /// Messages of the validation layer so far; 0 without validation.
   std::size_t validationMessages() const;

@@ -4,8 +4,6 @@
 
 #include <cstdint>
 
-#include "opaline/renderer.h"
-
 namespace opaline {
 
 /// The Vulkan objects a renderer works with, for callers who fill buffers of its device. They live
@@ -17,8 +15,6 @@ struct VulkanDevice {
   std::uint32_t queueFamily = 0;
   VkQueue queue = VK_NULL_HANDLE;
 };
-
-VulkanDevice vulkanDevice(const Renderer& renderer);
 
 /// Positions in mm, three floats each, of an object's vertices in their order. The buffer has the
 /// usage VK_BUFFER_USAGE_STORAGE_BUFFER_BIT and lives until every frame that reads it was

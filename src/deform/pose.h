@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,24 +10,36 @@
 
 namespace opaline::deform {
 
+/// Where a node is below its parent.
+struct LocalTransform {
+  scene::Double3 translation{0, 0, 0};
+  std::array<double, 4> rotation{0, 0, 0, 1};  ///< x y z w
+  scene::Double3 scale{1, 1, 1};
+};
+
 /// Where the nodes of a scene are at one time, and the weights of their morph targets.
 struct Pose {
   std::vector<scene::Matrix4> world;       ///< per node, from the node to the nodes' common space
   std::vector<float> weights;              ///< all nodes' end to end
   std::vector<std::uint32_t> firstWeight;  ///< per node and one more
+  std::vector<LocalTransform> local;       ///< per node; nothing to one that has a matrix
 };
 
 /// A pose with room for a scene's nodes, as the file has them.
 Pose makePose(const Scene& scene);
 
-/// Evaluates a clip; -1 is none, the nodes as the file has them. Allocates nothing.
+/// Evaluates a clip; -1 is none, the nodes as the file has them. The pose is one that makePose()
+/// made for this scene. Allocates nothing.
 void poseAt(const Scene& scene, int clip, double seconds, Pose& pose);
+
+/// Where in the clip a time falls: itself up to the clip's end, beyond it modulo its length.
+double clipTime(const Clip& clip, double seconds);
 
 /// toScene · world · inverseBind of every joint of a rig, or toScene · world of its node where it
 /// has no joints; `matrices` has one place for each. Allocates nothing.
 void jointMatrices(const Rig& rig, const Pose& pose, std::span<scene::Matrix4> matrices);
 
-/// The weights of a rig's morph targets; those that the node does not give are 0.
+/// The weights of a rig's morph targets, one for each; those that the node does not give are 0.
 std::span<const float> morphWeights(const Rig& rig, const Pose& pose);
 
 }  // namespace opaline::deform

@@ -82,6 +82,14 @@ Buffer::Buffer(Device& device, const BufferOptions& options) : Buffer() {
   }
 }
 
+Buffer Buffer::borrowed(VkBuffer buffer, std::size_t bytes) {
+  assert(buffer != VK_NULL_HANDLE);
+  Buffer result;
+  result.buffer_ = buffer;
+  result.bytes_ = bytes;
+  return result;
+}
+
 Buffer::~Buffer() {
   if (device_ == nullptr) return;
   vkDestroyBuffer(device_->handle(), buffer_, nullptr);

@@ -25,10 +25,12 @@ struct BufferOptions {
   Memory memory = Memory::Device;
 };
 
-/// A buffer with memory of its own. Movable.
+/// A buffer with memory of its own, unless it is borrowed. Movable.
 class Buffer {
  public:
   Buffer() = default;
+  /// A buffer of someone else's, who keeps it alive and makes what he wrote visible to its use.
+  static Buffer borrowed(VkBuffer buffer, std::size_t bytes);
   Buffer(Device& device, const BufferOptions& options);
   ~Buffer();
   Buffer(Buffer&& other) noexcept;

@@ -138,6 +138,10 @@ Device::~Device() {
   vkDestroyDevice(device_, nullptr);
 }
 
+VkInstance Device::instance() const {
+  return instance_->handle();
+}
+
 std::size_t Device::validationMessages() const {
   return instance_->messages();
 }

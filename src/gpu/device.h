@@ -48,6 +48,7 @@ class Device {
   static std::vector<DeviceInfo> list();
 
   const DeviceInfo& info() const { return info_; }
+  VkInstance instance() const;
   VkDevice handle() const { return device_; }
   VkPhysicalDevice physical() const { return physical_; }
   VkQueue queue() const { return queue_; }

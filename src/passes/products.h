@@ -10,10 +10,30 @@
 /// What the passes hand to each other. A pass knows these, never another pass.
 namespace opaline::passes {
 
+/// What moves the vertices: tables that stay, and what the host sets for every frame.
+struct Motion {
+  gpu::Buffer rest;            ///< shared::RestVertex, one a vertex
+  gpu::Buffer firstDelta;      ///< one a vertex and one more
+  gpu::Buffer deltas;          ///< shared::MorphDelta
+  gpu::Buffer firstInfluence;  ///< one a vertex and one more
+  gpu::Buffer influences;      ///< shared::JointInfluence
+  gpu::Buffer edgeRange;       ///< uvec2 a vertex: first edge, number of edges
+  gpu::Buffer edges;           ///< shared::TriangleEdge
+  gpu::Buffer frame;           ///< shared::DeformFrame
+  gpu::Buffer weights;         ///< float, of morph targets
+  gpu::Buffer matrices;        ///< three vec4 a joint: the rows of an affine map
+  gpu::Buffer objects;         ///< shared::ObjectMotion
+  gpu::Buffer replaced;        ///< three floats a vertex, mm, where an object's are given
+  bool hasDeltas = false;
+  bool hasInfluences = false;
+  bool normalsFromMesh = false;  ///< of any object in this frame
+};
+
 /// The surface as it is in this frame.
 struct DeformedMesh {
   gpu::Buffer positions;      ///< vec4 a vertex, mm
   gpu::Buffer normals;        ///< vec4 a vertex, unit
+  gpu::Buffer bounds;         ///< of the positions; see lib/bounds.glsl
   gpu::Buffer corners;        ///< shared::AtlasCorner, the atlas's vertices
   gpu::Buffer vertexCorners;  ///< shared::AtlasCorner, one for each vertex
   gpu::Buffer indices;        ///< into corners, three a triangle
@@ -30,6 +50,12 @@ struct SceneTables {
   std::uint32_t mediumCount = 0;
   gpu::Buffer specularAlbedo;  ///< float, see MediumData::tables.w
   gpu::GpuImage ambientCubes;  ///< E_amb by normal, one cube for each index of refraction
+};
+
+/// Lights, shadow views and camera of this frame, fitted to the surface: shared::FrameData.
+struct FrameView {
+  gpu::Buffer data;
+  std::uint32_t shadowViews = 0;
 };
 
 /// Depth from the lights, one layer for each shadow view.

@@ -12,12 +12,6 @@ namespace opaline {
 
 namespace {
 
-float distanceToBox(const glm::vec3& point, const Bounds& bounds) {
-  const glm::vec3 low = glm::make_vec3(bounds.minMm.data());
-  const glm::vec3 high = glm::make_vec3(bounds.maxMm.data());
-  return glm::length(point - glm::clamp(point, low, high));
-}
-
 // A direction that is not along the axis.
 glm::vec3 usableUp(const glm::vec3& wanted, const glm::vec3& axis) {
   const glm::vec3 across = glm::cross(axis, wanted);
@@ -27,7 +21,7 @@ glm::vec3 usableUp(const glm::vec3& wanted, const glm::vec3& axis) {
 
 }  // namespace
 
-CameraView makeCameraView(const Camera& camera, const Bounds& bounds, float aspect) {
+CameraView makeCameraView(const Camera& camera, float aspect) {
   CameraView view;
   view.position = glm::make_vec3(camera.positionMm.data());
   const glm::vec3 target = glm::make_vec3(camera.targetMm.data());
@@ -36,16 +30,12 @@ CameraView makeCameraView(const Camera& camera, const Bounds& bounds, float aspe
       glm::normalize(glm::cross(view.axis, usableUp(glm::make_vec3(camera.up.data()), view.axis)));
   const glm::vec3 up = glm::cross(right, view.axis);
 
-  const float diagonal =
-      glm::length(glm::make_vec3(bounds.maxMm.data()) - glm::make_vec3(bounds.minMm.data()));
-  const float nearMm =
-      std::max(0.5F * distanceToBox(view.position, bounds), std::max(1e-4F * diagonal, 1e-6F));
   const float focal = 1 / std::tan(0.5F * glm::radians(camera.verticalFovDegrees));
 
   const auto row = [&](const glm::vec3& v) { return glm::vec4(v, -glm::dot(v, view.position)); };
   const glm::vec4 x = (focal / aspect) * row(right);
   const glm::vec4 y = -focal * row(up);
-  const glm::vec4 z(0, 0, 0, nearMm);
+  const glm::vec4 z(0, 0, 0, 1);
   const glm::vec4 w = row(view.axis);
   view.worldToClip = glm::transpose(glm::mat4(x, y, z, w));
   return view;

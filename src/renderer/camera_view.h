@@ -17,8 +17,8 @@ struct CameraView {
   glm::vec3 axis{0, 0, -1};  ///< unit, towards the scene
 };
 
-/// The near plane lies before the box, as far away as that allows.
-CameraView makeCameraView(const Camera& camera, const Bounds& bounds, float aspect);
+/// With a near plane of 1 mm; passes::FitPass moves it.
+CameraView makeCameraView(const Camera& camera, float aspect);
 
 /// Offsets of the antialiasing samples from the pixel's centre, in pixels: the standard patterns of
 /// Direct3D for 1, 2, 4 and 8 samples.

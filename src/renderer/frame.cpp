@@ -3,7 +3,6 @@
 #include <cassert>
 
 #include "renderer/camera_view.h"
-#include "renderer/light_views.h"
 
 namespace opaline {
 
@@ -19,15 +18,17 @@ struct FrameContext {
   gpu::CommandList& commands;
   const Passes& passes;
   const FramePlan& plan;
-  gpu::Buffer& frameBuffer;
-  std::size_t frameOffset;
   passes::DeformedMesh& mesh;
   FrameResources& resources;
 
-  void gather(const shared::FrameData& frame, std::uint32_t shadowViews) const {
-    passes.shadow.record(commands, frame, shadowViews, mesh, resources.shadows);
-    passes.gather.record(commands,
-                         {frameBuffer, frameOffset, mesh, resources.tables, resources.shadows},
+  void deform(SceneMotion& motion, const FrameUpload& upload) const {
+    motion.record(commands, passes.deform, plan.clip, plan.seconds, mesh);
+    passes.fit.record(commands, upload.buffer, upload.offset, mesh, resources.view);
+  }
+
+  void gather() const {
+    passes.shadow.record(commands, resources.view, mesh, resources.shadows);
+    passes.gather.record(commands, {resources.view, mesh, resources.tables, resources.shadows},
                          resources.sources);
   }
 
@@ -55,18 +56,18 @@ struct FrameContext {
   }
 
   void seeSurface(const glm::vec2& jitter) const {
-    passes.surface.record(commands,
-                          {frameBuffer, frameOffset, mesh, resources.sources.charts, jitter,
-                           resources.exitance.vertices},
-                          resources.surface);
+    passes.surface.record(
+        commands,
+        {resources.view, mesh, resources.sources.charts, jitter, resources.exitance.vertices},
+        resources.surface);
     if (plan.site == Site::Fragment) scatterAtFragments();
   }
 
   void shade(std::uint32_t sample, std::uint32_t samples) const {
     passes.shade.record(commands,
-                        {frameBuffer, frameOffset, resources.tables, resources.shadows,
-                         resources.surface, visibleExitance(plan.site, resources),
-                         resources.environmentCube, sample, samples, plan.roughness, plan.specular},
+                        {resources.view, resources.tables, resources.shadows, resources.surface,
+                         visibleExitance(plan.site, resources), resources.environmentCube, sample,
+                         samples, plan.roughness, plan.specular},
                         resources.radiance);
   }
 };
@@ -78,7 +79,9 @@ gpu::GpuImage& visibleExitance(Site site, FrameResources& resources) {
 }
 
 Passes::Passes(gpu::Device& device)
-    : shadow(device),
+    : deform(device),
+      fit(device),
+      shadow(device),
       gather(device),
       surface(device),
       scatter(device),
@@ -86,12 +89,12 @@ Passes::Passes(gpu::Device& device)
       shade(device) {}
 
 void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
-                 const shared::FrameData& frame, std::uint32_t shadowViews,
-                 gpu::Buffer& frameBuffer, std::size_t frameOffset, passes::DeformedMesh& mesh,
+                 const FrameUpload& upload, SceneMotion& motion, passes::DeformedMesh& mesh,
                  FrameResources& resources) {
   assert(plan.site != Site::Auto);
-  const FrameContext context{commands, passes, plan, frameBuffer, frameOffset, mesh, resources};
-  context.gather(frame, shadowViews);
+  const FrameContext context{commands, passes, plan, mesh, resources};
+  context.deform(motion, upload);
+  context.gather();
   context.scatterAtVertices();
 
   if (plan.samples > 0) {

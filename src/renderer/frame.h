@@ -6,13 +6,16 @@
 #include "gpu/command_list.h"
 #include "gpu/transfer.h"
 #include "opaline/renderer.h"
+#include "passes/deform/deform_pass.h"
 #include "passes/gather/diffusion_source_pass.h"
+#include "passes/gather/fit_pass.h"
 #include "passes/gather/shadow_pass.h"
 #include "passes/products.h"
 #include "passes/scatter/scatter_pass.h"
 #include "passes/scatter/surface_pass.h"
 #include "passes/shade/environment_pass.h"
 #include "passes/shade/shade_pass.h"
+#include "renderer/scene_motion.h"
 #include "renderer/scene_resources.h"
 
 namespace opaline {
@@ -21,6 +24,8 @@ namespace opaline {
 struct Passes {
   explicit Passes(gpu::Device& device);
 
+  passes::DeformPass deform;
+  passes::FitPass fit;
   passes::ShadowPass shadow;
   passes::DiffusionSourcePass gather;
   passes::SurfacePass surface;
@@ -32,6 +37,7 @@ struct Passes {
 /// What the passes of a frame read and write; depends on scene and options, not on the frame.
 struct FrameResources {
   passes::SceneTables tables;
+  passes::FrameView view;
   passes::ShadowMaps shadows;
   passes::DiffusionSources sources;
   passes::VisibleSurface surface;
@@ -49,16 +55,23 @@ struct FramePlan {
   bool centre = false;         ///< leave the visible surface and exitance of the pixels' centres
   bool specular = true;
   float roughness = 0.25F;
+  int clip = 0;
+  double seconds = 0;
 };
 
 /// The image that a frame leaves the exitance of visible pixels in.
 gpu::GpuImage& visibleExitance(Site site, FrameResources& resources);
 
-/// Records one frame: shadows, gathering, then for every antialiasing sample the visible surface,
-/// scattering and shading.
+/// What the host sets for a frame, in memory that the device reads.
+struct FrameUpload {
+  gpu::Buffer& buffer;
+  std::size_t offset;  ///< of a shared::FrameData, see passes::FitPass
+};
+
+/// Records one frame: the surface where it is at that time, shadows, gathering, then for every
+/// antialiasing sample the visible surface, scattering and shading.
 void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
-                 const shared::FrameData& frame, std::uint32_t shadowViews,
-                 gpu::Buffer& frameBuffer, std::size_t frameOffset, passes::DeformedMesh& mesh,
+                 const FrameUpload& upload, SceneMotion& motion, passes::DeformedMesh& mesh,
                  FrameResources& resources);
 
 }  // namespace opaline

@@ -1,140 +1,108 @@
 #include "renderer/readback.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstring>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "gpu/device.h"
-#include "gpu/transfer.h"
 
 namespace opaline {
 
 namespace {
 
-Image emptyImage(const gpu::GpuImage& source) {
-  return {static_cast<int>(source.extent().width), static_cast<int>(source.extent().height)};
-}
+using Halves = std::array<std::uint16_t, 4>;
 
-Image readFloats(gpu::Device& device, gpu::GpuImage& source) {
-  Image image = emptyImage(source);
-  const std::vector<std::byte> bytes = gpu::readImage(device, source, 4 * sizeof(float));
-  std::memcpy(image.rgba.data(), bytes.data(), image.rgba.size() * sizeof(float));
-  return image;
-}
-
-Image readHalves(gpu::Device& device, gpu::GpuImage& source) {
-  Image image = emptyImage(source);
-  const std::vector<std::byte> bytes = gpu::readImage(device, source, 4 * sizeof(std::uint16_t));
-  std::vector<std::uint16_t> halves(image.rgba.size());
-  std::memcpy(halves.data(), bytes.data(), halves.size() * sizeof(std::uint16_t));
-  std::transform(halves.begin(), halves.end(), image.rgba.begin(), glm::unpackHalf1x16);
-  return image;
-}
-
-Image readCoverage(gpu::Device& device, gpu::GpuImage& source) {
-  Image image = emptyImage(source);
-  const std::vector<std::byte> bytes = gpu::readImage(device, source, sizeof(std::uint32_t));
-  for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, &bytes[i * sizeof(value)], sizeof(value));
-    image.rgba[4 * i + 3] = value != 0 ? 1.0F : 0.0F;
+// The images that a variable is made from.
+std::array<gpu::GpuImage*, 3> imagesOf(Aov aov, Site site, FrameResources& resources) {
+  gpu::GpuImage* const position = &resources.surface.position;
+  gpu::GpuImage* const coverage = &resources.sources.coverage;
+  switch (aov) {
+    case Aov::Radiance:
+      return {&resources.radiance, nullptr, nullptr};
+    case Aov::Exitance:
+      return {position, &visibleExitance(site, resources), nullptr};
+    case Aov::Irradiance:
+      return {position, &resources.surface.place, &resources.sources.nearFlux};
+    case Aov::Position:
+    case Aov::Depth:
+    case Aov::Object:
+      return {position, nullptr, nullptr};
+    case Aov::Normal:
+      return {position, &resources.surface.normal, nullptr};
+    case Aov::DsmPosition:
+    case Aov::DsmArea:
+      return {coverage, &resources.sources.positionArea, nullptr};
+    case Aov::DsmNormal:
+      return {coverage, &resources.sources.normal, nullptr};
+    case Aov::DsmIrradiance:
+      return {coverage, &resources.sources.irradianceObject, nullptr};
   }
-  return image;
+  return {};
 }
 
-// Applies `change` to the four values of every pixel of `image` and `other`, which is as large.
-template <typename Change>
-Image combine(Image image, const Image& other, const Change& change) {
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) change(&image.rgba[i], &other.rgba[i]);
-  return image;
+std::size_t bytesOf(const gpu::GpuImage& image) {
+  constexpr std::size_t alignment = 16;
+  const std::size_t bytes = std::size_t{image.extent().width} * image.extent().height *
+                            gpu::bytesPerTexel(image.options().format);
+  return (bytes + alignment - 1) / alignment * alignment;
 }
 
-void setGrey(float* pixel, float value) {
-  std::fill_n(pixel, 3, value);
+void resize(Image& image, VkExtent2D extent) {
+  image.width = static_cast<int>(extent.width);
+  image.height = static_cast<int>(extent.height);
+  image.rgba.resize(std::size_t{4} * extent.width * extent.height);
+}
+
+// Sets every pixel to what `colour` says of its index, covered where `covered` says so.
+template <typename Colour, typename Covered>
+void fill(Image& image, const Covered& covered, const Colour& colour) {
+  for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
+    const bool hit = covered(i);
+    const glm::vec3 value = hit ? colour(i) : glm::vec3(0);
+    float* pixel = &image.rgba[4 * i];
+    pixel[0] = value.x;
+    pixel[1] = value.y;
+    pixel[2] = value.z;
+    pixel[3] = hit ? 1.0F : 0.0F;
+  }
 }
 
 // What a shader reads by linear filtering with clamped coordinates.
-void sampleLinear(const Image& map, float u, float v, float* rgba) {
-  const float x =
-      std::clamp(u * static_cast<float>(map.width) - 0.5F, 0.0F, static_cast<float>(map.width - 1));
-  const float y = std::clamp(v * static_cast<float>(map.height) - 0.5F, 0.0F,
-                             static_cast<float>(map.height - 1));
-  const int x0 = std::min(static_cast<int>(x), std::max(map.width - 2, 0));
-  const int y0 = std::min(static_cast<int>(y), std::max(map.height - 2, 0));
-  const float fx = x - static_cast<float>(x0);
-  const float fy = y - static_cast<float>(y0);
-  const int x1 = std::min(x0 + 1, map.width - 1);
-  const int y1 = std::min(y0 + 1, map.height - 1);
-  for (int c = 0; c < 4; ++c)
-    rgba[c] = std::lerp(std::lerp(map.pixel(x0, y0)[c], map.pixel(x1, y0)[c], fx),
-                        std::lerp(map.pixel(x0, y1)[c], map.pixel(x1, y1)[c], fx), fy);
+glm::vec4 sampleLinear(const glm::vec4* map, VkExtent2D extent, const glm::vec2& uv) {
+  const auto edge = [](float place, std::uint32_t size) {
+    const auto texels = static_cast<float>(size);
+    const float at = std::clamp(place * texels - 0.5F, 0.0F, texels - 1);
+    const auto low = std::min(static_cast<std::uint32_t>(at), size > 1 ? size - 2 : 0);
+    return std::tuple(low, std::min(low + 1, size - 1), at - static_cast<float>(low));
+  };
+  const auto [x0, x1, fx] = edge(uv.x, extent.width);
+  const auto [y0, y1, fy] = edge(uv.y, extent.height);
+  const auto at = [&](std::uint32_t x, std::uint32_t y) {
+    return map[std::size_t{y} * extent.width + x];
+  };
+  return glm::mix(glm::mix(at(x0, y0), at(x1, y0), fx), glm::mix(at(x0, y1), at(x1, y1), fx), fy);
+}
+
+glm::vec3 unpack(const Halves& half) {
+  return {glm::unpackHalf1x16(half[0]), glm::unpackHalf1x16(half[1]), glm::unpackHalf1x16(half[2])};
 }
 
 // The accumulated samples hold colour times coverage.
-Image radiance(gpu::Device& device, FrameResources& resources) {
-  Image image = readFloats(device, resources.radiance);
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    float& coverage = image.rgba[i + 3];
-    if (coverage <= 0) continue;
-    for (std::size_t c = 0; c < 3; ++c) image.rgba[i + c] /= coverage;
-    coverage = std::min(coverage, 1.0F);
-  }
-  return image;
-}
-
-Image position(gpu::Device& device, FrameResources& resources) {
-  Image image = readFloats(device, resources.surface.position);
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4)
-    image.rgba[i] = image.rgba[i] > 0 ? 1.0F : 0.0F;
-  return image;
-}
-
-Image depth(gpu::Device& device, FrameResources& resources, const CameraView& camera) {
-  Image image = position(device, resources);
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    if (image.rgba[i + 3] <= 0) continue;
-    const glm::vec3 point(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]);
-    setGrey(&image.rgba[i], glm::dot(point - camera.position, camera.axis));
-  }
-  return image;
-}
-
-Image object(gpu::Device& device, FrameResources& resources) {
-  Image image = readFloats(device, resources.surface.position);
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    const float index = image.rgba[i + 3];
-    setGrey(&image.rgba[i], std::max(index - 1, 0.0F));
-    image.rgba[i + 3] = index > 0 ? 1.0F : 0.0F;
-  }
-  return image;
-}
-
-Image irradiance(gpu::Device& device, FrameResources& resources) {
-  const Image flux = readFloats(device, resources.sources.nearFlux);
-  const std::vector<std::byte> bytes =
-      gpu::readImage(device, resources.surface.place, sizeof(glm::vec2));
-  Image image = position(device, resources);
+void makeRadiance(Image& image, const glm::vec4* sums) {
   for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
+    const float coverage = sums[i].a;
+    const glm::vec3 colour = coverage > 0 ? glm::vec3(sums[i]) / coverage : glm::vec3(sums[i]);
     float* pixel = &image.rgba[4 * i];
-    if (pixel[3] <= 0) continue;
-    glm::vec2 place{};
-    std::memcpy(&place, &bytes[i * sizeof(place)], sizeof(place));
-    std::array<float, 4> mean{};
-    sampleLinear(flux, place.x, place.y, mean.data());
-    for (std::size_t c = 0; c < 3; ++c) pixel[c] = mean[3] > 0 ? mean[c] / mean[3] : 0.0F;
+    pixel[0] = colour.x;
+    pixel[1] = colour.y;
+    pixel[2] = colour.z;
+    pixel[3] = coverage > 0 ? std::min(coverage, 1.0F) : coverage;
   }
-  return image;
-}
-
-Image withAlphaOf(Image image, const Image& coverage) {
-  return combine(std::move(image), coverage,
-                 [](float* pixel, const float* covered) { pixel[3] = covered[3]; });
 }
 
 }  // namespace
@@ -153,39 +121,89 @@ bool needsCentre(Aov aov) {
   }
 }
 
-Image readAov(gpu::Device& device, Aov aov, Site site, FrameResources& resources,
-              const CameraView& camera) {
-  const auto dsm = [&](Image image) {
-    return withAlphaOf(std::move(image), readCoverage(device, resources.sources.coverage));
-  };
-  switch (aov) {
-    case Aov::Radiance:
-      return radiance(device, resources);
-    case Aov::Exitance:
-      return withAlphaOf(readFloats(device, visibleExitance(site, resources)),
-                         position(device, resources));
-    case Aov::Irradiance:
-      return irradiance(device, resources);
-    case Aov::Position:
-      return position(device, resources);
-    case Aov::Normal:
-      return withAlphaOf(readHalves(device, resources.surface.normal), position(device, resources));
-    case Aov::Depth:
-      return depth(device, resources, camera);
-    case Aov::Object:
-      return object(device, resources);
-    case Aov::DsmPosition:
-      return dsm(readFloats(device, resources.sources.positionArea));
-    case Aov::DsmNormal:
-      return dsm(readHalves(device, resources.sources.normal));
-    case Aov::DsmIrradiance:
-      return dsm(readFloats(device, resources.sources.irradianceObject));
-    case Aov::DsmArea:
-      return combine(readCoverage(device, resources.sources.coverage),
-                     readFloats(device, resources.sources.positionArea),
-                     [](float* pixel, const float* place) { setGrey(pixel, place[3]); });
+void Readback::record(gpu::Device& device, gpu::CommandList& commands, const std::vector<Aov>& aovs,
+                      Site site, const CameraView& camera, FrameResources& resources) {
+  camera_ = camera;
+  entries_.clear();
+  std::size_t bytes = 0;
+  for (const Aov aov : aovs) {
+    Entry entry{.aov = aov};
+    const std::array<gpu::GpuImage*, 3> images = imagesOf(aov, site, resources);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      if (images[i] == nullptr) continue;
+      entry.sources[i] = {bytes, images[i]->extent()};
+      bytes += bytesOf(*images[i]);
+    }
+    entries_.push_back(entry);
   }
-  return {};
+  if (bytes == 0) return;
+  if (!buffer_ || buffer_.bytes() < bytes) {
+    buffer_ = {};
+    buffer_ =
+        gpu::Buffer(device, {.name = "readback", .bytes = bytes, .memory = gpu::Memory::Readback});
+  }
+  for (const Entry& entry : entries_) {
+    const std::array<gpu::GpuImage*, 3> images = imagesOf(entry.aov, site, resources);
+    for (std::size_t i = 0; i < images.size(); ++i)
+      if (images[i] != nullptr)
+        commands.copyFromImage(*images[i], buffer_, 0, 0, entry.sources[i].offset);
+  }
+  commands.use(buffer_, gpu::Access::HostRead);
+}
+
+template <typename T>
+const T* Readback::texels(const Source& source) const {
+  return reinterpret_cast<const T*>(buffer_.mapped().data() + source.offset);
+}
+
+void Readback::make(const Entry& entry, Image& image) const {
+  const auto& [first, second, third] = entry.sources;
+  resize(image, first.extent);
+  const auto* visible = texels<glm::vec4>(first);
+  const auto seen = [&](std::size_t i) { return visible[i].w > 0; };
+  const auto* objects = texels<std::uint32_t>(first);
+  const auto onMap = [&](std::size_t i) { return objects[i] != 0; };
+  const auto floats = [values = texels<glm::vec4>(second)](std::size_t i) {
+    return glm::vec3(values[i]);
+  };
+  const auto halves = [values = texels<Halves>(second)](std::size_t i) {
+    return unpack(values[i]);
+  };
+  switch (entry.aov) {
+    case Aov::Radiance:
+      return makeRadiance(image, visible);
+    case Aov::Exitance:
+      return fill(image, seen, floats);
+    case Aov::Irradiance:
+      return fill(image, seen, [&](std::size_t i) {
+        const glm::vec4 mean =
+            sampleLinear(texels<glm::vec4>(third), third.extent, texels<glm::vec2>(second)[i]);
+        return mean.a > 0 ? glm::vec3(mean) / mean.a : glm::vec3(0);
+      });
+    case Aov::Position:
+      return fill(image, seen, [&](std::size_t i) { return glm::vec3(visible[i]); });
+    case Aov::Depth:
+      return fill(image, seen, [&](std::size_t i) {
+        return glm::vec3(glm::dot(glm::vec3(visible[i]) - camera_.position, camera_.axis));
+      });
+    case Aov::Object:
+      return fill(image, seen, [&](std::size_t i) { return glm::vec3(visible[i].w - 1); });
+    case Aov::Normal:
+      return fill(image, seen, halves);
+    case Aov::DsmPosition:
+    case Aov::DsmIrradiance:
+      return fill(image, onMap, floats);
+    case Aov::DsmNormal:
+      return fill(image, onMap, halves);
+    case Aov::DsmArea:
+      return fill(image, onMap,
+                  [&](std::size_t i) { return glm::vec3(texels<glm::vec4>(second)[i].w); });
+  }
+}
+
+void Readback::finish(std::vector<Image>& images) const {
+  images.resize(entries_.size());
+  for (std::size_t i = 0; i < entries_.size(); ++i) make(entries_[i], images[i]);
 }
 
 }  // namespace opaline

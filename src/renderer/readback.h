@@ -1,20 +1,50 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/command_list.h"
 #include "opaline/renderer.h"
 #include "renderer/camera_view.h"
 #include "renderer/frame.h"
 
-namespace opaline::gpu {
-class Device;
-}
-
 namespace opaline {
-
-/// The image of one output variable, from what a finished frame left on the device. Blocks.
-Image readAov(gpu::Device& device, Aov aov, Site site, FrameResources& resources,
-              const CameraView& camera);
 
 /// Whether a variable is read off the pixels' centres.
 bool needsCentre(Aov aov);
+
+/// Brings output variables of a frame to the host: copies at the frame's end what they are made
+/// from, and makes pictures of it when the frame has finished. Reused for the same variables it
+/// allocates nothing.
+class Readback {
+ public:
+  /// Records the copies.
+  void record(gpu::Device& device, gpu::CommandList& commands, const std::vector<Aov>& aovs,
+              Site site, const CameraView& camera, FrameResources& resources);
+
+  /// The images in the order of the variables; the frame has finished.
+  void finish(std::vector<Image>& images) const;
+
+ private:
+  /// What one image left in the buffer.
+  struct Source {
+    std::size_t offset = 0;
+    VkExtent2D extent{};
+  };
+  struct Entry {
+    Aov aov = Aov::Radiance;
+    std::array<Source, 3> sources;
+  };
+
+  void make(const Entry& entry, Image& image) const;
+  template <typename T>
+  const T* texels(const Source& source) const;
+
+  gpu::Buffer buffer_;
+  std::vector<Entry> entries_;
+  CameraView camera_;
+};
 
 }  // namespace opaline

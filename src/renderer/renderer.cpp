@@ -1,6 +1,9 @@
 #include "opaline/renderer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -9,11 +12,13 @@
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "opaline/error.h"
+#include "opaline/vulkan.h"
 #include "renderer/camera_view.h"
 #include "renderer/frame.h"
 #include "renderer/light_views.h"
 #include "renderer/pattern_layout.h"
 #include "renderer/readback.h"
+#include "renderer/scene_motion.h"
 #include "renderer/scene_resources.h"
 #include "renderer/scene_tables.h"
 #include "renderer/timing.h"
@@ -46,12 +51,22 @@ FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, S
                          : 0,
           .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),
           .specular = options.specular,
-          .roughness = options.roughness};
+          .roughness = options.roughness,
+          .clip = options.clip,
+          .seconds = options.seconds};
 }
 
-// Every pass of a frame in a command list's count: those of gathering, those of the vertices'
-// scattering, and three for each look at the surface.
-constexpr std::uint32_t maxPassesOfFrame = 8 + 3 * 10;
+// Every pass of a frame in a command list's count: those of deforming and gathering, those of the
+// vertices' scattering, and three for each look at the surface.
+constexpr std::uint32_t maxPassesOfFrame = 10 + 3 * 10;
+
+// One of the frames that may be under way.
+struct FrameSlot {
+  explicit FrameSlot(gpu::Device& device) : commands(device, "frame", maxPassesOfFrame) {}
+
+  gpu::CommandList commands;
+  Readback readback;
+};
 
 }  // namespace
 
@@ -60,75 +75,119 @@ class Renderer::Implementation {
   explicit Implementation(const RendererOptions& options)
       : device_({.selector = options.device, .validation = options.validation, .log = options.log}),
         passes_(device_),
-        commands_(device_, "frame", maxPassesOfFrame),
-        frameData_(device_, "frame data", sizeof(shared::FrameData), 2,
-                   VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT) {}
+        slots_{FrameSlot(device_), FrameSlot(device_)},
+        frameData_(device_, "frame data", sizeof(shared::FrameData), framesInFlight, 0) {}
 
   void setScene(const Scene& scene) {
     validate(scene);
     device_.waitIdle();
+    waiting_ = 0;
     resources_.reset();
+    motion_.reset();
     uploaded_.reset();
+    times_.clear();
     scene_ = scene;
   }
 
   RenderResult render(const RenderOptions& options, const std::vector<Aov>& aovs) {
-    validate(options);
-    if (!scene_) throw Error("no scene is set; call setScene first");
-    prepare(options);
-
-    const Site site = chooseSite(options.site, *uploaded_);
-    const FramePlan plan = makePlan(options, aovs, site);
-    const CameraView camera =
-        makeCameraView(scene_->camera, uploaded_->bounds,
-                       static_cast<float>(options.width) / static_cast<float>(options.height));
-    const shared::FrameData frame = makeFrameData(camera, options);
-
+    if (waiting_ > 0)
+      throw UsageError("frames wait to be collected; collect them before calling render");
     FrameTimes times;
-    for (int i = 0; i < options.frames; ++i) {
-      runFrame(plan, frame);
-      times.add(commands_.frameMilliseconds(), commands_.timings());
+    for (int i = 0; i < std::max(options.frames, 1); ++i) {
+      submit(options, aovs);
+      finishOldest(frame_, times);
     }
-
-    RenderResult result;
-    for (const Aov aov : aovs)
-      result.images.push_back(readAov(device_, aov, site, *resources_, camera));
-    result.report = makeReport(options, site, times);
-    return result;
+    return {std::move(frame_.images), makeReport(times)};
   }
 
   void submit(const RenderOptions& options, const std::vector<Aov>& aovs) {
-    if (waiting_.size() >= framesInFlight) throw UsageError("collect a frame before the next");
-    RenderResult result = render(options, aovs);
-    waiting_.push_back({std::move(result.images), result.report.frameMilliseconds,
-                        std::move(result.report.passes)});
-    report_ = std::move(result.report);
+    validate(options);
+    if (!scene_) throw Error("no scene is set; call setScene first");
+    requireClip(options.clip);
+    if (waiting_ >= framesInFlight)
+      throw UsageError(fmt::format(
+          "{} frames are under way, which is all there may be; collect one first", waiting_));
+    prepare(options);
+    last_ = options;
+    site_ = chooseSite(options.site, *uploaded_);
+    const CameraView camera = makeCameraView(
+        scene_->camera, static_cast<float>(options.width) / static_cast<float>(options.height));
+    frameData_.nextFrame();
+    const FrameUpload upload{frameData_.buffer(), frameData_.push(makeFrameData(camera, options))};
+
+    FrameSlot& slot = slots_[next_];
+    slot.commands.begin();
+    recordFrame(slot.commands, passes_, makePlan(options, aovs, site_), upload, *motion_,
+                uploaded_->mesh, *resources_);
+    slot.readback.record(device_, slot.commands, aovs, site_, camera, *resources_);
+    slot.commands.submit();
+    next_ = (next_ + 1) % slots_.size();
+    ++waiting_;
   }
 
   void collect(Frame& frame) {
-    if (waiting_.empty()) throw UsageError("no frame is under way; call submit first");
-    frame = std::move(waiting_.front());
-    waiting_.erase(waiting_.begin());
+    if (waiting_ == 0) throw UsageError("no frame is under way; submit one first");
+    finishOldest(frame, times_);
   }
 
-  RenderReport report() const { return report_; }
+  RenderReport report() const {
+    if (!uploaded_ || !resources_) throw UsageError("there is no report before the first frame");
+    return makeReport(times_);
+  }
+
+  template <typename Positions>
+  void replacePositions(std::size_t object, const Positions& positions) {
+    makeMotion().given().give(device_, object, positions, motion_->tables());
+  }
+
+  void restorePositions(std::size_t object) { makeMotion().given().restore(object); }
+
+  VulkanDevice vulkanDevice() const {
+    return {device_.instance(), device_.physical(), device_.handle(), device_.queueFamily(),
+            device_.queue()};
+  }
 
   std::size_t validationMessages() const { return device_.validationMessages(); }
 
  private:
+  void requireClip(int clip) const {
+    const auto clips = static_cast<int>(scene_->clips.size());
+    if (clip > 0 && clip >= clips)
+      throw UsageError(fmt::format("there is no clip {}: the scene has {}", clip, clips));
+  }
+
+  // Waits for the oldest frame under way and takes its pictures.
+  void finishOldest(Frame& frame, FrameTimes& times) {
+    FrameSlot& slot = slots_[(next_ + slots_.size() - waiting_) % slots_.size()];
+    --waiting_;
+    slot.commands.wait();
+    slot.readback.finish(frame.images);
+    const std::vector<gpu::PassTiming>& timings = slot.commands.timings();
+    frame.milliseconds = slot.commands.frameMilliseconds();
+    frame.passes.resize(timings.size());
+    for (std::size_t i = 0; i < timings.size(); ++i) {
+      frame.passes[i].name = timings[i].name;
+      frame.passes[i].milliseconds = timings[i].milliseconds;
+    }
+    times.add(frame.milliseconds, timings);
+  }
+
   // Makes what depends on the scene and the options, where it is not there yet.
   void prepare(const RenderOptions& options) {
-    if (!uploaded_ || prepared_.dsmSize != options.dsmSize) {
-      resources_.reset();
+    if (resources_ && sameTables(prepared_, options)) {
+      if (options.sum == Sum::All) passes_.gather.prepareList(device_, resources_->sources);
+      return;
+    }
+    device_.waitIdle();
+    resources_.reset();
+    if (uploaded_ && prepared_.dsmSize != options.dsmSize) {
+      motion_.reset();
       uploaded_.reset();
-      uploaded_ = makeSceneResources(device_, *scene_, options.dsmSize);
     }
-    if (!resources_ || !sameTables(prepared_, options)) {
-      resources_.reset();
-      resources_ = makeFrameResources(options);
-    }
-    if (options.sum == Sum::All) passes_.gather.prepareList(device_, resources_->sources);
     prepared_ = options;
+    makeMotion();
+    resources_ = makeFrameResources(options);
+    if (options.sum == Sum::All) passes_.gather.prepareList(device_, resources_->sources);
   }
 
   static bool sameTables(const RenderOptions& a, const RenderOptions& b) {
@@ -139,18 +198,28 @@ class Renderer::Implementation {
            a.shadowSize == b.shadowSize && a.roughness == b.roughness;
   }
 
+  // The scene on the device, for the map size that was asked for last.
+  SceneMotion& makeMotion() {
+    if (!scene_) throw Error("no scene is set; call setScene first");
+    if (!uploaded_) uploaded_ = makeSceneResources(device_, *scene_, prepared_.dsmSize);
+    if (!motion_) motion_.emplace(device_, *scene_, uploaded_->merged);
+    return *motion_;
+  }
+
   FrameResources makeFrameResources(const RenderOptions& options) {
     const auto width = static_cast<std::uint32_t>(options.width);
     const auto height = static_cast<std::uint32_t>(options.height);
     const PatternLayout pattern = layOutPattern(*uploaded_, options);
     FrameResources made;
+    made.view = passes::FitPass::makeView(device_);
+    made.view.shadowViews = shadowViewCount(scene_->lighting);
     made.sources = passes_.gather.prepare(device_, uploaded_->mesh,
                                           static_cast<std::uint32_t>(options.dsmSize),
                                           uploaded_->objects, pattern.maps);
     made.tables = makeSceneTables(device_, *uploaded_, pattern, made.sources.firstOfObject,
                                   scene_->lighting, options);
     made.shadows = passes::ShadowPass::makeMaps(
-        device_, static_cast<std::uint32_t>(options.shadowSize), shadowViewCount(scene_->lighting));
+        device_, static_cast<std::uint32_t>(options.shadowSize), made.view.shadowViews);
     made.surface = passes::SurfacePass::makeSurface(device_, width, height);
     made.exitance =
         passes::SurfacePass::makeExitance(device_, width, height, uploaded_->mesh.vertexCount);
@@ -167,29 +236,18 @@ class Renderer::Implementation {
     frame.worldToClip = camera.worldToClip;
     frame.cameraPosition = {camera.position, 1};
     frame.cameraAxis = {camera.axis, 0};
-    fillLights(scene_->lighting, uploaded_->bounds, static_cast<std::uint32_t>(options.shadowSize),
-               frame);
+    fillLights(scene_->lighting, static_cast<std::uint32_t>(options.shadowSize), frame);
     frame.counts.z = scene_->lighting.environment ? 1 : 0;
     frame.ambient = {glm::make_vec3(scene_->lighting.ambient.data()), 0};
     return frame;
   }
 
-  void runFrame(const FramePlan& plan, const shared::FrameData& frame) {
-    commands_.begin();
-    frameData_.nextFrame();
-    const std::size_t offset = frameData_.push(frame);
-    recordFrame(commands_, passes_, plan, frame, shadowViewCount(scene_->lighting),
-                frameData_.buffer(), offset, uploaded_->mesh, *resources_);
-    commands_.submit();
-    commands_.wait();
-  }
-
-  RenderReport makeReport(const RenderOptions& options, Site site, const FrameTimes& times) const {
+  RenderReport makeReport(const FrameTimes& times) const {
     constexpr double megabyte = 1e6;
     return {.device = describe(device_.info()),
-            .transport = options.transport,
-            .sum = options.sum,
-            .site = site,
+            .transport = last_.transport,
+            .sum = last_.sum,
+            .site = site_,
             .triangles = uploaded_->triangles,
             .vertices = uploaded_->mesh.vertexCount,
             .sources = resources_->sources.sourceCount,
@@ -200,14 +258,19 @@ class Renderer::Implementation {
 
   gpu::Device device_;
   Passes passes_;
-  gpu::CommandList commands_;
+  std::array<FrameSlot, framesInFlight> slots_;
+  std::size_t next_ = 0;     // slot of the next frame
+  std::size_t waiting_ = 0;  // frames submitted and not collected
   gpu::UploadRing frameData_;
   std::optional<Scene> scene_;
   std::optional<SceneResources> uploaded_;
+  std::optional<SceneMotion> motion_;
   std::optional<FrameResources> resources_;
-  RenderOptions prepared_;
-  std::vector<Frame> waiting_;
-  RenderReport report_;
+  RenderOptions prepared_;  // what resources_ were made for
+  RenderOptions last_;      // of the frame submitted last
+  Site site_ = Site::Fragment;
+  FrameTimes times_;
+  Frame frame_;  // of render()
 };
 
 Renderer::Renderer(const RendererOptions& options)
@@ -234,6 +297,22 @@ void Renderer::collect(Frame& frame) {
 
 RenderReport Renderer::report() const {
   return implementation_->report();
+}
+
+void Renderer::replacePositions(std::size_t object, std::span<const Vec3> positionsMm) {
+  implementation_->replacePositions(object, positionsMm);
+}
+
+void Renderer::replacePositions(std::size_t object, const DevicePositions& positions) {
+  implementation_->replacePositions(object, positions);
+}
+
+void Renderer::restorePositions(std::size_t object) {
+  implementation_->restorePositions(object);
+}
+
+VulkanDevice Renderer::vulkanDevice() const {
+  return implementation_->vulkanDevice();
 }
 
 std::size_t Renderer::validationMessages() const {

@@ -56,13 +56,6 @@ std::vector<shared::AtlasCorner> cornerOfVertex(const std::vector<shared::AtlasC
   return chosen;
 }
 
-std::vector<glm::vec4> padded(const std::vector<Vec3>& list, float w) {
-  std::vector<glm::vec4> out;
-  out.reserve(list.size());
-  for (const Vec3& v : list) out.emplace_back(v[0], v[1], v[2], w);
-  return out;
-}
-
 double meanEdgeMm(const Mesh& mesh) {
   double sum = 0;
   for (const Triangle& t : mesh.triangles)
@@ -123,9 +116,13 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, int d
   const std::vector<shared::AtlasCorner> corners = makeCorners(atlas, merged);
 
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  const std::size_t vectorBytes = merged.positions.size() * sizeof(glm::vec4);
   resources.mesh.positions =
-      gpu::makeBuffer(device, "positions", padded(merged.positions, 1), storage);
-  resources.mesh.normals = gpu::makeBuffer(device, "normals", padded(merged.normals, 0), storage);
+      gpu::Buffer(device, {.name = "positions", .bytes = vectorBytes, .usage = storage});
+  resources.mesh.normals =
+      gpu::Buffer(device, {.name = "normals", .bytes = vectorBytes, .usage = storage});
+  resources.mesh.bounds =
+      gpu::Buffer(device, {.name = "bounds", .bytes = 6 * sizeof(std::uint32_t), .usage = storage});
   resources.mesh.corners = gpu::makeBuffer(device, "atlas corners", corners, storage);
   resources.mesh.vertexCorners =
       gpu::makeBuffer(device, "atlas corner of each vertex",
@@ -134,7 +131,6 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, int d
       gpu::makeBuffer(device, "indices", atlas.triangles, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   resources.mesh.vertexCount = static_cast<std::uint32_t>(merged.positions.size());
   resources.mesh.indexCount = static_cast<std::uint32_t>(3 * atlas.triangles.size());
-  resources.bounds = boundsOf(scene);
   resources.objects = static_cast<std::uint32_t>(scene.objects.size());
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
   listMedia(scene, resources);

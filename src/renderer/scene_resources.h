@@ -30,7 +30,6 @@ struct SceneResources {
   passes::DeformedMesh mesh;
   MergedMesh merged;
   atlas::Atlas atlas;
-  Bounds bounds;
   std::uint32_t objects = 0;
   std::uint32_t triangles = 0;
   std::vector<Medium> media;  ///< the different ones

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "opaline/error.h"
 #include "renderer/light_views.h"
@@ -96,6 +97,8 @@ void validate(const RenderOptions& options) {
   requireWithin("the size of the shadow maps", options.shadowSize, 64, 8192);
   requireWithin("the roughness", options.roughness, 0.05F, 1.0F);
   requireWithin("the number of frames", options.frames, 1, 1'000'000);
+  requireWithin("the time in seconds", options.seconds, 0.0, 1e9);
+  requireWithin("the clip", options.clip, -1, std::numeric_limits<int>::max());
   if (options.antialias != 1 && options.antialias != 2 && options.antialias != 4 &&
       options.antialias != 8)
     throw UsageError(fmt::format(

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "opaline/motion.h"
 #include "scene/vector_math.h"
 
 namespace opaline::scene {
@@ -27,6 +28,40 @@ inline Matrix4 operator*(const Matrix4& a, const Matrix4& b) {
   return {{a.direction(b.column[0]), a.direction(b.column[1]), a.direction(b.column[2]),
            a.point(b.column[3])}};
 }
+
+inline Matrix4 matrixFrom(const Affine& affine) {
+  Matrix4 result;
+  for (std::size_t c = 0; c < 4; ++c) result.column[c] = toDouble(affine.columns[c]);
+  return result;
+}
+
+inline Affine affineFrom(const Matrix4& matrix) {
+  Affine result;
+  for (std::size_t c = 0; c < 4; ++c) result.columns[c] = toFloat(matrix.column[c]);
+  return result;
+}
+
+/// The sum of weighted maps that linear blend skinning moves a vertex by.
+class MatrixSum {
+ public:
+  void add(double weight, const Matrix4& matrix) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      sum_.column[c] = sum_.column[c] + weight * matrix.column[c];
+    }
+    weight_ += weight;
+  }
+  double weight() const { return weight_; }
+  /// Their mean; requires a weight above 0.
+  Matrix4 mean() const {
+    Matrix4 result = sum_;
+    for (Double3& column : result.column) column = (1 / weight_) * column;
+    return result;
+  }
+
+ private:
+  Matrix4 sum_{{Double3{}, Double3{}, Double3{}, Double3{}}};
+  double weight_ = 0;
+};
 
 /// From 16 numbers, column by column.
 template <typename Numbers>

@@ -1,5 +1,6 @@
 #include "scene/normals.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -9,37 +10,42 @@ namespace opaline::scene {
 
 namespace {
 
-Double3 unitFaceNormal(const RawMesh& mesh, const Triangle& t) {
-  const Double3 n = areaVector(toDouble(mesh.positions[t[0]]), toDouble(mesh.positions[t[1]]),
-                               toDouble(mesh.positions[t[2]]));
-  const double size = length(n);
-  return size > 0 ? (1.0 / size) * n : Double3{0, 0, 1};
-}
-
 double angleAt(const Double3& p, const Double3& q, const Double3& r) {
   return std::atan2(length(cross(q - p, r - p)), dot(q - p, r - p));
 }
 
 }  // namespace
 
-std::vector<Vec3> smoothNormals(const RawMesh& mesh) {
-  std::vector<Double3> sums(mesh.positions.size());
-  std::vector<Vec3> normals(mesh.positions.size(), Vec3{0, 0, 1});
-  for (const Triangle& t : mesh.triangles) {
-    const Double3 normal = unitFaceNormal(mesh, t);
-    const std::array<Double3, 3> corner{toDouble(mesh.positions[t[0]]),
-                                        toDouble(mesh.positions[t[1]]),
-                                        toDouble(mesh.positions[t[2]])};
+std::vector<Double3> smoothNormals(std::span<const Double3> positions,
+                                   std::span<const Triangle> triangles) {
+  std::vector<Double3> sums(positions.size());
+  std::vector<Double3> normals(positions.size(), Double3{0, 0, 1});
+  for (const Triangle& t : triangles) {
+    const std::array<Double3, 3> corner{positions[t[0]], positions[t[1]], positions[t[2]]};
+    const Double3 area = areaVector(corner[0], corner[1], corner[2]);
+    const double size = length(area);
+    if (!(size > 0)) continue;
+    const Double3 normal = (1.0 / size) * area;
     for (std::size_t c = 0; c < 3; ++c) {
       const double angle = angleAt(corner[c], corner[(c + 1) % 3], corner[(c + 2) % 3]);
       sums[t[c]] = sums[t[c]] + angle * normal;
-      normals[t[c]] = toFloat(normal);  // stays where opposite faces cancel
+      normals[t[c]] = normal;  // stays where opposite faces cancel
     }
   }
   for (std::size_t v = 0; v < sums.size(); ++v) {
     const double size = length(sums[v]);
-    if (size > 1e-6) normals[v] = toFloat((1.0 / size) * sums[v]);
+    if (size > 1e-6) normals[v] = (1.0 / size) * sums[v];
   }
+  return normals;
+}
+
+std::vector<Vec3> smoothNormals(const RawMesh& mesh) {
+  std::vector<Double3> positions(mesh.positions.size());
+  std::transform(mesh.positions.begin(), mesh.positions.end(), positions.begin(),
+                 [](const Vec3& p) { return toDouble(p); });
+  const std::vector<Double3> smooth = smoothNormals(positions, mesh.triangles);
+  std::vector<Vec3> normals(smooth.size());
+  std::transform(smooth.begin(), smooth.end(), normals.begin(), toFloat);
   return normals;
 }
 

@@ -1,14 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "scene/raw_scene.h"
+#include "scene/vector_math.h"
 
 namespace opaline::scene {
 
 /// Smooth unit normals, the mean of the triangles' weighted by their angles at the vertex
-/// (Thürmer and Wüthrich 1998). Requires triangles with area and no unused vertex.
+/// (Thürmer and Wüthrich 1998). +z where no triangle of a vertex has an area.
+std::vector<Double3> smoothNormals(std::span<const Double3> positions,
+                                   std::span<const Triangle> triangles);
 std::vector<Vec3> smoothNormals(const RawMesh& mesh);
 
 /// One unit normal per vertex: given ones are normalised, turned with their triangles (`turned`,

@@ -286,13 +286,13 @@ void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& in
   DeformedMesh& mesh = inputs.mesh;
   commands.bind(map_);
   commands.use(mesh.indices, gpu::Access::Index);
-  commands.bindResources(
-      {Binding::uniform(0, inputs.frame, inputs.frameOffset, sizeof(shared::FrameData)),
-       Binding::read(1, mesh.positions), Binding::read(2, mesh.normals),
-       Binding::read(3, mesh.corners), Binding::read(4, inputs.tables.objects),
-       Binding::read(5, inputs.tables.media), Binding::sampled(6, inputs.shadows.depth, nearest_),
-       Binding::sampled(7, inputs.tables.ambientCubes, linear_),
-       Binding::sampled(8, sources.texelSurface, nearest_)});
+  commands.bindResources({Binding::uniform(0, inputs.frame.data), Binding::read(1, mesh.positions),
+                          Binding::read(2, mesh.normals), Binding::read(3, mesh.corners),
+                          Binding::read(4, inputs.tables.objects),
+                          Binding::read(5, inputs.tables.media),
+                          Binding::sampled(6, inputs.shadows.depth, nearest_),
+                          Binding::sampled(7, inputs.tables.ambientCubes, linear_),
+                          Binding::sampled(8, sources.texelSurface, nearest_)});
   commands.beginRendering({{.image = &sources.positionArea},
                            {.image = &sources.normal},
                            {.image = &sources.irradianceObject}});

@@ -42,8 +42,7 @@ class DiffusionSourcePass {
   void prepareList(gpu::Device& device, DiffusionSources& sources) const;
 
   struct Inputs {
-    gpu::Buffer& frame;
-    std::size_t frameOffset;
+    FrameView& frame;
     DeformedMesh& mesh;
     SceneTables& tables;
     ShadowMaps& shadows;

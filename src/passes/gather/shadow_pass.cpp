@@ -11,9 +11,10 @@ ShadowPass::ShadowPass(gpu::Device& device)
     : pipeline_(device, gpu::GraphicsPipelineOptions{
                             .name = "shadow",
                             .vertexShader = shaders::gather_shadow_vert,
-                            .bindings = {{1, gpu::BindingType::StorageBuffer},
+                            .bindings = {{0, gpu::BindingType::UniformBuffer},
+                                         {1, gpu::BindingType::StorageBuffer},
                                          {3, gpu::BindingType::StorageBuffer}},
-                            .pushConstantBytes = sizeof(shared::mat4),
+                            .pushConstantBytes = sizeof(std::uint32_t),
                             .depthFormat = VK_FORMAT_D32_SFLOAT,
                             .depth = gpu::DepthMode::Write,
                         }) {}
@@ -29,17 +30,18 @@ ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::ui
                .kind = gpu::ImageKind::Array})};
 }
 
-void ShadowPass::record(gpu::CommandList& commands, const shared::FrameData& frame,
-                        std::uint32_t views, DeformedMesh& mesh, ShadowMaps& maps) const {
+void ShadowPass::record(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
+                        ShadowMaps& maps) const {
   commands.beginPass("shadow");
   commands.bind(pipeline_);
   commands.use(mesh.indices, gpu::Access::Index);
-  for (std::uint32_t view = 0; view < views; ++view) {
-    commands.bindResources(
-        {gpu::Binding::read(1, mesh.positions), gpu::Binding::read(3, mesh.corners)});
+  for (std::uint32_t view = 0; view < frame.shadowViews; ++view) {
+    commands.bindResources({gpu::Binding::uniform(0, frame.data),
+                            gpu::Binding::read(1, mesh.positions),
+                            gpu::Binding::read(3, mesh.corners)});
     const gpu::DepthTarget depth{.image = &maps.depth, .layer = view};
     commands.beginRendering({}, &depth);
-    commands.pushConstants(frame.shadowViews[view]);
+    commands.pushConstants(view);
     commands.drawIndexed(mesh.indices, mesh.indexCount);
     commands.endRendering();
   }

@@ -5,7 +5,6 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
-#include "shaders/shared/frame.h"
 
 namespace opaline::gpu {
 class Device;
@@ -21,9 +20,9 @@ class ShadowPass {
   /// `views` maps of that size; one even without lights, so that there is something to bind.
   static ShadowMaps makeMaps(gpu::Device& device, std::uint32_t size, std::uint32_t views);
 
-  /// `views` matrices of `frame.shadowViews`; `maps.depth` has at least as many layers.
-  void record(gpu::CommandList& commands, const shared::FrameData& frame, std::uint32_t views,
-              DeformedMesh& mesh, ShadowMaps& maps) const;
+  /// `maps.depth` has at least as many layers as the frame has shadow views.
+  void record(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
+              ShadowMaps& maps) const;
 
  private:
   gpu::Pipeline pipeline_;

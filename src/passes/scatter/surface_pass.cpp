@@ -78,11 +78,10 @@ void SurfacePass::record(gpu::CommandList& commands, const Inputs& inputs,
   commands.beginPass("surface");
   commands.bind(pipeline_);
   commands.use(mesh.indices, gpu::Access::Index);
-  commands.bindResources(
-      {Binding::uniform(0, inputs.frame, inputs.frameOffset, sizeof(shared::FrameData)),
-       Binding::read(1, mesh.positions), Binding::read(2, mesh.normals),
-       Binding::read(3, mesh.corners), Binding::read(4, inputs.vertexExitance),
-       Binding::read(5, inputs.charts)});
+  commands.bindResources({Binding::uniform(0, inputs.frame.data), Binding::read(1, mesh.positions),
+                          Binding::read(2, mesh.normals), Binding::read(3, mesh.corners),
+                          Binding::read(4, inputs.vertexExitance),
+                          Binding::read(5, inputs.charts)});
   const gpu::DepthTarget depth{.image = &surface.depth};
   commands.beginRendering({{.image = &surface.position},
                            {.image = &surface.normal},

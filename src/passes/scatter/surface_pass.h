@@ -24,8 +24,7 @@ class SurfacePass {
                                std::uint32_t vertices);
 
   struct Inputs {
-    gpu::Buffer& frame;
-    std::size_t frameOffset;
+    FrameView& frame;
     DeformedMesh& mesh;
     gpu::Buffer& charts;  ///< DiffusionSources::charts
     shared::vec2 jitter;  ///< of the picture, in clip space

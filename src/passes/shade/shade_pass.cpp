@@ -58,7 +58,7 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
   commands.beginPass("shade");
   commands.bind(pipeline_);
   commands.bindResources(
-      {Binding::uniform(0, inputs.frame, inputs.frameOffset, sizeof(shared::FrameData)),
+      {Binding::uniform(0, inputs.frame.data),
        Binding::sampled(1, inputs.surface.position, nearest_),
        Binding::sampled(2, inputs.surface.normal, nearest_),
        Binding::sampled(3, inputs.exitance, nearest_), Binding::read(4, inputs.tables.objects),

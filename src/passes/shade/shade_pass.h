@@ -22,8 +22,7 @@ class ShadePass {
   static gpu::GpuImage makeRadiance(gpu::Device& device, std::uint32_t width, std::uint32_t height);
 
   struct Inputs {
-    gpu::Buffer& frame;
-    std::size_t frameOffset;
+    FrameView& frame;
     SceneTables& tables;
     ShadowMaps& shadows;
     VisibleSurface& surface;

@@ -6,6 +6,7 @@
 #include "lib/frame.glsl"
 #include "lib/shadow.glsl"
 #include "lib/fresnel.glsl"
+#include "lib/unit.glsl"
 #include "shared/medium.h"
 
 layout(std430, set = 0, binding = 4) readonly buffer Objects { ObjectData objects[]; };
@@ -29,7 +30,7 @@ void main() {
   vec3 across = dFdy(centre);
   vec3 surface = texelFetch(texelSurface, ivec2(gl_FragCoord.xy), 0).xyz;
   vec3 position = centre + surface.x * along + surface.y * across;
-  vec3 n = normalize(normal + surface.x * dFdx(normal) + surface.y * dFdy(normal));
+  vec3 n = unitOr(normal + surface.x * dFdx(normal) + surface.y * dFdy(normal), vec3(0.0, 1.0, 0.0));
   MediumData medium = media[objects[object].table.x];
 
   vec3 irradiance = texture(ambientIrradiance, vec4(n, float(medium.tables.x))).rgb;

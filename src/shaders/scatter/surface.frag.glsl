@@ -1,5 +1,7 @@
 // What the camera sees, one fragment a pixel: the sum that follows is spent on nothing hidden.
 #version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/unit.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -13,7 +15,7 @@ layout(location = 2) out vec2 placeNearby;     // among the neighbourhoods
 layout(location = 3) out vec4 vertexExitance;  // interpolated
 
 void main() {
-  vec3 n = normalize(normal);
+  vec3 n = unitOr(normal, vec3(0.0, 1.0, 0.0));
   positionObject = vec4(position, float(object + 1u));
   unitNormal = vec4(gl_FrontFacing ? n : -n, 0.0);
   placeNearby = place;

@@ -1,0 +1,108 @@
+#include "deform/deformed_mesh.h"
+
+#include <algorithm>
+
+#include "deform/deformer.h"
+#include "scene/matrix.h"
+#include "scene/normals.h"
+
+namespace opaline::deform {
+
+namespace {
+
+using scene::Double3;
+using scene::Matrix4;
+using scene::operator*;
+using scene::operator+;
+using scene::toDouble;
+
+Double3 unitOr(const Double3& v, const Double3& other) {
+  const double size = scene::length(v);
+  return size > 0 && scene::isFinite(v) ? (1 / size) * v : other;
+}
+
+SurfacePoint morphed(const Rig& rig, std::span<const float> weights, std::size_t v) {
+  SurfacePoint point{toDouble(rig.positions[v]), toDouble(rig.normals[v])};
+  for (std::size_t t = 0; t < rig.targets.size(); ++t) {
+    const MorphTarget& target = rig.targets[t];
+    const double weight{weights[t]};
+    point.position = point.position + weight * toDouble(target.positions[v]);
+    if (!target.normals.empty()) point.normal = point.normal + weight * toDouble(target.normals[v]);
+  }
+  return point;
+}
+
+Matrix4 mapOf(const Rig& rig, std::span<const Matrix4> matrices, std::size_t v) {
+  scene::MatrixSum sum;
+  for (std::size_t i = rig.firstInfluence[v]; i < rig.firstInfluence[v + 1]; ++i) {
+    sum.add(double{rig.influences[i].weight}, matrices[rig.influences[i].joint]);
+  }
+  return sum.weight() > 0 ? sum.mean() : matrices[0];
+}
+
+DeformedMesh rigged(const Rig& rig, const Pose& pose) {
+  std::vector<Matrix4> matrices(std::max<std::size_t>(rig.joints.size(), 1));
+  jointMatrices(rig, pose, matrices);
+  const std::span<const float> weights = morphWeights(rig, pose);
+  DeformedMesh mesh;
+  for (std::size_t v = 0; v < rig.positions.size(); ++v) {
+    const SurfacePoint point = morphed(rig, weights, v);
+    const Matrix4 map = rig.joints.empty() ? matrices[0] : mapOf(rig, matrices, v);
+    mesh.positionsMm.push_back(map.point(point.position));
+    mesh.normals.push_back(unitOr(map.normal(point.normal), {0, 0, 1}));
+  }
+  return mesh;
+}
+
+DeformedMesh resting(const Mesh& mesh) {
+  DeformedMesh result;
+  for (const Vec3& p : mesh.positionsMm) result.positionsMm.push_back(toDouble(p));
+  for (const Vec3& n : mesh.normals) result.normals.push_back(unitOr(toDouble(n), {0, 0, 1}));
+  return result;
+}
+
+void facet(const std::vector<Triangle>& triangles, DeformedMesh& mesh) {
+  for (const Triangle& t : triangles) {
+    const Double3 area =
+        scene::areaVector(mesh.positionsMm[t[0]], mesh.positionsMm[t[1]], mesh.positionsMm[t[2]]);
+    for (const std::uint32_t v : t) mesh.normals[v] = unitOr(area, mesh.normals[v]);
+  }
+}
+
+}  // namespace
+
+bool normalsFromTriangles(const Object& object) {
+  if (object.mesh.facetted) return true;
+  if (!object.rig) return false;
+  const std::vector<MorphTarget>& targets = object.rig->targets;
+  return std::any_of(targets.begin(), targets.end(),
+                     [](const MorphTarget& target) { return target.normals.empty(); });
+}
+
+DeformedMesh deformedMesh(const Scene& scene, std::size_t object, const Pose& pose,
+                          const Bounds& restBox, double seconds) {
+  const Object& of = scene.objects[object];
+  DeformedMesh mesh = of.rig ? rigged(*of.rig, pose) : resting(of.mesh);
+  for (std::size_t v = 0; v < mesh.positionsMm.size(); ++v) {
+    SurfacePoint point{mesh.positionsMm[v], mesh.normals[v]};
+    for (const Deformer& deformer : scene.deformers) {
+      point = deformed(deformer, restBox, seconds, point);
+    }
+    mesh.positionsMm[v] = point.position;
+    mesh.normals[v] = point.normal;
+  }
+  if (of.mesh.facetted) {
+    facet(of.mesh.triangles, mesh);
+  } else if (normalsFromTriangles(of)) {
+    mesh.normals = scene::smoothNormals(mesh.positionsMm, of.mesh.triangles);
+  }
+  return mesh;
+}
+
+DeformedMesh deformedMesh(const Scene& scene, std::size_t object, int clip, double seconds) {
+  Pose pose = makePose(scene);
+  poseAt(scene, clip, seconds, pose);
+  return deformedMesh(scene, object, pose, boundsOf(scene), seconds);
+}
+
+}  // namespace opaline::deform

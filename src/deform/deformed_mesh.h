@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "deform/pose.h"
+#include "opaline/scene.h"
+#include "scene/vector_math.h"
+
+namespace opaline::deform {
+
+/// The vertices of one object at one time, in double precision; its triangles stay.
+struct DeformedMesh {
+  std::vector<scene::Double3> positionsMm;
+  std::vector<scene::Double3> normals;  ///< unit
+};
+
+/// Whether an object's normals have to be taken from its moved triangles: where they are those of
+/// the triangles, or a morph target moves positions and does not say what becomes of the normals.
+bool normalsFromTriangles(const Object& object);
+
+/// Morphs, skins, then applies the scene's deformers. Normals follow by cofactors; where they
+/// cannot, they are those of the triangles at their final places: each triangle's own for a
+/// facetted mesh, otherwise smooth, weighted by angle.
+DeformedMesh deformedMesh(const Scene& scene, std::size_t object, const Pose& pose,
+                          const Bounds& restBox, double seconds);
+
+/// The same at a time of a clip (-1: none).
+DeformedMesh deformedMesh(const Scene& scene, std::size_t object, int clip, double seconds);
+
+}  // namespace opaline::deform

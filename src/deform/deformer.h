@@ -1,0 +1,24 @@
+#pragma once
+
+#include "opaline/scene.h"
+#include "scene/vector_math.h"
+
+namespace opaline::deform {
+
+/// A point of a surface.
+struct SurfacePoint {
+  scene::Double3 position{};
+  scene::Double3 normal{};  ///< unit
+};
+
+/// How strong a deformer is at a time: amount · sin 2πt/period, or the amount where the period is
+/// 0. The amount of a wobble always stands, its wave travels.
+double amountAt(const Deformer& deformer, double seconds);
+
+/// Where one deformer takes a point; `restBox` is the box around the scene's rest pose, mm. The
+/// normal follows by the cofactors of the Jacobian, as the triangles' own normals do; so it turns
+/// with them where a bend folds what lies inside its centre. In a box without height nothing moves.
+SurfacePoint deformed(const Deformer& deformer, const Bounds& restBox, double seconds,
+                      const SurfacePoint& point);
+
+}  // namespace opaline::deform

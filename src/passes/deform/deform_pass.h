@@ -1,0 +1,33 @@
+#pragma once
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Moves every vertex to where it is in this frame: morph targets, skinning, procedural deformers;
+/// makes normals anew where none follow; finds the box around all.
+class DeformPass {
+ public:
+  explicit DeformPass(gpu::Device& device);
+
+  /// Copies a buffer of floats in which positions lie `stride` floats apart, from the float
+  /// `offset` on, to where the frame reads given positions: `count` of them from vertex `first` on.
+  void replace(gpu::CommandList& commands, gpu::Buffer& given, std::uint32_t offset,
+               std::uint32_t stride, std::uint32_t first, std::uint32_t count,
+               Motion& motion) const;
+
+  void record(gpu::CommandList& commands, Motion& motion, DeformedMesh& mesh) const;
+
+ private:
+  gpu::Pipeline replace_;
+  gpu::Pipeline vertices_;
+  gpu::Pipeline normals_;
+};
+
+}  // namespace opaline::passes

@@ -1,0 +1,128 @@
+// Fits what the frame looks through to the box around the moved scene: every shadow map and the
+// camera's near plane. One invocation a light, and one for the camera.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/bounds.glsl"
+#include "shared/frame.h"
+
+layout(local_size_x = 32) in;
+
+layout(std430, set = 0, binding = 0) buffer Frame { FrameData frame; };
+layout(std430, set = 0, binding = 1) readonly buffer Bounds { uint bounds[6]; };
+
+// Texels that percentage-closer filtering reaches beyond the receiver's own.
+const float filterBorder = 3.0;
+
+struct Box {
+  vec3 low;
+  vec3 high;
+};
+
+struct Basis {
+  vec3 right;
+  vec3 up;
+  vec3 forward;
+};
+
+Box sceneBox() {
+  Box box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.low[axis] = unordered(bounds[axis]);
+    box.high[axis] = unordered(~bounds[axis + 3]);
+  }
+  return box;
+}
+
+float distanceTo(Box box, vec3 point) {
+  return distance(point, clamp(point, box.low, box.high));
+}
+
+Basis basisAlong(vec3 forward) {
+  vec3 helper = abs(forward.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+  vec3 right = normalize(cross(forward, helper));
+  return Basis(right, cross(right, forward), forward);
+}
+
+// Lowest and highest value of the box along an axis.
+vec2 extent(Box box, vec3 axis) {
+  vec3 a = axis * box.low;
+  vec3 b = axis * box.high;
+  vec3 least = min(a, b);
+  vec3 most = max(a, b);
+  return vec2(least.x + least.y + least.z, most.x + most.y + most.z);
+}
+
+vec2 widened(vec2 interval, float by) {
+  return interval + vec2(-by, by);
+}
+
+mat4 fromRows(vec4 x, vec4 y, vec4 z, vec4 w) {
+  return transpose(mat4(x, y, z, w));
+}
+
+// Maps the interval to [-1, 1].
+vec4 fittedRow(vec3 axis, vec2 interval) {
+  float size = interval.y - interval.x;
+  return vec4(axis * (2.0 / size), -(interval.x + interval.y) / size);
+}
+
+// An orthographic view; depth is reversed.
+void fitDirectional(uint light, Box box) {
+  float mapSize = float(frame.counts.y);
+  Basis basis = basisAlong(-frame.lights[light].place.xyz);
+  vec2 x = extent(box, basis.right);
+  vec2 y = extent(box, basis.up);
+  vec2 z = extent(box, basis.forward);
+  vec3 size = vec3(x.y - x.x, y.y - y.x, z.y - z.x);
+  float slack = 1e-3 * max(max(size.x, size.y), max(size.z, 1e-6));
+  x = widened(x, slack + size.x * filterBorder / mapSize);
+  y = widened(y, slack + size.y * filterBorder / mapSize);
+  z = widened(z, slack);
+  float depth = z.y - z.x;
+  frame.shadowViews[frame.lights[light].views.x] =
+      fromRows(fittedRow(basis.right, x), fittedRow(basis.up, y),
+               vec4(-basis.forward / depth, z.y / depth), vec4(0.0, 0.0, 0.0, 1.0));
+  frame.lights[light].depth = vec4(z.y, -depth, 0.0, 0.0);
+  frame.lights[light].texel.x = max(x.y - x.x, y.y - y.x) / mapSize;
+}
+
+// Six perspective views, each wider than 90° by what filtering reaches beyond its edge.
+void fitPoint(uint light, Box box) {
+  vec3 position = frame.lights[light].place.xyz;
+  float mapSize = float(frame.counts.y);
+  float diagonal = distance(box.low, box.high);
+  // A face's depth is at least 1/√3 of the distance.
+  float near = max(max(0.5 * distanceTo(box, position), 1e-3 * diagonal), 1e-6);
+  float tangent = 1.0 + 2.0 * filterBorder / mapSize;
+  for (uint face = 0u; face < 6u; ++face) {
+    vec3 forward = vec3(0.0);
+    forward[face / 2u] = (face & 1u) == 0u ? 1.0 : -1.0;
+    Basis basis = basisAlong(forward);
+    frame.shadowViews[frame.lights[light].views.x + face] =
+        fromRows(vec4(basis.right, -dot(basis.right, position)) / tangent,
+                 vec4(basis.up, -dot(basis.up, position)) / tangent, vec4(0.0, 0.0, 0.0, near),
+                 vec4(forward, -dot(forward, position)));
+  }
+  frame.lights[light].depth = vec4(near, 0.0, 0.0, 0.0);
+  frame.lights[light].texel.x = 2.0 * tangent / mapSize;
+}
+
+void fitCamera(Box box) {
+  float diagonal = distance(box.low, box.high);
+  float near = max(0.5 * distanceTo(box, frame.cameraPosition.xyz), max(1e-4 * diagonal, 1e-6));
+  frame.worldToClip[3][2] = near;
+}
+
+void main() {
+  uint i = gl_LocalInvocationID.x;
+  Box box = sceneBox();
+  if (i == maxLights) {
+    fitCamera(box);
+  } else if (i < frame.counts.x) {
+    if (frame.lights[i].place.w == 0.0) {
+      fitDirectional(i, box);
+    } else {
+      fitPoint(i, box);
+    }
+  }
+}
