@@ -29,6 +29,12 @@ fs::path fileOf(const fs::path& output, int frame) {
   return names ? names->file(frame) : output;
 }
 
+/// Whether the file of that frame need not be made.
+bool isThere(const FilmOrder& order, int frame) {
+  return order.resume &&
+         core::isWholeImage(fileOf(order.output, frame), order.options.width, order.options.height);
+}
+
 /// As many as there are cores and memory for the frames that wait.
 std::size_t workersFor(const RenderOptions& options) {
   constexpr std::size_t mostWorkers = 8;
@@ -39,19 +45,52 @@ std::size_t workersFor(const RenderOptions& options) {
   return std::clamp<std::size_t>(mostBytes / frameBytes, 1, std::min(mostWorkers, cores));
 }
 
-/// Submits ahead as far as the renderer allows. Returns how many frames were there already.
+/// The frames that were submitted and not collected; none is left to the device when this goes.
+class FramesUnderWay {
+ public:
+  explicit FramesUnderWay(Renderer& renderer) : renderer_(renderer) {}
+  ~FramesUnderWay() {
+    try {
+      for (Frame dropped; !numbers_.empty();) collect(dropped);
+    } catch (const std::exception&) {
+      // Something failed before, and that is what will be told.
+    }
+  }
+  FramesUnderWay(const FramesUnderWay&) = delete;
+  FramesUnderWay& operator=(const FramesUnderWay&) = delete;
+
+  std::size_t count() const { return numbers_.size(); }
+
+  void submit(int number, const RenderOptions& options, const std::vector<Aov>& aovs) {
+    renderer_.submit(options, aovs);
+    numbers_.push_back(number);
+  }
+
+  /// The oldest; returns its number.
+  int collect(Frame& frame) {
+    const int number = numbers_.front();
+    numbers_.pop_front();
+    renderer_.collect(frame);
+    return number;
+  }
+
+ private:
+  Renderer& renderer_;
+  std::deque<int> numbers_;
+};
+
+/// Submits ahead as far as the renderer allows. Returns how many frames were rendered.
 std::size_t renderFrames(Renderer& renderer, const FilmOrder& order, FrameWriter& writer) {
   Progress progress(order.frames.count(), order.quiet);
   RenderOptions options = order.options;
   const std::vector<Aov> aovs{order.aov};
-  std::deque<int> underWay;
   std::size_t skipped = 0;
   const auto showProgress = [&] { progress.show(writer.written() + skipped, skipped); };
+  FramesUnderWay underWay(renderer);
   const auto collectOldest = [&] {
     Frame frame = writer.take();
-    renderer.collect(frame);
-    writer.push(underWay.front(), std::move(frame));
-    underWay.pop_front();
+    const int number = underWay.collect(frame);
+    writer.push(number, std::move(frame));
     showProgress();
   };
   for (int frame = order.frames.first; frame <= order.frames.last; ++frame) {
@@ -60,15 +99,14 @@ std::size_t renderFrames(Renderer& renderer, const FilmOrder& order, FrameWriter
       showProgress();
       continue;
     }
-    if (underWay.size() == Renderer::framesInFlight) collectOldest();
+    if (underWay.count() == Renderer::framesInFlight) collectOldest();
     options.seconds = order.frames.seconds(frame);
-    renderer.submit(options, aovs);
-    underWay.push_back(frame);
+    underWay.submit(frame, options, aovs);
   }
-  while (!underWay.empty()) collectOldest();
+  while (underWay.count() > 0) collectOldest();
   writer.finish();
   showProgress();
-  return skipped;
+  return order.frames.count() - skipped;
 }
 
 std::size_t renderFiles(Renderer& renderer, const FilmOrder& order) {
@@ -78,14 +116,15 @@ std::size_t renderFiles(Renderer& renderer, const FilmOrder& order) {
   return renderFrames(renderer, order, writer);
 }
 
-void encodeFilm(Renderer& renderer, const FilmOrder& order, const fs::path& file) {
+std::size_t encodeFilm(Renderer& renderer, const FilmOrder& order, const fs::path& file) {
   core::ToneOptions tone = order.tone;
   if (!tone.background) tone.background = Rgb{0, 0, 0};  // a film has no alpha
   FilmEncoder encoder(file, order.options.width, order.options.height, order.frames.perSecond);
   FrameWriter writer(
       1, [&](int, const Frame& frame) { encoder.add(core::toneMap(frame.images.at(0), tone)); });
-  renderFrames(renderer, order, writer);
+  const std::size_t made = renderFrames(renderer, order, writer);
   encoder.finish();
+  return made;
 }
 
 }  // namespace
@@ -112,16 +151,22 @@ std::vector<std::string> outputsOf(const FilmOrder& order) {
   return files;
 }
 
-bool isThere(const FilmOrder& order, int frame) {
-  return order.resume &&
-         core::isWholeImage(fileOf(order.output, frame), order.options.width, order.options.height);
+std::size_t countThere(const FilmOrder& order) {
+  std::size_t there = 0;
+  if (!order.resume) return there;
+  for (int frame = order.frames.first; frame <= order.frames.last; ++frame) {
+    if (isThere(order, frame)) ++there;
+  }
+  return there;
 }
 
 std::size_t renderFilm(Renderer& renderer, const FilmOrder& order) {
   if (!isFilm(order.output)) return renderFiles(renderer, order);
-  core::writeWhole(order.output,
-                   [&](const fs::path& temporary) { encodeFilm(renderer, order, temporary); });
-  return 0;
+  std::size_t made = 0;
+  core::writeWhole(order.output, [&](const fs::path& temporary) {
+    made = encodeFilm(renderer, order, temporary);
+  });
+  return made;
 }
 
 }  // namespace opaline::app

@@ -33,11 +33,10 @@ void requireFilmWritable(const std::filesystem::path& output, const FrameRange& 
 /// All files the order is about.
 std::vector<std::string> outputsOf(const FilmOrder& order);
 
-/// Whether the file of that frame need not be made.
-bool isThere(const FilmOrder& order, int frame);
+/// How many frames need not be made, as their files are there.
+std::size_t countThere(const FilmOrder& order);
 
-/// Renders what is not there, each frame while those before are still being written. Returns how
-/// many frames were there already.
+/// Renders the others, each while those before are still being written. Returns how many.
 std::size_t renderFilm(Renderer& renderer, const FilmOrder& order);
 
 }  // namespace opaline::app

@@ -39,4 +39,9 @@ std::filesystem::path FrameNames::file(int number) const {
   return fmt::format("{}{:0{}}{}", before_, number, digits_, after_);
 }
 
+std::string FrameNames::common() const {
+  const std::string name = before_.substr(0, before_.find_last_not_of("_-. ") + 1) + after_;
+  return name.empty() ? "frame" : name;
+}
+
 }  // namespace opaline::app

@@ -14,6 +14,9 @@ class FrameNames {
 
   std::filesystem::path file(int number) const;
 
+  /// What all of them have in common and no mark in it: "bear" of bear_%04d.
+  std::string common() const;
+
  private:
   std::string before_;
   std::string after_;

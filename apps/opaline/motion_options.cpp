@@ -25,14 +25,15 @@ const Choices<DeformerKind>& deformerKinds() {
   return table;
 }
 
-Range amountRange(DeformerKind kind) {
-  switch (kind) {
+/// opaline/motion.h, Deformer::amount.
+Range amountRange(const Deformer& deformer) {
+  switch (deformer.kind) {
     case DeformerKind::Twist:
       return {-100, 100, "radians"};
     case DeformerKind::Bend:
       return {-6.28, 6.28, "radians"};
     case DeformerKind::Squash:
-      return {-3, 0.9};
+      return deformer.periodSeconds > 0 ? Range{-0.9, 0.9} : Range{-3, 0.9};
     case DeformerKind::Wobble:
       break;
   }
@@ -58,10 +59,10 @@ Deformer readDeformer(const Given& given) {
                                  given.option, given.text, parts[0]));
   }
   const std::string option = given.option + " " + parts[0];
-  deformer.amount = static_cast<float>(readNumber({option, parts[1]}, amountRange(deformer.kind)));
   if (parts.size() == 3) {
     deformer.periodSeconds = static_cast<float>(readNumber({option, parts[2]}, secondsRange));
   }
+  deformer.amount = static_cast<float>(readNumber({option, parts[1]}, amountRange(deformer)));
   return deformer;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "command_line.h"
 #include "commands.h"
@@ -110,18 +111,60 @@ std::string onDevice(const DeviceDescription& device) {
   return fmt::format("rendered on {} ({})", device.name, device.type);
 }
 
-Json makeStill(Renderer& renderer, const RenderCommand& command, const Job& job,
-               const LogCallback& log) {
+/// What was made, and what Vulkan's validation layer said about it.
+struct Done {
+  Json report;
+  std::size_t validationMessages = 0;
+};
+
+Renderer makeRenderer(const RenderCommand& command, const Job& job, const LogCallback& log) {
+  Renderer renderer(
+      {command.device.value_or(job.settings.device.value_or("")), command.validation, log});
   renderer.setScene(job.scene);
+  return renderer;
+}
+
+Done makeStill(const RenderCommand& command, const Job& job, const LogCallback& log) {
+  Renderer renderer = makeRenderer(command, job, log);
   const RenderResult result = renderer.render(job.options, {command.picture.aov()});
   writePicture(job.output, result.images.at(0), command.picture.tone(job.settings));
   log(LogLevel::Note,
       fmt::format("wrote {}, {}", job.output.string(), onDevice(result.report.device)));
-  return renderReportJson(result.report, job.options, {job.output.string()});
+  return {renderReportJson(result.report, job.options, {job.output.string()}),
+          renderer.validationMessages()};
 }
 
-Json makeFrames(Renderer& renderer, const RenderCommand& command, const Job& job,
-                const FrameRange& frames, const LogCallback& log) {
+/// A report of frames all of which were there already.
+Json emptyReportJson(const Job& job, const std::vector<std::string>& outputs) {
+  RenderReport nothing;
+  nothing.transport = job.options.transport;
+  nothing.sum = job.options.sum;
+  nothing.site = job.options.site;
+  Json json = renderReportJson(nothing, job.options, outputs);
+  for (const char* unknown :
+       {"device", "triangles", "vertices", "sources", "frame_ms", "peak_memory_mb"}) {
+    json[unknown] = nullptr;
+  }
+  return json;
+}
+
+Done renderMissing(const RenderCommand& command, const Job& job, const FilmOrder& order,
+                   const LogCallback& log) {
+  if (!moves(job.scene, job.options.clip)) {
+    log(LogLevel::Note,
+        "nothing in the scene moves, so all frames are the same picture; --deform wobble:0.1 makes "
+        "it move");
+  }
+  Renderer renderer = makeRenderer(command, job, log);
+  const std::size_t made = renderFilm(renderer, order);
+  const RenderReport report = renderer.report();
+  log(LogLevel::Note,
+      fmt::format("wrote {} frames to {}, {}", made, job.output.string(), onDevice(report.device)));
+  return {renderReportJson(report, job.options, outputsOf(order)), renderer.validationMessages()};
+}
+
+Done makeFrames(const RenderCommand& command, const Job& job, const FrameRange& frames,
+                const LogCallback& log) {
   const FilmOrder order{frames,
                         job.output,
                         command.picture.aov(),
@@ -129,27 +172,15 @@ Json makeFrames(Renderer& renderer, const RenderCommand& command, const Job& job
                         command.picture.tone(job.settings),
                         command.resume,
                         command.quiet};
-  if (!moves(job.scene, job.options.clip)) {
-    log(LogLevel::Note,
-        "nothing in the scene moves, so all frames are the same picture; --deform wobble:0.1 makes "
-        "it move");
+  const std::size_t there = countThere(order);
+  if (there > 0) {
+    log(LogLevel::Note, fmt::format("{} of {} frames were there already", there, frames.count()));
   }
-  renderer.setScene(job.scene);
-  const std::size_t skipped = renderFilm(renderer, order);
-  const std::size_t made = frames.count() - skipped;
-  const RenderReport report = renderer.report();
-  if (skipped > 0) {
-    log(LogLevel::Note, fmt::format("{} of {} frames were there already", skipped, frames.count()));
-  }
-  if (made > 0) {
-    log(LogLevel::Note, fmt::format("wrote {} frames to {}, {}", made, job.output.string(),
-                                    onDevice(report.device)));
-  }
-  Json json = renderReportJson(report, job.options, outputsOf(order));
-  if (made == 0) json["frame_ms"] = nullptr;
-  json["frames"] = {frames.first, frames.last};
-  json["fps"] = frames.perSecond;
-  return json;
+  Done done = there < frames.count() ? renderMissing(command, job, order, log)
+                                     : Done{emptyReportJson(job, outputsOf(order))};
+  done.report["frames"] = {frames.first, frames.last};
+  done.report["fps"] = frames.perSecond;
+  return done;
 }
 
 }  // namespace
@@ -174,16 +205,13 @@ void runRender(const Arguments& arguments) {
   if (command.report) core::requireWritable(*command.report);
 
   const Job job = prepare(command, std::move(output), log);
-  Renderer renderer(
-      {command.device.value_or(job.settings.device.value_or("")), command.validation, log});
-  const Json json = frames ? makeFrames(renderer, command, job, *frames, log)
-                           : makeStill(renderer, command, job, log);
-  const std::string report = toText(json);
+  const Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
+  const std::string report = toText(done.report);
   if (command.report) core::writeWhole(*command.report, report);
   if (command.json) printOut(report);
-  if (renderer.validationMessages() > 0) {
-    throw Error(fmt::format("--validation: the validation layer had {} messages",
-                            renderer.validationMessages()));
+  if (done.validationMessages > 0) {
+    throw Error(
+        fmt::format("--validation: the validation layer had {} messages", done.validationMessages));
   }
 }
 

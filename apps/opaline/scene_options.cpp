@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/image_file.h"
+#include "frame_names.h"
 #include "opaline/error.h"
 #include "values.h"
 
@@ -106,7 +107,9 @@ void SceneOptions::addTo(CommandLine& line) {
 }
 
 std::string SceneOptions::name() const {
-  return file_ ? file_->stem().string() : builtIn_.value_or("bear");
+  if (!file_) return builtIn_.value_or("bear");
+  const std::optional<FrameNames> names = FrameNames::parse(file_->stem().string());
+  return names ? names->common() : file_->stem().string();
 }
 
 scene::LoadedScene SceneOptions::load(const LogCallback& log) const {

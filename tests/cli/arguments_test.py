@@ -129,6 +129,7 @@ class Refusals(ProgramTest):
             ("--deform", "twist:101", "from -100 to 100 radians"),
             ("--deform", "bend:6.3", "from -6.28 to 6.28 radians"),
             ("--deform", "squash:1", "from -3 to 0.9"),
+            ("--deform", "squash:-1:2", "from -0.9 to 0.9"),
             ("--deform", "wobble:-1.1", "from -1 to 1"),
             ("--deform", "wobble:nan", "nan is not"),
             ("--deform", "wobble:0.1:-1", "-1 is not from 0"),

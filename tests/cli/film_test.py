@@ -44,6 +44,17 @@ class Pictures(Film):
             self.succeed("render", *MOVING, "--time", frame / 4, "-o", "still.png")
             self.assertEqual(self.bytes_of("still.png"), self.bytes_of(f"f_{frame:03}.png"), frame)
 
+    def test_what_moves_differs_from_frame_to_frame(self):
+        for motion in ("twist:0.6:2", "bend:0.8:2", "squash:0.4:2", "wobble:0.1:2"):
+            self.succeed("render", *TEAPOT, "--deform", motion, "--frames", "1:2", "--fps", 4, "-o", "f%d.png")
+            self.assertNotEqual(self.bytes_of("f1.png"), self.bytes_of("f2.png"), motion)
+        # A swing begins at rest.
+        self.succeed("render", *TEAPOT, "--deform", "squash:0.4:2", "--time", 0, "-o", "swing.png")
+        self.succeed("render", *TEAPOT, "-o", "rest.png")
+        self.succeed("render", *TEAPOT, "--deform", "squash:0.4", "-o", "held.png")
+        self.assertEqual(self.bytes_of("swing.png"), self.bytes_of("rest.png"))
+        self.assertNotEqual(self.bytes_of("held.png"), self.bytes_of("rest.png"))
+
     def test_exr_and_other_variables(self):
         self.succeed("render", *MOVING, "--frames", "9:10", "--aov", "position", "-o", "p%d.exr")
         self.assertEqual(self.listing(), ["p10.exr", "p9.exr"])
