@@ -121,7 +121,7 @@ ChildProcess::ChildProcess(const fs::path& program, std::vector<std::string> arg
 }
 
 ChildProcess::~ChildProcess() {
-  if (id_ > 0) kill(id_, SIGKILL);
+  kill();
   finish();
   close(errors_);
 }
@@ -148,6 +148,11 @@ bool ChildProcess::finish() {
   return reaped && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
+void ChildProcess::kill() {
+  const std::lock_guard lock(children().mutex);
+  if (id_ > 0) ::kill(id_, SIGKILL);
+}
+
 std::string ChildProcess::lastWords() const {
   constexpr off_t most = 4096;
   const off_t end = lseek(errors_, 0, SEEK_END);
@@ -169,7 +174,7 @@ void ChildProcess::closeInput() {
 void abandonChildProcesses() {
   children().mutex.lock();  // for good
   for (const pid_t id : children().ids) {
-    kill(id, SIGKILL);
+    ::kill(id, SIGKILL);
     awaitEnd(id);
   }
 }

@@ -29,6 +29,9 @@ class ChildProcess {
   /// Ends its input and waits for its end. True when it says that all went well.
   bool finish();
 
+  /// May be called while another thread writes, which then ends.
+  void kill();
+
   /// The last line of what it wrote to its standard error; call after finish().
   std::string lastWords() const;
 

@@ -101,6 +101,7 @@ std::size_t renderFrames(Renderer& renderer, const FilmOrder& order, FrameWriter
     }
     if (underWay.count() == Renderer::framesInFlight) collectOldest();
     options.seconds = order.frames.seconds(frame);
+    if (order.place) order.place(renderer, frame);
     underWay.submit(frame, options, aovs);
   }
   while (underWay.count() > 0) collectOldest();
@@ -122,9 +123,14 @@ std::size_t encodeFilm(Renderer& renderer, const FilmOrder& order, const fs::pat
   FilmEncoder encoder(file, order.options.width, order.options.height, order.frames.perSecond);
   FrameWriter writer(
       1, [&](int, const Frame& frame) { encoder.add(core::toneMap(frame.images.at(0), tone)); });
-  const std::size_t made = renderFrames(renderer, order, writer);
-  encoder.finish();
-  return made;
+  try {
+    const std::size_t made = renderFrames(renderer, order, writer);
+    encoder.finish();
+    return made;
+  } catch (...) {
+    encoder.abandon();
+    throw;
+  }
 }
 
 }  // namespace

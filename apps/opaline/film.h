@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct FilmOrder {
   core::ToneOptions tone;  ///< of what is not EXR
   bool resume = false;     ///< leave out what is there already; not for a film
   bool quiet = false;
+  /// Called before each frame is submitted, where something beside the time is to be set.
+  std::function<void(Renderer& renderer, int frame)> place;
 };
 
 /// EXR as it is, or PNG after the tone curve.

@@ -21,6 +21,8 @@ class FilmEncoder {
   void add(const core::Image8& picture);
   /// Throws Error unless the film is whole.
   void finish();
+  /// Nobody wants the film any more: ends an add() on another thread, too.
+  void abandon() { ffmpeg_.kill(); }
 
  private:
   [[noreturn]] void fail();

@@ -13,7 +13,7 @@ namespace opaline::app {
 
 namespace {
 
-constexpr int lastFrame = 99999999;
+constexpr int lastFrame = 999999;
 constexpr Range secondsRange{0, 1e6, "s"};
 constexpr const char* noClip = "none";
 

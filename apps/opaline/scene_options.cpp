@@ -117,6 +117,10 @@ scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
     throw UsageError(fmt::format("--builtin {} and the scene {} exclude each other", *builtIn_,
                                  file_->string()));
   }
+  if (morphTo_ && !file_) {
+    throw UsageError(fmt::format("--morph-to {}: a built-in scene has no counterpart, name a SCENE",
+                                 morphTo_->string()));
+  }
   LoadOptions options;
   options.diagonalMm = diagonalMm_;
   options.medium = medium_.medium();

@@ -95,8 +95,9 @@ float diagonalMm(const Scene& scene);
 struct LoadOptions {
   std::optional<float> diagonalMm;  ///< scale the bounding-box diagonal to this length, mm, > 0
   std::optional<Medium> medium;     ///< of every object, instead of what the file says
-  std::optional<std::filesystem::path>
-      morphTo;      ///< a mesh of the same topology that the model turns into: clip "morph"
+  /// A model of the same topology that the scene's only object becomes and leaves again, in a clip
+  /// "morph" of 4 s; not for built-in scenes.
+  std::optional<std::filesystem::path> morphTo;
   LogCallback log;  ///< receives notes, for example about an assumed unit
 };
 

@@ -169,6 +169,7 @@ class Refusals(ProgramTest):
             (("--frames", "0:1", "-o", "a_%s.png"), "one %d or %04d"),
             (("--frames", "0:1", "-o", "a.mp4", "--resume"), "one go"),
             (("--frames", "0:1", "-o", "a.mp4", "--aov", "depth"), ".exr"),
+            (("--morph-to", "a.ply"), "--morph-to a.ply"),
             (("--clip", "walk", "--size", "8x8"), "no clips"),
         ]:
             with self.subTest(arguments=arguments):

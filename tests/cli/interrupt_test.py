@@ -12,7 +12,7 @@ from images import read_exr, read_png
 from program import ProgramTest
 
 ENDLESS = ("render", "--builtin", "teapot", "--dsm-size", 64, "--shadow-size", 64, "--deform", "wobble:0.1", "--frames",
-           "0:9999999", "--quiet")
+           "0:999999", "--quiet")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
