@@ -8,7 +8,7 @@ apt_packages=(
   g++ cmake ninja-build make git python3
   libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers glslc
   libeigen3-dev libglm-dev libtinygltf-dev libtinyobjloader-dev libtomlplusplus-dev nlohmann-json3-dev
-  libopenexr-dev libstb-dev libfmt-dev libcli11-dev libgtest-dev libgmock-dev
+  libopenexr-dev libstb-dev libfmt-dev libcli11-dev libgtest-dev libgmock-dev ffmpeg
 )
 # The checks of `make test` are written for version 14; see tools/clang_tools.py.
 apt_checkers=(clang-format clang-tidy)
@@ -17,7 +17,7 @@ dnf_packages=(
   gcc-c++ cmake ninja-build make git python3
   vulkan-headers vulkan-loader-devel mesa-vulkan-drivers vulkan-validation-layers glslc
   eigen3-devel glm-devel tinygltf-devel tinyobjloader-devel tomlplusplus-devel json-devel
-  openexr-devel stb-devel fmt-devel cli11-devel gtest-devel gmock-devel clang-tools-extra
+  openexr-devel stb-devel fmt-devel cli11-devel gtest-devel gmock-devel clang-tools-extra ffmpeg-free
 )
 
 as_root() {

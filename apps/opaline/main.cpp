@@ -8,6 +8,7 @@
 
 #include "command_line.h"
 #include "commands.h"
+#include "interrupt.h"
 #include "opaline/error.h"
 #include "output.h"
 
@@ -22,7 +23,8 @@ struct Command {
 };
 
 constexpr std::array commands{
-    Command{"render", "a still of a scene as PNG or EXR; needs no window", runRender},
+    Command{"render", "a still as PNG or EXR, or a film; needs no window", runRender},
+    Command{"bench", "times of this machine's device beside those of the paper", runBench},
     Command{"info", "what is in a scene, what was mended, its atlas, the devices", runInfo},
     Command{"media", "the media and what follows from their coefficients", runMedia},
     Command{"profile", "diffuse reflectance of a medium over the radius", runProfile},
@@ -67,6 +69,7 @@ int fail(const char* sentence, int status) {
 
 int main(int count, char** values) {
   guardStandardStreams();
+  leaveOnlyWholeFilesWhenInterrupted();
   try {
     dispatch({values + (count > 0 ? 1 : 0), values + count});
     return 0;

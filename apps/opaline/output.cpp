@@ -2,9 +2,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -17,6 +19,8 @@ namespace opaline::app {
 
 namespace {
 
+std::atomic<bool> statusShown = false;
+
 void toStandardError(std::string_view prefix, std::string_view sentence) {
   std::string line = fmt::format("{}{}", prefix, sentence);
   std::replace_if(
@@ -24,6 +28,7 @@ void toStandardError(std::string_view prefix, std::string_view sentence) {
       [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
   if (line.find_last_of(".!?") != line.size() - 1) line += '.';
   line += '\n';
+  clearStatus();
   // Where standard error itself fails there is nobody left to tell.
   static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
 }
@@ -50,6 +55,24 @@ void printOut(std::string_view text) {
 
 void printError(std::string_view sentence) {
   toStandardError("opaline: ", sentence);
+}
+
+std::size_t statusColumns() {
+  constexpr std::size_t usual = 80;
+  winsize size{};
+  if (isatty(STDERR_FILENO) == 0) return 0;
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
+  return size.ws_col;
+}
+
+void showStatus(std::string_view line) {
+  const std::string text = fmt::format("\r{}\x1b[K", line);
+  statusShown = true;
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+}
+
+void clearStatus() {
+  if (statusShown.exchange(false)) static_cast<void>(std::fputs("\r\x1b[K", stderr));
 }
 
 LogCallback noteTaker(bool quiet) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <exception>
 #include <string_view>
 
@@ -23,5 +24,12 @@ void printError(std::string_view sentence);
 
 /// Notes on standard error, unless `quiet`.
 LogCallback noteTaker(bool quiet);
+
+/// Width of the terminal that standard error is; 0 when it is none.
+std::size_t statusColumns();
+
+/// Shows a line on that terminal in place of the one before. Errors and notes take its place too.
+void showStatus(std::string_view line);
+void clearStatus();
 
 }  // namespace opaline::app

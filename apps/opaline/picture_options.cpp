@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "frame_names.h"
 #include "opaline/error.h"
 #include "paths.h"
 
@@ -142,9 +143,9 @@ void MethodOptions::applyTo(RenderOptions& options) const {
 
 void PictureOptions::addTo(CommandLine& line) {
   const RenderOptions defaults;
-  line.value("-o,--output", "FILE", ".png, or .exr (linear) [SCENE's name .png]",
+  line.value("-o,--output", "FILE", ".png, .exr (linear), frame_%04d.png, film.mp4",
              [this](const Given& given) {
-               file_ = readOutput(given, {".png", ".exr"});
+               file_ = readOutput(given, {".png", ".exr", ".mp4"});
              });
   line.value("--size", "WxH",
              fmt::format("pixels, each 1 to 16384 [{}x{}]", defaults.width, defaults.height),
@@ -164,12 +165,12 @@ void PictureOptions::addTo(CommandLine& line) {
              [this](const Given& given) {
                roughness_ = readFloat(given, {0.05, 1});
              });
-  line.value("--exposure", "X", "stops, -32 to 32, PNG only [0]", [this](const Given& given) {
+  line.value("--exposure", "X", "stops, -32 to 32, not EXR [0]", [this](const Given& given) {
     exposureStops_ = readFloat(given, {-32, 32, "stops"});
   });
-  line.value("--tone", "NAME", "curve: neutral or none, PNG only [neutral]",
+  line.value("--tone", "NAME", "curve: neutral or none, not EXR [neutral]",
              [this](const Given& given) { curve_ = readChoice(given, curves()); });
-  line.value("--background", "R,G,B", "linear, 0 to 1, PNG only [transparent]",
+  line.value("--background", "R,G,B", "linear, 0 to 1, not EXR [transparent]",
              [this](const Given& given) {
                background_ = readTripleFloat(given, {0, 1});
              });
@@ -182,8 +183,8 @@ void PictureOptions::applyTo(RenderOptions& options) const {
   }
   if (isExr() && (exposureStops_ || curve_ || background_)) {
     throw UsageError(
-        "--exposure, --tone and --background belong to PNG pictures; an EXR file keeps linear "
-        "radiance");
+        "--exposure, --tone and --background belong to PNG pictures and films; an EXR file keeps "
+        "linear radiance");
   }
   if (!picture && antialias_ && *antialias_ != 1) {
     throw UsageError("--antialias belongs to radiance; other AOVs are sampled once a pixel");
@@ -205,8 +206,31 @@ bool PictureOptions::isExr() const {
   return file_ ? extensionOf(*file_) == ".exr" : aov_.has_value();
 }
 
-std::filesystem::path PictureOptions::file(const std::string& sceneName) const {
-  return file_.value_or(sceneName + (isExr() ? ".exr" : ".png"));
+void PictureOptions::requireNameFor(bool frames, bool resume) const {
+  const std::string name = file_ ? file_->string() : "";
+  const bool film = file_ && extensionOf(*file_) == ".mp4";
+  const bool numbered = FrameNames::parse(name).has_value();
+  if (!frames && (film || numbered)) {
+    throw UsageError(fmt::format("-o {} {} and needs --frames A:B", name,
+                                 film ? "is a film" : "stands for many files"));
+  }
+  if (!frames && resume) {
+    throw UsageError("--resume goes on with a row of pictures and needs --frames A:B");
+  }
+  if (film && resume) {
+    throw UsageError(
+        "--resume goes on with a row of pictures, -o frame_%04d.png; a film is made in one go");
+  }
+  if (frames && file_ && !film && !numbered) {
+    throw UsageError(
+        fmt::format("-o {}: --frames makes many files, whose name needs one %d or %04d for the "
+                    "number, as frame_%04d.png, or a film, .mp4",
+                    name));
+  }
+}
+
+std::filesystem::path PictureOptions::file(const std::string& sceneName, bool frames) const {
+  return file_.value_or(sceneName + (frames ? "_%04d" : "") + (isExr() ? ".exr" : ".png"));
 }
 
 core::ToneOptions PictureOptions::tone(const scene::SceneFileSettings& settings) const {

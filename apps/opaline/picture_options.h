@@ -49,8 +49,10 @@ class PictureOptions {
   /// False for what lies in the diffusion source map.
   bool seenByCamera() const { return aov() < Aov::DsmPosition; }
   bool isExr() const;
+  /// Throws UsageError unless -o suits a film, or a still.
+  void requireNameFor(bool frames, bool resume) const;
   /// -o, or a name after the scene's in the current folder.
-  std::filesystem::path file(const std::string& sceneName) const;
+  std::filesystem::path file(const std::string& sceneName, bool frames) const;
   bool hasFile() const { return file_.has_value(); }
   /// What was asked for, else what the scene file says.
   core::ToneOptions tone(const scene::SceneFileSettings& settings) const;

@@ -3,20 +3,22 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <system_error>
+#include <utility>
+#include <vector>
 
 #include "command_line.h"
 #include "commands.h"
 #include "core/file.h"
-#include "core/image_file.h"
-#include "core/tone.h"
+#include "film.h"
 #include "json.h"
+#include "motion_options.h"
 #include "opaline/error.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "output.h"
 #include "paths.h"
 #include "picture_options.h"
+#include "render_report.h"
 #include "scene_options.h"
 
 namespace opaline::app {
@@ -27,10 +29,12 @@ struct RenderCommand {
   SceneOptions scene;
   LightOptions lights;
   CameraOptions camera;
+  MotionOptions motion;
   MethodOptions method;
   PictureOptions picture;
   std::optional<std::string> device;
   std::optional<std::filesystem::path> report;
+  bool resume = false;
   bool validation = false;
   bool quiet = false;
   bool json = false;
@@ -43,6 +47,9 @@ struct RenderCommand {
     line.section("Picture");
     camera.addTo(line);
     picture.addTo(line);
+    line.section("Motion");
+    motion.addTo(line);
+    line.flag("--resume", "leave out frames whose pictures are there", resume);
     line.section("Method");
     method.addTo(line);
     line.section("Run");
@@ -60,6 +67,13 @@ struct RenderCommand {
     line.flag("--quiet", "no notes on standard error", quiet);
   }
 
+  /// Refuses what contradicts itself, before any work.
+  void check() const {
+    motion.check();
+    picture.requireNameFor(motion.frames().has_value(), resume);
+    static_cast<void>(options({}));
+  }
+
   RenderOptions options(const scene::SceneFileSettings& settings) const {
     RenderOptions options = optionsOf(settings);
     method.applyTo(options);
@@ -70,72 +84,134 @@ struct RenderCommand {
   }
 };
 
-Json reportJson(const RenderReport& report, const RenderOptions& options,
-                const std::filesystem::path& output) {
-  Json passes = Json::array();
-  for (const PassTime& pass : report.passes) {
-    passes.push_back({{"name", pass.name}, {"ms", pass.milliseconds}});
-  }
-  return {{"device",
-           {{"name", report.device.name},
-            {"type", report.device.type},
-            {"driver", report.device.driver}}},
-          {"size", {options.width, options.height}},
-          {"transport", nameOf(report.transport, transports())},
-          {"sum", nameOf(report.sum, sums())},
-          {"site", nameOf(report.site, sites())},
-          {"triangles", report.triangles},
-          {"vertices", report.vertices},
-          {"sources", report.sources},
-          {"passes", std::move(passes)},
-          {"frame_ms", report.frameMilliseconds},
-          {"peak_memory_mb", report.peakMemoryMegabytes},
-          {"outputs", {output.string()}}};
-}
+/// What is settled before anything is rendered.
+struct Job {
+  Scene scene;
+  scene::SceneFileSettings settings;
+  RenderOptions options;
+  std::filesystem::path output;
+};
 
-}  // namespace
-
-void runRender(const Arguments& arguments) {
-  CommandLine line("render",
-                   "Renders a still. Lengths are mm, light is linear RGB, in [] is the default.");
-  RenderCommand command;
-  command.addTo(line);
-  if (!line.parse(arguments)) return;
-
-  static_cast<void>(command.options({}));  // refuses what contradicts itself before any work
-  const LogCallback log = noteTaker(command.quiet);
-  const std::filesystem::path output = command.picture.file(command.scene.name());
-  core::requireWritable(output);
-  if (command.report) core::requireWritable(*command.report);
-
+Job prepare(const RenderCommand& command, std::filesystem::path output, const LogCallback& log) {
   auto [scene, settings] = command.scene.load(log);
-  const RenderOptions options = command.options(settings);
+  RenderOptions options = command.options(settings);
   command.lights.applyTo(scene);
   command.camera.applyTo(scene);
+  command.motion.applyTo(scene);
+  command.motion.applyTo(options, scene);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
   if (command.picture.seenByCamera()) {
     const auto note = command.camera.noteOnFraming(scene, options.width, options.height);
     if (note) log(LogLevel::Note, *note);
   }
+  return {std::move(scene), std::move(settings), options, std::move(output)};
+}
 
+std::string onDevice(const DeviceDescription& device) {
+  return fmt::format("rendered on {} ({})", device.name, device.type);
+}
+
+/// What was made, and what Vulkan's validation layer said about it.
+struct Done {
+  Json report;
+  std::size_t validationMessages = 0;
+};
+
+Renderer makeRenderer(const RenderCommand& command, const Job& job, const LogCallback& log) {
   Renderer renderer(
-      {command.device.value_or(settings.device.value_or("")), command.validation, log});
-  renderer.setScene(scene);
-  const RenderResult result = renderer.render(options, {command.picture.aov()});
-  if (command.picture.isExr()) {
-    core::writeExr(output, result.images.at(0));
-  } else {
-    core::writePng(output, core::toneMap(result.images.at(0), command.picture.tone(settings)));
-  }
-  log(LogLevel::Note, fmt::format("wrote {}, rendered on {} ({})", output.string(),
-                                  result.report.device.name, result.report.device.type));
+      {command.device.value_or(job.settings.device.value_or("")), command.validation, log});
+  renderer.setScene(job.scene);
+  return renderer;
+}
 
-  const std::string report = toText(reportJson(result.report, options, output));
+Done makeStill(const RenderCommand& command, const Job& job, const LogCallback& log) {
+  Renderer renderer = makeRenderer(command, job, log);
+  const RenderResult result = renderer.render(job.options, {command.picture.aov()});
+  writePicture(job.output, result.images.at(0), command.picture.tone(job.settings));
+  log(LogLevel::Note,
+      fmt::format("wrote {}, {}", job.output.string(), onDevice(result.report.device)));
+  return {renderReportJson(result.report, job.options, {job.output.string()}),
+          renderer.validationMessages()};
+}
+
+/// A report of frames all of which were there already.
+Json emptyReportJson(const Job& job, const std::vector<std::string>& outputs) {
+  RenderReport nothing;
+  nothing.transport = job.options.transport;
+  nothing.sum = job.options.sum;
+  nothing.site = job.options.site;
+  Json json = renderReportJson(nothing, job.options, outputs);
+  for (const char* unknown :
+       {"device", "triangles", "vertices", "sources", "frame_ms", "peak_memory_mb"}) {
+    json[unknown] = nullptr;
+  }
+  return json;
+}
+
+Done renderMissing(const RenderCommand& command, const Job& job, const FilmOrder& order,
+                   const LogCallback& log) {
+  if (!moves(job.scene, job.options.clip)) {
+    log(LogLevel::Note,
+        "nothing in the scene moves, so all frames are the same picture; --deform wobble:0.1 makes "
+        "it move");
+  }
+  Renderer renderer = makeRenderer(command, job, log);
+  const std::size_t made = renderFilm(renderer, order);
+  const RenderReport report = renderer.report();
+  log(LogLevel::Note,
+      fmt::format("wrote {} frames to {}, {}", made, job.output.string(), onDevice(report.device)));
+  return {renderReportJson(report, job.options, outputsOf(order)), renderer.validationMessages()};
+}
+
+Done makeFrames(const RenderCommand& command, const Job& job, const FrameRange& frames,
+                const LogCallback& log) {
+  const FilmOrder order{frames,
+                        job.output,
+                        command.picture.aov(),
+                        job.options,
+                        command.picture.tone(job.settings),
+                        command.resume,
+                        command.quiet};
+  const std::size_t there = countThere(order);
+  if (there > 0) {
+    log(LogLevel::Note, fmt::format("{} of {} frames were there already", there, frames.count()));
+  }
+  Done done = there < frames.count() ? renderMissing(command, job, order, log)
+                                     : Done{emptyReportJson(job, outputsOf(order))};
+  done.report["frames"] = {frames.first, frames.last};
+  done.report["fps"] = frames.perSecond;
+  return done;
+}
+
+}  // namespace
+
+void runRender(const Arguments& arguments) {
+  CommandLine line(
+      "render",
+      "Renders a still or a film. Lengths are mm, light is linear RGB, in [] is the default.");
+  RenderCommand command;
+  command.addTo(line);
+  if (!line.parse(arguments)) return;
+  command.check();
+
+  const LogCallback log = noteTaker(command.quiet);
+  const std::optional<FrameRange> frames = command.motion.frames();
+  std::filesystem::path output = command.picture.file(command.scene.name(), frames.has_value());
+  if (frames) {
+    requireFilmWritable(output, *frames);
+  } else {
+    core::requireWritable(output);
+  }
+  if (command.report) core::requireWritable(*command.report);
+
+  const Job job = prepare(command, std::move(output), log);
+  const Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
+  const std::string report = toText(done.report);
   if (command.report) core::writeWhole(*command.report, report);
   if (command.json) printOut(report);
-  if (renderer.validationMessages() > 0) {
-    throw Error(fmt::format("--validation: the validation layer had {} messages",
-                            renderer.validationMessages()));
+  if (done.validationMessages > 0) {
+    throw Error(
+        fmt::format("--validation: the validation layer had {} messages", done.validationMessages));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/image_file.h"
+#include "frame_names.h"
 #include "opaline/error.h"
 #include "values.h"
 
@@ -101,10 +102,14 @@ void SceneOptions::addTo(CommandLine& line) {
                diagonalMm_ = static_cast<float>(readNumber(given, {1e-3, 1e6, "mm"}));
              });
   medium_.addTo(line);
+  line.value("--morph-to", "FILE", "mesh that it turns into: clip \"morph\"",
+             [this](const Given& given) { morphTo_ = given.text; });
 }
 
 std::string SceneOptions::name() const {
-  return file_ ? file_->stem().string() : builtIn_.value_or("bear");
+  if (!file_) return builtIn_.value_or("bear");
+  const std::optional<FrameNames> names = FrameNames::parse(file_->stem().string());
+  return names ? names->common() : file_->stem().string();
 }
 
 scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
@@ -112,7 +117,15 @@ scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
     throw UsageError(fmt::format("--builtin {} and the scene {} exclude each other", *builtIn_,
                                  file_->string()));
   }
-  const LoadOptions options{diagonalMm_, medium_.medium(), log};
+  if (morphTo_ && !file_) {
+    throw UsageError(fmt::format("--morph-to {}: a built-in scene has no counterpart, name a SCENE",
+                                 morphTo_->string()));
+  }
+  LoadOptions options;
+  options.diagonalMm = diagonalMm_;
+  options.medium = medium_.medium();
+  options.morphTo = morphTo_;
+  options.log = log;
   if (file_) return scene::loadSceneFile(*file_, options);
   return {builtIn_ == "teapot" ? builtInTeapot(options) : builtInBear(options), {}};
 }

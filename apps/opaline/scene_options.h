@@ -26,6 +26,7 @@ class SceneOptions {
   std::optional<std::filesystem::path> file_;
   std::optional<std::string> builtIn_;
   std::optional<float> diagonalMm_;
+  std::optional<std::filesystem::path> morphTo_;
   MediumOptions medium_;
 };
 

@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cerrno>
 #include <fstream>
+#include <mutex>
+#include <set>
 #include <string>
 #include <system_error>
 
@@ -95,6 +97,19 @@ fs::path checkedTarget(const fs::path& target) {
   return real;
 }
 
+/// The temporary files there are. A file is made, renamed and removed under the lock, so that
+/// whoever holds it knows all of them.
+struct TemporaryFiles {
+  std::mutex mutex;
+  std::set<fs::path> paths;
+};
+
+TemporaryFiles& temporaryFiles() {
+  // Never destroyed: a thread may wait for a signal until the very end.
+  static TemporaryFiles& files = *new TemporaryFiles;
+  return files;
+}
+
 /// Removes the temporary file unless it has been renamed.
 class TemporaryFile {
  public:
@@ -105,6 +120,7 @@ class TemporaryFile {
     constexpr std::size_t longestExtension = 16;
     std::string extension = target.extension().string();
     if (extension.size() > longestExtension) extension.clear();
+    const std::lock_guard lock(temporaryFiles().mutex);
     for (int descriptor = -1; descriptor < 0;) {
       path_ = folderOf(target) / fmt::format(".opaline-{}-{}{}", getpid(), counter++, extension);
       descriptor = open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
@@ -114,10 +130,14 @@ class TemporaryFile {
         failToWrite(target, reasonOf(errno));
       }
     }
+    temporaryFiles().paths.insert(path_);
   }
   ~TemporaryFile() {
+    if (path_.empty()) return;
+    const std::lock_guard lock(temporaryFiles().mutex);
     std::error_code ignored;  // nothing better can be done about a file that cannot be removed
-    if (!path_.empty()) fs::remove(path_, ignored);
+    fs::remove(path_, ignored);
+    temporaryFiles().paths.erase(path_);
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -128,8 +148,10 @@ class TemporaryFile {
     std::error_code error;
     const fs::file_status old = fs::status(target, error);
     if (!error && fs::exists(old)) fs::permissions(path_, old.permissions(), error);
+    const std::lock_guard lock(temporaryFiles().mutex);
     fs::rename(path_, target, error);
     if (error) failToWrite(target, error.message());
+    temporaryFiles().paths.erase(path_);
     path_.clear();
   }
 
@@ -189,6 +211,11 @@ void writeWhole(const fs::path& target, std::string_view contents) {
     stream.close();
     if (!stream) failToWrite(target, reasonOf(errno != 0 ? errno : EIO));
   });
+}
+
+void abandonTemporaryFiles() {
+  temporaryFiles().mutex.lock();  // for good
+  for (const fs::path& path : temporaryFiles().paths) unlink(path.c_str());
 }
 
 }  // namespace opaline::core

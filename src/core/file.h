@@ -28,4 +28,9 @@ void writeWhole(const std::filesystem::path& target, std::string_view contents);
 /// exist, it is a folder, or there is no permission.
 void requireWritable(const std::filesystem::path& target);
 
+/// For a program that is about to die of a signal: removes the files that are being written and not
+/// yet renamed, and lets none be made or renamed from then on; whoever tries waits for ever. Not
+/// for a signal handler but for a thread that waits for signals.
+void abandonTemporaryFiles();
+
 }  // namespace opaline::core

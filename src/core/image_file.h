@@ -24,4 +24,8 @@ void writeExr(const std::filesystem::path& file, const Image& image);
 /// .exr or .hdr (Radiance RGBE), at most 16384 × 16384 and finite; negative values become 0.
 Image readHdrImage(const std::filesystem::path& file);
 
+/// Whether a .png or .exr file of that size and ours in kind is there from its first byte to its
+/// last. Looks at header, table of blocks and end, not at the pixels.
+bool isWholeImage(const std::filesystem::path& file, int width, int height);
+
 }  // namespace opaline::core

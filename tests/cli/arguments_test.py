@@ -19,7 +19,7 @@ class Help(ProgramTest):
         text = self.succeed("--help").out
         for command in COMMANDS:
             self.assertIn(f"\n  {command} ", text)
-        for later in ("view", "reference", "compare", "bench"):
+        for later in ("view", "reference", "compare"):
             self.assertNotIn(f"\n  {later} ", text)
 
     def test_comes_before_complaints(self):
@@ -47,8 +47,6 @@ class Refusals(ProgramTest):
             self.refused(2, command, "--jsom", says="did you mean --json?")
 
     def test_what_comes_later_is_no_option_yet(self):
-        for option in ("--frames", "--time", "--clip", "--fps"):
-            self.refused(2, "render", option, "1", says=f"render has no option {option}")
         self.refused(2, "render", "--sum", "tree", says=("--sum tree", "pattern, all"))
         self.refused(2, "render", "--transport", "boundary", says=("--transport boundary", "dipole, better-dipole"))
 
@@ -112,6 +110,29 @@ class Refusals(ProgramTest):
             ("-o", "a.jpg", ".png or .exr"),
             ("-o", "png", ".png or .exr"),
             ("--report", "a.txt", ".json"),
+            ("--time", "-1", "from 0 to"),
+            ("--time", "nan", "nan is not from 0"),
+            ("--time", "soon", "not a number"),
+            ("--fps", "0", "from 1 to 1000"),
+            ("--fps", "1001", "from 1 to 1000"),
+            ("--frames", "3", "FIRST:LAST"),
+            ("--frames", "0:1:2", "FIRST:LAST"),
+            ("--frames", "-1:2", "whole number from 0"),
+            ("--frames", "0:1.5", "whole number from 0"),
+            ("--frames", "0:99999999999999999999", "whole number from 0"),
+            ("--frames", ":", "whole number from 0"),
+            ("--frames", "5:4", "before the first"),
+            ("--deform", "twisd:1", "did you mean twist?"),
+            ("--deform", "twist", "KIND:AMOUNT"),
+            ("--deform", "twist:1:2:3", "KIND:AMOUNT"),
+            ("--deform", "twist:", "'' is not a number"),
+            ("--deform", "twist:101", "from -100 to 100 radians"),
+            ("--deform", "bend:6.3", "from -6.28 to 6.28 radians"),
+            ("--deform", "squash:1", "from -3 to 0.9"),
+            ("--deform", "squash:-1:2", "from -0.9 to 0.9"),
+            ("--deform", "wobble:-1.1", "from -1 to 1"),
+            ("--deform", "wobble:nan", "nan is not"),
+            ("--deform", "wobble:0.1:-1", "-1 is not from 0"),
         ]:
             with self.subTest(option=option, text=text):
                 self.refused(2, "render", f"{option}={text}" if option != "-o" else f"-o{text}",
@@ -137,10 +158,30 @@ class Refusals(ProgramTest):
             (("--method", "paper", "--sum", "all"), "contradicts --method paper"),
             (("--method", "paper", "--site", "vertex"), "contradicts --method paper"),
             (("--sum", "all", "--near-rings", "3"), "--sum pattern"),
+            (("--time", "1", "--frames", "0:1"), ("--time", "--frames")),
+            (("--fps", "25"), "--frames"),
+            (("--resume",), "--frames"),
+            (("-o", "a.mp4"), ("a.mp4", "--frames")),
+            (("-o", "a_%04d.png"), ("a_%04d.png", "--frames")),
+            (("--frames", "0:1", "-o", "a.png"), ("a.png", "%04d", ".mp4")),
+            (("--frames", "0:1", "-o", "a_%d_%d.png"), "one %d or %04d"),
+            (("--frames", "0:1", "-o", "a_%4d.png"), "one %d or %04d"),
+            (("--frames", "0:1", "-o", "a_%s.png"), "one %d or %04d"),
+            (("--frames", "0:1", "-o", "a.mp4", "--resume"), "one go"),
+            (("--frames", "0:1", "-o", "a.mp4", "--aov", "depth"), ".exr"),
+            (("--morph-to", "a.ply"), "--morph-to a.ply"),
+            (("--clip", "walk", "--size", "8x8"), "no clips"),
         ]:
             with self.subTest(arguments=arguments):
                 self.refused(2, "render", *arguments, says=says)
         self.assertEqual(self.listing(), [])
+
+
+class Bench(ProgramTest):
+    def test_suites(self):
+        self.refused(2, "bench", says=("suite", "table1"))
+        self.refused(2, "bench", "tabel1", says=("tabel1", "table1"))
+        self.refused(2, "bench", "table1", "--frames", "0", says="from 1 to 1000")
 
 
 if __name__ == "__main__":

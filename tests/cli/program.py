@@ -3,12 +3,14 @@
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 PROGRAM = pathlib.Path(os.environ["OPALINE"]).resolve()
-COMMANDS = ("render", "info", "media", "profile")
+COMMANDS = ("render", "bench", "info", "media", "profile")
 
 LONGEST_SECONDS = 300
 
@@ -18,6 +20,12 @@ vn 0 0 -1\nvn 0 0 1\nvn 0 -1 0\nvn 1 0 0\nvn 0 1 0\nvn -1 0 0
 f 4//1 3//1 2//1 1//1\nf 5//2 6//2 7//2 8//2\nf 1//3 2//3 6//3 5//3
 f 2//4 3//4 7//4 6//4\nf 3//5 4//5 8//5 7//5\nf 4//6 1//6 5//6 8//6
 """
+
+
+def heed_signals(ignored):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN if number in ignored else signal.SIG_DFL)
+    signal.pthread_sigmask(signal.SIG_SETMASK, ())
 
 
 class Run:
@@ -66,6 +74,23 @@ class ProgramTest(unittest.TestCase):
         path = self.folder / name
         path.write_bytes(content if isinstance(content, bytes) else content.encode())
         return path
+
+    def start(self, *arguments, ignored=(), **keywords):
+        """Does not wait; a program that is still there at the end of the test is killed. A signal that
+        is not ignored ends it, whatever whoever runs the tests does with signals."""
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder,
+                                   preexec_fn=lambda: heed_signals(ignored), **keywords)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def wait_for(self, what, process):
+        """Until `what` holds, which it must before the process ends."""
+        deadline = time.monotonic() + LONGEST_SECONDS
+        while not what():
+            self.assertIsNone(process.poll(), "it ended too early")
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(.01)
 
     def listing(self):
         return sorted(path.name for path in self.folder.iterdir())

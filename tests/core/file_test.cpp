@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <random>
 #include <stdexcept>
 
@@ -180,6 +181,27 @@ TEST(FullDisk, IsAnErrorAndLeavesNothing) {
   EXPECT_THAT(messageOf([&] { writeWhole(folder / "a.txt", std::string(100000, 'x')); }),
               HasSubstr("a.txt"));
   EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+TEST(AbandonTemporaryFiles, RemovesThemAndEndsTheWriting) {
+  const TemporaryFolder folder;
+  const fs::path folderPath = folder.path();
+  writeBytes(folder / "old.txt", "old");
+  EXPECT_EXIT(
+      {
+        writeWhole(folderPath / "old.txt", [&](const fs::path& temporary) {
+          writeBytes(temporary, "half");
+          writeWhole(folderPath / "other.txt", "whole");
+          writeWhole(folderPath / "third.txt", [](const fs::path&) {
+            abandonTemporaryFiles();
+            std::_Exit(7);
+          });
+        });
+      },
+      testing::ExitedWithCode(7), "");
+  EXPECT_EQ(readBytes(folder / "old.txt"), "old");
+  EXPECT_EQ(readBytes(folder / "other.txt"), "whole");
+  EXPECT_EQ(folder.fileCount(), 2U);
 }
 
 TEST(RequireWritable, CreatesNothing) {

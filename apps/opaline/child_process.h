@@ -1,0 +1,49 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace opaline::app {
+
+/// Where the shell would find a program; nothing where it would not.
+std::optional<std::filesystem::path> findProgram(const std::string& name);
+
+/// A program that reads what we write to it. It is killed when this object goes, and when this
+/// program is interrupted.
+class ChildProcess {
+ public:
+  /// Throws Error when it cannot be started.
+  ChildProcess(const std::filesystem::path& program, std::vector<std::string> arguments);
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// False when the program no longer reads.
+  bool write(std::string_view bytes) const;
+
+  /// Ends its input and waits for its end. True when it says that all went well.
+  bool finish();
+
+  /// May be called while another thread writes, which then ends.
+  void kill();
+
+  /// The last line of what it wrote to its standard error; call after finish().
+  std::string lastWords() const;
+
+ private:
+  void closeInput();
+
+  pid_t id_ = -1;
+  int input_ = -1;
+  int errors_ = -1;
+};
+
+/// Kills all children and lets none be started from then on; whoever tries waits for ever.
+void abandonChildProcesses();
+
+}  // namespace opaline::app

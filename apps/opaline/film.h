@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/tone.h"
+#include "motion_options.h"
+#include "opaline/renderer.h"
+
+namespace opaline::app {
+
+/// Many frames, and where they go.
+struct FilmOrder {
+  FrameRange frames;
+  std::filesystem::path output;  ///< a film, .mp4, or a name with a mark for the number
+  Aov aov = Aov::Radiance;
+  RenderOptions options;   ///< but for the time
+  core::ToneOptions tone;  ///< of what is not EXR
+  bool resume = false;     ///< leave out what is there already; not for a film
+  bool quiet = false;
+  /// Called before each frame is submitted, where something beside the time is to be set.
+  std::function<void(Renderer& renderer, int frame)> place;
+};
+
+/// EXR as it is, or PNG after the tone curve.
+void writePicture(const std::filesystem::path& file, const Image& image,
+                  const core::ToneOptions& tone);
+
+/// Throws Error now, before hours of work, when the output could not be written or ffmpeg is not
+/// there.
+void requireFilmWritable(const std::filesystem::path& output, const FrameRange& frames);
+
+/// All files the order is about.
+std::vector<std::string> outputsOf(const FilmOrder& order);
+
+/// How many frames need not be made, as their files are there.
+std::size_t countThere(const FilmOrder& order);
+
+/// Renders the others, each while those before are still being written. Returns how many.
+std::size_t renderFilm(Renderer& renderer, const FilmOrder& order);
+
+}  // namespace opaline::app

@@ -1,0 +1,143 @@
+#include "motion_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "opaline/error.h"
+#include "values.h"
+
+namespace opaline::app {
+
+namespace {
+
+constexpr int lastFrame = 999999;
+constexpr Range secondsRange{0, 1e6, "s"};
+constexpr const char* noClip = "none";
+
+const Choices<DeformerKind>& deformerKinds() {
+  static const Choices<DeformerKind> table{{"twist", DeformerKind::Twist},
+                                           {"bend", DeformerKind::Bend},
+                                           {"squash", DeformerKind::Squash},
+                                           {"wobble", DeformerKind::Wobble}};
+  return table;
+}
+
+/// opaline/motion.h, Deformer::amount.
+Range amountRange(const Deformer& deformer) {
+  switch (deformer.kind) {
+    case DeformerKind::Twist:
+      return {-100, 100, "radians"};
+    case DeformerKind::Bend:
+      return {-6.28, 6.28, "radians"};
+    case DeformerKind::Squash:
+      return deformer.periodSeconds > 0 ? Range{-0.9, 0.9} : Range{-3, 0.9};
+    case DeformerKind::Wobble:
+      break;
+  }
+  return {-1, 1, "diagonals"};
+}
+
+std::vector<std::string> splitAtColons(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(':', begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+Deformer readDeformer(const Given& given) {
+  const std::vector<std::string> parts = splitAtColons(given.text);
+  Deformer deformer;
+  deformer.kind = readChoice(Given{given.option, parts[0]}, deformerKinds());
+  if (parts.size() != 2 && parts.size() != 3) {
+    throw UsageError(fmt::format("{} {}: must be KIND:AMOUNT or KIND:AMOUNT:PERIOD, as {}:0.5:2",
+                                 given.option, given.text, parts[0]));
+  }
+  const std::string option = given.option + " " + parts[0];
+  if (parts.size() == 3) {
+    deformer.periodSeconds = static_cast<float>(readNumber({option, parts[2]}, secondsRange));
+  }
+  deformer.amount = static_cast<float>(readNumber({option, parts[1]}, amountRange(deformer)));
+  return deformer;
+}
+
+FrameRange readFrames(const Given& given) {
+  const std::vector<std::string> ends = splitAtColons(given.text);
+  if (ends.size() != 2) {
+    throw UsageError(fmt::format("{} {}: must be FIRST:LAST, as 0:239", given.option, given.text));
+  }
+  FrameRange frames;
+  frames.first = readInteger({given.option, ends[0]}, 0, lastFrame);
+  frames.last = readInteger({given.option, ends[1]}, 0, lastFrame);
+  if (frames.first > frames.last) {
+    throw UsageError(
+        fmt::format("{} {}: the last frame comes before the first", given.option, given.text));
+  }
+  return frames;
+}
+
+bool moves(const Deformer& deformer) {
+  return deformer.amount != 0 &&
+         (deformer.kind == DeformerKind::Wobble || deformer.periodSeconds > 0);
+}
+
+}  // namespace
+
+void MotionOptions::addTo(CommandLine& line) {
+  line.value("--time", "SECONDS", "of a still, at least 0 [0]",
+             [this](const Given& given) { seconds_ = readNumber(given, secondsRange); });
+  line.value("--frames", "A:B", "a film; frame n shows time n / fps",
+             [this](const Given& given) { frames_ = readFrames(given); });
+  line.value("--fps", "N", "frames a second, 1 to 1000 [30]", [this](const Given& given) {
+    framesPerSecond_ = readNumber(given, {1, 1000});
+  });
+  line.value("--clip", "NAME", "as opaline info lists them, or none [the first]",
+             [this](const Given& given) { clip_ = given.text; });
+  line.repeated("--deform", "KIND:X[:PERIOD]", "twist or bend (radians), squash, wobble; seconds",
+                [this](const Given& given) { deformers_.push_back(readDeformer(given)); });
+}
+
+void MotionOptions::check() const {
+  if (seconds_ && frames_) {
+    throw UsageError("--time is one moment and --frames are many: use one of the two");
+  }
+  if (framesPerSecond_ && !frames_) {
+    throw UsageError("--fps is the speed of a film and needs --frames A:B; a still has --time");
+  }
+}
+
+std::optional<FrameRange> MotionOptions::frames() const {
+  std::optional<FrameRange> frames = frames_;
+  if (frames && framesPerSecond_) frames->perSecond = *framesPerSecond_;
+  return frames;
+}
+
+void MotionOptions::applyTo(Scene& scene) const {
+  scene.deformers.insert(scene.deformers.end(), deformers_.begin(), deformers_.end());
+}
+
+void MotionOptions::applyTo(RenderOptions& options, const Scene& scene) const {
+  options.seconds = seconds_.value_or(0);
+  if (!clip_) return;
+  Choices<int> choices{{noClip, -1}};
+  for (const Clip& clip : scene.clips) {
+    choices.emplace_back(clip.name, static_cast<int>(choices.size()) - 1);
+  }
+  if (choices.size() == 1 && *clip_ != noClip) {
+    throw UsageError(fmt::format("--clip {}: the scene has no clips", *clip_));
+  }
+  options.clip = readChoice(Given{"--clip", *clip_}, choices);
+}
+
+bool moves(const Scene& scene, int clip) {
+  return (clip >= 0 && !scene.clips.empty()) ||
+         std::any_of(scene.deformers.begin(), scene.deformers.end(),
+                     [](const Deformer& deformer) { return moves(deformer); });
+}
+
+}  // namespace opaline::app

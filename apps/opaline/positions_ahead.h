@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <future>
+#include <vector>
+
+#include "opaline/types.h"
+
+namespace opaline::app {
+
+/// Positions from numbered files: while those of one number are in use, those of the next are read
+/// on another thread.
+class PositionsAhead {
+ public:
+  /// Must bear to be called on another thread.
+  using Read = std::function<void(int number, std::vector<Vec3>& positionsMm)>;
+
+  PositionsAhead(int lastNumber, Read read);
+
+  /// Throws what reading threw.
+  const std::vector<Vec3>& of(int number);
+
+ private:
+  std::vector<Vec3> readInto(int number, std::vector<Vec3> memory) const;
+  void readAhead(int number);
+
+  int lastNumber_;
+  Read read_;
+  std::vector<Vec3> current_;
+  std::vector<Vec3> spare_;
+  int aheadNumber_ = -1;
+  std::future<std::vector<Vec3>> ahead_;
+};
+
+}  // namespace opaline::app

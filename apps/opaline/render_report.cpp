@@ -1,0 +1,30 @@
+#include "render_report.h"
+
+#include "picture_options.h"
+
+namespace opaline::app {
+
+Json renderReportJson(const RenderReport& report, const RenderOptions& options,
+                      const std::vector<std::string>& outputs) {
+  Json passes = Json::array();
+  for (const PassTime& pass : report.passes) {
+    passes.push_back({{"name", pass.name}, {"ms", pass.milliseconds}});
+  }
+  return {{"device",
+           {{"name", report.device.name},
+            {"type", report.device.type},
+            {"driver", report.device.driver}}},
+          {"size", {options.width, options.height}},
+          {"transport", nameOf(report.transport, transports())},
+          {"sum", nameOf(report.sum, sums())},
+          {"site", nameOf(report.site, sites())},
+          {"triangles", report.triangles},
+          {"vertices", report.vertices},
+          {"sources", report.sources},
+          {"passes", std::move(passes)},
+          {"frame_ms", report.frameMilliseconds},
+          {"peak_memory_mb", report.peakMemoryMegabytes},
+          {"outputs", outputs}};
+}
+
+}  // namespace opaline::app

@@ -1,0 +1,248 @@
+"""`render --frames`: numbered pictures and films."""
+
+import fcntl
+import json
+import os
+import pty
+import re
+import resource
+import shutil
+import signal
+import struct
+import subprocess
+import termios
+import unittest
+
+from images import read_exr, read_png
+from program import PROGRAM, ProgramTest
+
+MODEL = ("--builtin", "teapot", "--dsm-size", 64, "--shadow-size", 64)
+MOTION = ("--deform", "wobble:0.1:0.7", "--deform", "twist:0.5:1.5")
+TEAPOT = (*MODEL, "--fov-degrees", 50, "--size", "24x16")
+MOVING = (*TEAPOT, *MOTION)
+HAVE_FFMPEG = shutil.which("ffmpeg") and shutil.which("ffprobe")
+
+
+class Film(ProgramTest):
+    def bytes_of(self, name):
+        return (self.folder / name).read_bytes()
+
+    def fake_ffmpeg(self, script):
+        """An environment in which that shell script is the only ffmpeg."""
+        tools = self.folder / "tools"
+        tools.mkdir()
+        (tools / "ffmpeg").write_text("#!/bin/sh\n" + script)
+        (tools / "ffmpeg").chmod(0o755)
+        return {**os.environ, "PATH": f"{tools}:/usr/bin:/bin"}
+
+
+class Pictures(Film):
+    def test_each_is_the_still_of_its_time(self):
+        self.succeed("render", *MOVING, "--frames", "2:4", "--fps", "4", "-o", "f_%03d.png")
+        self.assertEqual(self.listing(), ["f_002.png", "f_003.png", "f_004.png"])
+        for frame in (2, 3, 4):
+            self.succeed("render", *MOVING, "--time", frame / 4, "-o", "still.png")
+            self.assertEqual(self.bytes_of("still.png"), self.bytes_of(f"f_{frame:03}.png"), frame)
+
+    def test_what_moves_differs_from_frame_to_frame(self):
+        for motion in ("twist:0.6:2", "bend:0.8:2", "squash:0.4:2", "wobble:0.1:2"):
+            self.succeed("render", *TEAPOT, "--deform", motion, "--frames", "1:2", "--fps", 4, "-o", "f%d.png")
+            self.assertNotEqual(self.bytes_of("f1.png"), self.bytes_of("f2.png"), motion)
+        # A swing begins at rest.
+        self.succeed("render", *TEAPOT, "--deform", "squash:0.4:2", "--time", 0, "-o", "swing.png")
+        self.succeed("render", *TEAPOT, "-o", "rest.png")
+        self.succeed("render", *TEAPOT, "--deform", "squash:0.4", "-o", "held.png")
+        self.assertEqual(self.bytes_of("swing.png"), self.bytes_of("rest.png"))
+        self.assertNotEqual(self.bytes_of("held.png"), self.bytes_of("rest.png"))
+
+    def test_exr_and_other_variables(self):
+        self.succeed("render", *MOVING, "--frames", "9:10", "--aov", "position", "-o", "p%d.exr")
+        self.assertEqual(self.listing(), ["p10.exr", "p9.exr"])
+        self.succeed("render", *MOVING, "--time", 10 / 30, "--aov", "position", "-o", "still.exr")
+        self.assertEqual(self.bytes_of("still.exr"), self.bytes_of("p10.exr"))
+
+    def test_names_without_o_follow_the_scene(self):
+        self.succeed("render", *MOVING, "--frames", "0:0", "--quiet")
+        self.succeed("render", *MOVING, "--frames", "1:1", "--aov", "depth", "--quiet")
+        self.assertEqual(self.listing(), ["teapot_0000.png", "teapot_0001.exr"])
+
+    def test_a_mark_that_is_none_is_a_name(self):
+        self.succeed("render", *TEAPOT, "-o", "100%.png")
+        self.succeed("render", *MOVING, "--frames", "7:7", "-o", "100%_%02d%.png")
+        self.assertEqual(self.listing(), ["100%.png", "100%_07%.png"])
+
+    def test_report(self):
+        run = self.succeed("render", *MOVING, "--frames", "0:2", "--fps", "12.5", "-o", "f%d.png", "--json",
+                           "--report", "r.json")
+        report = run.json()
+        self.assertEqual(report, json.loads(self.bytes_of("r.json")))
+        self.assertEqual(report["outputs"], ["f0.png", "f1.png", "f2.png"])
+        self.assertEqual((report["frames"], report["fps"]), ([0, 2], 12.5))
+        self.assertGreater(report["frame_ms"], 0)
+        self.assertIn("wrote 3 frames", run.err)
+
+    def test_what_stands_still_is_said(self):
+        still = self.succeed("render", *TEAPOT, "--frames", "0:1", "-o", "f%d.png")
+        self.assertIn("nothing in the scene moves", still.err)
+        self.assertEqual(self.bytes_of("f0.png"), self.bytes_of("f1.png"))
+        held = self.succeed("render", *TEAPOT, "--deform", "twist:0.5", "--frames", "0:1", "-o", "f%d.png")
+        self.assertIn("nothing in the scene moves", held.err)
+        moving = self.succeed("render", *MOVING, "--frames", "0:1", "-o", "f%d.png")
+        self.assertNotIn("nothing in the scene moves", moving.err)
+
+    def test_no_clip_can_be_asked_for(self):
+        self.succeed("render", *TEAPOT, "--clip", "none", "-o", "a.png")
+
+    def test_a_place_that_cannot_be_written_is_refused_before_work(self):
+        (self.folder / "f3.png").mkdir()
+        self.refused(1, "render", "no.ply", "--frames", "3:4", "-o", "f%d.png", says="f3.png")
+        self.refused(1, "render", "no.ply", "--frames", "3:4", "-o", "none/f%d.png", says="none")
+
+    def test_a_place_that_cannot_be_written_later_ends_it(self):
+        (self.folder / "f1.png").mkdir()
+        self.refused(1, "render", *MOVING, "--frames", "0:3", "-o", "f%d.png", says="f1.png")
+        for name in self.listing():
+            self.assertRegex(name, r"^f\d\.png$")
+
+    def test_a_full_disk_is_one_sentence(self):
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
+        for name in ("f%d.png", "f%d.exr"):
+            self.refused(1, "render", *MOVING, "--frames", "0:3", "-o", name, preexec_fn=limit, says="Cannot write f")
+        self.assertEqual(self.listing(), [])
+
+
+class Resume(Film):
+    def test_whole_pictures_stay_and_others_are_made(self):
+        for kind, read in (("png", read_png), ("exr", read_exr)):
+            with self.subTest(kind=kind):
+                arguments = ("render", *MOVING, "--frames", "0:5", "-o", f"f%d.{kind}")
+                self.succeed(*arguments)
+                names = [f"f{i}.{kind}" for i in range(6)]
+                before = [self.bytes_of(name) for name in names]
+                (self.folder / names[1]).unlink()
+                self.write(names[2], before[2][:-1])
+                self.write(names[3], b"")
+                self.succeed("render", *MODEL, *MOTION, "--size", "23x16", "--time", 0, "-o", names[4])
+                marks = [(self.folder / names[i]).stat().st_mtime_ns for i in (0, 5)]
+                run = self.succeed(*arguments, "--resume")
+                self.assertIn("2 of 6 frames were there already", run.err)
+                self.assertIn("wrote 4 frames", run.err)
+                self.assertEqual([self.bytes_of(name) for name in names], before)
+                self.assertEqual([(self.folder / names[i]).stat().st_mtime_ns for i in (0, 5)], marks)
+
+    def test_nothing_left_to_do(self):
+        arguments = ("render", *MOVING, "--frames", "0:1", "-o", "f%d.png", "--resume")
+        self.assertNotIn("already", self.succeed(*arguments).err)
+        run = self.succeed(*arguments, "--json")
+        self.assertIn("2 of 2 frames were there already", run.err)
+        self.assertNotIn("wrote", run.err)
+        self.assertEqual((run.json()["frame_ms"], run.json()["outputs"]), (None, ["f0.png", "f1.png"]))
+
+
+class Mp4(Film):
+    def probe(self, name, entries):
+        done = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
+                               f"stream={entries}", "-of", "json", self.folder / name], capture_output=True, check=True)
+        return json.loads(done.stdout)["streams"][0]
+
+    def decoded(self, name, *filters):
+        """The frames as RGB bytes."""
+        return subprocess.run(["ffmpeg", "-v", "error", "-i", self.folder / name, *filters, "-f", "rawvideo",
+                               "-pix_fmt", "rgb24", "-"], capture_output=True, check=True).stdout
+
+    @unittest.skipUnless(HAVE_FFMPEG, "ffmpeg and ffprobe are not installed")
+    def test_what_every_player_wants(self):
+        self.write("film.mp4", "an old one")
+        run = self.succeed("render", *MODEL, *MOTION, "--size", "33x17", "--frames", "3:8", "--fps", "12", "-o", "film.mp4",
+                           "--json")
+        self.assertEqual(run.json()["outputs"], ["film.mp4"])
+        self.assertEqual(self.listing(), ["film.mp4"])
+        wanted = {"codec_name": "h264", "pix_fmt": "yuv420p", "width": 34, "height": 18, "nb_read_frames": "6",
+                  "r_frame_rate": "12/1", "color_space": "bt709", "color_primaries": "bt709",
+                  "color_transfer": "bt709", "color_range": "tv"}
+        self.assertEqual(self.probe("film.mp4", ",".join(wanted)), wanted)
+        film = self.bytes_of("film.mp4")
+        self.assertLess(film.index(b"moov"), film.index(b"mdat"), "a player can begin before it has all")
+
+    @unittest.skipUnless(HAVE_FFMPEG, "ffmpeg and ffprobe are not installed")
+    def test_colours_are_those_of_the_stills(self):
+        # All background, of a colour that the matrices of BT.601 and BT.709 make different codes of.
+        colour = ("--camera-direction", "0,0,1", "--fov-degrees", 170, "--background", ".9,.1,.02", "--tone", "none",
+                  "--size", "32x32")
+        self.succeed("render", *MODEL, *colour, "--frames", "0:0", "-o", "film.mp4")
+        self.succeed("render", *MODEL, *colour, "-o", "still.png")
+        wanted = read_png(self.bytes_of("still.png")).at(1, 1)
+        pixels = self.decoded("film.mp4", "-vf", "scale=in_color_matrix=bt709:in_range=tv:flags=accurate_rnd")
+        at = 3 * (32 + 1)
+        for got, channel in zip(pixels[at:at + 3], wanted):
+            self.assertAlmostEqual(got, channel, delta=4)
+
+    @unittest.skipUnless(HAVE_FFMPEG, "ffmpeg and ffprobe are not installed")
+    def test_no_background_is_black(self):
+        self.succeed("render", *MOVING, "--frames", "0:0", "-o", "film.mp4")
+        self.assertLess(max(self.decoded("film.mp4")[:3]), 6)
+
+    def test_without_ffmpeg_nothing_is_begun(self):
+        nowhere = {**os.environ, "PATH": str(self.folder)}
+        self.refused(1, "render", "no.ply", "--frames", "0:1", "-o", "film.mp4", env=nowhere,
+                     says=("ffmpeg", "install", "frame_%04d.png"))
+        self.assertEqual(self.listing(), [])
+
+    def test_what_ffmpeg_complains_about_is_said(self):
+        env = self.fake_ffmpeg("cat >/dev/null\necho first >&2\necho 'No space left on device' >&2\nexit 1\n")
+        self.write("film.mp4", "old")
+        self.refused(1, "render", *MOVING, "--frames", "0:3", "-o", "film.mp4", env=env,
+                     says=("film.mp4", "No space left on device"))
+        self.assertEqual((self.listing(), self.bytes_of("film.mp4")), (["film.mp4", "tools"], b"old"))
+
+    def test_an_ffmpeg_that_leaves_early_is_an_error(self):
+        env = self.fake_ffmpeg("echo 'Unknown encoder' >&2\nexit 1\n")
+        self.refused(1, "render", *MODEL, *MOTION, "--size", "400x400", "--frames", "0:9", "-o", "film.mp4", env=env,
+                     says=("film.mp4", "Unknown encoder"))
+        self.assertEqual(self.listing(), ["tools"])
+
+
+class ProgressBar(Film):
+    COLUMNS = 72
+
+    def on_a_terminal(self, *arguments):
+        """What a terminal gets to see on standard error."""
+        terminal, side = pty.openpty()
+        fcntl.ioctl(side, termios.TIOCSWINSZ, struct.pack("4H", 25, self.COLUMNS, 0, 0))
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, stderr=side)
+        os.close(side)
+        seen = b""
+        while True:
+            try:
+                part = os.read(terminal, 4096)
+            except OSError:  # what Linux says when nobody has it open any more
+                break
+            if not part:
+                break
+            seen += part
+        os.close(terminal)
+        self.assertEqual(process.wait(), 0, seen)
+        return seen.decode()
+
+    def test_is_drawn_and_erased(self):
+        seen = self.on_a_terminal("render", *MOVING, "--frames", "0:9", "-o", "f%d.png")
+        bars = re.findall(r"\r(frame \d+/10 \[[= ]*\][^\x1b]*)\x1b\[K", seen)
+        self.assertTrue(bars, seen)
+        for bar in bars:
+            self.assertEqual(len(bar), self.COLUMNS - 1)
+        self.assertRegex(bars[-1], r"frames/s, \d+:\d\d left$")
+        end = seen[seen.rindex("\x1b[K"):]
+        self.assertNotIn("frame ", end.replace("frames", ""))
+        self.assertIn("wrote 10 frames", end)
+
+    def test_quiet_shows_nothing(self):
+        self.assertEqual(self.on_a_terminal("render", *MOVING, "--frames", "0:3", "-o", "f%d.png", "--quiet"), "")
+
+    def test_a_file_gets_no_bar(self):
+        self.assertNotIn("\r", self.succeed("render", *MOVING, "--frames", "0:3", "-o", "f%d.png").err)
+
+
+if __name__ == "__main__":
+    unittest.main()
