@@ -44,6 +44,7 @@ test: build check
 
 bench: build
 	$(BUILD)/bin/opaline_frame_bench
+	$(BUILD)/bin/opaline_motion_bench
 
 format:
 	$(PYTHON) tools/check_format.py --fix

@@ -4,17 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "bssrdf/media.h"
-#include "opaline/error.h"
+#include "arguments.h"
 #include "opaline/renderer.h"
 #include "opaque_frame.h"
 
@@ -23,48 +17,6 @@ namespace opaline::bench {
 namespace {
 
 using nlohmann::json;
-
-struct Arguments {
-  bool json = false;
-  int frames = 11;
-};
-
-Arguments parse(int count, char** values) {
-  Arguments arguments;
-  for (int i = 1; i < count; ++i) {
-    const std::string_view argument = values[i];
-    if (argument == "--json") {
-      arguments.json = true;
-    } else if (argument == "--frames" && i + 1 < count) {
-      arguments.frames = std::atoi(values[++i]);
-    } else {
-      throw UsageError(fmt::format(
-          "usage: opaline_frame_bench [--json] [--frames N]; '{}' is unknown", argument));
-    }
-  }
-  return arguments;
-}
-
-std::optional<std::filesystem::path> findBunny() {
-  const char* models = std::getenv("OPALINE_MODELS");
-  const std::filesystem::path folder =
-      models != nullptr ? std::filesystem::path(models)
-                        : std::filesystem::path(OPALINE_SOURCE_DIR) / ".." / "shared" / "models";
-  std::filesystem::path file = folder / "bunny.ply";
-  if (std::filesystem::exists(file)) return file;
-  return std::nullopt;
-}
-
-Scene loadModel() {
-  LoadOptions options;
-  options.diagonalMm = 50;
-  options.medium = bssrdf::findMedium("marble");
-  if (const auto bunny = findBunny()) return loadScene(*bunny, options);
-  fmt::print(
-      stderr,
-      "no bunny.ply in the folder that OPALINE_MODELS names; the built-in bear stands in for it\n");
-  return builtInBear(options);
-}
 
 /// The frame of `opaline render --method paper` at a site.
 RenderOptions paperOptions(Site site) {
@@ -184,15 +136,14 @@ void print(const json& r) {
   printFrame("opaque frame", r["opaque"]);
 }
 
-int run(int count, char** values) {
-  const Arguments arguments = parse(count, values);
+void run(int count, char** values) {
+  const Arguments arguments = parse("opaline_frame_bench", count, values, 11);
   const json result = measure(arguments);
   if (arguments.json) {
     fmt::print("{}\n", result.dump(2));
   } else {
     print(result);
   }
-  return 0;
 }
 
 }  // namespace
@@ -200,13 +151,5 @@ int run(int count, char** values) {
 }  // namespace opaline::bench
 
 int main(int count, char** values) {
-  try {
-    return opaline::bench::run(count, values);
-  } catch (const opaline::UsageError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  }
+  return opaline::bench::runMain(opaline::bench::run, count, values);
 }

@@ -147,14 +147,22 @@ TEST_F(RobustnessTest, MotionThatMakesNoSenseIsRefused) {
       changedRig([](Scene& s, Rig&) { s.nodes[0].rotation[3] = nan; }),
       changedRig([](Scene& s, Rig&) { s.clips[0].seconds = nan; }),
       changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].node = 1; }),
-      changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].seconds = {1, 0}; }),
+      changedRig([](Scene& s, Rig&) {
+        s.clips[0].tracks[0].seconds = {1, 0};
+      }),
       changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].seconds.clear(); }),
       changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].values.pop_back(); }),
       changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].values[0] = nan; }),
       changedRig([](Scene& s, Rig&) { s.deformers.resize(9); }),
-      changedRig([](Scene& s, Rig&) { s.deformers = {{DeformerKind::Twist, nan, 0}}; }),
-      changedRig([](Scene& s, Rig&) { s.deformers = {{DeformerKind::Squash, 1, 0}}; }),
-      changedRig([](Scene& s, Rig&) { s.deformers = {{DeformerKind::Bend, 1, -1}}; }),
+      changedRig([](Scene& s, Rig&) {
+        s.deformers = {{DeformerKind::Twist, nan, 0}};
+      }),
+      changedRig([](Scene& s, Rig&) {
+        s.deformers = {{DeformerKind::Squash, 1, 0}};
+      }),
+      changedRig([](Scene& s, Rig&) {
+        s.deformers = {{DeformerKind::Bend, 1, -1}};
+      }),
   };
   EXPECT_NO_THROW(renderer().setScene(riggedBall()));
   for (std::size_t i = 0; i < wrong.size(); ++i)

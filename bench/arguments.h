@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "opaline/scene.h"
+
+namespace opaline::bench {
+
+struct Arguments {
+  bool json = false;
+  int frames = 0;
+};
+
+/// --json and --frames N. Throws UsageError for anything else.
+Arguments parse(std::string_view program, int count, char** values, int defaultFrames);
+
+/// The bunny of the models, or the built-in bear where there are none, of marble, 50 mm.
+Scene loadModel();
+
+/// Runs a benchmark; what it throws becomes a sentence on standard error and an exit status.
+int runMain(void (*run)(int count, char** values), int count, char** values);
+
+}  // namespace opaline::bench
