@@ -1,11 +1,10 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "opaline/error.h"
 #include "opaline/scene.h"
-#include "scene/glb.h"
+#include "scene/gltf_builder.h"
 #include "scene/shapes.h"
 
 namespace opaline {
@@ -15,69 +14,7 @@ using testing::ElementsAre;
 using testing::FloatNear;
 using testing::HasSubstr;
 
-/// A file around a tetrahedron, put together accessor by accessor.
-class Builder {
- public:
-  template <typename T>
-  int add(const std::vector<T>& values, const char* type, int components,
-          const std::string& flags = "") {
-    views_.push_back(fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{}}})",
-                                 binary_.size(), values.size() * sizeof(T)));
-    accessors.push_back(fmt::format(
-        R"({{"bufferView":{},"componentType":{},"count":{},"type":"{}"{}}})", views_.size() - 1,
-        componentType<T>(), values.size() / static_cast<std::size_t>(components), type, flags));
-    binary_ += test::raw(values);
-    while (binary_.size() % 4 != 0) binary_ += '\0';
-    return static_cast<int>(accessors.size()) - 1;
-  }
-  int scalars(const std::vector<float>& v) { return add(v, "SCALAR", 1); }
-  int vectors(const std::vector<float>& v) { return add(v, "VEC3", 3); }
-  int quaternions(const std::vector<float>& v) { return add(v, "VEC4", 4); }
-
-  /// "name":{samplers, one channel each}.
-  void animate(const std::string& name, const std::vector<std::string>& samplers,
-               const std::vector<std::string>& targets) {
-    std::vector<std::string> channels;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      channels.push_back(fmt::format(R"({{"sampler":{},"target":{{{}}}}})",
-                                     i < samplers.size() ? i : 0, targets[i]));
-    }
-    animations_.push_back(fmt::format(R"({{"name":"{}","samplers":[{}],"channels":[{}]}})", name,
-                                      fmt::join(samplers, ","), fmt::join(channels, ",")));
-  }
-  static std::string sampler(int input, int output, const char* interpolation = "LINEAR") {
-    return fmt::format(R"({{"input":{},"output":{},"interpolation":"{}"}})", input, output,
-                       interpolation);
-  }
-
-  std::string file() const {
-    return test::glb(
-        fmt::format(R"({{"asset":{{"version":"2.0"}},"nodes":[{}],"meshes":[{}],"accessors":[{}],)"
-                    R"("bufferViews":[{}],"buffers":[{{"byteLength":{}}}],"animations":[{}]{}}})",
-                    nodes, meshes, fmt::join(accessors, ","), fmt::join(views_, ","),
-                    binary_.size(), fmt::join(animations_, ","), more),
-        binary_);
-  }
-
-  std::vector<std::string> accessors{};
-  std::string nodes = R"({"mesh":0,"name":"tetra"})";
-  std::string meshes{};
-  std::string more{};
-
- private:
-  template <typename T>
-  static int componentType() {
-    if constexpr (std::is_same_v<T, std::int8_t>) return 5120;
-    if constexpr (std::is_same_v<T, std::uint8_t>) return 5121;
-    if constexpr (std::is_same_v<T, std::int16_t>) return 5122;
-    if constexpr (std::is_same_v<T, std::uint16_t>) return 5123;
-    return 5126;
-  }
-
-  std::string binary_;
-  std::vector<std::string> views_;
-  std::vector<std::string> animations_;
-};
+using test::GltfBuilder;
 
 const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
 const std::vector<std::uint16_t> faces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
@@ -104,7 +41,7 @@ class GltfAnimation : public testing::Test {
                     position, index, tail);
   }
   void moveNode(int node) {
-    b.animate("go", {Builder::sampler(times, b.vectors({0, 0, 0, 1, 2, 3}))},
+    b.animate("go", {GltfBuilder::sampler(times, b.vectors({0, 0, 0, 1, 2, 3}))},
               {fmt::format(R"("node":{},"path":"translation")", node)});
   }
   Scene load() {
@@ -119,7 +56,7 @@ class GltfAnimation : public testing::Test {
     EXPECT_LT(message.size(), 300U);
     return message;
   }
-  Builder b;
+  GltfBuilder b;
   int position = 0;
   int index = 0;
   int normal = 0;
@@ -131,10 +68,10 @@ class GltfAnimation : public testing::Test {
 TEST_F(GltfAnimation, ClipsHaveTheTracksOfTheFile) {
   b.nodes = R"({"mesh":0,"name":"tetra","children":[1]},{"name":"hand"})";
   b.animate("wave",
-            {Builder::sampler(times, b.quaternions({0, 0, 0, 1, 0, 0, 1, 0}), "STEP"),
-             Builder::sampler(b.scalars({1, 5}),
-                              b.vectors({1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6}),
-                              "CUBICSPLINE")},
+            {GltfBuilder::sampler(times, b.quaternions({0, 0, 0, 1, 0, 0, 1, 0}), "STEP"),
+             GltfBuilder::sampler(b.scalars({1, 5}),
+                                  b.vectors({1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6}),
+                                  "CUBICSPLINE")},
             {R"("node":0,"path":"rotation")", R"("node":1,"path":"scale")"});
   moveNode(0);
   const Scene scene = load();
@@ -186,10 +123,10 @@ TEST_F(GltfAnimation, WhatNoClipMovesHasNoRig) {
 
 TEST_F(GltfAnimation, NormalisedIntegersAreRotations) {
   b.animate("turn",
-            {Builder::sampler(times, b.add<std::int16_t>({0, 0, 0, 32767, 0, 0, -32768, 0}, "VEC4",
-                                                         4, R"(,"normalized":true)")),
-             Builder::sampler(times, b.add<std::int8_t>({0, 0, 0, 127, 0, 0, -128, 0}, "VEC4", 4,
-                                                        R"(,"normalized":true)"))},
+            {GltfBuilder::sampler(times, b.add<std::int16_t>({0, 0, 0, 32767, 0, 0, -32768, 0},
+                                                             "VEC4", 4, R"(,"normalized":true)")),
+             GltfBuilder::sampler(times, b.add<std::int8_t>({0, 0, 0, 127, 0, 0, -128, 0}, "VEC4",
+                                                            4, R"(,"normalized":true)"))},
             {R"("node":0,"path":"rotation")", R"("node":0,"path":"rotation")"});
   const Scene scene = load();
   for (const Track& track : scene.clips[0].tracks) {
@@ -201,8 +138,8 @@ TEST_F(GltfAnimation, WeightsAreNormalisedIntegersToo) {
   mesh("",
        fmt::format(R"(,"targets":[{{"POSITION":{0}}},{{"POSITION":{0},"NORMAL":{0}}}])", position));
   b.animate("swell",
-            {Builder::sampler(times, b.add<std::uint8_t>({0, 255, 51, 102}, "SCALAR", 1,
-                                                         R"(,"normalized":true)"))},
+            {GltfBuilder::sampler(times, b.add<std::uint8_t>({0, 255, 51, 102}, "SCALAR", 1,
+                                                             R"(,"normalized":true)"))},
             {R"("node":0,"path":"weights")"});
   const Scene scene = load();
   const Track& track = scene.clips[0].tracks[0];
@@ -223,7 +160,7 @@ TEST_F(GltfAnimation, TargetsMayBeSparse) {
       R"({{"bufferView":{},"componentType":5123}},"values":{{"bufferView":{}}}}}}})",
       places, values));
   mesh("", fmt::format(R"(,"targets":[{{"POSITION":{}}}])", b.accessors.size() - 1));
-  b.animate("swell", {Builder::sampler(times, b.scalars({0, 1}))},
+  b.animate("swell", {GltfBuilder::sampler(times, b.scalars({0, 1}))},
             {R"("node":0,"path":"weights")"});
   const Rig rig = *load().objects[0].rig;
   for (std::size_t v = 0; v < 4; ++v) {
@@ -304,7 +241,7 @@ TEST_F(GltfAnimation, RigsFollowRepairs) {
   for (std::size_t i = 0; i < positions.size(); ++i) offsets.push_back(10 * positions[i]);
   const int offset = b.vectors(offsets);
   mesh("", fmt::format(R"(,"targets":[{{"POSITION":{},"NORMAL":{}}}])", offset, normal));
-  b.animate("swell", {Builder::sampler(times, b.scalars({0, 1}))},
+  b.animate("swell", {GltfBuilder::sampler(times, b.scalars({0, 1}))},
             {R"("node":0,"path":"weights")"});
   const Scene scene = load();
   test::expectSound(scene);
@@ -334,7 +271,7 @@ TEST_F(GltfAnimation, VerticesThatMoveApartStayTwo) {
   index = b.add<std::uint16_t>({0, 2, 1, 0, 1, 3, 4, 3, 2, 1, 2, 3}, "SCALAR", 1);
   const int offset = b.vectors({1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0});
   mesh("", fmt::format(R"(,"targets":[{{"POSITION":{}}}])", offset));
-  b.animate("swell", {Builder::sampler(times, b.scalars({0, 1}))},
+  b.animate("swell", {GltfBuilder::sampler(times, b.scalars({0, 1}))},
             {R"("node":0,"path":"weights")"});
   EXPECT_EQ(load().objects[0].rig->positions.size(), 5U);
 }
@@ -365,7 +302,7 @@ TEST_F(GltfAnimation, FacesLostAtRestAreNoted) {
 TEST_F(GltfAnimation, ChannelsThatMoveNothingAreLeftOut) {
   b.nodes = R"({"mesh":0},{"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]})";
   const int values = b.vectors({0, 0, 0, 1, 2, 3});
-  b.animate("odd", {Builder::sampler(times, values)},
+  b.animate("odd", {GltfBuilder::sampler(times, values)},
             {R"("node":1,"path":"translation")", R"("node":0,"path":"weights")",
              R"("node":0,"path":"pointer")"});
   const Scene scene = load();
@@ -376,18 +313,18 @@ TEST_F(GltfAnimation, ChannelsThatMoveNothingAreLeftOut) {
 }
 
 TEST_F(GltfAnimation, TracksThatLieAreErrors) {
-  const Builder before = b;
+  const GltfBuilder before = b;
   const auto with = [&](const auto& input, const auto& output, const char* path,
                         const char* interpolation = "LINEAR", int node = 0) {
     b = before;
     const int in = b.scalars(input);
     const int out = output(b);
-    b.animate("bad", {Builder::sampler(in, out, interpolation)},
+    b.animate("bad", {GltfBuilder::sampler(in, out, interpolation)},
               {fmt::format(R"("node":{},"path":"{}")", node, path)});
     return error();
   };
   using Values = std::vector<float>;
-  const auto two = [](Builder& to) { return to.vectors({0, 0, 0, 1, 1, 1}); };
+  const auto two = [](GltfBuilder& to) { return to.vectors({0, 0, 0, 1, 1, 1}); };
   EXPECT_THAT(with(Values{0, 0}, two, "translation"), HasSubstr("do not ascend"));
   EXPECT_THAT(with(Values{2, 1}, two, "translation"), HasSubstr("do not ascend"));
   EXPECT_THAT(with(Values{-1, 1}, two, "translation"), HasSubstr("negative or not finite"));
@@ -402,13 +339,13 @@ TEST_F(GltfAnimation, TracksThatLieAreErrors) {
   EXPECT_THAT(with(Values{0, 1}, two, "translation", "LINEAR", 7), HasSubstr("node 7"));
   EXPECT_THAT(with(
                   Values{0, 1},
-                  [](Builder& to) {
+                  [](GltfBuilder& to) {
                     return to.vectors({0, 0, 0, NAN, 1, 1});
                   },
                   "translation"),
               HasSubstr("not finite"));
   EXPECT_THAT(with(
-                  Values{0, 1}, [](Builder&) { return 99; }, "translation"),
+                  Values{0, 1}, [](GltfBuilder&) { return 99; }, "translation"),
               HasSubstr("accessor 99"));
   b = before;
   b.animate("bad", {}, {R"("node":0,"path":"translation")"});
@@ -416,9 +353,9 @@ TEST_F(GltfAnimation, TracksThatLieAreErrors) {
 }
 
 TEST_F(GltfAnimation, RigsThatLieAreErrors) {
-  const Builder before = b;
+  const GltfBuilder before = b;
   const auto swell = [&] {
-    b.animate("swell", {Builder::sampler(times, b.scalars({0, 1}))},
+    b.animate("swell", {GltfBuilder::sampler(times, b.scalars({0, 1}))},
               {R"("node":0,"path":"weights")"});
   };
   const int broken = b.vectors({0, 0, 0, 0, NAN, 0, 0, 0, 0, 0, 0, 0});
@@ -461,7 +398,8 @@ TEST_F(GltfAnimation, BlownUpTargetsAreRefusedBeforeMemoryIs) {
     targets += fmt::format(R"({}{{"POSITION":{}}})", i > 0 ? "," : "", position);
   }
   flatMesh(R"(,"targets":[)" + targets + "]");
-  b.animate("swell", {Builder::sampler(b.scalars({0}), b.scalars(std::vector<float>(targetCount)))},
+  b.animate("swell",
+            {GltfBuilder::sampler(b.scalars({0}), b.scalars(std::vector<float>(targetCount)))},
             {R"("node":0,"path":"weights")"});
   EXPECT_THAT(error(), HasSubstr("are more than"));
 }
