@@ -187,6 +187,26 @@ TEST(SharedModels, BunnyBecomesTheEgg) {
   EXPECT_NEAR(heightAt(1), 167.1542, 1e-3);
 }
 
+TEST(SharedModels, OnePlyMorphsToTheOther) {
+  const auto folder = modelsFolder();
+  if (!folder) GTEST_SKIP() << missing;
+  LoadOptions options;
+  options.morphTo = *folder / "bunny_egg_b.ply";
+  const Scene scene = loadScene(*folder / "bunny_egg_a.ply", options);
+  const double mmPerUnit{scene.objects[0].rig->toScene.columns[1][1]};
+  const auto heightAt = [&](double seconds) {
+    double high = 0;
+    for (const Double3& p : deformedMesh(scene, 0, 0, seconds).positionsMm) {
+      high = std::max(high, p[1]);
+    }
+    return high / mmPerUnit;
+  };
+  EXPECT_NEAR(heightAt(0), 0.187321, 1e-6);
+  EXPECT_NEAR(heightAt(2), 0.1671542, 1e-6);
+  EXPECT_NEAR(heightAt(4), 0.187321, 1e-6);
+  EXPECT_NEAR(heightAt(6), 0.1671542, 1e-6);
+}
+
 TEST(SharedModels, AManOfOneAndAHalfMetresWalksUpright) {
   const auto folder = modelsFolder();
   if (!folder) GTEST_SKIP() << missing;
