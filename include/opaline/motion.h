@@ -56,7 +56,7 @@ struct Clip {
 /// What a morph target adds at weight 1, one per vertex.
 struct MorphTarget {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  ///< empty where the file gives none
+  std::vector<Vec3> normals;  ///< empty: taken from the triangles where they have moved to
 };
 
 struct Joint {

@@ -102,7 +102,7 @@ std::vector<MorphTarget> readTargets(GltfAccessors& accessors, const tinygltf::P
     };
     auto positions = read("POSITION");
     auto normals = draft.normals.empty() ? std::nullopt : read("NORMAL");
-    if (!positions && !normals) accessors.spend(2 * 3 * still.size());
+    if (!positions && !normals) accessors.spend(6 * still.size());
     if (!positions && !normals) normals = still;
     MorphTarget target{positions ? std::move(*positions) : still, {}};
     if (normals) target.normals = std::move(*normals);

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <random>
 
 #include "core/temporary_folder.h"
 #include "deform/allocations.h"
 #include "deform/deformed_mesh.h"
+#include "opaline/error.h"
 #include "scene/gltf_builder.h"
 
 // Files of our own, from the bytes to the posed vertices.
@@ -129,6 +130,47 @@ TEST(LoadedMotion, SkinAndMorphOfOneMesh) {
       EXPECT_NEAR(mesh.positionsMm[v][axis], 1000 * expected[axis], 1e-3);
     }
   }
+}
+
+/// Whatever loads can be posed at any time. The seed is fixed.
+TEST(LoadedMotion, DamagedFilesThatLoadCanBePosed) {
+  Tetrahedra of;
+  of.b.nodes = R"({"mesh":2,"skin":0},{"children":[2]},{"name":"b"},{"mesh":0,"scale":[1,2,3]})";
+  of.b.more = R"(,"skins":[{"joints":[1,2]}])";
+  of.b.animate("all",
+               {GltfBuilder::sampler(of.times, of.b.scalars({0, 0, 1, 1, 0, 0}), "CUBICSPLINE"),
+                GltfBuilder::sampler(of.times, of.b.quaternions({0, 0, 0, 1, 1, 0, 0, 0})),
+                GltfBuilder::sampler(of.times, of.b.vectors({0, 0, 0, 1, 2, 3}), "STEP")},
+               {R"("node":0,"path":"weights")", R"("node":1,"path":"rotation")",
+                R"("node":3,"path":"translation")"});
+  const std::string whole = of.b.file();
+  const test::TemporaryFolder folder;
+  std::mt19937 random(20081213);
+  int loaded = 0;
+  for (int i = 0; i < 400; ++i) {
+    std::string bytes = whole;
+    for (unsigned change = 0; change <= random() % 3; ++change) {
+      const std::size_t at = 20 + random() % (bytes.size() - 20);
+      // A digit for a digit, so that the JSON often stays sound.
+      const bool digit = bytes[at] >= '0' && bytes[at] <= '9';
+      bytes[at] = static_cast<char>(digit ? '0' + random() % 10 : random() % 256);
+    }
+    test::writeBytes(folder / "a.glb", bytes);
+    try {
+      const Scene scene = loadScene(folder / "a.glb");
+      ++loaded;
+      for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+        for (const double seconds : {0.0, 0.3, 1.0, 1e9, -1.0, 1e300}) {
+          const DeformedMesh mesh = deformedMesh(scene, o, 0, seconds);
+          ASSERT_EQ(mesh.positionsMm.size(), scene.objects[o].mesh.positionsMm.size());
+          for (const Double3& n : mesh.normals) ASSERT_TRUE(scene::isFinite(n));
+        }
+      }
+    } catch (const Error& error) {
+      ASSERT_NE(std::string(error.what()), "");
+    }
+  }
+  EXPECT_GT(loaded, 20);
 }
 
 TEST(LoadedMotion, PosesAllocateNothing) {
