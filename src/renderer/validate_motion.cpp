@@ -5,6 +5,7 @@
 
 #include "opaline/error.h"
 #include "renderer/validate.h"
+#include "scene/deformer_check.h"
 #include "shaders/shared/deform.h"
 
 namespace opaline {
@@ -115,6 +116,9 @@ void validateMotion(const Scene& scene) {
   }
   for (const Object& object : scene.objects)
     if (object.rig) validateRig(scene, object, *object.rig);
+  for (const Deformer& deformer : scene.deformers)
+    if (const std::string complaint = scene::complaintAbout(deformer); !complaint.empty())
+      throw UsageError(complaint);
   if (scene.deformers.size() > shared::maxDeformers)
     throw UsageError(fmt::format("there are {} deformers, but there may be {}",
                                  scene.deformers.size(), shared::maxDeformers));

@@ -17,57 +17,58 @@ const tinygltf::Mesh* meshOf(const tinygltf::Model& model, const tinygltf::Node&
   return &model.meshes[static_cast<std::size_t>(node.mesh)];
 }
 
+/// How many morph targets each mesh has.
+std::vector<std::size_t> countTargets(const tinygltf::Model& model) {
+  std::vector<std::size_t> counts;
+  for (const tinygltf::Mesh& mesh : model.meshes) {
+    std::size_t most = 0;
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      most = std::max(most, primitive.targets.size());
+    }
+    counts.push_back(most);
+  }
+  return counts;
+}
+
 bool allFinite(const std::vector<float>& values) {
   return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
 }
 
-Node nodeOf(const Input& input, const tinygltf::Model& model, const GltfNodes& nodes,
-            const std::vector<std::uint32_t>& place, std::size_t index) {
-  const tinygltf::Node& from = model.nodes[index];
-  Node node;
-  node.name = cleanText(from.name);
-  const int parent = nodes.parents[index];
-  if (parent >= 0) node.parent = static_cast<int>(place[static_cast<std::size_t>(parent)]);
-  // Their sizes have been checked where the hierarchy was resolved.
+/// Their sizes have been checked where the hierarchy was resolved.
+bool readTransform(const tinygltf::Node& from, Node& node) {
+  if (!from.matrix.empty()) {
+    node.matrix = affineFrom(matrixFromColumns(from.matrix));
+    return isFinite(*node.matrix);
+  }
   const auto copy = [](const std::vector<double>& values, auto& to) {
     for (std::size_t i = 0; i < values.size(); ++i) to[i] = static_cast<float>(values[i]);
   };
-  bool finite = true;
-  if (!from.matrix.empty()) {
-    node.matrix = affineFrom(matrixFromColumns(from.matrix));
-    finite = isFinite(*node.matrix);
-  } else {
-    copy(from.translation, node.translation);
-    copy(from.scale, node.scale);
-    if (!from.rotation.empty()) {
-      const std::vector<double>& q = from.rotation;
-      const double size = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-      for (std::size_t c = 0; c < 4 && size > 0; ++c) {
-        node.rotation[c] = static_cast<float>(q[c] / size);
-        finite = finite && std::isfinite(node.rotation[c]);
-      }
-    }
-    finite = finite && isFinite(node.translation) && isFinite(node.scale);
+  copy(from.translation, node.translation);
+  copy(from.scale, node.scale);
+  std::vector<double> q = from.rotation;
+  if (!q.empty()) {
+    const double size = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    if (!std::isfinite(size)) return false;
+    for (double& component : q) component /= size;
+    if (size > 0) copy(q, node.rotation);
   }
-  const std::vector<double>& weights = defaultWeights(model, from);
-  node.morphWeights.resize(std::min(morphTargetsOf(model, from), weights.size()));
-  for (std::size_t w = 0; w < node.morphWeights.size(); ++w) {
-    node.morphWeights[w] = static_cast<float>(weights[w]);
-  }
-  if (!finite || !allFinite(node.morphWeights)) {
-    failGltf(input, fmt::format("the transform or the weights of node {} are out of range", index));
-  }
-  return node;
+  return isFinite(node.translation) && isFinite(node.scale);
 }
 
 /// Reads the animations of one model.
 class Reader {
  public:
-  Reader(const Input& input, const tinygltf::Model& model, GltfAccessors& accessors,
-         GltfMotion& motion)
-      : input_(input), model_(model), accessors_(accessors), motion_(motion) {}
+  Reader(const Input& input, const tinygltf::Model& model, const GltfNodes& nodes,
+         GltfAccessors& accessors, GltfMotion& motion)
+      : input_(input),
+        model_(model),
+        nodes_(nodes),
+        accessors_(accessors),
+        motion_(motion),
+        targets_(countTargets(model)) {}
 
   void read() {
+    for (std::size_t i = 0; i < model_.nodes.size(); ++i) addNode(i);
     for (std::size_t a = 0; a < model_.animations.size(); ++a) {
       const tinygltf::Animation& animation = model_.animations[a];
       Clip clip;
@@ -88,6 +89,34 @@ class Reader {
     failGltf(input_, fmt::format("animation '{}' {}", cleanText(clip.name, 60), reason));
   }
 
+  /// The nodes come parents first.
+  void addNode(std::size_t at) {
+    const auto index = static_cast<std::size_t>(nodes_.order[at]);
+    motion_.place[index] = static_cast<std::uint32_t>(at);
+    const tinygltf::Node& from = model_.nodes[index];
+    Node node;
+    node.name = cleanText(from.name);
+    const int parent = nodes_.parents[index];
+    if (parent >= 0)
+      node.parent = static_cast<int>(motion_.place[static_cast<std::size_t>(parent)]);
+    const bool finite = readTransform(from, node);
+    const std::vector<double>& weights = defaultWeights(model_, from);
+    const std::size_t count = std::min(targetsOf(from), weights.size());
+    accessors_.spend(count);
+    for (std::size_t w = 0; w < count; ++w) {
+      node.morphWeights.push_back(static_cast<float>(weights[w]));
+    }
+    if (!finite || !allFinite(node.morphWeights)) {
+      failGltf(input_,
+               fmt::format("the transform or the weights of node {} are out of range", index));
+    }
+    motion_.nodes.push_back(std::move(node));
+  }
+
+  std::size_t targetsOf(const tinygltf::Node& node) const {
+    return meshOf(model_, node) == nullptr ? 0 : targets_[static_cast<std::size_t>(node.mesh)];
+  }
+
   void readChannel(const tinygltf::Animation& animation, Clip& clip,
                    const tinygltf::AnimationChannel& channel) {
     if (channel.target_node == -1) return;  // for extensions
@@ -99,9 +128,7 @@ class Reader {
     const tinygltf::Node& node = model_.nodes[index];
     const auto target = targetOf(channel.target_path);
     const bool weights = target == TrackTarget::MorphWeights;
-    const std::size_t width = weights                           ? morphTargetsOf(model_, node)
-                              : target == TrackTarget::Rotation ? 4
-                                                                : 3;
+    const std::size_t width = weights ? targetsOf(node) : target == TrackTarget::Rotation ? 4 : 3;
     // A node with a matrix is never animated (glTF 2.0, section 3.5.3).
     if (!target || width == 0 || (!weights && !node.matrix.empty())) {
       ++skipped_;
@@ -161,22 +188,14 @@ class Reader {
 
   const Input& input_;
   const tinygltf::Model& model_;
+  const GltfNodes& nodes_;
   GltfAccessors& accessors_;
   GltfMotion& motion_;
+  std::vector<std::size_t> targets_;  ///< per mesh
   std::size_t skipped_ = 0;
 };
 
 }  // namespace
-
-std::size_t morphTargetsOf(const tinygltf::Model& model, const tinygltf::Node& node) {
-  const tinygltf::Mesh* mesh = meshOf(model, node);
-  std::size_t targets = 0;
-  if (mesh == nullptr) return targets;
-  for (const tinygltf::Primitive& primitive : mesh->primitives) {
-    targets = std::max(targets, primitive.targets.size());
-  }
-  return targets;
-}
 
 const std::vector<double>& defaultWeights(const tinygltf::Model& model,
                                           const tinygltf::Node& node) {
@@ -192,14 +211,10 @@ GltfMotion readMotion(const Input& input, const tinygltf::Model& model, const Gl
   motion.place.resize(count);
   motion.moved.resize(count);
   motion.weighted.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    motion.place[static_cast<std::size_t>(nodes.order[i])] = static_cast<std::uint32_t>(i);
-  }
-  Reader(input, model, accessors, motion).read();
+  Reader(input, model, nodes, accessors, motion).read();
   if (!motion.any()) return {};
   for (const int n : nodes.order) {
     const auto index = static_cast<std::size_t>(n);
-    motion.nodes.push_back(nodeOf(input, model, nodes, motion.place, index));
     const int parent = nodes.parents[index];
     if (parent >= 0 && motion.moved[static_cast<std::size_t>(parent)]) motion.moved[index] = true;
   }

@@ -18,9 +18,6 @@ struct GltfMotion {
   bool any() const { return !clips.empty(); }
 };
 
-/// How many morph targets the mesh of a node has; 0 without a mesh.
-std::size_t morphTargetsOf(const tinygltf::Model& model, const tinygltf::Node& node);
-
 /// The weights that the file gives the targets of a node's mesh, the node's before the mesh's.
 const std::vector<double>& defaultWeights(const tinygltf::Model& model, const tinygltf::Node& node);
 

@@ -79,12 +79,18 @@ std::vector<std::uint64_t> tagsOf(const tinygltf::Model& model, GltfAccessors& a
   return tags;
 }
 
-/// The morph targets of a primitive. One that moves nothing turns no normal either.
+/// The morph targets of a primitive, empty where they are not wanted. One that moves nothing turns
+/// no normal either.
+template <typename Wanted>
 std::vector<MorphTarget> readTargets(GltfAccessors& accessors, const tinygltf::Primitive& primitive,
-                                     const Draft& draft) {
+                                     const Draft& draft, Wanted&& wanted) {
   const std::vector<Vec3> still(draft.positions.size(), Vec3{0, 0, 0});
   std::vector<MorphTarget> targets;
   for (const auto& from : primitive.targets) {
+    if (!wanted(targets.size())) {
+      targets.emplace_back();
+      continue;
+    }
     const auto read = [&](const char* name) -> std::optional<std::vector<Vec3>> {
       const auto accessor = attribute(from, name);
       if (!accessor) return std::nullopt;
@@ -96,7 +102,7 @@ std::vector<MorphTarget> readTargets(GltfAccessors& accessors, const tinygltf::P
     };
     auto positions = read("POSITION");
     auto normals = draft.normals.empty() ? std::nullopt : read("NORMAL");
-    if (!positions && !normals) accessors.spend(2 * 3 * still.size());
+    if (!positions && !normals) accessors.spend(6 * still.size());
     if (!positions && !normals) normals = still;
     MorphTarget target{positions ? std::move(*positions) : still, {}};
     if (normals) target.normals = std::move(*normals);
@@ -233,12 +239,15 @@ BakedPrimitive bakePrimitive(const Input& input, const tinygltf::Model& model,
   if (node.skin != -1) {
     skin = readSkin(input, model, accessors, node.skin, primitive, vertices);
   }
-  std::vector<MorphTarget> targets = readTargets(accessors, primitive, draft);
-  std::optional<Rig> rig;
   const bool moving = moves(motion, nodeIndex, skin);
   const bool weighted = moving && motion.weighted[nodeIndex];
+  const std::vector<double>& weights = defaultWeights(model, node);
+  std::vector<MorphTarget> targets = readTargets(accessors, primitive, draft, [&](std::size_t t) {
+    return weighted || (t < weights.size() && weights[t] != 0);
+  });
+  std::optional<Rig> rig;
   if (weighted) rig = rigOf(draft);
-  morphBy(defaultWeights(model, node), targets, draft);
+  morphBy(weights, targets, draft);
   // Weights that never change need no targets at run time.
   if (moving && !weighted) rig = rigOf(draft);
   if (weighted) rig->targets = std::move(targets);

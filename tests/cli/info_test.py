@@ -45,6 +45,16 @@ class Info(ProgramTest):
         self.assertIn("50 mm", run.err, "a file without a unit is scaled, with a note")
         self.assertEqual(self.succeed("info", "box.obj", "--json", "--quiet").err, "")
 
+    def test_what_moves(self):
+        self.write("cube.obj", CUBE_OBJ)
+        self.write("scene.toml", 'model = "cube.obj"\nmorph_to = "cube.obj"\n'
+                                 '[[deform]]\nkind = "twist"\namount = 0.5\nperiod_seconds = 2\n')
+        info = self.succeed("info", "scene.toml", "--json").json()
+        self.assertEqual(info["clips"], [{"name": "morph", "seconds": 4}])
+        text = self.succeed("info", "scene.toml").out
+        self.assertIn("clip morph: 4 s\n", text)
+        self.assertIn("deform twist: 0.5, period 2 s\n", text)
+
     def test_the_built_in_scenes(self):
         bear = self.succeed("info", "--json").json()
         self.assertTrue(bear["closed"])

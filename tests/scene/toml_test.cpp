@@ -140,6 +140,64 @@ device = "llvmpipe"
   EXPECT_EQ(s.device, "llvmpipe");
 }
 
+TEST_F(Toml, DeformersAreAppliedInTheirOrder) {
+  const scene::LoadedScene loaded = load(model + R"(
+[[deform]]
+kind = "squash"
+amount = -2
+[[deform]]
+kind = "wobble"
+amount = 0.25
+period_seconds = 3
+[render]
+seconds = 1.5
+)");
+  ASSERT_EQ(loaded.scene.deformers.size(), 2U);
+  EXPECT_EQ(loaded.scene.deformers[0].kind, DeformerKind::Squash);
+  EXPECT_EQ(loaded.scene.deformers[0].amount, -2);
+  EXPECT_EQ(loaded.scene.deformers[0].periodSeconds, 0);
+  EXPECT_EQ(loaded.scene.deformers[1].kind, DeformerKind::Wobble);
+  EXPECT_EQ(loaded.scene.deformers[1].amount, 0.25F);
+  EXPECT_EQ(loaded.scene.deformers[1].periodSeconds, 3);
+  EXPECT_EQ(loaded.settings.seconds, 1.5);
+  EXPECT_FALSE(loaded.settings.clip);
+}
+
+TEST_F(Toml, DeformersThatMakeNoSenseAreErrors) {
+  const auto with = [&](const std::string& text) { return errorOf(model + "[[deform]]\n" + text); };
+  EXPECT_THAT(with("kind = 'swirl'\namount = 1"), HasSubstr("wobble"));
+  EXPECT_THAT(with("amount = 1"), HasSubstr("has no 'kind'"));
+  EXPECT_THAT(with("kind = 'twist'"), HasSubstr("has no 'amount'"));
+  EXPECT_THAT(with("kind = 'bend'\namount = 7"), HasSubstr("[-6.28, 6.28]"));
+  EXPECT_THAT(with("kind = 'squash'\namount = -2\nperiod_seconds = 1"), HasSubstr("[-0.9, 0.9]"));
+  EXPECT_THAT(with("kind = 'twist'\namount = 1\nperiod_seconds = -1"), HasSubstr("period_seconds"));
+  EXPECT_THAT(with("kind = 'twist'\namount = 1\nperiod_seconds = 1e-6"), HasSubstr("0.001"));
+  EXPECT_THAT(with("kind = 'twist'\namount = 1\nperiod = 1"), HasSubstr("period_seconds"));
+}
+
+TEST_F(Toml, MorphsAreReadBesideTheScene) {
+  test::writeBytes(folder / "other.ply", test::readBytes(folder / "cube.ply"));
+  const scene::LoadedScene loaded = load(model + R"(
+morph_to = "other.ply"
+[objects.cube]
+translation_mm = [0, 0, 100]
+scale = 2
+[render]
+clip = "morph"
+)");
+  test::expectSound(loaded.scene);
+  EXPECT_EQ(loaded.settings.clip, "morph");
+  const Rig& rig = *loaded.scene.objects[0].rig;
+  // A unit is 10 mm, twice as large in its place.
+  EXPECT_NEAR(rig.toScene.columns[0][0], 20, 1e-4);
+  EXPECT_NEAR(rig.toScene.columns[3][2], 100, 1e-4);
+  EXPECT_THAT(errorOf(model + "morph_to = 'other.ply'\n[render]\nclip = 'murph'"),
+              HasSubstr("'morph'"));
+  EXPECT_THAT(errorOf(model + "[render]\nclip = 'morph'"), HasSubstr("has none"));
+  EXPECT_THAT(errorOf(model + "[render]\nseconds = -1"), HasSubstr("seconds"));
+  EXPECT_THROW(load("model = 'builtin:teapot'\nmorph_to = 'other.ply'"), UsageError);
+}
+
 TEST_F(Toml, DefaultsStayWhereNothingIsSaid) {
   const scene::LoadedScene loaded = load("model = 'cube.ply'\nmedium = 'ketchup'\n");
   EXPECT_EQ(loaded.scene.lighting.directional.size(), defaultLighting().directional.size());
