@@ -20,6 +20,7 @@
 #include "opaline/scene.h"
 #include "output.h"
 #include "paths.h"
+#include "scene/deformer_check.h"
 #include "scene/topology.h"
 #include "scene_options.h"
 
@@ -89,6 +90,30 @@ Json objectsJson(const Scene& scene) {
   return objects;
 }
 
+Json clipsJson(const Scene& scene) {
+  Json clips = Json::array();
+  for (const Clip& clip : scene.clips) {
+    clips.push_back({{"name", clip.name}, {"seconds", clip.seconds}});
+  }
+  return clips;
+}
+
+std::string motionText(const Scene& scene) {
+  std::string text;
+  for (const Clip& clip : scene.clips) {
+    text += fmt::format("clip {}: {:.4g} s\n", clip.name, clip.seconds);
+  }
+  for (const Deformer& deformer : scene.deformers) {
+    text +=
+        fmt::format("deform {}: {:.4g}",
+                    scene::deformerNames[static_cast<std::size_t>(deformer.kind)], deformer.amount);
+    if (deformer.periodSeconds > 0)
+      text += fmt::format(", period {:.4g} s", deformer.periodSeconds);
+    text += "\n";
+  }
+  return text;
+}
+
 Json devicesJson() {
   Json devices = Json::array();
   for (const DeviceDescription& device : listDevices()) {
@@ -122,7 +147,7 @@ Json collect(const Scene& scene, const atlas::AtlasStatistics& statistics) {
           {"bounds_min_mm", bounds.minMm},
           {"bounds_max_mm", bounds.maxMm},
           {"diagonal_mm", diagonalMm(scene)},
-          {"clips", Json::array()},
+          {"clips", clipsJson(scene)},
           {"repairs", std::move(repairs)},
           {"atlas",
            {{"charts", statistics.charts},
@@ -159,6 +184,7 @@ std::string sceneText(const Scene& scene, const Json& facts) {
         object.name, size[0], size[1], size[2], object.medium.name, rgbText(lengths.meanFreePathMm),
         rgbText(lengths.diffusionMm));
   }
+  text += motionText(scene);
   for (const Repair& repair : scene.repairs) {
     text += fmt::format("mended: {} {}\n", repair.count, repair.what);
   }

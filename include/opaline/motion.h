@@ -96,7 +96,8 @@ struct Deformer {
   DeformerKind kind = DeformerKind::Twist;
   float amount = 0;  ///< Twist [-100, 100], Bend [-6.28, 6.28], Wobble [-1, 1], Squash [-3, 0.9]
                      ///< and [-0.9, 0.9] where it swings
-  float periodSeconds = 0;  ///< ≥ 0; amount swings as sin 2πt/period; 0: it stays; Wobble: 0 is 1 s
+  /// The amount swings as sin 2πt/period; 0: it stays, but for Wobble it is 1 s. Else [0.001, 1e6].
+  float periodSeconds = 0;
 };
 
 }  // namespace opaline

@@ -95,10 +95,10 @@ float diagonalMm(const Scene& scene);
 struct LoadOptions {
   std::optional<float> diagonalMm;  ///< scale the bounding-box diagonal to this length, mm, > 0
   std::optional<Medium> medium;     ///< of every object, instead of what the file says
+  LogCallback log;                  ///< receives notes, for example about an assumed unit
   /// A model of the same topology that the scene's only object becomes and leaves again, in a clip
   /// "morph" of 4 s; not for built-in scenes.
   std::optional<std::filesystem::path> morphTo;
-  LogCallback log;  ///< receives notes, for example about an assumed unit
 };
 
 /// Reads a .glb, .gltf, .obj, .ply or .toml scene, repairs its meshes and adds default camera and

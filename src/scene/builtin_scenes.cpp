@@ -20,6 +20,9 @@ Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options) {
   if (!(diagonal > 0) || !std::isfinite(diagonal)) {
     throw UsageError("The diagonal of a scene must be a positive number of millimetres.");
   }
+  if (options.morphTo) {
+    throw UsageError("A built-in scene has no other mesh to morph to; give the model as a file.");
+  }
   scaleToDiagonal(mesh, diagonal);
   Scene scene;
   scene.name = name;

@@ -8,7 +8,9 @@
 #include "bssrdf/media.h"
 #include "opaline/error.h"
 #include "scene/formats.h"
+#include "scene/matrix.h"
 #include "scene/repair.h"
+#include "scene/rig.h"
 #include "scene/text.h"
 #include "scene/vector_math.h"
 
@@ -45,8 +47,32 @@ bool lostArea(const RawMesh& mesh) {
   });
 }
 
+bool scaleRig(Rig& rig, double factor) {
+  const Matrix4 scale =
+      matrixFromParts({0, 0, 0}, {0, 0, 0, 1}, {factor, factor, factor}) * matrixFrom(rig.toScene);
+  rig.toScene = affineFrom(scale);
+  return isFinite(rig.toScene);
+}
+
 std::string nameIn(const std::string& file, const RawObject& object) {
   return fmt::format("{}, object '{}'", file, object.name);
+}
+
+/// A face that has no area in the rest pose has no place in the atlas either, so it stays away
+/// where the motion would open it.
+void noteLostFaces(const std::vector<Repair>& repairs, const RawObject& object,
+                   const std::string& name, const LogCallback& log) {
+  if (!object.rig) return;
+  std::size_t lost = 0;
+  for (const Repair& repair : repairs) {
+    if (repair.what == "degenerate triangles" || repair.what == "duplicate faces") {
+      lost += repair.count;
+    }
+  }
+  if (lost == 0) return;
+  note(log, fmt::format("{}: {} faces that have no area or lie upon others in the rest pose stay "
+                        "left out when it moves",
+                        nameIn(name, object), lost));
 }
 
 }  // namespace
@@ -70,6 +96,7 @@ void scaleBy(RawScene& raw, double factor, const std::string& file) {
       scalePoint(p, factor);
       finite = finite && isFinite(p);
     }
+    if (object.rig) finite = scaleRig(*object.rig, factor) && finite;
   }
   for (PointLight& light : raw.lighting.points) {
     scalePoint(light.positionMm, factor);
@@ -96,9 +123,9 @@ RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool not
     throw Error(fmt::format("{}: there is no triangle mesh in it", name));
   }
   for (RawObject& object : raw.objects) {
-    for (const Repair& repair : repairMesh(object.mesh, nameIn(name, object))) {
-      addRepair(repairs, repair.what, repair.count);
-    }
+    const std::vector<Repair> mended = repairMesh(object.mesh, nameIn(name, object));
+    for (const Repair& repair : mended) addRepair(repairs, repair.what, repair.count);
+    noteLostFaces(mended, object, name, log);
   }
   double factor = raw.mmPerUnit.value_or(1.0);
   if (!raw.mmPerUnit) {
@@ -111,12 +138,14 @@ RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool not
   }
   scaleBy(raw, factor, name);
   raw.mmPerUnit = 1.0;
-  // Rounding to float may have flattened a needle.
   for (RawObject& object : raw.objects) {
-    if (!lostArea(object.mesh)) continue;
-    for (const Repair& repair : repairMesh(object.mesh, nameIn(name, object))) {
-      addRepair(repairs, repair.what, repair.count);
+    // Rounding to float may have flattened a needle.
+    if (lostArea(object.mesh)) {
+      for (const Repair& repair : repairMesh(object.mesh, nameIn(name, object))) {
+        addRepair(repairs, repair.what, repair.count);
+      }
     }
+    alignRig(object, nameIn(name, object));
   }
   return raw;
 }
@@ -162,10 +191,14 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
   scene.repairs = std::move(repairs);
   for (RawObject& object : raw.objects) {
     Mesh mesh{std::move(object.mesh.positions), std::move(object.mesh.normals),
-              std::move(object.mesh.triangles)};
+              std::move(object.mesh.triangles), object.mesh.facetted};
     scene.objects.push_back({std::move(object.name), std::move(mesh),
-                             options.medium.value_or(std::move(object.medium))});
+                             options.medium.value_or(std::move(object.medium)),
+                             std::move(object.rig)});
   }
+  scene.nodes = std::move(raw.nodes);
+  scene.clips = std::move(raw.clips);
+  scene.deformers = std::move(raw.deformers);
   scene.lighting = raw.hasLights ? std::move(raw.lighting) : defaultLighting();
   scene.camera = raw.camera ? *raw.camera : defaultCamera(scene);
   return scene;

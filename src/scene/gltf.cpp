@@ -11,6 +11,7 @@
 #include "scene/gltf_medium.h"
 #include "scene/gltf_mesh.h"
 #include "scene/gltf_nodes.h"
+#include "scene/rig.h"
 #include "scene/text.h"
 
 namespace opaline::scene {
@@ -28,6 +29,7 @@ struct Gathering {
   const tinygltf::Model& model;
   GltfNodes nodes;
   GltfAccessors accessors;
+  GltfMotion motion{};
   RawScene scene{};
   std::size_t triangles = 0;
   std::size_t vertices = 0;
@@ -45,16 +47,39 @@ bool sameMedium(const Medium& a, const Medium& b) {
          a.sigmaSPrimePerMm == b.sigmaSPrimePerMm;
 }
 
-void append(RawMesh& mesh, RawMesh&& part, std::uint64_t partNumber) {
+void append(RawObject& object, BakedPrimitive&& part, std::uint64_t partNumber) {
+  RawMesh& mesh = object.mesh;
   const auto offset = static_cast<std::uint32_t>(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
-  mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
+  const auto rigOffset =
+      object.rig ? static_cast<std::uint32_t>(object.rig->positions.size()) : std::uint32_t{0};
+  const RawMesh& more = part.mesh;
+  mesh.facetted = (offset == 0 || mesh.facetted) && more.facetted;
+  mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
+  mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
   // Vertices along the seam of two primitives are no duplicates.
-  for (const std::uint64_t tag : part.tags) mesh.tags.push_back(tag + (partNumber << 56U));
-  for (const Triangle& t : part.triangles) {
+  for (const std::uint64_t tag : more.tags) mesh.tags.push_back(tag + (partNumber << 56U));
+  for (const Triangle& t : more.triangles) {
     mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
   }
-  mesh.badPolygons += part.badPolygons;
+  mesh.badPolygons += more.badPolygons;
+  if (!part.rig) return;
+  for (const Provenance& of : more.provenance) mesh.provenance.push_back({of.vertex + rigOffset});
+  if (object.rig) {
+    appendRig(*object.rig, std::move(*part.rig));
+  } else {
+    object.rig = std::move(part.rig);
+  }
+}
+
+/// glTF 2.0, section 3.7.2.2.
+void requireEqualTargets(const Gathering& of, const tinygltf::Mesh& mesh, std::size_t node) {
+  if (!of.motion.any() || !of.motion.weighted[node]) return;
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    if (primitive.targets.size() == mesh.primitives[0].targets.size()) continue;
+    failGltf(of.input, fmt::format("the primitives of mesh '{}' differ in how many morph targets "
+                                   "they have",
+                                   cleanText(mesh.name, 60)));
+  }
 }
 
 void addMesh(Gathering& to, std::size_t nodeIndex) {
@@ -67,6 +92,7 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
   const std::string name = !node.name.empty()   ? cleanText(node.name)
                            : !mesh.name.empty() ? cleanText(mesh.name)
                                                 : fmt::format("node {}", nodeIndex);
+  requireEqualTargets(to, mesh, nodeIndex);
   const std::size_t first = to.scene.objects.size();
   std::uint64_t part = 0;
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
@@ -75,22 +101,23 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
       continue;
     }
     const Medium medium = gltfMedium(to.input, to.model, primitive.material, mesh.name, node.name);
-    RawMesh baked = bakePrimitive(to.input, to.model, to.nodes, to.accessors, nodeIndex, primitive);
-    to.triangles += baked.triangles.size();
-    to.vertices += baked.positions.size();
+    BakedPrimitive baked =
+        bakePrimitive(to.input, to.model, to.nodes, to.motion, to.accessors, nodeIndex, primitive);
+    to.triangles += baked.mesh.triangles.size();
+    to.vertices += baked.mesh.positions.size();
     if (to.triangles > to.most() || to.vertices > to.most()) {
       failGltf(to.input, fmt::format("it repeats its meshes to more than {} triangles or vertices",
                                      to.most()));
     }
     const auto begin = to.scene.objects.begin() + static_cast<std::ptrdiff_t>(first);
     auto object = std::find_if(begin, to.scene.objects.end(), [&](const RawObject& known) {
-      return sameMedium(known.medium, medium);
+      return sameMedium(known.medium, medium) && known.rig.has_value() == baked.rig.has_value();
     });
     if (object == to.scene.objects.end()) {
-      to.scene.objects.push_back({name, {}, medium});
+      to.scene.objects.push_back({name, {}, medium, std::nullopt});
       object = to.scene.objects.end() - 1;
     }
-    append(object->mesh, std::move(baked), part++);
+    append(*object, std::move(baked), part++);
   }
   // Without this two objects of one node could not be told apart.
   if (to.scene.objects.size() > first + 1) {
@@ -195,6 +222,7 @@ void aimAtMiddle(RawScene& scene) {
 RawScene loadGltf(const Input& input) {
   const tinygltf::Model model = readGltf(input);
   Gathering gathering{input, model, resolveNodes(input, model), GltfAccessors(input, model)};
+  gathering.motion = readMotion(input, model, gathering.nodes, gathering.accessors);
   for (const int node : gathering.nodes.drawn) {
     const auto index = static_cast<std::size_t>(node);
     if (model.nodes[index].mesh != -1) addMesh(gathering, index);
@@ -205,6 +233,8 @@ RawScene loadGltf(const Input& input) {
     note(input.log, fmt::format("{}: {} primitives of points or lines are left out",
                                 cleanText(input.file.string(), 1000), gathering.skippedPrimitives));
   }
+  gathering.scene.nodes = std::move(gathering.motion.nodes);
+  gathering.scene.clips = std::move(gathering.motion.clips);
   gathering.scene.mmPerUnit = mmPerMetre;
   aimAtMiddle(gathering.scene);
   return std::move(gathering.scene);

@@ -78,6 +78,13 @@ const tinygltf::Accessor& GltfAccessors::at(int accessor) const {
   return model_.accessors[static_cast<std::size_t>(accessor)];
 }
 
+void GltfAccessors::spend(std::size_t numbers) {
+  if (numbers > mostNumbers - numbersRead_) {
+    failGltf(input_, "its accessors are used for too many numbers");
+  }
+  numbersRead_ += numbers;
+}
+
 std::size_t GltfAccessors::countOf(int accessor) const {
   return at(accessor).count;
 }
@@ -134,10 +141,8 @@ std::vector<T> GltfAccessors::read(int index, int components, std::optional<std:
     failGltf(input_, fmt::format("accessor {} promises {} elements without any bytes", index,
                                  accessor.count));
   }
-  if (accessor.count > (mostNumbers - numbersRead_) / width) {
-    failGltf(input_, "its accessors are used for too many numbers");
-  }
-  numbersRead_ += accessor.count * width;
+  if (accessor.count > mostNumbers / width) spend(mostNumbers + 1);
+  spend(accessor.count * width);
   std::vector<T> values(accessor.count * width);
   const auto convertElement = [&](const unsigned char* element, std::size_t to) {
     for (std::size_t c = 0; c < width; ++c) {

@@ -25,6 +25,9 @@ class GltfAccessors {
   std::vector<std::uint32_t> integers(int accessor, int components,
                                       std::optional<std::size_t> count = std::nullopt);
 
+  /// Counts numbers that a file makes without reading them. Throws Error beyond the limit.
+  void spend(std::size_t numbers);
+
  private:
   template <typename T, typename Convert>
   std::vector<T> read(int accessor, int components, std::optional<std::size_t> count,

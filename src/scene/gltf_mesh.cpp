@@ -5,39 +5,17 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <optional>
-#include <span>
-#include <string_view>
+
+#include "scene/gltf_draft.h"
+#include "scene/gltf_skin.h"
+#include "scene/hash.h"
+#include "scene/rig.h"
 
 namespace opaline::scene {
 
 namespace {
-
-/// A primitive while it is baked.
-struct Draft {
-  std::vector<Double3> positions;
-  std::vector<Double3> normals;  ///< empty where the file has none
-  std::vector<std::uint64_t> tags;
-  std::vector<Triangle> triangles;
-  bool mirrored = false;
-};
-
-std::optional<int> attribute(const std::map<std::string, int>& attributes, const char* name) {
-  const auto found = attributes.find(name);
-  return found == attributes.end() ? std::nullopt : std::optional(found->second);
-}
-
-std::vector<Double3> vectors(GltfAccessors& accessors, int accessor,
-                             std::optional<std::size_t> count) {
-  const std::vector<float> numbers = accessors.floats(accessor, 3, count);
-  std::vector<Double3> result(numbers.size() / 3);
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = {double{numbers[3 * i]}, double{numbers[3 * i + 1]}, double{numbers[3 * i + 2]}};
-  }
-  return result;
-}
 
 std::vector<std::uint32_t> indicesOf(const Input& input, GltfAccessors& accessors,
                                      const tinygltf::Primitive& primitive, std::size_t vertices) {
@@ -74,11 +52,6 @@ std::vector<Triangle> assemble(int mode, const std::vector<std::uint32_t>& v) {
   return triangles;
 }
 
-void mix(std::uint64_t& hash, std::uint64_t value) {
-  hash = (hash ^ value) * 0x9E3779B97F4A7C15U;
-  hash ^= hash >> 29U;
-}
-
 /// Vertices that differ in texture coordinates, colours, joints or morph targets are different,
 /// although those do not show in a still.
 std::vector<std::uint64_t> tagsOf(const tinygltf::Model& model, GltfAccessors& accessors,
@@ -106,116 +79,84 @@ std::vector<std::uint64_t> tagsOf(const tinygltf::Model& model, GltfAccessors& a
   return tags;
 }
 
-void morph(const tinygltf::Model& model, GltfAccessors& accessors, const tinygltf::Node& node,
-           const tinygltf::Primitive& primitive, Draft& draft) {
-  const std::vector<double>& weights =
-      node.weights.empty() ? model.meshes[static_cast<std::size_t>(node.mesh)].weights
-                           : node.weights;
-  for (std::size_t t = 0; t < primitive.targets.size() && t < weights.size(); ++t) {
-    if (weights[t] == 0) continue;
-    const auto addTo = [&](const char* name, std::vector<Double3>& values) {
-      const auto accessor = attribute(primitive.targets[t], name);
-      if (!accessor || values.empty()) return;
-      const std::vector<Double3> deltas = vectors(accessors, *accessor, values.size());
-      for (std::size_t v = 0; v < values.size(); ++v)
-        values[v] = values[v] + weights[t] * deltas[v];
+/// The morph targets of a primitive. One that moves nothing turns no normal either.
+std::vector<MorphTarget> readTargets(GltfAccessors& accessors, const tinygltf::Primitive& primitive,
+                                     const Draft& draft) {
+  const std::vector<Vec3> still(draft.positions.size(), Vec3{0, 0, 0});
+  std::vector<MorphTarget> targets;
+  for (const auto& from : primitive.targets) {
+    const auto read = [&](const char* name) -> std::optional<std::vector<Vec3>> {
+      const auto accessor = attribute(from, name);
+      if (!accessor) return std::nullopt;
+      std::vector<Vec3> values;
+      for (const Double3& v : vectors(accessors, *accessor, draft.positions.size())) {
+        values.push_back(toFloat(v));
+      }
+      return values;
     };
-    addTo("POSITION", draft.positions);
-    addTo("NORMAL", draft.normals);
+    auto positions = read("POSITION");
+    auto normals = draft.normals.empty() ? std::nullopt : read("NORMAL");
+    if (!positions && !normals) accessors.spend(2 * 3 * still.size());
+    if (!positions && !normals) normals = still;
+    MorphTarget target{positions ? std::move(*positions) : still, {}};
+    if (normals) target.normals = std::move(*normals);
+    for (Vec3& n : target.normals) {
+      if (!isFinite(n)) n = {0, 0, 0};
+    }
+    targets.push_back(std::move(target));
   }
+  return targets;
+}
+
+void morphBy(const std::vector<double>& weights, const std::vector<MorphTarget>& targets,
+             Draft& draft) {
+  for (std::size_t t = 0; t < targets.size() && t < weights.size(); ++t) {
+    if (weights[t] == 0) continue;
+    for (std::size_t v = 0; v < draft.positions.size(); ++v) {
+      draft.positions[v] = draft.positions[v] + weights[t] * toDouble(targets[t].positions[v]);
+    }
+    if (targets[t].normals.empty()) continue;
+    for (std::size_t v = 0; v < draft.normals.size(); ++v) {
+      draft.normals[v] = draft.normals[v] + weights[t] * toDouble(targets[t].normals[v]);
+    }
+  }
+}
+
+/// Base of a rig: the vertices where they hang on nothing yet. Normals that the file lacks are
+/// zero.
+Rig rigOf(const Draft& draft) {
+  Rig rig;
+  rig.positions.reserve(draft.positions.size());
+  for (const Double3& p : draft.positions) rig.positions.push_back(toFloat(p));
+  rig.normals.reserve(draft.positions.size());
+  for (const Double3& n : draft.normals) rig.normals.push_back(unit(n));
+  rig.normals.resize(draft.positions.size(), Vec3{0, 0, 0});
+  return rig;
+}
+
+bool moves(const GltfMotion& motion, std::size_t node, const GltfSkin& skin) {
+  if (!motion.any()) return false;
+  if (motion.weighted[node]) return true;
+  if (skin.empty()) return motion.moved[node];
+  return std::any_of(skin.joints.begin(), skin.joints.end(),
+                     [&](const GltfJoint& joint) { return motion.moved[joint.node]; });
+}
+
+/// Hangs a rig on the nodes of the scene.
+void hang(Rig& rig, const GltfMotion& motion, std::size_t node, GltfSkin&& skin) {
+  rig.node = motion.place[node];
+  if (skin.empty()) return;
+  for (const GltfJoint& joint : skin.joints) {
+    rig.joints.push_back({motion.place[joint.node], affineFrom(joint.inverseBind)});
+  }
+  rig.firstInfluence = std::move(skin.firstInfluence);
+  rig.influences = std::move(skin.influences);
 }
 
 void transformBy(const Matrix4& matrix, Draft& draft) {
   for (Double3& p : draft.positions) p = matrix.point(p);
   for (Double3& n : draft.normals) n = matrix.normal(n);
   draft.mirrored = matrix.determinant() < 0;
-}
-
-/// Joint matrices of glTF 2.0, section 3.7.3, at the transforms that the file gives its nodes.
-std::vector<Matrix4> jointMatrices(const Input& input, const tinygltf::Model& model,
-                                   const GltfNodes& nodes, GltfAccessors& accessors, int skin) {
-  if (skin < 0 || static_cast<std::size_t>(skin) >= model.skins.size()) {
-    failGltf(input, fmt::format("skin {} does not exist", skin));
-  }
-  const tinygltf::Skin& of = model.skins[static_cast<std::size_t>(skin)];
-  std::vector<float> inverse;
-  if (of.inverseBindMatrices != -1) {
-    inverse = accessors.floats(of.inverseBindMatrices, 16);
-    if (inverse.size() / 16 < of.joints.size()) {
-      failGltf(input, fmt::format("skin {} has fewer inverse bind matrices than joints", skin));
-    }
-  }
-  std::vector<Matrix4> matrices;
-  for (std::size_t j = 0; j < of.joints.size(); ++j) {
-    if (of.joints[j] < 0 || static_cast<std::size_t>(of.joints[j]) >= nodes.world.size()) {
-      failGltf(input, fmt::format("skin {} names a joint that does not exist", skin));
-    }
-    const Matrix4& world = nodes.world[static_cast<std::size_t>(of.joints[j])];
-    matrices.push_back(inverse.empty()
-                           ? world
-                           : world * matrixFromColumns(std::span(inverse).subspan(16 * j, 16)));
-  }
-  return matrices;
-}
-
-/// One set of four joints and weights per vertex; there may be several sets.
-struct Influences {
-  std::vector<std::uint32_t> joints;
-  std::vector<float> weights;
-};
-
-std::vector<Influences> influencesOf(const Input& input, GltfAccessors& accessors,
-                                     const tinygltf::Primitive& primitive, std::size_t vertices,
-                                     std::size_t jointCount) {
-  std::vector<Influences> sets;
-  for (int set = 0; set < 16; ++set) {
-    const auto joints = attribute(primitive.attributes, fmt::format("JOINTS_{}", set).c_str());
-    const auto weights = attribute(primitive.attributes, fmt::format("WEIGHTS_{}", set).c_str());
-    if (!joints || !weights) break;
-    sets.push_back(
-        {accessors.integers(*joints, 4, vertices), accessors.floats(*weights, 4, vertices)});
-    for (std::size_t i = 0; i < sets.back().joints.size(); ++i) {
-      const float weight = sets.back().weights[i];
-      if (!(weight >= 0 && std::isfinite(weight))) sets.back().weights[i] = 0;
-      if (sets.back().weights[i] > 0 && sets.back().joints[i] >= jointCount) {
-        failGltf(input, fmt::format("a vertex names joint {}, but its skin has {} joints",
-                                    sets.back().joints[i], jointCount));
-      }
-    }
-  }
-  return sets;
-}
-
-/// Weights are brought to a sum of 1; vertices without any stay with the first joint.
-void skinBy(const std::vector<Matrix4>& matrices, const std::vector<Influences>& sets,
-            Draft& draft) {
-  std::size_t mirrored = 0;
-  for (std::size_t v = 0; v < draft.positions.size(); ++v) {
-    Matrix4 blended{{Double3{}, Double3{}, Double3{}, Double3{}}};
-    double sum = 0;
-    const auto add = [&](double weight, const Matrix4& matrix) {
-      for (std::size_t c = 0; c < 4; ++c) {
-        blended.column[c] = blended.column[c] + weight * matrix.column[c];
-      }
-      sum += weight;
-    };
-    for (const Influences& set : sets) {
-      for (std::size_t i = 4 * v; i < 4 * v + 4; ++i) {
-        if (set.weights[i] > 0) add(double{set.weights[i]}, matrices[set.joints[i]]);
-      }
-    }
-    if (!(sum > 0)) add(1, matrices[0]);
-    for (Double3& column : blended.column) column = (1 / sum) * column;
-    draft.positions[v] = blended.point(draft.positions[v]);
-    if (!draft.normals.empty()) draft.normals[v] = blended.normal(draft.normals[v]);
-    mirrored += blended.determinant() < 0 ? 1U : 0U;
-  }
-  draft.mirrored = 2 * mirrored > draft.positions.size();
-}
-
-Vec3 unit(const Double3& v) {
-  const double size = length(v);
-  return size > 0 && isFinite(v) ? toFloat((1 / size) * v) : Vec3{0, 0, 0};
 }
 
 /// glTF 2.0, section 3.7.2.1: without normals every triangle is flat, so it gets vertices of its
@@ -236,6 +177,7 @@ RawMesh flatMesh(const Draft& draft) {
       own[c] = static_cast<std::uint32_t>(mesh.positions.size());
       mesh.positions.push_back(toFloat(draft.positions[t[c]]));
       mesh.normals.push_back(normal);
+      mesh.provenance.push_back({t[c]});
     }
     mesh.triangles.push_back(own);
   }
@@ -243,7 +185,9 @@ RawMesh flatMesh(const Draft& draft) {
     if (used[v]) continue;
     mesh.positions.push_back(toFloat(draft.positions[v]));
     mesh.normals.push_back({0, 0, 1});
+    mesh.provenance.push_back({static_cast<std::uint32_t>(v)});
   }
+  mesh.facetted = true;
   mesh.tags.resize(mesh.positions.size());
   std::iota(mesh.tags.begin(), mesh.tags.end(), std::uint64_t{0});
   return mesh;
@@ -257,6 +201,7 @@ RawMesh smoothMesh(const Draft& draft) {
   for (const Double3& n : draft.normals) mesh.normals.push_back(unit(n));
   mesh.tags = draft.tags;
   mesh.triangles = draft.triangles;
+  startProvenance(mesh);
   return mesh;
 }
 
@@ -268,9 +213,10 @@ bool isSurface(const tinygltf::Primitive& primitive) {
          primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
-RawMesh bakePrimitive(const Input& input, const tinygltf::Model& model, const GltfNodes& nodes,
-                      GltfAccessors& accessors, std::size_t nodeIndex,
-                      const tinygltf::Primitive& primitive) {
+BakedPrimitive bakePrimitive(const Input& input, const tinygltf::Model& model,
+                             const GltfNodes& nodes, const GltfMotion& motion,
+                             GltfAccessors& accessors, std::size_t nodeIndex,
+                             const tinygltf::Primitive& primitive) {
   const tinygltf::Node& node = model.nodes[nodeIndex];
   const auto position = attribute(primitive.attributes, "POSITION");
   if (!position) failGltf(input, "a mesh has no positions");
@@ -281,25 +227,32 @@ RawMesh bakePrimitive(const Input& input, const tinygltf::Model& model, const Gl
     draft.normals = vectors(accessors, *normal, vertices);
   }
   draft.triangles = assemble(primitive.mode, indicesOf(input, accessors, primitive, vertices));
-  morph(model, accessors, node, primitive, draft);
-  const bool flat = draft.normals.empty();
-  if (!flat) draft.tags = tagsOf(model, accessors, primitive, vertices);
+  if (!draft.normals.empty()) draft.tags = tagsOf(model, accessors, primitive, vertices);
 
-  std::vector<Matrix4> joints;
-  std::vector<Influences> influences;
+  GltfSkin skin;
   if (node.skin != -1) {
-    joints = jointMatrices(input, model, nodes, accessors, node.skin);
-    influences = influencesOf(input, accessors, primitive, vertices, joints.size());
+    skin = readSkin(input, model, accessors, node.skin, primitive, vertices);
   }
-  if (joints.empty() || influences.empty()) {
+  std::vector<MorphTarget> targets = readTargets(accessors, primitive, draft);
+  std::optional<Rig> rig;
+  const bool moving = moves(motion, nodeIndex, skin);
+  const bool weighted = moving && motion.weighted[nodeIndex];
+  if (weighted) rig = rigOf(draft);
+  morphBy(defaultWeights(model, node), targets, draft);
+  // Weights that never change need no targets at run time.
+  if (moving && !weighted) rig = rigOf(draft);
+  if (weighted) rig->targets = std::move(targets);
+
+  if (skin.empty()) {
     transformBy(nodes.world[nodeIndex], draft);
   } else {
-    skinBy(joints, influences, draft);
+    skinBy(skin, nodes, draft);
   }
   if (draft.mirrored) {
     for (Triangle& t : draft.triangles) std::swap(t[1], t[2]);
   }
-  return flat ? flatMesh(draft) : smoothMesh(draft);
+  if (rig) hang(*rig, motion, nodeIndex, std::move(skin));
+  return {draft.normals.empty() ? flatMesh(draft) : smoothMesh(draft), std::move(rig)};
 }
 
 }  // namespace opaline::scene

@@ -68,17 +68,19 @@ std::vector<int> rootsOfScene(const Input& input, const tinygltf::Model& model,
 }  // namespace
 
 GltfNodes resolveNodes(const Input& input, const tinygltf::Model& model) {
-  const std::vector<int> parents = parentsOf(input, model);
+  GltfNodes nodes;
+  nodes.parents = parentsOf(input, model);
+  const std::vector<int>& parents = nodes.parents;
   std::vector<int> allRoots;
   for (std::size_t n = 0; n < parents.size(); ++n) {
     if (parents[n] == -1) allRoots.push_back(static_cast<int>(n));
   }
-  std::vector<int> order = allRoots;
+  nodes.order = allRoots;
+  std::vector<int>& order = nodes.order;
   appendSubtrees(model, order);
   // Every node has at most one parent, so what no root reaches is on or below a cycle.
   if (order.size() != model.nodes.size()) failGltf(input, "its nodes form a cycle");
 
-  GltfNodes nodes;
   nodes.world.resize(model.nodes.size());
   for (const int n : order) {
     const auto index = static_cast<std::size_t>(n);

@@ -10,6 +10,8 @@ namespace opaline::scene {
 /// The node hierarchy, walked without recursion.
 struct GltfNodes {
   std::vector<Matrix4> world;  ///< per node, from the node to the scene
+  std::vector<int> parents;    ///< per node, or -1
+  std::vector<int> order;      ///< all nodes, parents first
   std::vector<int> drawn;      ///< nodes of the default scene, parents first
 };
 

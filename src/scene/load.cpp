@@ -9,6 +9,7 @@
 #include "opaline/error.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
+#include "scene/morph_to.h"
 #include "scene/scene_settings.h"
 #include "scene/text.h"
 
@@ -74,6 +75,7 @@ Scene loadScene(const std::filesystem::path& file, const LoadOptions& options) {
     if (scene::lowerExtension(file) == ".toml") return scene::loadSceneFile(file, options).scene;
     scene::requireSensible(options);
     scene::RawScene raw = scene::loadModel(file, options.log);
+    if (options.morphTo) scene::addMorph(raw, file, *options.morphTo, options.log);
     std::vector<Repair> repairs;
     raw = scene::inMillimetres(std::move(raw), file, !options.diagonalMm, options.log, repairs);
     return scene::finished(std::move(raw), file, std::move(repairs), options);

@@ -33,6 +33,7 @@ std::uint32_t copyVertex(RawMesh& mesh, std::uint32_t v) {
   mesh.positions.push_back(Vec3(mesh.positions[v]));
   if (!mesh.normals.empty()) mesh.normals.push_back(Vec3(mesh.normals[v]));
   if (!mesh.tags.empty()) mesh.tags.push_back(std::uint64_t{mesh.tags[v]});
+  if (!mesh.provenance.empty()) mesh.provenance.push_back(Provenance(mesh.provenance[v]));
   return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 

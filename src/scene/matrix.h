@@ -41,6 +41,11 @@ inline Affine affineFrom(const Matrix4& matrix) {
   return result;
 }
 
+inline bool isFinite(const Affine& affine) {
+  return isFinite(affine.columns[0]) && isFinite(affine.columns[1]) &&
+         isFinite(affine.columns[2]) && isFinite(affine.columns[3]);
+}
+
 /// The sum of weighted maps that linear blend skinning moves a vertex by.
 class MatrixSum {
  public:

@@ -66,11 +66,15 @@ std::size_t finishNormals(RawMesh& mesh, const std::vector<bool>& turned) {
     const double size = length(normal);
     if (!isFinite(normal) || !(size > 1e-30)) {
       mesh.normals[v] = smooth[v];
+      if (!mesh.provenance.empty()) mesh.provenance[v].normalSmooth = true;
       ++replaced;
       continue;
     }
     normal = (1.0 / size) * normal;
-    if (mayTurn[v] && dot(normal, toDouble(smooth[v])) < 0) normal = -1.0 * normal;
+    if (mayTurn[v] && dot(normal, toDouble(smooth[v])) < 0) {
+      normal = -1.0 * normal;
+      if (!mesh.provenance.empty()) mesh.provenance[v].normalTurned ^= true;
+    }
     mesh.normals[v] = toFloat(normal);
   }
   return replaced;

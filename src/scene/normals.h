@@ -17,7 +17,7 @@ std::vector<Vec3> smoothNormals(const RawMesh& mesh);
 
 /// One unit normal per vertex: given ones are normalised, turned with their triangles (`turned`,
 /// per triangle) and replaced where they are zero or not finite, which is counted; missing ones
-/// are smooth.
+/// are smooth. The provenance tells what became of each.
 std::size_t finishNormals(RawMesh& mesh, const std::vector<bool>& turned);
 
 }  // namespace opaline::scene

@@ -10,6 +10,13 @@
 
 namespace opaline::scene {
 
+/// Where a vertex comes from, and what became of its normal.
+struct Provenance {
+  std::uint32_t vertex = 0;   ///< index among the vertices of the object's rig
+  bool normalTurned = false;  ///< with its triangles
+  bool normalSmooth = false;  ///< the file's was unusable
+};
+
 /// A mesh as a file gives it: in range, but neither repaired nor scaled nor oriented.
 struct RawMesh {
   std::vector<Vec3> positions;
@@ -17,14 +24,21 @@ struct RawMesh {
   /// Vertices whose tags differ are different even where position and normal agree; empty: all
   /// alike.
   std::vector<std::uint64_t> tags;
+  std::vector<Provenance> provenance;  ///< empty, or one per position: kept up through all repairs
   std::vector<Triangle> triangles;
-  std::size_t badPolygons = 0;  ///< faces that never became a triangle: fewer than three corners
+  std::size_t badPolygons = 0;    ///< faces that never became a triangle: fewer than three corners
+  std::size_t polygons = 0;       ///< faces as the file has them, where it has polygons
+  std::uint64_t polygonHash = 0;  ///< of their corners
+  bool facetted = false;          ///< as in Mesh
 };
 
 struct RawObject {
   std::string name;
   RawMesh mesh;
   Medium medium;
+  /// As in Object; until alignRig() its vertices are the file's, which `mesh.provenance` names, and
+  /// a normal may be zero.
+  std::optional<Rig> rig;
 };
 
 /// What a file holds, in the file's unit, before repair, scale and defaults.
@@ -33,6 +47,9 @@ struct RawScene {
   Lighting lighting;
   bool hasLights = false;
   std::optional<Camera> camera;
+  std::vector<Node> nodes;
+  std::vector<Clip> clips;
+  std::vector<Deformer> deformers;
   std::optional<double> mmPerUnit;  ///< unknown for formats without a unit
 };
 

@@ -132,6 +132,7 @@ void dropUnused(RawMesh& mesh) {
   keepUsed(mesh.positions, newIndex);
   keepUsed(mesh.normals, newIndex);
   keepUsed(mesh.tags, newIndex);
+  keepUsed(mesh.provenance, newIndex);
   mesh.triangles = renamed(mesh.triangles, newIndex);
 }
 

@@ -28,6 +28,8 @@ struct SceneFileSettings {
   std::optional<float> exposureStops;    ///< exposure
   std::optional<std::string> tone;       ///< neutral, none
   std::optional<std::string> device;     ///< device
+  std::optional<double> seconds;         ///< seconds, the time to show, ≥ 0
+  std::optional<std::string> clip;       ///< clip, by name
 };
 
 struct LoadedScene {

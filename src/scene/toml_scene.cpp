@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -10,13 +9,16 @@
 #include "core/file.h"
 #include "core/image_file.h"
 #include "opaline/error.h"
+#include "scene/deformer_check.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
 #include "scene/matrix.h"
+#include "scene/morph_to.h"
 #include "scene/raw_scene.h"
 #include "scene/scene_settings.h"
 #include "scene/text.h"
 #include "scene/toml_reader.h"
+#include "scene/toml_settings.h"
 
 namespace opaline::scene {
 
@@ -24,8 +26,9 @@ namespace {
 
 using Keys = std::string_view;
 
-constexpr std::array<Keys, 9> rootKeys{"model",  "diagonal_mm", "medium", "media", "objects",
-                                       "lights", "environment", "camera", "render"};
+constexpr std::array<Keys, 11> rootKeys{"model",   "diagonal_mm", "medium",      "media",
+                                        "objects", "lights",      "environment", "camera",
+                                        "render",  "morph_to",    "deform"};
 
 /// A .toml scene being put together; lengths in millimetres.
 struct Assembly {
@@ -84,7 +87,8 @@ RawScene fromBuiltIn(Scene&& built) {
     mesh.positions = std::move(object.mesh.positionsMm);
     mesh.normals = std::move(object.mesh.normals);
     mesh.triangles = std::move(object.mesh.triangles);
-    raw.objects.push_back({std::move(object.name), std::move(mesh), std::move(object.medium)});
+    raw.objects.push_back(
+        {std::move(object.name), std::move(mesh), std::move(object.medium), std::nullopt});
   }
   raw.mmPerUnit = 1.0;
   return raw;
@@ -99,8 +103,11 @@ void loadModelOf(const TomlTable& root, Assembly& to) {
   const auto model = root.text("model");
   if (!model) root.fail("", "has no 'model', a file or builtin:bear or builtin:teapot");
   const auto diagonal = root.number("diagonal_mm", 1e-6, 1e9);
+  std::optional<std::filesystem::path> morphTo = to.options.morphTo;
+  if (const auto name = root.text("morph_to"); name && !morphTo) morphTo = beside(to.file, *name);
   LoadOptions builtInOptions;
   builtInOptions.log = to.options.log;
+  builtInOptions.morphTo = morphTo;
   if (*model == "builtin:bear") {
     takeBuiltIn(builtInBear(builtInOptions), to);
   } else if (*model == "builtin:teapot") {
@@ -111,8 +118,9 @@ void loadModelOf(const TomlTable& root, Assembly& to) {
     const std::filesystem::path path = beside(to.file, *model);
     if (path.extension() == ".toml") root.fail("model", "must not be another .toml scene");
     const bool noteUnit = !diagonal && !to.options.diagonalMm;
-    to.scene =
-        inMillimetres(loadModel(path, to.options.log), path, noteUnit, to.options.log, to.repairs);
+    RawScene raw = loadModel(path, to.options.log);
+    if (morphTo) addMorph(raw, path, *morphTo, to.options.log);
+    to.scene = inMillimetres(std::move(raw), path, noteUnit, to.options.log, to.repairs);
   }
   if (diagonal) {
     scaleBy(to.scene, *diagonal / diagonalOf(boundsOf(to.scene)), to.file.string());
@@ -187,7 +195,8 @@ Matrix4 transformOf(const TomlTable& table) {
   return matrix;
 }
 
-void place(RawMesh& mesh, const Matrix4& matrix, const TomlTable& table) {
+void place(RawObject& object, const Matrix4& matrix, const TomlTable& table) {
+  RawMesh& mesh = object.mesh;
   if (std::abs(matrix.determinant()) < 1e-30) table.fail("", "has a transform that flattens");
   for (Vec3& p : mesh.positions) {
     p = toFloat(matrix.point(toDouble(p)));
@@ -199,6 +208,11 @@ void place(RawMesh& mesh, const Matrix4& matrix, const TomlTable& table) {
   }
   if (matrix.determinant() < 0) {
     for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  }
+  if (!object.rig) return;
+  object.rig->toScene = affineFrom(matrix * matrixFrom(object.rig->toScene));
+  if (!isFinite(object.rig->toScene)) {
+    table.fail("", "has a transform that leaves the range of a float");
   }
 }
 
@@ -226,8 +240,27 @@ void readObjects(const TomlTable& root, Assembly& to) {
     for (RawObject& object : to.scene.objects) {
       if (object.name != name) continue;
       if (medium) object.medium = mediumNamed(table, "medium", *medium, to);
-      place(object.mesh, matrix, table);
+      place(object, matrix, table);
     }
+  }
+}
+
+void readDeformers(const TomlTable& root, Assembly& to) {
+  constexpr std::array<Keys, 3> keys{"kind", "amount", "period_seconds"};
+  for (const TomlTable& table : root.tables("deform")) {
+    table.requireKeys(keys);
+    const auto kind = table.choice("kind", deformerNames);
+    if (!kind) table.fail("", "has no 'kind': twist, bend, squash or wobble");
+    const auto amount = table.number("amount", -100, 100);
+    if (!amount) table.fail("", "has no 'amount'");
+    Deformer deformer;
+    const auto name = std::find(deformerNames.begin(), deformerNames.end(), *kind);
+    deformer.kind = static_cast<DeformerKind>(name - deformerNames.begin());
+    deformer.amount = static_cast<float>(*amount);
+    deformer.periodSeconds = static_cast<float>(table.number("period_seconds", 0, 1e6).value_or(0));
+    const std::string complaint = complaintAbout(deformer);
+    if (!complaint.empty()) table.fail("", "makes no sense: " + complaint);
+    to.scene.deformers.push_back(deformer);
   }
 }
 
@@ -330,75 +363,6 @@ void readCamera(const TomlTable& root, Assembly& to) {
   to.scene.camera = camera;
 }
 
-std::optional<float> asFloat(std::optional<double> value) {
-  return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
-}
-
-/// "1024x1024", as it is typed on the command line.
-std::optional<std::array<int, 2>> sizeFromText(std::string_view text) {
-  std::array<int, 2> edges{};
-  const char* const end = text.data() + text.size();
-  const auto width = std::from_chars(text.data(), end, edges[0]);
-  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
-  const auto height = std::from_chars(width.ptr + 1, end, edges[1]);
-  if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
-  return edges;
-}
-
-void readSize(const TomlTable& table, SceneFileSettings& settings) {
-  constexpr const char* hint = "must be \"WIDTHxHEIGHT\" or [WIDTH, HEIGHT], each in [1, 16384]";
-  if (!table.has("size")) return;
-  std::array<int, 2> edges{};
-  if (table.holdsText("size")) {
-    edges = sizeFromText(*table.text("size")).value_or(edges);
-  } else {
-    const auto numbers = table.numbers("size", 2);
-    for (std::size_t i = 0; i < 2; ++i) {
-      const double edge = (*numbers)[i];
-      if (std::abs(edge) <= 1e6 && edge == std::floor(edge)) edges[i] = static_cast<int>(edge);
-    }
-  }
-  for (const int edge : edges) {
-    if (edge < 1 || edge > 16384) table.fail("size", hint);
-  }
-  settings.width = edges[0];
-  settings.height = edges[1];
-}
-
-SceneFileSettings readSettings(const TomlTable& root) {
-  constexpr std::array<Keys, 15> keys{"size",        "transport",    "sum",          "site",
-                                      "near_rings",  "near_spacing", "far_distance", "dsm_size",
-                                      "shadow_size", "specular",     "roughness",    "antialias",
-                                      "exposure",    "tone",         "device"};
-  constexpr std::array<Keys, 2> transports{"dipole", "better-dipole"};
-  constexpr std::array<Keys, 2> sums{"pattern", "all"};
-  constexpr std::array<Keys, 3> sites{"auto", "vertex", "fragment"};
-  constexpr std::array<Keys, 2> tones{"neutral", "none"};
-  SceneFileSettings settings;
-  const auto table = root.table("render");
-  if (!table) return settings;
-  table->requireKeys(keys);
-  readSize(*table, settings);
-  settings.transport = table->choice("transport", transports);
-  settings.sum = table->choice("sum", sums);
-  settings.site = table->choice("site", sites);
-  settings.nearRings = table->integer("near_rings", 0, 15);
-  settings.nearSpacing = asFloat(table->number("near_spacing", 1e-3, 100));
-  settings.farDistance = asFloat(table->number("far_distance", 1e-3, 1000));
-  settings.dsmSize = table->integer("dsm_size", 64, 4096);
-  settings.shadowSize = table->integer("shadow_size", 64, 8192);
-  settings.specular = table->flag("specular");
-  settings.roughness = asFloat(table->number("roughness", 0.05, 1));
-  settings.antialias = table->integer("antialias", 1, 8);
-  if (settings.antialias && (*settings.antialias & (*settings.antialias - 1)) != 0) {
-    table->fail("antialias", "must be 1, 2, 4 or 8");
-  }
-  settings.exposureStops = asFloat(table->number("exposure", -32, 32));
-  settings.tone = table->choice("tone", tones);
-  settings.device = table->text("device");
-  return settings;
-}
-
 LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& options) {
   requireSensible(options);
   const toml::table parsed = parse(file);
@@ -410,12 +374,14 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   readMedia(root, assembly);
   loadModelOf(root, assembly);
   readObjects(root, assembly);
+  readDeformers(root, assembly);
   const Bounds bounds = boundsOf(assembly.scene);
   assembly.centre = toFloat(0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm)));
   readLighting(root, assembly);
   frameBuiltIn(assembly);
   readCamera(root, assembly);
   loaded.scene = finished(std::move(assembly.scene), file, std::move(assembly.repairs), options);
+  requireClip(root, loaded);
   return loaded;
 }
 

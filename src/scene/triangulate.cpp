@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "scene/hash.h"
+
 namespace opaline::scene {
 
 namespace {
@@ -97,6 +99,9 @@ bool Triangulator::clipEars(RawMesh& mesh, std::span<const std::uint32_t> corner
 }
 
 void Triangulator::add(RawMesh& mesh, std::span<const std::uint32_t> corners) {
+  ++mesh.polygons;
+  mix(mesh.polygonHash, corners.size());
+  for (const std::uint32_t v : corners) mix(mesh.polygonHash, v);
   if (corners.size() < 3) {
     ++mesh.badPolygons;
     return;

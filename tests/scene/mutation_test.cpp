@@ -72,11 +72,40 @@ std::string seedGlb() {
   return test::glb(json, binary);
 }
 
+/// Two clips of all interpolations move a skinned and a morphed mesh.
+std::string seedAnimation() {
+  const std::string json =
+      R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0,"skin":0},{"children":[2]},{"mesh":1,)"
+      R"("translation":[1,0,0]}],"skins":[{"joints":[1,2]}],"meshes":[{"primitives":[{"attributes":)"
+      R"({"POSITION":0,"NORMAL":0,"JOINTS_0":2,"WEIGHTS_0":3},"indices":1}]},{"weights":[0.5],)"
+      R"("primitives":[{"attributes":{"POSITION":0},"indices":1,"targets":[{"POSITION":0}]}]}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},{"bufferView":0,)"
+      R"("byteOffset":48,"componentType":5123,"count":12,"type":"SCALAR"},{"bufferView":1,)"
+      R"("componentType":5121,"count":4,"type":"VEC4"},{"bufferView":1,"byteOffset":16,)"
+      R"("componentType":5121,"normalized":true,"count":4,"type":"VEC4"},{"bufferView":2,)"
+      R"("componentType":5126,"count":2,"type":"SCALAR"},{"bufferView":2,"byteOffset":8,)"
+      R"("componentType":5126,"count":2,"type":"VEC3"},{"bufferView":2,"componentType":5126,)"
+      R"("count":2,"type":"VEC4"},{"bufferView":2,"componentType":5126,"count":6,"type":"SCALAR"}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":72},{"buffer":0,"byteOffset":72,"byteLength":32},)"
+      R"({"buffer":0,"byteOffset":104,"byteLength":32}],"animations":[{"name":"a","samplers":[)"
+      R"({"input":4,"output":5},{"input":4,"output":6,"interpolation":"STEP"},{"input":4,"output":7,)"
+      R"("interpolation":"CUBICSPLINE"}],"channels":[{"sampler":0,"target":{"node":1,"path":)"
+      R"("translation"}},{"sampler":1,"target":{"node":1,"path":"rotation"}},{"sampler":2,"target":)"
+      R"({"node":2,"path":"weights"}}]},{"samplers":[{"input":4,"output":5}],"channels":[{"sampler":)"
+      R"(0,"target":{"node":2,"path":"scale"}}]}],"buffers":[{"byteLength":136}]})";
+  std::string binary = test::raw<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) +
+                       test::raw<std::uint16_t>({0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+  for (int i = 0; i < 32; ++i) binary += i % 4 == 0 ? '\1' : '\0';
+  return test::glb(json, binary + test::raw<float>({0, 1, 0, 0, 0.5F, 1, 1, 1}));
+}
+
 std::string seedToml() {
   return "model = 'seed.ply'\ndiagonal_mm = 20\n[media.soap]\nsigma_s_per_mm = [1, 2, 3]\n"
          "sigma_a_per_mm = [0.1, 0.1, 0.1]\n[objects.seed]\nmedium = 'soap'\nscale = 2\n"
          "rotation_degrees = [1, 2, 3]\n[[lights]]\ntype = 'point'\nposition_mm = [1, 2, 3]\n"
-         "intensity = 4\n[camera]\ndirection = [0, 1, 1]\n[render]\nsize = [64, 64]\n";
+         "intensity = 4\n[camera]\ndirection = [0, 1, 1]\n[[deform]]\nkind = 'twist'\namount = "
+         "0.5\n"
+         "period_seconds = 2\n[render]\nsize = [64, 64]\nseconds = 1\n";
 }
 
 std::string mutated(std::string bytes, std::mt19937& random) {
@@ -146,7 +175,8 @@ TEST_P(Mutations, LoadSoundlyOrAreRefused) {
 INSTANTIATE_TEST_SUITE_P(Formats, Mutations,
                          testing::Values(Seed{"ascii.ply", seedPly},
                                          Seed{"binary.ply", seedBinaryPly}, Seed{"a.obj", seedObj},
-                                         Seed{"a.glb", seedGlb}, Seed{"a.toml", seedToml}));
+                                         Seed{"a.glb", seedGlb}, Seed{"moving.glb", seedAnimation},
+                                         Seed{"a.toml", seedToml}));
 
 }  // namespace
 }  // namespace opaline

@@ -65,7 +65,8 @@ inline double signedVolume(const std::vector<Vec3>& p, const std::vector<Triangl
 /// The edges with more than two triangles or two that run the same way, by vertex index.
 std::size_t badEdges(const std::vector<Triangle>& triangles);
 
-/// Every index in range, positions and normals finite, normals of unit length, no empty object.
+/// Every index in range, positions and normals finite, normals of unit length, no empty object;
+/// nodes, tracks and rigs fit each other.
 void expectSound(const Scene& scene);
 
 inline std::size_t countOf(const std::vector<Repair>& repairs, const std::string& what) {

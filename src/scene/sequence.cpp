@@ -1,0 +1,211 @@
+#include "opaline/sequence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <new>
+#include <optional>
+
+#include "opaline/error.h"
+#include "scene/finish.h"
+#include "scene/formats.h"
+#include "scene/matrix.h"
+#include "scene/rig.h"
+#include "scene/same_topology.h"
+#include "scene/text.h"
+
+namespace opaline {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int largestNumber = 999'999;
+
+/// A file name around its number.
+struct Pattern {
+  fs::path folder;
+  std::string before;
+  std::string after;
+  std::size_t width = 0;  ///< padded with zeros to as many digits
+
+  std::string nameOf(int number) const {
+    return fmt::format("{}{:0{}}{}", before, number, width, after);
+  }
+
+  /// The number of a file, if its name is one that nameOf() makes.
+  std::optional<int> numberOf(const std::string& name) const {
+    if (name.size() <= before.size() + after.size() || !name.starts_with(before) ||
+        !name.ends_with(after)) {
+      return std::nullopt;
+    }
+    const char* const begin = name.data() + before.size();
+    const char* const end = name.data() + name.size() - after.size();
+    int number = -1;
+    const auto [stop, problem] = std::from_chars(begin, end, number);
+    if (problem != std::errc() || stop != end || number < 0 || number > largestNumber) {
+      return std::nullopt;
+    }
+    return nameOf(number) == name ? std::optional(number) : std::nullopt;
+  }
+};
+
+bool isDigit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// Where a %d or %0Nd begins and ends, and its N.
+struct Placeholder {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  std::size_t width = 0;
+};
+
+std::optional<Placeholder> nextPlaceholder(const std::string& text, std::size_t from) {
+  for (std::size_t begin = text.find('%', from); begin != std::string::npos;
+       begin = text.find('%', begin + 1)) {
+    std::size_t at = begin + 1;
+    std::size_t width = 0;
+    if (at + 1 < text.size() && text[at] == '0' && isDigit(text[at + 1])) {
+      width = static_cast<std::size_t>(text[at + 1] - '0');
+      at += 2;
+    }
+    if (at < text.size() && text[at] == 'd') return Placeholder{begin, at + 1, width};
+  }
+  return std::nullopt;
+}
+
+std::optional<Pattern> patternIn(const fs::path& path) {
+  const std::string name = path.filename().string();
+  const auto place = nextPlaceholder(name, 0);
+  if (!place || nextPlaceholder(name, place->end)) return std::nullopt;
+  return Pattern{path.parent_path(), name.substr(0, place->begin), name.substr(place->end),
+                 place->width};
+}
+
+std::string shown(const fs::path& path) {
+  return scene::cleanText(path.string(), 1000);
+}
+
+/// Numbers of all files that fit, ascending; the folder is listed once.
+std::vector<int> numbersOf(const Pattern& pattern, const fs::path& path) {
+  const fs::path folder = pattern.folder.empty() ? fs::path(".") : pattern.folder;
+  std::vector<int> numbers;
+  std::error_code problem;
+  for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    const auto number = pattern.numberOf(entry->path().filename().string());
+    if (number) numbers.push_back(*number);
+  }
+  if (problem) {
+    throw Error(fmt::format("{}: its folder cannot be listed: {}", shown(path), problem.message()));
+  }
+  if (numbers.empty()) {
+    throw Error(fmt::format("{}: there is no file of this pattern", shown(path)));
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+}  // namespace
+
+struct MeshSequence::State {
+  Pattern pattern;
+  int first = 0;
+  int last = 0;
+  Scene scene;
+  scene::FaceList faces;
+  std::vector<std::uint32_t> origin;  ///< per vertex of the scene the file's
+  scene::Matrix4 toScene;
+
+  std::filesystem::path file(int number) const { return pattern.folder / pattern.nameOf(number); }
+};
+
+bool MeshSequence::isPattern(const std::filesystem::path& path) {
+  return patternIn(path).has_value();
+}
+
+MeshSequence::MeshSequence(const std::filesystem::path& path, const LoadOptions& options)
+    : state_(std::make_unique<State>()) {
+  scene::requireSensible(options);
+  const auto pattern = patternIn(path);
+  if (!pattern) {
+    throw UsageError(fmt::format(
+        "{}: the name of a sequence has exactly one %d or %04d for the number", shown(path)));
+  }
+  state_->pattern = *pattern;
+  const std::vector<int> numbers = numbersOf(*pattern, path);
+  state_->first = state_->last = numbers.front();
+  for (const int number : numbers) state_->last += number == state_->last + 1 ? 1 : 0;
+  const fs::path file = state_->file(state_->first);
+  try {
+    scene::RawScene raw = scene::loadModel(file, options.log);
+    scene::RawMesh& mesh = scene::onlyStillObject(raw, shown(file), "a sequence of meshes").mesh;
+    state_->faces = scene::faceListOf(mesh);
+    // Repairs and scales the rig with the mesh; what comes of it is what the next frames need.
+    scene::startProvenance(mesh);
+    raw.objects[0].rig = Rig{};
+    raw.objects[0].rig->positions = mesh.positions;
+    raw.objects[0].rig->normals.resize(mesh.positions.size());
+    raw.nodes.resize(1);
+    std::vector<Repair> repairs;
+    raw = scene::inMillimetres(std::move(raw), file, !options.diagonalMm, options.log, repairs);
+    for (const scene::Provenance& of : raw.objects[0].mesh.provenance) {
+      state_->origin.push_back(of.vertex);
+    }
+    state_->scene = scene::finished(std::move(raw), file, std::move(repairs), options);
+  } catch (const std::bad_alloc&) {
+    throw Error(fmt::format("{}: there is not enough memory to load it", shown(file)));
+  }
+  Object& object = state_->scene.objects[0];
+  state_->toScene = scene::matrixFrom(object.rig->toScene);
+  object.rig.reset();
+  state_->scene.nodes.clear();
+}
+
+MeshSequence::~MeshSequence() = default;
+MeshSequence::MeshSequence(MeshSequence&&) noexcept = default;
+MeshSequence& MeshSequence::operator=(MeshSequence&&) noexcept = default;
+
+const Scene& MeshSequence::scene() const {
+  return state_->scene;
+}
+int MeshSequence::firstNumber() const {
+  return state_->first;
+}
+int MeshSequence::lastNumber() const {
+  return state_->last;
+}
+std::filesystem::path MeshSequence::file(int number) const {
+  return state_->file(number);
+}
+
+void MeshSequence::read(int number, std::vector<Vec3>& positionsMm) const {
+  const fs::path file = state_->file(number);
+  try {
+    scene::RawScene raw = scene::loadModel(file, {});
+    const scene::RawMesh& mesh =
+        scene::onlyStillObject(raw, shown(file), "a sequence of meshes").mesh;
+    const std::string difference = scene::differenceOf(state_->faces, scene::faceListOf(mesh));
+    if (!difference.empty()) {
+      throw Error(fmt::format("{} differs from {} in more than positions: {}", shown(file),
+                              shown(state_->file(state_->first)), difference));
+    }
+    positionsMm.resize(state_->origin.size());
+    for (std::size_t v = 0; v < positionsMm.size(); ++v) {
+      const Vec3& from = mesh.positions[state_->origin[v]];
+      positionsMm[v] = scene::toFloat(state_->toScene.point(scene::toDouble(from)));
+      if (!scene::isFinite(positionsMm[v])) {
+        throw Error(fmt::format("{}: the position of vertex {} is not finite", shown(file),
+                                state_->origin[v]));
+      }
+    }
+  } catch (const std::bad_alloc&) {
+    throw Error(fmt::format("{}: there is not enough memory to load it", shown(file)));
+  }
+}
+
+}  // namespace opaline

@@ -1,0 +1,104 @@
+#include "scene/toml_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "scene/text.h"
+
+namespace opaline::scene {
+
+namespace {
+
+using Keys = std::string_view;
+
+std::optional<float> asFloat(std::optional<double> value) {
+  return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
+}
+
+/// "1024x1024", as it is typed on the command line.
+std::optional<std::array<int, 2>> sizeFromText(std::string_view text) {
+  std::array<int, 2> edges{};
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, edges[0]);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+  const auto height = std::from_chars(width.ptr + 1, end, edges[1]);
+  if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
+  return edges;
+}
+
+void readSize(const TomlTable& table, SceneFileSettings& settings) {
+  constexpr const char* hint = "must be \"WIDTHxHEIGHT\" or [WIDTH, HEIGHT], each in [1, 16384]";
+  if (!table.has("size")) return;
+  std::array<int, 2> edges{};
+  if (table.holdsText("size")) {
+    edges = sizeFromText(*table.text("size")).value_or(edges);
+  } else {
+    const auto numbers = table.numbers("size", 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double edge = (*numbers)[i];
+      if (std::abs(edge) <= 1e6 && edge == std::floor(edge)) edges[i] = static_cast<int>(edge);
+    }
+  }
+  for (const int edge : edges) {
+    if (edge < 1 || edge > 16384) table.fail("size", hint);
+  }
+  settings.width = edges[0];
+  settings.height = edges[1];
+}
+
+}  // namespace
+
+SceneFileSettings readSettings(const TomlTable& root) {
+  constexpr std::array<Keys, 17> keys{
+      "size",         "transport", "sum",         "site",     "near_rings", "near_spacing",
+      "far_distance", "dsm_size",  "shadow_size", "specular", "roughness",  "antialias",
+      "exposure",     "tone",      "device",      "seconds",  "clip"};
+  constexpr std::array<Keys, 2> transports{"dipole", "better-dipole"};
+  constexpr std::array<Keys, 2> sums{"pattern", "all"};
+  constexpr std::array<Keys, 3> sites{"auto", "vertex", "fragment"};
+  constexpr std::array<Keys, 2> tones{"neutral", "none"};
+  SceneFileSettings settings;
+  const auto table = root.table("render");
+  if (!table) return settings;
+  table->requireKeys(keys);
+  readSize(*table, settings);
+  settings.transport = table->choice("transport", transports);
+  settings.sum = table->choice("sum", sums);
+  settings.site = table->choice("site", sites);
+  settings.nearRings = table->integer("near_rings", 0, 15);
+  settings.nearSpacing = asFloat(table->number("near_spacing", 1e-3, 100));
+  settings.farDistance = asFloat(table->number("far_distance", 1e-3, 1000));
+  settings.dsmSize = table->integer("dsm_size", 64, 4096);
+  settings.shadowSize = table->integer("shadow_size", 64, 8192);
+  settings.specular = table->flag("specular");
+  settings.roughness = asFloat(table->number("roughness", 0.05, 1));
+  settings.antialias = table->integer("antialias", 1, 8);
+  if (settings.antialias && (*settings.antialias & (*settings.antialias - 1)) != 0) {
+    table->fail("antialias", "must be 1, 2, 4 or 8");
+  }
+  settings.exposureStops = asFloat(table->number("exposure", -32, 32));
+  settings.tone = table->choice("tone", tones);
+  settings.device = table->text("device");
+  settings.seconds = table->number("seconds", 0, 1e6);
+  settings.clip = table->text("clip");
+  return settings;
+}
+
+void requireClip(const TomlTable& root, const LoadedScene& loaded) {
+  const std::optional<std::string>& wanted = loaded.settings.clip;
+  if (!wanted) return;
+  std::vector<std::string_view> names;
+  for (const Clip& clip : loaded.scene.clips) names.emplace_back(clip.name);
+  if (std::find(names.begin(), names.end(), *wanted) != names.end()) return;
+  const auto known = nearest(*wanted, names);
+  root.table("render")->fail(
+      "clip", known ? fmt::format("names no clip of the model; the nearest is '{}'", *known)
+                    : "names a clip, but the model has none");
+}
+
+}  // namespace opaline::scene
