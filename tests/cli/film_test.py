@@ -141,6 +141,63 @@ class Resume(Film):
         self.assertEqual((run.json()["frame_ms"], run.json()["outputs"]), (None, ["f0.png", "f1.png"]))
 
 
+def dented(height):
+    """An octahedron, one side of which is a pyramid; all of them have one box and one topology."""
+    corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1), (height, height, height)]
+    sides = [(0, 2, 6), (2, 4, 6), (4, 0, 6), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5),
+             (0, 3, 5)]
+    header = ("ply\nformat ascii 1.0\nelement vertex 7\nproperty float x\nproperty float y\nproperty float z\n"
+              "element face 10\nproperty list uchar int vertex_indices\nend_header\n")
+    return header + "".join(f"{x} {y} {z}\n" for x, y, z in corners) + "".join(f"3 {a} {b} {c}\n" for a, b, c in sides)
+
+
+class Sequence(Film):
+    HEIGHTS = (.34, .45, .6, .5)
+    OPTIONS = ("--size", "24x16", "--dsm-size", 64, "--shadow-size", 64, "--fov-degrees", 50)
+
+    def setUp(self):
+        super().setUp()
+        for number, height in enumerate(self.HEIGHTS):
+            self.write(f"m_{number + 7:02}.ply", dented(height))
+
+    def test_each_frame_shows_its_file(self):
+        run = self.succeed("render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:3", "--aov", "depth", "-o", "f%d.exr")
+        self.assertNotIn("nothing in the scene moves", run.err)
+        for frame in range(4):
+            self.succeed("render", f"m_{frame + 7:02}.ply", *self.OPTIONS, "--aov", "depth", "-o", "alone.exr")
+            got, wanted = read_exr(self.bytes_of(f"f{frame}.exr")), read_exr(self.bytes_of("alone.exr"))
+            for a, b in zip(got.pixels(), wanted.pixels(), strict=True):
+                self.assertEqual(a[3], b[3])
+                self.assertAlmostEqual(a[0], b[0], delta=1e-4 * b[0])
+        self.assertNotEqual(self.bytes_of("f0.exr"), self.bytes_of("f2.exr"))
+
+    def test_stills_and_what_is_left_of_a_film(self):
+        film = ("render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:3", "-o", "f%d.png")
+        self.succeed(*film)
+        before = [self.bytes_of(f"f{frame}.png") for frame in range(4)]
+        self.succeed("render", "m_%02d.ply", *self.OPTIONS, "--time", 2 / 30, "-o", "still.png")
+        self.assertEqual(self.bytes_of("still.png"), before[2])
+        for frame in (1, 3):
+            (self.folder / f"f{frame}.png").unlink()
+        self.succeed(*film, "--resume")
+        self.assertEqual([self.bytes_of(f"f{frame}.png") for frame in range(4)], before)
+
+    def test_names_follow_the_pattern(self):
+        self.succeed("render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:0")
+        self.succeed("render", "m_%02d.ply", *self.OPTIONS)
+        self.assertEqual([name for name in self.listing() if name.endswith(".png")], ["m.png", "m_0000.png"])
+
+    def test_beyond_the_last(self):
+        self.refused(2, "render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:4", "-o", "f%d.png",
+                     says=("frame 4", "4 files", "m_10.ply"))
+        self.refused(2, "render", "m_%02d.ply", *self.OPTIONS, "--time", 1, "-o", "a.png", says="m_10.ply")
+        self.refused(1, "render", "no_%02d.ply", *self.OPTIONS, "-o", "a.png", says="no_")
+
+    def test_a_file_that_does_not_fit_ends_it(self):
+        self.write("m_09.ply", dented(.5).replace("3 0 3 5", "3 0 3 4"))
+        self.refused(1, "render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:3", "-o", "f%d.png", says="m_09.ply")
+
+
 class Mp4(Film):
     def probe(self, name, entries):
         done = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
