@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "deform/deformed_mesh.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "shaders/shared/deform.h"
@@ -14,10 +15,6 @@
 namespace opaline {
 
 namespace {
-
-bool movesWithoutNormals(const MorphTarget& target) {
-  return target.normals.empty() && !target.positions.empty();
-}
 
 std::vector<shared::RestVertex> restVertices(const Scene& scene) {
   std::vector<shared::RestVertex> rest;
@@ -158,10 +155,7 @@ std::vector<ObjectRange> rangesOf(const Scene& scene) {
     next.weightCount = object.rig ? static_cast<std::uint32_t>(object.rig->targets.size()) : 0;
     next.matrixCount =
         object.rig ? std::max(static_cast<std::uint32_t>(object.rig->joints.size()), 1U) : 0;
-    next.normalsFromMesh =
-        object.mesh.facetted ||
-        (object.rig &&
-         std::any_of(object.rig->targets.begin(), object.rig->targets.end(), movesWithoutNormals));
+    next.normalsFromMesh = deform::normalsFromTriangles(object);
     ranges.push_back(next);
     next.firstVertex += next.vertexCount;
     next.firstWeight += next.weightCount;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "deform/deformer.h"
 #include "gpu/device.h"
 #include "opaline/renderer.h"
 
@@ -41,18 +41,10 @@ std::size_t uploadBytes(const gpu::Device& device, const std::vector<ObjectRange
          ranges.size() * sizeof(shared::ObjectMotion) + parts * slack;
 }
 
-double fraction(double value) {
-  return value - std::floor(value);
-}
-
-// The amount at that time, and the phase of what travels; see DeformerKind.
-shared::vec4 amountAt(const Deformer& deformer, double seconds) {
+// How far a wobble's wave has travelled, in periods.
+float phaseAt(const Deformer& deformer, double seconds) {
   const double period = deformer.periodSeconds > 0 ? double{deformer.periodSeconds} : 1.0;
-  const double phase = fraction(seconds / period);
-  const bool swings = deformer.kind != DeformerKind::Wobble && deformer.periodSeconds > 0;
-  const double amount =
-      double{deformer.amount} * (swings ? std::sin(2 * std::numbers::pi * phase) : 1.0);
-  return {static_cast<float>(amount), static_cast<float>(phase), 0, 0};
+  return static_cast<float>(std::fmod(seconds / period, 1.0));
 }
 
 void addRows(const scene::Matrix4& matrix, std::vector<shared::vec4>& rows, std::size_t first) {
@@ -94,10 +86,10 @@ SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const MergedMe
 void SceneMotion::fillFrame(double seconds) {
   for (std::uint32_t i = 0; i < frame_.counts.y; ++i) {
     shared::DeformerData& data = frame_.deformers[i];
-    const shared::vec4 amount = amountAt(scene_.deformers[i], seconds);
-    data.kind.x = static_cast<std::uint32_t>(scene_.deformers[i].kind);
-    data.amount.x = amount.x;
-    data.amount.y = amount.y;
+    const Deformer& deformer = scene_.deformers[i];
+    data.kind.x = static_cast<std::uint32_t>(deformer.kind);
+    data.amount.x = static_cast<float>(deform::amountAt(deformer, seconds));
+    data.amount.y = phaseAt(deformer, seconds);
   }
   motion_.normalsFromMesh = false;
   for (std::size_t i = 0; i < objects_.size(); ++i) {

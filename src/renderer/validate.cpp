@@ -113,6 +113,7 @@ void validate(const Scene& scene) {
     triangles += object.mesh.triangles.size();
   }
   if (triangles == 0) throw Error(fmt::format("scene '{}' has no triangles", scene.name));
+  validateMotion(scene);
   validateLighting(scene.lighting);
   const Camera& camera = scene.camera;
   if (!finite(camera.positionMm) || !finite(camera.targetMm) || !finite(camera.up) ||

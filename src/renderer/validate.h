@@ -12,4 +12,7 @@ void validate(const RenderOptions& options);
 /// that are not finite, media out of range, more lights than there may be.
 void validate(const Scene& scene);
 
+/// The part of it that speaks of nodes, clips, rigs and deformers.
+void validateMotion(const Scene& scene);
+
 }  // namespace opaline

@@ -52,6 +52,10 @@ TEST_F(RobustnessTest, OptionsOutOfRangeAreRefused) {
       changed([](RenderOptions& o) { o.pattern.nearSpacing = 0; }),
       changed([](RenderOptions& o) { o.pattern.nearSpacing = nan; }),
       changed([](RenderOptions& o) { o.pattern.farDistance = 1001; }),
+      changed([](RenderOptions& o) { o.seconds = -1; }),
+      changed([](RenderOptions& o) { o.seconds = static_cast<double>(nan); }),
+      changed([](RenderOptions& o) { o.clip = 1; }),
+      changed([](RenderOptions& o) { o.clip = -2; }),
   };
   for (std::size_t i = 0; i < wrong.size(); ++i)
     EXPECT_THROW(renderer().render(wrong[i]), UsageError) << i;
@@ -94,6 +98,81 @@ TEST_F(RobustnessTest, ScenesThatMakeNoSenseAreRefused) {
   };
   for (std::size_t i = 0; i < wrong.size(); ++i)
     EXPECT_THROW(renderer().setScene(wrong[i]), Error) << i;
+}
+
+/// The ball on one joint with one clip.
+Scene riggedBall() {
+  Scene scene = ball();
+  Object& object = scene.objects[0];
+  Node node;
+  node.morphWeights = {1};
+  scene.nodes = {node};
+  Rig rig;
+  rig.positions = object.mesh.positionsMm;
+  rig.normals = object.mesh.normals;
+  rig.targets = {{rig.positions, {}}};
+  rig.joints.resize(1);
+  for (std::uint32_t v = 0; v <= rig.positions.size(); ++v) rig.firstInfluence.push_back(v);
+  rig.influences.assign(rig.positions.size(), {0, 1});
+  object.rig = rig;
+  scene.clips = {
+      {"clip", 1, {{0, TrackTarget::Scale, Interpolation::Linear, {0, 1}, {1, 1, 1, 2, 2, 2}}}}};
+  return scene;
+}
+
+template <typename Change>
+Scene changedRig(const Change& change) {
+  Scene scene = riggedBall();
+  change(scene, *scene.objects[0].rig);
+  return scene;
+}
+
+TEST_F(RobustnessTest, MotionThatMakesNoSenseIsRefused) {
+  const std::vector<Scene> wrong{
+      changedRig([](Scene&, Rig& rig) { rig.node = 1; }),
+      changedRig([](Scene&, Rig& rig) { rig.positions.pop_back(); }),
+      changedRig([](Scene&, Rig& rig) { rig.normals.clear(); }),
+      changedRig([](Scene&, Rig& rig) { rig.positions[3][0] = nan; }),
+      changedRig([](Scene&, Rig& rig) { rig.targets[0].positions.pop_back(); }),
+      changedRig([](Scene&, Rig& rig) { rig.targets[0].normals.resize(1); }),
+      changedRig([](Scene&, Rig& rig) { rig.firstInfluence.pop_back(); }),
+      changedRig([](Scene&, Rig& rig) { rig.firstInfluence[5] = 1'000'000; }),
+      changedRig([](Scene&, Rig& rig) { rig.influences[2].joint = 1; }),
+      changedRig([](Scene&, Rig& rig) { rig.influences[2].weight = infinity; }),
+      changedRig([](Scene&, Rig& rig) { rig.joints[0].node = 9; }),
+      changedRig([](Scene&, Rig& rig) { rig.joints[0].inverseBind.columns[1][1] = nan; }),
+      changedRig([](Scene&, Rig& rig) { rig.toScene.columns[3][0] = infinity; }),
+      changedRig([](Scene& s, Rig&) { s.nodes[0].parent = 0; }),
+      changedRig([](Scene& s, Rig&) { s.nodes[0].parent = -2; }),
+      changedRig([](Scene& s, Rig&) { s.nodes[0].rotation[3] = nan; }),
+      changedRig([](Scene& s, Rig&) { s.clips[0].seconds = nan; }),
+      changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].node = 1; }),
+      changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].seconds = {1, 0}; }),
+      changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].seconds.clear(); }),
+      changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].values.pop_back(); }),
+      changedRig([](Scene& s, Rig&) { s.clips[0].tracks[0].values[0] = nan; }),
+      changedRig([](Scene& s, Rig&) { s.deformers.resize(9); }),
+      changedRig([](Scene& s, Rig&) { s.deformers = {{DeformerKind::Twist, nan, 0}}; }),
+      changedRig([](Scene& s, Rig&) { s.deformers = {{DeformerKind::Squash, 1, 0}}; }),
+      changedRig([](Scene& s, Rig&) { s.deformers = {{DeformerKind::Bend, 1, -1}}; }),
+  };
+  EXPECT_NO_THROW(renderer().setScene(riggedBall()));
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+    EXPECT_THROW(renderer().setScene(wrong[i]), Error) << i;
+}
+
+// A body that has shrunk to a point, or grown beyond what floats hold, is no NaN.
+TEST_F(RobustnessTest, MotionWithoutMeasureIsBorne) {
+  Scene scene = riggedBall();
+  for (const float scale : {0.0F, 1e-20F, 1e20F, 3e38F}) {
+    scene.clips[0].tracks[0].values = {scale, scale, scale, 1, 1, 1};
+    for (const Site site : {Site::Vertex, Site::Fragment}) {
+      RenderOptions options = smallOptions();
+      options.site = site;
+      for (const Image& image : render(scene, options, {Aov::Radiance, Aov::Exitance}))
+        for (const float value : image.rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0);
+    }
+  }
 }
 
 TEST_F(RobustnessTest, NothingIsRenderedWithoutAScene) {

@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "opaline/error.h"
+#include "renderer/validate.h"
+#include "shaders/shared/deform.h"
+
+namespace opaline {
+
+namespace {
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& what) {
+  throw Error(fmt::format("scene '{}': {}", scene.name, what));
+}
+
+template <typename T>
+bool finite(const T& values) {
+  return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
+}
+
+bool finite(const std::vector<Vec3>& list) {
+  return std::all_of(list.begin(), list.end(), [](const Vec3& v) { return finite(v); });
+}
+
+bool finite(const Affine& map) {
+  return std::all_of(map.columns.begin(), map.columns.end(),
+                     [](const Vec3& column) { return finite(column); });
+}
+
+void validateNodes(const Scene& scene) {
+  for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
+    const Node& node = scene.nodes[n];
+    if (node.parent < -1 || (node.parent >= 0 && static_cast<std::size_t>(node.parent) >= n))
+      refuse(scene, fmt::format("the parent of node {} is {}, but must be an earlier one or -1", n,
+                                node.parent));
+    if (!finite(node.translation) || !finite(node.rotation) || !finite(node.scale) ||
+        !finite(node.morphWeights) || (node.matrix && !finite(*node.matrix)))
+      refuse(scene, fmt::format("node {} has numbers that are not finite", n));
+  }
+}
+
+std::size_t partsOfKey(const Track& track) {
+  return track.interpolation == Interpolation::CubicSpline ? 3 : 1;
+}
+
+// A track of weights has as many as it says.
+std::size_t valuesOfPart(const Track& track) {
+  if (track.target == TrackTarget::Rotation) return 4;
+  if (track.target != TrackTarget::MorphWeights) return 3;
+  return track.values.size() / (partsOfKey(track) * track.seconds.size());
+}
+
+void validateTrack(const Scene& scene, const Clip& clip, const Track& track) {
+  if (track.node >= scene.nodes.size())
+    refuse(scene,
+           fmt::format("clip '{}' moves node {}, which does not exist", clip.name, track.node));
+  if (track.seconds.empty() || !finite(track.seconds) || !finite(track.values) ||
+      !std::is_sorted(track.seconds.begin(), track.seconds.end()))
+    refuse(scene, fmt::format("clip '{}' has a track whose times are not finite and ascending",
+                              clip.name));
+  if (track.values.size() != partsOfKey(track) * track.seconds.size() * valuesOfPart(track))
+    refuse(scene, fmt::format("clip '{}' has a track of {} keys with {} values", clip.name,
+                              track.seconds.size(), track.values.size()));
+}
+
+void validateSkin(const Scene& scene, const Object& object, const Rig& rig) {
+  if (rig.joints.empty()) return;
+  const std::size_t vertices = rig.positions.size();
+  if (rig.firstInfluence.size() != vertices + 1 || rig.firstInfluence.front() != 0 ||
+      rig.firstInfluence.back() != rig.influences.size() ||
+      !std::is_sorted(rig.firstInfluence.begin(), rig.firstInfluence.end()))
+    refuse(scene, fmt::format("the influences of object '{}' do not fit its {} vertices",
+                              object.name, vertices));
+  for (const Influence& influence : rig.influences)
+    if (influence.joint >= rig.joints.size() || !std::isfinite(influence.weight))
+      refuse(scene, fmt::format("object '{}' has an influence of joint {} with weight {}, but {} "
+                                "joints",
+                                object.name, influence.joint, influence.weight, rig.joints.size()));
+  for (const Joint& joint : rig.joints)
+    if (joint.node >= scene.nodes.size() || !finite(joint.inverseBind))
+      refuse(scene,
+             fmt::format("a joint of object '{}' is node {}, which does not exist, or is not "
+                         "finite",
+                         object.name, joint.node));
+}
+
+void validateRig(const Scene& scene, const Object& object, const Rig& rig) {
+  const std::size_t vertices = object.mesh.positionsMm.size();
+  const auto fits = [&](const std::vector<Vec3>& list, bool mayBeEmpty) {
+    return (list.size() == vertices || (mayBeEmpty && list.empty())) && finite(list);
+  };
+  if (rig.node >= scene.nodes.size())
+    refuse(scene, fmt::format("object '{}' hangs on node {}, which does not exist", object.name,
+                              rig.node));
+  bool whole = fits(rig.positions, false) && fits(rig.normals, false) && finite(rig.toScene);
+  for (const MorphTarget& target : rig.targets)
+    whole = whole && fits(target.positions, true) && fits(target.normals, true);
+  if (!whole)
+    refuse(scene, fmt::format("the rig of object '{}' needs finite positions and normals for each "
+                              "of its {} vertices, and so do its morph targets",
+                              object.name, vertices));
+  validateSkin(scene, object, rig);
+}
+
+}  // namespace
+
+void validateMotion(const Scene& scene) {
+  validateNodes(scene);
+  for (const Clip& clip : scene.clips) {
+    if (!(clip.seconds >= 0) || !std::isfinite(clip.seconds))
+      refuse(scene, fmt::format("clip '{}' is {} s long", clip.name, clip.seconds));
+    for (const Track& track : clip.tracks) validateTrack(scene, clip, track);
+  }
+  for (const Object& object : scene.objects)
+    if (object.rig) validateRig(scene, object, *object.rig);
+  if (scene.deformers.size() > shared::maxDeformers)
+    throw UsageError(fmt::format("there are {} deformers, but there may be {}",
+                                 scene.deformers.size(), shared::maxDeformers));
+}
+
+}  // namespace opaline

@@ -1,0 +1,148 @@
+// The frame loop takes no memory from the heap once it has warmed up. A program of its own, because
+// it replaces the allocator.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "renderer/shapes.h"
+
+namespace {
+
+thread_local bool counting = false;
+thread_local std::size_t allocations = 0;
+
+void* counted(std::size_t bytes, std::size_t alignment) {
+  if (counting) ++allocations;
+  void* memory = alignment == 0 ? std::malloc(bytes == 0 ? 1 : bytes)
+                                : std::aligned_alloc(
+                                      alignment, (bytes + alignment - 1) / alignment * alignment);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+// The forms for arrays and without exceptions call these.
+void* operator new(std::size_t bytes) {
+  return counted(bytes, 0);
+}
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return counted(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+namespace opaline {
+namespace {
+
+using namespace test;
+
+constexpr int warmUp = 4;
+constexpr int steady = 6;
+
+Scene moving() {
+  Scene scene = sceneOf(sphere({0, 0, 0}, 5, 3), marble(), {0, 0, 25}, 6);
+  scene.lighting.directional = {{{0.3F, 0.5F, 0.8F}, {1, 1, 1}}};
+  scene.lighting.points = {{{20, 0, 0}, {100, 100, 100}}};
+  scene.deformers = {{DeformerKind::Wobble, 0.05F, 1}, {DeformerKind::Squash, 0.3F, 0.7F}};
+  Node node;
+  node.morphWeights = {0};
+  scene.nodes = {node};
+  Rig rig;
+  rig.positions = scene.objects[0].mesh.positionsMm;
+  rig.normals = scene.objects[0].mesh.normals;
+  rig.targets.resize(1);
+  for (const Vec3& p : rig.positions) rig.targets[0].positions.push_back({0, p[0], 0});
+  rig.joints.resize(1);
+  for (std::uint32_t v = 0; v <= rig.positions.size(); ++v) {
+    rig.firstInfluence.push_back(v);
+    if (v < rig.positions.size()) rig.influences.push_back({0, 1});
+  }
+  scene.objects[0].rig = rig;
+  scene.clips = {
+      {"all",
+       2,
+       {{0, TrackTarget::MorphWeights, Interpolation::Linear, {0, 2}, {0, 1}},
+        {0, TrackTarget::Rotation, Interpolation::CubicSpline, {0, 2}, {0, 0, 0, 0, 0, 0, 0, 1,
+                                                                        0, 0, 0, 0, 0, 0, 0, 0,
+                                                                        0, 1, 0, 0, 0, 0, 0, 0}}}}};
+  return scene;
+}
+
+/// Allocations of this thread in the frames after the warm-up.
+template <typename BeforeFrame>
+std::size_t allocationsOfSteadyFrames(Renderer& renderer, RenderOptions options,
+                                      const std::vector<Aov>& aovs, const BeforeFrame& before) {
+  Frame frame;
+  allocations = 0;
+  for (int i = 0; i < warmUp + steady; ++i) {
+    options.seconds = 0.1 * i;
+    counting = i >= warmUp;
+    before();
+    renderer.submit(options, aovs);
+    if (i > 0) renderer.collect(frame);
+    counting = false;
+  }
+  renderer.collect(frame);
+  return allocations;
+}
+
+TEST(AllocationTest, SteadyFramesAllocateNothing) {
+  Renderer renderer;
+  const Scene scene = moving();
+  renderer.setScene(scene);
+  RenderOptions options;
+  options.width = options.height = 48;
+  options.dsmSize = 128;
+  options.shadowSize = 128;
+  for (const Sum sum : {Sum::Pattern, Sum::All})
+    for (const Site site : {Site::Vertex, Site::Fragment}) {
+      options.sum = sum;
+      options.site = site;
+      const auto nothing = [] {};
+      EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {}, nothing), 0U);
+      EXPECT_EQ(allocationsOfSteadyFrames(
+                    renderer, options,
+                    {Aov::Radiance, Aov::Exitance, Aov::Irradiance, Aov::DsmArea}, nothing),
+                0U);
+    }
+}
+
+TEST(AllocationTest, GivenPositionsAllocateNothing) {
+  Renderer renderer;
+  const Scene scene = moving();
+  renderer.setScene(scene);
+  RenderOptions options;
+  options.width = options.height = 48;
+  options.dsmSize = 128;
+  options.shadowSize = 128;
+  const auto give = [&] { renderer.replacePositions(0, scene.objects[0].mesh.positionsMm); };
+  EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {Aov::Radiance}, give), 0U);
+}
+
+TEST(AllocationTest, TheCounterCounts) {
+  allocations = 0;
+  counting = true;
+  delete new int(3);
+  const std::vector<double> numbers(7);
+  counting = false;
+  EXPECT_GE(allocations + numbers.size(), 8U);
+}
+
+}  // namespace
+}  // namespace opaline
