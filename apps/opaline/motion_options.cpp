@@ -81,6 +81,17 @@ FrameRange readFrames(const Given& given) {
   return frames;
 }
 
+int findClip(const Given& given, const Scene& scene) {
+  Choices<int> choices{{noClip, -1}};
+  for (const Clip& clip : scene.clips) {
+    choices.emplace_back(clip.name, static_cast<int>(choices.size()) - 1);
+  }
+  if (choices.size() == 1 && given.text != noClip) {
+    throw UsageError(fmt::format("{} {}: the scene has no clips", given.option, given.text));
+  }
+  return readChoice(given, choices);
+}
+
 bool moves(const Deformer& deformer) {
   return deformer.amount != 0 &&
          (deformer.kind == DeformerKind::Wobble || deformer.periodSeconds > 0);
@@ -121,17 +132,14 @@ void MotionOptions::applyTo(Scene& scene) const {
   scene.deformers.insert(scene.deformers.end(), deformers_.begin(), deformers_.end());
 }
 
-void MotionOptions::applyTo(RenderOptions& options, const Scene& scene) const {
-  options.seconds = seconds_.value_or(0);
-  if (!clip_) return;
-  Choices<int> choices{{noClip, -1}};
-  for (const Clip& clip : scene.clips) {
-    choices.emplace_back(clip.name, static_cast<int>(choices.size()) - 1);
+void MotionOptions::applyTo(RenderOptions& options, const Scene& scene,
+                            const scene::SceneFileSettings& settings) const {
+  options.seconds = seconds_.value_or(settings.seconds.value_or(0));
+  if (clip_) {
+    options.clip = findClip({"--clip", *clip_}, scene);
+  } else if (settings.clip) {
+    options.clip = findClip({"[render] clip", *settings.clip}, scene);
   }
-  if (choices.size() == 1 && *clip_ != noClip) {
-    throw UsageError(fmt::format("--clip {}: the scene has no clips", *clip_));
-  }
-  options.clip = readChoice(Given{"--clip", *clip_}, choices);
 }
 
 bool moves(const Scene& scene, int clip) {

@@ -7,6 +7,7 @@
 #include "command_line.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "scene/scene_settings.h"
 
 namespace opaline::app {
 
@@ -32,8 +33,10 @@ class MotionOptions {
 
   /// Appends the deformers that were asked for.
   void applyTo(Scene& scene) const;
-  /// Sets time and clip. Throws UsageError for a clip that the scene does not have.
-  void applyTo(RenderOptions& options, const Scene& scene) const;
+  /// Sets time and clip: what was asked for, else what the scene file says. Throws UsageError for a
+  /// clip that the scene does not have.
+  void applyTo(RenderOptions& options, const Scene& scene,
+               const scene::SceneFileSettings& settings) const;
 
  private:
   std::optional<double> seconds_;

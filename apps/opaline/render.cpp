@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include "output.h"
 #include "paths.h"
 #include "picture_options.h"
+#include "positions_ahead.h"
 #include "render_report.h"
 #include "scene_options.h"
 
@@ -90,21 +92,38 @@ struct Job {
   scene::SceneFileSettings settings;
   RenderOptions options;
   std::filesystem::path output;
+  std::optional<MeshSequence> sequence;
+
+  /// Frame n shows the file of number firstNumber() + n. Throws UsageError beyond the last.
+  int sequenceNumber(int frame) const {
+    if (frame < sequence->frameCount()) return sequence->firstNumber() + frame;
+    throw UsageError(fmt::format("frame {} is beyond the last of the sequence's {} files, {}",
+                                 frame, sequence->frameCount(),
+                                 sequence->file(sequence->lastNumber()).string()));
+  }
+  /// At the usual speed, as a still has no other.
+  int stillNumber() const {
+    const double frame = std::round(options.seconds * FrameRange{}.perSecond);
+    return sequenceNumber(static_cast<int>(frame));
+  }
+  void requireInSequence(const std::optional<FrameRange>& frames) const {
+    if (sequence) static_cast<void>(frames ? sequenceNumber(frames->last) : stillNumber());
+  }
 };
 
 Job prepare(const RenderCommand& command, std::filesystem::path output, const LogCallback& log) {
-  auto [scene, settings] = command.scene.load(log);
+  auto [scene, settings, sequence] = command.scene.load(log);
   RenderOptions options = command.options(settings);
   command.lights.applyTo(scene);
   command.camera.applyTo(scene);
   command.motion.applyTo(scene);
-  command.motion.applyTo(options, scene);
+  command.motion.applyTo(options, scene, settings);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
   if (command.picture.seenByCamera()) {
     const auto note = command.camera.noteOnFraming(scene, options.width, options.height);
     if (note) log(LogLevel::Note, *note);
   }
-  return {std::move(scene), std::move(settings), options, std::move(output)};
+  return {std::move(scene), std::move(settings), options, std::move(output), std::move(sequence)};
 }
 
 std::string onDevice(const DeviceDescription& device) {
@@ -126,6 +145,11 @@ Renderer makeRenderer(const RenderCommand& command, const Job& job, const LogCal
 
 Done makeStill(const RenderCommand& command, const Job& job, const LogCallback& log) {
   Renderer renderer = makeRenderer(command, job, log);
+  if (job.sequence) {
+    std::vector<Vec3> positionsMm;
+    job.sequence->read(job.stillNumber(), positionsMm);
+    renderer.replacePositions(0, positionsMm);
+  }
   const RenderResult result = renderer.render(job.options, {command.picture.aov()});
   writePicture(job.output, result.images.at(0), command.picture.tone(job.settings));
   log(LogLevel::Note,
@@ -148,14 +172,24 @@ Json emptyReportJson(const Job& job, const std::vector<std::string>& outputs) {
   return json;
 }
 
-Done renderMissing(const RenderCommand& command, const Job& job, const FilmOrder& order,
+Done renderMissing(const RenderCommand& command, const Job& job, FilmOrder order,
                    const LogCallback& log) {
-  if (!moves(job.scene, job.options.clip)) {
+  if (!job.sequence && !moves(job.scene, job.options.clip)) {
     log(LogLevel::Note,
         "nothing in the scene moves, so all frames are the same picture; --deform wobble:0.1 makes "
         "it move");
   }
   Renderer renderer = makeRenderer(command, job, log);
+  std::optional<PositionsAhead> positions;
+  if (job.sequence) {
+    positions.emplace(job.sequenceNumber(order.frames.last),
+                      [&](int number, std::vector<Vec3>& positionsMm) {
+                        job.sequence->read(number, positionsMm);
+                      });
+    order.place = [&](Renderer& target, int frame) {
+      target.replacePositions(0, positions->of(job.sequenceNumber(frame)));
+    };
+  }
   const std::size_t made = renderFilm(renderer, order);
   const RenderReport report = renderer.report();
   log(LogLevel::Note,
@@ -205,6 +239,7 @@ void runRender(const Arguments& arguments) {
   if (command.report) core::requireWritable(*command.report);
 
   const Job job = prepare(command, std::move(output), log);
+  job.requireInSequence(frames);
   const Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
   const std::string report = toText(done.report);
   if (command.report) core::writeWhole(*command.report, report);

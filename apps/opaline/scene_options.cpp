@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "core/image_file.h"
 #include "frame_names.h"
@@ -91,7 +92,7 @@ double fovOfWholeBoxDegrees(const Scene& scene, double aspect) {
 }  // namespace
 
 void SceneOptions::addTo(CommandLine& line) {
-  line.positional("SCENE", "a .glb, .gltf, .obj, .ply or .toml file",
+  line.positional("SCENE", ".glb, .gltf, .obj, .ply, .toml, or frame_%04d.ply",
                   [this](const Given& given) { file_ = given.text; });
   line.value("--builtin", "NAME", "bear or teapot, instead of SCENE [bear]",
              [this](const Given& given) {
@@ -112,7 +113,7 @@ std::string SceneOptions::name() const {
   return names ? names->common() : file_->stem().string();
 }
 
-scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
+LoadedScene SceneOptions::load(const LogCallback& log) const {
   if (file_ && builtIn_) {
     throw UsageError(fmt::format("--builtin {} and the scene {} exclude each other", *builtIn_,
                                  file_->string()));
@@ -126,8 +127,14 @@ scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
   options.medium = medium_.medium();
   options.morphTo = morphTo_;
   options.log = log;
-  if (file_) return scene::loadSceneFile(*file_, options);
-  return {builtIn_ == "teapot" ? builtInTeapot(options) : builtInBear(options), {}};
+  if (!file_) return {builtIn_ == "teapot" ? builtInTeapot(options) : builtInBear(options), {}, {}};
+  if (MeshSequence::isPattern(*file_)) {
+    MeshSequence sequence(*file_, options);
+    Scene first = sequence.scene();
+    return {std::move(first), {}, std::move(sequence)};
+  }
+  auto [scene, settings] = scene::loadSceneFile(*file_, options);
+  return {std::move(scene), std::move(settings), {}};
 }
 
 void LightOptions::addTo(CommandLine& line) {

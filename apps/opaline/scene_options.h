@@ -9,9 +9,18 @@
 #include "medium_options.h"
 #include "opaline/log.h"
 #include "opaline/scene.h"
+#include "opaline/sequence.h"
 #include "scene/scene_settings.h"
 
 namespace opaline::app {
+
+/// What SCENE or --builtin stands for.
+struct LoadedScene {
+  Scene scene;
+  scene::SceneFileSettings settings;
+  /// Where SCENE stands for numbered files; `scene` is the first of them.
+  std::optional<MeshSequence> sequence;
+};
 
 /// SCENE or --builtin, its size and its medium.
 class SceneOptions {
@@ -20,7 +29,7 @@ class SceneOptions {
   /// The file's name without folder and extension, or that of the built-in scene.
   std::string name() const;
   /// Reads or makes it. Throws UsageError for a mixture of options that makes no sense.
-  scene::LoadedScene load(const LogCallback& log) const;
+  LoadedScene load(const LogCallback& log) const;
 
  private:
   std::optional<std::filesystem::path> file_;

@@ -1,7 +1,9 @@
 """`render --frames`: numbered pictures and films."""
 
+import base64
 import fcntl
 import json
+import math
 import os
 import pty
 import re
@@ -139,6 +141,131 @@ class Resume(Film):
         self.assertIn("2 of 2 frames were there already", run.err)
         self.assertNotIn("wrote", run.err)
         self.assertEqual((run.json()["frame_ms"], run.json()["outputs"]), (None, ["f0.png", "f1.png"]))
+
+
+def dented(height):
+    """An octahedron, one side of which is a pyramid; all of them have one box and one topology."""
+    corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1), (height, height, height)]
+    sides = [(0, 2, 6), (2, 4, 6), (4, 0, 6), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5),
+             (0, 3, 5)]
+    header = ("ply\nformat ascii 1.0\nelement vertex 7\nproperty float x\nproperty float y\nproperty float z\n"
+              "element face 10\nproperty list uchar int vertex_indices\nend_header\n")
+    return header + "".join(f"{x} {y} {z}\n" for x, y, z in corners) + "".join(f"3 {a} {b} {c}\n" for a, b, c in sides)
+
+
+class Sequence(Film):
+    HEIGHTS = (.34, .45, .6, .5)
+    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--fov-degrees", 50)
+
+    def setUp(self):
+        super().setUp()
+        for number, height in enumerate(self.HEIGHTS):
+            self.write(f"m_{number + 7:02}.ply", dented(height))
+
+    def test_each_frame_shows_its_file(self):
+        run = self.succeed("render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:3", "--aov", "depth", "-o", "f%d.exr")
+        self.assertNotIn("nothing in the scene moves", run.err)
+        for frame in range(4):
+            self.succeed("render", f"m_{frame + 7:02}.ply", *self.OPTIONS, "--aov", "depth", "-o", "alone.exr")
+            got, wanted = read_exr(self.bytes_of(f"f{frame}.exr")), read_exr(self.bytes_of("alone.exr"))
+            for a, b in zip(got.pixels(), wanted.pixels(), strict=True):
+                self.assertEqual(a[3], b[3])
+                self.assertAlmostEqual(a[0], b[0], delta=1e-4 * b[0])
+        self.assertNotEqual(self.bytes_of("f0.exr"), self.bytes_of("f2.exr"))
+
+    def test_stills_and_what_is_left_of_a_film(self):
+        film = ("render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:3", "-o", "f%d.png")
+        self.succeed(*film)
+        before = [self.bytes_of(f"f{frame}.png") for frame in range(4)]
+        self.succeed("render", "m_%02d.ply", *self.OPTIONS, "--time", 2 / 30, "-o", "still.png")
+        self.assertEqual(self.bytes_of("still.png"), before[2])
+        for frame in (1, 3):
+            (self.folder / f"f{frame}.png").unlink()
+        self.succeed(*film, "--resume")
+        self.assertEqual([self.bytes_of(f"f{frame}.png") for frame in range(4)], before)
+
+    def test_names_follow_the_pattern(self):
+        self.succeed("render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:0")
+        self.succeed("render", "m_%02d.ply", *self.OPTIONS)
+        self.assertEqual([name for name in self.listing() if name.endswith(".png")], ["m.png", "m_0000.png"])
+
+    def test_beyond_the_last(self):
+        self.refused(2, "render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:4", "-o", "f%d.png",
+                     says=("frame 4", "4 files", "m_10.ply"))
+        self.refused(2, "render", "m_%02d.ply", *self.OPTIONS, "--time", 1, "-o", "a.png", says="m_10.ply")
+        self.refused(1, "render", "no_%02d.ply", *self.OPTIONS, "-o", "a.png", says="no_")
+
+    def test_a_file_that_does_not_fit_ends_it(self):
+        self.write("m_09.ply", dented(.5).replace("3 0 3 5", "3 0 3 4"))
+        self.refused(1, "render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:3", "-o", "f%d.png", says="m_09.ply")
+
+
+def walker():
+    """A tetrahedron with two clips of a second: "walk" goes along x, "jump" along y."""
+    points = struct.pack("<12f", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1)
+    sides = struct.pack("<12H", 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3)
+    keys = struct.pack("<14f", 0, 1, 0, 0, 0, .5, 0, 0, 0, 0, 0, 0, .5, 0)
+    data = points + sides + keys
+    start = len(points) + len(sides)
+    views = [(0, 48), (48, 24), (start, 8), (start + 8, 24), (start + 32, 24)]
+    accessor = {"byteOffset": 0, "componentType": 5126, "count": 2, "type": "VEC3"}
+
+    def clip(name, output):
+        return {"name": name, "samplers": [{"input": 2, "output": output}],
+                "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}
+    return json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "buffers": [{"byteLength": len(data),
+                     "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+        "bufferViews": [{"buffer": 0, "byteOffset": at, "byteLength": size} for at, size in views],
+        "accessors": [{**accessor, "bufferView": 0, "count": 4, "min": [0, 0, 0], "max": [1, 1, 1]},
+                      {**accessor, "bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"},
+                      {**accessor, "bufferView": 2, "type": "SCALAR", "min": [0], "max": [1]},
+                      {**accessor, "bufferView": 3}, {**accessor, "bufferView": 4}],
+        "animations": [clip("walk", 3), clip("jump", 4)]})
+
+
+class Clips(Film):
+    OPTIONS = ("--size", "24x16", "--dsm-size", 64, "--shadow-size", 64, "--diagonal-mm", 30, "--fov-degrees", 60,
+               "--aov", "position", "-o", "a.exr")
+
+    def setUp(self):
+        super().setUp()
+        self.write("walker.gltf", walker())
+
+    def middle(self, *arguments):
+        """The middle of what is seen of it."""
+        self.succeed("render", "walker.gltf", *self.OPTIONS, *arguments)
+        covered = [pixel for pixel in read_exr(self.bytes_of("a.exr")).pixels() if pixel[3] == 1]
+        self.assertGreater(len(covered), 10)
+        return [sum(pixel[axis] for pixel in covered) / len(covered) for axis in range(2)]
+
+    def test_the_first_plays_unless_another_is_named(self):
+        rest = self.middle("--clip", "none", "--time", .5)
+        step = 30 / math.sqrt(3) / 4  # half of half an edge of the box
+        for clip, moved in (((), (step, 0)), (("--clip", "walk"), (step, 0)), (("--clip", "jump"), (0, step))):
+            middle = self.middle(*clip, "--time", .5)
+            for axis in range(2):
+                self.assertAlmostEqual(middle[axis] - rest[axis], moved[axis], delta=.15 * step)
+
+    def test_a_name_that_is_none_lists_those_there_are(self):
+        self.refused(2, "render", "walker.gltf", "--clip", "jmup", says=("--clip jmup", "none, walk, jump",
+                                                                        "did you mean jump?"))
+
+    def test_morph_to(self):
+        self.write("a.ply", dented(.34))
+        self.write("b.ply", dented(.6))
+        # The clip "morph" lasts 4 s and is back at its end.
+        run = self.succeed("render", "a.ply", "--morph-to", "b.ply", *self.OPTIONS, "--time", 2)
+        morphed = read_exr(self.bytes_of("a.exr"))
+        self.succeed("render", "b.ply", *self.OPTIONS)
+        for got, wanted in zip(morphed.pixels(), read_exr(self.bytes_of("a.exr")).pixels(), strict=True):
+            for a, b in zip(got, wanted):
+                self.assertAlmostEqual(a, b, delta=2e-3)
+        self.assertNotIn("nothing in the scene moves", run.err)
+        self.write("c.ply", dented(.6).replace("3 0 3 5", "3 0 3 4"))
+        self.refused(1, "render", "a.ply", "--morph-to", "c.ply", says="c.ply")
 
 
 class Mp4(Film):
