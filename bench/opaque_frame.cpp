@@ -68,8 +68,9 @@ class OpaqueFrame::Implementation {
         nearest_(device_, gpu::Filter::Nearest),
         lambert_(makeLambert(device_)),
         scene_(scene),
-        resources_(makeSceneResources(device_, scene_, options.dsmSize)),
-        motion_(device_, scene_, resources_.merged),
+        merged_(merge(scene_)),
+        resources_(makeSceneResources(device_, scene_, merged_, options.dsmSize)),
+        motion_(device_, scene_, merged_),
         view_(passes::FitPass::makeView(device_)),
         commands_(device_, "opaque frame") {
     const std::uint32_t width = unsignedOf(options.width);
@@ -118,6 +119,7 @@ class OpaqueFrame::Implementation {
   gpu::Sampler nearest_;
   gpu::Pipeline lambert_;
   Scene scene_;
+  MergedMesh merged_;
   SceneResources resources_;
   SceneMotion motion_;
   passes::FrameView view_;

@@ -45,19 +45,10 @@ std::size_t workersFor(const RenderOptions& options) {
   return std::clamp<std::size_t>(mostBytes / frameBytes, 1, std::min(mostWorkers, cores));
 }
 
-/// The frames that were submitted and not collected; none is left to the device when this goes.
+/// The frames that were submitted and not collected.
 class FramesUnderWay {
  public:
   explicit FramesUnderWay(Renderer& renderer) : renderer_(renderer) {}
-  ~FramesUnderWay() {
-    try {
-      for (Frame dropped; !numbers_.empty();) collect(dropped);
-    } catch (const std::exception&) {
-      // Something failed before, and that is what will be told.
-    }
-  }
-  FramesUnderWay(const FramesUnderWay&) = delete;
-  FramesUnderWay& operator=(const FramesUnderWay&) = delete;
 
   std::size_t count() const { return numbers_.size(); }
 

@@ -85,10 +85,10 @@ class FarPlacer {
   glm::dvec3 positionOf(const atlas::SurfacePoint& point) const {
     glm::dvec3 position(0);
     if (point.triangle == atlas::SurfacePoint::nowhere) return position;
-    const Triangle& triangle = resources_.merged.triangles[point.triangle];
+    const Triangle& triangle = resources_.merged->triangles[point.triangle];
     for (std::size_t i = 0; i < 3; ++i)
       position += static_cast<double>(point.barycentric[i]) *
-                  glm::dvec3(glm::make_vec3(resources_.merged.positions[triangle[i]].data()));
+                  glm::dvec3(glm::make_vec3(resources_.merged->positions[triangle[i]].data()));
     return position;
   }
 
@@ -100,7 +100,7 @@ class FarPlacer {
 
 std::vector<shared::FarPlace> farPlaces(const SceneResources& resources,
                                         const PatternLayout& layout, const RenderOptions& options) {
-  const MergedMesh& merged = resources.merged;
+  const MergedMesh& merged = *resources.merged;
   const double texelMm = texelEdgeMm(resources, options);
   std::vector<double> innerMm(merged.positions.size(), 0);
   std::vector<double> distanceMm(merged.positions.size(), 0);
@@ -144,7 +144,7 @@ PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions
     nearReach = std::max(nearReach, extent.nearReach());
     cell = std::min(cell, extent.cell);
   }
-  const atlas::Surface surface = resources.merged.surface();
+  const atlas::Surface surface = resources.merged->surface();
   layout.maps.nearby = atlas::makeNeighbourhoods(
       surface, resources.atlas,
       {.mapSize = options.dsmSize, .reach = nearReach, .alignment = 1, .maxSize = largest});

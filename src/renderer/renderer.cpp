@@ -78,6 +78,11 @@ class Renderer::Implementation {
         slots_{FrameSlot(device_), FrameSlot(device_)},
         frameData_(device_, "frame data", sizeof(shared::FrameData), framesInFlight, 0) {}
 
+  // Frames may still be under way.
+  ~Implementation() { device_.waitIdle(); }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
   void setScene(const Scene& scene) {
     validate(scene);
     device_.waitIdle();
@@ -87,6 +92,8 @@ class Renderer::Implementation {
     uploaded_.reset();
     times_.clear();
     scene_ = scene;
+    merged_ = merge(*scene_);
+    motion_.emplace(device_, *scene_, merged_);
   }
 
   RenderResult render(const RenderOptions& options, const std::vector<Aov>& aovs) {
@@ -137,10 +144,10 @@ class Renderer::Implementation {
 
   template <typename Positions>
   void replacePositions(std::size_t object, const Positions& positions) {
-    makeMotion().given().give(device_, object, positions, motion_->tables());
+    motion().given().give(device_, object, positions, motion().tables());
   }
 
-  void restorePositions(std::size_t object) { makeMotion().given().restore(object); }
+  void restorePositions(std::size_t object) { motion().given().restore(object); }
 
   VulkanDevice vulkanDevice() const {
     return {device_.instance(), device_.physical(), device_.handle(), device_.queueFamily(),
@@ -180,12 +187,9 @@ class Renderer::Implementation {
     }
     device_.waitIdle();
     resources_.reset();
-    if (uploaded_ && prepared_.dsmSize != options.dsmSize) {
-      motion_.reset();
-      uploaded_.reset();
-    }
+    if (prepared_.dsmSize != options.dsmSize) uploaded_.reset();
+    if (!uploaded_) uploaded_ = makeSceneResources(device_, *scene_, merged_, options.dsmSize);
     prepared_ = options;
-    makeMotion();
     resources_ = makeFrameResources(options);
     if (options.sum == Sum::All) passes_.gather.prepareList(device_, resources_->sources);
   }
@@ -198,11 +202,8 @@ class Renderer::Implementation {
            a.shadowSize == b.shadowSize && a.roughness == b.roughness;
   }
 
-  // The scene on the device, for the map size that was asked for last.
-  SceneMotion& makeMotion() {
-    if (!scene_) throw Error("no scene is set; call setScene first");
-    if (!uploaded_) uploaded_ = makeSceneResources(device_, *scene_, prepared_.dsmSize);
-    if (!motion_) motion_.emplace(device_, *scene_, uploaded_->merged);
+  SceneMotion& motion() {
+    if (!motion_) throw Error("no scene is set; call setScene first");
     return *motion_;
   }
 
@@ -263,8 +264,9 @@ class Renderer::Implementation {
   std::size_t waiting_ = 0;  // frames submitted and not collected
   gpu::UploadRing frameData_;
   std::optional<Scene> scene_;
-  std::optional<SceneResources> uploaded_;
+  MergedMesh merged_;
   std::optional<SceneMotion> motion_;
+  std::optional<SceneResources> uploaded_;
   std::optional<FrameResources> resources_;
   RenderOptions prepared_;  // what resources_ were made for
   RenderOptions last_;      // of the frame submitted last

@@ -17,22 +17,6 @@ namespace opaline {
 
 namespace {
 
-MergedMesh merge(const Scene& scene) {
-  MergedMesh merged;
-  std::uint32_t object = 0;
-  for (const Object& body : scene.objects) {
-    const auto base = static_cast<std::uint32_t>(merged.positions.size());
-    const Mesh& mesh = body.mesh;
-    merged.positions.insert(merged.positions.end(), mesh.positionsMm.begin(),
-                            mesh.positionsMm.end());
-    merged.normals.insert(merged.normals.end(), mesh.normals.begin(), mesh.normals.end());
-    for (const Triangle& t : mesh.triangles)
-      merged.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-    merged.objectOfTriangle.insert(merged.objectOfTriangle.end(), mesh.triangles.size(), object++);
-  }
-  return merged;
-}
-
 std::vector<shared::AtlasCorner> makeCorners(const atlas::Atlas& atlas, const MergedMesh& mesh) {
   std::vector<shared::AtlasCorner> corners(atlas.vertices.size());
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -96,6 +80,22 @@ void listMedia(const Scene& scene, SceneResources& resources) {
 
 }  // namespace
 
+MergedMesh merge(const Scene& scene) {
+  MergedMesh merged;
+  std::uint32_t object = 0;
+  for (const Object& body : scene.objects) {
+    const auto base = static_cast<std::uint32_t>(merged.positions.size());
+    const Mesh& mesh = body.mesh;
+    merged.positions.insert(merged.positions.end(), mesh.positionsMm.begin(),
+                            mesh.positionsMm.end());
+    merged.normals.insert(merged.normals.end(), mesh.normals.begin(), mesh.normals.end());
+    for (const Triangle& t : mesh.triangles)
+      merged.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    merged.objectOfTriangle.insert(merged.objectOfTriangle.end(), mesh.triangles.size(), object++);
+  }
+  return merged;
+}
+
 atlas::Surface MergedMesh::surface() const {
   return {.positionsMm = positions, .triangles = triangles, .objectOfTriangle = objectOfTriangle};
 }
@@ -107,10 +107,10 @@ double shortestMeanFreePathMm(const Medium& medium) {
   return shortest;
 }
 
-SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, int dsmSize) {
+SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, const MergedMesh& merged,
+                                  int dsmSize) {
   SceneResources resources;
-  resources.merged = merge(scene);
-  const MergedMesh& merged = resources.merged;
+  resources.merged = &merged;
   resources.atlas = atlas::makeAtlas(merged.surface(), {.mapSize = dsmSize});
   const atlas::Atlas& atlas = resources.atlas;
   const std::vector<shared::AtlasCorner> corners = makeCorners(atlas, merged);

@@ -24,11 +24,13 @@ struct MergedMesh {
   atlas::Surface surface() const;
 };
 
+MergedMesh merge(const Scene& scene);
+
 /// A scene on the device: what depends on the rest pose alone. Objects are laid end to end and
 /// share one atlas.
 struct SceneResources {
+  const MergedMesh* merged = nullptr;  ///< that it was made from
   passes::DeformedMesh mesh;
-  MergedMesh merged;
   atlas::Atlas atlas;
   std::uint32_t objects = 0;
   std::uint32_t triangles = 0;
@@ -38,7 +40,9 @@ struct SceneResources {
   std::vector<double> areaOfObjectMm2;
 };
 
-SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, int dsmSize);
+/// `merged` is of the scene and outlives the resources.
+SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, const MergedMesh& merged,
+                                  int dsmSize);
 
 /// Shortest mean free path of the three channels, mm.
 double shortestMeanFreePathMm(const Medium& medium);

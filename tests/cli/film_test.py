@@ -155,7 +155,7 @@ def dented(height):
 
 class Sequence(Film):
     HEIGHTS = (.34, .45, .6, .5)
-    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--fov-degrees", 50)
+    OPTIONS = ("--size", "24x16", "--dsm-size", 64, "--shadow-size", 64, "--fov-degrees", 50)
 
     def setUp(self):
         super().setUp()

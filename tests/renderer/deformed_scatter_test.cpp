@@ -344,5 +344,26 @@ TEST_F(DeformedTest, PositionsGivenWhileFramesAreUnderWayAreTheNextFrames) {
   }
 }
 
+TEST_F(DeformedTest, GivenPositionsSurviveAnotherMapSize) {
+  const Scene scene = litSnowman();
+  renderer().setScene(scene);
+  std::vector<Vec3> positions = scene.objects[0].mesh.positionsMm;
+  for (Vec3& p : positions) p[1] += 100;
+  renderer().replacePositions(0, positions);
+  RenderOptions options = smallOptions();
+  for (const int size : {128, 256}) {
+    options.dsmSize = size;
+    const Image position = render(options, {Aov::DsmPosition})[0];
+    EXPECT_GT(forEachCovered(position, [&](std::size_t i) { EXPECT_GT(position.rgba[i + 1], 70); }),
+              0);
+  }
+}
+
+TEST_F(DeformedTest, ARendererMayGoWithFramesUnderWay) {
+  Renderer fresh(sharedRenderer().options());
+  fresh.setScene(litSnowman());
+  for (int i = 0; i < Renderer::framesInFlight; ++i) fresh.submit(smallOptions());
+}
+
 }  // namespace
 }  // namespace opaline

@@ -36,8 +36,9 @@ class MotionTest : public gpu::GpuTest {
  protected:
   void put(const Scene& scene) {
     scene_ = scene;
-    resources_ = makeSceneResources(device(), scene_, 128);
-    motion_ = std::make_unique<SceneMotion>(device(), scene_, resources_.merged);
+    merged_ = merge(scene_);
+    resources_ = makeSceneResources(device(), scene_, merged_, 128);
+    motion_ = std::make_unique<SceneMotion>(device(), scene_, merged_);
   }
 
   void TearDown() override {
@@ -84,6 +85,7 @@ class MotionTest : public gpu::GpuTest {
   }
 
   Scene scene_;
+  MergedMesh merged_;
   SceneResources resources_;
   std::unique_ptr<SceneMotion> motion_;
 };

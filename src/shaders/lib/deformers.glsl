@@ -52,7 +52,7 @@ Posed bend(Posed p, DeformerData d) {
 }
 
 Posed squash(Posed p, DeformerData d) {
-  float tall = 1.0 - d.amount.x;
+  float tall = max(1.0 - d.amount.x, 0.1);
   float wide = inversesqrt(tall);
   vec3 fixedPoint = d.box.xyz;
   vec3 scale = vec3(wide, tall, wide);
