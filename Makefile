@@ -8,7 +8,7 @@ LAUNCHER := $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache
 .PHONY: help demo build test check bench format asan package dependencies
 
 help:
-	@echo 'make demo      build, render the built-in bear to bear.png and how its light is gathered'
+	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
 	@echo 'make build     build $(OPALINE)'
 	@echo 'make test      build, check every rule of the house, run all tests'
 	@echo 'make bench     times of every pass on this machine'
@@ -25,9 +25,12 @@ build: dependencies
 
 demo: build
 	$(OPALINE) render --medium jade -o bear.png
+	$(OPALINE) render --medium gummy-red --deform wobble:0.05:2 --frames 0:239 --size 256x256 --antialias 2 \
+	  --background 0.02,0.02,0.03 -o bear.mp4
 	$(OPALINE) render --aov dsm-irradiance -o bear-light.exr
 	@echo
 	@echo 'bear.png         the built-in bear, of jade, in the light that comes through it'
+	@echo 'bear.mp4         the same bear of red gummy, wobbling for eight seconds'
 	@echo 'bear-light.exr   the light that has entered its skin, laid out flat'
 	@echo 'Next: $(OPALINE) render YOUR_MODEL.glb --medium wholemilk --diagonal-mm 50 -o picture.png'
 
