@@ -188,8 +188,9 @@ passes::Motion makeMotionTables(gpu::Device& device, const Scene& scene, const M
       room(device, "deform frame", sizeof(shared::DeformFrame), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   motion.weights =
       room(device, "morph weights", (last.firstWeight + last.weightCount) * sizeof(float));
-  motion.matrices = room(device, "joint matrices",
-                         (last.firstMatrix + last.matrixCount) * 3 * sizeof(shared::vec4));
+  motion.matrices =
+      room(device, "joint matrices",
+           std::size_t{3} * (last.firstMatrix + last.matrixCount) * sizeof(shared::vec4));
   motion.objects =
       room(device, "motion of objects", scene.objects.size() * sizeof(shared::ObjectMotion));
   motion.replaced = room(device, "no given positions", 0);

@@ -157,7 +157,9 @@ const T* Readback::texels(const Source& source) const {
 }
 
 void Readback::make(const Entry& entry, Image& image) const {
-  const auto& [first, second, third] = entry.sources;
+  const Source& first = entry.sources[0];
+  const Source& second = entry.sources[1];
+  const Source& third = entry.sources[2];
   resize(image, first.extent);
   const auto* visible = texels<glm::vec4>(first);
   const auto seen = [&](std::size_t i) { return visible[i].w > 0; };
