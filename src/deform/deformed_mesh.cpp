@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "deform/deformer.h"
+#include "deform/smooth_groups.h"
 #include "scene/matrix.h"
 #include "scene/normals.h"
 
@@ -26,7 +27,9 @@ SurfacePoint morphed(const Rig& rig, std::span<const float> weights, std::size_t
   for (std::size_t t = 0; t < rig.targets.size(); ++t) {
     const MorphTarget& target = rig.targets[t];
     const double weight{weights[t]};
-    point.position = point.position + weight * toDouble(target.positions[v]);
+    if (!target.positions.empty()) {
+      point.position = point.position + weight * toDouble(target.positions[v]);
+    }
     if (!target.normals.empty()) point.normal = point.normal + weight * toDouble(target.normals[v]);
   }
   return point;
@@ -69,6 +72,16 @@ void facet(const std::vector<Triangle>& triangles, DeformedMesh& mesh) {
   }
 }
 
+void smooth(const Mesh& rest, DeformedMesh& mesh) {
+  const std::vector<std::uint32_t> groups = smoothGroups(rest);
+  std::vector<Triangle> triangles = rest.triangles;
+  for (Triangle& t : triangles) {
+    for (std::uint32_t& v : t) v = groups[v];
+  }
+  const std::vector<Double3> normals = scene::smoothNormals(mesh.positionsMm, triangles);
+  for (std::size_t v = 0; v < groups.size(); ++v) mesh.normals[v] = normals[groups[v]];
+}
+
 }  // namespace
 
 bool normalsFromTriangles(const Object& object) {
@@ -94,7 +107,7 @@ DeformedMesh deformedMesh(const Scene& scene, std::size_t object, const Pose& po
   if (of.mesh.facetted) {
     facet(of.mesh.triangles, mesh);
   } else if (normalsFromTriangles(of)) {
-    mesh.normals = scene::smoothNormals(mesh.positionsMm, of.mesh.triangles);
+    smooth(of.mesh, mesh);
   }
   return mesh;
 }

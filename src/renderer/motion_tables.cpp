@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include <glm/vec2.hpp>
 
 #include "deform/deformed_mesh.h"
+#include "deform/smooth_groups.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "shaders/shared/deform.h"
@@ -69,6 +69,19 @@ Lists<shared::MorphDelta> morphDeltas(const Scene& scene, const std::vector<Obje
   return lists;
 }
 
+// Weights are brought to a sum of 1; a vertex without any stays with the first joint, as on the
+// host.
+void addInfluences(const Rig& rig, std::size_t vertex, std::uint32_t firstMatrix,
+                   std::vector<shared::JointInfluence>& entries) {
+  const auto begin = rig.influences.begin() + rig.firstInfluence[vertex];
+  const auto end = rig.influences.begin() + rig.firstInfluence[vertex + 1];
+  const float sum = std::accumulate(
+      begin, end, 0.0F, [](float so, const Influence& influence) { return so + influence.weight; });
+  if (!(sum > 0)) return entries.push_back({firstMatrix, 1});
+  for (auto influence = begin; influence != end; ++influence)
+    entries.push_back({firstMatrix + influence->joint, influence->weight / sum});
+}
+
 // A rig without joints moves with its node: one influence a vertex.
 Lists<shared::JointInfluence> jointInfluences(const Scene& scene,
                                               const std::vector<ObjectRange>& ranges) {
@@ -77,36 +90,21 @@ Lists<shared::JointInfluence> jointInfluences(const Scene& scene,
     const std::optional<Rig>& rig = scene.objects[i].rig;
     for (std::size_t v = 0; v < ranges[i].vertexCount; ++v) {
       if (rig && rig->joints.empty()) lists.entries.push_back({ranges[i].firstMatrix, 1});
-      if (rig && !rig->joints.empty())
-        for (std::uint32_t k = rig->firstInfluence[v]; k < rig->firstInfluence[v + 1]; ++k)
-          lists.entries.push_back(
-              {ranges[i].firstMatrix + rig->influences[k].joint, rig->influences[k].weight});
+      if (rig && !rig->joints.empty()) addInfluences(*rig, v, ranges[i].firstMatrix, lists.entries);
       lists.close();
     }
   }
   return lists;
 }
 
-// Vertices that are one point of one smooth surface share their triangles: along a seam of texture
-// coordinates there are several of them. Returns the first of each vertex's group.
-std::vector<std::uint32_t> smoothGroups(const Scene& scene, const MergedMesh& merged,
-                                        const std::vector<ObjectRange>& ranges) {
-  std::vector<std::uint32_t> group(merged.positions.size());
-  std::iota(group.begin(), group.end(), std::uint32_t{0});
-  const auto key = [&](std::uint32_t v) {
-    return std::tie(merged.positions[v], merged.normals[v]);
-  };
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    if (scene.objects[i].mesh.facetted) continue;
-    std::vector<std::uint32_t> order(ranges[i].vertexCount);
-    std::iota(order.begin(), order.end(), ranges[i].firstVertex);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return key(a) != key(b) ? key(a) < key(b) : a < b;
-    });
-    for (std::size_t k = 1; k < order.size(); ++k)
-      if (key(order[k]) == key(order[k - 1])) group[order[k]] = group[order[k - 1]];
+std::vector<std::uint32_t> groupsOf(const Scene& scene) {
+  std::vector<std::uint32_t> groups;
+  for (const Object& object : scene.objects) {
+    const auto first = static_cast<std::uint32_t>(groups.size());
+    for (const std::uint32_t group : deform::smoothGroups(object.mesh))
+      groups.push_back(first + group);
   }
-  return group;
+  return groups;
 }
 
 struct Edges {
@@ -168,7 +166,7 @@ passes::Motion makeMotionTables(gpu::Device& device, const Scene& scene, const M
                                 const std::vector<ObjectRange>& ranges) {
   const Lists<shared::MorphDelta> deltas = morphDeltas(scene, ranges);
   const Lists<shared::JointInfluence> influences = jointInfluences(scene, ranges);
-  const Edges around = trianglesAround(merged, smoothGroups(scene, merged, ranges));
+  const Edges around = trianglesAround(merged, groupsOf(scene));
   const ObjectRange& last = ranges.back();
 
   passes::Motion motion;

@@ -144,5 +144,28 @@ TEST(DeformedMesh, FacetsKeepTheirTrianglesNormal) {
   }
 }
 
+// Two triangles of a roof, halved along its slope by a seam of texture coordinates: the vertices on
+// the seam are there twice, and stay one smooth surface when the roof is bent along it.
+TEST(DeformedMesh, VerticesOnASeamShareTheirNormal) {
+  Scene scene;
+  Object object;
+  object.mesh.positionsMm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
+  object.mesh.normals.assign(6, {0, 0, 1});
+  object.mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+  Rig rig;
+  rig.positions = object.mesh.positionsMm;
+  rig.normals = object.mesh.normals;
+  // Both sides down by 1: their normals lean apart by the same angle, their mean is up.
+  rig.targets = {{{{0, 0, 0}, {0, 0, -1}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, -1}}, {}}};
+  object.rig = rig;
+  Node node;
+  node.morphWeights = {1};
+  scene.nodes = {node};
+  scene.objects = {object};
+  const DeformedMesh mesh = deformedMesh(scene, 0, -1, 0);
+  for (const std::size_t v : {0U, 2U, 3U, 4U}) EXPECT_NEAR(mesh.normals[v][2], 1, 1e-12) << v;
+  EXPECT_NEAR(mesh.normals[1][2], std::sqrt(0.5), 1e-12);
+}
+
 }  // namespace
 }  // namespace opaline::deform
