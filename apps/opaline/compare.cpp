@@ -67,7 +67,7 @@ struct CompareCommand {
                  pixelsPerDegree = readNumber(given, {1, 1000, "pixels"});
                });
     line.section("Output");
-    line.value("--heatmap", "FILE.png", "draw |A - B| / mean of B for each pixel",
+    line.value("--heatmap", "FILE.png", "draw |A - B| / mean of B, of pixels or blocks",
                [this](const Given& given) { heatmap = readOutput(given, {".png"}); });
     line.value("--heatmap-max", "X", "its last color, 0.1 is 10 % [99 % are below]",
                [this](const Given& given) {
@@ -117,7 +117,9 @@ compare::Selection both(const compare::Selection& a, const compare::Selection& b
 
 void writeHeatmap(const CompareCommand& command, const ComparedImages& images,
                   const compare::Selection& selection, CompareReport& report) {
-  const compare::Plane errors = compare::relativeErrors(images.a, images.b, selection);
+  const compare::Plane errors =
+      command.block ? compare::relativeBlockErrors(images.a, images.b, selection, *command.block)
+                    : compare::relativeErrors(images.a, images.b, selection);
   report.heatmap = command.heatmap;
   report.heatmapTop = command.heatmapTop.value_or(compare::heatmapTop(errors, selection));
   core::writePng(*command.heatmap, compare::drawHeatmap(errors, selection, report.heatmapTop));

@@ -13,15 +13,18 @@ namespace opaline::compare {
 namespace {
 
 /// A curve through CIE L*a*b* that stays inside sRGB: lightness and hue rise evenly, chroma is
-/// greatest in the middle. Its own parameter, in [0,1], does not run at even speed.
+/// greatest near the middle. Its own parameter, in [0,1], does not run at even speed.
 Triple curve(double s) {
   constexpr double darkest = 10;
   constexpr double lightest = 92;
-  constexpr double mostChroma = 70;
   constexpr double firstHueDegrees = -75;
   constexpr double lastHueDegrees = 95;
-  const double hue = std::lerp(firstHueDegrees, lastHueDegrees, s) * std::numbers::pi / 180;
-  const double chroma = mostChroma * std::sin(std::numbers::pi * s);
+  constexpr double mostChroma = 70;
+  constexpr double firstPhase = 0.1;
+  constexpr double lastPhase = 0.88;
+  constexpr double pi = std::numbers::pi;
+  const double hue = std::lerp(firstHueDegrees, lastHueDegrees, s) * pi / 180;
+  const double chroma = mostChroma * std::sin(pi * std::lerp(firstPhase, lastPhase, s));
   return {std::lerp(darkest, lightest, s), chroma * std::cos(hue), chroma * std::sin(hue)};
 }
 

@@ -11,7 +11,7 @@ constexpr int glyphWidth = 5;
 constexpr int glyphHeight = 7;
 constexpr int glyphAdvance = glyphWidth + 1;
 
-/// Writes digits, points, percent and greater signs, each dot a square of `scale` pixels, from an
+/// Writes digits, points and percent signs, each dot a square of `scale` pixels, from an
 /// upper left corner. What is outside the picture is left out; other characters stay blank.
 void drawNumber(core::Image8& picture, int x, int y, int scale, std::string_view text, Rgb8 color);
 

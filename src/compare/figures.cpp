@@ -79,6 +79,47 @@ double meanMagnitude(const Image& image, const Selection& selection, std::size_t
   return sum / static_cast<double>(countOf(selection));
 }
 
+/// Blocks from the upper left corner on; the last ones may reach beyond the border.
+struct Blocks {
+  Blocks(const Image& image, int edgePixels)
+      : edge(static_cast<std::size_t>(edgePixels)),
+        width(static_cast<std::size_t>(image.width)),
+        across((width + edge - 1) / edge),
+        count(across * ((static_cast<std::size_t>(image.height) + edge - 1) / edge)) {}
+
+  std::size_t of(std::size_t pixel) const {
+    return pixel / width / edge * across + pixel % width / edge;
+  }
+
+  /// Of A's means over B's, in one channel.
+  std::vector<double> differences(const Image& a, const Image& b, const Selection& selection,
+                                  std::size_t channel) const {
+    const double pixels = static_cast<double>(edge) * static_cast<double>(edge);
+    std::vector<double> result(count);
+    forEachSelected(selection, [&](std::size_t i) {
+      result[of(i)] += (valueOf(a, i, channel) - valueOf(b, i, channel)) / pixels;
+    });
+    return result;
+  }
+
+  std::size_t edge;
+  std::size_t width;
+  std::size_t across;
+  std::size_t count;
+};
+
+/// |B| over all channels.
+double meanMagnitude(const Image& b, const Selection& selection) {
+  double mean = 0;
+  for (std::size_t c = 0; c < channels; ++c) mean += meanMagnitude(b, selection, c) / channels;
+  return mean;
+}
+
+/// Finite for what paints it.
+float paintable(double error, double mean) {
+  return static_cast<float>(std::min(ratio(error, mean), 1e30));
+}
+
 void requireSameSize(const Image& a, const Image& b, const Selection& selection) {
   assert(a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size());
   assert(4 * selection.size() == a.rgba.size());
@@ -151,55 +192,61 @@ std::optional<BlockFigures> blockFiguresOver(const Image& a, const Image& b,
   assert(edgePixels > 0);
   if (countOf(selection) == 0) return {};
 
-  const auto edge = static_cast<std::size_t>(edgePixels);
-  const auto width = static_cast<std::size_t>(a.width);
-  const std::size_t across = (width + edge - 1) / edge;
-  const std::size_t down = (static_cast<std::size_t>(a.height) + edge - 1) / edge;
-  const auto blockOf = [&](std::size_t pixel) {
-    return pixel / width / edge * across + pixel % width / edge;
-  };
-
+  const Blocks blocks(a, edgePixels);
   BlockFigures figures;
   figures.edgePixels = edgePixels;
-  figures.blocks = across * down;
-  Selection covered(figures.blocks);
-  forEachSelected(selection, [&](std::size_t i) { covered[blockOf(i)] = 1; });
+  figures.blocks = blocks.count;
+  Selection covered(blocks.count);
+  forEachSelected(selection, [&](std::size_t i) { covered[blocks.of(i)] = 1; });
   figures.coveredBlocks = countOf(covered);
 
-  const double pixelsPerBlock = static_cast<double>(edge) * static_cast<double>(edge);
   double allSquares = 0;
-  double allMean = 0;
   for (std::size_t c = 0; c < channels; ++c) {
-    std::vector<double> differences(figures.blocks);
-    forEachSelected(selection, [&](std::size_t i) {
-      differences[blockOf(i)] += (valueOf(a, i, c) - valueOf(b, i, c)) / pixelsPerBlock;
-    });
     double squares = 0;
-    for (const double difference : differences) squares += difference * difference;
-    const double mean = meanMagnitude(b, selection, c);
-    figures.channelRelRmse[c] =
-        ratio(std::sqrt(squares / static_cast<double>(figures.blocks)), mean);
+    for (const double difference : blocks.differences(a, b, selection, c)) {
+      squares += difference * difference;
+    }
+    figures.channelRelRmse[c] = ratio(std::sqrt(squares / static_cast<double>(blocks.count)),
+                                      meanMagnitude(b, selection, c));
     allSquares += squares / channels;
-    allMean += mean / channels;
   }
-  figures.relRmse = ratio(std::sqrt(allSquares / static_cast<double>(figures.blocks)), allMean);
+  const double mean = meanMagnitude(b, selection);
+  figures.relRmse = ratio(std::sqrt(allSquares / static_cast<double>(blocks.count)), mean);
   figures.coveredRelRmse =
-      ratio(std::sqrt(allSquares / static_cast<double>(figures.coveredBlocks)), allMean);
+      ratio(std::sqrt(allSquares / static_cast<double>(figures.coveredBlocks)), mean);
   return figures;
 }
 
 Plane relativeErrors(const Image& a, const Image& b, const Selection& selection) {
   requireSameSize(a, b, selection);
-  double mean = 0;
-  for (std::size_t c = 0; c < channels; ++c) mean += meanMagnitude(b, selection, c) / channels;
+  const double mean = meanMagnitude(b, selection);
   Plane plane(a.width, a.height);
   forEachSelected(selection, [&](std::size_t i) {
     double error = 0;
     for (std::size_t c = 0; c < channels; ++c) {
       error += std::abs(valueOf(a, i, c) - valueOf(b, i, c)) / channels;
     }
-    plane.values[i] = static_cast<float>(std::min(ratio(error, mean), 1e30));
+    plane.values[i] = paintable(error, mean);
   });
+  return plane;
+}
+
+Plane relativeBlockErrors(const Image& a, const Image& b, const Selection& selection,
+                          int edgePixels) {
+  requireSameSize(a, b, selection);
+  assert(edgePixels > 0);
+  const Blocks blocks(a, edgePixels);
+  std::vector<double> errors(blocks.count);
+  for (std::size_t c = 0; c < channels; ++c) {
+    const std::vector<double> differences = blocks.differences(a, b, selection, c);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      errors[i] += std::abs(differences[i]) / channels;
+    }
+  }
+  const double mean = meanMagnitude(b, selection);
+  Plane plane(a.width, a.height);
+  forEachSelected(selection,
+                  [&](std::size_t i) { plane.values[i] = paintable(errors[blocks.of(i)], mean); });
   return plane;
 }
 

@@ -60,6 +60,10 @@ std::optional<BlockFigures> blockFiguresOver(const Image& a, const Image& b,
 /// Of each selected pixel, |A - B| over the mean of |B|, averaged over the channels; 0 elsewhere.
 Plane relativeErrors(const Image& a, const Image& b, const Selection& selection);
 
+/// The same of the means of blocks: every selected pixel has the error of its block.
+Plane relativeBlockErrors(const Image& a, const Image& b, const Selection& selection,
+                          int edgePixels);
+
 double meanOver(const Plane& plane, const Selection& selection);
 
 }  // namespace opaline::compare

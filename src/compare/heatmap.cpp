@@ -34,7 +34,7 @@ Layout layOut(int mapWidth, int mapHeight) {
   constexpr int gap = 8;
   constexpr int bar = 12;
   constexpr int tick = 6;
-  constexpr int characters = 6;  // ">1000%"
+  constexpr int characters = 7;  // 0.0002%
   Layout layout{};
   layout.scale = std::max(1, mapHeight / pixelsPerScale);
   layout.height = std::max(mapHeight, leastHeight * layout.scale);

@@ -135,6 +135,11 @@ TEST(Blocks, AverageWhatCancels) {
   for (const double channel : figures.channelRelRmse) {
     EXPECT_NEAR(channel, std::sqrt(squares / 4), 1e-12);
   }
+  const Plane errors = relativeBlockErrors(a, b, commonPixels(a, b), 2);
+  EXPECT_NEAR(errors.values[0], 0, 1e-6);
+  EXPECT_NEAR(errors.values[3], 0.5, 1e-6);
+  EXPECT_NEAR(errors.values[8], 0.25, 1e-6);
+  EXPECT_EQ(errors.values[15], 0.0F);
 }
 
 TEST(Blocks, OfOnePixelGiveTheFiguresOfPixels) {
