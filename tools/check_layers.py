@@ -15,6 +15,7 @@ PLAIN = ("opaline/error.h", "opaline/image.h", "opaline/log.h", "opaline/types.h
 ALLOWED = {
     "include/opaline": ("opaline",),
     "src/core": PLAIN,
+    "src/compare": (*PLAIN, "core"),
     "src/bssrdf": ("opaline/medium.h",),
     "src/scene": ("opaline", "core", "bssrdf", "builtin"),
     "src/environment": (*PLAIN, "core", "bssrdf"),
@@ -29,7 +30,7 @@ ALLOWED = {
     "src/renderer": ("opaline", "core", "bssrdf", "scene", "environment", "deform", "atlas", "surfels", "gpu",
                      "passes", "shaders"),
     "reference": ("opaline", "core", "bssrdf"),
-    "apps": ("opaline", "core", "bssrdf", "scene", "deform", "atlas", "reference"),
+    "apps": ("opaline", "core", "compare", "bssrdf", "scene", "deform", "atlas", "reference"),
     "bench": ("*",),
     "python": ("opaline",),
     "examples": ("opaline",),

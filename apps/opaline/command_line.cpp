@@ -1,6 +1,7 @@
 #include "command_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -93,8 +94,16 @@ CommandLine::CommandLine(std::string name, std::string summary)
 CommandLine::~CommandLine() = default;
 
 void CommandLine::positional(const std::string& name, const std::string& help, Taker take) {
-  positionalName_ = name;
+  positionalNames_.push_back(name);
+  usage_ += fmt::format(" [{}]", name);
   addValue(name, name, help, std::move(take), false);
+}
+
+void CommandLine::requiredPositional(const std::string& name, const std::string& help, Taker take) {
+  positionalNames_.push_back(name);
+  usage_ += " " + name;
+  addValue(name, name, help, std::move(take), false);
+  entries_.back().required = true;
 }
 
 void CommandLine::section(const std::string& title) {
@@ -148,6 +157,10 @@ bool CommandLine::parse(const std::vector<std::string>& arguments) {
     if (entry.option == nullptr || !entry.take) continue;
     const std::string name = entry.option->get_name();
     const std::vector<std::string>& given = entry.option->results();
+    if (given.empty() && entry.required) {
+      throw UsageError(fmt::format("{} needs {}, and {} is missing", name_,
+                                   fmt::join(positionalNames_, " and "), name));
+    }
     if (given.size() > 1 && !entry.repeatable) {
       throw UsageError(fmt::format("{} is given {} times, with {} and {}; once is meant", name,
                                    given.size(), given[0], given[1]));
@@ -190,9 +203,11 @@ void CommandLine::refuseLeftovers() const {
     }
   }
   if (rest.empty()) return;
-  throw UsageError(positionalName_.empty() ? fmt::format("{} takes no argument {}", name_, rest[0])
-                                           : fmt::format("{} takes one {}, and {} is one too many",
-                                                         name_, positionalName_, rest[0]));
+  if (positionalNames_.empty()) {
+    throw UsageError(fmt::format("{} takes no argument {}", name_, rest[0]));
+  }
+  throw UsageError(fmt::format("{} takes one {}, and {} is one too many", name_,
+                               fmt::join(positionalNames_, " and one "), rest[0]));
 }
 
 std::vector<std::string> CommandLine::optionNames() const {
@@ -207,9 +222,7 @@ std::vector<std::string> CommandLine::optionNames() const {
 
 std::string CommandLine::help() const {
   std::string text =
-      fmt::format("opaline {}{} [options]\n{}\n", name_,
-                  positionalName_.empty() ? "" : fmt::format(" [{}]", positionalName_),
-                  wrapped(summary_, helpWidth, 0));
+      fmt::format("opaline {}{} [options]\n{}\n", name_, usage_, wrapped(summary_, helpWidth, 0));
   for (const Entry& entry : entries_) {
     text += entry.option == nullptr ? entry.left + ":\n" : helpLine(entry.left, entry.help);
   }

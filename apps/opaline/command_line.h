@@ -31,6 +31,8 @@ class CommandLine {
   using Taker = std::function<void(const Given&)>;
 
   void positional(const std::string& name, const std::string& help, Taker take);
+  /// The same for one that may not be left out, a mistake that parse() reports.
+  void requiredPositional(const std::string& name, const std::string& help, Taker take);
   void section(const std::string& title);
   void flag(const std::string& names, const std::string& help, bool& on);
   void value(const std::string& names, const std::string& placeholder, const std::string& help,
@@ -51,6 +53,7 @@ class CommandLine {
     std::string placeholder;
     CLI::Option* option = nullptr;
     bool repeatable = false;
+    bool required = false;
     Taker take;
   };
 
@@ -64,7 +67,8 @@ class CommandLine {
   std::string summary_;
   std::unique_ptr<CLI::App> app_;
   CLI::Option* helpFlag_ = nullptr;
-  std::string positionalName_;
+  std::vector<std::string> positionalNames_;
+  std::string usage_;  ///< the positional arguments as the help shows them
   std::vector<Entry> entries_;
   std::vector<std::function<void()>> flagTakers_;
 };

@@ -24,6 +24,7 @@ struct Command {
 
 constexpr std::array commands{
     Command{"render", "a still as PNG or EXR, or a film; needs no window", runRender},
+    Command{"compare", "error figures between two images, and a heat map", runCompare},
     Command{"bench", "times of this machine's device beside those of the paper", runBench},
     Command{"info", "what is in a scene, what was mended, its atlas, the devices", runInfo},
     Command{"media", "the media and what follows from their coefficients", runMedia},

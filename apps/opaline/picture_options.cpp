@@ -21,12 +21,6 @@ const Choices<Aov>& aovs() {
   return table;
 }
 
-const Choices<core::ToneCurve>& curves() {
-  static const Choices<core::ToneCurve> table{{"neutral", core::ToneCurve::Neutral},
-                                              {"none", core::ToneCurve::None}};
-  return table;
-}
-
 template <typename T>
 void setFrom(T& value, const std::optional<T>& asked) {
   if (asked) value = *asked;
@@ -53,6 +47,12 @@ T paperValue(const std::optional<T>& asked, T paper, const char* option,
 }
 
 }  // namespace
+
+const Choices<core::ToneCurve>& toneCurves() {
+  static const Choices<core::ToneCurve> table{{"neutral", core::ToneCurve::Neutral},
+                                              {"none", core::ToneCurve::None}};
+  return table;
+}
 
 const Choices<Transport>& transports() {
   static const Choices<Transport> table{{"dipole", Transport::Dipole},
@@ -169,7 +169,7 @@ void PictureOptions::addTo(CommandLine& line) {
     exposureStops_ = readFloat(given, {-32, 32, "stops"});
   });
   line.value("--tone", "NAME", "curve: neutral or none, not EXR [neutral]",
-             [this](const Given& given) { curve_ = readChoice(given, curves()); });
+             [this](const Given& given) { curve_ = readChoice(given, toneCurves()); });
   line.value("--background", "R,G,B", "linear, 0 to 1, not EXR [transparent]",
              [this](const Given& given) {
                background_ = readTripleFloat(given, {0, 1});
@@ -236,7 +236,7 @@ std::filesystem::path PictureOptions::file(const std::string& sceneName, bool fr
 core::ToneOptions PictureOptions::tone(const scene::SceneFileSettings& settings) const {
   core::ToneOptions options;
   setFrom(options.exposureStops, settings.exposureStops);
-  setFromName(options.curve, settings.tone, curves());
+  setFromName(options.curve, settings.tone, toneCurves());
   setFrom(options.exposureStops, exposureStops_);
   setFrom(options.curve, curve_);
   options.background = background_;

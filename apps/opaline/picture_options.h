@@ -15,6 +15,7 @@ namespace opaline::app {
 const Choices<Transport>& transports();
 const Choices<Sum>& sums();
 const Choices<Site>& sites();
+const Choices<core::ToneCurve>& toneCurves();
 
 /// The [render] table of a scene file over the defaults.
 RenderOptions optionsOf(const scene::SceneFileSettings& settings);

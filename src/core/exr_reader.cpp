@@ -172,7 +172,7 @@ void readRows(Imf::InputFile& input, const std::array<const char*, 4>& channels,
 
 }  // namespace
 
-Image readExr(const std::filesystem::path& file) {
+Image readExr(const std::filesystem::path& file, Negatives negatives) {
   try {
     requireAttributesFit(file);
     HeaderCheck(file).requireBoundedSize();
@@ -185,7 +185,7 @@ Image readExr(const std::filesystem::path& file) {
     const std::array<const char*, 4> channels = chooseChannels(file, header.channels());
 
     constexpr int rowsAtOnce = 32;
-    RowCollector rows(file, size.x, size.y, std::filesystem::file_size(file));
+    RowCollector rows(file, size.x, size.y, std::filesystem::file_size(file), negatives);
     const std::size_t rowFloats = std::size_t{4} * static_cast<std::size_t>(size.x);
     std::vector<float> buffer(rowFloats * rowsAtOnce);
     for (int row = 0; row < size.y; row += rowsAtOnce) {

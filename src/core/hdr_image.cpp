@@ -33,8 +33,8 @@ void requireImageSize(const std::filesystem::path& file, long long width, long l
 }
 
 RowCollector::RowCollector(const std::filesystem::path& file, int width, int height,
-                           std::size_t fileBytes)
-    : file_(file) {
+                           std::size_t fileBytes, Negatives negatives)
+    : file_(file), negatives_(negatives) {
   constexpr std::size_t plausibleFloatsPerByte = 64;
   image_.width = width;
   image_.height = height;
@@ -50,7 +50,7 @@ void RowCollector::append(std::span<const float> rgbaRows) {
                       "it holds pixels that are infinite or not a number; save it as float "
                       "EXR if half floats overflowed");
     }
-    image_.rgba.push_back(std::max(value, 0.0F));
+    image_.rgba.push_back(negatives_ == Negatives::Stay ? value : std::max(value, 0.0F));
   }
 }
 
@@ -60,7 +60,7 @@ Image RowCollector::take() {
   return std::move(image_);
 }
 
-Image readHdrImage(const std::filesystem::path& file) {
+Image readHdrImage(const std::filesystem::path& file, Negatives negatives) {
   // Uncompressed RGBE of the largest image, its run markers and a generous header.
   constexpr std::size_t edge = largestImageEdge;
   constexpr std::size_t limitBytes = edge * edge * 4 + edge * edge / 16 + (std::size_t{1} << 20U);
@@ -68,7 +68,7 @@ Image readHdrImage(const std::filesystem::path& file) {
   constexpr std::string_view radianceMagic = "#?";
 
   const std::vector<std::byte> head = readFileHead(file, exrMagic.size());
-  if (startsWith(head, exrMagic)) return readExr(file);
+  if (startsWith(head, exrMagic)) return readExr(file, negatives);
   if (startsWith(head, radianceMagic)) return readRadiance(file, readFile(file, limitBytes));
   failToReadImage(file, head.empty() ? "it is empty" : "it is neither OpenEXR nor Radiance RGBE");
 }

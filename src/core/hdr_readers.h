@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/image_file.h"
 #include "opaline/image.h"
 
 namespace opaline::core {
@@ -13,7 +14,7 @@ namespace opaline::core {
 constexpr int largestImageEdge = 16384;
 
 /// The two formats of readHdrImage.
-Image readExr(const std::filesystem::path& file);
+Image readExr(const std::filesystem::path& file, Negatives negatives);
 Image readRadiance(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
 [[noreturn]] void failToReadImage(const std::filesystem::path& file, std::string_view reason);
@@ -25,9 +26,10 @@ void requireImageSize(const std::filesystem::path& file, long long width, long l
 /// is set aside in advance only as far as the length of the file makes it plausible.
 class RowCollector {
  public:
-  RowCollector(const std::filesystem::path& file, int width, int height, std::size_t fileBytes);
+  RowCollector(const std::filesystem::path& file, int width, int height, std::size_t fileBytes,
+               Negatives negatives);
 
-  /// Appends whole rows of R G B A. Throws Error on infinities and NaN; negative values become 0.
+  /// Appends whole rows of R G B A. Throws Error on infinities and NaN.
   void append(std::span<const float> rgbaRows);
 
   /// The image, after the last row.
@@ -35,6 +37,7 @@ class RowCollector {
 
  private:
   std::filesystem::path file_;
+  Negatives negatives_;
   Image image_;
 };
 

@@ -21,8 +21,14 @@ void writePng(const std::filesystem::path& file, const Image8& image);
 /// EXR, scanline, ZIP, float, channels R G B A with A = coverage.
 void writeExr(const std::filesystem::path& file, const Image& image);
 
-/// .exr or .hdr (Radiance RGBE), at most 16384 × 16384 and finite; negative values become 0.
-Image readHdrImage(const std::filesystem::path& file);
+enum class Negatives { BecomeZero, Stay };
+
+/// .exr or .hdr (Radiance RGBE), at most 16384 × 16384 and finite.
+Image readHdrImage(const std::filesystem::path& file, Negatives negatives = Negatives::BecomeZero);
+
+/// PNG of at most 16384 × 16384, of any kind; without alpha all is covered. Values are those
+/// stored, sRGB-encoded, over the largest the file's depth allows: in [0,1].
+Image readPng(const std::filesystem::path& file);
 
 /// Whether a .png or .exr file of that size and ours in kind is there from its first byte to its
 /// last. Looks at header, table of blocks and end, not at the pixels.

@@ -26,7 +26,7 @@ class Decoder {
     const std::size_t fileBytes = bytes_.size();
     readHeader();
     readResolution();
-    RowCollector rows(file_, width_, height_, fileBytes);
+    RowCollector rows(file_, width_, height_, fileBytes, Negatives::BecomeZero);
     std::vector<Rgbe> row(static_cast<std::size_t>(width_));
     std::vector<float> rgba(4 * row.size());
     for (int y = 0; y < height_; ++y) {

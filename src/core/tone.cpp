@@ -60,6 +60,11 @@ float encodeSrgb(float linear) {
   return 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
 }
 
+float decodeSrgb(float encoded) {
+  if (encoded <= 0.04045F) return encoded / 12.92F;
+  return std::pow((encoded + 0.055F) / 1.055F, 2.4F);
+}
+
 Image8 toneMap(const Image& radiance, const ToneOptions& options) {
   requireValid(options);
   const std::size_t values = radiance.rgba.size();

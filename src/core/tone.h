@@ -22,6 +22,9 @@ struct ToneOptions {
 /// IEC 61966-2-1: linear in [0,1] to encoded in [0,1].
 float encodeSrgb(float linear);
 
+/// The way back: encoded in [0,1] to linear in [0,1].
+float decodeSrgb(float encoded);
+
 /// Exposure, tone curve, sRGB.
 Image8 toneMap(const Image& radiance, const ToneOptions& options = {});
 

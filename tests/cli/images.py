@@ -108,3 +108,35 @@ def unpacked(block, size):
     result = bytearray(len(data))
     result[0::2], result[1::2] = data[:half], data[half:]
     return bytes(result)
+
+
+def write_png(rows):
+    """Eight bits, RGB or RGB with alpha, unfiltered."""
+    channels = len(rows[0][0])
+    raw = b"".join(b"\0" + bytes(value for pixel in row for value in pixel) for row in rows)
+    chunks = [(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, {3: 2, 4: 6}[channels], 0, 0, 0)),
+              (b"IDAT", zlib.compress(raw)), (b"IEND", b"")]
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body)) for kind, body in chunks)
+
+
+def write_exr(rows):
+    """Float channels R G B A, scanlines, not compressed (OpenEXR file layout)."""
+    width, height = len(rows[0]), len(rows)
+    channels = b"".join(name + b"\0" + struct.pack("<iB3xii", 2, 0, 1, 1) for name in (b"A", b"B", b"G", b"R")) + b"\0"
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    header = b"\x76\x2f\x31\x01" + struct.pack("<I", 2)
+    for name, kind, value in [
+            (b"channels", b"chlist", channels), (b"compression", b"compression", b"\0"),
+            (b"dataWindow", b"box2i", window), (b"displayWindow", b"box2i", window), (b"lineOrder", b"lineOrder", b"\0"),
+            (b"pixelAspectRatio", b"float", struct.pack("<f", 1)), (b"screenWindowCenter", b"v2f", struct.pack("<2f", 0, 0)),
+            (b"screenWindowWidth", b"float", struct.pack("<f", 1))]:
+        header += name + b"\0" + kind + b"\0" + struct.pack("<I", len(value)) + value
+    header += b"\0"
+    size = 16 * width
+    first = len(header) + 8 * height
+    table = b"".join(struct.pack("<Q", first + y * (8 + size)) for y in range(height))
+    lines = b"".join(struct.pack("<iI", y, size) +
+                     b"".join(struct.pack(f"<{width}f", *(pixel[c] for pixel in row)) for c in (3, 2, 1, 0))
+                     for y, row in enumerate(rows))
+    return header + table + lines

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string_view>
+
+#include "compare/color_map.h"
+#include "core/image_file.h"
+
+namespace opaline::compare {
+
+constexpr int glyphWidth = 5;
+constexpr int glyphHeight = 7;
+constexpr int glyphAdvance = glyphWidth + 1;
+
+/// Writes digits, points and percent signs, each dot a square of `scale` pixels, from an
+/// upper left corner. What is outside the picture is left out; other characters stay blank.
+void drawNumber(core::Image8& picture, int x, int y, int scale, std::string_view text, Rgb8 color);
+
+/// Clipped to the picture.
+void fillRectangle(core::Image8& picture, int x, int y, int width, int height, Rgb8 color);
+
+}  // namespace opaline::compare
