@@ -31,6 +31,7 @@ ALLOWED = {
     "reference": ("opaline", "core", "bssrdf"),
     "apps": ("opaline", "core", "bssrdf", "scene", "deform", "atlas", "reference"),
     "bench": ("*",),
+    "tools/figures": ("*",),
     "python": ("opaline",),
     "examples": ("opaline",),
     "tests": ("*", "tests"),
