@@ -43,8 +43,8 @@ void cubes(Studio& studio, const char* name) {
     return colour;
   });
   publish(studio, name,
-          sheet({develop(halved(original), stops), develop(halved(ambient), stops)}, 2, gapPixels,
-                white));
+          sheet({develop(halved(original), stops, white), develop(halved(ambient), stops, white)}, 2,
+                4 * gapPixels, white));
 }
 
 }  // namespace

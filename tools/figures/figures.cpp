@@ -31,7 +31,7 @@ Image asColour(Image map) {
 
 void sourceMap(Studio& studio, const char* name) {
   constexpr int size = 384;
-  Scene scene = load(studio, "bunny.ply", "marble", 50);
+  Scene scene = load(studio, "bunny.ply", "marble", 30);
   scene.camera = defaultCamera(scene, {0.1F, 0.1F, 1}, 30.5F);
   scene.lighting = stageLight();
   studio.renderer.setScene(scene);
@@ -41,25 +41,32 @@ void sourceMap(Studio& studio, const char* name) {
       studio.renderer.render(options, {Aov::DsmPosition, Aov::DsmNormal, Aov::DsmIrradiance})
           .images;
   publish(studio, name,
-          sheet({photograph(studio, everySource(256), {0.3F, size, size}),
+          sheet({photograph(studio, everySource(256), {0, size, size}),
                  plain(overBox(maps.at(0), boundsOf(scene)), dark),
-                 plain(asColour(maps.at(1)), dark), develop(maps.at(2), -1.5F)},
+                 plain(asColour(maps.at(1)), dark), develop(maps.at(2), -2.5F)},
                 4, gapPixels, white));
+}
+
+Image dimmed(Image radiance, float factor) {
+  for (std::size_t i = 0; i < radiance.rgba.size(); ++i) {
+    if (i % 4 != 3) radiance.rgba[i] *= factor;
+  }
+  return radiance;
 }
 
 void buddha(Studio& studio, const char* name) {
   Scene scene = load(studio, "buddha.ply", "jade", 60);
-  scene.camera = defaultCamera(scene, {0.15F, 0.1F, 1}, 37);
+  scene.camera = defaultCamera(scene, {0.15F, 0.1F, 1}, 36);
   scene.lighting = {};
-  scene.lighting.points = {{{-30, 35, -40}, {18000, 17000, 15000}}};
+  scene.lighting.points = {{{-42, 38, -24}, {20000, 18500, 16000}}};
   const Exposure exposure{0, 512, 704};
   studio.renderer.setScene(scene);
-  const core::Image8 point = photograph(studio, paperMethod(), exposure);
+  const core::Image8 point = photograph(studio, everySource(320), exposure);
   scene.lighting.environment =
-      core::readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr");
+      dimmed(core::readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr"), 0.3F);
   studio.renderer.setScene(scene);
   publish(studio, name,
-          sheet({point, photograph(studio, paperMethod(), exposure)}, 2, gapPixels, white));
+          sheet({point, photograph(studio, everySource(320), exposure)}, 2, gapPixels, white));
 }
 
 void threeModels(Studio& studio, const char* name) {
@@ -70,9 +77,9 @@ void threeModels(Studio& studio, const char* name) {
     studio.renderer.setScene(scene);
     panels.push_back(photograph(studio, paperMethod(), {0.3F, 512, 512}));
   };
-  show(teapot("skimmilk", 60), {0.2F, 0.35F, 1}, 30);
-  show(load(studio, "bunny.ply", "jade", 50), {0.1F, 0.1F, 1}, 31);
-  show(bear("gummy-orange", 50), {0.25F, 0.12F, 1}, 32);
+  show(teapot("marble", 60), {-0.1F, 0.35F, 1}, 33);
+  show(load(studio, "bunny.ply", "jade", 50), {0.1F, 0.1F, 1}, 32);
+  show(bear("gummy-orange", 50), {0.25F, 0.12F, 1}, 37);
   publish(studio, name, sheet(panels, 3, gapPixels, white));
 }
 

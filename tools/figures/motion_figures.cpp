@@ -21,8 +21,8 @@ std::vector<core::Image8> film(Studio& studio, RenderOptions options, const Expo
 }
 
 void morph(Studio& studio, const char* name) {
-  Scene scene = load(studio, "bunny_egg_a.ply", "jade", 50, "bunny_egg_b.ply");
-  scene.camera = defaultCamera(scene, {0.1F, 0.1F, 1}, 31);
+  Scene scene = load(studio, "bunny_egg_a.ply", "apple", 40, "bunny_egg_b.ply");
+  scene.camera = defaultCamera(scene, {0.1F, 0.1F, 1}, 33);
   scene.lighting = stageLight();
   studio.renderer.setScene(scene);
   publish(studio, name,
@@ -31,9 +31,9 @@ void morph(Studio& studio, const char* name) {
 
 void wobble(Studio& studio, const char* name) {
   Scene scene = bear("gummy-red", 50);
-  scene.camera = defaultCamera(scene, {0.25F, 0.12F, 1}, 34);
+  scene.camera = defaultCamera(scene, {0.25F, 0.12F, 1}, 38);
   scene.lighting = stageLight();
-  scene.deformers = {{DeformerKind::Wobble, 0.12F, 1}};
+  scene.deformers = {{DeformerKind::Wobble, 0.09F, 1}};
   studio.renderer.setScene(scene);
   publish(studio, name,
           sheet(film(studio, everySource(192), {0.3F, 272, 320}, 1.0 / 12, 12), 6, 0, dark));
@@ -41,11 +41,11 @@ void wobble(Studio& studio, const char* name) {
 
 void walk(Studio& studio, const char* name) {
   Scene scene = load(studio, "gltf/CesiumMan.glb", "skin1", 60);
-  scene.camera = defaultCamera(scene, {0.35F, 0.12F, 1}, 33);
+  scene.camera = defaultCamera(scene, {0.35F, 0.12F, 1}, 37);
   scene.lighting = stageLight();
   studio.renderer.setScene(scene);
   publish(studio, name,
-          sheet(film(studio, everySource(256), {0.8F, 208, 320}, 2.0 / 8, 8), 8, 0, dark));
+          sheet(film(studio, everySource(256), {0.8F, 220, 320}, 2.0 / 8, 8), 8, 0, dark));
 }
 
 void deformers(Studio& studio, const char* name) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <stb_image_write.h>
 
+#include <cmath>
 #include <cstdio>
 
 #include "bssrdf/media.h"
@@ -16,8 +17,11 @@ namespace {
 /// Above 90 stb_image_write keeps colour at full resolution.
 constexpr int jpegQuality = 92;
 
-/// Linear; as 8-bit sRGB it is `dark`.
-constexpr Rgb darkBackground{0.0116F, 0.0116F, 0.0152F};
+/// IEC 61966-2-1.
+float decodeSrgb(std::uint8_t encoded) {
+  const float value = static_cast<float>(encoded) / 255;
+  return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
+}
 
 LoadOptions loadOptions(std::string_view medium, float diagonalMm) {
   LoadOptions options;
@@ -75,8 +79,9 @@ core::Image8 photograph(Studio& studio, RenderOptions options, const Exposure& e
   return develop(halved(studio.renderer.render(options).images.at(0)), exposure.stops);
 }
 
-core::Image8 develop(const Image& radiance, float stops) {
-  return core::toneMap(radiance, {stops, core::ToneCurve::Neutral, darkBackground});
+core::Image8 develop(const Image& radiance, float stops, const Paper& paper) {
+  const Rgb background{decodeSrgb(paper[0]), decodeSrgb(paper[1]), decodeSrgb(paper[2])};
+  return core::toneMap(radiance, {stops, core::ToneCurve::Neutral, background});
 }
 
 void publish(const Studio& studio, const std::string& name, const core::Image8& picture) {

@@ -52,8 +52,7 @@ RenderOptions everySource(int dsmSize);
 /// paper.
 core::Image8 photograph(Studio& studio, RenderOptions options, const Exposure& exposure);
 
-/// Over dark paper.
-core::Image8 develop(const Image& radiance, float stops);
+core::Image8 develop(const Image& radiance, float stops, const Paper& paper = dark);
 
 /// Writes a JPEG and says so.
 void publish(const Studio& studio, const std::string& name, const core::Image8& picture);
