@@ -105,8 +105,8 @@ Image cubeCross(int faceSize, const std::function<Rgb(const Vec3& direction)>& c
       for (int x = 0; x < faceSize; ++x) {
         const Rgb seen = colour(passes::cubeDirection(face, (static_cast<float>(x) + 0.5F) / size,
                                                       (static_cast<float>(y) + 0.5F) / size));
-        float* pixel = cross.pixel(places[face].column * faceSize + x,
-                                   places[face].row * faceSize + y);
+        float* pixel =
+            cross.pixel(places[face].column * faceSize + x, places[face].row * faceSize + y);
         std::copy(seen.begin(), seen.end(), pixel);
         pixel[3] = 1;
       }

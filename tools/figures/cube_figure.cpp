@@ -30,9 +30,8 @@ void cubes(Studio& studio, const char* name) {
   const Image environment = core::readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr");
   const std::array<double, 3> kernel = irradianceKernel(eta);
   const ShCoefficients radiance = windowed(projectEnvironment(environment), kernel);
-  const Image original = cubeCross(2 * facePixels, [&](const Vec3& direction) {
-    return radianceFrom(environment, direction);
-  });
+  const Image original = cubeCross(
+      2 * facePixels, [&](const Vec3& direction) { return radianceFrom(environment, direction); });
   // Over π, as bright as the mean radiance that it comes from.
   const Image ambient = cubeCross(2 * facePixels, [&](const Vec3& normal) {
     Rgb colour{};
@@ -43,8 +42,8 @@ void cubes(Studio& studio, const char* name) {
     return colour;
   });
   publish(studio, name,
-          sheet({develop(halved(original), stops, white), develop(halved(ambient), stops, white)}, 2,
-                4 * gapPixels, white));
+          sheet({develop(halved(original), stops, white), develop(halved(ambient), stops, white)},
+                2, 4 * gapPixels, white));
 }
 
 }  // namespace

@@ -71,15 +71,15 @@ void buddha(Studio& studio, const char* name) {
 
 void threeModels(Studio& studio, const char* name) {
   std::vector<core::Image8> panels;
-  const auto show = [&](Scene scene, const Vec3& direction, float fovDegrees) {
+  const auto show = [&](Scene scene, const Vec3& direction, float fovDegrees, float stops) {
     scene.camera = defaultCamera(scene, direction, fovDegrees);
     scene.lighting = stageLight();
     studio.renderer.setScene(scene);
-    panels.push_back(photograph(studio, paperMethod(), {0.3F, 512, 512}));
+    panels.push_back(photograph(studio, paperMethod(), {stops, 512, 512}));
   };
-  show(teapot("marble", 60), {-0.1F, 0.35F, 1}, 33);
-  show(load(studio, "bunny.ply", "jade", 50), {0.1F, 0.1F, 1}, 32);
-  show(bear("gummy-orange", 50), {0.25F, 0.12F, 1}, 37);
+  show(teapot("marble", 40), {-0.1F, 0.35F, 1}, 33, 0.9F);
+  show(load(studio, "bunny.ply", "jade", 50), {0.1F, 0.1F, 1}, 32, 0.3F);
+  show(bear("gummy-orange", 50), {0.25F, 0.12F, 1}, 37, 0.5F);
   publish(studio, name, sheet(panels, 3, gapPixels, white));
 }
 

@@ -21,12 +21,11 @@ std::vector<core::Image8> film(Studio& studio, RenderOptions options, const Expo
 }
 
 void morph(Studio& studio, const char* name) {
-  Scene scene = load(studio, "bunny_egg_a.ply", "apple", 40, "bunny_egg_b.ply");
+  Scene scene = load(studio, "bunny_egg_a.ply", "jade", 40, "bunny_egg_b.ply");
   scene.camera = defaultCamera(scene, {0.1F, 0.1F, 1}, 33);
   scene.lighting = stageLight();
   studio.renderer.setScene(scene);
-  publish(studio, name,
-          sheet(film(studio, paperMethod(), {0.3F, 304, 304}, 0.4, 6), 6, 0, dark));
+  publish(studio, name, sheet(film(studio, paperMethod(), {0.7F, 304, 304}, 0.4, 6), 6, 0, dark));
 }
 
 void wobble(Studio& studio, const char* name) {
@@ -50,12 +49,12 @@ void walk(Studio& studio, const char* name) {
 
 void deformers(Studio& studio, const char* name) {
   Scene scene = bear("gummy-orange", 50);
-  scene.camera = defaultCamera(scene, {0.25F, 0.12F, 1}, 36);
+  scene.camera = defaultCamera(scene, {0.25F, 0.12F, 1}, 40);
   scene.lighting = stageLight();
   std::vector<core::Image8> panels;
   for (const Deformer& deformer :
        {Deformer{DeformerKind::Twist, 0}, Deformer{DeformerKind::Twist, 1.5F},
-        Deformer{DeformerKind::Bend, 0.8F}, Deformer{DeformerKind::Squash, 0.3F},
+        Deformer{DeformerKind::Bend, 0.6F}, Deformer{DeformerKind::Squash, 0.3F},
         Deformer{DeformerKind::Wobble, 0.12F}}) {
     scene.deformers = {deformer};
     studio.renderer.setScene(scene);

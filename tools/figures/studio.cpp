@@ -32,8 +32,8 @@ LoadOptions loadOptions(std::string_view medium, float diagonalMm) {
 
 }  // namespace
 
-Scene load(const Studio& studio, const std::string& file, std::string_view medium,
-           float diagonalMm, const std::string& morphTo) {
+Scene load(const Studio& studio, const std::string& file, std::string_view medium, float diagonalMm,
+           const std::string& morphTo) {
   LoadOptions options = loadOptions(medium, diagonalMm);
   if (!morphTo.empty()) options.morphTo = studio.models / morphTo;
   return loadScene(studio.models / file, options);

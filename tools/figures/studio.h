@@ -32,8 +32,8 @@ struct Exposure {
 };
 
 /// A model of the paper's, or a glTF character, scaled to that diagonal.
-Scene load(const Studio& studio, const std::string& file, std::string_view medium,
-           float diagonalMm, const std::string& morphTo = "");
+Scene load(const Studio& studio, const std::string& file, std::string_view medium, float diagonalMm,
+           const std::string& morphTo = "");
 
 /// The built-in bear or teapot.
 Scene bear(std::string_view medium, float diagonalMm);
