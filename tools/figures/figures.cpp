@@ -55,10 +55,12 @@ Image dimmed(Image radiance, float factor) {
 }
 
 void buddha(Studio& studio, const char* name) {
-  Scene scene = load(studio, "buddha.ply", "jade", 60);
+  Scene scene = load(studio, "buddha.ply", "jade", 120);
   scene.camera = defaultCamera(scene, {0.15F, 0.1F, 1}, 36);
   scene.lighting = {};
-  scene.lighting.points = {{{-42, 38, -24}, {20000, 18500, 16000}}};
+  const Vec3& centre = scene.camera.targetMm;
+  scene.lighting.points = {
+      {{centre[0] - 75, centre[1] + 62, centre[2] + 10}, {66000, 61000, 54000}}};
   const Exposure exposure{0, 512, 704};
   studio.renderer.setScene(scene);
   const core::Image8 point = photograph(studio, everySource(320), exposure);

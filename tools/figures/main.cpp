@@ -41,6 +41,9 @@ std::vector<Figure> allFigures() {
   for (const std::span<const Figure> some : {stillFigures(), cubeFigures(), motionFigures()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
+  std::sort(all.begin(), all.end(), [](const Figure& a, const Figure& b) {
+    return std::string_view(a.name) < std::string_view(b.name);
+  });
   return all;
 }
 
