@@ -1,6 +1,7 @@
 // Figure 9 of Gong et al. 2008, and motion that it does not show.
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "figures.h"
@@ -25,7 +26,12 @@ void morph(Studio& studio, const char* name) {
   scene.camera = defaultCamera(scene, {0.1F, 0.1F, 1}, 33);
   scene.lighting = stageLight();
   studio.renderer.setScene(scene);
-  publish(studio, name, sheet(film(studio, paperMethod(), {0.7F, 304, 304}, 0.4, 6), 6, 0, dark));
+  const Exposure exposure{0.7F, 304, 304};
+  std::vector<core::Image8> panels = film(studio, paperMethod(), exposure, 0.4, 6);
+  for (core::Image8& panel : film(studio, everySource(256), exposure, 0.4, 6)) {
+    panels.push_back(std::move(panel));
+  }
+  publish(studio, name, sheet(panels, 6, 0, dark));
 }
 
 void wobble(Studio& studio, const char* name) {
