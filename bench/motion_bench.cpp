@@ -66,13 +66,14 @@ Scene skinned(Scene scene) {
   return scene;
 }
 
-Scene morphed(Scene scene) {
+/// With `normals` of its own, or such as have to be made from the triangles.
+Scene morphed(Scene scene, bool normals) {
   Rig& rig = addRig(scene);
   MorphTarget target;
   for (std::size_t v = 0; v < rig.positions.size(); ++v) {
     const Vec3& n = rig.normals[v];
     target.positions.push_back({2 * n[0], 2 * n[1], 2 * n[2]});
-    target.normals.push_back({0.01F * n[1], 0, 0});
+    if (normals) target.normals.push_back({0.01F * n[1], 0, 0});
   }
   rig.targets = {target};
   scene.clips = {
@@ -137,7 +138,8 @@ void run(int count, char** values) {
   std::vector<Way> ways;
   ways.push_back({"still", 1, scene});
   ways.push_back({"skin", 1.1, skinned(scene)});
-  ways.push_back({"morph", 1.1, morphed(scene)});
+  ways.push_back({"morph", 1.1, morphed(scene, true)});
+  ways.push_back({"morph, normals anew", 1.1, morphed(scene, false)});
   ways.push_back({"procedural", 1.1, deformed(scene)});
   ways.push_back({"host", 1.25, scene, true});
   for (Way& way : ways) way.start();
@@ -161,9 +163,12 @@ void run(int count, char** values) {
   fmt::print("{}, {} vertices, 1024 x 1024, fragment, on {}\n", scene.name,
              result["vertices"].get<std::size_t>(), result["device"].get<std::string>());
   for (const json& row : rows)
-    fmt::print("  {:<12}{:>9.2f} ms a frame{:>8.3f} of the still (at most {:.2f})\n",
+    fmt::print("  {:<20}{:>9.2f} ms a frame{:>8.3f} of the still ({})\n",
                row["motion"].get<std::string>(), row["frame_ms"].get<double>(),
-               row["ratio"].get<double>(), row["allowed"].get<double>());
+               row["ratio"].get<double>(),
+               row["ratio"].get<double>() <= row["allowed"].get<double>()
+                   ? "within bounds"
+                   : fmt::format("MORE than {:.2f}", row["allowed"].get<double>()));
 }
 
 }  // namespace

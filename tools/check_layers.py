@@ -32,6 +32,7 @@ ALLOWED = {
     "reference": ("opaline", "core", "bssrdf"),
     "apps": ("opaline", "core", "compare", "bssrdf", "scene", "deform", "atlas", "reference"),
     "bench": ("*",),
+    "tools/figures": ("*",),
     "python": ("opaline",),
     "examples": ("opaline",),
     "tests": ("*", "tests"),

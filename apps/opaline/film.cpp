@@ -11,6 +11,7 @@
 #include "film_encoder.h"
 #include "frame_names.h"
 #include "frame_writer.h"
+#include "opaline/error.h"
 #include "paths.h"
 #include "progress.h"
 
@@ -84,19 +85,28 @@ std::size_t renderFrames(Renderer& renderer, const FilmOrder& order, FrameWriter
     writer.push(number, std::move(frame));
     showProgress();
   };
-  for (int frame = order.frames.first; frame <= order.frames.last; ++frame) {
+  const auto renderNext = [&](int frame) {
     if (isThere(order, frame)) {
       ++skipped;
       showProgress();
-      continue;
+      return;
     }
     if (underWay.count() == Renderer::framesInFlight) collectOldest();
     options.seconds = order.frames.seconds(frame);
     if (order.place) order.place(renderer, frame);
     underWay.submit(frame, options, aovs);
+  };
+  const auto finish = [&] {
+    while (underWay.count() > 0) collectOldest();
+    writer.finish();
+  };
+  try {
+    for (int frame = order.frames.first; frame <= order.frames.last; ++frame) renderNext(frame);
+  } catch (const Error&) {
+    finish();  // what was rendered before is not lost
+    throw;
   }
-  while (underWay.count() > 0) collectOldest();
-  writer.finish();
+  finish();
   showProgress();
   return order.frames.count() - skipped;
 }

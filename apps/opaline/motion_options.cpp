@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "opaline/error.h"
+#include "scene/deformer_check.h"
 #include "values.h"
 
 namespace opaline::app {
@@ -63,6 +64,9 @@ Deformer readDeformer(const Given& given) {
     deformer.periodSeconds = static_cast<float>(readNumber({option, parts[2]}, secondsRange));
   }
   deformer.amount = static_cast<float>(readNumber({option, parts[1]}, amountRange(deformer)));
+  if (const std::string complaint = scene::complaintAbout(deformer); !complaint.empty()) {
+    throw UsageError(fmt::format("{} {}: {}", given.option, given.text, complaint));
+  }
   return deformer;
 }
 

@@ -20,7 +20,7 @@ class MeshSequence {
   MeshSequence(MeshSequence&&) noexcept;
   MeshSequence& operator=(MeshSequence&&) noexcept;
 
-  /// Whether a path names a sequence rather than one file.
+  /// Whether a path names a sequence rather than one file; a file of just that name is a file.
   static bool isPattern(const std::filesystem::path& path);
 
   /// The first frame: one object without a rig.

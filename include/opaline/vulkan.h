@@ -19,8 +19,9 @@ struct VulkanDevice {
 /// Positions in mm, three floats each, of an object's vertices in their order. The buffer has the
 /// usage VK_BUFFER_USAGE_STORAGE_BUFFER_BIT and lives until every frame that reads it was
 /// collected. What writes it goes to the same queue before the frame and makes its writes available
-/// to shader storage reads of compute shaders. Positions that are not finite are taken from the
-/// rest pose.
+/// to shader storage reads of compute shaders; what writes it again waits, by a barrier from
+/// compute shaders' reads or until the frame was collected. For a vertex whose position is not
+/// finite, or 1e18 mm away, the pose stands that it would have without.
 struct DevicePositions {
   VkBuffer buffer = VK_NULL_HANDLE;
   VkDeviceSize offsetBytes = 0;    ///< multiple of 4

@@ -64,22 +64,34 @@ DeformedMesh resting(const Mesh& mesh) {
   return result;
 }
 
-void facet(const std::vector<Triangle>& triangles, DeformedMesh& mesh) {
+void facet(const std::vector<Triangle>& triangles, double side, DeformedMesh& mesh) {
   for (const Triangle& t : triangles) {
     const Double3 area =
         scene::areaVector(mesh.positionsMm[t[0]], mesh.positionsMm[t[1]], mesh.positionsMm[t[2]]);
-    for (const std::uint32_t v : t) mesh.normals[v] = unitOr(area, mesh.normals[v]);
+    for (const std::uint32_t v : t) mesh.normals[v] = unitOr(side * area, mesh.normals[v]);
   }
 }
 
-void smooth(const Mesh& rest, DeformedMesh& mesh) {
+bool mirrorsAt(const Rig& rig, const Pose& pose) {
+  std::vector<Matrix4> matrices(std::max<std::size_t>(rig.joints.size(), 1));
+  jointMatrices(rig, pose, matrices);
+  return mirrors(matrices);
+}
+
+/// -1 where the pose mirrors what the rest pose does not, or the other way round.
+double sideOf(const Scene& scene, const Object& object, const Pose& pose) {
+  if (!object.rig) return 1;
+  return mirrorsAt(*object.rig, pose) == mirrorsAt(*object.rig, makePose(scene)) ? 1 : -1;
+}
+
+void smooth(const Mesh& rest, double side, DeformedMesh& mesh) {
   const std::vector<std::uint32_t> groups = smoothGroups(rest);
   std::vector<Triangle> triangles = rest.triangles;
   for (Triangle& t : triangles) {
     for (std::uint32_t& v : t) v = groups[v];
   }
   const std::vector<Double3> normals = scene::smoothNormals(mesh.positionsMm, triangles);
-  for (std::size_t v = 0; v < groups.size(); ++v) mesh.normals[v] = normals[groups[v]];
+  for (std::size_t v = 0; v < groups.size(); ++v) mesh.normals[v] = side * normals[groups[v]];
 }
 
 }  // namespace
@@ -105,9 +117,9 @@ DeformedMesh deformedMesh(const Scene& scene, std::size_t object, const Pose& po
     mesh.normals[v] = point.normal;
   }
   if (of.mesh.facetted) {
-    facet(of.mesh.triangles, mesh);
+    facet(of.mesh.triangles, sideOf(scene, of, pose), mesh);
   } else if (normalsFromTriangles(of)) {
-    smooth(of.mesh, mesh);
+    smooth(of.mesh, sideOf(scene, of, pose), mesh);
   }
   return mesh;
 }

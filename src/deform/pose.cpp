@@ -206,6 +206,13 @@ void jointMatrices(const Rig& rig, const Pose& pose, std::span<Matrix4> matrices
   }
 }
 
+bool mirrors(std::span<const Matrix4> matrices) {
+  const auto mirroring = std::count_if(matrices.begin(), matrices.end(), [](const Matrix4& matrix) {
+    return matrix.determinant() < 0;
+  });
+  return 2 * static_cast<std::size_t>(mirroring) > matrices.size();
+}
+
 std::span<const float> morphWeights(const Rig& rig, const Pose& pose) {
   return std::span(pose.weights).subspan(pose.firstWeight[rig.node], rig.targets.size());
 }

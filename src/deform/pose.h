@@ -39,6 +39,9 @@ double clipTime(const Clip& clip, double seconds);
 /// has no joints; `matrices` has one place for each. Allocates nothing.
 void jointMatrices(const Rig& rig, const Pose& pose, std::span<scene::Matrix4> matrices);
 
+/// Whether most of a rig's matrices mirror, so that its triangles turn.
+bool mirrors(std::span<const scene::Matrix4> matrices);
+
 /// The weights of a rig's morph targets, one for each; those that the node does not give are 0.
 std::span<const float> morphWeights(const Rig& rig, const Pose& pose);
 

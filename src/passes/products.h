@@ -32,7 +32,7 @@ struct Motion {
 /// The surface as it is in this frame.
 struct DeformedMesh {
   gpu::Buffer positions;      ///< vec4 a vertex, mm
-  gpu::Buffer normals;        ///< vec4 a vertex, unit
+  gpu::Buffer normals;        ///< vec4 a vertex, unit; w -1 where the body is mirrored, else 1
   gpu::Buffer bounds;         ///< of the positions; see lib/bounds.glsl
   gpu::Buffer corners;        ///< shared::AtlasCorner, the atlas's vertices
   gpu::Buffer vertexCorners;  ///< shared::AtlasCorner, one for each vertex

@@ -17,8 +17,10 @@ namespace {
 constexpr std::uint32_t slices = Renderer::framesInFlight + 1;
 constexpr std::size_t bytesPerPosition = sizeof(Vec3);
 
-bool isFinite(const Vec3& p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+// What the deform pass takes; false for NaN too.
+bool isUsable(const Vec3& p) {
+  constexpr float limitMm = 1e18F;
+  return std::abs(p[0]) < limitMm && std::abs(p[1]) < limitMm && std::abs(p[2]) < limitMm;
 }
 
 }  // namespace
@@ -54,10 +56,12 @@ void GivenPositions::give(gpu::Device& device, std::size_t object,
   if (positionsMm.size() != ranges_[object].vertexCount)
     throw UsageError(fmt::format("object {} has {} vertices, but {} positions are given", object,
                                  ranges_[object].vertexCount, positionsMm.size()));
-  const auto bad = std::find_if_not(positionsMm.begin(), positionsMm.end(), isFinite);
+  const auto bad = std::find_if_not(positionsMm.begin(), positionsMm.end(), isUsable);
   if (bad != positionsMm.end())
-    throw UsageError(fmt::format("the position given for vertex {} of object {} is not finite",
-                                 bad - positionsMm.begin(), object));
+    throw UsageError(
+        fmt::format("the position given for vertex {} of object {} is not finite, or "
+                    "beyond 1e18 mm",
+                    bad - positionsMm.begin(), object));
   makeRoom(device, motion);
   if (!staging_)
     staging_ = gpu::Buffer(device, {.name = "given positions (staging)",
@@ -79,14 +83,15 @@ void GivenPositions::give(gpu::Device& device, std::size_t object, const DeviceP
         "the buffer of positions for object {} needs an offset and a stride that are multiples of "
         "4 bytes, and a stride of at least 12",
         object));
-  const std::size_t bytes = positions.offsetBytes +
-                            std::size_t{positions.strideBytes} * (ranges_[object].vertexCount - 1) +
-                            bytesPerPosition;
-  if (bytes > device.limits().maxStorageBufferRange)
+  const std::size_t steps = std::max(ranges_[object].vertexCount, 1U) - 1;
+  const std::size_t ownBytes = positions.strideBytes * steps + bytesPerPosition;
+  const std::size_t limit = device.limits().maxStorageBufferRange;
+  if (ownBytes > limit || positions.offsetBytes > limit - ownBytes)
     throw UsageError(fmt::format(
-        "the positions for object {} end {} bytes from the start of their buffer, but {} reads at "
-        "most {} from one buffer",
-        object, bytes, device.info().name, device.limits().maxStorageBufferRange));
+        "the positions for object {} are {} bytes from byte {} on, but {} reads at most {} from "
+        "one buffer",
+        object, ownBytes, positions.offsetBytes, device.info().name, limit));
+  const std::size_t bytes = positions.offsetBytes + ownBytes;
   makeRoom(device, motion);
   given.source = Source::Device;
   given.buffer = gpu::Buffer::borrowed(positions.buffer, bytes);

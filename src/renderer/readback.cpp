@@ -121,8 +121,8 @@ bool needsCentre(Aov aov) {
   }
 }
 
-void Readback::record(gpu::Device& device, gpu::CommandList& commands, const std::vector<Aov>& aovs,
-                      Site site, const CameraView& camera, FrameResources& resources) {
+void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site site,
+                       const CameraView& camera, FrameResources& resources) {
   camera_ = camera;
   entries_.clear();
   std::size_t bytes = 0;
@@ -136,12 +136,14 @@ void Readback::record(gpu::Device& device, gpu::CommandList& commands, const std
     }
     entries_.push_back(entry);
   }
-  if (bytes == 0) return;
-  if (!buffer_ || buffer_.bytes() < bytes) {
-    buffer_ = {};
-    buffer_ =
-        gpu::Buffer(device, {.name = "readback", .bytes = bytes, .memory = gpu::Memory::Readback});
-  }
+  if (bytes == 0 || (buffer_ && buffer_.bytes() >= bytes)) return;
+  buffer_ = {};
+  buffer_ =
+      gpu::Buffer(device, {.name = "readback", .bytes = bytes, .memory = gpu::Memory::Readback});
+}
+
+void Readback::record(gpu::CommandList& commands, Site site, FrameResources& resources) {
+  if (entries_.empty()) return;
   for (const Entry& entry : entries_) {
     const std::array<gpu::GpuImage*, 3> images = imagesOf(entry.aov, site, resources);
     for (std::size_t i = 0; i < images.size(); ++i)

@@ -20,9 +20,12 @@ bool needsCentre(Aov aov);
 /// allocates nothing.
 class Readback {
  public:
+  /// Makes room for these variables of the next frame. The last frame has finished.
+  void prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site site,
+               const CameraView& camera, FrameResources& resources);
+
   /// Records the copies.
-  void record(gpu::Device& device, gpu::CommandList& commands, const std::vector<Aov>& aovs,
-              Site site, const CameraView& camera, FrameResources& resources);
+  void record(gpu::CommandList& commands, Site site, FrameResources& resources);
 
   /// The images in the order of the variables; the frame has finished.
   void finish(std::vector<Image>& images) const;

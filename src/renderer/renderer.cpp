@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -91,9 +92,15 @@ class Renderer::Implementation {
     motion_.reset();
     uploaded_.reset();
     times_.clear();
-    scene_ = scene;
-    merged_ = merge(*scene_);
-    motion_.emplace(device_, *scene_, merged_);
+    scene_.reset();
+    scene_ = std::make_unique<const Scene>(scene);
+    try {
+      merged_ = merge(*scene_);
+      motion_.emplace(device_, *scene_, merged_);
+    } catch (...) {
+      scene_.reset();  // half a scene is none
+      throw;
+    }
   }
 
   RenderResult render(const RenderOptions& options, const std::vector<Aov>& aovs) {
@@ -123,10 +130,11 @@ class Renderer::Implementation {
     const FrameUpload upload{frameData_.buffer(), frameData_.push(makeFrameData(camera, options))};
 
     FrameSlot& slot = slots_[next_];
+    slot.readback.prepare(device_, aovs, site_, camera, *resources_);
     slot.commands.begin();
     recordFrame(slot.commands, passes_, makePlan(options, aovs, site_), upload, *motion_,
                 uploaded_->mesh, *resources_);
-    slot.readback.record(device_, slot.commands, aovs, site_, camera, *resources_);
+    slot.readback.record(slot.commands, site_, *resources_);
     slot.commands.submit();
     next_ = (next_ + 1) % slots_.size();
     ++waiting_;
@@ -263,7 +271,7 @@ class Renderer::Implementation {
   std::size_t next_ = 0;     // slot of the next frame
   std::size_t waiting_ = 0;  // frames submitted and not collected
   gpu::UploadRing frameData_;
-  std::optional<Scene> scene_;
+  std::unique_ptr<const Scene> scene_;
   MergedMesh merged_;
   std::optional<SceneMotion> motion_;
   std::optional<SceneResources> uploaded_;

@@ -68,6 +68,11 @@ SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const MergedMe
       objects_(ranges_.size()),
       ring_(device, "motion of a frame", uploadBytes(device, ranges_), Renderer::framesInFlight,
             0) {
+  for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    const std::span<scene::Matrix4> joints(joints_.data(), ranges_[i].matrixCount);
+    if (scene.objects[i].rig) deform::jointMatrices(*scene.objects[i].rig, pose_, joints);
+    restMirrors_.push_back(deform::mirrors(joints));
+  }
   const Bounds bounds = boundsOf(scene);
   const glm::vec3 low = glm::make_vec3(bounds.minMm.data());
   const glm::vec3 high = glm::make_vec3(bounds.maxMm.data());
@@ -93,6 +98,7 @@ void SceneMotion::fillFrame(double seconds) {
   }
   motion_.normalsFromMesh = false;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
+    objects_[i].side = 1;
     objects_[i].replaced = given_.isGiven(i) ? 1 : 0;
     objects_[i].normalsFromMesh = given_.isGiven(i) || ranges_[i].normalsFromMesh ? 1 : 0;
     motion_.normalsFromMesh = motion_.normalsFromMesh || objects_[i].normalsFromMesh != 0;
@@ -110,6 +116,8 @@ void SceneMotion::fillPose(int clip, double seconds) {
       weights_[range.firstWeight + t] = t < given.size() ? given[t] : 0.0F;
     const std::span<scene::Matrix4> joints(joints_.data(), range.matrixCount);
     deform::jointMatrices(*rig, pose_, joints);
+    if (!given_.isGiven(i))
+      objects_[i].side = deform::mirrors(joints) == restMirrors_[i] ? 1.0F : -1.0F;
     for (std::size_t j = 0; j < joints.size(); ++j)
       addRows(joints[j], matrices_, 3 * (range.firstMatrix + j));
   }

@@ -39,6 +39,7 @@ class SceneMotion {
   GivenPositions given_;
   deform::Pose pose_;
   std::vector<scene::Matrix4> joints_;  // of one object
+  std::vector<bool> restMirrors_;       // by object
   // What goes to the device for a frame.
   shared::DeformFrame frame_{};
   std::vector<float> weights_;

@@ -138,6 +138,7 @@ RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool not
   }
   scaleBy(raw, factor, name);
   raw.mmPerUnit = 1.0;
+  std::size_t room = mostRigNumbers;
   for (RawObject& object : raw.objects) {
     // Rounding to float may have flattened a needle.
     if (lostArea(object.mesh)) {
@@ -145,7 +146,7 @@ RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool not
         addRepair(repairs, repair.what, repair.count);
       }
     }
-    alignRig(object, nameIn(name, object));
+    alignRig(object, nameIn(name, object), room);
   }
   return raw;
 }

@@ -207,6 +207,18 @@ void takeCamera(Gathering& to, std::size_t nodeIndex) {
   to.scene.camera = taken;
 }
 
+/// Lights and cameras stay where the file puts them, whatever a clip does to their node.
+void noteStanding(const Gathering& from, std::size_t nodeIndex) {
+  if (!from.motion.any() || !from.motion.moved[nodeIndex]) return;
+  const tinygltf::Node& node = from.model.nodes[nodeIndex];
+  const bool lit = node.extensions.find("KHR_lights_punctual") != node.extensions.end();
+  if (node.camera == -1 && !lit) return;
+  note(from.input.log,
+       fmt::format("{}: the {} at node '{}' stands still, though a clip moves it",
+                   cleanText(from.input.file.string(), 1000),
+                   node.camera == -1 ? "light" : "camera", cleanText(node.name, 60)));
+}
+
 void aimAtMiddle(RawScene& scene) {
   if (!scene.camera) return;
   const Bounds bounds = boundsOf(scene);
@@ -228,6 +240,7 @@ RawScene loadGltf(const Input& input) {
     if (model.nodes[index].mesh != -1) addMesh(gathering, index);
     addLight(gathering, index);
     takeCamera(gathering, index);
+    noteStanding(gathering, index);
   }
   if (gathering.skippedPrimitives > 0) {
     note(input.log, fmt::format("{}: {} primitives of points or lines are left out",

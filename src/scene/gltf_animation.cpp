@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "scene/formats.h"
 #include "scene/text.h"
@@ -76,7 +78,9 @@ class Reader {
       for (const tinygltf::AnimationChannel& channel : animation.channels) {
         readChannel(animation, clip, channel);
       }
-      if (!clip.tracks.empty()) motion_.clips.push_back(std::move(clip));
+      if (clip.tracks.empty()) continue;
+      clip.name = nameOfItsOwn(clip.name);
+      motion_.clips.push_back(std::move(clip));
     }
     if (skipped_ > 0) {
       note(input_.log, fmt::format("{}: {} animation channels move nothing that can be rendered",
@@ -87,6 +91,15 @@ class Reader {
  private:
   [[noreturn]] void fail(const Clip& clip, const std::string& reason) const {
     failGltf(input_, fmt::format("animation '{}' {}", cleanText(clip.name, 60), reason));
+  }
+
+  /// Clips are asked for by name, and "none" is that none plays.
+  std::string nameOfItsOwn(const std::string& wanted) {
+    std::string name = wanted;
+    while (name == "none" || !names_.insert(name).second) {
+      name = fmt::format("{} ({})", wanted, ++numberOf_.try_emplace(wanted, 1).first->second);
+    }
+    return name;
   }
 
   /// The nodes come parents first.
@@ -191,7 +204,9 @@ class Reader {
   const GltfNodes& nodes_;
   GltfAccessors& accessors_;
   GltfMotion& motion_;
-  std::vector<std::size_t> targets_;  ///< per mesh
+  std::vector<std::size_t> targets_;               ///< per mesh
+  std::unordered_set<std::string> names_;          ///< of the clips so far
+  std::unordered_map<std::string, int> numberOf_;  ///< how often a name was wanted
   std::size_t skipped_ = 0;
 };
 

@@ -13,10 +13,6 @@ namespace opaline::scene {
 
 namespace {
 
-/// Vectors and influences of one rig; a mesh's flat triangles may name the file's few vertices over
-/// and over.
-constexpr std::size_t mostNumbers = 100'000'000;
-
 using Origins = std::vector<Provenance>;
 
 void gather(std::vector<Vec3>& values, const Origins& origins) {
@@ -41,18 +37,20 @@ void gatherInfluences(Rig& rig, const Origins& origins) {
   rig.influences = std::move(influences);
 }
 
-void requireRoom(const Rig& rig, const Origins& origins, const std::string& name) {
+/// A mesh's flat triangles may name the file's few vertices over and over, and nodes the mesh.
+void takeRoom(const Rig& rig, const Origins& origins, const std::string& name, std::size_t& room) {
   std::size_t vectors = origins.size() * (2 + 2 * rig.targets.size());
   if (!rig.firstInfluence.empty()) {
     for (const Provenance& of : origins) {
       vectors += rig.firstInfluence[of.vertex + 1] - rig.firstInfluence[of.vertex];
     }
   }
-  if (vectors > mostNumbers) {
-    throw Error(
-        fmt::format("{}: its morph targets and influences are more than {} for its vertices", name,
-                    mostNumbers));
+  if (vectors > room) {
+    throw Error(fmt::format(
+        "{}: with it the morph targets and influences of the file's vertices are more than {}",
+        name, mostRigNumbers));
   }
+  room -= vectors;
 }
 
 void requireFinite(const Rig& rig, const std::string& name) {
@@ -126,12 +124,12 @@ void startProvenance(RawMesh& mesh) {
   }
 }
 
-void alignRig(RawObject& object, const std::string& name) {
+void alignRig(RawObject& object, const std::string& name, std::size_t& room) {
   if (!object.rig) return;
   Rig& rig = *object.rig;
   const RawMesh& mesh = object.mesh;
   requireFinite(rig, name);
-  requireRoom(rig, mesh.provenance, name);
+  takeRoom(rig, mesh.provenance, name, room);
   gather(rig.positions, mesh.provenance);
   gather(rig.normals, mesh.provenance);
   gatherInfluences(rig, mesh.provenance);

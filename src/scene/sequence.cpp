@@ -125,12 +125,17 @@ struct MeshSequence::State {
 };
 
 bool MeshSequence::isPattern(const std::filesystem::path& path) {
-  return patternIn(path).has_value();
+  std::error_code ignored;
+  return !fs::is_regular_file(path, ignored) && patternIn(path).has_value();
 }
 
 MeshSequence::MeshSequence(const std::filesystem::path& path, const LoadOptions& options)
     : state_(std::make_unique<State>()) {
   scene::requireSensible(options);
+  if (options.morphTo) {
+    throw UsageError(fmt::format("{} moves by itself and cannot become {} as well", shown(path),
+                                 shown(*options.morphTo)));
+  }
   const auto pattern = patternIn(path);
   if (!pattern) {
     throw UsageError(fmt::format(
@@ -189,7 +194,7 @@ void MeshSequence::read(int number, std::vector<Vec3>& positionsMm) const {
     scene::RawScene raw = scene::loadModel(file, {});
     const scene::RawMesh& mesh =
         scene::onlyStillObject(raw, shown(file), "a sequence of meshes").mesh;
-    const std::string difference = scene::differenceOf(state_->faces, scene::faceListOf(mesh));
+    const std::string difference = scene::differenceOf(scene::faceListOf(mesh), state_->faces);
     if (!difference.empty()) {
       throw Error(fmt::format("{} differs from {} in more than positions: {}", shown(file),
                               shown(state_->file(state_->first)), difference));

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
 #include <memory>
@@ -195,6 +197,33 @@ TEST_F(MotionTest, FacettedMeshesStayFacetted) {
   scene.deformers = {{DeformerKind::Bend, 1.5F, 0}};
   put(scene);
   expectAsOnHost(0, 0.7);
+}
+
+// A clip that mirrors what is not mirrored at rest: the same sphere again, right side out.
+TEST_F(MotionTest, MirroredByAClipStaysRightSideOut) {
+  for (const bool facetted : {false, true}) {
+    Scene scene = ball();
+    Object& object = scene.objects[0];
+    object.mesh.facetted = facetted;
+    scene.nodes.resize(1);
+    Rig rig;
+    rig.positions = object.mesh.positionsMm;
+    rig.normals = object.mesh.normals;
+    for (Vec3& p : rig.positions) p = {p[0] - 1, p[1] - 2, p[2] - 3};
+    rig.toScene.columns[3] = {1, 2, 3};
+    object.rig = rig;
+    scene.clips = {{"mirror",
+                    1,
+                    {{0, TrackTarget::Scale, Interpolation::Linear, {0, 1}, {1, 1, 1, -1, 1, 1}}}}};
+    put(scene);
+    const Moved moved = at(0, 1);
+    for (std::size_t v = 0; v < moved.normals.size(); ++v) {
+      const glm::vec3 outward = (glm::vec3(moved.positions[v]) - glm::vec3(1, 2, 3)) / 5.0F;
+      ASSERT_GT(glm::dot(outward, glm::vec3(moved.normals[v])), 0.9F);
+      ASSERT_EQ(moved.normals[v].w, -1);
+    }
+    if (!facetted) expectAsOnHost(0, 1);
+  }
 }
 
 TEST_F(MotionTest, DeformersAsOnTheHost) {

@@ -169,6 +169,23 @@ TEST_F(RobustnessTest, MotionThatMakesNoSenseIsRefused) {
     EXPECT_THROW(renderer().setScene(wrong[i]), Error) << i;
 }
 
+// 6 million deltas of 28 bytes are more than any device here reads from one buffer.
+TEST_F(RobustnessTest, ASceneThatDoesNotFitLeavesNone) {
+  Scene scene = riggedBall();
+  Rig& rig = *scene.objects[0].rig;
+  rig.targets.assign(6'000'000 / rig.positions.size(), rig.targets[0]);
+  Renderer fresh(sharedRenderer().options());
+  fresh.setScene(riggedBall());
+  try {
+    fresh.setScene(scene);
+  } catch (const Error&) {
+    EXPECT_THROW(fresh.submit(smallOptions()), Error);
+    EXPECT_THROW(fresh.replacePositions(0, rig.positions), Error);
+  }
+  fresh.setScene(riggedBall());
+  EXPECT_NO_THROW(fresh.render(smallOptions(), {Aov::Depth}));
+}
+
 // A body that has shrunk to a point, or grown beyond what floats hold, is no NaN.
 TEST_F(RobustnessTest, MotionWithoutMeasureIsBorne) {
   Scene scene = riggedBall();

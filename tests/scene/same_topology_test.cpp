@@ -192,7 +192,7 @@ TEST_F(Sequence, FramesThatDoNotFitAreErrors) {
   const auto errorOf = [&](int number) {
     return test::messageOf([&] { sequence.read(number, positions); });
   };
-  EXPECT_THAT(errorOf(1), HasSubstr("10 vertices against 8"));
+  EXPECT_THAT(errorOf(1), HasSubstr("8 vertices against 10"));
   EXPECT_THAT(errorOf(1), HasSubstr("frame_000.ply"));
   EXPECT_THAT(errorOf(2), HasSubstr("frame_002.ply"));
   EXPECT_THAT(errorOf(3), HasSubstr("not finite"));

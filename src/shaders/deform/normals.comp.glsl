@@ -28,5 +28,6 @@ void main() {
     float doubled = length(area);
     if (doubled > 0.0) sum += area * (atan(doubled, dot(a, b)) / doubled);
   }
-  normals[v] = vec4(unitOr(sum, normals[v].xyz), 0.0);
+  vec4 before = normals[v];
+  normals[v] = vec4(unitOr(before.w * sum, before.xyz), before.w);
 }

@@ -8,6 +8,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 place;
 layout(location = 3) in vec3 exitance;
 layout(location = 4) flat in uint object;
+layout(location = 5) flat in float side;  // -1 where the triangle is mirrored
 
 layout(location = 0) out vec4 positionObject;  // mm; object + 1
 layout(location = 1) out vec4 unitNormal;      // towards the side that is seen
@@ -17,7 +18,7 @@ layout(location = 3) out vec4 vertexExitance;  // interpolated
 void main() {
   vec3 n = unitOr(normal, vec3(0.0, 1.0, 0.0));
   positionObject = vec4(position, float(object + 1u));
-  unitNormal = vec4(gl_FrontFacing ? n : -n, 0.0);
+  unitNormal = vec4(gl_FrontFacing == (side > 0.0) ? n : -n, 0.0);
   placeNearby = place;
   vertexExitance = vec4(exitance, 1.0);
 }

@@ -18,11 +18,13 @@ layout(location = 1) out vec3 normal;
 layout(location = 2) out vec2 place;
 layout(location = 3) out vec3 exitance;
 layout(location = 4) flat out uint object;
+layout(location = 5) flat out float side;
 
 void main() {
   AtlasCorner corner = corners[gl_VertexIndex];
   position = positions[corner.vertex].xyz;
   normal = normals[corner.vertex].xyz;
+  side = normals[corner.vertex].w;
   place = nearPlace(corner, charts[corner.chart]);
   exitance = exitances[corner.vertex].rgb;
   object = corner.object;

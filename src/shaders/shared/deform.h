@@ -57,6 +57,7 @@ struct TriangleEdge {
 struct ObjectMotion {
   uint replaced;         // 1: its positions are given
   uint normalsFromMesh;  // 1: its normals are made from its triangles
+  float side;  // -1 where it is mirrored, unlike at rest, so that its triangles turn; else 1
 };
 
 /// motion.h, DeformerKind.
@@ -79,7 +80,7 @@ static_assert(sizeof(MorphDelta) == 28);
 static_assert(offsetof(MorphDelta, normalX) == 16);
 static_assert(sizeof(JointInfluence) == 8);
 static_assert(sizeof(TriangleEdge) == 8);
-static_assert(sizeof(ObjectMotion) == 8);
+static_assert(sizeof(ObjectMotion) == 12);
 static_assert(sizeof(DeformerData) == 48);
 static_assert(offsetof(DeformFrame, deformers) == 32);
 static_assert(sizeof(DeformFrame) == 32 + 48 * maxDeformers);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/image_file.h"
+#include "opaline/image.h"
+#include "opaline/types.h"
+
+namespace opaline::figures {
+
+/// The mean of every two by two pixels, weighted by coverage; an odd last row or column is dropped.
+Image halved(const Image& image);
+
+/// Pixels of R, G, B from 0 to 255 under a picture and between its panels.
+using Paper = std::array<std::uint8_t, 3>;
+
+/// Values in [0,1] as they are, without a tone curve or sRGB, over the paper.
+core::Image8 plain(const Image& image, const Paper& paper);
+
+/// Panels of one size from left to right and from top to bottom, with `gap` pixels of paper between
+/// them. Throws std::invalid_argument where there is none or the sizes differ.
+core::Image8 sheet(const std::vector<core::Image8>& panels, int columns, int gap,
+                   const Paper& paper);
+
+/// All six faces of a cube map, laid out as a cross of four by three faces whose middle is +z, so
+/// that faces that meet in the picture meet in the cube. What is outside has no coverage.
+Image cubeCross(int faceSize, const std::function<Rgb(const Vec3& direction)>& colour);
+
+}  // namespace opaline::figures

@@ -1,0 +1,56 @@
+// Figure 4 of Gong et al. 2008.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/image_file.h"
+#include "environment/spherical_harmonics.h"
+#include "figures.h"
+
+namespace opaline::figures {
+
+namespace {
+
+constexpr int facePixels = 192;
+constexpr double eta = 1.3;
+constexpr float stops = 0;
+
+/// The nearest pixel; the panel is made twice as large as it is shown, which filters.
+Rgb radianceFrom(const Image& environment, const Vec3& direction) {
+  const auto [u, v] = latLongCoordinates(direction);
+  const int x = std::clamp(static_cast<int>(u * environment.width), 0, environment.width - 1);
+  const int y = std::clamp(static_cast<int>(v * environment.height), 0, environment.height - 1);
+  const float* pixel = environment.pixel(x, y);
+  return {pixel[0], pixel[1], pixel[2]};
+}
+
+void cubes(Studio& studio, const char* name) {
+  const Image environment = core::readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr");
+  const std::array<double, 3> kernel = irradianceKernel(eta);
+  const ShCoefficients radiance = windowed(projectEnvironment(environment), kernel);
+  const Image original = cubeCross(
+      2 * facePixels, [&](const Vec3& direction) { return radianceFrom(environment, direction); });
+  // Over π, as bright as the mean radiance that it comes from.
+  const Image ambient = cubeCross(2 * facePixels, [&](const Vec3& normal) {
+    Rgb colour{};
+    const std::array<double, 3> entered = ambientIrradiance(radiance, kernel, normal);
+    for (std::size_t c = 0; c < 3; ++c) {
+      colour[c] = static_cast<float>(entered[c] / std::numbers::pi);
+    }
+    return colour;
+  });
+  publish(studio, name,
+          sheet({develop(halved(original), stops, white), develop(halved(ambient), stops, white)},
+                2, 4 * gapPixels, white));
+}
+
+}  // namespace
+
+std::span<const Figure> cubeFigures() {
+  static constexpr std::array all{Figure{"figure_4", cubes}};
+  return all;
+}
+
+}  // namespace opaline::figures

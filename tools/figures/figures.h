@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+
+#include "studio.h"
+
+namespace opaline::figures {
+
+/// A picture, its name without .jpg, and how it is made.
+struct Figure {
+  const char* name;
+  void (*make)(Studio& studio, const char* name);
+};
+
+/// Figures 2, 7 and 8 of Gong et al. 2008.
+std::span<const Figure> stillFigures();
+
+/// Figure 4.
+std::span<const Figure> cubeFigures();
+
+/// Figure 9, and motion that the paper does not show.
+std::span<const Figure> motionFigures();
+
+}  // namespace opaline::figures
