@@ -28,7 +28,7 @@ ALLOWED = {
     "src/passes": ("opaline", "core", "atlas", "bssrdf", "environment", "gpu", "shaders", "passes/products.h"),
     "src/renderer": ("opaline", "core", "bssrdf", "scene", "environment", "deform", "atlas", "surfels", "gpu",
                      "passes", "shaders"),
-    "reference": ("opaline", "core", "bssrdf"),
+    "reference": ("opaline", "core", "bssrdf", "environment"),
     "apps": ("opaline", "core", "bssrdf", "scene", "deform", "atlas", "reference"),
     "bench": ("*",),
     "python": ("opaline",),
