@@ -98,7 +98,7 @@ Exitance PathTracer::exitanceOf(std::size_t cell, bool single, bool multiple,
 }
 
 Exitance PathTracer::exitance(const SurfacePoint& point) const {
-  return exitanceOf(cells_.at(point), true, true, false);
+  return exitanceOfCell(cells_.at(point));
 }
 
 Exitance PathTracer::exitance(const SurfacePoint& point, Order order) const {

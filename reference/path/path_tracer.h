@@ -43,6 +43,9 @@ class PathTracer {
   /// The same, of one order of scattering.
   Exitance exitance(const SurfacePoint& point, Order order) const;
 
+  /// The first, by the number of the cell.
+  Exitance exitanceOfCell(std::size_t cell) const { return exitanceOf(cell, true, true, false); }
+
   /// Flux of all lights together, and what left all bodies by order, and its standard error.
   double emittedFlux(int channel) const {
     return emitters_[static_cast<std::size_t>(channel)].flux();
