@@ -62,8 +62,8 @@ void addShifted(const Moments::Channel& from, const Vector& shift, Moments::Chan
                    from.flux * shift[i] * shift[j] * shift[k];
   }
   // Minkowski's inequality for ∫|δ + shift|⁴.
-  const double edge = std::sqrt(std::sqrt(from.fourth)) +
-                      length(shift) * std::sqrt(std::sqrt(std::abs(from.flux)));
+  const double edge =
+      std::sqrt(std::sqrt(from.fourth)) + length(shift) * std::sqrt(std::sqrt(std::abs(from.flux)));
   to.fourth += edge * edge * edge * edge;
   to.smoothError += from.smoothError;
   to.borderVariance += from.borderVariance;
@@ -159,8 +159,8 @@ Contribution contribution(const Moments& moments, const Vector& place,
                       2 * (pairs[3] * m[3] + pairs[4] * m[4] + pairs[5] * m[5]);
     double w3 = 0;
     for (std::size_t n = 0; n < 10; ++n) w3 += multiplicity[n] * cubes[n] * t[n];
-    const double wDelta2 = d[0] * (t[0] + t[3] + t[5]) + d[1] * (t[1] + t[6] + t[8]) +
-                           d[2] * (t[2] + t[7] + t[9]);
+    const double wDelta2 =
+        d[0] * (t[0] + t[3] + t[5]) + d[1] * (t[1] + t[6] + t[8]) + d[2] * (t[2] + t[7] + t[9]);
     result.exitance[c] = g[0] * channel.flux +
                          g[1] * (dot(d, channel.first) - 0.5 * (m[0] + m[1] + m[2])) +
                          0.5 * g[2] * (w2 - wDelta2) + g[3] / 6 * w3;
