@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -155,6 +155,7 @@ std::optional<std::vector<Vec3>> positionsOf(const std::optional<MeshSequence>& 
 Job prepare(const ReferenceCommand& command, std::filesystem::path output, const LogCallback& log) {
   auto [scene, settings, sequence] = command.scene.load(log);
   RenderOptions options = command.options(settings);
+  rf::requireSound(command.pictureOptions(options));
   command.lights.applyTo(scene);
   command.camera.applyTo(scene);
   command.motion.applyTo(scene);

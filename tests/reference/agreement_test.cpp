@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "reference/bodies.h"
@@ -38,7 +39,7 @@ class AgreementTest : public RendererTest {
     options.sum = sum;
     options.site = Site::Fragment;
     options.clip = -1;
-    renderer().setScene(scene_);
+    if (!std::exchange(isSet_, true)) renderer().setScene(scene_);
     return render(options, aovs);
   }
   std::vector<Image> exact(const std::vector<Aov>& aovs, Transport transport) const {
@@ -65,6 +66,7 @@ class AgreementTest : public RendererTest {
   }
 
   Scene scene_;
+  bool isSet_ = false;
 };
 
 /// Whether a pixel and its neighbours show one piece of surface.
