@@ -7,19 +7,18 @@
 
 namespace opaline::reference {
 
-/// R_d of one channel and its derivatives. With s = r² and R_d = G₀(s), the functions below follow
-/// from dG_k/ds = -G_{k+1}/2; each falls monotonically with r.
+/// R_d of one channel and its derivatives: with s = r² and R_d = G₀(s), dG_k/ds = -G_{k+1}/2. All
+/// are positive and fall with r.
 class Kernel {
  public:
   explicit Kernel(const bssrdf::Profile& profile);
 
-  /// G₀ … G₃ at one distance, and what they are at most anywhere nearer, down to `leastMm`.
-  struct Derivatives {
-    std::array<double, 4> values{};
-    double mostG2 = 0;
-    double mostG3 = 0;
-  };
-  Derivatives operator()(double squaredMm2, double leastMm) const;
+  /// G₀ … G₄ at the distance whose square is given.
+  std::array<double, 5> operator()(double squaredMm2) const;
+
+  /// By how much the remainder of a Taylor expansion to third order, over a ball of that radius at
+  /// that distance, may exceed its term of fourth order at the centre.
+  double growth(double squaredMm2, double radiusMm) const;
 
   /// The depth of the source nearest to the surface, mm: nothing changes over less.
   double depthMm() const { return poles_[0].depthMm; }
@@ -34,7 +33,6 @@ class Kernel {
 
   double sigmaTrPerMm_ = 0;
   std::array<Pole, 2> poles_{};
-  bool hasFluence_ = false;
 };
 
 }  // namespace opaline::reference

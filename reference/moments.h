@@ -9,13 +9,15 @@
 namespace opaline::reference {
 
 /// A piece of surface as a distant point sees it: moments about its centre of the flux that entered
-/// it, ∫E dA, ∫E δ dA, ∫E δδᵀ dA, and what is needed to bound the error of using them.
+/// it, ∫E dA, ∫E δ dA and so on to the third order, and what is needed to estimate the error of
+/// using them.
 struct Moments {
   struct Channel {
     double flux = 0;
     Vector first{};
     std::array<double, 6> second{};  ///< xx yy zz yz zx xy
-    double third = 0;                ///< ∫|E||δ|³ dA, or a bound
+    std::array<double, 10> third{};  ///< xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz
+    double fourth = 0;               ///< ∫|E||δ|⁴ dA, or a bound
     double smoothError = 0;          ///< of the flux: bound, from E's interpolation
     double borderVariance = 0;       ///< of the flux, where borders of shadow cross
   };
@@ -49,11 +51,11 @@ struct Contribution {
 };
 
 /// Whether a piece is small enough, beside its distance or the depth of the nearest source, for
-/// contribution() to bound anything.
+/// contribution() to know its error.
 bool isExpandable(const Moments& moments, const Vector& place, double depthMm);
 
-/// By a Taylor expansion to second order about the centre, whose remainder is bounded by the third
-/// derivatives.
+/// By a Taylor expansion to third order about the centre, whose remainder is bounded by the fourth
+/// derivatives: those at the centre, times what they can grow by over the piece.
 Contribution contribution(const Moments& moments, const Vector& place,
                           const std::array<Kernel, 3>& kernels);
 

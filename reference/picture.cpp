@@ -23,23 +23,6 @@ void requireWithin(const char* name, T value, T low, T high) {
   throw UsageError(fmt::format("{} is {}, but must be from {} to {}", name, value, low, high));
 }
 
-void requireSound(const PictureOptions& options) {
-  requireWithin("the width", options.width, 1, mostPixels);
-  requireWithin("the height", options.height, 1, mostPixels);
-  requireWithin("every", options.every, 1, mostPixels);
-  if (options.aov >= Aov::DsmPosition) {
-    throw UsageError("the reference has no diffusion source map to show");
-  }
-  if (!options.region) return;
-  const Region& region = *options.region;
-  if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||
-      region.width > options.width - region.x || region.height > options.height - region.y) {
-    throw UsageError(fmt::format("the region {},{},{},{} does not lie in the picture of {}x{}",
-                                 region.x, region.y, region.width, region.height, options.width,
-                                 options.height));
-  }
-}
-
 struct Place {
   int x;
   int y;
@@ -159,6 +142,23 @@ ErrorSummary summarised(const std::vector<PixelSum>& sums) {
 }
 
 }  // namespace
+
+void requireSound(const PictureOptions& options) {
+  requireWithin("the width", options.width, 1, mostPixels);
+  requireWithin("the height", options.height, 1, mostPixels);
+  requireWithin("every", options.every, 1, mostPixels);
+  if (options.aov >= Aov::DsmPosition) {
+    throw UsageError("the reference has no diffusion source map to show");
+  }
+  if (!options.region) return;
+  const Region& region = *options.region;
+  if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||
+      region.width > options.width - region.x || region.height > options.height - region.y) {
+    throw UsageError(fmt::format("the region {},{},{},{} does not lie in the picture of {}x{}",
+                                 region.x, region.y, region.width, region.height, options.width,
+                                 options.height));
+  }
+}
 
 std::vector<double> exitFactors(const Scene& scene, Transport transport) {
   std::vector<double> factors;

@@ -31,6 +31,9 @@ struct PictureOptions {
   int every = 1;  ///< only columns and rows whose number is a multiple of this
 };
 
+/// Throws UsageError for options out of range.
+void requireSound(const PictureOptions& options);
+
 /// What leaves the surface, by whatever way light got there. `exitance` is called from several
 /// threads at once.
 struct LeavingLight {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -17,6 +17,7 @@
 #include "motion_options.h"
 #include "opaline/error.h"
 #include "output.h"
+#include "path_method.h"
 #include "paths.h"
 #include "picture_options.h"
 #include "progress.h"
@@ -55,7 +56,8 @@ struct ReferenceCommand {
   PictureOptions picture;
   bool integral = false;
   std::optional<Transport> transport;
-  double tolerance = rf::IntegralOptions{}.tolerance;
+  std::optional<double> tolerance;
+  PathMethod path;
   std::optional<rf::Region> region;
   int every = 1;
   std::optional<std::filesystem::path> report;
@@ -84,6 +86,7 @@ struct ReferenceCommand {
                [this](const Given& given) {
                  tolerance = readNumber(given, {1e-7, 0.5});
                });
+    path.addTo(line);
     line.section("Run");
     line.value("--report", "FILE.json", "what was done, and how exact it is",
                [this](const Given& given) { report = readOutput(given, {".json"}); });
@@ -93,7 +96,13 @@ struct ReferenceCommand {
 
   /// Refuses what contradicts itself and what only the GPU's renderer can do, before any work.
   void check() const {
-    if (!integral) throw UsageError("reference needs a method: --integral");
+    if (integral == path.wanted()) {
+      throw UsageError("reference needs one method: --integral or --path");
+    }
+    path.check();
+    if (path.wanted() && (transport || tolerance)) {
+      throw UsageError("--transport and --tolerance belong to --integral");
+    }
     motion.check();
     if (motion.frames()) {
       throw UsageError("--frames makes a film, but the reference makes stills: use --time SECONDS");
@@ -116,6 +125,8 @@ struct ReferenceCommand {
     picture.applyTo(options);
     return options;
   }
+
+  double toleranceOf() const { return tolerance.value_or(rf::IntegralOptions{}.tolerance); }
 
   rf::PictureOptions pictureOptions(const RenderOptions& render) const {
     rf::PictureOptions options;
@@ -155,6 +166,7 @@ std::optional<std::vector<Vec3>> positionsOf(const std::optional<MeshSequence>& 
 Job prepare(const ReferenceCommand& command, std::filesystem::path output, const LogCallback& log) {
   auto [scene, settings, sequence] = command.scene.load(log);
   RenderOptions options = command.options(settings);
+  rf::requireSound(command.pictureOptions(options));
   command.lights.applyTo(scene);
   command.camera.applyTo(scene);
   command.motion.applyTo(scene);
@@ -175,7 +187,7 @@ Job prepare(const ReferenceCommand& command, std::filesystem::path output, const
 /// What was made.
 struct Made {
   rf::Picture picture;
-  std::size_t patches = 0;
+  Json facts = Json::object();  ///< what only this method has to say
 };
 
 Made makeIntegral(const ReferenceCommand& command, const Job& job) {
@@ -184,7 +196,7 @@ Made makeIntegral(const ReferenceCommand& command, const Job& job) {
   std::optional<rf::Integral> integral;
   if (rf::showsExitance(command.picture.aov())) {
     integral.emplace(geometry, irradiance,
-                     rf::IntegralOptions{job.options.transport, command.tolerance});
+                     rf::IntegralOptions{job.options.transport, command.toleranceOf()});
   }
   const rf::LeavingLight light{[&](const rf::SurfacePoint& point) { return integral->at(point); },
                                rf::exitFactors(job.scene, job.options.transport)};
@@ -195,7 +207,19 @@ Made makeIntegral(const ReferenceCommand& command, const Job& job) {
                         if (!progress) progress.emplace(total, command.quiet, "pixel");
                         progress->show(done, 0);
                       });
-  return {std::move(picture), integral ? integral->patchCount() : 0};
+  return {std::move(picture),
+          {{"transport", nameOf(job.options.transport, transports())},
+           {"tolerance", command.toleranceOf()},
+           {"patches", integral ? integral->patchCount() : 0}}};
+}
+
+Made makePath(const ReferenceCommand& command, const Job& job) {
+  const rf::Geometry geometry(job.scene);
+  const rf::Irradiance irradiance(geometry);
+  Made made;
+  made.picture = command.path.make(geometry, irradiance, command.pictureOptions(job.options),
+                                   command.quiet, made.facts);
+  return made;
 }
 
 Json reportJson(const ReferenceCommand& command, const Job& job, const Made& made, double seconds) {
@@ -206,18 +230,17 @@ Json reportJson(const ReferenceCommand& command, const Job& job, const Made& mad
     vertices += body.positionsMm.size();
   }
   const rf::ErrorSummary& error = made.picture.error;
-  return {{"method", "integral"},
-          {"size", {job.options.width, job.options.height}},
-          {"transport", nameOf(job.options.transport, transports())},
-          {"tolerance", command.tolerance},
-          {"triangles", triangles},
-          {"vertices", vertices},
-          {"patches", made.patches},
+  Json json{{"method", command.integral ? "integral" : "path"},
+            {"size", {job.options.width, job.options.height}},
+            {"triangles", triangles},
+            {"vertices", vertices},
           {"pixels", made.picture.pixels},
           {"relative_error",
            {{"mean", error.mean}, {"p95", error.percentile95}, {"max", error.largest}}},
           {"seconds", seconds},
           {"outputs", {job.output.string()}}};
+  json.update(made.facts);
+  return json;
 }
 
 }  // namespace
@@ -238,7 +261,7 @@ void runReference(const Arguments& arguments) {
   if (command.report) core::requireWritable(*command.report);
 
   const Job job = prepare(command, std::move(output), log);
-  const Made made = makeIntegral(command, job);
+  const Made made = command.integral ? makeIntegral(command, job) : makePath(command, job);
   writePicture(job.output, made.picture.image, command.picture.tone(job.settings));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   std::string note = fmt::format("wrote {} in {:.1f} s", job.output.string(), seconds.count());

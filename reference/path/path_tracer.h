@@ -2,7 +2,9 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "reference/exitance.h"
@@ -43,6 +45,11 @@ class PathTracer {
   /// The same, of one order of scattering.
   Exitance exitance(const SurfacePoint& point, Order order) const;
 
+  /// All that was counted, to go on with another time; restore() throws Error unless it is of the
+  /// same scene and options.
+  std::vector<std::byte> save() const;
+  void restore(std::span<const std::byte> saved);
+
   /// The first, by the number of the cell.
   Exitance exitanceOfCell(std::size_t cell) const { return exitanceOf(cell, true, true, false); }
 
@@ -60,6 +67,7 @@ class PathTracer {
  private:
   static constexpr std::size_t orders = 3;
 
+  std::uint64_t fingerprint() const;
   std::size_t slot(std::size_t channel, Order order, std::size_t cell) const {
     return (channel * orders + static_cast<std::size_t>(order)) * cells_.count() + cell;
   }
