@@ -35,7 +35,8 @@ double shareDone(const rf::PathLimits& limits, std::uint64_t particles, double s
                  double error) {
   double share = 0;
   if (limits.particles)
-    share = std::max(share, static_cast<double>(particles) / static_cast<double>(*limits.particles));
+    share =
+        std::max(share, static_cast<double>(particles) / static_cast<double>(*limits.particles));
   if (limits.seconds) share = std::max(share, seconds / *limits.seconds);
   // Errors fall with the root of the work.
   if (limits.error) share = std::max(share, (*limits.error / error) * (*limits.error / error));
@@ -45,28 +46,32 @@ double shareDone(const rf::PathLimits& limits, std::uint64_t particles, double s
 }  // namespace
 
 void PathMethod::addTo(CommandLine& line) {
-  const auto value = [&](const char* name, const char* placeholder, const char* help,
-                         auto take) {
+  const auto value = [&](const char* name, const char* placeholder, const char* help, auto take) {
     line.value(name, placeholder, help, [this, take](const Given& given) {
       take(given);
       any_ = true;
     });
   };
-  line.flag("--path", "volumetric path tracing: light followed from the lamps", wanted_);
+  line.flag("--path", "volumetric transport, followed from the lights", wanted_);
   value("--samples", "N", "particles of each channel at most", [this](const Given& given) {
     limits_.particles = static_cast<std::uint64_t>(readNumber(given, {1, 1e15}));
   });
-  value("--seconds", "S", "at most", [this](const Given& given) {
+  value("--seconds", "S", "that it may take", [this](const Given& given) {
     limits_.seconds = readNumber(given, {0.01, 1e7, "s"});
   });
-  value("--error", "X", "until 8x8 blocks are that exact, rms over mean [0.02]",
-        [this](const Given& given) { limits_.error = readNumber(given, {1e-5, 1}); });
+  value("--error", "X", "until 8x8 blocks are that exact, rms [0.02]", [this](const Given& given) {
+    limits_.error = readNumber(given, {1e-5, 1});
+  });
   value("--bounces", "N", "of light that left a body and meets one [1000]",
         [this](const Given& given) { options_.bounces = readInteger(given, 0, 1000000); });
   value("--anisotropy", "G", "of Henyey and Greenstein, -0.99 to 0.99 [0]",
-        [this](const Given& given) { options_.anisotropy = readNumber(given, {-0.99, 0.99}); });
+        [this](const Given& given) {
+          options_.anisotropy = readNumber(given, {-0.99, 0.99});
+        });
   value("--cell-mm", "X", "edge of what light is counted on [by medium]",
-        [this](const Given& given) { options_.cellMm = readNumber(given, {1e-4, 1e6, "mm"}); });
+        [this](const Given& given) {
+          options_.cellMm = readNumber(given, {1e-4, 1e6, "mm"});
+        });
   value("--seed", "N", "of the random numbers [1]", [this](const Given& given) {
     options_.seed = static_cast<std::uint64_t>(readInteger(given, 0, 1'000'000'000));
   });
@@ -103,17 +108,17 @@ double PathMethod::run(rf::PathTracer& tracer, const rf::BlockError& error, bool
   constexpr std::size_t steps = 1000;
   const rf::PathLimits ends = limits();
   Progress progress(steps, quiet, "step");
-  const auto before = static_cast<std::size_t>(
-      steps * shareDone(ends, tracer.particles(), 0, error()));
+  const auto before =
+      static_cast<std::size_t>(steps * shareDone(ends, tracer.particles(), 0, error()));
   Clock::time_point saved = Clock::now();
   const auto save = [&] {
     if (!checkpoint_) return;
     const std::vector<std::byte> bytes = tracer.save();
-    core::writeWhole(*checkpoint_, std::string_view(reinterpret_cast<const char*>(bytes.data()),
-                                                    bytes.size()));
+    core::writeWhole(*checkpoint_,
+                     std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   };
-  const double reached = rf::runPaths(
-      tracer, error, ends, [&](std::uint64_t particles, double seconds, double now) {
+  const double reached =
+      rf::runPaths(tracer, error, ends, [&](std::uint64_t particles, double seconds, double now) {
         progress.show(static_cast<std::size_t>(steps * shareDone(ends, particles, seconds, now)),
                       before);
         if (std::chrono::duration<double>(Clock::now() - saved).count() < secondsBetweenCheckpoints)

@@ -77,7 +77,7 @@ struct ReferenceCommand {
     line.value("--every", "N", "only every N-th pixel across and down [1]",
                [this](const Given& given) { every = readInteger(given, 1, 16384); });
     line.section("Motion");
-    motion.addTo(line);
+    motion.addTo(line, false);
     line.section("Method");
     line.flag("--integral", "the exact surface integral of the dipole", integral);
     line.value("--transport", "NAME", "dipole or better-dipole [dipole]",
@@ -102,10 +102,6 @@ struct ReferenceCommand {
     path.check();
     if (path.wanted() && (transport || tolerance)) {
       throw UsageError("--transport and --tolerance belong to --integral");
-    }
-    motion.check();
-    if (motion.frames()) {
-      throw UsageError("--frames makes a film, but the reference makes stills: use --time SECONDS");
     }
     picture.requireNameFor(false, false);
     if (!picture.seenByCamera()) {
@@ -234,11 +230,11 @@ Json reportJson(const ReferenceCommand& command, const Job& job, const Made& mad
             {"size", {job.options.width, job.options.height}},
             {"triangles", triangles},
             {"vertices", vertices},
-          {"pixels", made.picture.pixels},
-          {"relative_error",
-           {{"mean", error.mean}, {"p95", error.percentile95}, {"max", error.largest}}},
-          {"seconds", seconds},
-          {"outputs", {job.output.string()}}};
+            {"pixels", made.picture.pixels},
+            {"relative_error",
+             {{"mean", error.mean}, {"p95", error.percentile95}, {"max", error.largest}}},
+            {"seconds", seconds},
+            {"outputs", {job.output.string()}}};
   json.update(made.facts);
   return json;
 }

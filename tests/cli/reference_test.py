@@ -111,11 +111,46 @@ class Pictures(Reference):
         self.assertEqual((report["size"], report["transport"]), ([8, 6], "better-dipole"))
 
 
+class Paths(Reference):
+    SAMPLES = ("--path", "--samples", 3000, "--aov", "exitance", "--directional", "0,0,1")
+
+    def test_same_seed_same_picture_and_another_is_another(self):
+        first = self.exr("reference", *self.SAMPLES)
+        self.assertEqual(first.pixels(), self.exr("reference", *self.SAMPLES).pixels())
+        self.assertNotEqual(first.pixels(), self.exr("reference", *self.SAMPLES, "--seed", 2).pixels())
+
+    def test_a_checkpoint_goes_on(self):
+        whole = self.exr("reference", *self.SAMPLES)
+        half = (*self.SAMPLES, "--checkpoint", "state")
+        self.exr("reference", "--path", "--samples", 1000, *self.SAMPLES[3:], "--checkpoint", "state")
+        self.assertEqual(whole.pixels(), self.exr("reference", *half).pixels())
+        self.refused(1, "reference", *self.SCENE, *half, "--bounces", 0, says=("state", "other options"))
+        self.write("state", "nonsense")
+        self.refused(1, "reference", *self.SCENE, *half, says=("state", "no checkpoint"))
+
+    def test_says_what_it_did(self):
+        report = self.succeed("reference", *self.SCENE, *self.SAMPLES, "--json", "-o", "a.exr").json()
+        self.assertEqual((report["method"], report["particles"]), ("path", 3000))
+        self.assertGreater(report["block_error"], 0)
+        for channel in range(3):
+            left = sum(report["left_flux"][order][channel] for order in ("unscattered", "single", "multiple"))
+            self.assertLess(left, report["emitted_flux"][channel])
+
+    def test_an_error_is_reached(self):
+        report = self.succeed("reference", *self.SCENE, "--path", "--error", .2, "--aov", "exitance", "--json",
+                              "-o", "a.exr").json()
+        self.assertLessEqual(report["block_error"], .2)
+
+
 class Refusals(Reference):
     def test_what_it_cannot_do(self):
         for arguments, says in [
             ((), ("method", "--integral")),
-            (("--integral", "--frames", "0:3"), ("--frames", "--time")),
+            (("--integral", "--path"), "one method"),
+            (("--integral", "--samples", "9"), "belong to --path"),
+            (("--path", "--tolerance", ".1"), "belong to --integral"),
+            (("--path", "--anisotropy", "1"), "from -0.99 to 0.99"),
+            (("--integral", "--frames", "0:3"), ("--frames",)),
             (("--integral", "--roughness", ".3"), ("--roughness", "--no-specular")),
             (("--integral", "--aov", "dsm-area"), ("dsm-*", "render")),
             (("--integral", "--sum", "all"), "no option --sum"),
