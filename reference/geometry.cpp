@@ -72,7 +72,8 @@ struct Geometry::Device {
     if (device != nullptr) rtcReleaseDevice(device);
   }
 
-  void add(const Body& body, const Vector& centre) {
+  void add(const Body& body, std::uint32_t index, const Vector& centre) {
+    if (body.triangles.empty()) return;
     std::vector<Vec3>& own = places.emplace_back();
     own.reserve(body.positionsMm.size() + 1);
     for (const Vector& p : body.positionsMm) {
@@ -87,7 +88,7 @@ struct Geometry::Device {
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                body.triangles.data(), 0, sizeof(Triangle), body.triangles.size());
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
+    rtcAttachGeometryByID(scene, geometry, index);
     rtcReleaseGeometry(geometry);
     requireNoError(device);
   }
@@ -104,7 +105,9 @@ Geometry::Geometry(const Scene& scene)
   device_->scene = rtcNewScene(device_->device);
   rtcSetSceneFlags(device_->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
   rtcSetSceneBuildQuality(device_->scene, RTC_BUILD_QUALITY_HIGH);
-  for (const Body& body : scene.bodies) device_->add(body, box_.centre());
+  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) {
+    device_->add(scene.bodies[i], i, box_.centre());
+  }
   rtcCommitScene(device_->scene);
   requireNoError(device_->device);
 }

@@ -45,7 +45,7 @@ PatchOptions patchOptions(double diagonalMm, double depthMm, double tolerance) {
 // A surface so rugged that shadows are everywhere is followed less far; the error tells.
 Patches makeBoundedPatches(const Geometry& geometry, const Irradiance& irradiance,
                            std::uint32_t body, PatchOptions options) {
-  constexpr std::size_t usual = 1'500'000;
+  constexpr std::size_t usual = 800'000;
   options.most = usual + 4 * geometry.scene().bodies[body].triangles.size();
   for (; options.smallestMm < geometry.box().diagonalMm(); options.smallestMm *= 2) {
     if (auto patches = makePatches(geometry, irradiance, body, options)) return *std::move(patches);

@@ -90,6 +90,15 @@ TEST(GeometryTest, AShadowEndsAtTheLight) {
   EXPECT_FALSE(geometry.occluded(point, {0, 0, -1}));
 }
 
+TEST(GeometryTest, ABodyWithoutSurfaceIsNotThere) {
+  const auto scene = sceneOfBodies(
+      {reference::Body{{}, {}, {}, marble()}, bodyOf(sheet({0, 0, 0}, {5, 0, 0}, {0, 5, 0}, 2))});
+  const auto hit = Geometry(scene).closestHit(Vector{1, 1, 9}, Vector{0, 0, -1});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->point.body, 1U);
+  EXPECT_EQ(hit->distanceMm, 9);
+}
+
 TEST(GeometryTest, WhatMakesNoSenseIsRefused) {
   const auto good = sceneOfBodies({bodyOf(sheet({0, 0, 0}, {5, 0, 0}, {0, 5, 0}, 2))});
   EXPECT_NO_THROW(Geometry{good});
