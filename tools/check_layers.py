@@ -29,7 +29,7 @@ ALLOWED = {
     "src/passes": ("opaline", "core", "atlas", "bssrdf", "environment", "gpu", "shaders", "passes/products.h"),
     "src/renderer": ("opaline", "core", "bssrdf", "scene", "environment", "deform", "atlas", "surfels", "gpu",
                      "passes", "shaders"),
-    "reference": ("opaline", "core", "bssrdf"),
+    "reference": ("opaline", "core", "bssrdf", "environment"),
     "apps": ("opaline", "core", "compare", "bssrdf", "scene", "deform", "atlas", "reference"),
     "bench": ("*",),
     "tools/figures": ("*",),

@@ -25,6 +25,8 @@ struct Command {
 constexpr std::array commands{
     Command{"render", "a still as PNG or EXR, or a film; needs no window", runRender},
     Command{"compare", "error figures between two images, and a heat map", runCompare},
+    Command{"reference", "the same still on the CPU, exactly: what render is judged by",
+            runReference},
     Command{"bench", "times of this machine's device beside those of the paper", runBench},
     Command{"info", "what is in a scene, what was mended, its atlas, the devices", runInfo},
     Command{"media", "the media and what follows from their coefficients", runMedia},

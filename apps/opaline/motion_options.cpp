@@ -103,14 +103,16 @@ bool moves(const Deformer& deformer) {
 
 }  // namespace
 
-void MotionOptions::addTo(CommandLine& line) {
+void MotionOptions::addTo(CommandLine& line, bool films) {
   line.value("--time", "SECONDS", "of a still, at least 0 [0]",
              [this](const Given& given) { seconds_ = readNumber(given, secondsRange); });
-  line.value("--frames", "A:B", "a film; frame n shows time n / fps",
-             [this](const Given& given) { frames_ = readFrames(given); });
-  line.value("--fps", "N", "frames a second, 1 to 1000 [30]", [this](const Given& given) {
-    framesPerSecond_ = readNumber(given, {1, 1000});
-  });
+  if (films) {
+    line.value("--frames", "A:B", "a film; frame n shows time n / fps",
+               [this](const Given& given) { frames_ = readFrames(given); });
+    line.value("--fps", "N", "frames a second, 1 to 1000 [30]", [this](const Given& given) {
+      framesPerSecond_ = readNumber(given, {1, 1000});
+    });
+  }
   line.value("--clip", "NAME", "as opaline info lists them, or none [the first]",
              [this](const Given& given) { clip_ = given.text; });
   line.repeated("--deform", "KIND:X[:PERIOD]", "twist or bend (radians), squash, wobble; seconds",

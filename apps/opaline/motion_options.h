@@ -24,7 +24,8 @@ struct FrameRange {
 /// --time, --frames, --fps, --clip, --deform.
 class MotionOptions {
  public:
-  void addTo(CommandLine& line);
+  /// Without `films` only what makes stills.
+  void addTo(CommandLine& line, bool films = true);
   /// Throws UsageError for a mixture that contradicts itself.
   void check() const;
 

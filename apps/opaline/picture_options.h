@@ -49,6 +49,8 @@ class PictureOptions {
   Aov aov() const { return aov_.value_or(Aov::Radiance); }
   /// False for what lies in the diffusion source map.
   bool seenByCamera() const { return aov() < Aov::DsmPosition; }
+  /// Whether a value was given that only matters to the reflection on the surface.
+  bool asksForReflection() const { return roughness_.has_value(); }
   bool isExr() const;
   /// Throws UsageError unless -o suits a film, or a still.
   void requireNameFor(bool frames, bool resume) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "output.h"
 
@@ -29,8 +30,8 @@ std::string barText(double share, std::size_t columns) {
 
 }  // namespace
 
-Progress::Progress(std::size_t total, bool quiet)
-    : total_(total), shown_(!quiet && statusColumns() > 0) {}
+Progress::Progress(std::size_t total, bool quiet, std::string unit)
+    : total_(total), unit_(std::move(unit)), shown_(!quiet && statusColumns() > 0) {}
 
 Progress::~Progress() {
   if (shown_) clearStatus();
@@ -46,10 +47,10 @@ void Progress::show(std::size_t done, std::size_t skipped) {
   std::string right;
   if (made > 0 && seconds > 0) {
     const double perSecond = static_cast<double>(made) / seconds;
-    right = fmt::format(" {:.3g} frames/s, {} left", perSecond,
+    right = fmt::format(" {:.3g} {}s/s, {} left", perSecond, unit_,
                         clockText(static_cast<double>(total_ - done) / perSecond));
   }
-  const std::string left = fmt::format("frame {}/{}", done, total_);
+  const std::string left = fmt::format("{} {}/{}", unit_, done, total_);
   // One column stays free: a terminal whose last one is written may begin a new line.
   const std::size_t columns = std::max<std::size_t>(statusColumns(), 1) - 1;
   const std::size_t taken = left.size() + right.size();

@@ -6,21 +6,23 @@
 
 namespace opaline::app {
 
-/// A bar on standard error while frames are made, where that is a terminal; gone at the end.
+/// A bar on standard error while something is made, where that is a terminal; gone at the end.
 class Progress {
  public:
-  Progress(std::size_t total, bool quiet);
+  /// `unit` is what is counted, in the singular.
+  Progress(std::size_t total, bool quiet, std::string unit = "frame");
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `skipped` of the frames took no time.
+  /// `skipped` of what is done took no time.
   void show(std::size_t done, std::size_t skipped);
 
  private:
   using Clock = std::chrono::steady_clock;
 
   std::size_t total_;
+  std::string unit_;
   bool shown_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point last_;

@@ -19,7 +19,7 @@ class Help(ProgramTest):
         text = self.succeed("--help").out
         for command in COMMANDS:
             self.assertIn(f"\n  {command} ", text)
-        for later in ("view", "reference"):
+        for later in ("view",):
             self.assertNotIn(f"\n  {later} ", text)
 
     def test_comes_before_complaints(self):

@@ -37,6 +37,7 @@ class Files(ProgramTest):
         for arguments in [("render", "no.ply", "-o", "missing/a.png"), ("render", "no.ply", "-o", "folder.png"),
                           ("render", "no.ply", "--report", "missing/a.json"),
                           ("render", "no.ply", "--report", "folder.json"),
+                          ("reference", "no.ply", "--integral", "-o", "missing/a.exr"),
                           ("info", "no.ply", "--atlas", "missing/a.png"), ("info", "no.ply", "--atlas", "folder.png"),
                           ("profile", "--plot", "missing/a.svg"), ("profile", "--plot", "folder.svg")]:
             with self.subTest(arguments=arguments):

@@ -1,0 +1,274 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command_line.h"
+#include "commands.h"
+#include "core/file.h"
+#include "film.h"
+#include "json.h"
+#include "motion_options.h"
+#include "opaline/error.h"
+#include "output.h"
+#include "path_method.h"
+#include "paths.h"
+#include "picture_options.h"
+#include "progress.h"
+#include "reference/integral.h"
+#include "reference/picture.h"
+#include "reference_scene.h"
+#include "scene_options.h"
+#include "values.h"
+
+namespace opaline::app {
+
+namespace {
+
+namespace rf = opaline::reference;
+
+rf::Region readRegion(const Given& given) {
+  std::array<int, 4> values{};
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t comma = given.text.find(',', begin);
+    if ((comma == std::string::npos) != (i + 1 == values.size())) {
+      throw UsageError(
+          fmt::format("{} {}: must be X,Y,WIDTH,HEIGHT in pixels", given.option, given.text));
+    }
+    values[i] = readInteger({given.option, given.text.substr(begin, comma - begin)}, 0, 16384);
+    begin = comma + 1;
+  }
+  return {values[0], values[1], values[2], values[3]};
+}
+
+struct ReferenceCommand {
+  SceneOptions scene;
+  LightOptions lights;
+  CameraOptions camera;
+  MotionOptions motion;
+  PictureOptions picture;
+  bool integral = false;
+  std::optional<Transport> transport;
+  std::optional<double> tolerance;
+  PathMethod path;
+  std::optional<rf::Region> region;
+  int every = 1;
+  std::optional<std::filesystem::path> report;
+  bool quiet = false;
+  bool json = false;
+
+  void addTo(CommandLine& line) {
+    line.section("Scene");
+    scene.addTo(line);
+    line.section("Light; the first of these replaces all the scene has");
+    lights.addTo(line);
+    line.section("Picture");
+    camera.addTo(line);
+    picture.addTo(line);
+    line.value("--region", "X,Y,W,H", "only these pixels, from the upper left",
+               [this](const Given& given) { region = readRegion(given); });
+    line.value("--every", "N", "only every N-th pixel across and down [1]",
+               [this](const Given& given) { every = readInteger(given, 1, 16384); });
+    line.section("Motion");
+    motion.addTo(line, false);
+    line.section("Method");
+    line.flag("--integral", "the exact surface integral of the dipole", integral);
+    line.value("--transport", "NAME", "dipole or better-dipole [dipole]",
+               [this](const Given& given) { transport = readChoice(given, transports()); });
+    line.value("--tolerance", "X", "of the integral, relative, 1e-7 to 0.5 [0.001]",
+               [this](const Given& given) {
+                 tolerance = readNumber(given, {1e-7, 0.5});
+               });
+    path.addTo(line);
+    line.section("Run");
+    line.value("--report", "FILE.json", "what was done, and how exact it is",
+               [this](const Given& given) { report = readOutput(given, {".json"}); });
+    line.flag("--json", "the same on standard output", json);
+    line.flag("--quiet", "no notes on standard error", quiet);
+  }
+
+  /// Refuses what contradicts itself and what only the GPU's renderer can do, before any work.
+  void check() const {
+    if (integral == path.wanted()) {
+      throw UsageError("reference needs one method: --integral or --path");
+    }
+    path.check();
+    if (path.wanted() && (transport || tolerance)) {
+      throw UsageError("--transport and --tolerance belong to --integral");
+    }
+    picture.requireNameFor(false, false);
+    if (!picture.seenByCamera()) {
+      throw UsageError("--aov dsm-*: the reference has no diffusion source map; render shows it");
+    }
+    if (picture.asksForReflection()) {
+      throw UsageError(
+          "--roughness: the reference leaves out the reflection on the surface; compare it with "
+          "render --no-specular");
+    }
+    static_cast<void>(options({}));
+  }
+
+  RenderOptions options(const scene::SceneFileSettings& settings) const {
+    RenderOptions options = optionsOf(settings);
+    if (transport) options.transport = *transport;
+    picture.applyTo(options);
+    return options;
+  }
+
+  double toleranceOf() const { return tolerance.value_or(rf::IntegralOptions{}.tolerance); }
+
+  rf::PictureOptions pictureOptions(const RenderOptions& render) const {
+    rf::PictureOptions options;
+    options.width = render.width;
+    options.height = render.height;
+    options.aov = picture.aov();
+    options.antialias = render.antialias;
+    options.region = region;
+    options.every = every;
+    return options;
+  }
+};
+
+/// What is settled before anything is computed.
+struct Job {
+  rf::Scene scene;
+  scene::SceneFileSettings settings;
+  RenderOptions options;
+  std::filesystem::path output;
+};
+
+/// Positions of a still of a row of files.
+std::optional<std::vector<Vec3>> positionsOf(const std::optional<MeshSequence>& sequence,
+                                             double seconds) {
+  if (!sequence) return std::nullopt;
+  const double frame = std::round(seconds * FrameRange{}.perSecond);
+  if (frame >= sequence->frameCount()) {
+    throw UsageError(fmt::format("--time {} is beyond the last of the sequence's {} files, {}",
+                                 seconds, sequence->frameCount(),
+                                 sequence->file(sequence->lastNumber()).string()));
+  }
+  std::vector<Vec3> positionsMm;
+  sequence->read(sequence->firstNumber() + static_cast<int>(frame), positionsMm);
+  return positionsMm;
+}
+
+Job prepare(const ReferenceCommand& command, std::filesystem::path output, const LogCallback& log) {
+  auto [scene, settings, sequence] = command.scene.load(log);
+  RenderOptions options = command.options(settings);
+  rf::requireSound(command.pictureOptions(options));
+  command.lights.applyTo(scene);
+  command.camera.applyTo(scene);
+  command.motion.applyTo(scene);
+  command.motion.applyTo(options, scene, settings);
+  for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
+  const auto framing = command.camera.noteOnFraming(scene, options.width, options.height);
+  if (framing) log(LogLevel::Note, *framing);
+  if (options.specular && command.picture.aov() == Aov::Radiance) {
+    log(LogLevel::Note,
+        "the reference leaves out the reflection on the surface; compare it with render "
+        "--no-specular");
+  }
+  return {
+      referenceScene(scene, options.clip, options.seconds, positionsOf(sequence, options.seconds)),
+      std::move(settings), options, std::move(output)};
+}
+
+/// What was made.
+struct Made {
+  rf::Picture picture;
+  Json facts = Json::object();  ///< what only this method has to say
+};
+
+Made makeIntegral(const ReferenceCommand& command, const Job& job) {
+  const rf::Geometry geometry(job.scene);
+  const rf::Irradiance irradiance(geometry);
+  std::optional<rf::Integral> integral;
+  if (rf::showsExitance(command.picture.aov())) {
+    integral.emplace(geometry, irradiance,
+                     rf::IntegralOptions{job.options.transport, command.toleranceOf()});
+  }
+  const rf::LeavingLight light{[&](const rf::SurfacePoint& point) { return integral->at(point); },
+                               rf::exitFactors(job.scene, job.options.transport)};
+  std::optional<Progress> progress;
+  rf::Picture picture =
+      rf::makePicture(geometry, irradiance, light, command.pictureOptions(job.options),
+                      [&](std::size_t done, std::size_t total) {
+                        if (!progress) progress.emplace(total, command.quiet, "pixel");
+                        progress->show(done, 0);
+                      });
+  return {std::move(picture),
+          {{"transport", nameOf(job.options.transport, transports())},
+           {"tolerance", command.toleranceOf()},
+           {"patches", integral ? integral->patchCount() : 0}}};
+}
+
+Made makePath(const ReferenceCommand& command, const Job& job) {
+  const rf::Geometry geometry(job.scene);
+  const rf::Irradiance irradiance(geometry);
+  Made made;
+  made.picture = command.path.make(geometry, irradiance, command.pictureOptions(job.options),
+                                   command.quiet, made.facts);
+  return made;
+}
+
+Json reportJson(const ReferenceCommand& command, const Job& job, const Made& made, double seconds) {
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  for (const rf::Body& body : job.scene.bodies) {
+    triangles += body.triangles.size();
+    vertices += body.positionsMm.size();
+  }
+  const rf::ErrorSummary& error = made.picture.error;
+  Json json{{"method", command.integral ? "integral" : "path"},
+            {"size", {job.options.width, job.options.height}},
+            {"triangles", triangles},
+            {"vertices", vertices},
+            {"pixels", made.picture.pixels},
+            {"relative_error",
+             {{"mean", error.mean}, {"p95", error.percentile95}, {"max", error.largest}}},
+            {"seconds", seconds},
+            {"outputs", {job.output.string()}}};
+  json.update(made.facts);
+  return json;
+}
+
+}  // namespace
+
+void runReference(const Arguments& arguments) {
+  CommandLine line("reference",
+                   "Computes a still on the CPU, exactly. Lengths are mm, light is linear RGB, in "
+                   "[] is the default.");
+  ReferenceCommand command;
+  command.addTo(line);
+  if (!line.parse(arguments)) return;
+  command.check();
+
+  const auto begin = std::chrono::steady_clock::now();
+  const LogCallback log = noteTaker(command.quiet);
+  std::filesystem::path output = command.picture.file(command.scene.name(), false);
+  core::requireWritable(output);
+  if (command.report) core::requireWritable(*command.report);
+
+  const Job job = prepare(command, std::move(output), log);
+  const Made made = command.integral ? makeIntegral(command, job) : makePath(command, job);
+  writePicture(job.output, made.picture.image, command.picture.tone(job.settings));
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  std::string note = fmt::format("wrote {} in {:.1f} s", job.output.string(), seconds.count());
+  if (rf::showsExitance(command.picture.aov())) {
+    note += fmt::format("; estimated error {:.2g} in the mean, {:.2g} at most",
+                        made.picture.error.mean, made.picture.error.largest);
+  }
+  log(LogLevel::Note, note);
+  const std::string report = toText(reportJson(command, job, made, seconds.count()));
+  if (command.report) core::writeWhole(*command.report, report);
+  if (command.json) printOut(report);
+}
+
+}  // namespace opaline::app

@@ -1,0 +1,65 @@
+#include "reference/camera_rays.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace opaline::reference {
+
+namespace {
+
+// As the GPU's: a camera whose up is along its axis takes another direction.
+Vector usableUp(const Vector& wanted, const Vector& axis) {
+  const Vector across = cross(axis, wanted);
+  if (dot(across, across) > 1e-8 * std::max(dot(wanted, wanted), 1e-20)) return wanted;
+  return std::abs(axis[2]) < 0.9 ? Vector{0, 0, -1} : Vector{0, 1, 0};
+}
+
+}  // namespace
+
+CameraRays::CameraRays(const Camera& camera, int width, int height)
+    : origin_(toVector(camera.positionMm)), width_(width), height_(height) {
+  axis_ = unitOr(toVector(camera.targetMm) - origin_, {0, 0, -1});
+  const Vector right = unitOr(cross(axis_, usableUp(toVector(camera.up), axis_)), {1, 0, 0});
+  const double halfHeight =
+      std::tan(0.5 * double{camera.verticalFovDegrees} * std::numbers::pi / 180);
+  right_ = (halfHeight * width / height) * right;
+  down_ = -halfHeight * cross(right, axis_);
+}
+
+Ray CameraRays::through(int x, int y, const std::array<double, 2>& offset) const {
+  const double across = 2 * (x + 0.5 + offset[0]) / width_ - 1;
+  const double below = 2 * (y + 0.5 + offset[1]) / height_ - 1;
+  return {origin_, unitOr(axis_ + across * right_ + below * down_, axis_)};
+}
+
+double CameraRays::depthMm(const Vector& point) const {
+  return dot(point - origin_, axis_);
+}
+
+std::span<const std::array<double, 2>> antialiasingOffsets(int samples) {
+  using Offset = std::array<double, 2>;
+  static constexpr std::array<Offset, 1> one{{{0, 0}}};
+  static constexpr std::array<Offset, 2> two{{{4. / 16, 4. / 16}, {-4. / 16, -4. / 16}}};
+  static constexpr std::array<Offset, 4> four{
+      {{-2. / 16, -6. / 16}, {6. / 16, -2. / 16}, {-6. / 16, 2. / 16}, {2. / 16, 6. / 16}}};
+  static constexpr std::array<Offset, 8> eight{{{1. / 16, -3. / 16},
+                                                {-1. / 16, 3. / 16},
+                                                {5. / 16, 1. / 16},
+                                                {-3. / 16, -5. / 16},
+                                                {-5. / 16, 5. / 16},
+                                                {-7. / 16, -1. / 16},
+                                                {3. / 16, 7. / 16},
+                                                {7. / 16, -7. / 16}}};
+  switch (samples) {
+    case 2:
+      return two;
+    case 4:
+      return four;
+    case 8:
+      return eight;
+    default:
+      return one;
+  }
+}
+
+}  // namespace opaline::reference

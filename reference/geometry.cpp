@@ -1,0 +1,204 @@
+#include "reference/geometry.h"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "opaline/error.h"
+
+namespace opaline::reference {
+
+namespace {
+
+constexpr std::uint32_t none = RTC_INVALID_GEOMETRY_ID;
+
+/// What a ray leaves out. Embree passes the context on to the filter.
+struct Query {
+  RTCIntersectContext context;  // first: the filter is handed its address
+  std::uint32_t body = none;
+  std::uint32_t triangle = none;
+};
+
+void leaveOutOwnTriangle(const RTCFilterFunctionNArguments* arguments) {
+  const auto* query = reinterpret_cast<const Query*>(arguments->context);
+  const std::uint32_t body = RTCHitN_geomID(arguments->hit, arguments->N, 0);
+  const std::uint32_t triangle = RTCHitN_primID(arguments->hit, arguments->N, 0);
+  if (body == query->body && triangle == query->triangle) arguments->valid[0] = 0;
+}
+
+Query queryFrom(std::uint32_t body, std::uint32_t triangle) {
+  Query query{};
+  rtcInitIntersectContext(&query.context);
+  query.context.filter = leaveOutOwnTriangle;
+  query.body = body;
+  query.triangle = triangle;
+  return query;
+}
+
+RTCRay rayOf(const Vector& origin, const Vector& direction, double distanceMm) {
+  RTCRay ray{};
+  ray.org_x = static_cast<float>(origin[0]);
+  ray.org_y = static_cast<float>(origin[1]);
+  ray.org_z = static_cast<float>(origin[2]);
+  ray.dir_x = static_cast<float>(direction[0]);
+  ray.dir_y = static_cast<float>(direction[1]);
+  ray.dir_z = static_cast<float>(direction[2]);
+  ray.tnear = 0;
+  ray.tfar = static_cast<float>(distanceMm);
+  ray.mask = ~0U;
+  return ray;
+}
+
+void requireNoError(RTCDevice device) {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_NONE) return;
+  throw Error(error == RTC_ERROR_OUT_OF_MEMORY
+                  ? std::string("not enough memory for the rays' tree of the surface")
+                  : fmt::format("Embree fails with error {}", static_cast<int>(error)));
+}
+
+}  // namespace
+
+struct Geometry::Device {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  std::vector<std::vector<Vec3>> places;  ///< relative to the box's centre, with room behind
+
+  ~Device() {
+    if (scene != nullptr) rtcReleaseScene(scene);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+
+  void add(const Body& body, std::uint32_t index, const Vector& centre) {
+    if (body.triangles.empty()) return;
+    std::vector<Vec3>& own = places.emplace_back();
+    own.reserve(body.positionsMm.size() + 1);
+    for (const Vector& p : body.positionsMm) {
+      const Vector relative = p - centre;
+      own.push_back({static_cast<float>(relative[0]), static_cast<float>(relative[1]),
+                     static_cast<float>(relative[2])});
+    }
+    own.push_back({});  // Embree reads 16 bytes at the last vertex
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, own.data(),
+                               0, sizeof(Vec3), own.size() - 1);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               body.triangles.data(), 0, sizeof(Triangle), body.triangles.size());
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, index);
+    rtcReleaseGeometry(geometry);
+    requireNoError(device);
+  }
+};
+
+Geometry::Geometry(const Scene& scene)
+    : scene_(scene), box_(boxOf(scene)), device_(std::make_unique<Device>()) {
+  requireSound(scene);
+  // 2⁻²² of half the box: four units in the last place of its farthest coordinates, twice what
+  // rounding moves a ray's start and a corner by.
+  offsetMm_ = std::ldexp(std::max(box_.diagonalMm(), 1e-30), -22);
+  device_->device = rtcNewDevice(nullptr);
+  if (device_->device == nullptr) throw Error("Embree, which casts the rays, does not start");
+  device_->scene = rtcNewScene(device_->device);
+  rtcSetSceneFlags(device_->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  rtcSetSceneBuildQuality(device_->scene, RTC_BUILD_QUALITY_HIGH);
+  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) {
+    device_->add(scene.bodies[i], i, box_.centre());
+  }
+  rtcCommitScene(device_->scene);
+  requireNoError(device_->device);
+}
+
+Geometry::~Geometry() = default;
+
+SurfacePoint Geometry::pointOn(std::uint32_t body, std::uint32_t triangle,
+                               const std::array<double, 3>& weights) const {
+  const Body& of = scene_.bodies[body];
+  const Triangle& corners = of.triangles[triangle];
+  const Vector& a = of.positionsMm[corners[0]];
+  const Vector& b = of.positionsMm[corners[1]];
+  const Vector& c = of.positionsMm[corners[2]];
+  SurfacePoint point;
+  point.position = weights[0] * a + weights[1] * b + weights[2] * c;
+  const Vector normal = weights[0] * of.normals[corners[0]] + weights[1] * of.normals[corners[1]] +
+                        weights[2] * of.normals[corners[2]];
+  point.facetNormal = unitOr(cross(b - a, c - a), unitOr(normal, {0, 0, 1}));
+  point.shadingNormal = unitOr(normal, point.facetNormal);
+  point.body = body;
+  point.triangle = triangle;
+  point.weights = weights;
+  return point;
+}
+
+Vector Geometry::startOf(const SurfacePoint& from, const Vector& direction) const {
+  const double side = dot(from.facetNormal, direction) < 0 ? -offsetMm_ : offsetMm_;
+  return from.position + side * from.facetNormal;
+}
+
+namespace {
+
+/// Möller and Trumbore 1997, with the weights clamped to the triangle that single precision hit.
+Geometry::Hit refined(const Geometry& geometry, std::uint32_t body, std::uint32_t triangle,
+                      const Vector& origin, const Vector& direction) {
+  const Body& of = geometry.scene().bodies[body];
+  const Triangle& corners = of.triangles[triangle];
+  const Vector& a = of.positionsMm[corners[0]];
+  const Vector ab = of.positionsMm[corners[1]] - a;
+  const Vector ac = of.positionsMm[corners[2]] - a;
+  const Vector p = cross(direction, ac);
+  const double determinant = dot(ab, p);
+  std::array<double, 3> weights{1, 0, 0};
+  if (determinant != 0) {
+    const Vector s = origin - a;
+    const double u = dot(s, p) / determinant;
+    const double v = dot(direction, cross(s, ab)) / determinant;
+    weights = {1 - u - v, u, v};
+    double sum = 0;
+    for (double& weight : weights) {
+      weight = std::isfinite(weight) ? std::clamp(weight, 0.0, 1.0) : 1.0;
+      sum += weight;
+    }
+    for (double& weight : weights) weight /= sum;
+  }
+  Geometry::Hit hit{geometry.pointOn(body, triangle, weights), 0};
+  hit.distanceMm = dot(hit.point.position - origin, direction);
+  return hit;
+}
+
+}  // namespace
+
+std::optional<Geometry::Hit> Geometry::closestHit(const Vector& origin,
+                                                  const Vector& direction) const {
+  Query query = queryFrom(none, none);
+  RTCRayHit ray{};
+  ray.ray = rayOf(origin - box_.centre(), direction, std::numeric_limits<double>::infinity());
+  ray.hit.geomID = none;
+  rtcIntersect1(device_->scene, &query.context, &ray);
+  if (ray.hit.geomID == none) return std::nullopt;
+  return refined(*this, ray.hit.geomID, ray.hit.primID, origin, direction);
+}
+
+std::optional<Geometry::Hit> Geometry::closestHit(const SurfacePoint& from,
+                                                  const Vector& direction) const {
+  const Vector origin = startOf(from, direction);
+  Query query = queryFrom(from.body, from.triangle);
+  RTCRayHit ray{};
+  ray.ray = rayOf(origin - box_.centre(), direction, std::numeric_limits<double>::infinity());
+  ray.hit.geomID = none;
+  rtcIntersect1(device_->scene, &query.context, &ray);
+  if (ray.hit.geomID == none) return std::nullopt;
+  return refined(*this, ray.hit.geomID, ray.hit.primID, origin, direction);
+}
+
+bool Geometry::occluded(const SurfacePoint& from, const Vector& direction,
+                        double distanceMm) const {
+  Query query = queryFrom(from.body, from.triangle);
+  RTCRay ray = rayOf(startOf(from, direction) - box_.centre(), direction, distanceMm);
+  rtcOccluded1(device_->scene, &query.context, &ray);
+  return ray.tfar < 0;
+}
+
+}  // namespace opaline::reference

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "opaline/renderer.h"
+#include "reference/exitance.h"
+#include "reference/geometry.h"
+#include "reference/irradiance.h"
+#include "reference/source_tree.h"
+
+namespace opaline::reference {
+
+struct IntegralOptions {
+  Transport transport = Transport::Dipole;
+  double tolerance = 1e-3;  ///< of B, relative, in [1e-7, 0.5]
+};
+
+/// The exact surface integral B(x_o) = ∫ E(x_i) R_d(|x_i - x_o|) dA over the body that x_o is on
+/// (Jensen et al. 2001, Eq. 4; d'Eon 2012).
+class Integral {
+ public:
+  /// Finds E all over the surface. Throws UsageError for options out of range.
+  Integral(const Geometry& geometry, const Irradiance& irradiance, const IntegralOptions& options);
+
+  /// B at a point of the surface. May be called from several threads at once. The error is a bound
+  /// of what the summation leaves out, plus an estimate of what E's interpolation and the borders
+  /// of shadows do.
+  Exitance at(const SurfacePoint& point) const;
+
+  /// Of all bodies.
+  std::size_t patchCount() const;
+
+ private:
+  struct BodySources {
+    std::array<Kernel, 3> kernels;
+    double depthMm;
+    Colour negligible;  ///< of B
+    SourceTree tree;
+  };
+
+  std::vector<BodySources> bodies_;
+  double tolerance_;
+};
+
+}  // namespace opaline::reference

@@ -1,0 +1,99 @@
+#include "reference/irradiance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bssrdf/fresnel.h"
+
+namespace opaline::reference {
+
+namespace {
+
+Colour toColour(const Rgb& rgb) {
+  return {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
+}
+
+ShCoefficients radianceOf(const Lighting& lighting) {
+  ShCoefficients sum = projectUniform(lighting.ambient);
+  if (!lighting.environment) return sum;
+  const ShCoefficients environment = projectEnvironment(*lighting.environment);
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) sum[i][c] += environment[i][c];
+  }
+  return sum;
+}
+
+Vec3 toFloat(const Vector& v) {
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+/// Light that arrives at a point: the direction it comes from, how far, and the irradiance on a
+/// surface that faces it.
+struct Arriving {
+  Vector direction;
+  double distanceMm;
+  double falloff;
+};
+
+Arriving arrivingFrom(bool isPoint, const Vector& place, const Vector& position) {
+  if (!isPoint) return {place, std::numeric_limits<double>::infinity(), 1};
+  const Vector offset = place - position;
+  const double squared = std::max(dot(offset, offset), 1e-12);
+  const double distance = std::sqrt(squared);
+  return {(1 / distance) * offset, distance, 1 / squared};
+}
+
+}  // namespace
+
+Irradiance::Irradiance(const Geometry& geometry) : geometry_(geometry) {
+  const Lighting& lighting = geometry.scene().lighting;
+  for (const DirectionalLight& light : lighting.directional) {
+    lights_.push_back(
+        {false, unitOr(toVector(light.directionToLight), {0, 0, 1}), toColour(light.irradiance)});
+  }
+  for (const PointLight& light : lighting.points) {
+    lights_.push_back({true, toVector(light.positionMm), toColour(light.intensity)});
+  }
+  const ShCoefficients radiance = radianceOf(lighting);
+  for (const Body& body : geometry.scene().bodies) {
+    const double eta = body.medium.eta;
+    auto found = std::find_if(ambients_.begin(), ambients_.end(),
+                              [&](const Ambient& ambient) { return ambient.eta == eta; });
+    if (found == ambients_.end()) {
+      const std::array<double, 3> kernel = irradianceKernel(eta);
+      found = ambients_.insert(found, {eta, windowed(radiance, kernel), kernel});
+    }
+    ambientOf_.push_back(static_cast<std::size_t>(found - ambients_.begin()));
+  }
+}
+
+Colour Irradiance::operator()(const SurfacePoint& point) const {
+  const Ambient& ambient = ambients_[ambientOf_[point.body]];
+  Colour sum = ambientIrradiance(ambient.radiance, ambient.kernel, toFloat(point.shadingNormal));
+  // The side of the facet that the interpolated normal is on is the outside.
+  const Vector outside =
+      dot(point.facetNormal, point.shadingNormal) < 0 ? -point.facetNormal : point.facetNormal;
+  for (const Light& light : lights_) {
+    const Arriving arriving = arrivingFrom(light.isPoint, light.place, point.position);
+    const double cosine = std::min(dot(point.shadingNormal, arriving.direction), 1.0);
+    // What lies behind its own facet is in the body's shadow.
+    if (cosine <= 0 || dot(outside, arriving.direction) <= 0) continue;
+    if (geometry_.occluded(point, arriving.direction, arriving.distanceMm)) continue;
+    const double entering =
+        cosine * (1 - bssrdf::fresnelReflectance(ambient.eta, cosine)) * arriving.falloff;
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += light.power[c] * entering;
+  }
+  return sum;
+}
+
+Colour Irradiance::facing(const SurfacePoint& point) const {
+  const Ambient& ambient = ambients_[ambientOf_[point.body]];
+  Colour sum = ambientIrradiance(ambient.radiance, ambient.kernel, toFloat(point.shadingNormal));
+  for (const Light& light : lights_) {
+    const Arriving arriving = arrivingFrom(light.isPoint, light.place, point.position);
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += light.power[c] * arriving.falloff;
+  }
+  return sum;
+}
+
+}  // namespace opaline::reference

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "environment/spherical_harmonics.h"
+#include "reference/geometry.h"
+#include "reference/vector.h"
+
+namespace opaline::reference {
+
+/// Irradiance that enters the surface (physics of Gong et al. 2008, Eq. 7 and 9): directional and
+/// point lights with exact Fresnel transmittance and exact shadows; ambient light and environment
+/// unshadowed, by spherical harmonics of bands 0-2.
+class Irradiance {
+ public:
+  explicit Irradiance(const Geometry& geometry);
+
+  /// E at a point of the surface. May be called from several threads at once.
+  Colour operator()(const SurfacePoint& point) const;
+
+  /// The brightest that a surface can be: every light facing it at the distance of the point.
+  /// For telling what is negligible.
+  Colour facing(const SurfacePoint& point) const;
+
+ private:
+  struct Light {
+    bool isPoint = false;
+    Vector place{};  ///< unit direction to it, or position in mm
+    Colour power{};  ///< irradiance, or intensity
+  };
+  struct Ambient {
+    double eta = 0;
+    ShCoefficients radiance{};
+    std::array<double, 3> kernel{};
+  };
+
+  const Geometry& geometry_;
+  std::vector<Light> lights_;
+  std::vector<Ambient> ambients_;       ///< one for each index of refraction
+  std::vector<std::size_t> ambientOf_;  ///< per body
+};
+
+}  // namespace opaline::reference

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/geometry.h"
+
+namespace opaline::reference {
+
+/// Pieces of the surface on which what leaves is counted. Triangles larger than a cell are halved
+/// into equal parts; parts that lie in one cube of that edge and look the same way, by the axis
+/// that their normal is nearest to, count as one.
+class Cells {
+ public:
+  Cells(const Scene& scene, double edgeMm);
+
+  std::size_t count() const { return areasMm2_.size(); }
+  double areaMm2(std::size_t cell) const { return areasMm2_[cell]; }
+  /// The cell of a point of the surface.
+  std::size_t at(const SurfacePoint& point) const;
+
+ private:
+  /// How a triangle is divided: into n² equal triangles.
+  struct Division {
+    std::uint32_t firstPart = 0;
+    std::uint32_t edgeParts = 1;
+  };
+  static std::uint32_t partOf(std::uint32_t edgeParts, const std::array<double, 3>& weights);
+
+  std::vector<std::vector<Division>> divisions_;  ///< by body and triangle
+  std::vector<std::uint32_t> cellOfPart_;
+  std::vector<double> areasMm2_;
+};
+
+}  // namespace opaline::reference

@@ -1,0 +1,97 @@
+#include <bit>
+#include <cstring>
+
+#include "opaline/error.h"
+#include "reference/path/path_tracer.h"
+
+namespace opaline::reference {
+
+namespace {
+
+constexpr std::uint64_t magic = 0x31485441504C504F;  // "OPLPATH1"
+
+/// What stands before the counts.
+struct Header {
+  std::uint64_t magic = 0;
+  std::uint64_t fingerprint = 0;
+  std::uint64_t particles = 0;
+  std::uint64_t counts = 0;
+  std::array<std::uint64_t, 3> lost{};
+};
+
+/// FNV-1a over whatever it is given.
+class Fingerprint {
+ public:
+  void add(const void* data, std::size_t bytes) {
+    const auto* byte = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < bytes; ++i) hash_ = (hash_ ^ byte[i]) * 0x100000001B3U;
+  }
+  template <typename T>
+  void add(const std::vector<T>& values) {
+    const std::uint64_t count = values.size();
+    add(&count, sizeof(count));
+    add(values.data(), values.size() * sizeof(T));
+  }
+  template <typename T>
+  void addValue(const T& value) {
+    add(&value, sizeof(value));
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xCBF29CE484222325U;
+};
+
+}  // namespace
+
+std::uint64_t PathTracer::fingerprint() const {
+  Fingerprint print;
+  for (const Body& body : geometry_.scene().bodies) {
+    print.add(body.positionsMm);
+    print.add(body.triangles);
+    print.addValue(body.medium.sigmaSPrimePerMm);
+    print.addValue(body.medium.sigmaAPerMm);
+    print.addValue(body.medium.eta);
+  }
+  const Lighting& lighting = geometry_.scene().lighting;
+  print.add(lighting.directional);
+  print.add(lighting.points);
+  print.addValue(lighting.ambient);
+  if (lighting.environment) print.add(lighting.environment->rgba);
+  print.addValue(options_.anisotropy);
+  print.addValue(options_.bounces);
+  print.addValue(options_.seed);
+  print.addValue(cells_.count());
+  return print.value();
+}
+
+std::vector<std::byte> PathTracer::save() const {
+  Header header{magic, fingerprint(), particles_, counts_.size(), {}};
+  for (std::size_t c = 0; c < 3; ++c) header.lost[c] = lost_[c];
+  std::vector<std::byte> saved(sizeof(Header) + counts_.size() * sizeof(std::uint32_t));
+  std::memcpy(saved.data(), &header, sizeof(Header));
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    const std::uint32_t count = counts_[i];
+    std::memcpy(&saved[sizeof(Header) + i * sizeof(count)], &count, sizeof(count));
+  }
+  return saved;
+}
+
+void PathTracer::restore(std::span<const std::byte> saved) {
+  Header header;
+  if (saved.size() >= sizeof(Header)) std::memcpy(&header, saved.data(), sizeof(Header));
+  if (header.magic != magic) throw Error("it is no checkpoint of a path tracer");
+  if (header.fingerprint != fingerprint() || header.counts != counts_.size() ||
+      saved.size() != sizeof(Header) + counts_.size() * sizeof(std::uint32_t)) {
+    throw Error("it is a checkpoint of another scene or of other options");
+  }
+  particles_ = header.particles;
+  for (std::size_t c = 0; c < 3; ++c) lost_[c] = header.lost[c];
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    std::uint32_t count = 0;
+    std::memcpy(&count, &saved[sizeof(Header) + i * sizeof(count)], sizeof(count));
+    counts_[i] = count;
+  }
+}
+
+}  // namespace opaline::reference

@@ -1,0 +1,89 @@
+#include "reference/path/path_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace opaline::reference {
+
+namespace {
+
+constexpr int blockEdge = 8;
+constexpr double pixelsOfBlock = blockEdge * blockEdge;
+constexpr std::uint64_t firstBatch = 4096;
+constexpr double secondsOfBatch = 2;
+
+}  // namespace
+
+BlockError::BlockError(const PathTracer& tracer, const Geometry& geometry, const CameraRays& rays,
+                       int width, int height)
+    : tracer_(tracer) {
+  for (int top = 0; top < height; top += blockEdge) {
+    for (int left = 0; left < width; left += blockEdge) {
+      std::vector<Share> shares;
+      for (int y = top; y < std::min(top + blockEdge, height); ++y) {
+        for (int x = left; x < std::min(left + blockEdge, width); ++x) {
+          const Ray ray = rays.through(x, y);
+          const auto hit = geometry.closestHit(ray.origin, ray.direction);
+          if (!hit) continue;
+          const std::size_t cell = tracer.cells().at(hit->point);
+          const auto known = std::find_if(shares.begin(), shares.end(),
+                                          [&](const Share& share) { return share.cell == cell; });
+          if (known == shares.end()) {
+            shares.push_back({cell, 1});
+          } else {
+            known->pixels += 1;
+          }
+        }
+      }
+      if (!shares.empty()) blocks_.push_back(std::move(shares));
+    }
+  }
+}
+
+double BlockError::operator()() const {
+  double squares = 0;
+  double sum = 0;
+  for (const std::vector<Share>& block : blocks_) {
+    for (const Share& share : block) {
+      const Exitance exitance = tracer_.exitanceOfCell(share.cell);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double weight = share.pixels / pixelsOfBlock;
+        sum += weight * exitance.value[c];
+        squares += std::pow(weight * exitance.error[c], 2);
+      }
+    }
+  }
+  if (!(sum > 0)) return blocks_.empty() ? 0 : INFINITY;
+  const double values = 3.0 * static_cast<double>(blocks_.size());
+  return std::sqrt(squares / values) / (sum / values);
+}
+
+double runPaths(PathTracer& tracer, const BlockError& error, const PathLimits& limits,
+                const PathProgress& progress) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const auto since = [](Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  };
+  std::uint64_t batch = firstBatch;
+  double reached = error();
+  while (true) {
+    if (limits.particles && tracer.particles() >= *limits.particles) break;
+    if (limits.seconds && since(start) >= *limits.seconds) break;
+    if (limits.error && reached <= *limits.error) break;
+    if (!limits.particles && !limits.seconds && !limits.error) break;
+    const std::uint64_t left =
+        limits.particles ? *limits.particles - tracer.particles() : ~std::uint64_t{0};
+    const auto begin = Clock::now();
+    tracer.run(std::min(batch, left));
+    const double took = since(begin);
+    if (took < secondsOfBatch / 2) batch *= 2;
+    if (took > secondsOfBatch && batch > firstBatch) batch /= 2;
+    reached = error();
+    if (progress) progress(tracer.particles(), since(start), reached);
+  }
+  return reached;
+}
+
+}  // namespace opaline::reference

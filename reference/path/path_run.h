@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "reference/camera_rays.h"
+#include "reference/path/path_tracer.h"
+
+namespace opaline::reference {
+
+/// When a run of the path tracer ends: at the first of these that is reached, or at once where none
+/// is given.
+struct PathLimits {
+  std::optional<std::uint64_t> particles;  ///< of each channel
+  std::optional<double> seconds;
+  std::optional<double> error;  ///< of BlockError
+};
+
+/// Standard error of a picture of exitance: rms over its blocks of 8×8 pixels, relative to the mean
+/// block on the object, all channels together.
+class BlockError {
+ public:
+  BlockError(const PathTracer& tracer, const Geometry& geometry, const CameraRays& rays, int width,
+             int height);
+
+  double operator()() const;
+
+ private:
+  struct Share {
+    std::size_t cell = 0;
+    double pixels = 0;
+  };
+  const PathTracer& tracer_;
+  std::vector<std::vector<Share>> blocks_;  ///< that show some of the object
+};
+
+/// Called after every batch.
+using PathProgress = std::function<void(std::uint64_t particles, double seconds, double error)>;
+
+/// Follows particles in batches that grow, until a limit is reached. What was followed before
+/// counts. Returns the error.
+double runPaths(PathTracer& tracer, const BlockError& error, const PathLimits& limits,
+                const PathProgress& progress = {});
+
+}  // namespace opaline::reference

@@ -1,0 +1,122 @@
+#include "reference/path/path_tracer.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bssrdf/profile.h"
+#include "opaline/error.h"
+
+namespace opaline::reference {
+
+namespace {
+
+std::vector<Interior> interiorsOf(const Scene& scene, int channel, double anisotropy) {
+  const auto c = static_cast<std::size_t>(channel);
+  std::vector<Interior> interiors;
+  for (const Body& body : scene.bodies) {
+    const double scattering = body.medium.sigmaSPrimePerMm[c] / (1 - anisotropy);
+    const double extinction = scattering + body.medium.sigmaAPerMm[c];
+    interiors.push_back({extinction, scattering / extinction, anisotropy, body.medium.eta});
+  }
+  return interiors;
+}
+
+}  // namespace
+
+double cellEdgeMm(const Scene& scene) {
+  double shortest = 1e300;
+  for (const Body& body : scene.bodies)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double s = body.medium.sigmaSPrimePerMm[c];
+      const double a = body.medium.sigmaAPerMm[c];
+      shortest = std::min(shortest, 1 / std::sqrt(std::max(3 * a * (a + s), 1e-300)));
+    }
+  const double diagonal = boxOf(scene).diagonalMm();
+  return std::clamp(shortest / 4, diagonal / 400, diagonal / 60);
+}
+
+PathTracer::PathTracer(const Geometry& geometry, const PathOptions& options)
+    : geometry_(geometry),
+      options_(options),
+      bound_(geometry.scene()),
+      cells_(geometry.scene(), options.cellMm > 0 ? options.cellMm : cellEdgeMm(geometry.scene())),
+      emitters_{Emitter(geometry.scene(), 0), Emitter(geometry.scene(), 1),
+                Emitter(geometry.scene(), 2)},
+      interiors_{interiorsOf(geometry.scene(), 0, options.anisotropy),
+                 interiorsOf(geometry.scene(), 1, options.anisotropy),
+                 interiorsOf(geometry.scene(), 2, options.anisotropy)},
+      counts_(3 * orders * cells_.count()) {
+  if (!(std::abs(options.anisotropy) <= 0.99))
+    throw UsageError("the anisotropy must be from -0.99 to 0.99");
+  if (options.bounces < 0) throw UsageError("the number of bounces must be at least 0");
+}
+
+void PathTracer::follow(std::size_t channel, std::uint64_t particle) {
+  Random random(options_.seed * 3 + channel, particle);
+  const Walk walk(geometry_, bound_, interiors_[channel], options_.bounces);
+  const Flight flight = emitters_[channel].emit(random);
+  const End end = walk.follow(flight, random, [&](const SurfacePoint& point, Order order) {
+    counts_[slot(channel, order, cells_.at(point))].fetch_add(1, std::memory_order_relaxed);
+  });
+  if (end == End::Lost) lost_[channel].fetch_add(1, std::memory_order_relaxed);
+}
+
+void PathTracer::run(std::uint64_t particles) {
+  constexpr std::uint64_t grain = 256;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    if (!(emitters_[channel].flux() > 0)) continue;
+    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(particles_, particles_ + particles, grain),
+                      [&](const tbb::blocked_range<std::uint64_t>& range) {
+                        for (std::uint64_t i = range.begin(); i < range.end(); ++i)
+                          follow(channel, i);
+                      });
+  }
+  particles_ += particles;
+}
+
+double PathTracer::fluxOfParticle(std::size_t channel) const {
+  return particles_ == 0 ? 0 : emitters_[channel].flux() / static_cast<double>(particles_);
+}
+
+// Particles are independent, so counts are all but Poisson's.
+Exitance PathTracer::exitanceOf(std::size_t cell, bool single, bool multiple,
+                                bool unscattered) const {
+  Exitance exitance;
+  const double area = std::max(cells_.areaMm2(cell), 1e-300);
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::uint64_t count = 0;
+    if (unscattered) count += counts_[slot(c, Order::Unscattered, cell)];
+    if (single) count += counts_[slot(c, Order::Single, cell)];
+    if (multiple) count += counts_[slot(c, Order::Multiple, cell)];
+    exitance.value[c] = static_cast<double>(count) * fluxOfParticle(c) / area;
+    exitance.error[c] = std::sqrt(static_cast<double>(count)) * fluxOfParticle(c) / area;
+  }
+  return exitance;
+}
+
+Exitance PathTracer::exitance(const SurfacePoint& point) const {
+  return exitanceOfCell(cells_.at(point));
+}
+
+Exitance PathTracer::exitance(const SurfacePoint& point, Order order) const {
+  return exitanceOf(cells_.at(point), order == Order::Single, order == Order::Multiple,
+                    order == Order::Unscattered);
+}
+
+double PathTracer::leftFlux(int channel, Order order) const {
+  const auto c = static_cast<std::size_t>(channel);
+  std::uint64_t count = 0;
+  for (std::size_t cell = 0; cell < cells_.count(); ++cell) count += counts_[slot(c, order, cell)];
+  return static_cast<double>(count) * fluxOfParticle(c);
+}
+
+double PathTracer::lostShare(int channel) const {
+  return particles_ == 0 ? 0
+                         : static_cast<double>(lost_[static_cast<std::size_t>(channel)].load()) /
+                               static_cast<double>(particles_);
+}
+
+}  // namespace opaline::reference

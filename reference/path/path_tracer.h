@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "reference/exitance.h"
+#include "reference/geometry.h"
+#include "reference/path/cells.h"
+#include "reference/path/distance_bound.h"
+#include "reference/path/emitter.h"
+#include "reference/path/walk.h"
+
+namespace opaline::reference {
+
+struct PathOptions {
+  double anisotropy = 0;  ///< g of Henyey and Greenstein; σ_s = σ_s'/(1 − g). In [-0.99, 0.99]
+  int bounces = 1000;     ///< how often light that left a body may meet one again, ≥ 0
+  std::uint64_t seed = 1;
+  double cellMm = 0;  ///< edge of the cells that what leaves is counted on; 0: see cellEdgeMm()
+};
+
+/// A quarter of the shortest diffusion length of the scene's media, but between 1/400 and 1/60 of
+/// its diagonal.
+double cellEdgeMm(const Scene& scene);
+
+/// Volumetric light transport by particles from the lights: each is followed through the bodies
+/// until it is absorbed or gone, and counted where it leaves. Counts are whole numbers of particles
+/// of equal flux, so that the result depends on the seed and the number of particles, not on
+/// threads. Nothing is biased but by the size of the cells.
+class PathTracer {
+ public:
+  /// The geometry's scene must live as long.
+  PathTracer(const Geometry& geometry, const PathOptions& options);
+
+  /// Follows that many more particles of each channel that shines.
+  void run(std::uint64_t particles);
+
+  /// What left at the cell of a point: light that scattered, once or more; `error` is one standard
+  /// error.
+  Exitance exitance(const SurfacePoint& point) const;
+  /// The same, of one order of scattering.
+  Exitance exitance(const SurfacePoint& point, Order order) const;
+
+  /// All that was counted, to go on with another time; restore() throws Error unless it is of the
+  /// same scene and options.
+  std::vector<std::byte> save() const;
+  void restore(std::span<const std::byte> saved);
+
+  /// The first, by the number of the cell.
+  Exitance exitanceOfCell(std::size_t cell) const { return exitanceOf(cell, true, true, false); }
+
+  /// Flux of all lights together, and what left all bodies by order, and its standard error.
+  double emittedFlux(int channel) const {
+    return emitters_[static_cast<std::size_t>(channel)].flux();
+  }
+  double leftFlux(int channel, Order order) const;
+  /// Share of the particles that fell through gaps of the surface.
+  double lostShare(int channel) const;
+  std::uint64_t particles() const { return particles_; }
+
+  const Cells& cells() const { return cells_; }
+
+ private:
+  static constexpr std::size_t orders = 3;
+
+  std::uint64_t fingerprint() const;
+  std::size_t slot(std::size_t channel, Order order, std::size_t cell) const {
+    return (channel * orders + static_cast<std::size_t>(order)) * cells_.count() + cell;
+  }
+  double fluxOfParticle(std::size_t channel) const;
+  void follow(std::size_t channel, std::uint64_t particle);
+  Exitance exitanceOf(std::size_t cell, bool single, bool multiple, bool unscattered) const;
+
+  const Geometry& geometry_;
+  PathOptions options_;
+  DistanceBound bound_;
+  Cells cells_;
+  std::array<Emitter, 3> emitters_;
+  std::array<std::vector<Interior>, 3> interiors_;
+  std::uint64_t particles_ = 0;
+  std::vector<std::atomic<std::uint32_t>> counts_;
+  std::array<std::atomic<std::uint64_t>, 3> lost_{};
+};
+
+}  // namespace opaline::reference

@@ -1,0 +1,49 @@
+#include "reference/path/walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace opaline::reference {
+
+namespace {
+
+/// Two directions across a unit direction, right-handed (Duff et al. 2017).
+std::array<Vector, 2> across(const Vector& n) {
+  const double sign = std::copysign(1.0, n[2]);
+  const double a = -1 / (sign + n[2]);
+  const double b = n[0] * n[1] * a;
+  return {Vector{1 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]},
+          Vector{b, sign + n[1] * n[1] * a, -n[1]}};
+}
+
+}  // namespace
+
+Vector mirrored(const Vector& direction, const Vector& normal) {
+  return unitOr(direction - 2 * dot(direction, normal) * normal, direction);
+}
+
+Vector refracted(const Vector& direction, const Vector& normal, double eta) {
+  const double cosine = -dot(direction, normal);
+  const double squared = 1 - (1 - cosine * cosine) / (eta * eta);
+  const double inner = std::sqrt(std::max(squared, 0.0));
+  return unitOr((1 / eta) * direction + (cosine / eta - inner) * normal, direction);
+}
+
+Vector scattered(const Vector& direction, double anisotropy, Random& random) {
+  const double u = 2 * random() - 1;
+  double cosine = u;
+  if (anisotropy != 0) {
+    const double g = anisotropy;
+    const double part = (1 - g * g) / (1 + g * u);
+    cosine = std::clamp((1 + g * g - part * part) / (2 * g), -1.0, 1.0);
+  }
+  const double angle = 2 * std::numbers::pi * random();
+  const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
+  if (anisotropy == 0) return {sine * std::cos(angle), sine * std::sin(angle), cosine};
+  const auto [x, y] = across(direction);
+  return unitOr(sine * std::cos(angle) * x + sine * std::sin(angle) * y + cosine * direction,
+                direction);
+}
+
+}  // namespace opaline::reference

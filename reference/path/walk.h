@@ -1,0 +1,164 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "bssrdf/fresnel.h"
+#include "reference/geometry.h"
+#include "reference/path/distance_bound.h"
+#include "reference/path/random.h"
+
+namespace opaline::reference {
+
+/// How often light scattered since it last entered a body.
+enum class Order { Unscattered, Single, Multiple };
+
+/// What one channel of a body does to light.
+struct Interior {
+  double sigmaTPerMm = 0;  ///< extinction
+  double albedo = 0;       ///< σ_s / σ_t
+  double anisotropy = 0;   ///< g of Henyey and Greenstein 1941
+  double eta = 1;
+};
+
+/// Light on its way through space outside all bodies.
+struct Flight {
+  Vector origin{};
+  Vector direction{};  ///< unit
+};
+
+/// How the way of a particle ended.
+enum class End {
+  Away,      ///< left the scene
+  Absorbed,  ///< in a body
+  Dropped,   ///< after as many bounces as are wanted
+  Lost,      ///< through a gap of the surface, or trapped
+};
+
+/// Follows single particles through bodies with smooth dielectric boundaries: exact Fresnel terms
+/// from both sides, decided by chance, so that every particle keeps its weight; free flights,
+/// absorption and scattering likewise. Boundaries are the triangles themselves.
+class Walk {
+ public:
+  /// `interiors` of one channel, one a body. `bounces`: how often light that has left a body, or
+  /// was reflected by one, may meet a body again.
+  Walk(const Geometry& geometry, const DistanceBound& bound, const std::vector<Interior>& interiors,
+       int bounces)
+      : geometry_(geometry), bound_(bound), interiors_(interiors), bounces_(bounces) {}
+
+  /// Calls `leave(point, order)` for every time the particle leaves a body.
+  template <typename Leave>
+  End follow(const Flight& flight, Random& random, const Leave& leave) const;
+
+ private:
+  /// Where a particle goes on from.
+  struct Particle {
+    Vector position{};
+    Vector direction{};
+    SurfacePoint surface;  ///< that it comes from
+    bool fromSurface = false;
+  };
+
+  enum class Inside { Left, Absorbed, Lost };
+  template <typename Leave>
+  Inside passThrough(Particle& particle, Random& random, const Leave& leave) const;
+
+  std::optional<Geometry::Hit> next(const Particle& particle) const {
+    return particle.fromSurface ? geometry_.closestHit(particle.surface, particle.direction)
+                                : geometry_.closestHit(particle.position, particle.direction);
+  }
+
+  const Geometry& geometry_;
+  const DistanceBound& bound_;
+  const std::vector<Interior>& interiors_;
+  int bounces_;
+};
+
+/// Mirrored at a plane.
+Vector mirrored(const Vector& direction, const Vector& normal);
+/// Into a medium of relative index `eta`, `normal` against the direction. Snell 1621; there must be
+/// a refracted direction.
+Vector refracted(const Vector& direction, const Vector& normal, double eta);
+/// A new direction by the phase function.
+Vector scattered(const Vector& direction, double anisotropy, Random& random);
+// ---- implementation
+
+/// More scatterings than any medium needs; a body that neither absorbs nor lets light out of some
+/// directions would keep it for ever.
+inline constexpr std::uint64_t mostEvents = 50'000'000;
+
+template <typename Leave>
+Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& leave) const {
+  const std::uint32_t body = particle.surface.body;
+  const Interior& interior = interiors_[body];
+  int scatterings = 0;
+  int depth = 1;  // parts of the body around the particle
+  for (std::uint64_t event = 0; event < mostEvents; ++event) {
+    const double step = -std::log(random()) / interior.sigmaTPerMm;
+    if (!particle.fromSurface && step < bound_(particle.position)) {
+      particle.position += step * particle.direction;
+    } else {
+      const std::optional<Geometry::Hit> hit = next(particle);
+      if (!hit) return Inside::Lost;
+      if (hit->distanceMm <= step) {
+        const double cosine = dot(particle.direction, hit->point.facetNormal);
+        particle.surface = hit->point;
+        particle.position = hit->point.position;
+        particle.fromSurface = true;
+        // Another body has no boundary of ours, and where parts of one overlap, the outermost has.
+        if (hit->point.body != body) continue;
+        if (cosine <= 0) ++depth;
+        if (cosine <= 0 || --depth > 0) continue;
+        depth = 1;
+        if (random() < bssrdf::fresnelReflectanceInside(interior.eta, std::min(cosine, 1.0))) {
+          particle.direction = mirrored(particle.direction, hit->point.facetNormal);
+          continue;
+        }
+        leave(hit->point, scatterings == 0   ? Order::Unscattered
+                          : scatterings == 1 ? Order::Single
+                                             : Order::Multiple);
+        particle.direction =
+            refracted(particle.direction, -hit->point.facetNormal, 1 / interior.eta);
+        return Inside::Left;
+      }
+      particle.position = particle.fromSurface
+                              ? particle.surface.position + step * particle.direction
+                              : particle.position + step * particle.direction;
+      particle.fromSurface = false;
+    }
+    if (random() >= interior.albedo) return Inside::Absorbed;
+    ++scatterings;
+    particle.direction = scattered(particle.direction, interior.anisotropy, random);
+  }
+  return Inside::Lost;
+}
+
+template <typename Leave>
+End Walk::follow(const Flight& flight, Random& random, const Leave& leave) const {
+  Particle particle{flight.origin, flight.direction, {}, false};
+  int met = 0;
+  while (true) {
+    const std::optional<Geometry::Hit> hit = next(particle);
+    if (!hit) return End::Away;
+    if (met++ > bounces_) return End::Dropped;
+    particle.surface = hit->point;
+    particle.position = hit->point.position;
+    particle.fromSurface = true;
+    const double cosine = -dot(particle.direction, hit->point.facetNormal);
+    if (cosine <= 0) return End::Lost;  // the back of an open surface
+    const double eta = interiors_[hit->point.body].eta;
+    if (random() < bssrdf::fresnelReflectance(eta, std::min(cosine, 1.0))) {
+      particle.direction = mirrored(particle.direction, hit->point.facetNormal);
+      continue;
+    }
+    particle.direction = refracted(particle.direction, hit->point.facetNormal, eta);
+    const Inside inside = passThrough(particle, random, leave);
+    if (inside == Inside::Absorbed) return End::Absorbed;
+    if (inside == Inside::Lost) return End::Lost;
+  }
+}
+
+}  // namespace opaline::reference

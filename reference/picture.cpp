@@ -1,0 +1,215 @@
+#include "reference/picture.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <mutex>
+#include <numbers>
+
+#include "bssrdf/fresnel.h"
+#include "opaline/error.h"
+#include "reference/camera_rays.h"
+
+namespace opaline::reference {
+
+namespace {
+
+constexpr int mostPixels = 16384;
+
+template <typename T>
+void requireWithin(const char* name, T value, T low, T high) {
+  if (value >= low && value <= high) return;
+  throw UsageError(fmt::format("{} is {}, but must be from {} to {}", name, value, low, high));
+}
+
+struct Place {
+  int x;
+  int y;
+};
+
+std::vector<Place> placesOf(const PictureOptions& options) {
+  const Region whole{0, 0, options.width, options.height};
+  const Region region = options.region.value_or(whole);
+  const auto firstOf = [&](int begin) { return (begin + options.every - 1) / options.every; };
+  std::vector<Place> places;
+  for (int y = firstOf(region.y) * options.every; y < region.y + region.height;
+       y += options.every) {
+    for (int x = firstOf(region.x) * options.every; x < region.x + region.width;
+         x += options.every) {
+      places.push_back({x, y});
+    }
+  }
+  return places;
+}
+
+/// The sum over a pixel's samples.
+struct PixelSum {
+  Colour value{};
+  Colour error{};
+  int hits = 0;
+};
+
+class Painter {
+ public:
+  Painter(const Geometry& geometry, const Irradiance& irradiance, const LeavingLight& light,
+          const PictureOptions& options)
+      : geometry_(geometry),
+        irradiance_(irradiance),
+        light_(light),
+        aov_(options.aov),
+        rays_(geometry.scene().camera, options.width, options.height),
+        offsets_(antialiasingOffsets(aov_ == Aov::Radiance ? options.antialias : 1)) {}
+
+  PixelSum pixel(const Place& place) const {
+    PixelSum sum;
+    for (const auto& offset : offsets_) {
+      const Ray ray = rays_.through(place.x, place.y, offset);
+      const auto hit = geometry_.closestHit(ray.origin, ray.direction);
+      if (!hit) continue;
+      ++sum.hits;
+      const Exitance seen = look(hit->point, ray);
+      sum.value += seen.value;
+      sum.error += seen.error;
+    }
+    return sum;
+  }
+
+  std::size_t samples() const { return offsets_.size(); }
+
+ private:
+  Exitance look(const SurfacePoint& point, const Ray& ray) const {
+    switch (aov_) {
+      case Aov::Exitance:
+        return light_.exitance(point);
+      case Aov::Irradiance:
+        return {irradiance_(point), {}};
+      case Aov::Position:
+        return {point.position, {}};
+      case Aov::Normal:
+        return {seenNormal(point, ray), {}};
+      case Aov::Depth: {
+        const double depth = rays_.depthMm(point.position);
+        return {{depth, depth, depth}, {}};
+      }
+      case Aov::Object: {
+        const double object = point.body;
+        return {{object, object, object}, {}};
+      }
+      default:
+        return radiance(point, ray);
+    }
+  }
+
+  /// Towards the side that is seen.
+  static Vector seenNormal(const SurfacePoint& point, const Ray& ray) {
+    return dot(point.facetNormal, ray.direction) > 0 ? -point.shadingNormal : point.shadingNormal;
+  }
+
+  // Jensen et al. 2001, Eq. 5, and d'Eon 2012.
+  Exitance radiance(const SurfacePoint& point, const Ray& ray) const {
+    const double cosine = std::clamp(-dot(seenNormal(point, ray), ray.direction), 1e-3, 1.0);
+    const double eta = geometry_.scene().bodies[point.body].medium.eta;
+    const double factor =
+        light_.exitFactor[point.body] * (1 - bssrdf::fresnelReflectance(eta, cosine));
+    const Exitance exitance = light_.exitance(point);
+    return {factor * exitance.value, factor * exitance.error};
+  }
+
+  const Geometry& geometry_;
+  const Irradiance& irradiance_;
+  const LeavingLight& light_;
+  Aov aov_;
+  CameraRays rays_;
+  std::span<const std::array<double, 2>> offsets_;
+};
+
+ErrorSummary summarised(const std::vector<PixelSum>& sums) {
+  std::vector<double> errors;
+  for (const PixelSum& sum : sums) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (sum.value[c] > 0) errors.push_back(sum.error[c] / sum.value[c]);
+    }
+  }
+  if (errors.empty()) return {};
+  ErrorSummary summary;
+  std::sort(errors.begin(), errors.end());
+  for (const double error : errors) summary.mean += error;
+  summary.mean /= static_cast<double>(errors.size());
+  summary.percentile95 = errors[(errors.size() - 1) * 95 / 100];
+  summary.largest = errors.back();
+  return summary;
+}
+
+}  // namespace
+
+void requireSound(const PictureOptions& options) {
+  requireWithin("the width", options.width, 1, mostPixels);
+  requireWithin("the height", options.height, 1, mostPixels);
+  requireWithin("every", options.every, 1, mostPixels);
+  if (options.aov >= Aov::DsmPosition) {
+    throw UsageError("the reference has no diffusion source map to show");
+  }
+  if (!options.region) return;
+  const Region& region = *options.region;
+  if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||
+      region.width > options.width - region.x || region.height > options.height - region.y) {
+    throw UsageError(fmt::format("the region {},{},{},{} does not lie in the picture of {}x{}",
+                                 region.x, region.y, region.width, region.height, options.width,
+                                 options.height));
+  }
+}
+
+std::vector<double> exitFactors(const Scene& scene, Transport transport) {
+  std::vector<double> factors;
+  for (const Body& body : scene.bodies) {
+    const double shared =
+        transport == Transport::Dipole ? 1 : bssrdf::meanTransmittance(body.medium.eta);
+    factors.push_back(std::numbers::inv_pi / shared);
+  }
+  return factors;
+}
+
+bool showsExitance(Aov aov) {
+  return aov == Aov::Radiance || aov == Aov::Exitance;
+}
+
+Picture makePicture(const Geometry& geometry, const Irradiance& irradiance,
+                    const LeavingLight& light, const PictureOptions& options,
+                    const PictureProgress& progress) {
+  requireSound(options);
+  const std::vector<Place> places = placesOf(options);
+  const Painter painter(geometry, irradiance, light, options);
+  std::vector<PixelSum> sums(places.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  constexpr std::size_t share = 16;
+  const std::size_t shares = (places.size() + share - 1) / share;
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, shares, 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t s = range.begin(); s != range.end(); ++s) {
+          const std::size_t last = std::min((s + 1) * share, places.size());
+          for (std::size_t i = s * share; i < last; ++i) sums[i] = painter.pixel(places[i]);
+          const std::lock_guard lock(mutex);
+          done += last - s * share;
+          if (progress) progress(done, places.size());
+        }
+      },
+      tbb::simple_partitioner());
+
+  Picture picture{Image(options.width, options.height), 0, {}};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (sums[i].hits == 0) continue;
+    ++picture.pixels;
+    float* pixel = picture.image.pixel(places[i].x, places[i].y);
+    for (std::size_t c = 0; c < 3; ++c) {
+      pixel[c] = static_cast<float>(sums[i].value[c] / sums[i].hits);
+    }
+    pixel[3] = static_cast<float>(sums[i].hits) / static_cast<float>(painter.samples());
+  }
+  if (showsExitance(options.aov)) picture.error = summarised(sums);
+  return picture;
+}
+
+}  // namespace opaline::reference

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/moments.h"
+#include "reference/patches.h"
+
+namespace opaline::reference {
+
+/// A hierarchy over the patches of one body: four children a node, of about as many patches each.
+class SourceTree {
+ public:
+  explicit SourceTree(Patches patches);
+
+  struct Node {
+    Moments moments;
+    std::uint32_t first = 0;  ///< child, or patch where there are no children
+    std::uint32_t count = 0;  ///< of children, which lie one after the other
+  };
+
+  bool isEmpty() const { return nodes_.empty(); }
+  const Node& node(std::uint32_t index) const { return nodes_[index]; }  ///< 0 is the root
+  const Patch& patch(std::uint32_t index) const { return patches_[index]; }
+  std::size_t patchCount() const { return patches_.size(); }
+
+ private:
+  void build(std::uint32_t node, std::uint32_t* begin, std::uint32_t* end,
+             const std::vector<Moments>& moments);
+
+  std::vector<Patch> patches_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace opaline::reference

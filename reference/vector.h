@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "opaline/types.h"
+
+namespace opaline::reference {
+
+/// Points in mm and directions. The same type as that of the deformed meshes.
+using Vector = std::array<double, 3>;
+
+/// A light quantity per channel.
+using Colour = std::array<double, 3>;
+
+inline Vector toVector(const Vec3& v) {
+  return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
+inline Vector operator+(const Vector& a, const Vector& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+inline Vector operator-(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Vector operator-(const Vector& a) {
+  return {-a[0], -a[1], -a[2]};
+}
+inline Vector operator*(double s, const Vector& a) {
+  return {s * a[0], s * a[1], s * a[2]};
+}
+inline Vector& operator+=(Vector& a, const Vector& b) {
+  return a = a + b;
+}
+inline double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double length(const Vector& a) {
+  return std::sqrt(dot(a, a));
+}
+/// The direction of a vector, or another one where it has none.
+inline Vector unitOr(const Vector& a, const Vector& other) {
+  const double size = length(a);
+  return size > 0 && std::isfinite(size) ? (1 / size) * a : other;
+}
+
+}  // namespace opaline::reference

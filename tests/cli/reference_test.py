@@ -1,0 +1,178 @@
+"""The reference: the same options, pixels and variables as render, and what it refuses."""
+
+import math
+import unittest
+
+from images import read_exr, read_png
+from program import CUBE_OBJ, ProgramTest
+
+DIAGONAL = 30
+EDGE = DIAGONAL / math.sqrt(3)
+# Transmittance at normal incidence, 4 eta / (1 + eta)^2, eta 1.5.
+ENTERING = 4 * 1.5 / 2.5**2
+
+
+class Reference(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("cube.obj", CUBE_OBJ)
+
+    SCENE = ("cube.obj", "--diagonal-mm", DIAGONAL, "--medium", "marble", "--size", "12x10")
+
+    def exr(self, command, *arguments):
+        self.succeed(command, *self.SCENE, *arguments, "-o", "out.exr")
+        return read_exr((self.folder / "out.exr").read_bytes())
+
+    def reference(self, *arguments):
+        return self.exr("reference", "--integral", "--tolerance", .01, *arguments)
+
+    def near(self, found, wanted, tolerance):
+        for a, b in zip(found, wanted, strict=True):
+            self.assertAlmostEqual(a, b, delta=tolerance)
+
+
+class Pictures(Reference):
+    def test_variables_are_at_the_pixels_of_render(self):
+        for variable, tolerance in (("position", 2e-3), ("normal", 2e-3), ("depth", 2e-3), ("object", 0)):
+            options = ("--aov", variable, "--camera-direction", ".3,.2,1")
+            truth = self.reference(*options)
+            found = self.exr("render", *options, "--dsm-size", 128)
+            self.assertGreater(len(truth.covered()), 20)
+            for a, b in zip(truth.pixels(), found.pixels(), strict=True):
+                self.near(a, b, tolerance)
+
+    def test_lights_are_those_of_render(self):
+        for light in (("--directional", "0,1,2:1,2,3"), ("--point", "3,0,20:500,300,100"), ("--ambient", "1,.5,0")):
+            options = ("--aov", "irradiance", *light)
+            found = self.exr("render", *options, "--dsm-size", 128).centre()
+            for a, b in zip(self.reference(*options).centre(), found, strict=True):
+                self.assertAlmostEqual(a, b, delta=4e-3 * b)  # render keeps irradiance as half floats
+
+    def test_irradiance_in_the_sun(self):
+        self.near(self.reference("--aov", "irradiance", "--directional", "0,0,1:1,2,3").centre()[:3],
+                  (ENTERING, 2 * ENTERING, 3 * ENTERING), 1e-6)
+
+    def test_exitance_of_a_large_face_is_nearly_the_total_reflectance(self):
+        # The classic dipole's is .83 in red; a cube of 17 mm adds little from its sides, which are dark.
+        profile = self.succeed("profile", "--json").json()["total_reflectance"]
+        centre = self.reference("--aov", "exitance", "--directional", "0,0,1").centre()
+        self.assertLess(centre[2], ENTERING * profile["b"])
+        self.assertGreater(centre[2], .9 * ENTERING * profile["b"])
+
+    def test_transports_differ(self):
+        self.assertNotEqual(self.reference("--aov", "exitance").centre(),
+                            self.reference("--aov", "exitance", "--transport", "better-dipole").centre())
+
+    def test_region_and_every(self):
+        whole = self.reference("--aov", "exitance")
+        part = self.reference("--aov", "exitance", "--region", "3,2,7,6", "--every", 2)
+        for y in range(10):
+            for x in range(12):
+                inside = 3 <= x < 10 and 2 <= y < 8 and x % 2 == 0 and y % 2 == 0
+                self.assertEqual(part.at(x, y), whole.at(x, y) if inside else (0, 0, 0, 0))
+        self.assertGreater(len(part.covered()), 2)
+
+    def test_a_png_has_tone_and_coverage(self):
+        self.succeed("reference", "--integral", "--tolerance", .01, *self.SCENE, "-o", "out.png")
+        picture = read_png((self.folder / "out.png").read_bytes())
+        self.assertEqual((picture.width, picture.height), (12, 10))
+        self.assertEqual((picture.at(0, 0)[3], picture.centre()[3]), (0, 255))
+
+    def test_time_moves_what_moves(self):
+        options = ("--aov", "position", "--deform", "wobble:0.2")
+        self.assertNotEqual(self.reference(*options).centre(), self.reference(*options, "--time", .3).centre())
+        # A row of files: the second, at 30 a second, is 1 nearer at a scale of 30/sqrt 3.
+        for number, shift in ((0, 0), (1, 1)):
+            self.write(f"row_{number}.obj", "\n".join(
+                f"v {' '.join(line.split()[1:3])} {float(line.split()[3]) + shift}" if line.startswith("v ") else line
+                for line in CUBE_OBJ.splitlines()) + "\n")
+        depths = []
+        for seconds in (0, 1 / 30):
+            self.succeed("reference", "--integral", "row_%d.obj", *self.SCENE[1:], "--aov", "depth",
+                         "--time", seconds, "-o", "out.exr")
+            depths.append(read_exr((self.folder / "out.exr").read_bytes()).centre()[0])
+        self.assertAlmostEqual(depths[0] - depths[1], EDGE, delta=1e-3)
+        self.refused(2, "reference", "--integral", "row_%d.obj", "--time", 1, says=("--time 1", "row_1.obj"))
+
+    def test_says_what_it_did(self):
+        run = self.succeed("reference", "--integral", *self.SCENE, "--tolerance", .01, "--json",
+                           "--report", "report.json")
+        report = run.json()
+        self.assertEqual((self.folder / "report.json").read_text(), run.out)
+        self.assertEqual((report["method"], report["size"], report["transport"], report["tolerance"]),
+                         ("integral", [12, 10], "dipole", .01))
+        self.assertEqual((report["triangles"], report["outputs"]), (12, ["cube.png"]))
+        self.assertLessEqual(report["relative_error"]["mean"], report["relative_error"]["max"])
+        self.assertLess(report["relative_error"]["p95"], .02)
+        self.assertIn("leaves out the reflection", run.err)
+        quiet = self.succeed("reference", "--integral", *self.SCENE, "--every", 9, "--quiet")
+        self.assertEqual((quiet.out, quiet.err), ("", ""))
+        plain = self.succeed("reference", "--integral", *self.SCENE, "--every", 9, "--no-specular")
+        self.assertNotIn("reflection", plain.err)
+
+    def test_settings_of_a_scene_file(self):
+        self.write("scene.toml", 'model = "cube.obj"\ndiagonal_mm = 30\n[render]\nsize = [8, 6]\n'
+                   'transport = "better-dipole"\nantialias = 1\n')
+        report = self.succeed("reference", "--integral", "scene.toml", "--every", 3, "--json").json()
+        self.assertEqual((report["size"], report["transport"]), ([8, 6], "better-dipole"))
+
+
+class Paths(Reference):
+    SAMPLES = ("--path", "--samples", 3000, "--aov", "exitance", "--directional", "0,0,1")
+
+    def test_same_seed_same_picture_and_another_is_another(self):
+        first = self.exr("reference", *self.SAMPLES)
+        self.assertEqual(list(first.pixels()), list(self.exr("reference", *self.SAMPLES).pixels()))
+        other = self.exr("reference", *self.SAMPLES, "--seed", 2)
+        self.assertNotEqual(list(first.pixels()), list(other.pixels()))
+
+    def test_a_checkpoint_goes_on(self):
+        whole = self.exr("reference", *self.SAMPLES)
+        half = (*self.SAMPLES, "--checkpoint", "state")
+        self.exr("reference", "--path", "--samples", 1000, *self.SAMPLES[3:], "--checkpoint", "state")
+        self.assertEqual(list(whole.pixels()), list(self.exr("reference", *half).pixels()))
+        self.refused(1, "reference", *self.SCENE, *half, "--bounces", 0, says=("state", "other options"))
+        self.write("state", "nonsense")
+        self.refused(1, "reference", *self.SCENE, *half, says=("state", "no checkpoint"))
+
+    def test_says_what_it_did(self):
+        report = self.succeed("reference", *self.SCENE, *self.SAMPLES, "--json", "-o", "a.exr").json()
+        self.assertEqual((report["method"], report["particles"]), ("path", 3000))
+        self.assertGreater(report["block_error"], 0)
+        for channel in range(3):
+            left = sum(report["left_flux"][order][channel] for order in ("unscattered", "single", "multiple"))
+            self.assertLess(left, report["emitted_flux"][channel])
+
+    def test_an_error_is_reached(self):
+        report = self.succeed("reference", *self.SCENE, "--path", "--error", .2, "--aov", "exitance", "--json",
+                              "-o", "a.exr").json()
+        self.assertLessEqual(report["block_error"], .2)
+
+
+class Refusals(Reference):
+    def test_what_it_cannot_do(self):
+        for arguments, says in [
+            ((), ("method", "--integral")),
+            (("--integral", "--path"), "one method"),
+            (("--integral", "--samples", "9"), "belong to --path"),
+            (("--path", "--tolerance", ".1"), "belong to --integral"),
+            (("--path", "--anisotropy", "1"), "from -0.99 to 0.99"),
+            (("--integral", "--frames", "0:3"), ("--frames",)),
+            (("--integral", "--roughness", ".3"), ("--roughness", "--no-specular")),
+            (("--integral", "--aov", "dsm-area"), ("dsm-*", "render")),
+            (("--integral", "--sum", "all"), "no option --sum"),
+            (("--integral", "--tolerance", "0"), "from 1e-07 to 0.5"),
+            (("--integral", "--every", "0"), "from 1 to 16384"),
+            (("--integral", "--region", "1,2,3"), "X,Y,WIDTH,HEIGHT"),
+            (("--integral", "--region", "1,2,3,4,5"), "--region"),
+            (("--integral", "--region", "0,0,13,1"), ("0,0,13,1", "12x10")),
+            (("--integral", "--region", "0,0,0,1"), "0,0,0,1"),
+            (("--integral", "--clip", "walk"), "no clips"),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.refused(2, "reference", *self.SCENE, *arguments, says=says)
+        self.assertEqual(self.listing(), ["cube.obj"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,305 @@
+// Volumetric light transport against tables that another program made, and against what energy
+// demands.
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "reference/path/path_tracer.h"
+#include "renderer/shapes.h"
+
+namespace opaline::reference {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+int particlesOfTests() {
+  const char* wanted = std::getenv("OPALINE_PATH_PARTICLES");  // for a closer look by hand
+  return wanted == nullptr ? 4000 : std::atoi(wanted);
+}
+
+/// Rows of a table by the names of its columns; empty where the tables are not there.
+std::vector<std::map<std::string, std::string>> readTable(const std::string& name) {
+  const char* models = std::getenv("OPALINE_MODELS");
+  const std::filesystem::path folder =
+      (models != nullptr ? std::filesystem::path(models)
+                         : std::filesystem::path(OPALINE_SOURCE_DIR) / ".." / "shared" / "models") /
+      ".." / "reference";
+  std::ifstream file(folder / name);
+  std::vector<std::map<std::string, std::string>> rows;
+  std::vector<std::string> columns;
+  for (std::string line; std::getline(file, line);) {
+    std::stringstream stream(line);
+    std::vector<std::string> words;
+    for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
+    if (columns.empty()) {
+      columns = words;
+      continue;
+    }
+    auto& row = rows.emplace_back();
+    for (std::size_t i = 0; i < columns.size(); ++i) row[columns[i]] = words.at(i);
+  }
+  return rows;
+}
+
+double number(const std::map<std::string, std::string>& row, const std::string& column) {
+  return std::stod(row.at(column));
+}
+
+Body bodyOf(const Mesh& mesh, double sigmaS, double sigmaA, double eta) {
+  Body body;
+  for (const Vec3& p : mesh.positionsMm) body.positionsMm.push_back(toVector(p));
+  for (const Vec3& n : mesh.normals) body.normals.push_back(toVector(n));
+  body.triangles = mesh.triangles;
+  body.medium = {"test", {sigmaS, sigmaS, sigmaS}, {sigmaA, sigmaA, sigmaA}, eta};
+  return body;
+}
+
+Scene sceneOf(const Body& body) {
+  Scene scene;
+  scene.bodies = {body};
+  scene.camera.positionMm = {0, 0, 1000};
+  return scene;
+}
+
+/// How many of the comparisons were out of three standard errors.
+struct Outcome {
+  int entries = 0;
+  int far = 0;
+
+  void compare(double found, double foundError, double expected, double expectedError) {
+    ++entries;
+    // A count of none still stands for one.
+    if (std::abs(found - expected) > 3 * std::hypot(foundError, expectedError)) ++far;
+  }
+};
+
+/// Shares of particles by side and order.
+struct SlabShares {
+  double reflected[3] = {};
+  double transmitted[3] = {};
+};
+
+SlabShares traceSlab(double thickness, double reach, const Interior& interior, bool diffuse,
+                     int particles) {
+  const auto half = static_cast<float>(reach);
+  const auto deep = static_cast<float>(thickness / 2);
+  const Scene scene = sceneOf(bodyOf(test::box({0, 0, 0}, {half, half, deep}, 1),
+                                     interior.sigmaTPerMm * interior.albedo,
+                                     interior.sigmaTPerMm * (1 - interior.albedo), interior.eta));
+  const Geometry geometry(scene);
+  const DistanceBound bound(scene);
+  const std::vector<Interior> interiors{interior};
+  const Walk walk(geometry, bound, interiors, 0);
+  SlabShares shares;
+  for (int i = 0; i < particles; ++i) {
+    Random random(7, static_cast<std::uint64_t>(i));
+    const double cosine = diffuse ? std::sqrt(random()) : 1;
+    const double angle = 2 * pi * random();
+    const double sine = std::sqrt(1 - cosine * cosine);
+    const Vector direction{sine * std::cos(angle), sine * std::sin(angle), -cosine};
+    // Towards a place off the diagonal along which the side is cut in two triangles.
+    const Vector target{0.31 * interior.eta, 0.17, thickness / 2};
+    walk.follow({target - 1.0 * direction, direction}, random,
+                [&](const SurfacePoint& point, Order order) {
+                  double* side = point.position[2] > 0 ? shares.reflected : shares.transmitted;
+                  side[static_cast<int>(order)] += 1.0 / particles;
+                });
+  }
+  return shares;
+}
+
+double errorOf(double share, int particles) {
+  return std::sqrt(std::max(share * (1 - share), 1.0 / particles) / particles);
+}
+
+TEST(PathTest, SlabsAreThoseOfTheTable) {
+  const auto table = readTable("slab_mc.csv");
+  if (table.empty()) GTEST_SKIP() << "the reference tables are not there";
+  const int particles = particlesOfTests();
+  Outcome outcome;
+  for (const auto& row : table) {
+    const double s = number(row, "sigma_s_per_mm");
+    const double a = number(row, "sigma_a_per_mm");
+    const Interior interior{s + a, s / (s + a), 0, number(row, "eta")};
+    const double diffusion = 1 / std::sqrt(3 * a * (a + s));
+    const bool endless = row.at("thickness_mm") == "inf";
+    const double thickness = endless ? 12 * diffusion : number(row, "thickness_mm");
+    const SlabShares shares =
+        traceSlab(thickness, 20 * diffusion, interior, row.at("light") == "diffuse", particles);
+    const auto compare = [&](const std::string& side, const double* found) {
+      outcome.compare(found[1], errorOf(found[1], particles), number(row, side + "_single"),
+                      number(row, side + "_single_err"));
+      outcome.compare(found[2], errorOf(found[2], particles), number(row, side + "_multiple"),
+                      number(row, side + "_multiple_err"));
+    };
+    compare("reflected", shares.reflected);
+    if (!endless) compare("transmitted", shares.transmitted);
+  }
+  RecordProperty("entries", outcome.entries);
+  RecordProperty("far", outcome.far);
+  EXPECT_LE(outcome.far, outcome.entries / 20) << outcome.entries << " entries";
+}
+
+TEST(PathTest, SpheresAreThoseOfTheTable) {
+  const auto table = readTable("sphere_exitance_mc.csv");
+  if (table.empty()) GTEST_SKIP() << "the reference tables are not there";
+  const int particles = 5 * particlesOfTests();
+  constexpr int bands = 20;
+  Outcome outcome;
+  for (std::size_t first = 0; first + bands <= table.size(); first += bands) {
+    const auto& head = table[first];
+    const double s = number(head, "sigma_s_per_mm");
+    const double a = number(head, "sigma_a_per_mm");
+    const double radius = number(head, "radius_mm");
+    Scene scene = sceneOf(
+        bodyOf(test::sphere({0, 0, 0}, static_cast<float>(radius), 6), s, a, number(head, "eta")));
+    scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+    const Geometry geometry(scene);
+    const DistanceBound bound(scene);
+    const std::vector<Interior> interiors{{s + a, s / (s + a), 0, number(head, "eta")}};
+    const Walk walk(geometry, bound, interiors, 0);
+    const Emitter emitter(scene, 0);
+    std::vector<double> single(bands);
+    std::vector<double> multiple(bands);
+    const double perCount = emitter.flux() / particles / (4 * pi * radius * radius / bands);
+    for (int i = 0; i < particles; ++i) {
+      Random random(11, static_cast<std::uint64_t>(i));
+      walk.follow(emitter.emit(random), random, [&](const SurfacePoint& point, Order order) {
+        const double cosine = point.position[2] / length(point.position);
+        const auto band =
+            static_cast<std::size_t>(std::clamp((cosine + 1) / 2 * bands, 0.0, bands - 1.0));
+        if (order == Order::Single) single[band] += 1;
+        if (order == Order::Multiple) multiple[band] += 1;
+      });
+    }
+    for (std::size_t band = 0; band < bands; ++band) {
+      const auto& row = table[first + band];
+      const auto compare = [&](double count, const std::string& column) {
+        outcome.compare(count * perCount, std::sqrt(std::max(count, 1.0)) * perCount,
+                        number(row, column), number(row, column + "_err"));
+      };
+      compare(single[band], "exitance_single");
+      compare(multiple[band], "exitance_multiple");
+    }
+  }
+  RecordProperty("entries", outcome.entries);
+  RecordProperty("far", outcome.far);
+  EXPECT_LE(outcome.far, outcome.entries / 20) << outcome.entries << " entries";
+}
+
+double allFlux(const PathTracer& tracer) {
+  return tracer.leftFlux(0, Order::Unscattered) + tracer.leftFlux(0, Order::Single) +
+         tracer.leftFlux(0, Order::Multiple);
+}
+
+// Without absorption what enters leaves. Entered flux of a sphere in parallel light, by quadrature.
+TEST(PathTest, WhatEntersLeavesWithoutAbsorption) {
+  Scene scene = sceneOf(bodyOf(test::sphere({1, 2, 3}, 3, 5), 1.5, 0, 1.4));
+  scene.lighting.directional = {{{0.3F, -0.4F, 0.8F}, {2, 2, 2}}};
+  const Geometry geometry(scene);
+  PathTracer tracer(geometry, {.bounces = 0});
+  tracer.run(40000);
+  double entering = 0;
+  constexpr int steps = 20000;
+  for (int i = 0; i < steps; ++i) {
+    const double sine2 = (i + 0.5) / steps;  // squared distance from the axis, over the radius
+    entering += (1 - bssrdf::fresnelReflectance(1.4, std::sqrt(1 - sine2))) / steps;
+  }
+  const double expected = 2 * pi * 9 * entering;
+  // Whether a particle enters is the only chance left.
+  EXPECT_NEAR(allFlux(tracer) / expected, 1, 3 * std::sqrt((1 - entering) / 40000) + 0.001);
+  EXPECT_LT(tracer.lostShare(0), 1e-4);
+}
+
+// In the same light from everywhere a body that does not absorb cannot be told from its
+// surroundings: as much leaves it, through its surface or reflected off it, as falls on it.
+TEST(PathTest, WhiteFurnace) {
+  Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 2, 4), 2, 0, 1.3));
+  scene.lighting.ambient = {1, 1, 1};
+  const Geometry geometry(scene);
+  PathTracer tracer(geometry, {});
+  const int particles = 60000;
+  tracer.run(particles);
+  // Of the flux π on each area of the convex body F̄_t enters, and as much must leave.
+  const double area = 4 * pi * 4;
+  const double entering = bssrdf::meanTransmittance(1.3);
+  EXPECT_NEAR(allFlux(tracer) / (pi * area * entering), 1,
+              3 * std::sqrt((1 - entering) / particles) + 0.003);
+}
+
+TEST(PathTest, SameSeedSamePictureWhateverTheThreads) {
+  Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 4, 3), 1, 0.02, 1.3));
+  scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+  scene.lighting.points = {{{0, 20, 0}, {100, 100, 100}}};
+  const Geometry geometry(scene);
+  const auto trace = [&](std::size_t threads, std::vector<std::uint64_t> steps) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    PathTracer tracer(geometry, {.seed = 5});
+    for (const std::uint64_t step : steps) tracer.run(step);
+    std::vector<double> values;
+    for (std::uint32_t t = 0; t < scene.bodies[0].triangles.size(); ++t)
+      for (const double value :
+           tracer.exitance(geometry.pointOn(0, t, {1.0 / 3, 1.0 / 3, 1.0 / 3})).value)
+        values.push_back(value);
+    return values;
+  };
+  EXPECT_EQ(trace(1, {9000}), trace(2, {4000, 5000}));
+}
+
+TEST(PathTest, StrongForwardScatteringMeansTheSameReducedScattering) {
+  // Similarity (van de Hulst 1980): far from where light enters only σ_s' matters. Not exact, but
+  // the flux that leaves agrees to a few per cent.
+  Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 8, 4), 1, 0.01, 1.3));
+  scene.lighting.ambient = {1, 1, 1};
+  const Geometry geometry(scene);
+  PathTracer isotropic(geometry, {.anisotropy = 0});
+  PathTracer forward(geometry, {.anisotropy = 0.8});
+  isotropic.run(12000);
+  forward.run(12000);
+  EXPECT_NEAR(allFlux(forward) / allFlux(isotropic), 1, 0.04);
+}
+
+TEST(CellsTest, AreasAddUpAndPointsFindTheirCell) {
+  const Scene scene = sceneOf(bodyOf(test::box({0, 0, 0}, {5, 4, 3}, 2), 1, 0.1, 1.3));
+  const Geometry geometry(scene);
+  const Cells cells(scene, 0.5);
+  double sum = 0;
+  for (std::size_t i = 0; i < cells.count(); ++i) sum += cells.areaMm2(i);
+  EXPECT_NEAR(sum, 8 * (5 * 4 + 4 * 3 + 3 * 5), 1e-6);
+  // Places that are uniform on the surface fall into cells by their areas.
+  std::vector<double> areaSoFar;
+  for (const Triangle& t : scene.bodies[0].triangles) {
+    const std::vector<Vector>& p = scene.bodies[0].positionsMm;
+    areaSoFar.push_back((areaSoFar.empty() ? 0 : areaSoFar.back()) +
+                        0.5 * length(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])));
+  }
+  std::vector<double> found(cells.count());
+  Random random(3, 0);
+  constexpr int places = 400000;
+  for (int i = 0; i < places; ++i) {
+    const auto triangle = static_cast<std::uint32_t>(
+        std::upper_bound(areaSoFar.begin(), areaSoFar.end(), random() * areaSoFar.back()) -
+        areaSoFar.begin());
+    const double root = std::sqrt(random());
+    const double v = random();
+    found[cells.at(geometry.pointOn(0, triangle, {1 - root, root * (1 - v), root * v}))] += 1;
+  }
+  for (std::size_t i = 0; i < cells.count(); ++i) {
+    const double expected = places * cells.areaMm2(i) / sum;
+    EXPECT_NEAR(found[i], expected, 6 * std::sqrt(expected)) << i;
+  }
+}
+
+}  // namespace
+}  // namespace opaline::reference
