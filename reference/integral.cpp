@@ -85,8 +85,8 @@ class Summation {
   struct Part {
     std::uint32_t patch;
     SubTriangle triangle;
-    Colour smoothError{};     ///< of the flux; a quarter of the whole's for each division
-    Colour borderVariance{};  ///< a sixteenth
+    Colour smoothError{};     ///< of the flux; a quarter for each division
+    Colour borderVariance{};  ///< likewise, so that all parts together have the patch's
   };
   struct Entry {
     double uncertainty;
