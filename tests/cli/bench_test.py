@@ -1,4 +1,4 @@
-"""`bench table1`: what it asks for and what it tells."""
+"""`bench`: what its suites ask for and what they tell."""
 
 import os
 import unittest
@@ -45,6 +45,36 @@ class Table1(ProgramTest):
             self.assertGreater(row["ftf_fps"], 0)
             self.assertGreater(row["vtf_fps"], 0)
             self.assertIsNone(row["tree_fps"])
+
+
+class Methods(ProgramTest):
+    def test_rows(self):
+        self.write("t.ply", tetrahedron(1))
+        # Even light, so that a few triangles with smooth normals are lit alike by all.
+        scene = ("t.ply", "--diagonal-mm", 10, "--medium", "marble", "--ambient", "1,1,1")
+        view = ("--aov", "exitance", "--size", "24x24", "-o", "truth.exr")
+        self.succeed("reference", "--path", "--samples", 20000, *scene, *view)
+        run = self.succeed("bench", "methods", *scene, "--size", 24, "--frames", 1, "--truth", "truth.exr",
+                           "--plot", "plot.svg", "--json")
+        rows = run.json()["rows"]
+        self.assertEqual([(row["transport"], row["sum"], row["site"]) for row in rows],
+                         [(transport, *way) for transport in ("dipole", "better-dipole")
+                          for way in (("pattern", "vertex"), ("pattern", "fragment"), ("all", "vertex"),
+                                      ("all", "fragment"), ("integral", "exact"))])
+        for row in rows:
+            self.assertGreater(row["truth_block_rel_rmse"], 0)
+            if row["sum"] == "all" and row["site"] == "fragment":
+                self.assertLess(row["integral_rel_rmse"], .05)
+        self.assertIn("<svg", (self.folder / "plot.svg").read_text())
+        self.assertIn("better-dipole", (self.folder / "plot.svg").read_text())
+
+    def test_refusals(self):
+        self.refused(2, "bench", "methods", "--models", "here", says="--models")
+        self.refused(2, "bench", "table1", "--size", 9, says="bench methods")
+        self.refused(2, "bench", says=("table1", "methods"))
+        self.write("t.ply", tetrahedron(1))
+        self.succeed("reference", "--path", "--samples", 10, "t.ply", "--size", "8x8", "--aov", "exitance", "-o", "a.exr")
+        self.refused(2, "bench", "methods", "t.ply", "--truth", "a.exr", says=("--truth", "8 x 8"))
 
 
 if __name__ == "__main__":

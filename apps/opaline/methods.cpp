@@ -1,0 +1,156 @@
+#include "methods.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "compare/figures.h"
+#include "opaline/error.h"
+#include "output.h"
+#include "picture_options.h"
+#include "reference/integral.h"
+#include "reference/picture.h"
+#include "reference_scene.h"
+
+namespace opaline::app {
+
+namespace {
+
+namespace rf = opaline::reference;
+
+constexpr int blockEdge = 8;
+constexpr std::array transportsMeasured{Transport::Dipole, Transport::BetterDipole};
+
+RenderOptions optionsFor(const MethodsOrder& order, Transport transport, Sum sum, Site site) {
+  RenderOptions options;
+  options.width = options.height = order.edgePixels;
+  options.transport = transport;
+  options.sum = sum;
+  options.site = site;
+  options.antialias = 1;
+  return options;
+}
+
+/// Exitance by the exact integral, at every so many pixels.
+Image exactExitance(const MethodsOrder& order, Transport transport, int every) {
+  const rf::Scene scene = referenceScene(order.scene, 0, 0);
+  const rf::Geometry geometry(scene);
+  const rf::Irradiance irradiance(geometry);
+  const rf::Integral integral(geometry, irradiance, {.transport = transport});
+  const rf::LeavingLight light{[&](const rf::SurfacePoint& point) { return integral.at(point); },
+                               rf::exitFactors(scene, transport)};
+  rf::PictureOptions picture;
+  picture.width = picture.height = order.edgePixels;
+  picture.aov = Aov::Exitance;
+  picture.every = every;
+  return rf::makePicture(geometry, irradiance, light, picture).image;
+}
+
+std::optional<double> errorAgainst(const Image& found, const Image& exact) {
+  const auto figures = compare::figuresOver(found, exact, compare::commonPixels(found, exact));
+  return figures ? std::optional(figures->all.relRmse) : std::nullopt;
+}
+
+std::optional<double> blockErrorAgainst(const Image& found, const std::optional<Image>& truth) {
+  if (!truth) return std::nullopt;
+  const auto figures =
+      compare::blockFiguresOver(found, *truth, compare::commonPixels(found, *truth), blockEdge);
+  return figures ? std::optional(figures->relRmse) : std::nullopt;
+}
+
+MethodRow measure(Renderer& renderer, const MethodsOrder& order, const RenderOptions& wanted,
+                  const Image& exact) {
+  RenderOptions options = wanted;
+  options.frames = order.frames + 1;  // the first does not count
+  MethodRow row;
+  row.transport = options.transport;
+  row.sum = nameOf(options.sum, sums());
+  row.site = nameOf(options.site, sites());
+  row.frameMilliseconds = renderer.render(options).report.frameMilliseconds;
+  options.frames = 1;
+  const Image found = renderer.render(options, {Aov::Exitance}).images.at(0);
+  row.integralError = errorAgainst(found, exact);
+  row.truthError = blockErrorAgainst(found, order.truth);
+  return row;
+}
+
+std::string percent(const std::optional<double>& share) {
+  return share ? fmt::format("{:.2f} %", 100 * *share) : "-";
+}
+
+Json orNull(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+}  // namespace
+
+Methods measureMethods(const MethodsOrder& order) {
+  if (order.truth &&
+      (order.truth->width != order.edgePixels || order.truth->height != order.edgePixels)) {
+    throw UsageError(fmt::format("--truth has {} x {} pixels, but --size is {}", order.truth->width,
+                                 order.truth->height, order.edgePixels));
+  }
+  Renderer renderer({order.device, false, order.log});
+  renderer.setScene(order.scene);
+  Methods methods;
+  methods.scene = order.scene.name;
+  methods.edgePixels = order.edgePixels;
+  for (const Transport transport : transportsMeasured) {
+    const std::string name = nameOf(transport, transports());
+    if (statusColumns() > 0) showStatus(fmt::format("integrating the {}", name));
+    // Blocks need all pixels.
+    const Image exact = exactExitance(order, transport, order.truth ? 1 : order.every);
+    for (const Sum sum : {Sum::Pattern, Sum::All}) {
+      for (const Site site : {Site::Vertex, Site::Fragment}) {
+        if (statusColumns() > 0) showStatus(fmt::format("measuring the {}", name));
+        methods.rows.push_back(
+            measure(renderer, order, optionsFor(order, transport, sum, site), exact));
+        methods.device =
+            renderer.render(optionsFor(order, transport, Sum::Pattern, Site::Vertex), {})
+                .report.device;
+      }
+    }
+    MethodRow integral{transport, "integral", "exact", {}, {}, {}};
+    integral.truthError = blockErrorAgainst(exact, order.truth);
+    methods.rows.push_back(integral);
+  }
+  clearStatus();
+  return methods;
+}
+
+Json toJson(const Methods& methods) {
+  Json rows = Json::array();
+  for (const MethodRow& row : methods.rows) {
+    rows.push_back({{"transport", nameOf(row.transport, transports())},
+                    {"sum", row.sum},
+                    {"site", row.site},
+                    {"frame_ms", orNull(row.frameMilliseconds)},
+                    {"integral_rel_rmse", orNull(row.integralError)},
+                    {"truth_block_rel_rmse", orNull(row.truthError)}});
+  }
+  return {{"scene", methods.scene},
+          {"size", {methods.edgePixels, methods.edgePixels}},
+          {"device",
+           {{"name", methods.device.name},
+            {"type", methods.device.type},
+            {"driver", methods.device.driver}}},
+          {"rows", std::move(rows)}};
+}
+
+std::string toReadable(const Methods& methods) {
+  std::string text = fmt::format(
+      "{0}, exitance at {1}x{1} on {2} ({3})\n"
+      "{4:<16}{5:<10}{6:<10}{7:>12}{8:>14}{9:>20}\n",
+      methods.scene, methods.edgePixels, methods.device.name, methods.device.type, "transport",
+      "sum", "site", "a frame", "to integral", "to truth, blocks");
+  for (const MethodRow& row : methods.rows) {
+    text += fmt::format(
+        "{:<16}{:<10}{:<10}{:>12}{:>14}{:>20}\n", nameOf(row.transport, transports()), row.sum,
+        row.site, row.frameMilliseconds ? fmt::format("{:.1f} ms", *row.frameMilliseconds) : "-",
+        percent(row.integralError), percent(row.truthError));
+  }
+  return text;
+}
+
+}  // namespace opaline::app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "json.h"
+#include "opaline/image.h"
+#include "opaline/log.h"
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+
+namespace opaline::app {
+
+/// What every way of rendering a scene is measured with: time on the device, and the error of
+/// exitance against the exact integral and against a picture of the truth.
+struct MethodsOrder {
+  Scene scene;
+  int edgePixels = 256;
+  int every = 2;   ///< only every so many pixels across and down against the integral
+  int frames = 3;  ///< of each measurement of time
+  std::string device;
+  std::optional<Image> truth;  ///< exitance of the same view, edgePixels square
+  LogCallback log;
+};
+
+/// One way of rendering, or the exact integral by itself.
+struct MethodRow {
+  Transport transport = Transport::Dipole;
+  std::string sum;   ///< pattern, all or integral
+  std::string site;  ///< vertex, fragment or exact
+  std::optional<double> frameMilliseconds;
+  std::optional<double> integralError;  ///< rms over the mean, pixels
+  std::optional<double> truthError;     ///< the same, blocks of 8×8 pixels
+};
+
+struct Methods {
+  DeviceDescription device;
+  std::string scene;
+  int edgePixels = 0;
+  std::vector<MethodRow> rows;
+};
+
+Methods measureMethods(const MethodsOrder& order);
+
+Json toJson(const Methods& methods);
+std::string toReadable(const Methods& methods);
+
+/// Error against cost as SVG, both logarithmic: full marks against the integral, open ones against
+/// the truth.
+std::string plotSvg(const Methods& methods);
+
+}  // namespace opaline::app
