@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -236,6 +237,65 @@ TEST(PathTest, WhiteFurnace) {
   const double entering = bssrdf::meanTransmittance(1.3);
   EXPECT_NEAR(allFlux(tracer) / (pi * area * entering), 1,
               3 * std::sqrt((1 - entering) / particles) + 0.003);
+}
+
+/// A rectangle on a side of the box of half edges 2, 1.5 and 1, by the axis across it.
+struct Window {
+  std::size_t axis = 0;
+  std::array<double, 2> low{};
+  std::array<double, 2> high{};
+
+  double area() const { return (high[0] - low[0]) * (high[1] - low[1]); }
+  std::size_t u() const { return (axis + 1) % 3; }
+  std::size_t v() const { return (axis + 2) % 3; }
+  bool holds(const Vector& p) const {
+    constexpr std::array<double, 3> half{2, 1.5, 1};
+    return std::abs(p[axis] - half[axis]) < 1e-6 && p[u()] >= low[0] && p[u()] < high[0] &&
+           p[v()] >= low[1] && p[v()] < high[1];
+  }
+};
+
+/// Share of diffuse light through one window that leaves through the other.
+double shareThrough(const Walk& walk, const Window& in, const Window& out, int particles) {
+  constexpr std::array<double, 3> half{2, 1.5, 1};
+  int left = 0;
+  for (int i = 0; i < particles; ++i) {
+    Random random(21 + in.axis, static_cast<std::uint64_t>(i));
+    Vector place{};
+    place[in.axis] = half[in.axis];
+    place[in.u()] = in.low[0] + (in.high[0] - in.low[0]) * random();
+    place[in.v()] = in.low[1] + (in.high[1] - in.low[1]) * random();
+    const double cosine = std::sqrt(random());
+    const double sine = std::sqrt(1 - cosine * cosine);
+    const double angle = 2 * pi * random();
+    Vector direction{};
+    direction[in.axis] = -cosine;
+    direction[in.u()] = sine * std::cos(angle);
+    direction[in.v()] = sine * std::sin(angle);
+    walk.follow(
+        {place - 0.01 * direction, direction}, random,
+        [&](const SurfacePoint& point, Order) { left += out.holds(point.position) ? 1 : 0; });
+  }
+  return static_cast<double>(left) / particles;
+}
+
+// Helmholtz: what diffuse light through one window sends out of another is, by area, the same both
+// ways, whatever lies between.
+TEST(PathTest, WindowsExchangeLightAlikeBothWays) {
+  const Scene scene = sceneOf(bodyOf(test::box({0, 0, 0}, {2, 1.5F, 1}, 2), 1.1, 0.05, 1.4));
+  const Geometry geometry(scene);
+  const DistanceBound bound(scene);
+  const std::vector<Interior> interiors{{1.15, 1.1 / 1.15, 0, 1.4}};
+  const Walk walk(geometry, bound, interiors, 0);
+  const Window top{2, {0.2, -0.9}, {1.9, 0.8}};
+  const Window side{0, {-0.4, -0.9}, {0.9, 0.3}};
+  constexpr int particles = 60000;
+  const double there = shareThrough(walk, top, side, particles);
+  const double back = shareThrough(walk, side, top, particles);
+  const double tolerance = 3 * std::hypot(top.area() * std::sqrt(there / particles),
+                                          side.area() * std::sqrt(back / particles));
+  EXPECT_NEAR(top.area() * there, side.area() * back, tolerance);
+  EXPECT_GT(there * particles, 1000);  // else it says little
 }
 
 TEST(PathTest, SameSeedSamePictureWhateverTheThreads) {
