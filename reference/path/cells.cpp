@@ -89,7 +89,8 @@ Cells::Cells(const Scene& scene, double edgeMm) {
       for (std::uint32_t row = 0; row < n; ++row) {
         for (std::uint32_t k = 0; k < 2 * (n - row) - 1; ++k) {
           const double third = k % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
-          const Vector middle = a + ((k / 2 + third) / parts) * ab + ((row + third) / parts) * ac;
+          const std::uint32_t column = k / 2;
+          const Vector middle = a + ((column + third) / parts) * ab + ((row + third) / parts) * ac;
           CubeKey key{{}, sideOf(areaVector), number};
           for (std::size_t axis = 0; axis < 3; ++axis)
             key.cube[axis] =
