@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "methods.h"
-#include "picture_options.h"
 
 namespace opaline::app {
 
@@ -62,20 +62,38 @@ class Sheet {
               fmt::format("{:g} %", 100 * std::pow(10, decade)), false);
   }
 
+  /// Colour for the transport, shape for the site, full against the integral and open against
+  /// truth.
   void addRow(const MethodRow& row) {
     if (!row.frameMilliseconds) return;
-    const char* const colour = row.transport == Transport::Dipole ? "#2b5fc0" : "#c8372d";
-    const auto mark = [&](const std::optional<double>& error, bool full) {
-      if (!error || !(*error > 0)) return;
-      text_ += fmt::format(
-          "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" stroke=\"{}\" stroke-width=\"1.5\" "
-          "fill=\"{}\"/>\n<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}, {}, {}</text>\n",
-          x(*row.frameMilliseconds), y(*error), colour, full ? colour : "white",
-          x(*row.frameMilliseconds) + 9, y(*error) + (full ? 4 : -6), colour,
-          nameOf(row.transport, transports()), row.sum, row.site);
+    const std::size_t transport = row.transport == Transport::Dipole ? 0 : 1;
+    const double at = x(*row.frameMilliseconds);
+    if (row.integralError && *row.integralError > 0)
+      addMark(at, y(*row.integralError), transport, row.site == "vertex", true);
+    if (row.truthError && *row.truthError > 0)
+      addMark(at, y(*row.truthError), transport, row.site == "vertex", false);
+  }
+
+  void addLegend(const Methods& methods) {
+    double line = top + 8;
+    const auto entry = [&](const std::string& label, std::size_t transport, bool vertex,
+                           bool full) {
+      addMark(sheetWidth - right + 22, line, transport, vertex, full);
+      addText(sheetWidth - right + 36, line + 4, "start", label);
+      line += 22;
     };
-    mark(row.integralError, true);
-    mark(row.truthError, false);
+    entry("dipole", 0, false, true);
+    entry("better-dipole", 1, false, true);
+    entry("at fragments", 2, false, true);
+    entry("at vertices", 2, true, true);
+    entry("to the integral", 2, false, true);
+    entry("to the truth", 2, false, false);
+    for (const char* const sum : {"pattern", "all"})
+      if (const auto found = std::find_if(
+              methods.rows.begin(), methods.rows.end(),
+              [&](const MethodRow& row) { return row.sum == sum && row.frameMilliseconds; });
+          found != methods.rows.end())
+        addText(x(*found->frameMilliseconds), top + 16, "middle", sum);
   }
 
   std::string finished() && { return std::move(text_) + "</svg>\n"; }
@@ -86,6 +104,19 @@ class Sheet {
   }
   double y(double error) const {
     return sheetHeight - bottom - (sheetHeight - top - bottom) * error_.share(error);
+  }
+  void addMark(double atX, double atY, std::size_t colour, bool diamond, bool full) {
+    constexpr std::array colours{"#2b5fc0", "#c8372d", "#555"};
+    const std::string style = fmt::format("stroke=\"{}\" stroke-width=\"1.5\" fill=\"{}\"",
+                                          colours[colour], full ? colours[colour] : "none");
+    text_ +=
+        diamond
+            ? fmt::format("<path d=\"M{:.1f} {:.1f}l6 6l-6 6l-6 -6z\" {}/>\n", atX, atY - 6, style)
+            : fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" {}/>\n", atX, atY, style);
+  }
+  void addText(double atX, double atY, const char* anchor, const std::string& text) {
+    text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", atX, atY,
+                         anchor, text);
   }
   void addLine(double x1, double y1, double x2, double y2, const std::string& label, bool upright) {
     text_ += fmt::format(
@@ -107,6 +138,7 @@ std::string plotSvg(const Methods& methods) {
   if (!sheet.empty()) {
     sheet.addGrid();
     for (const MethodRow& row : methods.rows) sheet.addRow(row);
+    sheet.addLegend(methods);
   }
   return std::move(sheet).finished();
 }
