@@ -47,4 +47,13 @@ inline Vector unitOr(const Vector& a, const Vector& other) {
   return size > 0 && std::isfinite(size) ? (1 / size) * a : other;
 }
 
+/// Two directions across a unit direction and each other, right-handed with it (Duff et al. 2017).
+inline std::array<Vector, 2> across(const Vector& n) {
+  const double sign = std::copysign(1.0, n[2]);
+  const double a = -1 / (sign + n[2]);
+  const double b = n[0] * n[1] * a;
+  return {Vector{1 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]},
+          Vector{b, sign + n[1] * n[1] * a, -n[1]}};
+}
+
 }  // namespace opaline::reference

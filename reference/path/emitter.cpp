@@ -13,15 +13,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Two directions across a unit direction (Duff et al. 2017).
-std::array<Vector, 2> across(const Vector& n) {
-  const double sign = std::copysign(1.0, n[2]);
-  const double a = -1 / (sign + n[2]);
-  const double b = n[0] * n[1] * a;
-  return {Vector{1 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]},
-          Vector{b, sign + n[1] * n[1] * a, -n[1]}};
-}
-
 Vector around(const Vector& axis, double cosine, double angle) {
   const auto [x, y] = across(axis);
   const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));

@@ -6,19 +6,6 @@
 
 namespace opaline::reference {
 
-namespace {
-
-/// Two directions across a unit direction, right-handed (Duff et al. 2017).
-std::array<Vector, 2> across(const Vector& n) {
-  const double sign = std::copysign(1.0, n[2]);
-  const double a = -1 / (sign + n[2]);
-  const double b = n[0] * n[1] * a;
-  return {Vector{1 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]},
-          Vector{b, sign + n[1] * n[1] * a, -n[1]}};
-}
-
-}  // namespace
-
 Vector mirrored(const Vector& direction, const Vector& normal) {
   return unitOr(direction - 2 * dot(direction, normal) * normal, direction);
 }
