@@ -68,7 +68,7 @@ class OpaqueFrame::Implementation {
         nearest_(device_, gpu::Filter::Nearest),
         lambert_(makeLambert(device_)),
         scene_(scene),
-        merged_(merge(scene_)),
+        merged_(scene::mergedMesh(scene_)),
         resources_(makeSceneResources(device_, scene_, merged_, options.dsmSize)),
         motion_(device_, scene_, merged_),
         view_(passes::FitPass::makeView(device_)),
@@ -119,7 +119,7 @@ class OpaqueFrame::Implementation {
   gpu::Sampler nearest_;
   gpu::Pipeline lambert_;
   Scene scene_;
-  MergedMesh merged_;
+  scene::MergedMesh merged_;
   SceneResources resources_;
   SceneMotion motion_;
   passes::FrameView view_;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "atlas/atlas.h"
@@ -21,6 +22,7 @@
 #include "output.h"
 #include "paths.h"
 #include "scene/deformer_check.h"
+#include "scene/merged_mesh.h"
 #include "scene/topology.h"
 #include "scene_options.h"
 
@@ -46,29 +48,6 @@ struct InfoCommand {
     line.flag("--quiet", "no notes on standard error", quiet);
   }
 };
-
-/// All objects of a scene end to end, as the atlas wants them.
-struct JoinedSurface {
-  std::vector<Vec3> positionsMm;
-  std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> objectOfTriangle;
-};
-
-JoinedSurface join(const Scene& scene) {
-  JoinedSurface joined;
-  std::uint32_t objectIndex = 0;
-  for (const Object& object : scene.objects) {
-    const auto base = static_cast<std::uint32_t>(joined.positionsMm.size());
-    const Mesh& mesh = object.mesh;
-    joined.positionsMm.insert(joined.positionsMm.end(), mesh.positionsMm.begin(),
-                              mesh.positionsMm.end());
-    for (const Triangle& t : mesh.triangles) {
-      joined.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-    }
-    joined.objectOfTriangle.resize(joined.triangles.size(), objectIndex++);
-  }
-  return joined;
-}
 
 std::array<double, 3> sizeMm(const Object& object) {
   Scene alone;
@@ -117,10 +96,9 @@ std::string motionText(const Scene& scene) {
 Json devicesJson() {
   Json devices = Json::array();
   for (const DeviceDescription& device : listDevices()) {
-    devices.push_back({{"index", devices.size()},
-                       {"name", device.name},
-                       {"type", device.type},
-                       {"driver", device.driver}});
+    Json entry{{"index", devices.size()}};
+    entry.update(deviceJson(device));
+    devices.push_back(std::move(entry));
   }
   return devices;
 }
@@ -220,7 +198,7 @@ void runInfo(const Arguments& arguments) {
   const LogCallback log = noteTaker(command.quiet);
   const Scene scene = command.scene.load(log).scene;
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  const JoinedSurface surface = join(scene);
+  const scene::MergedMesh surface = scene::mergedMesh(scene);
   const atlas::Atlas atlas =
       atlas::makeAtlas({surface.positionsMm, surface.triangles, surface.objectOfTriangle});
   if (command.atlas) {

@@ -18,6 +18,10 @@ Json mediumJson(const Medium& medium) {
           {"diffusion_length_mm", rgbJson(lengths.diffusionMm)}};
 }
 
+Json deviceJson(const DeviceDescription& device) {
+  return {{"name", device.name}, {"type", device.type}, {"driver", device.driver}};
+}
+
 std::string toText(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

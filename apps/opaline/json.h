@@ -6,6 +6,7 @@
 #include <string>
 
 #include "opaline/medium.h"
+#include "opaline/renderer.h"
 
 namespace opaline::app {
 
@@ -17,6 +18,8 @@ Json rgbJson(const std::array<double, 3>& rgb);
 
 /// Name, coefficients and the lengths that follow from them.
 Json mediumJson(const Medium& medium);
+
+Json deviceJson(const DeviceDescription& device);
 
 /// Indented and with a line break at the end; what is not UTF-8 is replaced.
 std::string toText(const Json& json);

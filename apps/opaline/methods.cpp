@@ -33,13 +33,12 @@ RenderOptions optionsFor(const MethodsOrder& order, Transport transport, Sum sum
 }
 
 /// Exitance by the exact integral, at every so many pixels.
-Image exactExitance(const MethodsOrder& order, Transport transport, int every) {
-  const rf::Scene scene = referenceScene(order.scene, 0, 0);
-  const rf::Geometry geometry(scene);
+Image exactExitance(const MethodsOrder& order, const rf::Geometry& geometry, Transport transport,
+                    int every) {
   const rf::Irradiance irradiance(geometry);
   const rf::Integral integral(geometry, irradiance, {.transport = transport});
   const rf::LeavingLight light{[&](const rf::SurfacePoint& point) { return integral.at(point); },
-                               rf::exitFactors(scene, transport)};
+                               rf::exitFactors(geometry.scene(), transport)};
   rf::PictureOptions picture;
   picture.width = picture.height = order.edgePixels;
   picture.aov = Aov::Exitance;
@@ -60,14 +59,16 @@ std::optional<double> blockErrorAgainst(const Image& found, const std::optional<
 }
 
 MethodRow measure(Renderer& renderer, const MethodsOrder& order, const RenderOptions& wanted,
-                  const Image& exact) {
+                  const Image& exact, DeviceDescription& device) {
   RenderOptions options = wanted;
   options.frames = order.frames + 1;  // the first does not count
   MethodRow row;
   row.transport = options.transport;
   row.sum = nameOf(options.sum, sums());
   row.site = nameOf(options.site, sites());
-  row.frameMilliseconds = renderer.render(options).report.frameMilliseconds;
+  const RenderReport report = renderer.render(options).report;
+  row.frameMilliseconds = report.frameMilliseconds;
+  device = report.device;
   options.frames = 1;
   const Image found = renderer.render(options, {Aov::Exitance}).images.at(0);
   row.integralError = errorAgainst(found, exact);
@@ -96,19 +97,18 @@ Methods measureMethods(const MethodsOrder& order) {
   Methods methods;
   methods.scene = order.scene.name;
   methods.edgePixels = order.edgePixels;
+  const rf::Scene scene = referenceScene(order.scene, 0, 0);
+  const rf::Geometry geometry(scene);
   for (const Transport transport : transportsMeasured) {
     const std::string name = nameOf(transport, transports());
     if (statusColumns() > 0) showStatus(fmt::format("integrating the {}", name));
     // Blocks need all pixels.
-    const Image exact = exactExitance(order, transport, order.truth ? 1 : order.every);
+    const Image exact = exactExitance(order, geometry, transport, order.truth ? 1 : order.every);
     for (const Sum sum : {Sum::Pattern, Sum::All}) {
       for (const Site site : {Site::Vertex, Site::Fragment}) {
         if (statusColumns() > 0) showStatus(fmt::format("measuring the {}", name));
-        methods.rows.push_back(
-            measure(renderer, order, optionsFor(order, transport, sum, site), exact));
-        methods.device =
-            renderer.render(optionsFor(order, transport, Sum::Pattern, Site::Vertex), {})
-                .report.device;
+        methods.rows.push_back(measure(renderer, order, optionsFor(order, transport, sum, site),
+                                       exact, methods.device));
       }
     }
     MethodRow integral{transport, "integral", "exact", {}, {}, {}};
@@ -131,10 +131,7 @@ Json toJson(const Methods& methods) {
   }
   return {{"scene", methods.scene},
           {"size", {methods.edgePixels, methods.edgePixels}},
-          {"device",
-           {{"name", methods.device.name},
-            {"type", methods.device.type},
-            {"driver", methods.device.driver}}},
+          {"device", deviceJson(methods.device)},
           {"rows", std::move(rows)}};
 }
 

@@ -10,10 +10,7 @@ Json renderReportJson(const RenderReport& report, const RenderOptions& options,
   for (const PassTime& pass : report.passes) {
     passes.push_back({{"name", pass.name}, {"ms", pass.milliseconds}});
   }
-  return {{"device",
-           {{"name", report.device.name},
-            {"type", report.device.type},
-            {"driver", report.device.driver}}},
+  return {{"device", deviceJson(report.device)},
           {"size", {options.width, options.height}},
           {"transport", nameOf(report.transport, transports())},
           {"sum", nameOf(report.sum, sums())},

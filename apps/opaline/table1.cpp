@@ -136,10 +136,7 @@ Json toJson(const Table1& table) {
                     {"paper_vtf_fps", row.paperVertexPerSecond},
                     {"tree_fps", nullptr}});
   }
-  return {
-      {"device",
-       {{"name", table.device.name}, {"type", table.device.type}, {"driver", table.device.driver}}},
-      {"rows", std::move(rows)}};
+  return {{"device", deviceJson(table.device)}, {"rows", std::move(rows)}};
 }
 
 std::string toReadable(const Table1& table) {

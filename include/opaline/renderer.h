@@ -162,8 +162,8 @@ class Renderer {
 
   /// From the next submitted frame on the object's vertices lie where the caller says instead of
   /// where its mesh or rig puts them; normals follow; the scene's deformers still apply. The values
-  /// are copied. Throws UsageError unless there is a position for each of
-  /// its vertices, finite and within 1e18 mm.
+  /// are copied. Throws UsageError unless there is a position for each of its vertices, finite and
+  /// within 1e18 mm.
   void replacePositions(std::size_t object, std::span<const Vec3> positionsMm);
 
   /// The same from a buffer of the device, which every frame reads anew.

@@ -37,9 +37,9 @@ struct RestBox {
 /// Where a point goes, in column 3, and in the others what becomes of steps along the axes.
 using Moved = Matrix4;
 
-/// Of t/period, in turns; only the fraction matters.
-double phase(double seconds, double period) {
-  return 2 * std::numbers::pi * std::fmod(seconds, period) / period;
+/// The fraction of t/period, in [0, 1).
+double fractionOf(double seconds, double period) {
+  return std::fmod(seconds, period) / period;
 }
 
 Moved twisted(double amount, const RestBox& box, const Double3& p) {
@@ -105,10 +105,8 @@ Moved moved(const Deformer& deformer, const RestBox& box, double seconds, const 
       return bent(amount, box, p);
     case DeformerKind::Squash:
       return squashed(amount, box, p);
-    case DeformerKind::Wobble: {
-      const double period = deformer.periodSeconds == 0 ? 1 : double{deformer.periodSeconds};
-      return wobbled(amount, phase(seconds, period), box, p);
-    }
+    case DeformerKind::Wobble:
+      return wobbled(amount, 2 * std::numbers::pi * wavePhaseAt(deformer, seconds), box, p);
   }
   return {{Double3{1, 0, 0}, Double3{0, 1, 0}, Double3{0, 0, 1}, p}};
 }
@@ -118,7 +116,12 @@ Moved moved(const Deformer& deformer, const RestBox& box, double seconds, const 
 double amountAt(const Deformer& deformer, double seconds) {
   const double amount{deformer.amount};
   if (deformer.kind == DeformerKind::Wobble || deformer.periodSeconds == 0) return amount;
-  return amount * std::sin(phase(seconds, double{deformer.periodSeconds}));
+  return amount *
+         std::sin(2 * std::numbers::pi * fractionOf(seconds, double{deformer.periodSeconds}));
+}
+
+double wavePhaseAt(const Deformer& deformer, double seconds) {
+  return fractionOf(seconds, deformer.periodSeconds == 0 ? 1 : double{deformer.periodSeconds});
 }
 
 SurfacePoint deformed(const Deformer& deformer, const Bounds& restBox, double seconds,

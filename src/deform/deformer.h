@@ -15,6 +15,9 @@ struct SurfacePoint {
 /// 0. The amount of a wobble always stands, its wave travels.
 double amountAt(const Deformer& deformer, double seconds);
 
+/// How far the wave of a wobble has travelled, in periods, in [0, 1); a period of 0 is 1 s.
+double wavePhaseAt(const Deformer& deformer, double seconds);
+
 /// Where one deformer takes a point; `restBox` is the box around the scene's rest pose, mm. The
 /// normal follows by the cofactors of the Jacobian, as the triangles' own normals do; so it turns
 /// with them where a bend folds what lies inside its centre. In a box without height nothing moves.

@@ -112,7 +112,7 @@ struct Edges {
   std::vector<shared::TriangleEdge> edges;
 };
 
-Edges trianglesAround(const MergedMesh& merged, const std::vector<std::uint32_t>& group) {
+Edges trianglesAround(const scene::MergedMesh& merged, const std::vector<std::uint32_t>& group) {
   Edges result;
   result.range.resize(group.size(), {0, 0});
   for (const Triangle& t : merged.triangles)
@@ -162,7 +162,8 @@ std::vector<ObjectRange> rangesOf(const Scene& scene) {
   return ranges;
 }
 
-passes::Motion makeMotionTables(gpu::Device& device, const Scene& scene, const MergedMesh& merged,
+passes::Motion makeMotionTables(gpu::Device& device, const Scene& scene,
+                                const scene::MergedMesh& merged,
                                 const std::vector<ObjectRange>& ranges) {
   const Lists<shared::MorphDelta> deltas = morphDeltas(scene, ranges);
   const Lists<shared::JointInfluence> influences = jointInfluences(scene, ranges);

@@ -28,7 +28,8 @@ struct ObjectRange {
 std::vector<ObjectRange> rangesOf(const Scene& scene);
 
 /// The tables of passes::Motion that stay; for set-up. The scene has been validated.
-passes::Motion makeMotionTables(gpu::Device& device, const Scene& scene, const MergedMesh& merged,
+passes::Motion makeMotionTables(gpu::Device& device, const Scene& scene,
+                                const scene::MergedMesh& merged,
                                 const std::vector<ObjectRange>& ranges);
 
 }  // namespace opaline

@@ -88,7 +88,7 @@ class FarPlacer {
     const Triangle& triangle = resources_.merged->triangles[point.triangle];
     for (std::size_t i = 0; i < 3; ++i)
       position += static_cast<double>(point.barycentric[i]) *
-                  glm::dvec3(glm::make_vec3(resources_.merged->positions[triangle[i]].data()));
+                  glm::dvec3(glm::make_vec3(resources_.merged->positionsMm[triangle[i]].data()));
     return position;
   }
 
@@ -100,10 +100,10 @@ class FarPlacer {
 
 std::vector<shared::FarPlace> farPlaces(const SceneResources& resources,
                                         const PatternLayout& layout, const RenderOptions& options) {
-  const MergedMesh& merged = *resources.merged;
+  const scene::MergedMesh& merged = *resources.merged;
   const double texelMm = texelEdgeMm(resources, options);
-  std::vector<double> innerMm(merged.positions.size(), 0);
-  std::vector<double> distanceMm(merged.positions.size(), 0);
+  std::vector<double> innerMm(merged.positionsMm.size(), 0);
+  std::vector<double> distanceMm(merged.positionsMm.size(), 0);
   for (std::size_t t = 0; t < merged.triangles.size(); ++t) {
     const std::uint32_t medium = resources.mediumOfObject[merged.objectOfTriangle[t]];
     const passes::PatternExtent& extent = layout.extentOfMedium[medium];
@@ -114,7 +114,7 @@ std::vector<shared::FarPlace> farPlaces(const SceneResources& resources,
   }
   FarPlacer placer(resources, layout.maps.distant, static_cast<int>(layout.maps.distantMapSize));
   const std::vector<atlas::GeodesicStar> stars =
-      atlas::walkFromVertices(merged.surface(), distanceMm);
+      atlas::walkFromVertices(surfaceOf(merged), distanceMm);
   for (std::size_t i = 0; i < stars.size(); ++i) placer.add(stars[i], innerMm[i], distanceMm[i]);
   return placer.take();
 }
@@ -144,7 +144,7 @@ PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions
     nearReach = std::max(nearReach, extent.nearReach());
     cell = std::min(cell, extent.cell);
   }
-  const atlas::Surface surface = resources.merged->surface();
+  const atlas::Surface surface = surfaceOf(*resources.merged);
   layout.maps.nearby = atlas::makeNeighbourhoods(
       surface, resources.atlas,
       {.mapSize = options.dsmSize, .reach = nearReach, .alignment = 1, .maxSize = largest});

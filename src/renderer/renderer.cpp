@@ -95,7 +95,7 @@ class Renderer::Implementation {
     scene_.reset();
     scene_ = std::make_unique<const Scene>(scene);
     try {
-      merged_ = merge(*scene_);
+      merged_ = scene::mergedMesh(*scene_);
       motion_.emplace(device_, *scene_, merged_);
     } catch (...) {
       scene_.reset();  // half a scene is none
@@ -189,17 +189,17 @@ class Renderer::Implementation {
 
   // Makes what depends on the scene and the options, where it is not there yet.
   void prepare(const RenderOptions& options) {
-    if (resources_ && sameTables(prepared_, options)) {
-      if (options.sum == Sum::All) passes_.gather.prepareList(device_, resources_->sources);
-      return;
-    }
+    if (!resources_ || !sameTables(prepared_, options)) makeResources(options);
+    if (options.sum == Sum::All) passes_.gather.prepareList(device_, resources_->sources);
+  }
+
+  void makeResources(const RenderOptions& options) {
     device_.waitIdle();
     resources_.reset();
     if (prepared_.dsmSize != options.dsmSize) uploaded_.reset();
     if (!uploaded_) uploaded_ = makeSceneResources(device_, *scene_, merged_, options.dsmSize);
     prepared_ = options;
     resources_ = makeFrameResources(options);
-    if (options.sum == Sum::All) passes_.gather.prepareList(device_, resources_->sources);
   }
 
   static bool sameTables(const RenderOptions& a, const RenderOptions& b) {
@@ -272,7 +272,7 @@ class Renderer::Implementation {
   std::size_t waiting_ = 0;  // frames submitted and not collected
   gpu::UploadRing frameData_;
   std::unique_ptr<const Scene> scene_;
-  MergedMesh merged_;
+  scene::MergedMesh merged_;
   std::optional<SceneMotion> motion_;
   std::optional<SceneResources> uploaded_;
   std::optional<FrameResources> resources_;

@@ -1,7 +1,6 @@
 #include "renderer/scene_motion.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 
@@ -41,12 +40,6 @@ std::size_t uploadBytes(const gpu::Device& device, const std::vector<ObjectRange
          ranges.size() * sizeof(shared::ObjectMotion) + parts * slack;
 }
 
-// How far a wobble's wave has travelled, in periods.
-float phaseAt(const Deformer& deformer, double seconds) {
-  const double period = deformer.periodSeconds > 0 ? double{deformer.periodSeconds} : 1.0;
-  return static_cast<float>(std::fmod(seconds / period, 1.0));
-}
-
 void addRows(const scene::Matrix4& matrix, std::vector<shared::vec4>& rows, std::size_t first) {
   for (std::size_t row = 0; row < 3; ++row)
     rows[first + row] = {
@@ -56,7 +49,7 @@ void addRows(const scene::Matrix4& matrix, std::vector<shared::vec4>& rows, std:
 
 }  // namespace
 
-SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const MergedMesh& merged)
+SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const scene::MergedMesh& merged)
     : scene_(scene),
       ranges_(rangesOf(scene)),
       motion_(makeMotionTables(device, scene, merged, ranges_)),
@@ -77,7 +70,7 @@ SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const MergedMe
   const glm::vec3 low = glm::make_vec3(bounds.minMm.data());
   const glm::vec3 high = glm::make_vec3(bounds.maxMm.data());
   const glm::vec3 middle = 0.5F * (low + high);
-  frame_.counts = {static_cast<std::uint32_t>(merged.positions.size()), 0,
+  frame_.counts = {static_cast<std::uint32_t>(merged.positionsMm.size()), 0,
                    motion_.hasDeltas ? 1 : 0, motion_.hasInfluences ? 1 : 0};
   frame_.middle = {middle, 0};
   if (!(high.y > low.y)) return;  // nothing to twist or bend
@@ -94,7 +87,7 @@ void SceneMotion::fillFrame(double seconds) {
     const Deformer& deformer = scene_.deformers[i];
     data.kind.x = static_cast<std::uint32_t>(deformer.kind);
     data.amount.x = static_cast<float>(deform::amountAt(deformer, seconds));
-    data.amount.y = phaseAt(deformer, seconds);
+    data.amount.y = static_cast<float>(deform::wavePhaseAt(deformer, seconds));
   }
   motion_.normalsFromMesh = false;
   for (std::size_t i = 0; i < objects_.size(); ++i) {

@@ -19,7 +19,7 @@ namespace opaline {
 /// the host does of it, and has the device do the rest. The scene outlives it.
 class SceneMotion {
  public:
-  SceneMotion(gpu::Device& device, const Scene& scene, const MergedMesh& merged);
+  SceneMotion(gpu::Device& device, const Scene& scene, const scene::MergedMesh& merged);
 
   /// Moves `mesh` to where it is at that time; allocates nothing.
   void record(gpu::CommandList& commands, const passes::DeformPass& pass, int clip, double seconds,

@@ -17,7 +17,8 @@ namespace opaline {
 
 namespace {
 
-std::vector<shared::AtlasCorner> makeCorners(const atlas::Atlas& atlas, const MergedMesh& mesh) {
+std::vector<shared::AtlasCorner> makeCorners(const atlas::Atlas& atlas,
+                                             const scene::MergedMesh& mesh) {
   std::vector<shared::AtlasCorner> corners(atlas.vertices.size());
   for (std::size_t i = 0; i < corners.size(); ++i)
     corners[i] = {.vertex = atlas.vertices[i].vertex,
@@ -80,24 +81,10 @@ void listMedia(const Scene& scene, SceneResources& resources) {
 
 }  // namespace
 
-MergedMesh merge(const Scene& scene) {
-  MergedMesh merged;
-  std::uint32_t object = 0;
-  for (const Object& body : scene.objects) {
-    const auto base = static_cast<std::uint32_t>(merged.positions.size());
-    const Mesh& mesh = body.mesh;
-    merged.positions.insert(merged.positions.end(), mesh.positionsMm.begin(),
-                            mesh.positionsMm.end());
-    merged.normals.insert(merged.normals.end(), mesh.normals.begin(), mesh.normals.end());
-    for (const Triangle& t : mesh.triangles)
-      merged.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-    merged.objectOfTriangle.insert(merged.objectOfTriangle.end(), mesh.triangles.size(), object++);
-  }
-  return merged;
-}
-
-atlas::Surface MergedMesh::surface() const {
-  return {.positionsMm = positions, .triangles = triangles, .objectOfTriangle = objectOfTriangle};
+atlas::Surface surfaceOf(const scene::MergedMesh& merged) {
+  return {.positionsMm = merged.positionsMm,
+          .triangles = merged.triangles,
+          .objectOfTriangle = merged.objectOfTriangle};
 }
 
 double shortestMeanFreePathMm(const Medium& medium) {
@@ -107,16 +94,16 @@ double shortestMeanFreePathMm(const Medium& medium) {
   return shortest;
 }
 
-SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, const MergedMesh& merged,
-                                  int dsmSize) {
+SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
+                                  const scene::MergedMesh& merged, int dsmSize) {
   SceneResources resources;
   resources.merged = &merged;
-  resources.atlas = atlas::makeAtlas(merged.surface(), {.mapSize = dsmSize});
+  resources.atlas = atlas::makeAtlas(surfaceOf(merged), {.mapSize = dsmSize});
   const atlas::Atlas& atlas = resources.atlas;
   const std::vector<shared::AtlasCorner> corners = makeCorners(atlas, merged);
 
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-  const std::size_t vectorBytes = merged.positions.size() * sizeof(glm::vec4);
+  const std::size_t vectorBytes = merged.positionsMm.size() * sizeof(glm::vec4);
   resources.mesh.positions =
       gpu::Buffer(device, {.name = "positions", .bytes = vectorBytes, .usage = storage});
   resources.mesh.normals =
@@ -126,10 +113,10 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, const
   resources.mesh.corners = gpu::makeBuffer(device, "atlas corners", corners, storage);
   resources.mesh.vertexCorners =
       gpu::makeBuffer(device, "atlas corner of each vertex",
-                      cornerOfVertex(corners, merged.positions.size()), storage);
+                      cornerOfVertex(corners, merged.positionsMm.size()), storage);
   resources.mesh.indices =
       gpu::makeBuffer(device, "indices", atlas.triangles, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-  resources.mesh.vertexCount = static_cast<std::uint32_t>(merged.positions.size());
+  resources.mesh.vertexCount = static_cast<std::uint32_t>(merged.positionsMm.size());
   resources.mesh.indexCount = static_cast<std::uint32_t>(3 * atlas.triangles.size());
   resources.objects = static_cast<std::uint32_t>(scene.objects.size());
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());

@@ -7,6 +7,7 @@
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "passes/products.h"
+#include "scene/merged_mesh.h"
 
 namespace opaline::gpu {
 class Device;
@@ -14,22 +15,13 @@ class Device;
 
 namespace opaline {
 
-/// All objects laid end to end.
-struct MergedMesh {
-  std::vector<Vec3> positions;
-  std::vector<Vec3> normals;
-  std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> objectOfTriangle;
-
-  atlas::Surface surface() const;
-};
-
-MergedMesh merge(const Scene& scene);
+/// As the atlas wants it; `merged` outlives it.
+atlas::Surface surfaceOf(const scene::MergedMesh& merged);
 
 /// A scene on the device: what depends on the rest pose alone. Objects are laid end to end and
 /// share one atlas.
 struct SceneResources {
-  const MergedMesh* merged = nullptr;  ///< that it was made from
+  const scene::MergedMesh* merged = nullptr;  ///< that it was made from
   passes::DeformedMesh mesh;
   atlas::Atlas atlas;
   std::uint32_t objects = 0;
@@ -41,8 +33,8 @@ struct SceneResources {
 };
 
 /// `merged` is of the scene and outlives the resources.
-SceneResources makeSceneResources(gpu::Device& device, const Scene& scene, const MergedMesh& merged,
-                                  int dsmSize);
+SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
+                                  const scene::MergedMesh& merged, int dsmSize);
 
 /// Shortest mean free path of the three channels, mm.
 double shortestMeanFreePathMm(const Medium& medium);

@@ -84,6 +84,14 @@ Scene moving() {
   return scene;
 }
 
+RenderOptions tinyOptions() {
+  RenderOptions options;
+  options.width = options.height = 48;
+  options.dsmSize = 128;
+  options.shadowSize = 128;
+  return options;
+}
+
 /// Allocations of this thread in the frames after the warm-up.
 template <typename BeforeFrame>
 std::size_t allocationsOfSteadyFrames(Renderer& renderer, RenderOptions options,
@@ -106,10 +114,7 @@ TEST(AllocationTest, SteadyFramesAllocateNothing) {
   Renderer renderer;
   const Scene scene = moving();
   renderer.setScene(scene);
-  RenderOptions options;
-  options.width = options.height = 48;
-  options.dsmSize = 128;
-  options.shadowSize = 128;
+  RenderOptions options = tinyOptions();
   for (const Sum sum : {Sum::Pattern, Sum::All})
     for (const Site site : {Site::Vertex, Site::Fragment}) {
       options.sum = sum;
@@ -127,10 +132,7 @@ TEST(AllocationTest, GivenPositionsAllocateNothing) {
   Renderer renderer;
   const Scene scene = moving();
   renderer.setScene(scene);
-  RenderOptions options;
-  options.width = options.height = 48;
-  options.dsmSize = 128;
-  options.shadowSize = 128;
+  const RenderOptions options = tinyOptions();
   const auto give = [&] { renderer.replacePositions(0, scene.objects[0].mesh.positionsMm); };
   EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {Aov::Radiance}, give), 0U);
 }

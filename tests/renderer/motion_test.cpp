@@ -38,7 +38,7 @@ class MotionTest : public gpu::GpuTest {
  protected:
   void put(const Scene& scene) {
     scene_ = scene;
-    merged_ = merge(scene_);
+    merged_ = scene::mergedMesh(scene_);
     resources_ = makeSceneResources(device(), scene_, merged_, 128);
     motion_ = std::make_unique<SceneMotion>(device(), scene_, merged_);
   }
@@ -87,7 +87,7 @@ class MotionTest : public gpu::GpuTest {
   }
 
   Scene scene_;
-  MergedMesh merged_;
+  scene::MergedMesh merged_;
   SceneResources resources_;
   std::unique_ptr<SceneMotion> motion_;
 };

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "opaline/scene.h"
+
+namespace opaline::scene {
+
+/// All objects of a scene end to end, in the rest pose, as one surface.
+struct MergedMesh {
+  std::vector<Vec3> positionsMm;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> objectOfTriangle;
+};
+
+MergedMesh mergedMesh(const Scene& scene);
+
+}  // namespace opaline::scene
