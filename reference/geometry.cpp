@@ -170,9 +170,10 @@ Geometry::Hit refined(const Geometry& geometry, std::uint32_t body, std::uint32_
 
 }  // namespace
 
-std::optional<Geometry::Hit> Geometry::closestHit(const Vector& origin,
+std::optional<Geometry::Hit> Geometry::closestBut(std::uint32_t body, std::uint32_t triangle,
+                                                  const Vector& origin,
                                                   const Vector& direction) const {
-  Query query = queryFrom(none, none);
+  Query query = queryFrom(body, triangle);
   RTCRayHit ray{};
   ray.ray = rayOf(origin - box_.centre(), direction, std::numeric_limits<double>::infinity());
   ray.hit.geomID = none;
@@ -181,16 +182,14 @@ std::optional<Geometry::Hit> Geometry::closestHit(const Vector& origin,
   return refined(*this, ray.hit.geomID, ray.hit.primID, origin, direction);
 }
 
+std::optional<Geometry::Hit> Geometry::closestHit(const Vector& origin,
+                                                  const Vector& direction) const {
+  return closestBut(none, none, origin, direction);
+}
+
 std::optional<Geometry::Hit> Geometry::closestHit(const SurfacePoint& from,
                                                   const Vector& direction) const {
-  const Vector origin = startOf(from, direction);
-  Query query = queryFrom(from.body, from.triangle);
-  RTCRayHit ray{};
-  ray.ray = rayOf(origin - box_.centre(), direction, std::numeric_limits<double>::infinity());
-  ray.hit.geomID = none;
-  rtcIntersect1(device_->scene, &query.context, &ray);
-  if (ray.hit.geomID == none) return std::nullopt;
-  return refined(*this, ray.hit.geomID, ray.hit.primID, origin, direction);
+  return closestBut(from.body, from.triangle, startOf(from, direction), direction);
 }
 
 bool Geometry::occluded(const SurfacePoint& from, const Vector& direction,

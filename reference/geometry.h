@@ -62,6 +62,9 @@ class Geometry {
   struct Device;
 
   Vector startOf(const SurfacePoint& from, const Vector& direction) const;
+  /// The first surface, one triangle left out.
+  std::optional<Hit> closestBut(std::uint32_t body, std::uint32_t triangle, const Vector& origin,
+                                const Vector& direction) const;
 
   const Scene& scene_;
   Box box_;

@@ -9,18 +9,11 @@
 
 #include "bssrdf/profile.h"
 #include "opaline/error.h"
+#include "reference/transport.h"
 
 namespace opaline::reference {
 
 namespace {
-
-std::array<bssrdf::Profile, 3> profilesOf(const Medium& medium, Transport transport) {
-  const bssrdf::Model model =
-      transport == Transport::Dipole ? bssrdf::Model::Dipole : bssrdf::Model::BetterDipole;
-  return {bssrdf::makeProfile(model, bssrdf::coefficients(medium, 0)),
-          bssrdf::makeProfile(model, bssrdf::coefficients(medium, 1)),
-          bssrdf::makeProfile(model, bssrdf::coefficients(medium, 2))};
-}
 
 double areaOf(const Body& body) {
   double sum = 0;
@@ -217,7 +210,8 @@ Integral::Integral(const Geometry& geometry, const Irradiance& irradiance,
   }
   const Scene& scene = geometry.scene();
   for (std::uint32_t body = 0; body < scene.bodies.size(); ++body) {
-    const auto profiles = profilesOf(scene.bodies[body].medium, options.transport);
+    const auto profiles =
+        bssrdf::makeProfiles(modelOf(options.transport), scene.bodies[body].medium);
     const std::array<Kernel, 3> kernels{Kernel(profiles[0]), Kernel(profiles[1]),
                                         Kernel(profiles[2])};
     const double depth =

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <mutex>
-#include <numbers>
 
 #include "bssrdf/fresnel.h"
 #include "opaline/error.h"
 #include "reference/camera_rays.h"
+#include "reference/transport.h"
 
 namespace opaline::reference {
 
@@ -163,9 +163,7 @@ void requireSound(const PictureOptions& options) {
 std::vector<double> exitFactors(const Scene& scene, Transport transport) {
   std::vector<double> factors;
   for (const Body& body : scene.bodies) {
-    const double shared =
-        transport == Transport::Dipole ? 1 : bssrdf::meanTransmittance(body.medium.eta);
-    factors.push_back(std::numbers::inv_pi / shared);
+    factors.push_back(bssrdf::exitFactor(modelOf(transport), body.medium.eta));
   }
   return factors;
 }

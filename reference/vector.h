@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -54,6 +55,13 @@ inline std::array<Vector, 2> across(const Vector& n) {
   const double b = n[0] * n[1] * a;
   return {Vector{1 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]},
           Vector{b, sign + n[1] * n[1] * a, -n[1]}};
+}
+
+/// The unit direction at that cosine to a unit axis, turned by `angle` about it.
+inline Vector around(const Vector& axis, double cosine, double angle) {
+  const auto [x, y] = across(axis);
+  const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
+  return unitOr(sine * std::cos(angle) * x + sine * std::sin(angle) * y + cosine * axis, axis);
 }
 
 }  // namespace opaline::reference

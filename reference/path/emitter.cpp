@@ -13,12 +13,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Vector around(const Vector& axis, double cosine, double angle) {
-  const auto [x, y] = across(axis);
-  const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
-  return unitOr(sine * std::cos(angle) * x + sine * std::sin(angle) * y + cosine * axis, axis);
-}
-
 }  // namespace
 
 Emitter::Emitter(const Scene& scene, int channel) {

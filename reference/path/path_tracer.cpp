@@ -82,28 +82,16 @@ double PathTracer::fluxOfParticle(std::size_t channel) const {
 }
 
 // Particles are independent, so counts are all but Poisson's.
-Exitance PathTracer::exitanceOf(std::size_t cell, bool single, bool multiple,
-                                bool unscattered) const {
+Exitance PathTracer::exitanceOfCell(std::size_t cell) const {
   Exitance exitance;
   const double area = std::max(cells_.areaMm2(cell), 1e-300);
   for (std::size_t c = 0; c < 3; ++c) {
-    std::uint64_t count = 0;
-    if (unscattered) count += counts_[slot(c, Order::Unscattered, cell)];
-    if (single) count += counts_[slot(c, Order::Single, cell)];
-    if (multiple) count += counts_[slot(c, Order::Multiple, cell)];
-    exitance.value[c] = static_cast<double>(count) * fluxOfParticle(c) / area;
-    exitance.error[c] = std::sqrt(static_cast<double>(count)) * fluxOfParticle(c) / area;
+    const double count = static_cast<double>(counts_[slot(c, Order::Single, cell)]) +
+                         static_cast<double>(counts_[slot(c, Order::Multiple, cell)]);
+    exitance.value[c] = count * fluxOfParticle(c) / area;
+    exitance.error[c] = std::sqrt(count) * fluxOfParticle(c) / area;
   }
   return exitance;
-}
-
-Exitance PathTracer::exitance(const SurfacePoint& point) const {
-  return exitanceOfCell(cells_.at(point));
-}
-
-Exitance PathTracer::exitance(const SurfacePoint& point, Order order) const {
-  return exitanceOf(cells_.at(point), order == Order::Single, order == Order::Multiple,
-                    order == Order::Unscattered);
 }
 
 double PathTracer::leftFlux(int channel, Order order) const {

@@ -39,19 +39,15 @@ class PathTracer {
   /// Follows that many more particles of each channel that shines.
   void run(std::uint64_t particles);
 
-  /// What left at the cell of a point: light that scattered, once or more; `error` is one standard
-  /// error.
-  Exitance exitance(const SurfacePoint& point) const;
-  /// The same, of one order of scattering.
-  Exitance exitance(const SurfacePoint& point, Order order) const;
+  /// What left at a cell, or at that of a point: light that scattered, once or more; `error` is one
+  /// standard error.
+  Exitance exitanceOfCell(std::size_t cell) const;
+  Exitance exitance(const SurfacePoint& point) const { return exitanceOfCell(cells_.at(point)); }
 
   /// All that was counted, to go on with another time; restore() throws Error unless it is of the
   /// same scene and options.
   std::vector<std::byte> save() const;
   void restore(std::span<const std::byte> saved);
-
-  /// The first, by the number of the cell.
-  Exitance exitanceOfCell(std::size_t cell) const { return exitanceOf(cell, true, true, false); }
 
   /// Flux of all lights together, and what left all bodies by order, and its standard error.
   double emittedFlux(int channel) const {
@@ -73,7 +69,6 @@ class PathTracer {
   }
   double fluxOfParticle(std::size_t channel) const;
   void follow(std::size_t channel, std::uint64_t particle);
-  Exitance exitanceOf(std::size_t cell, bool single, bool multiple, bool unscattered) const;
 
   const Geometry& geometry_;
   PathOptions options_;

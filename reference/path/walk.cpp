@@ -26,11 +26,9 @@ Vector scattered(const Vector& direction, double anisotropy, Random& random) {
     cosine = std::clamp((1 + g * g - part * part) / (2 * g), -1.0, 1.0);
   }
   const double angle = 2 * std::numbers::pi * random();
+  if (anisotropy != 0) return around(direction, cosine, angle);
   const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
-  if (anisotropy == 0) return {sine * std::cos(angle), sine * std::sin(angle), cosine};
-  const auto [x, y] = across(direction);
-  return unitOr(sine * std::cos(angle) * x + sine * std::sin(angle) * y + cosine * direction,
-                direction);
+  return {sine * std::cos(angle), sine * std::sin(angle), cosine};
 }
 
 }  // namespace opaline::reference

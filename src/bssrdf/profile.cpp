@@ -117,6 +117,16 @@ Profile makeProfile(Model model, const Coefficients& coefficients) {
   return profile;
 }
 
+std::array<Profile, 3> makeProfiles(Model model, const Medium& medium) {
+  return {makeProfile(model, coefficients(medium, 0)), makeProfile(model, coefficients(medium, 1)),
+          makeProfile(model, coefficients(medium, 2))};
+}
+
+double exitFactor(Model model, double eta) {
+  const double passing = model == Model::Dipole ? 1.0 : meanTransmittance(eta);
+  return std::numbers::inv_pi / passing;
+}
+
 double Profile::operator()(double radiusMm) const {
   assert(radiusMm >= 0);
   if (std::isinf(radiusMm)) return 0.0;

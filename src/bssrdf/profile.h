@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "opaline/medium.h"
 
 namespace opaline::bssrdf {
@@ -41,5 +43,13 @@ struct Profile {
 };
 
 Profile makeProfile(Model model, const Coefficients& coefficients);
+
+/// Of the three channels of a medium.
+std::array<Profile, 3> makeProfiles(Model model, const Medium& medium);
+
+/// Radiance per exitance but for the Fresnel factor towards the viewer: 1/π for the classic dipole,
+/// Eq. 5 of Gong et al. 2008 to the letter; the energy-conserving 1/(π F̄_t) of d'Eon 2012 for the
+/// better one.
+double exitFactor(Model model, double eta);
 
 }  // namespace opaline::bssrdf

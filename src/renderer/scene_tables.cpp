@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
-#include "bssrdf/fresnel.h"
 #include "bssrdf/profile.h"
 #include "environment/spherical_harmonics.h"
 #include "gpu/device.h"
@@ -19,19 +17,8 @@ namespace opaline {
 
 namespace {
 
-std::array<bssrdf::Profile, 3> profilesOf(const Medium& medium, Transport transport) {
-  const bssrdf::Model model =
-      transport == Transport::Dipole ? bssrdf::Model::Dipole : bssrdf::Model::BetterDipole;
-  return {bssrdf::makeProfile(model, bssrdf::coefficients(medium, 0)),
-          bssrdf::makeProfile(model, bssrdf::coefficients(medium, 1)),
-          bssrdf::makeProfile(model, bssrdf::coefficients(medium, 2))};
-}
-
-// Radiance per exitance but for the Fresnel factor: Eq. 5 to the letter for the classic dipole,
-// d'Eon's energy-conserving exit for the better one.
-double exitFactor(const Medium& medium, Transport transport) {
-  if (transport == Transport::Dipole) return std::numbers::inv_pi;
-  return std::numbers::inv_pi / bssrdf::meanTransmittance(medium.eta);
+bssrdf::Model modelOf(Transport transport) {
+  return transport == Transport::Dipole ? bssrdf::Model::Dipole : bssrdf::Model::BetterDipole;
 }
 
 std::vector<double> differentEtas(const std::vector<Medium>& media) {
@@ -69,13 +56,14 @@ class TableBuilder {
 
  private:
   void add(const Medium& medium, const passes::PatternExtent& extent) {
-    const std::array<bssrdf::Profile, 3> profiles = profilesOf(medium, options_.transport);
+    const bssrdf::Model model = modelOf(options_.transport);
+    const std::array<bssrdf::Profile, 3> profiles = bssrdf::makeProfiles(model, medium);
     const passes::PatternMask mask = passes::makePatternMask(profiles, extent, texelMm_);
     const auto eta = static_cast<std::uint32_t>(std::find(etas_.begin(), etas_.end(), medium.eta) -
                                                 etas_.begin());
     media_.push_back({.profile = shaders::packProfile(profiles),
                       .boundary = {static_cast<float>(medium.eta),
-                                   static_cast<float>(exitFactor(medium, options_.transport)),
+                                   static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
                                    static_cast<float>(mask.nearSquareMm2),
                                    static_cast<float>(mask.farSquareMm2)},
                       .tables = {eta, mask.nearSamples, 0, eta * passes::specularAlbedoEntries}});

@@ -3,28 +3,23 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <utility>
 
 namespace opaline::scene {
 
-namespace {
-
-std::pair<float, float> amountsOf(const Deformer& deformer) {
+AmountRange amountRange(const Deformer& deformer) {
   switch (deformer.kind) {
     case DeformerKind::Twist:
-      return {-100.0F, 100.0F};
+      return {-100, 100};
     case DeformerKind::Bend:
-      return {-6.28F, 6.28F};
+      return {-6.28, 6.28};
     case DeformerKind::Squash:
       // Swinging it takes both signs, and what is squashed by 1 has no height.
-      return {deformer.periodSeconds == 0 ? -3.0F : -0.9F, 0.9F};
+      return {deformer.periodSeconds == 0 ? -3 : -0.9, 0.9};
     case DeformerKind::Wobble:
-      return {-1.0F, 1.0F};
+      return {-1, 1};
   }
-  return {0.0F, 0.0F};
+  return {};
 }
-
-}  // namespace
 
 std::string complaintAbout(const Deformer& deformer) {
   constexpr float longest = 1e6F;
@@ -34,8 +29,10 @@ std::string complaintAbout(const Deformer& deformer) {
   if (deformer.periodSeconds > 0 && deformer.periodSeconds < 1e-3F) {
     return "its period must be 0 or at least 0.001 s";
   }
-  const auto [low, high] = amountsOf(deformer);
-  if (deformer.amount >= low && deformer.amount <= high) return {};
+  const auto [low, high] = amountRange(deformer);
+  if (deformer.amount >= static_cast<float>(low) && deformer.amount <= static_cast<float>(high)) {
+    return {};
+  }
   const bool swings = deformer.kind == DeformerKind::Squash && deformer.periodSeconds != 0;
   return fmt::format("the amount of a {}{} must be in [{}, {}], not {}",
                      deformerNames[static_cast<std::size_t>(deformer.kind)],
