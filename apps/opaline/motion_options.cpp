@@ -18,27 +18,25 @@ constexpr int lastFrame = 999999;
 constexpr Range secondsRange{0, 1e6, "s"};
 constexpr const char* noClip = "none";
 
-const Choices<DeformerKind>& deformerKinds() {
-  static const Choices<DeformerKind> table{{"twist", DeformerKind::Twist},
-                                           {"bend", DeformerKind::Bend},
-                                           {"squash", DeformerKind::Squash},
-                                           {"wobble", DeformerKind::Wobble}};
-  return table;
+Choices<DeformerKind> deformerKinds() {
+  Choices<DeformerKind> kinds;
+  for (const std::string_view name : scene::deformerNames) {
+    kinds.emplace_back(name, static_cast<DeformerKind>(kinds.size()));
+  }
+  return kinds;
 }
 
-/// opaline/motion.h, Deformer::amount.
-Range amountRange(const Deformer& deformer) {
-  switch (deformer.kind) {
+const char* unitOfAmount(DeformerKind kind) {
+  switch (kind) {
     case DeformerKind::Twist:
-      return {-100, 100, "radians"};
     case DeformerKind::Bend:
-      return {-6.28, 6.28, "radians"};
+      return "radians";
     case DeformerKind::Squash:
-      return deformer.periodSeconds > 0 ? Range{-0.9, 0.9} : Range{-3, 0.9};
+      return "";
     case DeformerKind::Wobble:
       break;
   }
-  return {-1, 1, "diagonals"};
+  return "diagonals";
 }
 
 std::vector<std::string> splitAtColons(const std::string& text) {
@@ -63,7 +61,9 @@ Deformer readDeformer(const Given& given) {
   if (parts.size() == 3) {
     deformer.periodSeconds = static_cast<float>(readNumber({option, parts[2]}, secondsRange));
   }
-  deformer.amount = static_cast<float>(readNumber({option, parts[1]}, amountRange(deformer)));
+  const scene::AmountRange amounts = scene::amountRange(deformer);
+  deformer.amount = static_cast<float>(
+      readNumber({option, parts[1]}, {amounts.least, amounts.most, unitOfAmount(deformer.kind)}));
   if (const std::string complaint = scene::complaintAbout(deformer); !complaint.empty()) {
     throw UsageError(fmt::format("{} {}: {}", given.option, given.text, complaint));
   }

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -25,6 +24,7 @@
 #include "reference/picture.h"
 #include "reference_scene.h"
 #include "scene_options.h"
+#include "sequence_frames.h"
 #include "values.h"
 
 namespace opaline::app {
@@ -148,14 +148,8 @@ struct Job {
 std::optional<std::vector<Vec3>> positionsOf(const std::optional<MeshSequence>& sequence,
                                              double seconds) {
   if (!sequence) return std::nullopt;
-  const double frame = std::round(seconds * FrameRange{}.perSecond);
-  if (frame >= sequence->frameCount()) {
-    throw UsageError(fmt::format("--time {} is beyond the last of the sequence's {} files, {}",
-                                 seconds, sequence->frameCount(),
-                                 sequence->file(sequence->lastNumber()).string()));
-  }
   std::vector<Vec3> positionsMm;
-  sequence->read(sequence->firstNumber() + static_cast<int>(frame), positionsMm);
+  sequence->read(numberAt(*sequence, seconds), positionsMm);
   return positionsMm;
 }
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,6 +21,7 @@
 #include "positions_ahead.h"
 #include "render_report.h"
 #include "scene_options.h"
+#include "sequence_frames.h"
 
 namespace opaline::app {
 
@@ -94,20 +94,10 @@ struct Job {
   std::filesystem::path output;
   std::optional<MeshSequence> sequence;
 
-  /// Frame n shows the file of number firstNumber() + n. Throws UsageError beyond the last.
-  int sequenceNumber(int frame) const {
-    if (frame < sequence->frameCount()) return sequence->firstNumber() + frame;
-    throw UsageError(fmt::format("frame {} is beyond the last of the sequence's {} files, {}",
-                                 frame, sequence->frameCount(),
-                                 sequence->file(sequence->lastNumber()).string()));
-  }
-  /// At the usual speed, as a still has no other.
-  int stillNumber() const {
-    const double frame = std::round(options.seconds * FrameRange{}.perSecond);
-    return sequenceNumber(static_cast<int>(frame));
-  }
   void requireInSequence(const std::optional<FrameRange>& frames) const {
-    if (sequence) static_cast<void>(frames ? sequenceNumber(frames->last) : stillNumber());
+    if (!sequence) return;
+    static_cast<void>(frames ? numberOfFrame(*sequence, frames->last)
+                             : numberAt(*sequence, options.seconds));
   }
 };
 
@@ -147,7 +137,7 @@ Done makeStill(const RenderCommand& command, const Job& job, const LogCallback& 
   Renderer renderer = makeRenderer(command, job, log);
   if (job.sequence) {
     std::vector<Vec3> positionsMm;
-    job.sequence->read(job.stillNumber(), positionsMm);
+    job.sequence->read(numberAt(*job.sequence, job.options.seconds), positionsMm);
     renderer.replacePositions(0, positionsMm);
   }
   const RenderResult result = renderer.render(job.options, {command.picture.aov()});
@@ -182,12 +172,12 @@ Done renderMissing(const RenderCommand& command, const Job& job, FilmOrder order
   Renderer renderer = makeRenderer(command, job, log);
   std::optional<PositionsAhead> positions;
   if (job.sequence) {
-    positions.emplace(job.sequenceNumber(order.frames.last),
+    positions.emplace(numberOfFrame(*job.sequence, order.frames.last),
                       [&](int number, std::vector<Vec3>& positionsMm) {
                         job.sequence->read(number, positionsMm);
                       });
     order.place = [&](Renderer& target, int frame) {
-      target.replacePositions(0, positions->of(job.sequenceNumber(frame)));
+      target.replacePositions(0, positions->of(numberOfFrame(*job.sequence, frame)));
     };
   }
   const std::size_t made = renderFilm(renderer, order);
