@@ -54,7 +54,7 @@ double BlockError::operator()() const {
       }
     }
   }
-  if (!(sum > 0)) return blocks_.empty() ? 0 : INFINITY;
+  if (!(sum > 0)) return blocks_.empty() || !tracer_.shines() ? 0 : INFINITY;
   const double values = 3.0 * static_cast<double>(blocks_.size());
   return std::sqrt(squares / values) / (sum / values);
 }
@@ -68,7 +68,7 @@ double runPaths(PathTracer& tracer, const BlockError& error, const PathLimits& l
   };
   std::uint64_t batch = firstBatch;
   double reached = error();
-  while (true) {
+  while (tracer.shines()) {
     if (limits.particles && tracer.particles() >= *limits.particles) break;
     if (limits.seconds && since(start) >= *limits.seconds) break;
     if (limits.error && reached <= *limits.error) break;

@@ -40,8 +40,8 @@ class BlockError {
 /// Called after every batch.
 using PathProgress = std::function<void(std::uint64_t particles, double seconds, double error)>;
 
-/// Follows particles in batches that grow, until a limit is reached. What was followed before
-/// counts. Returns the error.
+/// Follows particles in batches that grow, until a limit is reached, or not at all where no
+/// light shines. What was followed before counts. Returns the error.
 double runPaths(PathTracer& tracer, const BlockError& error, const PathLimits& limits,
                 const PathProgress& progress = {});
 

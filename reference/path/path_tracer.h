@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -38,6 +39,12 @@ class PathTracer {
 
   /// Follows that many more particles of each channel that shines.
   void run(std::uint64_t particles);
+
+  /// Whether any light does; where none does there is nothing to follow.
+  bool shines() const {
+    return std::any_of(emitters_.begin(), emitters_.end(),
+                       [](const Emitter& emitter) { return emitter.flux() > 0; });
+  }
 
   /// What left at a cell, or at that of a point: light that scattered, once or more; `error` is one
   /// standard error.

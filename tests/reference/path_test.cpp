@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/path/path_run.h"
 #include "reference/path/path_tracer.h"
 #include "renderer/shapes.h"
 
@@ -315,6 +316,21 @@ TEST(PathTest, SameSeedSamePictureWhateverTheThreads) {
     return values;
   };
   EXPECT_EQ(trace(1, {9000}), trace(2, {4000, 5000}));
+}
+
+// There is nothing that more particles could make more exact.
+TEST(PathTest, DarknessIsKnownAtOnce) {
+  Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 4, 2), 1, 0.02, 1.3));
+  scene.camera.positionMm = {0, 0, 30};
+  scene.lighting.directional = {{{0, 0, 1}, {0, 0, 0}}};
+  const Geometry geometry(scene);
+  PathTracer tracer(geometry, {});
+  const BlockError error(tracer, geometry, CameraRays(scene.camera, 16, 16), 16, 16);
+  for (const PathLimits& limits : {PathLimits{{}, {}, 0.02}, PathLimits{{}, 1e6, {}},
+                                   PathLimits{1'000'000'000'000U, {}, {}}}) {
+    EXPECT_EQ(runPaths(tracer, error, limits), 0);
+  }
+  EXPECT_EQ(tracer.particles(), 0U);
 }
 
 TEST(PathTest, StrongForwardScatteringMeansTheSameReducedScattering) {
