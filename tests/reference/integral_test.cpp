@@ -144,6 +144,24 @@ TEST_P(TransportTest, SphereHasItsClosedForm) {
   }
 }
 
+// Against the closed form nothing is left but the facets, each of which lies below its sphere by
+// the square of its size: order two.
+TEST_P(TransportTest, ConvergesWithTheSquareOfTheFacets) {
+  constexpr float radius = 3;
+  std::array<double, 3> errors{};
+  for (int i = 0; i < 3; ++i) {
+    const Mesh mesh = sphere({0, 0, 0}, radius, 3 + i);
+    const Solved solved(uniformlyLit(mesh), GetParam(), 1e-6);
+    const double found = solved.at(toVector(mesh.positionsMm[0])).value[0];
+    errors[static_cast<std::size_t>(i)] =
+        std::abs(found / (entered * discOf(GetParam(), 0, 2.0 * radius)) - 1);
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double order = std::log2(errors[i] / errors[i + 1]);
+    EXPECT_NEAR(order, 2, 0.1) << errors[i] << " then " << errors[i + 1];
+  }
+}
+
 // The tolerance holds: against the same with one a thousand times smaller.
 TEST_P(TransportTest, ErrorIsWithinTheTolerance) {
   const auto scene = uniformlyLit(box({0, 0, 0}, {6, 4, 9}, 3));
