@@ -83,6 +83,10 @@ struct BenchCommand {
     if (*suite == Suite::Table1 && (edge || every || truth || plot)) {
       throw UsageError("--size, --every, --truth and --plot belong to bench methods");
     }
+    if (*suite == Suite::Table1 && (scene.any() || lights.any() || camera.any())) {
+      throw UsageError(
+          "a scene, its medium, lights and camera belong to bench methods; table1 has its own");
+    }
   }
 
   void runTable1() const {

@@ -13,6 +13,7 @@ namespace opaline::app {
 class MediumOptions {
  public:
   void addTo(CommandLine& line);
+  bool any() const { return named_ || sigmaSPrimePerMm_ || sigmaAPerMm_ || eta_; }
   /// What was asked for; nothing when no such option was given. Throws UsageError for a mixture
   /// that describes no medium.
   std::optional<Medium> medium() const;

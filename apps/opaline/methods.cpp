@@ -76,6 +76,22 @@ MethodRow measure(Renderer& renderer, const MethodsOrder& order, const RenderOpt
   return row;
 }
 
+/// What is covered by one view of a scene is covered by all.
+void requireSameView(const Image& truth, const Image& exact) {
+  std::size_t covered = 0;
+  std::size_t beside = 0;
+  for (std::size_t i = 3; i < truth.rgba.size(); i += 4) {
+    if (truth.rgba[i] <= 0) continue;
+    ++covered;
+    if (exact.rgba[i] <= 0) ++beside;
+  }
+  if (covered == 0 || beside > covered / 100) {
+    throw UsageError(
+        "--truth does not show this scene as it is seen here: render it by reference --path with "
+        "the same scene and camera");
+  }
+}
+
 std::string percent(const std::optional<double>& share) {
   return share ? fmt::format("{:.2f} %", 100 * *share) : "-";
 }
@@ -104,6 +120,7 @@ Methods measureMethods(const MethodsOrder& order) {
     if (statusColumns() > 0) showStatus(fmt::format("integrating the {}", name));
     // Blocks need all pixels.
     const Image exact = exactExitance(order, geometry, transport, order.truth ? 1 : order.every);
+    if (order.truth) requireSameView(*order.truth, exact);
     for (const Sum sum : {Sum::Pattern, Sum::All}) {
       for (const Site site : {Site::Vertex, Site::Fragment}) {
         if (statusColumns() > 0) showStatus(fmt::format("measuring the {}", name));

@@ -107,6 +107,10 @@ void SceneOptions::addTo(CommandLine& line) {
              [this](const Given& given) { morphTo_ = given.text; });
 }
 
+bool SceneOptions::any() const {
+  return file_ || builtIn_ || diagonalMm_ || morphTo_ || medium_.any();
+}
+
 std::string SceneOptions::name() const {
   if (!file_) return builtIn_.value_or("bear");
   const std::optional<FrameNames> names = FrameNames::parse(file_->stem().string());

@@ -26,6 +26,8 @@ struct LoadedScene {
 class SceneOptions {
  public:
   void addTo(CommandLine& line);
+  /// Whether any of them was given.
+  bool any() const;
   /// The file's name without folder and extension, or that of the built-in scene.
   std::string name() const;
   /// Reads or makes it. Throws UsageError for a mixture of options that makes no sense.
@@ -43,6 +45,7 @@ class SceneOptions {
 class LightOptions {
  public:
   void addTo(CommandLine& line);
+  bool any() const { return any_; }
   /// As soon as one was given, only what was given shines.
   void applyTo(Scene& scene) const;
 
@@ -58,6 +61,7 @@ class LightOptions {
 class CameraOptions {
  public:
   void addTo(CommandLine& line);
+  bool any() const { return direction_ || verticalFovDegrees_; }
   /// A direction turns the scene's camera about its target; its distance stays.
   void applyTo(Scene& scene) const;
   /// A sentence when the default camera cuts off some of the scene's box; call after applyTo().

@@ -71,10 +71,16 @@ class Methods(ProgramTest):
     def test_refusals(self):
         self.refused(2, "bench", "methods", "--models", "here", says="--models")
         self.refused(2, "bench", "table1", "--size", 9, says="bench methods")
+        for option in (("t.ply",), ("--medium", "marble"), ("--sigma-s", "1,1,1"), ("--ambient", "1,1,1"),
+                       ("--fov-degrees", 20)):
+            self.refused(2, "bench", "table1", *option, says="bench methods")
         self.refused(2, "bench", says=("table1", "methods"))
         self.write("t.ply", tetrahedron(1))
         self.succeed("reference", "--path", "--samples", 10, "t.ply", "--size", "8x8", "--aov", "exitance", "-o", "a.exr")
         self.refused(2, "bench", "methods", "t.ply", "--truth", "a.exr", says=("--truth", "8 x 8"))
+        # The truth of another view.
+        self.refused(2, "bench", "methods", "t.ply", "--size", 8, "--truth", "a.exr", "--fov-degrees", 90,
+                     says=("--truth", "reference --path"))
 
 
 if __name__ == "__main__":
