@@ -197,7 +197,9 @@ Image readExr(const std::filesystem::path& file, Negatives negatives) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& failure) {
-    failToReadImage(file, fmt::format("OpenEXR says: {}", failure.what()));
+    std::string reason = failure.what();  // a sentence, or two
+    reason.erase(reason.find_last_not_of('.') + 1);
+    failToReadImage(file, fmt::format("OpenEXR says: {}", reason));
   }
 }
 

@@ -151,6 +151,8 @@ class Refusals(ProgramTest):
         self.refused(1, "compare", "one.exr", "text.exr", says=("text.exr", "neither"))
         self.write("cut.png", write_png([[(1, 2, 3)] * 50])[:60])
         self.refused(1, "compare", "cut.png", "one.exr", says=("cut.png", "PNG"))
+        self.write("cut.exr", write_exr([grey(*range(1, 50))] * 50)[:600])
+        self.assertNotIn("..", self.refused(1, "compare", "cut.exr", "one.exr", says=("cut.exr", "OpenEXR")).err)
         self.refused(1, "compare", "one.exr", "one.exr", "--mask", "none.exr", says="none.exr")
         # Before the inputs are read.
         self.refused(1, "compare", "none.exr", "one.exr", "--heatmap", "missing/map.png", says="missing")
