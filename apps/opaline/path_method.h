@@ -6,6 +6,7 @@
 
 #include "command_line.h"
 #include "json.h"
+#include "opaline/log.h"
 #include "reference/geometry.h"
 #include "reference/irradiance.h"
 #include "reference/path/path_run.h"
@@ -20,8 +21,9 @@ class PathMethod {
   void addTo(CommandLine& line);
 
   bool wanted() const { return wanted_; }
-  /// Throws UsageError for options of --path without it.
-  void check() const;
+  /// Throws UsageError for options of --path without it, and for a checkpoint that the picture
+  /// would overwrite.
+  void check(const std::filesystem::path& output) const;
   /// The checkpoint's file is written while it runs.
   const std::optional<std::filesystem::path>& checkpoint() const { return checkpoint_; }
 
@@ -29,7 +31,8 @@ class PathMethod {
   /// there is to say.
   reference::Picture make(const reference::Geometry& geometry,
                           const reference::Irradiance& irradiance,
-                          const reference::PictureOptions& picture, bool quiet, Json& report) const;
+                          const reference::PictureOptions& picture, bool quiet,
+                          const LogCallback& log, Json& report) const;
 
  private:
   reference::PathLimits limits() const;

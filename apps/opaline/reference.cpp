@@ -34,15 +34,21 @@ namespace {
 namespace rf = opaline::reference;
 
 rf::Region readRegion(const Given& given) {
+  const auto refuse = [&] {
+    throw UsageError(fmt::format("{} {}: must be X,Y,WIDTH,HEIGHT, whole numbers of pixels",
+                                 given.option, given.text));
+  };
   std::array<int, 4> values{};
   std::size_t begin = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::size_t comma = given.text.find(',', begin);
-    if ((comma == std::string::npos) != (i + 1 == values.size())) {
-      throw UsageError(
-          fmt::format("{} {}: must be X,Y,WIDTH,HEIGHT in pixels", given.option, given.text));
+    if ((comma == std::string::npos) != (i + 1 == values.size())) refuse();
+    try {
+      values[i] = readInteger({given.option, given.text.substr(begin, comma - begin)}, 0, 16384);
+    } catch (const UsageError&) {
+      // It would show one number as if it were all that was given.
+      refuse();
     }
-    values[i] = readInteger({given.option, given.text.substr(begin, comma - begin)}, 0, 16384);
     begin = comma + 1;
   }
   return {values[0], values[1], values[2], values[3]};
@@ -99,7 +105,6 @@ struct ReferenceCommand {
     if (integral == path.wanted()) {
       throw UsageError("reference needs one method: --integral or --path");
     }
-    path.check();
     if (path.wanted() && (transport || tolerance)) {
       throw UsageError("--transport and --tolerance belong to --integral");
     }
@@ -203,12 +208,12 @@ Made makeIntegral(const ReferenceCommand& command, const Job& job) {
            {"patches", integral ? integral->patchCount() : 0}}};
 }
 
-Made makePath(const ReferenceCommand& command, const Job& job) {
+Made makePath(const ReferenceCommand& command, const Job& job, const LogCallback& log) {
   const rf::Geometry geometry(job.scene);
   const rf::Irradiance irradiance(geometry);
   Made made;
   made.picture = command.path.make(geometry, irradiance, command.pictureOptions(job.options),
-                                   command.quiet, made.facts);
+                                   command.quiet, log, made.facts);
   return made;
 }
 
@@ -247,11 +252,12 @@ void runReference(const Arguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const LogCallback log = noteTaker(command.quiet);
   std::filesystem::path output = command.picture.file(command.scene.name(), false);
+  command.path.check(output);
   core::requireWritable(output);
   if (command.report) core::requireWritable(*command.report);
 
   const Job job = prepare(command, std::move(output), log);
-  const Made made = command.integral ? makeIntegral(command, job) : makePath(command, job);
+  const Made made = command.integral ? makeIntegral(command, job) : makePath(command, job, log);
   writePicture(job.output, made.picture.image, command.picture.tone(job.settings));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   std::string note = fmt::format("wrote {} in {:.1f} s", job.output.string(), seconds.count());

@@ -1,5 +1,7 @@
 #include "reference/path/cells.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,8 +83,8 @@ Cells::Cells(const Scene& scene, double edgeMm) {
       const Vector areaVector = cross(ab, ac);
       const double parts = std::max(std::ceil(2 * longest / edgeMm), 1.0);
       if (static_cast<double>(cellOfPart_.size()) + parts * parts > mostParts)
-        throw Error(
-            "the cells of the surface are too small for so large a scene; make them larger");
+        throw Error(fmt::format(
+            "cells of {:.3g} mm are too small for so large a surface; make them larger", edgeMm));
       const auto n = static_cast<std::uint32_t>(parts);
       divisions.push_back({static_cast<std::uint32_t>(cellOfPart_.size()), n});
       const double area = 0.5 * length(areaVector) / (parts * parts);

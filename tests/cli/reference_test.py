@@ -149,6 +149,19 @@ class Paths(Reference):
         self.assertLessEqual(report["block_error"], .2)
 
 
+    def test_an_open_body_is_no_body(self):
+        lid = [line for line in CUBE_OBJ.splitlines() if not line.startswith("f 4//1")]
+        self.assertEqual(len(CUBE_OBJ.splitlines()) - len(lid), 1)
+        self.write("open.obj", "\n".join(lid) + "\n")
+        for model, words in (("open.obj", "closed bodies only"), ("cube.obj", None)):
+            run = self.succeed("reference", model, *self.SCENE[1:], *self.SAMPLES, "--quiet", "-o", "a.exr")
+            self.assertRegex(run.err, f"^warning: .*{words}.*\n$" if words else "^$")
+
+    def test_darkness_ends(self):
+        self.assertEqual(self.exr("reference", "--path", "--aov", "exitance", "--directional", "0,0,1:0,0,0").centre(),
+                         (0, 0, 0, 1))
+
+
 class Refusals(Reference):
     def test_what_it_cannot_do(self):
         for arguments, says in [
@@ -165,6 +178,9 @@ class Refusals(Reference):
             (("--integral", "--every", "0"), "from 1 to 16384"),
             (("--integral", "--region", "1,2,3"), "X,Y,WIDTH,HEIGHT"),
             (("--integral", "--region", "1,2,3,4,5"), "--region"),
+            (("--integral", "--region", "-1,2,3,4"), ("--region -1,2,3,4", "whole numbers")),
+            (("--path", "--samples", "1.5"), ("--samples 1.5", "whole number")),
+            (("--path", "--checkpoint", "a/../b.exr", "-o", "b.exr"), ("--checkpoint", "take its place")),
             (("--integral", "--region", "0,0,13,1"), ("0,0,13,1", "12x10")),
             (("--integral", "--region", "0,0,0,1"), "0,0,0,1"),
             (("--integral", "--clip", "walk"), "no clips"),
