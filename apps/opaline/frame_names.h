@@ -3,24 +3,27 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+
+#include "core/numbered_name.h"
 
 namespace opaline::app {
 
-/// A name of many files: one %d or %04d stands for the number.
+/// Names of the pictures of a film, or of the meshes of a sequence: one %d or %04d in them.
 class FrameNames {
  public:
   /// Nothing where the text holds no such mark, or two.
   static std::optional<FrameNames> parse(const std::string& text);
 
-  std::filesystem::path file(int number) const;
+  std::filesystem::path file(int number) const { return name_.with(number); }
 
   /// What all of them have in common and no mark in it: "bear" of bear_%04d.
   std::string common() const;
 
  private:
-  std::string before_;
-  std::string after_;
-  int digits_ = 0;
+  explicit FrameNames(core::NumberedName name) : name_(std::move(name)) {}
+
+  core::NumberedName name_;
 };
 
 }  // namespace opaline::app

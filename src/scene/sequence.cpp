@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <new>
 #include <optional>
 
+#include "core/numbered_name.h"
 #include "opaline/error.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
@@ -25,65 +24,16 @@ namespace fs = std::filesystem;
 
 constexpr int largestNumber = 999'999;
 
-/// A file name around its number.
+/// Numbered files of one folder.
 struct Pattern {
   fs::path folder;
-  std::string before;
-  std::string after;
-  std::size_t width = 0;  ///< padded with zeros to as many digits
-
-  std::string nameOf(int number) const {
-    return fmt::format("{}{:0{}}{}", before, number, width, after);
-  }
-
-  /// The number of a file, if its name is one that nameOf() makes.
-  std::optional<int> numberOf(const std::string& name) const {
-    if (name.size() <= before.size() + after.size() || !name.starts_with(before) ||
-        !name.ends_with(after)) {
-      return std::nullopt;
-    }
-    const char* const begin = name.data() + before.size();
-    const char* const end = name.data() + name.size() - after.size();
-    int number = -1;
-    const auto [stop, problem] = std::from_chars(begin, end, number);
-    if (problem != std::errc() || stop != end || number < 0 || number > largestNumber) {
-      return std::nullopt;
-    }
-    return nameOf(number) == name ? std::optional(number) : std::nullopt;
-  }
+  core::NumberedName name;
 };
-
-bool isDigit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// Where a %d or %0Nd begins and ends, and its N.
-struct Placeholder {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  std::size_t width = 0;
-};
-
-std::optional<Placeholder> nextPlaceholder(const std::string& text, std::size_t from) {
-  for (std::size_t begin = text.find('%', from); begin != std::string::npos;
-       begin = text.find('%', begin + 1)) {
-    std::size_t at = begin + 1;
-    std::size_t width = 0;
-    if (at + 1 < text.size() && text[at] == '0' && isDigit(text[at + 1])) {
-      width = static_cast<std::size_t>(text[at + 1] - '0');
-      at += 2;
-    }
-    if (at < text.size() && text[at] == 'd') return Placeholder{begin, at + 1, width};
-  }
-  return std::nullopt;
-}
 
 std::optional<Pattern> patternIn(const fs::path& path) {
-  const std::string name = path.filename().string();
-  const auto place = nextPlaceholder(name, 0);
-  if (!place || nextPlaceholder(name, place->end)) return std::nullopt;
-  return Pattern{path.parent_path(), name.substr(0, place->begin), name.substr(place->end),
-                 place->width};
+  const auto name = core::NumberedName::parse(path.filename().string());
+  if (!name) return std::nullopt;
+  return Pattern{path.parent_path(), *name};
 }
 
 std::string shown(const fs::path& path) {
@@ -97,8 +47,8 @@ std::vector<int> numbersOf(const Pattern& pattern, const fs::path& path) {
   std::error_code problem;
   for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end;
        entry.increment(problem)) {
-    const auto number = pattern.numberOf(entry->path().filename().string());
-    if (number) numbers.push_back(*number);
+    const auto number = pattern.name.numberOf(entry->path().filename().string());
+    if (number && *number <= largestNumber) numbers.push_back(*number);
   }
   if (problem) {
     throw Error(fmt::format("{}: its folder cannot be listed: {}", shown(path), problem.message()));
@@ -121,7 +71,9 @@ struct MeshSequence::State {
   std::vector<std::uint32_t> origin;  ///< per vertex of the scene the file's
   scene::Matrix4 toScene;
 
-  std::filesystem::path file(int number) const { return pattern.folder / pattern.nameOf(number); }
+  std::filesystem::path file(int number) const {
+    return pattern.folder / pattern.name.with(number);
+  }
 };
 
 bool MeshSequence::isPattern(const std::filesystem::path& path) {
