@@ -5,7 +5,7 @@ OPALINE := $(BUILD)/bin/opaline
 PYTHON ?= python3
 LAUNCHER := $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 
-.PHONY: help demo build test check bench figures format asan package dependencies
+.PHONY: help demo build test check bench figures accuracy format asan package dependencies
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -13,6 +13,7 @@ help:
 	@echo 'make test      build, check every rule of the house, run all tests'
 	@echo 'make bench     times of every pass on this machine'
 	@echo 'make figures   the pictures of docs/paper.md and docs/deformation.md, from the models'
+	@echo 'make accuracy  the table and heat maps of docs/accuracy.md, from the models: half an hour on two cores'
 	@echo 'make format    clang-format everything'
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
 	@echo 'make package   a tar.gz of the program that runs on other x86-64 Linux machines'
@@ -52,6 +53,9 @@ bench: build
 
 figures: build
 	$(BUILD)/bin/opaline_figures
+
+accuracy: build
+	$(PYTHON) tools/accuracy.py --program $(OPALINE)
 
 format:
 	$(PYTHON) tools/check_format.py --fix

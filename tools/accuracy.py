@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+"""Measures what docs/accuracy.md says of each scene: the paper's pattern against the integral it stands for, and
+that integral against light followed through the body. Prints the table and writes the heat maps; `make accuracy`
+runs it. What was computed stays in the work folder, so that a run that was stopped goes on; delete it to begin anew."""
+
+import argparse
+import dataclasses
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BLOCK_EDGE_PIXELS = 8
+TRANSPORTS = ("dipole", "better-dipole")
+# Without light that leaves and enters again, and with as much of it as there is.
+BOUNCES = ("0", None)
+# Nobody needs the last per cent of a truth that is further away than that from what is held against it.
+TRUTH = ("--path", "--error", "0.08", "--seconds", "300")
+INTEGRAL = ("--integral", "--tolerance", "0.01")
+# From behind at the side; an irradiance of π makes a white diffuser's radiance one.
+VIEW = ("--diagonal-mm", "50", "--directional", "0.45,0.35,-0.82:3.14159,3.14159,3.14159", "--size", "256x256",
+        "--aov", "exitance", "--quiet")
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    scene: str  # as the table names it
+    source: str  # a file of the models, or a built-in scene
+    medium: str
+    fov_degrees: int = 30  # so that all of it is seen
+    closed: bool = True  # what is open has no inside that light could be followed through
+
+    @property
+    def name(self):
+        return f"{self.scene.lower().replace(' ', '-')}-{self.medium}"
+
+
+CASES = (
+    Case("Bear", "bear", "marble"),
+    Case("Bear", "bear", "skin1"),
+    Case("Bear", "bear", "gummy-red"),
+    Case("Bunny", "bunny_closed.ply", "marble"),
+    Case("Bunny", "bunny_closed.ply", "skimmilk"),
+    Case("Bunny", "bunny_closed.ply", "skin1"),
+    Case("Egg", "bunny_egg_b.ply", "marble"),
+    Case("Buddha", "buddha.ply", "marble", fov_degrees=39),
+    Case("Teapot", "teapot", "marble", fov_degrees=38, closed=False),
+    Case("Max Planck", "max_planck.ply", "skin1", fov_degrees=35, closed=False),
+)
+# Columns of the picture; every map of a row has the same scale.
+SHOWN = ("bear-marble", "bear-gummy-red", "bunny-skin1", "buddha-marble")
+MAP_TOP = "1"
+MAP_EDGE_PIXELS = 256
+
+
+class Bench:
+    """Runs the program where nothing has been computed yet by the same command."""
+
+    def __init__(self, program, models, work):
+        self.program, self.models, self.work = program, models, work
+        work.mkdir(parents=True, exist_ok=True)
+
+    def scene(self, case):
+        where = (str(self.models / case.source),) if "." in case.source else ("--builtin", case.source)
+        return (*where, "--medium", case.medium, *VIEW, "--fov-degrees", str(case.fov_degrees))
+
+    def image(self, name, *arguments):
+        """An image and what the program reports of it."""
+        output, report, done = (self.work / f"{name}.{end}" for end in ("exr", "json", "command"))
+        command = " ".join(arguments)
+        if not (output.exists() and report.exists() and done.exists() and done.read_text() == command):
+            print(name, file=sys.stderr)
+            self.run(*arguments, "--report", str(report), "-o", str(output))
+            done.write_text(command)
+        return output, json.loads(report.read_text())
+
+    def run(self, *arguments):
+        return subprocess.run([self.program, *arguments], check=True, stdout=subprocess.PIPE).stdout
+
+    def compare(self, a, b, *options):
+        return json.loads(self.run("compare", str(a), str(b), "--json", "--quiet", *options))
+
+
+def truth_error(block_error, compared):
+    """The standard error that a truth reports, which is over the blocks on the body and their mean, as
+    `compare --block` measures: over all blocks of the picture and the mean of the covered pixels."""
+    block = compared["block"]
+    full = compared["covered_pixels"] / (block["covered_blocks"] * BLOCK_EDGE_PIXELS**2)
+    return block_error * full * math.sqrt(block["covered_blocks"] / block["blocks"])
+
+
+def without_noise(distance, noise):
+    """Independent errors add as squares."""
+    return math.sqrt(max(distance**2 - noise**2, 0))
+
+
+def measure(bench, case):
+    """The figures of a row, as shares."""
+    scene = bench.scene(case)
+    pattern, _ = bench.image(f"{case.name}-pattern", "render", *scene, "--method", "paper")
+    integrals = {transport: bench.image(f"{case.name}-{transport}", "reference", *scene, *INTEGRAL,
+                                        "--transport", transport)[0] for transport in TRANSPORTS}
+    compared = bench.compare(pattern, integrals["dipole"], "--block", str(BLOCK_EDGE_PIXELS))
+    block = compared["block"]
+    row = {"pattern": compared["rel_rmse"], "on_body": block["covered_blocks"] / block["blocks"], "noise": []}
+    if not case.closed:
+        return row
+    for bounces in BOUNCES:
+        limited = () if bounces is None else ("--bounces", bounces)
+        truth, report = bench.image(f"{case.name}-path-{bounces or 'default'}", "reference", *scene, *TRUTH, *limited)
+        for transport in TRANSPORTS:
+            compared = bench.compare(integrals[transport], truth, "--block", str(BLOCK_EDGE_PIXELS))
+            noise = truth_error(report["block_error"], compared)
+            row[transport, bounces] = without_noise(compared["block"]["rel_rmse"], noise)
+        row["noise"].append(noise)
+    return row
+
+
+def percent(shares):
+    """Of one thing, without and with light that enters again; figures beyond the second say nothing."""
+    return " / ".join(f"{100 * share:.{1 if share < .1 else 0}f}" for share in shares) + " %" if shares else "–"
+
+
+def table(rows):
+    """Markdown; rows are pairs of a case and its figures."""
+    lines = ["| scene | medium | pattern to integral | dipole to path | better dipole to path | the path's own | body |",
+             "|" + "---|" * 7]
+    for case, row in rows:
+        cells = [case.scene, case.medium, percent([row["pattern"]]),
+                 *(percent([row[transport, bounces] for bounces in BOUNCES] if case.closed else [])
+                   for transport in TRANSPORTS),
+                 percent(row["noise"]), percent([row["on_body"]])]
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
+def draw(bench, output):
+    """Above, pixel by pixel, the pattern against the integral; below, in blocks, that against the path."""
+    maps = []
+    for kind, a, b, options in (("pixels", "pattern", "dipole", ()),
+                                ("blocks", "dipole", "path-default", ("--block", str(BLOCK_EDGE_PIXELS)))):
+        for name in SHOWN:
+            maps.append(bench.work / f"{name}-{kind}.png")
+            bench.compare(bench.work / f"{name}-{a}.exr", bench.work / f"{name}-{b}.exr", *options,
+                          "--heatmap", str(maps[-1]), "--heatmap-max", MAP_TOP)
+    columns = len(SHOWN)
+    # The scale is beside the last of a row only.
+    filters = [f"[{i}]crop={MAP_EDGE_PIXELS}:{MAP_EDGE_PIXELS}:0:0[m{i}]" if (i + 1) % columns else f"[{i}]copy[m{i}]"
+               for i in range(len(maps))]
+    for row in range(2):
+        filters.append("".join(f"[m{row * columns + i}]" for i in range(columns)) + f"hstack={columns}[r{row}]")
+    filters.append("[r0][r1]vstack")
+    inputs = [argument for file in maps for argument in ("-i", str(file))]
+    subprocess.run(["ffmpeg", "-loglevel", "error", "-y", *inputs, "-filter_complex", ";".join(filters),
+                    "-q:v", "3", "-pix_fmt", "yuvj444p", str(output)], check=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", default=str(ROOT / "build" / "release" / "bin" / "opaline"))
+    parser.add_argument("--models", type=pathlib.Path, help="[OPALINE_MODELS, else ../shared/models]",
+                        default=os.environ.get("OPALINE_MODELS") or ROOT.parent / "shared" / "models")
+    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "accuracy")
+    parser.add_argument("--picture", type=pathlib.Path,
+                        default=ROOT / "docs" / "images" / "accuracy_scenes.jpg")
+    arguments = parser.parse_args()
+    bench = Bench(arguments.program, arguments.models, arguments.work)
+    try:
+        rows = [(case, measure(bench, case)) for case in CASES]
+        draw(bench, arguments.picture)
+    except (subprocess.CalledProcessError, OSError) as error:
+        sys.exit(f"accuracy: {error}")
+    print(table(rows))
+
+
+if __name__ == "__main__":
+    main()
