@@ -183,6 +183,7 @@ Job prepare(const ReferenceCommand& command, std::filesystem::path output, const
 struct Made {
   rf::Picture picture;
   Json facts = Json::object();  ///< what only this method has to say
+  double blockError = 0;        ///< of --path
 };
 
 Made makeIntegral(const ReferenceCommand& command, const Job& job) {
@@ -214,6 +215,7 @@ Made makePath(const ReferenceCommand& command, const Job& job, const LogCallback
   Made made;
   made.picture = command.path.make(geometry, irradiance, command.pictureOptions(job.options),
                                    command.quiet, log, made.facts);
+  made.blockError = made.facts.at("block_error");
   return made;
 }
 
@@ -262,8 +264,11 @@ void runReference(const Arguments& arguments) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   std::string note = fmt::format("wrote {} in {:.1f} s", job.output.string(), seconds.count());
   if (rf::showsExitance(command.picture.aov())) {
-    note += fmt::format("; estimated error {:.2g} in the mean, {:.2g} at most",
-                        made.picture.error.mean, made.picture.error.largest);
+    // Single pixels of a path-traced picture are noise, and say nothing where no particle came.
+    note += command.integral
+                ? fmt::format("; estimated error {:.2g} in the mean, {:.2g} at most",
+                              made.picture.error.mean, made.picture.error.largest)
+                : fmt::format("; standard error of 8x8 blocks {:.2g}", made.blockError);
   }
   log(LogLevel::Note, note);
   const std::string report = toText(reportJson(command, job, made, seconds.count()));

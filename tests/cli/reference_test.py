@@ -136,7 +136,9 @@ class Paths(Reference):
         self.refused(1, "reference", *self.SCENE, *half, says=("state", "no checkpoint"))
 
     def test_says_what_it_did(self):
-        report = self.succeed("reference", *self.SCENE, *self.SAMPLES, "--json", "-o", "a.exr").json()
+        run = self.succeed("reference", *self.SCENE, *self.SAMPLES, "--json", "-o", "a.exr")
+        report = run.json()
+        self.assertIn(f"blocks {report['block_error']:.2g}", run.err)
         self.assertEqual((report["method"], report["particles"]), ("path", 3000))
         self.assertGreater(report["block_error"], 0)
         for channel in range(3):
