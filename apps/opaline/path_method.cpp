@@ -85,15 +85,20 @@ void PathMethod::addTo(CommandLine& line) {
         [this](const Given& given) { checkpoint_ = given.text; });
 }
 
-void PathMethod::check(const std::filesystem::path& output) const {
+void PathMethod::check(const std::filesystem::path& output,
+                       const std::optional<std::filesystem::path>& report) const {
   if (any_ && !wanted_) {
     throw UsageError(
         "--samples, --seconds, --error, --bounces, --anisotropy, --cell-mm, --seed and "
         "--checkpoint belong to --path");
   }
-  if (checkpoint_ && checkpoint_->lexically_normal() == output.lexically_normal()) {
-    throw UsageError(fmt::format("--checkpoint {}: the picture would take its place; name another",
-                                 checkpoint_->string()));
+  const auto isCheckpoint = [&](const std::filesystem::path& file) {
+    return checkpoint_ && checkpoint_->lexically_normal() == file.lexically_normal();
+  };
+  if (isCheckpoint(output) || (report && isCheckpoint(*report))) {
+    throw UsageError(fmt::format("--checkpoint {}: the {} would take its place; name another file",
+                                 checkpoint_->string(),
+                                 isCheckpoint(output) ? "picture" : "report"));
   }
 }
 

@@ -21,9 +21,10 @@ class PathMethod {
   void addTo(CommandLine& line);
 
   bool wanted() const { return wanted_; }
-  /// Throws UsageError for options of --path without it, and for a checkpoint that the picture
-  /// would overwrite.
-  void check(const std::filesystem::path& output) const;
+  /// Throws UsageError for options of --path without it, and for a checkpoint in whose place the
+  /// picture or the report would be written.
+  void check(const std::filesystem::path& output,
+             const std::optional<std::filesystem::path>& report) const;
   /// The checkpoint's file is written while it runs.
   const std::optional<std::filesystem::path>& checkpoint() const { return checkpoint_; }
 

@@ -141,18 +141,21 @@ void MethodOptions::applyTo(RenderOptions& options) const {
   setFrom(options.shadowSize, shadowSize_);
 }
 
-void PictureOptions::addTo(CommandLine& line) {
+void PictureOptions::addTo(CommandLine& line, const Kinds& kinds) {
   const RenderOptions defaults;
-  line.value("-o,--output", "FILE", ".png, .exr (linear), frame_%04d.png, film.mp4",
-             [this](const Given& given) {
-               file_ = readOutput(given, {".png", ".exr", ".mp4"});
+  line.value("-o,--output", "FILE",
+             kinds.films ? ".png, .exr (linear), frame_%04d.png, film.mp4" : ".png, .exr (linear)",
+             [this, films = kinds.films](const Given& given) {
+               file_ = films ? readOutput(given, {".png", ".exr", ".mp4"})
+                             : readOutput(given, {".png", ".exr"});
              });
   line.value("--size", "WxH",
              fmt::format("pixels, each 1 to 16384 [{}x{}]", defaults.width, defaults.height),
              [this](const Given& given) { size_ = readSize(given, 16384); });
   line.value("--aov", "NAME",
-             "write this instead, EXR: radiance exitance irradiance position normal depth object "
-             "dsm-position dsm-normal dsm-irradiance dsm-area",
+             fmt::format("write this instead, EXR: radiance exitance irradiance position normal "
+                         "depth object{}",
+                         kinds.sourceMap ? " dsm-position dsm-normal dsm-irradiance dsm-area" : ""),
              [this](const Given& given) { aov_ = readChoice(given, aovs()); });
   line.value("--antialias", "N",
              fmt::format("samples a pixel: 1, 2, 4 or 8 [{}; AOVs 1]", defaults.antialias),
@@ -200,6 +203,13 @@ void PictureOptions::applyTo(RenderOptions& options) const {
   if (!picture) options.antialias = 1;
   options.specular = options.specular && !noSpecular_;
   setFrom(options.roughness, roughness_);
+}
+
+void PictureOptions::requireNameOfStill() const {
+  if (file_ && FrameNames::parse(file_->string())) {
+    throw UsageError(fmt::format(
+        "-o {}: only one still is made, whose name has no number to fill in", file_->string()));
+  }
 }
 
 bool PictureOptions::isExr() const {

@@ -42,7 +42,12 @@ class MethodOptions {
 /// What is written and how it looks.
 class PictureOptions {
  public:
-  void addTo(CommandLine& line);
+  /// What a command makes besides stills of what the camera sees.
+  struct Kinds {
+    bool films = true;
+    bool sourceMap = true;
+  };
+  void addTo(CommandLine& line, const Kinds& kinds);
   /// Throws UsageError for a mixture that contradicts itself.
   void applyTo(RenderOptions& options) const;
 
@@ -54,6 +59,8 @@ class PictureOptions {
   bool isExr() const;
   /// Throws UsageError unless -o suits a film, or a still.
   void requireNameFor(bool frames, bool resume) const;
+  /// The same where there is nothing but stills.
+  void requireNameOfStill() const;
   /// -o, or a name after the scene's in the current folder.
   std::filesystem::path file(const std::string& sceneName, bool frames) const;
   bool hasFile() const { return file_.has_value(); }

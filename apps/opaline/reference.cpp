@@ -77,7 +77,7 @@ struct ReferenceCommand {
     lights.addTo(line);
     line.section("Picture");
     camera.addTo(line);
-    picture.addTo(line);
+    picture.addTo(line, {.films = false, .sourceMap = false});
     line.value("--region", "X,Y,W,H", "only these pixels, from the upper left",
                [this](const Given& given) { region = readRegion(given); });
     line.value("--every", "N", "only every N-th pixel across and down [1]",
@@ -108,7 +108,7 @@ struct ReferenceCommand {
     if (path.wanted() && (transport || tolerance)) {
       throw UsageError("--transport and --tolerance belong to --integral");
     }
-    picture.requireNameFor(false, false);
+    picture.requireNameOfStill();
     if (!picture.seenByCamera()) {
       throw UsageError("--aov dsm-*: the reference has no diffusion source map; render shows it");
     }
@@ -254,7 +254,7 @@ void runReference(const Arguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const LogCallback log = noteTaker(command.quiet);
   std::filesystem::path output = command.picture.file(command.scene.name(), false);
-  command.path.check(output);
+  command.path.check(output, command.report);
   core::requireWritable(output);
   if (command.report) core::requireWritable(*command.report);
 

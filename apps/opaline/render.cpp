@@ -48,7 +48,7 @@ struct RenderCommand {
     lights.addTo(line);
     line.section("Picture");
     camera.addTo(line);
-    picture.addTo(line);
+    picture.addTo(line, {});
     line.section("Motion");
     motion.addTo(line);
     line.flag("--resume", "leave out frames whose pictures are there", resume);
