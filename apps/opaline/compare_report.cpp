@@ -16,7 +16,8 @@ struct FigureName {
   const char* name;
   double compare::ErrorFigures::*figure;
 };
-constexpr std::array<FigureName, 4> figureNames{{{"rel_rmse", &compare::ErrorFigures::relRmse},
+constexpr std::array<FigureName, 5> figureNames{{{"rel_rmse", &compare::ErrorFigures::relRmse},
+                                                 {"rel_bias", &compare::ErrorFigures::relBias},
                                                  {"p95_rel", &compare::ErrorFigures::p95Rel},
                                                  {"max_abs", &compare::ErrorFigures::maxAbs},
                                                  {"psnr_db", &compare::ErrorFigures::psnrDb}}};

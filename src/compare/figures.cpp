@@ -13,30 +13,34 @@ constexpr std::size_t channels = 3;
 
 double ratio(double error, double mean) {
   if (error == 0) return 0;
-  return mean > 0 ? error / mean : std::numeric_limits<double>::infinity();
+  return mean > 0 ? error / mean : std::copysign(std::numeric_limits<double>::infinity(), error);
 }
 
 /// Sums from which the figures of some values follow.
 struct Sums {
   std::size_t count = 0;
   double squares = 0;
-  double reference = 0;  ///< of |B|
+  double differences = 0;  ///< of A - B
+  double reference = 0;    ///< of |B|
   double largest = 0;
 
   void add(double a, double b) {
     const double error = std::abs(a - b);
     ++count;
     squares += error * error;
+    differences += a - b;
     reference += std::abs(b);
     largest = std::max(largest, error);
   }
   void add(const Sums& other) {
     count += other.count;
     squares += other.squares;
+    differences += other.differences;
     reference += other.reference;
     largest = std::max(largest, other.largest);
   }
   double mean() const { return reference / static_cast<double>(count); }
+  double meanDifference() const { return differences / static_cast<double>(count); }
   double meanSquare() const { return squares / static_cast<double>(count); }
 };
 
@@ -55,6 +59,7 @@ double percentile(std::vector<float>& values, double share) {
 ErrorFigures toFigures(const Sums& sums, std::vector<float>& errors, double peak) {
   ErrorFigures figures;
   figures.relRmse = ratio(std::sqrt(sums.meanSquare()), sums.mean());
+  figures.relBias = ratio(sums.meanDifference(), sums.mean());
   figures.p95Rel = ratio(percentile(errors, 0.95), sums.mean());
   figures.maxAbs = sums.largest;
   figures.psnrDb = sums.squares > 0 ? 10 * std::log10(peak * peak / sums.meanSquare())

@@ -26,7 +26,8 @@ std::size_t countOf(const Selection& selection);
 /// errors are and infinite otherwise.
 struct ErrorFigures {
   double relRmse = 0;
-  double p95Rel = 0;  ///< 95th percentile of |A - B|, linear between the ranks next to it
+  double relBias = 0;  ///< mean of A - B, negative where A is too dark
+  double p95Rel = 0;   ///< 95th percentile of |A - B|, linear between the ranks next to it
   double maxAbs = 0;
   double psnrDb = 0;  ///< 10 log10(peak²/MSE), infinite for equal images
 };

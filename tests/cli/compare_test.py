@@ -21,7 +21,7 @@ class Figures(ProgramTest):
 
     def test_equal_images(self):
         report = self.compare([grey(1, 2)], [grey(1, 2)])
-        for name in ("rel_rmse", "p95_rel", "max_abs", "flip"):
+        for name in ("rel_rmse", "rel_bias", "p95_rel", "max_abs", "flip"):
             self.assertEqual(report[name], 0, name)
         self.assertIsNone(report["psnr_db"])
         self.assertEqual((report["covered_pixels"], report["size"], report["values"]), (2, [2, 1], "linear"))
@@ -33,6 +33,7 @@ class Figures(ProgramTest):
         report = self.compare(a, b)
         self.assertEqual(report["covered_pixels"], 2)
         self.assertAlmostEqual(report["rel_rmse"], math.sqrt(1 / 6) / (28 / 6))
+        self.assertAlmostEqual(report["rel_bias"], 1 / 28)
         self.assertAlmostEqual(report["psnr_db"], 10 * math.log10(144 * 6))
         self.assertAlmostEqual(report["p95_rel"], .75 / (28 / 6))  # rank 4.75 of 0 … 5
         self.assertEqual(report["max_abs"], 1)

@@ -32,6 +32,7 @@ TEST(Figures, EqualImagesDifferByNothing) {
   const Figures figures = figuresOver(a, a, commonPixels(a, a)).value();
   EXPECT_EQ(figures.coveredPixels, 4U);
   EXPECT_EQ(figures.all.relRmse, 0);
+  EXPECT_EQ(figures.all.relBias, 0);
   EXPECT_EQ(figures.all.p95Rel, 0);
   EXPECT_EQ(figures.all.maxAbs, 0);
   EXPECT_TRUE(std::isinf(figures.all.psnrDb));
@@ -48,6 +49,7 @@ TEST(Figures, KnownDifferences) {
   const double factors[] = {1, 2, 4};
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_NEAR(figures.channels[c].relRmse, std::sqrt(2.5) / 2, 1e-12);
+    EXPECT_NEAR(figures.channels[c].relBias, (1.0 + 3) / 4 / 2, 1e-12);
     EXPECT_NEAR(figures.channels[c].p95Rel, 2.7 / 2, 1e-12);
     EXPECT_DOUBLE_EQ(figures.channels[c].maxAbs, 3 * factors[c]);
     // The largest value of B in any channel is 12.
@@ -57,6 +59,8 @@ TEST(Figures, KnownDifferences) {
   // All twelve values: squares 10·(1+4+16), sum of B 8·(1+2+4); ranks … 3, 4, 6, 12, and 0.95·11
   // = 10.45.
   EXPECT_NEAR(figures.all.relRmse, std::sqrt(210.0 / 12) / (56.0 / 12), 1e-12);
+  EXPECT_NEAR(figures.all.relBias, 4.0 * 7 / 12 / (56.0 / 12), 1e-12);
+  EXPECT_NEAR(figuresOver(b, a, commonPixels(a, b))->all.relBias, -4.0 / 12, 1e-12);
   EXPECT_NEAR(figures.all.p95Rel, (6 + 0.45 * 6) / (56.0 / 12), 1e-12);
   EXPECT_DOUBLE_EQ(figures.all.maxAbs, 12);
   EXPECT_NEAR(figures.all.psnrDb, 10 * std::log10(144 / 17.5), 1e-12);
