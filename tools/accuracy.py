@@ -115,23 +115,25 @@ def measure(bench, case):
             compared = bench.compare(integrals[transport], truth, "--block", str(BLOCK_EDGE_PIXELS))
             noise = truth_error(report["block_error"], compared)
             row[transport, bounces] = without_noise(compared["block"]["rel_rmse"], noise)
+            row[transport, "too dark"] = -compared["rel_bias"]  # of the last, which has all light
         row["noise"].append(noise)
     return row
 
 
 def percent(shares):
-    """Of one thing, without and with light that enters again; figures beyond the second say nothing."""
-    return " / ".join(f"{100 * share:.{1 if share < .1 else 0}f}" for share in shares) + " %" if shares else "–"
+    """One figure, or the same of two; what is beyond the second digit says nothing."""
+    return " / ".join(f"{100 * share:.{1 if abs(share) < .1 else 0}f}" for share in shares) + " %" if shares else "–"
 
 
 def table(rows):
     """Markdown; rows are pairs of a case and its figures."""
-    lines = ["| scene | medium | pattern to integral | dipole to path | better dipole to path | the path's own | body |",
-             "|" + "---|" * 7]
+    lines = ["| scene | medium | pattern to integral | dipole to path | better dipole to path | too dark by "
+             "| the path's own | body |", "|" + "---|" * 8]
     for case, row in rows:
         cells = [case.scene, case.medium, percent([row["pattern"]]),
                  *(percent([row[transport, bounces] for bounces in BOUNCES] if case.closed else [])
                    for transport in TRANSPORTS),
+                 percent([row[transport, "too dark"] for transport in TRANSPORTS] if case.closed else []),
                  percent(row["noise"]), percent([row["on_body"]])]
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
