@@ -85,11 +85,9 @@ class Bench:
 
 
 def truth_error(block_error, compared):
-    """The standard error that a truth reports, which is over the blocks on the body and their mean, as
-    `compare --block` measures: over all blocks of the picture and the mean of the covered pixels."""
-    block = compared["block"]
-    full = compared["covered_pixels"] / (block["covered_blocks"] * BLOCK_EDGE_PIXELS**2)
-    return block_error * full * math.sqrt(block["covered_blocks"] / block["blocks"])
+    """The standard error that a truth reports, which is over the mean block, as `compare --block` measures: over
+    the mean of the covered pixels, which is more, as blocks at the outline are not full."""
+    return block_error * compared["covered_pixels"] / (compared["block"]["covered_blocks"] * BLOCK_EDGE_PIXELS**2)
 
 
 def without_noise(distance, noise):
@@ -114,7 +112,7 @@ def measure(bench, case):
         for transport in TRANSPORTS:
             compared = bench.compare(integrals[transport], truth, "--block", str(BLOCK_EDGE_PIXELS))
             noise = truth_error(report["block_error"], compared)
-            row[transport, bounces] = without_noise(compared["block"]["rel_rmse"], noise)
+            row[transport, bounces] = without_noise(compared["block"]["covered_rel_rmse"], noise)
             row[transport, "too dark"] = -compared["rel_bias"]  # of the last, which has all light
         row["noise"].append(noise)
     return row
