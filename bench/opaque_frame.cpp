@@ -69,7 +69,7 @@ class OpaqueFrame::Implementation {
         lambert_(makeLambert(device_)),
         scene_(scene),
         merged_(scene::mergedMesh(scene_)),
-        resources_(makeSceneResources(device_, scene_, merged_, options.dsmSize)),
+        resources_(makeSceneResources(device_, scene_, merged_, {})),
         motion_(device_, scene_, merged_),
         view_(passes::FitPass::makeView(device_)),
         commands_(device_, "opaque frame") {

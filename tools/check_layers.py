@@ -26,7 +26,8 @@ ALLOWED = {
     "src/gpu": (*PLAIN, "core"),
     "src/shaders": ("bssrdf",),
     "src/shaders/shared": (),  # GLSL reads these too
-    "src/passes": ("opaline", "core", "atlas", "bssrdf", "environment", "gpu", "shaders", "passes/products.h"),
+    "src/passes": ("opaline", "core", "atlas", "surfels", "bssrdf", "environment", "gpu", "shaders",
+                   "passes/products.h"),
     "src/renderer": ("opaline", "core", "bssrdf", "scene", "environment", "deform", "atlas", "surfels", "gpu",
                      "passes", "shaders"),
     "reference": ("opaline", "core", "bssrdf", "environment"),

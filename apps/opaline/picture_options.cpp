@@ -11,13 +11,18 @@ namespace opaline::app {
 namespace {
 
 const Choices<Aov>& aovs() {
-  static const Choices<Aov> table{
-      {"radiance", Aov::Radiance},     {"exitance", Aov::Exitance},
-      {"irradiance", Aov::Irradiance}, {"position", Aov::Position},
-      {"normal", Aov::Normal},         {"depth", Aov::Depth},
-      {"object", Aov::Object},         {"dsm-position", Aov::DsmPosition},
-      {"dsm-normal", Aov::DsmNormal},  {"dsm-irradiance", Aov::DsmIrradiance},
-      {"dsm-area", Aov::DsmArea}};
+  static const Choices<Aov> table{{"radiance", Aov::Radiance},
+                                  {"exitance", Aov::Exitance},
+                                  {"irradiance", Aov::Irradiance},
+                                  {"position", Aov::Position},
+                                  {"normal", Aov::Normal},
+                                  {"depth", Aov::Depth},
+                                  {"object", Aov::Object},
+                                  {"evaluations", Aov::Evaluations},
+                                  {"dsm-position", Aov::DsmPosition},
+                                  {"dsm-normal", Aov::DsmNormal},
+                                  {"dsm-irradiance", Aov::DsmIrradiance},
+                                  {"dsm-area", Aov::DsmArea}};
   return table;
 }
 
@@ -61,7 +66,8 @@ const Choices<Transport>& transports() {
 }
 
 const Choices<Sum>& sums() {
-  static const Choices<Sum> table{{"pattern", Sum::Pattern}, {"all", Sum::All}};
+  static const Choices<Sum> table{
+      {"pattern", Sum::Pattern}, {"tree", Sum::Tree}, {"all", Sum::All}};
   return table;
 }
 
@@ -93,13 +99,21 @@ void MethodOptions::addTo(CommandLine& line) {
   const RenderOptions defaults;
   line.value("--transport", "NAME", "dipole or better-dipole [dipole]",
              [this](const Given& given) { transport_ = readChoice(given, transports()); });
-  line.value("--sum", "NAME", "pattern, or all sources, exact [pattern]",
+  line.value("--sum", "NAME", "tree, all surfels (exact) or the paper's pattern [tree]",
              [this](const Given& given) { sum_ = readChoice(given, sums()); });
   line.value("--site", "NAME", "vertex, fragment or auto [auto]",
              [this](const Given& given) { site_ = readChoice(given, sites()); });
   line.value("--method", "paper", "dipole, pattern, fragment", [this](const Given& given) {
     paper_ = readChoice<bool>(given, {{"paper", true}});
   });
+  line.value("--tolerance", "X",
+             fmt::format("of the tree, relative error, 1e-4 to 1 [{}]", defaults.tolerance),
+             [this](const Given& given) {
+               tolerance_ = readFloat(given, {1e-4, 1});
+             });
+  line.value("--max-sources", "N",
+             fmt::format("surfels at most, 1024 to 4194304 [{}]", defaults.maxSources),
+             [this](const Given& given) { maxSources_ = readInteger(given, 1024, 1 << 22); });
   line.value("--near-rings", "N",
              fmt::format("samples around the middle one, 0 to 15 [{}]", defaults.pattern.nearRings),
              [this](const Given& given) { nearRings_ = readInteger(given, 0, 15); });
@@ -134,6 +148,14 @@ void MethodOptions::applyTo(RenderOptions& options) const {
     throw UsageError(
         "--near-rings, --near-spacing and --far-distance shape the pattern and need --sum pattern");
   }
+  if (options.sum != Sum::Tree && tolerance_) {
+    throw UsageError("--tolerance is what the tree may be off and needs --sum tree");
+  }
+  if (options.sum == Sum::Pattern && maxSources_) {
+    throw UsageError("--max-sources limits surfels and needs --sum tree or --sum all");
+  }
+  setFrom(options.tolerance, tolerance_);
+  setFrom(options.maxSources, maxSources_);
   setFrom(options.pattern.nearRings, nearRings_);
   setFrom(options.pattern.nearSpacing, nearSpacing_);
   setFrom(options.pattern.farDistance, farDistance_);
@@ -152,11 +174,13 @@ void PictureOptions::addTo(CommandLine& line, const Kinds& kinds) {
   line.value("--size", "WxH",
              fmt::format("pixels, each 1 to 16384 [{}x{}]", defaults.width, defaults.height),
              [this](const Given& given) { size_ = readSize(given, 16384); });
-  line.value("--aov", "NAME",
-             fmt::format("write this instead, EXR: radiance exitance irradiance position normal "
-                         "depth object{}",
-                         kinds.sourceMap ? " dsm-position dsm-normal dsm-irradiance dsm-area" : ""),
-             [this](const Given& given) { aov_ = readChoice(given, aovs()); });
+  line.value(
+      "--aov", "NAME",
+      fmt::format(
+          "write this instead, EXR: radiance exitance irradiance position normal "
+          "depth object{}",
+          kinds.sourceMap ? " evaluations dsm-position dsm-normal dsm-irradiance dsm-area" : ""),
+      [this](const Given& given) { aov_ = readChoice(given, aovs()); });
   line.value("--antialias", "N",
              fmt::format("samples a pixel: 1, 2, 4 or 8 [{}; AOVs 1]", defaults.antialias),
              [this](const Given& given) {

@@ -32,6 +32,8 @@ class MethodOptions {
   std::optional<Transport> transport_;
   std::optional<Sum> sum_;
   std::optional<Site> site_;
+  std::optional<float> tolerance_;
+  std::optional<int> maxSources_;
   std::optional<int> nearRings_;
   std::optional<float> nearSpacing_;
   std::optional<float> farDistance_;

@@ -22,12 +22,14 @@ enum class Transport {
 /// Which sources are summed.
 enum class Sum {
   Pattern,  ///< near block and eight far samples of the diffusion source map (Gong et al. 2008)
-  All,      ///< every texel of the diffusion source map
+  Tree,     ///< surfels in object space, groups of them where the tolerance allows
+  All,      ///< every surfel, exact for them
 };
 
 /// Where the sum is evaluated.
 enum class Site {
-  Auto,      ///< Vertex where edges are at most one mean free path long, else Fragment
+  Auto,      ///< for each object Vertex where edges are at most one mean free path long, else
+             ///< Fragment; Sum::Pattern takes Fragment for all when it is for one
   Vertex,    ///< once per vertex, interpolated (the paper's VTF)
   Fragment,  ///< once per visible pixel (the paper's FTF)
 };
@@ -40,6 +42,7 @@ enum class Aov {
   Position,       ///< mm
   Normal,         ///< unit
   Depth,          ///< distance along the viewing axis, mm, in R, G and B
+  Evaluations,    ///< of the profile for a pixel or interpolated from vertices, in R, G and B
   Object,         ///< index of the object, from 0, in R, G and B
   DsmPosition,    ///< the diffusion source map: mm
   DsmNormal,      ///< the diffusion source map: unit
@@ -60,8 +63,10 @@ struct RenderOptions {
   int width = 1024;   ///< pixels, in [1, 16384]
   int height = 1024;  ///< pixels, in [1, 16384]
   Transport transport = Transport::Dipole;
-  Sum sum = Sum::Pattern;
+  Sum sum = Sum::Tree;
   Site site = Site::Auto;
+  float tolerance = 0.01F;   ///< of Sum::Tree, error relative to exitance, in [1e-4, 1]
+  int maxSources = 262'144;  ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
   PatternOptions pattern;
   int dsmSize = 512;        ///< edge of the diffusion source map, texels, in [64, 4096]
   int shadowSize = 1024;    ///< edge of each shadow map, texels, in [64, 8192]
@@ -90,11 +95,11 @@ struct DeviceDescription {
 struct RenderReport {
   DeviceDescription device;
   Transport transport = Transport::Dipole;
-  Sum sum = Sum::Pattern;
-  Site site = Site::Fragment;  ///< never Auto
+  Sum sum = Sum::Tree;
+  Site site = Site::Fragment;  ///< Auto where it differs between objects
   std::size_t triangles = 0;
   std::size_t vertices = 0;
-  std::size_t sources = 0;         ///< texels of the diffusion source map that carry surface
+  std::size_t sources = 0;         ///< surfels, or texels of the map that carry surface
   std::vector<PassTime> passes;    ///< in the order they ran
   double frameMilliseconds = 0;    ///< GPU time, median over the frames after the first
   double peakMemoryMegabytes = 0;  ///< of the device's memory, by this renderer

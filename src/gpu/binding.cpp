@@ -28,6 +28,15 @@ Binding Binding::write(std::uint32_t slot, Buffer& buffer) {
   return binding;
 }
 
+Binding Binding::texels(std::uint32_t slot, Buffer& buffer) {
+  Binding binding;
+  binding.slot = slot;
+  binding.type = BindingType::TexelBuffer;
+  binding.access = Access::Sampled;
+  binding.buffer = &buffer;
+  return binding;
+}
+
 Binding Binding::sampled(std::uint32_t slot, GpuImage& image, const Sampler& sampler) {
   Binding binding;
   binding.slot = slot;

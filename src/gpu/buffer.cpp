@@ -80,6 +80,26 @@ Buffer::Buffer(Device& device, const BufferOptions& options) : Buffer() {
           fmt::format("map the buffer \"{}\"", options.name));
     mapped_ = static_cast<std::byte*>(mapped);
   }
+  if ((options.usage & VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT) != 0) makeTexelView(options.name);
+}
+
+void Buffer::makeTexelView(const std::string& name) {
+  constexpr std::size_t texelBytes = 4 * sizeof(float);
+  const std::size_t most = device_->limits().maxTexelBufferElements;
+  if (bytes_ / texelBytes > most) {
+    throw Error(fmt::format(
+        "the buffer \"{}\" needs {} texels, but {} reads at most {} from one buffer; use fewer "
+        "sources, or another device",
+        name, bytes_ / texelBytes, device_->info().name, most));
+  }
+  VkBufferViewCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO;
+  info.buffer = buffer_;
+  info.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+  info.range = bytes_ / texelBytes * texelBytes;
+  check(vkCreateBufferView(device_->handle(), &info, nullptr, &texelView_),
+        fmt::format("make texels of the buffer \"{}\"", name));
+  device_->setName(VK_OBJECT_TYPE_BUFFER_VIEW, reinterpret_cast<std::uint64_t>(texelView_), name);
 }
 
 Buffer Buffer::borrowed(VkBuffer buffer, std::size_t bytes) {
@@ -92,6 +112,7 @@ Buffer Buffer::borrowed(VkBuffer buffer, std::size_t bytes) {
 
 Buffer::~Buffer() {
   if (device_ == nullptr) return;
+  vkDestroyBufferView(device_->handle(), texelView_, nullptr);
   vkDestroyBuffer(device_->handle(), buffer_, nullptr);
   device_->release(memory_, allocatedBytes_);
 }
@@ -109,6 +130,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
 void Buffer::swap(Buffer& other) noexcept {
   std::swap(device_, other.device_);
   std::swap(buffer_, other.buffer_);
+  std::swap(texelView_, other.texelView_);
   std::swap(memory_, other.memory_);
   std::swap(bytes_, other.bytes_);
   std::swap(allocatedBytes_, other.allocatedBytes_);

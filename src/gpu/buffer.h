@@ -21,7 +21,8 @@ enum class Memory {
 struct BufferOptions {
   std::string name;
   std::size_t bytes = 0;  ///< > 0, at most the device's storage-buffer range where used as such
-  VkBufferUsageFlags usage = 0;  ///< copying from and to it is always possible
+  VkBufferUsageFlags usage = 0;  ///< copying from and to it is always possible; as a texel buffer
+                                 ///< it holds texels of four floats
   Memory memory = Memory::Device;
 };
 
@@ -41,6 +42,7 @@ class Buffer {
   explicit operator bool() const { return buffer_ != VK_NULL_HANDLE; }
   VkBuffer handle() const { return buffer_; }
   std::size_t bytes() const { return bytes_; }
+  VkBufferView texelView() const { return texelView_; }  ///< of all of it
 
   /// The mapped memory of an Upload or Readback buffer.
   std::span<std::byte> mapped() const { return {mapped_, bytes_}; }
@@ -52,9 +54,11 @@ class Buffer {
  private:
   friend class CommandList;
   void swap(Buffer& other) noexcept;
+  void makeTexelView(const std::string& name);
 
   Device* device_ = nullptr;
   VkBuffer buffer_ = VK_NULL_HANDLE;
+  VkBufferView texelView_ = VK_NULL_HANDLE;
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
   std::size_t bytes_ = 0;
   std::size_t allocatedBytes_ = 0;

@@ -220,6 +220,7 @@ void CommandList::bindResources(std::span<const Binding> bindings) {
   std::array<VkWriteDescriptorSet, maxSlots> writes;
   std::array<VkDescriptorBufferInfo, maxSlots> buffers;
   std::array<VkDescriptorImageInfo, maxSlots> images;
+  std::array<VkBufferView, maxSlots> texels;
   for (std::size_t i = 0; i < bindings.size(); ++i) {
     const Binding& binding = bindings[i];
     assert(pipeline_->hasSlot(binding.slot));
@@ -229,7 +230,10 @@ void CommandList::bindResources(std::span<const Binding> bindings) {
     write.dstBinding = binding.slot;
     write.descriptorCount = 1;
     write.descriptorType = descriptorTypeOf(binding.type);
-    if (binding.buffer != nullptr) {
+    if (binding.type == BindingType::TexelBuffer) {
+      texels[i] = binding.buffer->texelView();
+      write.pTexelBufferView = &texels[i];
+    } else if (binding.buffer != nullptr) {
       buffers[i] = bufferInfoOf(binding, device_.limits());
       write.pBufferInfo = &buffers[i];
     } else {

@@ -27,6 +27,8 @@ struct Binding {
                          std::size_t bytes = 0);  ///< bytes 0: the rest
   static Binding read(std::uint32_t slot, Buffer& buffer);
   static Binding write(std::uint32_t slot, Buffer& buffer);
+  /// Needs VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT.
+  static Binding texels(std::uint32_t slot, Buffer& buffer);
   static Binding sampled(std::uint32_t slot, GpuImage& image, const Sampler& sampler);
   static Binding writeImage(std::uint32_t slot, GpuImage& image);  ///< level 0, all layers
   static Binding writeImageLevel(std::uint32_t slot, GpuImage& image, std::uint32_t level);

@@ -167,6 +167,8 @@ VkDescriptorType descriptorTypeOf(BindingType type) {
       return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     case BindingType::StorageBuffer:
       return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case BindingType::TexelBuffer:
+      return VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
     case BindingType::SampledImage:
       return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     case BindingType::StorageImage:

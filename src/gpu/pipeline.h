@@ -14,7 +14,9 @@ class Device;
 /// A compiled shader, embedded in the program (see shaders/shaders.h).
 using Spirv = std::span<const std::uint32_t>;
 
-enum class BindingType { UniformBuffer, StorageBuffer, SampledImage, StorageImage };
+/// A TexelBuffer is read four floats at a time by texelFetch (samplerBuffer), which some devices do
+/// faster than reading storage buffers.
+enum class BindingType { UniformBuffer, StorageBuffer, TexelBuffer, SampledImage, StorageImage };
 
 VkDescriptorType descriptorTypeOf(BindingType type);
 

@@ -10,6 +10,12 @@
 /// What the passes hand to each other. A pass knows these, never another pass.
 namespace opaline::passes {
 
+/// The profile by which light scatters.
+enum class ScatterTransport : std::uint32_t { Dipole = 0, BetterDipole = 1 };
+
+/// Where light is summed: as shared::ObjectData has it for each object, or everywhere alike.
+enum class ScatterSite : std::uint32_t { PerObject = 0, Vertices = 1, Fragments = 2 };
+
 /// What moves the vertices: tables that stay, and what the host sets for every frame.
 struct Motion {
   gpu::Buffer rest;            ///< shared::RestVertex, one a vertex
@@ -63,7 +69,7 @@ struct ShadowMaps {
   gpu::GpuImage depth;
 };
 
-/// The diffusion source map, the same with the charts' neighbourhoods, and the same as a list.
+/// The diffusion source map, and the same with the charts' neighbourhoods.
 struct DiffusionSources {
   gpu::GpuImage positionArea;      ///< xyz mm, w mm²
   gpu::GpuImage normal;            ///< xyz
@@ -78,12 +84,24 @@ struct DiffusionSources {
   gpu::Buffer farOrigins;      ///< the same in a layout for cells
   gpu::GpuImage farPosition;   ///< means over cells
   gpu::GpuImage farFlux;
-  gpu::Buffer farPlaces;       ///< shared::FarPlace, eight a vertex
-  gpu::Buffer texels;          ///< packed texels that carry surface, object after object
-  gpu::Buffer list;            ///< two vec4 each: position mm; flux E·A
-  std::uint32_t cellEdge = 1;  ///< of a cell, in texels of farOrigins
-  std::uint32_t sourceCount = 0;
-  std::vector<std::uint32_t> firstOfObject;  ///< one more than there are objects
+  gpu::Buffer farPlaces;          ///< shared::FarPlace, eight a vertex
+  std::uint32_t cellEdge = 1;     ///< of a cell, in texels of farOrigins
+  std::uint32_t sourceCount = 0;  ///< texels that carry surface
+};
+
+/// The surface as surfels and their tree.
+struct Surfels {
+  gpu::Buffer pieces;                        ///< shared::SurfelPiece
+  std::uint32_t piecesPerSurfel = 1;         ///< that follow each other
+  gpu::Buffer sources;                       ///< shared::Source, sourcesPerSurfel of each
+  gpu::Buffer normals;                       ///< vec4 a surfel, unit
+  std::uint32_t count = 0;                   ///< of surfels
+  gpu::Buffer nodes;                         ///< shared::TreeNode, depth first
+  gpu::Buffer links;                         ///< the nodes' links, which no frame changes
+  gpu::Buffer byHeight;                      ///< nodes, leaves first
+  std::vector<std::uint32_t> firstOfHeight;  ///< one more than there are heights
+  bool coarse = false;                       ///< of any object: wants what NearbyPass adds
+  gpu::Buffer vertexOrder;                   ///< vertices, neighbours in space together
 };
 
 /// What the camera sees, a texel a pixel.

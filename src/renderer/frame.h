@@ -10,9 +10,12 @@
 #include "passes/gather/diffusion_source_pass.h"
 #include "passes/gather/fit_pass.h"
 #include "passes/gather/shadow_pass.h"
+#include "passes/gather/surfel_pass.h"
 #include "passes/products.h"
-#include "passes/scatter/scatter_pass.h"
+#include "passes/scatter/nearby_pass.h"
+#include "passes/scatter/pattern_pass.h"
 #include "passes/scatter/surface_pass.h"
+#include "passes/scatter/surfel_sum_pass.h"
 #include "passes/shade/environment_pass.h"
 #include "passes/shade/shade_pass.h"
 #include "renderer/scene_motion.h"
@@ -27,9 +30,12 @@ struct Passes {
   passes::DeformPass deform;
   passes::FitPass fit;
   passes::ShadowPass shadow;
-  passes::DiffusionSourcePass gather;
+  passes::DiffusionSourcePass map;
+  passes::SurfelPass surfels;
   passes::SurfacePass surface;
-  passes::ScatterPass scatter;
+  passes::PatternPass pattern;
+  passes::SurfelSumPass sum;
+  passes::NearbyPass nearby;
   passes::EnvironmentPass environment;
   passes::ShadePass shade;
 };
@@ -39,7 +45,7 @@ struct FrameResources {
   passes::SceneTables tables;
   passes::FrameView view;
   passes::ShadowMaps shadows;
-  passes::DiffusionSources sources;
+  passes::DiffusionSources sources;  ///< where the plan asks for the map
   passes::VisibleSurface surface;
   passes::Exitance exitance;
   gpu::GpuImage environmentCube;
@@ -49,8 +55,10 @@ struct FrameResources {
 /// What a frame is to do.
 struct FramePlan {
   Transport transport = Transport::Dipole;
-  Sum sum = Sum::Pattern;
-  Site site = Site::Fragment;  ///< not Auto
+  Sum sum = Sum::Tree;
+  Site site = Site::Fragment;  ///< Auto: as each object has it, not for Sum::Pattern
+  float tolerance = 0.01F;     ///< of Sum::Tree
+  bool map = false;            ///< draw the diffusion source map, whoever wants it
   int samples = 4;             ///< of radiance, 0 for none
   bool centre = false;         ///< leave the visible surface and exitance of the pixels' centres
   bool specular = true;
@@ -71,7 +79,7 @@ struct FrameUpload {
 /// Records one frame: the surface where it is at that time, shadows, gathering, then for every
 /// antialiasing sample the visible surface, scattering and shading.
 void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
-                 const FrameUpload& upload, SceneMotion& motion, passes::DeformedMesh& mesh,
+                 const FrameUpload& upload, SceneMotion& motion, SceneResources& scene,
                  FrameResources& resources);
 
 }  // namespace opaline

@@ -25,6 +25,7 @@ std::array<gpu::GpuImage*, 3> imagesOf(Aov aov, Site site, FrameResources& resou
     case Aov::Radiance:
       return {&resources.radiance, nullptr, nullptr};
     case Aov::Exitance:
+    case Aov::Evaluations:
       return {position, &visibleExitance(site, resources), nullptr};
     case Aov::Irradiance:
       return {position, &resources.surface.place, &resources.sources.nearFlux};
@@ -110,6 +111,7 @@ void makeRadiance(Image& image, const glm::vec4* sums) {
 bool needsCentre(Aov aov) {
   switch (aov) {
     case Aov::Exitance:
+    case Aov::Evaluations:
     case Aov::Irradiance:
     case Aov::Position:
     case Aov::Normal:
@@ -178,6 +180,9 @@ void Readback::make(const Entry& entry, Image& image) const {
       return makeRadiance(image, visible);
     case Aov::Exitance:
       return fill(image, seen, floats);
+    case Aov::Evaluations:
+      return fill(image, seen,
+                  [&](std::size_t i) { return glm::vec3(texels<glm::vec4>(second)[i].w); });
     case Aov::Irradiance:
       return fill(image, seen, [&](std::size_t i) {
         const glm::vec4 mean =

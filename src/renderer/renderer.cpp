@@ -33,20 +33,32 @@ DeviceDescription describe(const gpu::DeviceInfo& info) {
   return {info.name, gpu::toString(info.type), info.driver};
 }
 
-// The paper's rule, per object: vertices suffice where edges are no longer than a mean free path.
-Site chooseSite(Site wanted, const SceneResources& resources) {
-  if (wanted != Site::Auto) return wanted;
+// What is asked for, or where all objects agree, that; Auto where they do not.
+Site chooseSite(const RenderOptions& options, const SceneResources& resources) {
+  if (options.site != Site::Auto) return options.site;
+  std::size_t atVertices = 0;
   for (std::size_t i = 0; i < resources.objects; ++i)
-    if (resources.meanEdgeOfObjectMm[i] >
-        shortestMeanFreePathMm(resources.media[resources.mediumOfObject[i]]))
-      return Site::Fragment;
-  return Site::Vertex;
+    if (wantsVertices(resources, i)) ++atVertices;
+  if (atVertices == resources.objects) return Site::Vertex;
+  return atVertices == 0 || options.sum == Sum::Pattern ? Site::Fragment : Site::Auto;
+}
+
+bool needsMap(Aov aov) {
+  return aov == Aov::Irradiance || aov == Aov::DsmPosition || aov == Aov::DsmNormal ||
+         aov == Aov::DsmIrradiance || aov == Aov::DsmArea;
+}
+
+bool needsMap(const RenderOptions& options, const std::vector<Aov>& aovs) {
+  return options.sum == Sum::Pattern ||
+         std::any_of(aovs.begin(), aovs.end(), [](Aov aov) { return needsMap(aov); });
 }
 
 FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, Site site) {
   return {.transport = options.transport,
           .sum = options.sum,
           .site = site,
+          .tolerance = options.tolerance,
+          .map = needsMap(options, aovs),
           .samples = std::find(aovs.begin(), aovs.end(), Aov::Radiance) != aovs.end()
                          ? options.antialias
                          : 0,
@@ -59,7 +71,7 @@ FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, S
 
 // Every pass of a frame in a command list's count: those of deforming and gathering, those of the
 // vertices' scattering, and three for each look at the surface.
-constexpr std::uint32_t maxPassesOfFrame = 10 + 3 * 10;
+constexpr std::uint32_t maxPassesOfFrame = 12 + 3 * 10;
 
 // One of the frames that may be under way.
 struct FrameSlot {
@@ -75,6 +87,7 @@ class Renderer::Implementation {
  public:
   explicit Implementation(const RendererOptions& options)
       : device_({.selector = options.device, .validation = options.validation, .log = options.log}),
+        log_(options.log),
         passes_(device_),
         slots_{FrameSlot(device_), FrameSlot(device_)},
         frameData_(device_, "frame data", sizeof(shared::FrameData), framesInFlight, 0) {}
@@ -121,9 +134,9 @@ class Renderer::Implementation {
     if (waiting_ >= framesInFlight)
       throw UsageError(fmt::format(
           "{} frames are under way, which is all there may be; collect one first", waiting_));
-    prepare(options);
+    prepare(options, aovs);
     last_ = options;
-    site_ = chooseSite(options.site, *uploaded_);
+    site_ = chooseSite(options, *uploaded_);
     const CameraView camera = makeCameraView(
         scene_->camera, static_cast<float>(options.width) / static_cast<float>(options.height));
     frameData_.nextFrame();
@@ -133,7 +146,7 @@ class Renderer::Implementation {
     slot.readback.prepare(device_, aovs, site_, camera, *resources_);
     slot.commands.begin();
     recordFrame(slot.commands, passes_, makePlan(options, aovs, site_), upload, *motion_,
-                uploaded_->mesh, *resources_);
+                *uploaded_, *resources_);
     slot.readback.record(slot.commands, site_, *resources_);
     slot.commands.submit();
     next_ = (next_ + 1) % slots_.size();
@@ -187,27 +200,31 @@ class Renderer::Implementation {
     times.add(frame.milliseconds, timings);
   }
 
-  // Makes what depends on the scene and the options, where it is not there yet.
-  void prepare(const RenderOptions& options) {
-    if (!resources_ || !sameTables(prepared_, options)) makeResources(options);
-    if (options.sum == Sum::All) passes_.gather.prepareList(device_, resources_->sources);
-  }
-
-  void makeResources(const RenderOptions& options) {
+  // Makes what depends on the scene and the options, where it is not there yet. What one sum needs
+  // is kept for when it is asked for again.
+  void prepare(const RenderOptions& options, const std::vector<Aov>& aovs) {
+    SceneNeeds needs = uploaded_ ? uploaded_->needs : SceneNeeds{};
+    if (needsMap(options, aovs)) needs.mapSize = options.dsmSize;
+    if (options.sum != Sum::Pattern) needs.maxSurfels = options.maxSources;
+    const bool isUploaded = uploaded_ && uploaded_->needs == needs;
+    if (isUploaded && resources_ && sameTables(prepared_, options)) return;
     device_.waitIdle();
     resources_.reset();
-    if (prepared_.dsmSize != options.dsmSize) uploaded_.reset();
-    if (!uploaded_) uploaded_ = makeSceneResources(device_, *scene_, merged_, options.dsmSize);
+    if (!isUploaded) {
+      uploaded_.reset();
+      uploaded_ = makeSceneResources(device_, *scene_, merged_, needs, log_);
+    }
     prepared_ = options;
-    resources_ = makeFrameResources(options);
+    if (needs.mapSize) prepared_.dsmSize = *needs.mapSize;  // kept, if no map is asked for now
+    resources_ = makeFrameResources(prepared_);
   }
 
   static bool sameTables(const RenderOptions& a, const RenderOptions& b) {
     return a.width == b.width && a.height == b.height && a.transport == b.transport &&
            a.pattern.nearRings == b.pattern.nearRings &&
            a.pattern.nearSpacing == b.pattern.nearSpacing &&
-           a.pattern.farDistance == b.pattern.farDistance && a.dsmSize == b.dsmSize &&
-           a.shadowSize == b.shadowSize && a.roughness == b.roughness;
+           a.pattern.farDistance == b.pattern.farDistance && a.shadowSize == b.shadowSize &&
+           a.roughness == b.roughness;
   }
 
   SceneMotion& motion() {
@@ -218,15 +235,20 @@ class Renderer::Implementation {
   FrameResources makeFrameResources(const RenderOptions& options) {
     const auto width = static_cast<std::uint32_t>(options.width);
     const auto height = static_cast<std::uint32_t>(options.height);
-    const PatternLayout pattern = layOutPattern(*uploaded_, options);
     FrameResources made;
     made.view = passes::FitPass::makeView(device_);
     made.view.shadowViews = shadowViewCount(scene_->lighting);
-    made.sources = passes_.gather.prepare(device_, uploaded_->mesh,
-                                          static_cast<std::uint32_t>(options.dsmSize),
-                                          uploaded_->objects, pattern.maps);
-    made.tables = makeSceneTables(device_, *uploaded_, pattern, made.sources.firstOfObject,
-                                  scene_->lighting, options);
+    std::optional<PatternLayout> pattern;
+    if (uploaded_->needs.mapSize) {
+      pattern = layOutPattern(*uploaded_, options);
+      made.sources =
+          passes_.map.prepare(device_, uploaded_->mesh,
+                              static_cast<std::uint32_t>(*uploaded_->needs.mapSize), pattern->maps);
+    } else {
+      made.sources.charts =
+          gpu::makeBuffer(device_, "no charts", {}, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    }
+    made.tables = makeSceneTables(device_, *uploaded_, pattern, scene_->lighting, options);
     made.shadows = passes::ShadowPass::makeMaps(
         device_, static_cast<std::uint32_t>(options.shadowSize), made.view.shadowViews);
     made.surface = passes::SurfacePass::makeSurface(device_, width, height);
@@ -259,13 +281,15 @@ class Renderer::Implementation {
             .site = site_,
             .triangles = uploaded_->triangles,
             .vertices = uploaded_->mesh.vertexCount,
-            .sources = resources_->sources.sourceCount,
+            .sources = last_.sum == Sum::Pattern ? resources_->sources.sourceCount
+                                                 : uploaded_->surfels.count,
             .passes = times.passes(),
             .frameMilliseconds = times.frameMilliseconds(),
             .peakMemoryMegabytes = static_cast<double>(device_.peakMemoryBytes()) / megabyte};
   }
 
   gpu::Device device_;
+  LogCallback log_;
   Passes passes_;
   std::array<FrameSlot, framesInFlight> slots_;
   std::size_t next_ = 0;     // slot of the next frame

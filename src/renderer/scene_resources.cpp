@@ -1,5 +1,7 @@
 #include "renderer/scene_resources.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,11 +13,24 @@
 #include "bssrdf/profile.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
+#include "passes/gather/surfel_pass.h"
 #include "shaders/shared/mesh.h"
+#include "shaders/shared/surfels.h"
+#include "surfels/surfels.h"
 
 namespace opaline {
 
 namespace {
+
+// Without an atlas there is one corner for each vertex, and all share a chart without size.
+std::vector<shared::AtlasCorner> makePlainCorners(const scene::MergedMesh& mesh) {
+  std::vector<shared::AtlasCorner> corners(mesh.positionsMm.size());
+  for (std::uint32_t i = 0; i < corners.size(); ++i) corners[i].vertex = i;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const std::uint32_t vertex : mesh.triangles[t])
+      corners[vertex].object = mesh.objectOfTriangle[t];
+  return corners;
+}
 
 std::vector<shared::AtlasCorner> makeCorners(const atlas::Atlas& atlas,
                                              const scene::MergedMesh& mesh) {
@@ -79,12 +94,87 @@ void listMedia(const Scene& scene, SceneResources& resources) {
   }
 }
 
+void makeMesh(gpu::Device& device, SceneResources& resources) {
+  const scene::MergedMesh& merged = *resources.merged;
+  const bool mapped = resources.needs.mapSize.has_value();
+  const std::vector<shared::AtlasCorner> corners =
+      mapped ? makeCorners(resources.atlas, merged) : makePlainCorners(merged);
+  const std::vector<Triangle>& triangles = mapped ? resources.atlas.triangles : merged.triangles;
+
+  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  const std::size_t vectorBytes = merged.positionsMm.size() * sizeof(glm::vec4);
+  passes::DeformedMesh& mesh = resources.mesh;
+  mesh.positions =
+      gpu::Buffer(device, {.name = "positions", .bytes = vectorBytes, .usage = storage});
+  mesh.normals = gpu::Buffer(device, {.name = "normals", .bytes = vectorBytes, .usage = storage});
+  mesh.bounds =
+      gpu::Buffer(device, {.name = "bounds", .bytes = 6 * sizeof(std::uint32_t), .usage = storage});
+  mesh.corners = gpu::makeBuffer(device, "corners", corners, storage);
+  mesh.vertexCorners = gpu::makeBuffer(device, "corner of each vertex",
+                                       cornerOfVertex(corners, merged.positionsMm.size()), storage);
+  mesh.indices = gpu::makeBuffer(device, "indices", triangles, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  mesh.vertexCount = static_cast<std::uint32_t>(merged.positionsMm.size());
+  mesh.indexCount = static_cast<std::uint32_t>(3 * triangles.size());
+}
+
+// Size of surfels in mean free paths, with some room for surfaces that stretch.
+constexpr double sizeInFreePaths = 0.65;
+
+// Spacing of sources in mean free paths from which on sums over them want what NearbyPass adds. A
+// lattice of that spacing is off by about 2 e^{-2π / this}.
+constexpr double coarseInFreePaths = 0.8;
+
+SurfelsOfObject surfelsOf(const surfels::Surfels& made, const SceneResources& resources,
+                          std::size_t object) {
+  const std::uint32_t first = made.firstOfObject[object];
+  const std::uint32_t count = made.firstOfObject[object + 1] - first;
+  const double sources = std::max(1.0, static_cast<double>(shared::sourcesPerSurfel) * count);
+  const double spacingMm = std::sqrt(resources.areaOfObjectMm2[object] / sources);
+  const Medium& medium = resources.media[resources.mediumOfObject[object]];
+  return {.first = first,
+          .count = count,
+          .root = made.tree.rootOfObject[object],
+          .endNode = made.tree.rootOfObject[object + 1],
+          .sourceSpacingMm = spacingMm,
+          .coarse = spacingMm > coarseInFreePaths * shortestMeanFreePathMm(medium)};
+}
+
+void divide(gpu::Device& device, const Scene& scene, SceneResources& resources,
+            const LogCallback& log) {
+  const scene::MergedMesh& merged = *resources.merged;
+  const surfels::Surface surface{merged.positionsMm, merged.triangles, merged.objectOfTriangle};
+  std::vector<double> wantedMm;
+  for (const Object& object : scene.objects)
+    wantedMm.push_back(sizeInFreePaths * shortestMeanFreePathMm(object.medium));
+  const surfels::Surfels made = surfels::makeSurfels(
+      surface, wantedMm, static_cast<std::size_t>(*resources.needs.maxSurfels));
+  double coarsest = 1;
+  for (std::size_t i = 0; i < resources.objects; ++i) {
+    resources.surfelsOfObject.push_back(surfelsOf(made, resources, i));
+    coarsest = std::max(coarsest, made.spacingOfObjectMm[i] / wantedMm[i]);
+  }
+  resources.surfels = passes::SurfelPass::makeSurfels(device, made, surface);
+  resources.surfels.coarse =
+      std::any_of(resources.surfelsOfObject.begin(), resources.surfelsOfObject.end(),
+                  [](const SurfelsOfObject& surfels) { return surfels.coarse; });
+  if (coarsest > 1 && log)
+    log(LogLevel::Note,
+        fmt::format("the budget of {} surfels leaves them {:.1f} times as large as the medium asks "
+                    "for; raise --max-sources for more accuracy",
+                    *resources.needs.maxSurfels, coarsest));
+}
+
 }  // namespace
 
 atlas::Surface surfaceOf(const scene::MergedMesh& merged) {
   return {.positionsMm = merged.positionsMm,
           .triangles = merged.triangles,
           .objectOfTriangle = merged.objectOfTriangle};
+}
+
+bool wantsVertices(const SceneResources& resources, std::size_t object) {
+  return resources.meanEdgeOfObjectMm[object] <=
+         shortestMeanFreePathMm(resources.media[resources.mediumOfObject[object]]);
 }
 
 double shortestMeanFreePathMm(const Medium& medium) {
@@ -95,32 +185,17 @@ double shortestMeanFreePathMm(const Medium& medium) {
 }
 
 SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
-                                  const scene::MergedMesh& merged, int dsmSize) {
+                                  const scene::MergedMesh& merged, const SceneNeeds& needs,
+                                  const LogCallback& log) {
   SceneResources resources;
   resources.merged = &merged;
-  resources.atlas = atlas::makeAtlas(surfaceOf(merged), {.mapSize = dsmSize});
-  const atlas::Atlas& atlas = resources.atlas;
-  const std::vector<shared::AtlasCorner> corners = makeCorners(atlas, merged);
-
-  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-  const std::size_t vectorBytes = merged.positionsMm.size() * sizeof(glm::vec4);
-  resources.mesh.positions =
-      gpu::Buffer(device, {.name = "positions", .bytes = vectorBytes, .usage = storage});
-  resources.mesh.normals =
-      gpu::Buffer(device, {.name = "normals", .bytes = vectorBytes, .usage = storage});
-  resources.mesh.bounds =
-      gpu::Buffer(device, {.name = "bounds", .bytes = 6 * sizeof(std::uint32_t), .usage = storage});
-  resources.mesh.corners = gpu::makeBuffer(device, "atlas corners", corners, storage);
-  resources.mesh.vertexCorners =
-      gpu::makeBuffer(device, "atlas corner of each vertex",
-                      cornerOfVertex(corners, merged.positionsMm.size()), storage);
-  resources.mesh.indices =
-      gpu::makeBuffer(device, "indices", atlas.triangles, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-  resources.mesh.vertexCount = static_cast<std::uint32_t>(merged.positionsMm.size());
-  resources.mesh.indexCount = static_cast<std::uint32_t>(3 * atlas.triangles.size());
+  resources.needs = needs;
   resources.objects = static_cast<std::uint32_t>(scene.objects.size());
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
   listMedia(scene, resources);
+  if (needs.mapSize) resources.atlas = atlas::makeAtlas(surfaceOf(merged), {*needs.mapSize});
+  makeMesh(device, resources);
+  if (needs.maxSurfels) divide(device, scene, resources, log);
   return resources;
 }
 

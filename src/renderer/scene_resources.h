@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "atlas/atlas.h"
@@ -18,12 +19,33 @@ namespace opaline {
 /// As the atlas wants it; `merged` outlives it.
 atlas::Surface surfaceOf(const scene::MergedMesh& merged);
 
+/// What sums need of a scene beside its mesh.
+struct SceneNeeds {
+  std::optional<int> mapSize;     ///< an atlas for a diffusion source map of that edge, texels
+  std::optional<int> maxSurfels;  ///< surfels and their tree
+
+  bool operator==(const SceneNeeds&) const = default;
+};
+
+/// Where an object's surfels lie among all.
+struct SurfelsOfObject {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  std::uint32_t root = 0;      ///< among the tree's nodes
+  std::uint32_t endNode = 0;   ///< the node after its tree
+  double sourceSpacingMm = 0;  ///< root of the mean area that a source stands for
+  bool coarse = false;         ///< sources are too far apart for the medium
+};
+
 /// A scene on the device: what depends on the rest pose alone. Objects are laid end to end and
 /// share one atlas.
 struct SceneResources {
   const scene::MergedMesh* merged = nullptr;  ///< that it was made from
+  SceneNeeds needs;                           ///< that it was made for
   passes::DeformedMesh mesh;
-  atlas::Atlas atlas;
+  atlas::Atlas atlas;                            ///< empty where no map is needed
+  passes::Surfels surfels;                       ///< empty where none are needed
+  std::vector<SurfelsOfObject> surfelsOfObject;  ///< one an object, where there are surfels
   std::uint32_t objects = 0;
   std::uint32_t triangles = 0;
   std::vector<Medium> media;  ///< the different ones
@@ -32,9 +54,14 @@ struct SceneResources {
   std::vector<double> areaOfObjectMm2;
 };
 
-/// `merged` is of the scene and outlives the resources.
+/// `merged` is of the scene and outlives the resources. Notes go to `log`.
 SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
-                                  const scene::MergedMesh& merged, int dsmSize);
+                                  const scene::MergedMesh& merged, const SceneNeeds& needs,
+                                  const LogCallback& log = {});
+
+/// Whether light is summed well enough at an object's vertices (Gong et al. 2008): edges are no
+/// longer than a mean free path.
+bool wantsVertices(const SceneResources& resources, std::size_t object);
 
 /// Shortest mean free path of the three channels, mm.
 double shortestMeanFreePathMm(const Medium& medium);

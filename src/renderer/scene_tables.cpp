@@ -35,10 +35,10 @@ constexpr std::size_t patternStride = (std::size_t{shared::maxPatternEntries} + 
 // Collects the tables of all media.
 class TableBuilder {
  public:
-  TableBuilder(const SceneResources& resources, const PatternLayout& pattern,
+  TableBuilder(const SceneResources& resources, const std::optional<PatternLayout>& pattern,
                const RenderOptions& options)
       : options_(options),
-        texelMm_(texelEdgeMm(resources, options)),
+        texelMm_(pattern ? texelEdgeMm(resources, options) : 0),
         etas_(differentEtas(resources.media)) {
     for (const double eta : etas_) {
       const std::vector<float> entries =
@@ -46,7 +46,7 @@ class TableBuilder {
       albedo_.insert(albedo_.end(), entries.begin(), entries.end());
     }
     for (std::size_t i = 0; i < resources.media.size(); ++i)
-      add(resources.media[i], pattern.extentOfMedium[i]);
+      add(resources.media[i], pattern ? &pattern->extentOfMedium[i] : nullptr);
   }
 
   const std::vector<double>& etas() const { return etas_; }
@@ -55,10 +55,12 @@ class TableBuilder {
   const std::vector<float>& albedo() const { return albedo_; }
 
  private:
-  void add(const Medium& medium, const passes::PatternExtent& extent) {
+  void add(const Medium& medium, const passes::PatternExtent* extent) {
     const bssrdf::Model model = modelOf(options_.transport);
     const std::array<bssrdf::Profile, 3> profiles = bssrdf::makeProfiles(model, medium);
-    const passes::PatternMask mask = passes::makePatternMask(profiles, extent, texelMm_);
+    const passes::PatternMask mask = extent != nullptr
+                                         ? passes::makePatternMask(profiles, *extent, texelMm_)
+                                         : passes::PatternMask{};
     const auto eta = static_cast<std::uint32_t>(std::find(etas_.begin(), etas_.end(), medium.eta) -
                                                 etas_.begin());
     media_.push_back({.profile = shaders::packProfile(profiles),
@@ -79,11 +81,30 @@ class TableBuilder {
   std::vector<float> albedo_;
 };
 
-std::vector<shared::ObjectData> makeObjects(const SceneResources& resources,
-                                            const std::vector<std::uint32_t>& first) {
+// Around coarse surfels the profile is integrated within this, mm.
+double nearbyRadiusMm(const SurfelsOfObject& surfels, const Medium& medium) {
+  return std::max(4 * surfels.sourceSpacingMm, 2 * shortestMeanFreePathMm(medium));
+}
+
+std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Transport transport) {
   std::vector<shared::ObjectData> objects(resources.objects);
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    objects[i].table = {resources.mediumOfObject[i], first[i], first[i + 1] - first[i], 0};
+  for (std::uint32_t i = 0; i < resources.objects; ++i) {
+    objects[i].table = {resources.mediumOfObject[i], 0, 0, wantsVertices(resources, i) ? 0U : 1U};
+    if (resources.surfelsOfObject.empty()) continue;
+    const SurfelsOfObject& surfels = resources.surfelsOfObject[i];
+    objects[i].table.y = surfels.first;
+    objects[i].table.z = surfels.count;
+    objects[i].tree = {surfels.root, surfels.endNode, 0, 0};
+    if (!surfels.coarse) continue;
+    const Medium& medium = resources.media[resources.mediumOfObject[i]];
+    const double radiusMm = nearbyRadiusMm(surfels, medium);
+    objects[i].nearby.x = static_cast<float>(radiusMm);
+    const std::array<bssrdf::Profile, 3> profiles =
+        bssrdf::makeProfiles(modelOf(transport), medium);
+    for (int c = 0; c < 3; ++c)
+      objects[i].nearby[1 + c] =
+          static_cast<float>(profiles[static_cast<std::size_t>(c)].disc(radiusMm));
+  }
   return objects;
 }
 
@@ -99,14 +120,13 @@ ShCoefficients ambientRadiance(const Lighting& lighting) {
 }  // namespace
 
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
-                                    const PatternLayout& pattern,
-                                    const std::vector<std::uint32_t>& firstSourceOfObject,
+                                    const std::optional<PatternLayout>& pattern,
                                     const Lighting& lighting, const RenderOptions& options) {
   const TableBuilder builder(resources, pattern, options);
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   passes::SceneTables tables;
   tables.objects =
-      gpu::makeBuffer(device, "objects", makeObjects(resources, firstSourceOfObject), storage);
+      gpu::makeBuffer(device, "objects", makeObjects(resources, options.transport), storage);
   tables.media = gpu::makeBuffer(device, "media", builder.media(), storage);
   tables.pattern =
       gpu::makeBuffer(device, "pattern", builder.pattern(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <optional>
 
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
@@ -15,10 +15,10 @@ class Device;
 namespace opaline {
 
 /// Puts what the shaders know of bodies, media and ambient light on the device. It depends on the
-/// options' transport, pattern, map size and roughness; for set-up, not for frames.
+/// options' transport, pattern, map size and roughness; for set-up, not for frames. `pattern` is
+/// there where the resources have an atlas.
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
-                                    const PatternLayout& pattern,
-                                    const std::vector<std::uint32_t>& firstSourceOfObject,
+                                    const std::optional<PatternLayout>& pattern,
                                     const Lighting& lighting, const RenderOptions& options);
 
 }  // namespace opaline

@@ -90,6 +90,8 @@ void validateLighting(const Lighting& lighting) {
 void validate(const RenderOptions& options) {
   requireWithin("the width", options.width, 1, 16384);
   requireWithin("the height", options.height, 1, 16384);
+  requireWithin("the tolerance", options.tolerance, 1e-4F, 1.0F);
+  requireWithin("the number of sources", options.maxSources, 1024, 1 << 22);
   requireWithin("the number of near rings", options.pattern.nearRings, 0, 15);
   requireWithin("the near spacing", options.pattern.nearSpacing, 1e-3F, 100.0F);
   requireWithin("the far distance", options.pattern.farDistance, 1e-3F, 1000.0F);

@@ -39,7 +39,7 @@ class MotionTest : public gpu::GpuTest {
   void put(const Scene& scene) {
     scene_ = scene;
     merged_ = scene::mergedMesh(scene_);
-    resources_ = makeSceneResources(device(), scene_, merged_, 128);
+    resources_ = makeSceneResources(device(), scene_, merged_, {});
     motion_ = std::make_unique<SceneMotion>(device(), scene_, merged_);
   }
 

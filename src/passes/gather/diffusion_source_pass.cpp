@@ -66,25 +66,6 @@ std::vector<shared::vec4> surfaceOfTexels(std::span<const atlas::TexelArea> area
   return surface;
 }
 
-std::uint32_t packTexel(std::size_t index, std::uint32_t size) {
-  return static_cast<std::uint32_t>(index % size) |
-         (static_cast<std::uint32_t>(index / size) << 16U);
-}
-
-// Texels that carry surface, sorted by object and within an object by row.
-std::vector<std::uint32_t> listTexels(std::span<const std::uint32_t> coverage, std::uint32_t size,
-                                      std::uint32_t objects, std::vector<std::uint32_t>& first) {
-  first.assign(objects + 1, 0);
-  for (const std::uint32_t value : coverage)
-    if (value != 0) ++first[value];
-  for (std::uint32_t i = 0; i < objects; ++i) first[i + 1] += first[i];
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  std::vector<std::uint32_t> texels(first.back());
-  for (std::size_t i = 0; i < coverage.size(); ++i)
-    if (coverage[i] != 0) texels[next[coverage[i] - 1]++] = packTexel(i, size);
-  return texels;
-}
-
 // The highest bit of an origin; the others hold x and y, 15 bits each.
 constexpr std::uint32_t surfaceBit = 1U << 31U;
 
@@ -174,31 +155,20 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
                                    {4, BindingType::StorageImage},
                                    {5, BindingType::SampledImage}},
                   }),
-      cells_(device,
-             gpu::ComputePipelineOptions{
-                 .name = "cells",
-                 .shader = shaders::gather_cells_comp,
-                 .bindings = {{0, BindingType::StorageBuffer},
-                              {1, BindingType::SampledImage},
-                              {2, BindingType::SampledImage},
-                              {3, BindingType::StorageImage},
-                              {4, BindingType::StorageImage},
-                              {5, BindingType::SampledImage}},
-                 .pushConstantBytes = sizeof(std::int32_t),
-             }),
-      list_(device, gpu::ComputePipelineOptions{
-                        .name = "dsm list",
-                        .shader = shaders::gather_compact_comp,
-                        .bindings = {{0, BindingType::StorageBuffer},
-                                     {1, BindingType::StorageBuffer},
-                                     {2, BindingType::SampledImage},
-                                     {3, BindingType::SampledImage}},
-                        .pushConstantBytes = sizeof(std::uint32_t),
-                    }) {}
+      cells_(device, gpu::ComputePipelineOptions{
+                         .name = "cells",
+                         .shader = shaders::gather_cells_comp,
+                         .bindings = {{0, BindingType::StorageBuffer},
+                                      {1, BindingType::SampledImage},
+                                      {2, BindingType::SampledImage},
+                                      {3, BindingType::StorageImage},
+                                      {4, BindingType::StorageImage},
+                                      {5, BindingType::SampledImage}},
+                         .pushConstantBytes = sizeof(std::int32_t),
+                     }) {}
 
 DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh& mesh,
-                                              std::uint32_t mapSize, std::uint32_t objects,
-                                              const AtlasMaps& maps) const {
+                                              std::uint32_t mapSize, const AtlasMaps& maps) const {
   DiffusionSources sources;
   sources.positionArea =
       makeMap(device, "dsm position and area", mapSize, VK_FORMAT_R32G32B32A32_SFLOAT);
@@ -224,11 +194,9 @@ DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh&
   std::vector<std::uint32_t> coverage(bytes.size() / sizeof(std::uint32_t));
   std::memcpy(coverage.data(), bytes.data(), bytes.size());
 
-  const std::vector<std::uint32_t> texels =
-      listTexels(coverage, mapSize, objects, sources.firstOfObject);
-  sources.sourceCount = static_cast<std::uint32_t>(texels.size());
+  sources.sourceCount = static_cast<std::uint32_t>(
+      coverage.size() - static_cast<std::size_t>(std::count(coverage.begin(), coverage.end(), 0U)));
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-  sources.texels = gpu::makeBuffer(device, "dsm texels", texels, storage);
   sources.charts = gpu::makeBuffer(device, "charts", chartPlaces(maps.nearby, mapSize), storage);
   const std::vector<std::uint32_t> covered = nearestCoveredTexel(coverage, mapSize);
   const std::vector<shared::vec4> surface =
@@ -259,14 +227,6 @@ DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh&
   return sources;
 }
 
-void DiffusionSourcePass::prepareList(gpu::Device& device, DiffusionSources& sources) const {
-  if (sources.list) return;
-  sources.list = gpu::Buffer(
-      device, {.name = "dsm list",
-               .bytes = std::max<std::size_t>(sources.sourceCount, 1) * 2 * sizeof(shared::vec4),
-               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
-}
-
 void DiffusionSourcePass::record(gpu::CommandList& commands, const Inputs& inputs,
                                  DiffusionSources& sources) const {
   commands.beginPass("gather");
@@ -274,10 +234,6 @@ void DiffusionSourcePass::record(gpu::CommandList& commands, const Inputs& input
   commands.endPass();
   commands.beginPass("neighbours");
   recordNeighbours(commands, sources);
-  commands.endPass();
-  if (!sources.list) return;
-  commands.beginPass("list");
-  recordList(commands, sources);
   commands.endPass();
 }
 
@@ -319,16 +275,6 @@ void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
        Binding::sampled(5, sources.texelSurface, nearest_)});
   commands.pushConstants(static_cast<std::int32_t>(sources.cellEdge));
   commands.dispatch(tiles(sources.farPosition), tiles(sources.farPosition));
-}
-
-void DiffusionSourcePass::recordList(gpu::CommandList& commands, DiffusionSources& sources) const {
-  if (sources.sourceCount == 0) return;
-  commands.bind(list_);
-  commands.bindResources({Binding::read(0, sources.texels), Binding::write(1, sources.list),
-                          Binding::sampled(2, sources.positionArea, nearest_),
-                          Binding::sampled(3, sources.irradianceObject, nearest_)});
-  commands.pushConstants(sources.sourceCount);
-  commands.dispatchLinear(sources.sourceCount);
 }
 
 }  // namespace opaline::passes

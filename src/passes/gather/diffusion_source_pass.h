@@ -28,18 +28,15 @@ struct AtlasMaps {
 };
 
 /// The gathering of irradiance (Gong et al. 2008, section 3): draws the mesh into its atlas, in one
-/// pass with three targets, lays it out anew so that charts go on beyond their seams, and lists it.
+/// pass with three targets, and lays it out anew so that charts go on beyond their seams.
 class DiffusionSourcePass {
  public:
   explicit DiffusionSourcePass(gpu::Device& device);
 
   /// Makes the map and finds out which texels carry surface; blocks. For set-up, not for frames: it
-  /// depends on the atlas, not on the pose. `objects` is their number.
+  /// depends on the atlas, not on the pose.
   DiffusionSources prepare(gpu::Device& device, DeformedMesh& mesh, std::uint32_t mapSize,
-                           std::uint32_t objects, const AtlasMaps& maps) const;
-
-  /// Makes room for the list of sources; from then on every frame writes it. For set-up.
-  void prepareList(gpu::Device& device, DiffusionSources& sources) const;
+                           const AtlasMaps& maps) const;
 
   struct Inputs {
     FrameView& frame;
@@ -52,7 +49,6 @@ class DiffusionSourcePass {
  private:
   void recordMap(gpu::CommandList& commands, const Inputs& inputs, DiffusionSources& sources) const;
   void recordNeighbours(gpu::CommandList& commands, DiffusionSources& sources) const;
-  void recordList(gpu::CommandList& commands, DiffusionSources& sources) const;
 
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
@@ -60,7 +56,6 @@ class DiffusionSourcePass {
   gpu::Pipeline map_;
   gpu::Pipeline neighbours_;
   gpu::Pipeline cells_;
-  gpu::Pipeline list_;
 };
 
 }  // namespace opaline::passes

@@ -3,16 +3,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define SHADOW_BINDING 6
-#include "lib/frame.glsl"
-#include "lib/shadow.glsl"
-#include "lib/fresnel.glsl"
+#define AMBIENT_BINDING 7
+#include "lib/irradiance.glsl"
 #include "lib/unit.glsl"
 #include "shared/medium.h"
 
 layout(std430, set = 0, binding = 4) readonly buffer Objects { ObjectData objects[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Media { MediumData media[]; };
-layout(set = 0, binding = 7) uniform samplerCubeArray ambientIrradiance;
-
 layout(set = 0, binding = 8) uniform sampler2D texelSurface;
 
 layout(location = 0) in vec3 centre;
@@ -31,17 +28,7 @@ void main() {
   vec3 surface = texelFetch(texelSurface, ivec2(gl_FragCoord.xy), 0).xyz;
   vec3 position = centre + surface.x * along + surface.y * across;
   vec3 n = unitOr(normal + surface.x * dFdx(normal) + surface.y * dFdy(normal), vec3(0.0, 1.0, 0.0));
-  MediumData medium = media[objects[object].table.x];
-
-  vec3 irradiance = texture(ambientIrradiance, vec4(n, float(medium.tables.x))).rgb;
-  for (uint i = 0u; i < frame.counts.x; ++i) {
-    vec3 toLight;
-    vec3 arriving = lightIrradiance(i, position, toLight);
-    float cosine = dot(n, toLight);
-    if (cosine <= 0.0) continue;
-    float entering = cosine * (1.0 - fresnelReflectance(medium.boundary.x, cosine));
-    irradiance += arriving * (entering * lightVisibility(i, position, n));
-  }
+  vec3 irradiance = irradianceAt(position, n, media[objects[object].table.x]);
 
   positionArea = vec4(position, surface.z * length(cross(along, across)));
   unitNormal = vec4(n, 0.0);

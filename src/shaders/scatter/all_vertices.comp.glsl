@@ -1,10 +1,11 @@
-// A range of all sources, added to the exitance of every vertex.
+// A range of all surfels, added to the exitance of every vertex of the
+// objects that want it there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 4
 #define BINDING_MEDIA 5
 #define BINDING_SOURCES 6
-#include "lib/scatter.glsl"
+#include "lib/surfel_sum.glsl"
 #include "shared/mesh.h"
 #include "lib/linear.glsl"
 
@@ -14,14 +15,17 @@ layout(std430, set = 0, binding = 3) buffer Exitance { vec4 exitances[]; };
 
 layout(push_constant) uniform Push {
   uint vertexCount;
-  uint firstSource;
-  uint lastSource;
+  uint firstSurfel;
+  uint endSurfel;
+  uint site;
 };
 
 void main() {
   uint i = linearIndex();
   if (i >= vertexCount) return;
-  vec4 value = firstSource == 0u ? vec4(0.0, 0.0, 0.0, 1.0) : exitances[i];
-  value.rgb += sourceSum(positions[i].xyz, corners[i].object, firstSource, lastSource);
+  ObjectData body = objects[corners[i].object];
+  if (isSummedAtFragments(body, site)) return;
+  vec4 value = firstSurfel == 0u ? vec4(0.0, 0.0, 0.0, 1.0) : exitances[i];
+  value.rgb += surfelSumOf(positions[i].xyz, body, firstSurfel, endSurfel);
   exitances[i] = value;
 }

@@ -7,7 +7,7 @@
 #define BINDING_PATTERN 6
 #define BINDING_POSITION 7
 #define BINDING_FLUX 8
-#include "lib/scatter.glsl"
+#include "lib/pattern_sum.glsl"
 
 layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
 layout(set = 0, binding = 2) uniform sampler2D surfacePlace;

@@ -7,7 +7,7 @@
 #define BINDING_PATTERN 6
 #define BINDING_POSITION 7
 #define BINDING_FLUX 8
-#include "lib/scatter.glsl"
+#include "lib/pattern_sum.glsl"
 #include "lib/linear.glsl"
 #include "lib/place.glsl"
 

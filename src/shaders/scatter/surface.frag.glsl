@@ -6,7 +6,7 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 place;
-layout(location = 3) in vec3 exitance;
+layout(location = 3) in vec4 exitance;
 layout(location = 4) flat in uint object;
 layout(location = 5) flat in float side;  // -1 where the triangle is mirrored
 
@@ -20,5 +20,5 @@ void main() {
   positionObject = vec4(position, float(object + 1u));
   unitNormal = vec4(gl_FrontFacing == (side > 0.0) ? n : -n, 0.0);
   placeNearby = place;
-  vertexExitance = vec4(exitance, 1.0);
+  vertexExitance = exitance;
 }

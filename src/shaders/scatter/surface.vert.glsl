@@ -16,7 +16,7 @@ layout(push_constant) uniform Push { vec2 jitter; };  // in clip space
 layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 normal;
 layout(location = 2) out vec2 place;
-layout(location = 3) out vec3 exitance;
+layout(location = 3) out vec4 exitance;
 layout(location = 4) flat out uint object;
 layout(location = 5) flat out float side;
 
@@ -26,7 +26,7 @@ void main() {
   normal = normals[corner.vertex].xyz;
   side = normals[corner.vertex].w;
   place = nearPlace(corner, charts[corner.chart]);
-  exitance = exitances[corner.vertex].rgb;
+  exitance = exitances[corner.vertex];
   object = corner.object;
   gl_Position = frame.worldToClip * vec4(position, 1.0);
   gl_Position.xy += jitter * gl_Position.w;

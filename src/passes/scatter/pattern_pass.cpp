@@ -1,6 +1,4 @@
-#include "passes/scatter/scatter_pass.h"
-
-#include <algorithm>
+#include "passes/scatter/pattern_pass.h"
 
 #include "gpu/device.h"
 #include "shaders/shaders.h"
@@ -13,21 +11,6 @@ namespace {
 using gpu::Binding;
 using gpu::BindingType;
 
-// Sources summed by one dispatch, so that none runs into the time limit of a display's device.
-constexpr std::uint32_t sourcesPerDispatch = 8192;
-
-constexpr std::uint32_t tileSize = 8;
-
-struct SourceRange {
-  std::uint32_t first;
-  std::uint32_t last;
-};
-
-struct VertexSourceRange {
-  std::uint32_t vertexCount;
-  SourceRange range;
-};
-
 struct VertexMedium {
   std::uint32_t vertexCount;
   std::uint32_t medium;
@@ -39,25 +22,15 @@ Binding patternOf(SceneTables& tables, std::uint32_t slot, std::uint32_t medium)
                           shared::maxPatternEntries * sizeof(shared::PatternEntry));
 }
 
-template <typename Dispatch>
-void forEachRange(std::uint32_t sources, const Dispatch& dispatch) {
-  std::uint32_t first = 0;
-  do {
-    const std::uint32_t last = first + std::min(sourcesPerDispatch, sources - first);
-    dispatch(SourceRange{first, last});
-    first = last;
-  } while (first < sources);
-}
-
 }  // namespace
 
-ScatterPass::ScatterPass(gpu::Device& device)
+PatternPass::PatternPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       linear_(device, gpu::Filter::Linear),
       dipole_(makePipelines(device, ScatterTransport::Dipole)),
       betterDipole_(makePipelines(device, ScatterTransport::BetterDipole)) {}
 
-gpu::Pipeline ScatterPass::makeVertexPattern(gpu::Device& device, ScatterTransport transport,
+gpu::Pipeline PatternPass::makeVertexPattern(gpu::Device& device, ScatterTransport transport,
                                              VertexPart part) {
   return {device, gpu::ComputePipelineOptions{
                       .name = "pattern over vertices",
@@ -80,7 +53,7 @@ gpu::Pipeline ScatterPass::makeVertexPattern(gpu::Device& device, ScatterTranspo
                   }};
 }
 
-ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device, ScatterTransport transport) {
+PatternPass::Pipelines PatternPass::makePipelines(gpu::Device& device, ScatterTransport transport) {
   const std::vector<std::uint32_t> specialization{static_cast<std::uint32_t>(transport)};
   return {
       gpu::Pipeline(device,
@@ -102,38 +75,12 @@ ScatterPass::Pipelines ScatterPass::makePipelines(gpu::Device& device, ScatterTr
                     }),
       makeVertexPattern(device, transport, VertexPart::FarSamples),
       makeVertexPattern(device, transport, VertexPart::Everything),
-      gpu::Pipeline(device,
-                    gpu::ComputePipelineOptions{
-                        .name = "all sources over fragments",
-                        .shader = shaders::scatter_all_comp,
-                        .bindings = {{1, BindingType::SampledImage},
-                                     {2, BindingType::StorageImage},
-                                     {4, BindingType::StorageBuffer},
-                                     {5, BindingType::StorageBuffer},
-                                     {6, BindingType::StorageBuffer}},
-                        .pushConstantBytes = sizeof(SourceRange),
-                        .specialization = specialization,
-                    }),
-      gpu::Pipeline(device,
-                    gpu::ComputePipelineOptions{
-                        .name = "all sources over vertices",
-                        .shader = shaders::scatter_all_vertices_comp,
-                        .bindings = {{1, BindingType::StorageBuffer},
-                                     {2, BindingType::StorageBuffer},
-                                     {3, BindingType::StorageBuffer},
-                                     {4, BindingType::StorageBuffer},
-                                     {5, BindingType::StorageBuffer},
-                                     {6, BindingType::StorageBuffer}},
-                        .pushConstantBytes = sizeof(VertexSourceRange),
-                        .specialization = specialization,
-                    }),
   };
 }
 
-void ScatterPass::patternOverVertices(gpu::CommandList& commands, ScatterTransport transport,
-                                      VertexPart part, SceneTables& tables,
-                                      DiffusionSources& sources, DeformedMesh& mesh,
-                                      Exitance& exitance) const {
+void PatternPass::overVertices(gpu::CommandList& commands, ScatterTransport transport,
+                               VertexPart part, SceneTables& tables, DiffusionSources& sources,
+                               DeformedMesh& mesh, Exitance& exitance) const {
   const Pipelines& made = pipelines(transport);
   commands.beginPass("scatter");
   commands.bind(part == VertexPart::Everything ? made.patternVertices : made.patternFar);
@@ -153,9 +100,9 @@ void ScatterPass::patternOverVertices(gpu::CommandList& commands, ScatterTranspo
   commands.endPass();
 }
 
-void ScatterPass::patternOverFragments(gpu::CommandList& commands, ScatterTransport transport,
-                                       SceneTables& tables, DiffusionSources& sources,
-                                       VisibleSurface& surface, Exitance& exitance) const {
+void PatternPass::overFragments(gpu::CommandList& commands, ScatterTransport transport,
+                                SceneTables& tables, DiffusionSources& sources,
+                                VisibleSurface& surface, Exitance& exitance) const {
   commands.beginPass("scatter");
   commands.bind(pipelines(transport).patternFragments);
   for (std::uint32_t medium = 0; medium < tables.mediumCount; ++medium) {
@@ -171,39 +118,6 @@ void ScatterPass::patternOverFragments(gpu::CommandList& commands, ScatterTransp
     commands.draw(3);
     commands.endRendering();
   }
-  commands.endPass();
-}
-
-void ScatterPass::allOverFragments(gpu::CommandList& commands, ScatterTransport transport,
-                                   SceneTables& tables, DiffusionSources& sources,
-                                   VisibleSurface& surface, Exitance& exitance) const {
-  const VkExtent2D extent = exitance.image.extent();
-  commands.beginPass("scatter");
-  commands.bind(pipelines(transport).allFragments);
-  forEachRange(sources.sourceCount, [&](const SourceRange& range) {
-    commands.bindResources({Binding::sampled(1, surface.position, nearest_),
-                            Binding::writeImage(2, exitance.image),
-                            Binding::read(4, tables.objects), Binding::read(5, tables.media),
-                            Binding::read(6, sources.list)});
-    commands.pushConstants(range);
-    commands.dispatch((extent.width + tileSize - 1) / tileSize,
-                      (extent.height + tileSize - 1) / tileSize);
-  });
-  commands.endPass();
-}
-
-void ScatterPass::allOverVertices(gpu::CommandList& commands, ScatterTransport transport,
-                                  SceneTables& tables, DiffusionSources& sources,
-                                  DeformedMesh& mesh, Exitance& exitance) const {
-  commands.beginPass("scatter");
-  commands.bind(pipelines(transport).allVertices);
-  forEachRange(sources.sourceCount, [&](const SourceRange& range) {
-    commands.bindResources({Binding::read(1, mesh.positions), Binding::read(2, mesh.vertexCorners),
-                            Binding::write(3, exitance.vertices), Binding::read(4, tables.objects),
-                            Binding::read(5, tables.media), Binding::read(6, sources.list)});
-    commands.pushConstants(VertexSourceRange{mesh.vertexCount, range});
-    commands.dispatchLinear(mesh.vertexCount);
-  });
   commands.endPass();
 }
 

@@ -1,0 +1,163 @@
+#include "passes/gather/surfel_pass.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "gpu/device.h"
+#include "gpu/transfer.h"
+#include "shaders/shaders.h"
+#include "shaders/shared/surfels.h"
+
+namespace opaline::passes {
+
+namespace {
+
+using gpu::Binding;
+using gpu::BindingType;
+
+static_assert(surfels::Tree::leafBit == shared::leafBit);
+static_assert(surfels::Tree::setBit == shared::setBit);
+static_assert(surfels::Tree::countShift == shared::leafCountShift);
+
+constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+
+struct SurfelCounts {
+  std::uint32_t surfels;
+  std::uint32_t piecesPerSurfel;
+};
+
+struct NodeRange {
+  std::uint32_t first;
+  std::uint32_t count;
+};
+
+std::vector<shared::SurfelPiece> packPieces(const surfels::Surfels& made,
+                                            const surfels::Surface& surface) {
+  std::vector<shared::SurfelPiece> packed;
+  packed.reserve(made.pieces.size());
+  for (const surfels::Piece& piece : made.pieces) {
+    const Triangle& triangle = surface.triangles[piece.triangle];
+    packed.push_back({.a = triangle[0],
+                      .b = triangle[1],
+                      .c = triangle[2],
+                      .object = surface.objectOfTriangle[piece.triangle],
+                      .v0 = piece.corners[0][0],
+                      .w0 = piece.corners[0][1],
+                      .v1 = piece.corners[1][0],
+                      .w1 = piece.corners[1][1],
+                      .v2 = piece.corners[2][0],
+                      .w2 = piece.corners[2][1],
+                      .fraction = piece.fraction});
+  }
+  return packed;
+}
+
+template <typename T>
+gpu::Buffer makeRoom(gpu::Device& device, const char* name, std::size_t count) {
+  return {device,
+          {.name = name,
+           .bytes = std::max<std::size_t>(count, 1) * sizeof(T),
+           .usage = storage | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT}};
+}
+
+}  // namespace
+
+SurfelPass::SurfelPass(gpu::Device& device)
+    : nearest_(device, gpu::Filter::Nearest),
+      linear_(device, gpu::Filter::Linear),
+      gather_(device,
+              gpu::ComputePipelineOptions{
+                  .name = "surfels",
+                  .shader = shaders::gather_surfels_comp,
+                  .bindings = {{0, BindingType::UniformBuffer},
+                               {1, BindingType::StorageBuffer},
+                               {2, BindingType::StorageBuffer},
+                               {3, BindingType::StorageBuffer},
+                               {4, BindingType::StorageBuffer},
+                               {5, BindingType::StorageBuffer},
+                               {6, BindingType::SampledImage},
+                               {7, BindingType::SampledImage},
+                               {8, BindingType::StorageBuffer},
+                               {9, BindingType::StorageBuffer}},
+                  .pushConstantBytes = sizeof(SurfelCounts),
+              }),
+      leaves_(device,
+              gpu::ComputePipelineOptions{
+                  .name = "leaves of the tree",
+                  .shader = shaders::gather_tree_leaves_comp,
+                  .bindings = {{0, BindingType::StorageBuffer},
+                               {1, BindingType::StorageBuffer},
+                               {2, BindingType::StorageBuffer},
+                               {3, BindingType::StorageBuffer},
+                               {4, BindingType::StorageBuffer}},
+                  .pushConstantBytes = sizeof(NodeRange),
+              }),
+      nodes_(device, gpu::ComputePipelineOptions{
+                         .name = "nodes of the tree",
+                         .shader = shaders::gather_tree_nodes_comp,
+                         .bindings = {{0, BindingType::StorageBuffer},
+                                      {1, BindingType::StorageBuffer},
+                                      {2, BindingType::StorageBuffer}},
+                         .pushConstantBytes = sizeof(NodeRange),
+                     }) {}
+
+Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::Surfels& made,
+                                const surfels::Surface& surface) {
+  Surfels surfels;
+  surfels.count = made.count();
+  surfels.piecesPerSurfel = made.piecesPerSurfel;
+  surfels.firstOfHeight = made.tree.firstOfHeight;
+  surfels.pieces = gpu::makeBuffer(device, "pieces of surfels", packPieces(made, surface), storage);
+  surfels.links = gpu::makeBuffer(device, "links of the tree", made.tree.links, storage);
+  surfels.byHeight = gpu::makeBuffer(device, "nodes by height", made.tree.byHeight, storage);
+  surfels.vertexOrder = gpu::makeBuffer(device, "order of vertices", made.vertexOrder, storage);
+  surfels.sources = makeRoom<shared::Source>(device, "sources",
+                                             std::size_t{shared::sourcesPerSurfel} * surfels.count);
+  surfels.normals = makeRoom<shared::vec4>(device, "normals of surfels", surfels.count);
+  surfels.nodes = makeRoom<shared::TreeNode>(device, "tree", made.tree.links.size());
+  return surfels;
+}
+
+void SurfelPass::record(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const {
+  commands.beginPass("gather");
+  gather(commands, inputs, surfels);
+  commands.endPass();
+  commands.beginPass("tree");
+  fitTree(commands, surfels);
+  commands.endPass();
+}
+
+void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const {
+  commands.bind(gather_);
+  commands.bindResources(
+      {Binding::uniform(0, inputs.frame.data), Binding::read(1, inputs.mesh.positions),
+       Binding::read(2, inputs.mesh.normals), Binding::read(3, surfels.pieces),
+       Binding::read(4, inputs.tables.objects), Binding::read(5, inputs.tables.media),
+       Binding::sampled(6, inputs.shadows.depth, nearest_),
+       Binding::sampled(7, inputs.tables.ambientCubes, linear_), Binding::write(8, surfels.sources),
+       Binding::write(9, surfels.normals)});
+  commands.pushConstants(SurfelCounts{surfels.count, surfels.piecesPerSurfel});
+  commands.dispatchLinear(surfels.count);
+}
+
+void SurfelPass::fitTree(gpu::CommandList& commands, Surfels& surfels) const {
+  const auto range = [&](std::size_t height) {
+    const std::uint32_t first = surfels.firstOfHeight[height];
+    return NodeRange{first, surfels.firstOfHeight[height + 1] - first};
+  };
+  commands.bind(leaves_);
+  commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
+                          Binding::read(2, surfels.sources), Binding::write(3, surfels.nodes)});
+  commands.pushConstants(range(0));
+  commands.dispatchLinear(range(0).count);
+  commands.bind(nodes_);
+  for (std::size_t height = 1; height + 1 < surfels.firstOfHeight.size(); ++height) {
+    commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
+                            Binding::write(2, surfels.nodes)});
+    commands.pushConstants(range(height));
+    commands.dispatchLinear(range(height).count);
+  }
+}
+
+}  // namespace opaline::passes

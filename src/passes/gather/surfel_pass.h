@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+#include "surfels/surfels.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Gathers irradiance on surfels as they lie in this frame, and fits their tree to it, leaves
+/// first. Topology and order stay those of the rest pose.
+class SurfelPass {
+ public:
+  explicit SurfelPass(gpu::Device& device);
+
+  /// For set-up, not for frames.
+  static Surfels makeSurfels(gpu::Device& device, const surfels::Surfels& made,
+                             const surfels::Surface& surface);
+
+  struct Inputs {
+    FrameView& frame;
+    DeformedMesh& mesh;
+    SceneTables& tables;
+    ShadowMaps& shadows;
+  };
+  void record(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const;
+
+ private:
+  void gather(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const;
+  void fitTree(gpu::CommandList& commands, Surfels& surfels) const;
+
+  gpu::Sampler nearest_;
+  gpu::Sampler linear_;
+  gpu::Pipeline gather_;
+  gpu::Pipeline leaves_;
+  gpu::Pipeline nodes_;
+};
+
+}  // namespace opaline::passes

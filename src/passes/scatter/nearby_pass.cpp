@@ -1,0 +1,109 @@
+#include "passes/scatter/nearby_pass.h"
+
+#include <vector>
+
+#include "gpu/device.h"
+#include "shaders/shaders.h"
+
+namespace opaline::passes {
+
+namespace {
+
+using gpu::Binding;
+using gpu::BindingSlot;
+using gpu::BindingType;
+
+constexpr std::uint32_t tileSize = 8;
+
+struct VertexConstants {
+  std::uint32_t vertexCount;
+  ScatterSite site;
+};
+
+// What both read beside the places that they correct.
+std::vector<BindingSlot> withShared(std::vector<BindingSlot> slots) {
+  for (const BindingSlot& slot : {BindingSlot{0, BindingType::UniformBuffer},
+                                  {4, BindingType::StorageBuffer},
+                                  {5, BindingType::StorageBuffer},
+                                  {6, BindingType::SampledImage},
+                                  {7, BindingType::SampledImage},
+                                  {8, BindingType::TexelBuffer},
+                                  {9, BindingType::TexelBuffer},
+                                  {10, BindingType::StorageBuffer}})
+    slots.push_back(slot);
+  return slots;
+}
+
+}  // namespace
+
+NearbyPass::NearbyPass(gpu::Device& device)
+    : nearest_(device, gpu::Filter::Nearest),
+      linear_(device, gpu::Filter::Linear),
+      dipole_(makePipelines(device, ScatterTransport::Dipole)),
+      betterDipole_(makePipelines(device, ScatterTransport::BetterDipole)) {}
+
+NearbyPass::Pipelines NearbyPass::makePipelines(gpu::Device& device, ScatterTransport transport) {
+  const std::vector<std::uint32_t> specialization{static_cast<std::uint32_t>(transport)};
+  return {gpu::Pipeline(device,
+                        gpu::ComputePipelineOptions{
+                            .name = "nearby over vertices",
+                            .shader = shaders::scatter_nearby_vertices_comp,
+                            .bindings = withShared({{1, BindingType::StorageBuffer},
+                                                    {2, BindingType::StorageBuffer},
+                                                    {3, BindingType::StorageBuffer},
+                                                    {11, BindingType::StorageBuffer},
+                                                    {12, BindingType::StorageBuffer}}),
+                            .pushConstantBytes = sizeof(VertexConstants),
+                            .specialization = specialization,
+                        }),
+          gpu::Pipeline(device, gpu::ComputePipelineOptions{
+                                    .name = "nearby over fragments",
+                                    .shader = shaders::scatter_nearby_comp,
+                                    .bindings = withShared({{1, BindingType::SampledImage},
+                                                            {2, BindingType::StorageImage},
+                                                            {3, BindingType::SampledImage}}),
+                                    .pushConstantBytes = sizeof(ScatterSite),
+                                    .specialization = specialization,
+                                })};
+}
+
+void NearbyPass::overVertices(gpu::CommandList& commands, ScatterTransport transport,
+                              ScatterSite site, const Inputs& inputs, DeformedMesh& mesh,
+                              Exitance& exitance) const {
+  commands.beginPass("nearby");
+  commands.bind(pipelines(transport).vertices);
+  commands.bindResources(
+      {Binding::uniform(0, inputs.frame.data), Binding::read(1, mesh.positions),
+       Binding::read(2, mesh.vertexCorners), Binding::write(3, exitance.vertices),
+       Binding::read(4, inputs.tables.objects), Binding::read(5, inputs.tables.media),
+       Binding::sampled(6, inputs.shadows.depth, nearest_),
+       Binding::sampled(7, inputs.tables.ambientCubes, linear_),
+       Binding::texels(8, inputs.surfels.nodes), Binding::texels(9, inputs.surfels.sources),
+       Binding::read(10, inputs.surfels.normals), Binding::read(11, mesh.normals),
+       Binding::read(12, inputs.surfels.vertexOrder)});
+  commands.pushConstants(VertexConstants{mesh.vertexCount, site});
+  commands.dispatchLinear(mesh.vertexCount);
+  commands.endPass();
+}
+
+void NearbyPass::overFragments(gpu::CommandList& commands, ScatterTransport transport,
+                               ScatterSite site, const Inputs& inputs, VisibleSurface& surface,
+                               Exitance& exitance) const {
+  commands.beginPass("nearby");
+  commands.bind(pipelines(transport).fragments);
+  commands.bindResources(
+      {Binding::uniform(0, inputs.frame.data), Binding::sampled(1, surface.position, nearest_),
+       Binding::writeImage(2, exitance.image), Binding::sampled(3, surface.normal, nearest_),
+       Binding::read(4, inputs.tables.objects), Binding::read(5, inputs.tables.media),
+       Binding::sampled(6, inputs.shadows.depth, nearest_),
+       Binding::sampled(7, inputs.tables.ambientCubes, linear_),
+       Binding::texels(8, inputs.surfels.nodes), Binding::texels(9, inputs.surfels.sources),
+       Binding::read(10, inputs.surfels.normals)});
+  commands.pushConstants(site);
+  const VkExtent2D extent = exitance.image.extent();
+  commands.dispatch((extent.width + tileSize - 1) / tileSize,
+                    (extent.height + tileSize - 1) / tileSize);
+  commands.endPass();
+}
+
+}  // namespace opaline::passes

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Adds what sums over coarse surfels leave out nearby (singularity subtraction), for the objects
+/// whose shared::ObjectData says that their surfels are coarse.
+class NearbyPass {
+ public:
+  explicit NearbyPass(gpu::Device& device);
+
+  struct Inputs {
+    FrameView& frame;
+    SceneTables& tables;
+    ShadowMaps& shadows;
+    Surfels& surfels;
+  };
+  void overVertices(gpu::CommandList& commands, ScatterTransport transport, ScatterSite site,
+                    const Inputs& inputs, DeformedMesh& mesh, Exitance& exitance) const;
+  void overFragments(gpu::CommandList& commands, ScatterTransport transport, ScatterSite site,
+                     const Inputs& inputs, VisibleSurface& surface, Exitance& exitance) const;
+
+ private:
+  struct Pipelines {
+    gpu::Pipeline vertices;
+    gpu::Pipeline fragments;
+  };
+  static Pipelines makePipelines(gpu::Device& device, ScatterTransport transport);
+  const Pipelines& pipelines(ScatterTransport transport) const {
+    return transport == ScatterTransport::Dipole ? dipole_ : betterDipole_;
+  }
+
+  gpu::Sampler nearest_;
+  gpu::Sampler linear_;
+  Pipelines dipole_;
+  Pipelines betterDipole_;
+};
+
+}  // namespace opaline::passes

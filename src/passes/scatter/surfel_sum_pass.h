@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Scattering in object space: exitance of visible fragments or of vertices from the surfels, by
+/// their tree or one by one.
+class SurfelSumPass {
+ public:
+  explicit SurfelSumPass(gpu::Device& device);
+
+  struct Order {
+    ScatterTransport transport = ScatterTransport::Dipole;
+    ScatterSite site = ScatterSite::PerObject;
+    float tolerance = 0.01F;  ///< of the tree: error of a sum relative to it
+  };
+  struct Vertices {
+    SceneTables& tables;
+    Surfels& surfels;
+    DeformedMesh& mesh;
+    Exitance& exitance;
+  };
+  /// Objects that are summed at vertices keep what was interpolated, surface.exitance.
+  struct Fragments {
+    SceneTables& tables;
+    Surfels& surfels;
+    VisibleSurface& surface;
+    Exitance& exitance;
+  };
+
+  /// A rough sum at all vertices, then one to the tolerance where it is wanted there.
+  void treeOverVertices(gpu::CommandList& commands, const Order& order, const Vertices& over) const;
+  /// After treeOverVertices.
+  void treeOverFragments(gpu::CommandList& commands, const Order& order,
+                         const Fragments& over) const;
+  void allOverVertices(gpu::CommandList& commands, const Order& order, const Vertices& over) const;
+  void allOverFragments(gpu::CommandList& commands, const Order& order,
+                        const Fragments& over) const;
+
+ private:
+  struct Pipelines {
+    gpu::Pipeline roughVertices;
+    gpu::Pipeline treeVertices;
+    gpu::Pipeline treeFragments;
+    gpu::Pipeline allVertices;
+    gpu::Pipeline allFragments;
+  };
+  static Pipelines makePipelines(gpu::Device& device, ScatterTransport transport);
+  const Pipelines& pipelines(ScatterTransport transport) const {
+    return transport == ScatterTransport::Dipole ? dipole_ : betterDipole_;
+  }
+
+  gpu::Sampler nearest_;
+  Pipelines dipole_;
+  Pipelines betterDipole_;
+};
+
+}  // namespace opaline::passes

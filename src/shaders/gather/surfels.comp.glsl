@@ -1,0 +1,109 @@
+// The surfels as they are in this frame: where their sources lie, what area each stands for and the
+// flux that enters there.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define SHADOW_BINDING 6
+#define AMBIENT_BINDING 7
+#include "lib/irradiance.glsl"
+#include "lib/linear.glsl"
+#include "lib/unit.glsl"
+#include "shared/surfels.h"
+
+layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
+layout(std430, set = 0, binding = 4) readonly buffer Objects { ObjectData objects[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Media { MediumData media[]; };
+layout(std430, set = 0, binding = 8) writeonly buffer Sources { Source sources[]; };
+layout(std430, set = 0, binding = 9) writeonly buffer SurfelNormals { vec4 surfelNormals[]; };
+
+layout(push_constant) uniform Push {
+  uint surfelCount;
+  uint piecesPerSurfel;
+};
+
+void put(uint source, vec3 position, float area, vec3 irradiance) {
+  sources[source] = Source(vec4(position, area), vec4(area * irradiance, 0.0));
+}
+
+struct PiecePlace {
+  vec3 origin;  // mm, of the triangle
+  vec3 along;
+  vec3 across;
+  mat3 itsNormals;  // at the triangle's corners
+  mat3x2 corners;   // barycentric coordinates of b and c
+  float area;       // mm²
+};
+
+PiecePlace placeOf(SurfelPiece piece) {
+  PiecePlace place;
+  place.origin = positions[piece.a].xyz;
+  place.along = positions[piece.b].xyz - place.origin;
+  place.across = positions[piece.c].xyz - place.origin;
+  place.itsNormals = mat3(normals[piece.a].xyz, normals[piece.b].xyz, normals[piece.c].xyz);
+  place.corners = mat3x2(piece.v0, piece.w0, piece.v1, piece.w1, piece.v2, piece.w2);
+  place.area = 0.5 * length(cross(place.along, place.across)) * piece.fraction;
+  return place;
+}
+
+vec2 middleOf(PiecePlace place) {
+  return (place.corners[0] + place.corners[1] + place.corners[2]) / 3.0;
+}
+
+vec3 positionAt(PiecePlace place, vec2 at) {
+  return place.origin + at.x * place.along + at.y * place.across;
+}
+
+vec3 normalAt(PiecePlace place, vec2 at) {
+  return unitOr(place.itsNormals * vec3(1.0 - at.x - at.y, at), vec3(0.0, 1.0, 0.0));
+}
+
+vec3 irradianceOn(PiecePlace place, vec2 at, uint object) {
+  return irradianceAt(positionAt(place, at), normalAt(place, at), media[objects[object].table.x]);
+}
+
+// The three points whose mean is that of any square over the piece (Strang and Fix 1973).
+void gatherPiece(uint surfel) {
+  SurfelPiece piece = pieces[surfel];
+  PiecePlace place = placeOf(piece);
+  vec2 middle = middleOf(place);
+  for (uint i = 0u; i < sourcesPerSurfel; ++i) {
+    vec2 at = 0.5 * (middle + place.corners[i]);
+    put(sourcesPerSurfel * surfel + i, positionAt(place, at), place.area / float(sourcesPerSurfel),
+        irradianceOn(place, at, piece.object));
+  }
+  surfelNormals[surfel] = vec4(normalAt(place, middle), 0.0);
+}
+
+// Each source stands for some of the pieces, one of which is asked what falls on it.
+void gatherPieces(uint surfel) {
+  vec3 direction = vec3(0.0);
+  for (uint i = 0u; i < sourcesPerSurfel; ++i) {
+    uint first = i * piecesPerSurfel / sourcesPerSurfel;
+    uint end = (i + 1u) * piecesPerSurfel / sourcesPerSurfel;
+    float area = 0.0;
+    vec3 byArea = vec3(0.0);
+    vec3 irradiance = vec3(0.0);
+    vec3 somewhere = positions[pieces[surfel * piecesPerSurfel].a].xyz;
+    for (uint k = first; k < end; ++k) {
+      SurfelPiece piece = pieces[surfel * piecesPerSurfel + k];
+      PiecePlace place = placeOf(piece);
+      vec2 middle = middleOf(place);
+      area += place.area;
+      byArea += place.area * positionAt(place, middle);
+      direction += place.area * normalAt(place, middle);
+      if (k == first) irradiance = irradianceOn(place, middle, piece.object);
+    }
+    put(sourcesPerSurfel * surfel + i, area > 0.0 ? byArea / area : somewhere, area, irradiance);
+  }
+  surfelNormals[surfel] = vec4(unitOr(direction, vec3(0.0, 1.0, 0.0)), 0.0);
+}
+
+void main() {
+  uint surfel = linearIndex();
+  if (surfel >= surfelCount) return;
+  if (piecesPerSurfel == 1u)
+    gatherPiece(surfel);
+  else
+    gatherPieces(surfel);
+}

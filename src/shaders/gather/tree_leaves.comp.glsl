@@ -1,0 +1,55 @@
+// The leaves of the tree from the sources of their surfels.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/linear.glsl"
+#include "lib/tree_node.glsl"
+
+layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
+layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Sources { Source sources[]; };
+layout(std430, set = 0, binding = 3) writeonly buffer Nodes { TreeNode nodes[]; };
+
+layout(push_constant) uniform Push {
+  uint first;
+  uint count;
+};
+
+void main() {
+  uint i = linearIndex();
+  if (i >= count) return;
+  uint node = byHeight[first + i];
+  uint link = links[node];
+  uint from = sourcesPerSurfel * firstSurfelOf(link);
+  uint to = from + sourcesPerSurfel * surfelCountOf(link);
+
+  vec3 flux = vec3(0.0);
+  float area = 0.0;
+  mat3 weighted = mat3(0.0);
+  vec3 byArea = vec3(0.0);
+  for (uint s = from; s < to; ++s) {
+    vec4 place = sources[s].positionArea;
+    vec3 f = sources[s].flux.rgb;
+    flux += f;
+    area += place.w;
+    byArea += place.w * place.xyz;
+    weighted += outerProduct(place.xyz, f);
+  }
+  float all = flux.r + flux.g + flux.b;
+  vec3 middle = all > 0.0    ? (weighted[0] + weighted[1] + weighted[2]) / all
+                : area > 0.0 ? byArea / area
+                             : sources[from].positionArea.xyz;
+  mat3 centroids;
+  for (int c = 0; c < 3; ++c) centroids[c] = flux[c] > 0.0 ? weighted[c] / flux[c] : middle;
+
+  float radius = 0.0;
+  mat3 moments = mat3(0.0);
+  for (uint s = from; s < to; ++s) {
+    vec4 place = sources[s].positionArea;
+    vec3 f = sources[s].flux.rgb;
+    vec3 offset = place.xyz - middle;
+    moments += (f.r + f.g + f.b) * outerProduct(offset, offset);
+    for (int c = 0; c < 3; ++c) radius = max(radius, distance(place.xyz, centroids[c]));
+  }
+  if (all > 0.0) moments /= all;
+  nodes[node] = makeNode(centroids, radius, link, flux, moments);
+}

@@ -1,0 +1,60 @@
+// Inner nodes of the tree, all of one height, from their children.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/linear.glsl"
+#include "lib/tree_node.glsl"
+
+layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
+layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
+layout(std430, set = 0, binding = 2) buffer Nodes { TreeNode nodes[]; };
+
+layout(push_constant) uniform Push {
+  uint first;
+  uint count;
+};
+
+vec3 middleOf(TreeNode node) {
+  vec3 flux = node.flux;
+  float all = flux.r + flux.g + flux.b;
+  return all > 0.0 ? centroidsOf(node) * (flux / all) : node.red;
+}
+
+void main() {
+  uint i = linearIndex();
+  if (i >= count) return;
+  uint node = byHeight[first + i];
+  uint link = links[node];
+  uint end = afterNode(node, link);
+
+  vec3 flux = vec3(0.0);
+  mat3 weighted = mat3(0.0);
+  vec3 middles = vec3(0.0);
+  float children = 0.0;
+  for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
+    TreeNode below = nodes[child];
+    vec3 f = below.flux;
+    mat3 centroids = centroidsOf(below);
+    flux += f;
+    for (int c = 0; c < 3; ++c) weighted[c] += f[c] * centroids[c];
+    middles += middleOf(below);
+    children += 1.0;
+  }
+  float all = flux.r + flux.g + flux.b;
+  vec3 middle = all > 0.0 ? (weighted[0] + weighted[1] + weighted[2]) / all : middles / children;
+  mat3 centroids;
+  for (int c = 0; c < 3; ++c) centroids[c] = flux[c] > 0.0 ? weighted[c] / flux[c] : middle;
+
+  float radius = 0.0;
+  mat3 moments = mat3(0.0);
+  for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
+    TreeNode below = nodes[child];
+    vec3 f = below.flux;
+    vec3 offset = middleOf(below) - middle;
+    moments += (f.r + f.g + f.b) * (momentsOf(below) + outerProduct(offset, offset));
+    mat3 theirs = centroidsOf(below);
+    for (int c = 0; c < 3; ++c)
+      radius = max(radius, distance(theirs[c], centroids[c]) + below.radius);
+  }
+  if (all > 0.0) moments /= all;
+  nodes[node] = makeNode(centroids, radius, link, flux, moments);
+}

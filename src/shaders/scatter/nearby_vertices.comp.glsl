@@ -1,0 +1,39 @@
+// Adds to the exitance of vertices what coarse surfels leave out nearby.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 4
+#define BINDING_MEDIA 5
+#define SHADOW_BINDING 6
+#define AMBIENT_BINDING 7
+#define BINDING_NODES 8
+#define BINDING_SOURCES 9
+#define BINDING_SURFEL_NORMALS 10
+#include "lib/irradiance.glsl"
+#include "lib/nearby.glsl"
+#include "lib/linear.glsl"
+#include "lib/unit.glsl"
+#include "shared/mesh.h"
+
+layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Corners { AtlasCorner corners[]; };  // one a vertex
+layout(std430, set = 0, binding = 3) buffer Exitance { vec4 exitances[]; };
+layout(std430, set = 0, binding = 11) readonly buffer Normals { vec4 normals[]; };
+layout(std430, set = 0, binding = 12) readonly buffer Order { uint order[]; };
+
+layout(push_constant) uniform Push {
+  uint vertexCount;
+  uint site;
+};
+
+void main() {
+  uint i = linearIndex();
+  if (i >= vertexCount) return;
+  uint vertex = order[i];
+  ObjectData body = objects[corners[vertex].object];
+  if (body.nearby.x == 0.0 || isSummedAtFragments(body, site)) return;
+  vec3 position = positions[vertex].xyz;
+  vec3 normal = unitOr(normals[vertex].xyz, vec3(0.0, 1.0, 0.0));
+  vec3 missing = irradianceAt(position, normal, media[body.table.x]) *
+                 missingNearby(position, normal, body);
+  exitances[vertex].rgb = max(exitances[vertex].rgb + missing, 0.0);
+}

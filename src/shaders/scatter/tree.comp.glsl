@@ -1,0 +1,45 @@
+// The sum over the tree at every visible pixel whose object wants it there; others keep what their
+// vertices have. How bright a place is, roughly, comes interpolated from the vertices.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#define BINDING_OBJECTS 4
+#define BINDING_MEDIA 5
+#define BINDING_NODES 6
+#define BINDING_SOURCES 7
+#include "lib/tree_sum.glsl"
+#include "lib/tolerance.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
+layout(set = 0, binding = 2, rgba32f) uniform writeonly image2D exitance;
+layout(set = 0, binding = 3) uniform sampler2D vertexExitance;
+
+layout(push_constant) uniform Push {
+  float tolerance;
+  uint site;
+};
+
+// Tiles of 8×8 pixels, within which the invocations follow Morton's order: a subgroup of any size
+// is a compact piece of the picture.
+ivec2 pixelOfInvocation() {
+  uint i = gl_LocalInvocationIndex;
+  uvec2 inTile = uvec2(bitfieldExtract(i, 0, 1) | bitfieldExtract(i, 2, 1) << 1 | bitfieldExtract(i, 4, 1) << 2,
+                       bitfieldExtract(i, 1, 1) | bitfieldExtract(i, 3, 1) << 1 | bitfieldExtract(i, 5, 1) << 2);
+  return ivec2(gl_WorkGroupID.xy * 8u + inTile);
+}
+
+void main() {
+  ivec2 pixel = pixelOfInvocation();
+  bool inside = all(lessThan(pixel, imageSize(exitance)));
+  vec4 surface = inside ? texelFetch(surfacePosition, pixel, 0) : vec4(0.0);
+  bool covered = surface.w > 0.0;
+  vec4 known = inside ? texelFetch(vertexExitance, pixel, 0) : vec4(0.0);
+  ObjectData body = objects[covered ? uint(surface.w) - 1u : 0u];
+  bool here = covered && isSummedAtFragments(body, site);
+  vec4 sum = treeSum(surface.xyz, here && body.tree.x < body.tree.y ? body.tree.x : noNode,
+                     body.tree.y, media[body.table.x].profile, toleratedAt(known.rgb, tolerance));
+  if (inside)
+    imageStore(exitance, pixel, covered ? here ? sum : known : vec4(0.0));
+}

@@ -1,0 +1,76 @@
+// Surfels and their tree in storage buffers. Included by C++ and GLSL.
+#ifndef OPALINE_SHARED_SURFELS_H
+#define OPALINE_SHARED_SURFELS_H
+
+#ifdef __cplusplus
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+namespace opaline::shared {
+using uint = std::uint32_t;  // NOLINT(readability-identifier-naming): GLSL's word
+using glm::vec3;
+using glm::vec4;
+#define OPALINE_SURFEL_CONSTANT constexpr std::uint32_t
+#else
+#define OPALINE_SURFEL_CONSTANT const uint
+#endif
+
+/// A part of a triangle, the same part however the triangle is deformed.
+struct SurfelPiece {
+  uint a;  // vertices of the triangle
+  uint b;
+  uint c;
+  uint object;
+  float v0;  // barycentric coordinates of its three corners, of b and c
+  float w0;
+  float v1;
+  float w1;
+  float v2;
+  float w2;
+  float fraction;  // of the triangle's area
+  uint unused;
+};
+
+/// Every surfel sends out light from so many points.
+OPALINE_SURFEL_CONSTANT sourcesPerSurfel = 3u;
+
+/// One of them in this frame.
+struct Source {
+  vec4 positionArea;  // mm; mm² that it stands for
+  vec4 flux;          // rgb: E·A that has entered
+};
+
+/// A node of the tree in this frame: what its sources send out, seen from far away. Channels that
+/// carry no flux have the others' centroid, and nodes without any that of their area.
+struct TreeNode {
+  vec3 red;      // centroid of the red flux, mm
+  float radius;  // mm; no source lies further from any of the three centroids
+  vec3 green;
+  uint link;  // see below
+  vec3 blue;
+  float momentXx;  // mean second moments of all flux about its centroid, mm²
+  vec3 flux;       // rgb
+  float momentYy;
+  vec4 moments;  // zz xy xz yz
+};
+
+/// A node's link: leaves have leafBit, their number of surfels less one from bit leafCountShift,
+/// and their first surfel below; inner nodes the index of the node after all that are below them.
+/// All have setBit: read as floats they are normal numbers, which no device changes.
+OPALINE_SURFEL_CONSTANT leafBit = 0x80000000u;
+OPALINE_SURFEL_CONSTANT setBit = 0x20000000u;
+OPALINE_SURFEL_CONSTANT leafCountShift = 26u;
+
+#ifdef __cplusplus
+static_assert(sizeof(SurfelPiece) == 48);
+static_assert(offsetof(SurfelPiece, v0) == 16);
+static_assert(sizeof(Source) == 32);
+static_assert(sizeof(TreeNode) == 80);
+static_assert(offsetof(TreeNode, link) == 28);
+static_assert(offsetof(TreeNode, flux) == 48);
+static_assert(offsetof(TreeNode, moments) == 64);
+}  // namespace opaline::shared
+#endif
+
+#endif

@@ -1,0 +1,111 @@
+#include "surfels/subdivision.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace opaline::surfels {
+
+namespace {
+
+using Point = std::array<double, 3>;
+
+double squaredDistance(const Point& a, const Point& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum;
+}
+
+Point middleOf(const Point& a, const Point& b) {
+  return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+}
+
+struct Corner {
+  Point place;
+  std::array<double, 2> barycentric;
+};
+
+struct Part {
+  std::array<Corner, 3> corners;
+  double fraction = 1;
+
+  /// Of the edge opposite to each corner.
+  std::array<double, 3> squaredEdges() const {
+    return {squaredDistance(corners[1].place, corners[2].place),
+            squaredDistance(corners[2].place, corners[0].place),
+            squaredDistance(corners[0].place, corners[1].place)};
+  }
+};
+
+Part wholeTriangle(const Surface& surface, std::uint32_t triangle) {
+  constexpr std::array<std::array<double, 2>, 3> barycentric{{{0, 0}, {1, 0}, {0, 1}}};
+  Part part;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& position = surface.positionsMm[surface.triangles[triangle][i]];
+    part.corners[i] = {{double{position[0]}, double{position[1]}, double{position[2]}},
+                       barycentric[i]};
+  }
+  return part;
+}
+
+double squaredSpacing(const std::array<double, 3>& squaredEdges) {
+  return (squaredEdges[0] + squaredEdges[1] + squaredEdges[2]) / 6;
+}
+
+Piece pieceOf(std::uint32_t triangle, const Part& part) {
+  Piece piece{.triangle = triangle, .fraction = static_cast<float>(part.fraction)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      piece.corners[i][axis] = static_cast<float>(part.corners[i].barycentric[axis]);
+  }
+  return piece;
+}
+
+// The two halves to either side of the middle of the longest edge.
+std::array<Part, 2> bisect(const Part& part, const std::array<double, 3>& squaredEdges) {
+  const auto apex = static_cast<std::size_t>(
+      std::max_element(squaredEdges.begin(), squaredEdges.end()) - squaredEdges.begin());
+  const std::size_t first = (apex + 1) % 3;
+  const std::size_t second = (apex + 2) % 3;
+  Corner middle;
+  middle.place = middleOf(part.corners[first].place, part.corners[second].place);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    middle.barycentric[axis] =
+        (part.corners[first].barycentric[axis] + part.corners[second].barycentric[axis]) / 2;
+  }
+  std::array<Part, 2> halves{part, part};
+  halves[0].corners[second] = middle;
+  halves[1].corners[first] = middle;
+  for (Part& half : halves) half.fraction /= 2;
+  return halves;
+}
+
+}  // namespace
+
+double spacingOfMm(const Surface& surface, std::uint32_t triangle) {
+  return std::sqrt(squaredSpacing(wholeTriangle(surface, triangle).squaredEdges()));
+}
+
+std::optional<std::vector<Piece>> subdivide(const Surface& surface,
+                                            std::span<const double> spacingOfObjectMm,
+                                            std::size_t limit) {
+  std::vector<Piece> pieces;
+  std::vector<Part> waiting;
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    const double spacingMm = spacingOfObjectMm[surface.objectOfTriangle[t]];
+    waiting.push_back(wholeTriangle(surface, t));
+    while (!waiting.empty()) {
+      const Part part = waiting.back();
+      waiting.pop_back();
+      const std::array<double, 3> squaredEdges = part.squaredEdges();
+      if (squaredSpacing(squaredEdges) > spacingMm * spacingMm) {
+        for (const Part& half : bisect(part, squaredEdges)) waiting.push_back(half);
+      } else {
+        pieces.push_back(pieceOf(t, part));
+      }
+      if (pieces.size() + waiting.size() > limit) return std::nullopt;
+    }
+  }
+  return pieces;
+}
+
+}  // namespace opaline::surfels

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "opaline/types.h"
+
+namespace opaline::surfels {
+
+/// The rest pose of everything that is divided.
+struct Surface {
+  std::span<const Vec3> positionsMm;
+  std::span<const Triangle> triangles;
+  std::span<const std::uint32_t> objectOfTriangle;
+};
+
+/// A part of a triangle that stays the same part however the triangle is deformed.
+struct Piece {
+  std::uint32_t triangle = 0;
+  /// Of its three corners, barycentric coordinates of the triangle's second and third corner.
+  std::array<std::array<float, 2>, 3> corners{};
+  float fraction = 1;  ///< of the triangle's area
+};
+
+/// Size of a triangle as the edge of a square whose points lie as far from its middle, mm, root
+/// mean square: sqrt((a² + b² + c²) / 6) of its edges.
+double spacingOfMm(const Surface& surface, std::uint32_t triangle);
+
+/// Bisects the longest edge of every triangle and of its parts until none is larger than its
+/// object's spacing, mm (spacingOfMm). Nothing when that makes more than `limit` pieces.
+std::optional<std::vector<Piece>> subdivide(const Surface& surface,
+                                            std::span<const double> spacingOfObjectMm,
+                                            std::size_t limit);
+
+}  // namespace opaline::surfels

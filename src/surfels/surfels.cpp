@@ -1,0 +1,173 @@
+#include "surfels/surfels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace opaline::surfels {
+
+namespace {
+
+// How much coarser the pieces become from one try to the next that fits the budget.
+constexpr double coarser = 1.1;
+
+struct Cut {
+  std::vector<Piece> pieces;
+  std::vector<double> spacingOfObjectMm;
+};
+
+std::vector<double> largestTriangleOfObjectMm(const Surface& surface, std::size_t objects) {
+  std::vector<double> largest(objects, 0);
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    double& mm = largest[surface.objectOfTriangle[t]];
+    mm = std::max(mm, spacingOfMm(surface, t));
+  }
+  return largest;
+}
+
+double areaMm2(const Surface& surface, std::uint32_t triangle) {
+  const Triangle& t = surface.triangles[triangle];
+  std::array<std::array<double, 3>, 2> edges{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      edges[i][axis] =
+          double{surface.positionsMm[t[i + 1]][axis]} - double{surface.positionsMm[t[0]][axis]};
+    }
+  }
+  const auto& [a, b] = edges;
+  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                    a[0] * b[1] - a[1] * b[0]) /
+         2;
+}
+
+// Pieces of a spacing h have at most the area √3/2 h², that of an equilateral triangle: the spacing
+// below which there would be too many for sure, in terms of the wanted one.
+double firstFactor(const Surface& surface, std::span<const double> wantedMm, std::size_t budget) {
+  double pieces = 0;
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    const double mm = wantedMm[surface.objectOfTriangle[t]];
+    pieces += areaMm2(surface, t) / (std::sqrt(3.0) / 2 * mm * mm);
+  }
+  return std::max(1.0, std::sqrt(pieces / static_cast<double>(budget)));
+}
+
+// As fine as the budget allows; it holds every triangle as one piece.
+Cut cut(const Surface& surface, std::span<const double> wantedMm, std::size_t budget) {
+  Cut result{.pieces = {}, .spacingOfObjectMm = {wantedMm.begin(), wantedMm.end()}};
+  const double factor = firstFactor(surface, wantedMm, budget);
+  for (double& mm : result.spacingOfObjectMm) mm *= factor;
+  // So coarse that no triangle is divided.
+  const std::vector<double> largestMm = largestTriangleOfObjectMm(surface, wantedMm.size());
+  while (true) {
+    std::optional<std::vector<Piece>> pieces = subdivide(surface, result.spacingOfObjectMm, budget);
+    if (pieces) {
+      result.pieces = std::move(*pieces);
+      return result;
+    }
+    bool whole = true;
+    for (std::size_t i = 0; i < wantedMm.size(); ++i) {
+      result.spacingOfObjectMm[i] *= coarser;
+      whole = whole && result.spacingOfObjectMm[i] >= largestMm[i];
+    }
+    if (whole) {
+      for (std::size_t i = 0; i < wantedMm.size(); ++i)
+        result.spacingOfObjectMm[i] = std::max(result.spacingOfObjectMm[i], largestMm[i] * coarser);
+    }
+  }
+}
+
+Vec3 placeOf(const Surface& surface, const Piece& piece) {
+  const Triangle& triangle = surface.triangles[piece.triangle];
+  const Vec3& a = surface.positionsMm[triangle[0]];
+  const Vec3& b = surface.positionsMm[triangle[1]];
+  const Vec3& c = surface.positionsMm[triangle[2]];
+  float v = 0;
+  float w = 0;
+  for (const std::array<float, 2>& corner : piece.corners) {
+    v += corner[0] / 3;
+    w += corner[1] / 3;
+  }
+  Vec3 place{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    place[axis] = (1 - v - w) * a[axis] + v * b[axis] + w * c[axis];
+  return place;
+}
+
+// The pieces of each object as the tree's items, filled up with empty ones to whole surfels.
+std::vector<std::vector<TreeItem>> itemsOfObjects(const Surface& surface,
+                                                  std::vector<Piece>& pieces, std::size_t objects,
+                                                  std::uint32_t piecesPerSurfel) {
+  std::vector<std::vector<TreeItem>> items(objects);
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    items[surface.objectOfTriangle[pieces[i].triangle]].push_back({placeOf(surface, pieces[i]), i});
+  }
+  for (std::vector<TreeItem>& list : items) {
+    while (list.size() % piecesPerSurfel != 0) {
+      Piece empty = pieces[list.back().index];
+      empty.fraction = 0;
+      list.push_back({list.back().placeMm, static_cast<std::uint32_t>(pieces.size())});
+      pieces.push_back(empty);
+    }
+  }
+  return items;
+}
+
+// In the order in which the surfels' triangles meet them.
+std::vector<std::uint32_t> orderVertices(const Surface& surface, std::span<const Piece> pieces) {
+  std::vector<std::uint32_t> order;
+  std::vector<bool> met(surface.positionsMm.size(), false);
+  const auto meet = [&](std::uint32_t vertex) {
+    if (met[vertex]) return;
+    met[vertex] = true;
+    order.push_back(vertex);
+  };
+  for (const Piece& piece : pieces) {
+    for (const std::uint32_t vertex : surface.triangles[piece.triangle]) meet(vertex);
+  }
+  for (std::uint32_t vertex = 0; vertex < met.size(); ++vertex) meet(vertex);
+  return order;
+}
+
+// Where surfels join triangles they are as large as the surface over their number.
+void coarsenToMean(const Surface& surface, Surfels& surfels) {
+  std::vector<double> area(surfels.spacingOfObjectMm.size(), 0);
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+    area[surface.objectOfTriangle[t]] += areaMm2(surface, t);
+  for (std::size_t i = 0; i < area.size(); ++i) {
+    const std::uint32_t count = surfels.firstOfObject[i + 1] - surfels.firstOfObject[i];
+    double& mm = surfels.spacingOfObjectMm[i];
+    mm = std::max(mm, std::sqrt(area[i] / std::max(count, 1U)));
+  }
+}
+
+}  // namespace
+
+Surfels makeSurfels(const Surface& surface, std::span<const double> wantedSpacingMm,
+                    std::size_t maxSurfels) {
+  const std::size_t objects = wantedSpacingMm.size();
+  Surfels surfels;
+  // An object's last surfel may be a part of one: room for that is kept.
+  while (surface.triangles.size() / surfels.piecesPerSurfel + objects > maxSurfels &&
+         surfels.piecesPerSurfel < surface.triangles.size()) {
+    surfels.piecesPerSurfel *= 2;
+  }
+  Cut made = cut(surface, wantedSpacingMm,
+                 std::max(maxSurfels * surfels.piecesPerSurfel, surface.triangles.size()));
+  surfels.spacingOfObjectMm = std::move(made.spacingOfObjectMm);
+  std::vector<std::vector<TreeItem>> items =
+      itemsOfObjects(surface, made.pieces, objects, surfels.piecesPerSurfel);
+  const std::vector<std::span<TreeItem>> spans(items.begin(), items.end());
+  surfels.tree = makeTree(spans, surfels.piecesPerSurfel);
+
+  surfels.firstOfObject.push_back(0);
+  for (const std::vector<TreeItem>& list : items) {
+    for (const TreeItem& item : list) surfels.pieces.push_back(made.pieces[item.index]);
+    surfels.firstOfObject.push_back(
+        static_cast<std::uint32_t>(surfels.pieces.size() / surfels.piecesPerSurfel));
+  }
+  if (surfels.piecesPerSurfel > 1) coarsenToMean(surface, surfels);
+  surfels.vertexOrder = orderVertices(surface, surfels.pieces);
+  return surfels;
+}
+
+}  // namespace opaline::surfels

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "surfels/subdivision.h"
+#include "surfels/tree.h"
+
+namespace opaline::surfels {
+
+/// A surface cut into surfels, the sources of scattered light, object after object. Only the rest
+/// pose decides how; nothing of it changes when the surface deforms.
+struct Surfels {
+  /// Each surfel is so many pieces that follow each other: one, unless the mesh has more triangles
+  /// than there may be surfels. Pieces of fraction 0 fill the last surfel of an object.
+  std::uint32_t piecesPerSurfel = 1;
+  std::vector<Piece> pieces;
+  std::vector<std::uint32_t> firstOfObject;  ///< surfel; one more than there are objects
+  std::vector<double> spacingOfObjectMm;     ///< that was reached
+  Tree tree;
+  std::vector<std::uint32_t> vertexOrder;  ///< all vertices, neighbours in space together
+
+  std::uint32_t count() const { return firstOfObject.back(); }
+};
+
+/// Divides the surface as finely as wanted, a spacing for each object, mm (spacingOfMm), or as
+/// `maxSurfels` allows, in which case all objects become coarser by the same factor.
+Surfels makeSurfels(const Surface& surface, std::span<const double> wantedSpacingMm,
+                    std::size_t maxSurfels);
+
+}  // namespace opaline::surfels

@@ -1,0 +1,117 @@
+#include "surfels/tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace opaline::surfels {
+
+namespace {
+
+std::size_t longestAxis(std::span<const TreeItem> items) {
+  Vec3 low = items[0].placeMm;
+  Vec3 high = low;
+  for (const TreeItem& item : items) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], item.placeMm[axis]);
+      high[axis] = std::max(high[axis], item.placeMm[axis]);
+    }
+  }
+  std::size_t longest = 0;
+  for (std::size_t axis = 1; axis < 3; ++axis) {
+    if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
+  }
+  return longest;
+}
+
+class TreeBuilder {
+ public:
+  explicit TreeBuilder(std::uint32_t itemsPerSurfel) : itemsPerSurfel_(itemsPerSurfel) {}
+
+  void addObject(std::span<TreeItem> items) {
+    tree_.rootOfObject.push_back(nodeCount());
+    if (!items.empty()) add(items);
+  }
+
+  Tree finish() {
+    tree_.rootOfObject.push_back(nodeCount());
+    sortByHeight();
+    return std::move(tree_);
+  }
+
+ private:
+  std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(tree_.links.size()); }
+
+  // Moves what lies low along the longest axis to the front, as many whole surfels as behind it.
+  std::array<std::span<TreeItem>, 2> halve(std::span<TreeItem> items) const {
+    const std::size_t surfels = items.size() / itemsPerSurfel_;
+    const std::size_t front = surfels / 2 * itemsPerSurfel_;
+    const std::size_t axis = longestAxis(items);
+    // The index decides between equal places: one order on every machine.
+    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(front), items.end(),
+                     [axis](const TreeItem& a, const TreeItem& b) {
+                       if (a.placeMm[axis] != b.placeMm[axis])
+                         return a.placeMm[axis] < b.placeMm[axis];
+                       return a.index < b.index;
+                     });
+    return {items.first(front), items.subspan(front)};
+  }
+
+  // The height of the node that holds the items.
+  std::uint32_t add(std::span<TreeItem> items) {
+    const std::uint32_t node = nodeCount();
+    const auto surfels = static_cast<std::uint32_t>(items.size() / itemsPerSurfel_);
+    tree_.links.push_back(0);
+    heights_.push_back(0);
+    if (surfels <= maxSurfelsOfLeaf) {
+      tree_.links[node] =
+          Tree::leafBit | Tree::setBit | ((surfels - 1) << Tree::countShift) | firstSurfel_;
+      firstSurfel_ += surfels;
+      orderWithin(items);
+      return 0;
+    }
+    std::uint32_t height = 0;
+    for (const std::span<TreeItem> half : halve(items)) {
+      for (const std::span<TreeItem> quarter : halve(half)) {
+        height = std::max(height, add(quarter) + 1);
+      }
+    }
+    tree_.links[node] = Tree::setBit | nodeCount();
+    heights_[node] = height;
+    return height;
+  }
+
+  // Makes neighbours of the items of every surfel of a leaf.
+  void orderWithin(std::span<TreeItem> items) const {
+    if (itemsPerSurfel_ == 1 || items.size() <= itemsPerSurfel_) return;
+    for (const std::span<TreeItem> half : halve(items)) orderWithin(half);
+  }
+
+  void sortByHeight() {
+    const std::uint32_t tallest =
+        heights_.empty() ? 0 : *std::max_element(heights_.begin(), heights_.end());
+    tree_.firstOfHeight.assign(std::size_t{tallest} + 2, 0);
+    for (const std::uint32_t height : heights_) ++tree_.firstOfHeight[height + 1];
+    for (std::size_t i = 1; i < tree_.firstOfHeight.size(); ++i)
+      tree_.firstOfHeight[i] += tree_.firstOfHeight[i - 1];
+    std::vector<std::uint32_t> next(tree_.firstOfHeight.begin(), tree_.firstOfHeight.end() - 1);
+    tree_.byHeight.resize(heights_.size());
+    for (std::uint32_t node = 0; node < heights_.size(); ++node)
+      tree_.byHeight[next[heights_[node]]++] = node;
+  }
+
+  std::uint32_t itemsPerSurfel_;
+  std::uint32_t firstSurfel_ = 0;
+  std::vector<std::uint32_t> heights_;
+  Tree tree_;
+};
+
+}  // namespace
+
+Tree makeTree(std::span<const std::span<TreeItem>> itemsOfObject, std::uint32_t itemsPerSurfel) {
+  TreeBuilder builder(itemsPerSurfel);
+  for (const std::span<TreeItem> items : itemsOfObject) builder.addObject(items);
+  return builder.finish();
+}
+
+}  // namespace opaline::surfels

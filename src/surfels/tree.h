@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "opaline/types.h"
+
+namespace opaline::surfels {
+
+/// Most surfels that a leaf holds. A leaf holds at least two, unless its object has only one.
+constexpr std::uint32_t maxSurfelsOfLeaf = 8;
+
+/// How many objects' surfels hang together, in an array of nodes in depth-first order: the first
+/// child of an inner node follows it. It is made from the rest pose, and kept when that deforms.
+struct Tree {
+  static constexpr std::uint32_t leafBit = 1U << 31U;
+  static constexpr std::uint32_t setBit = 1U << 29U;  ///< in all, which makes them normal floats
+  static constexpr std::uint32_t countShift = 26;
+
+  /// One a node. A leaf: leafBit, number of surfels - 1 from bit countShift, first surfel below. An
+  /// inner node, which has two to four children: the node after the last of all below it.
+  std::vector<std::uint32_t> links;
+  /// Nodes by their height above their lowest leaf, leaves first, so that children come before
+  /// parents.
+  std::vector<std::uint32_t> byHeight;
+  std::vector<std::uint32_t> firstOfHeight;  ///< into byHeight; one more than there are heights
+  std::vector<std::uint32_t> rootOfObject;   ///< one more than there are objects
+};
+
+/// What is to be ordered: a place and what it belongs to.
+struct TreeItem {
+  Vec3 placeMm{};
+  std::uint32_t index = 0;
+};
+
+/// Orders the items of each object so that any few neighbours in the order are neighbours in space,
+/// every `itemsPerSurfel` of them one surfel, and makes their tree: halves at the median along the
+/// longest axis. Every object's number of items is a multiple of itemsPerSurfel.
+Tree makeTree(std::span<const std::span<TreeItem>> itemsOfObject, std::uint32_t itemsPerSurfel);
+
+}  // namespace opaline::surfels
