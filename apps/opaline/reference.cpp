@@ -112,6 +112,10 @@ struct ReferenceCommand {
     if (!picture.seenByCamera()) {
       throw UsageError("--aov dsm-*: the reference has no diffusion source map; render shows it");
     }
+    if (picture.aov() == Aov::Evaluations) {
+      throw UsageError(
+          "--aov evaluations: that is the work of the sums of render; the reference has none");
+    }
     if (picture.asksForReflection()) {
       throw UsageError(
           "--roughness: the reference leaves out the reflection on the surface; compare it with "
