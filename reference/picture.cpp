@@ -150,6 +150,9 @@ void requireSound(const PictureOptions& options) {
   if (options.aov >= Aov::DsmPosition) {
     throw UsageError("the reference has no diffusion source map to show");
   }
+  if (options.aov == Aov::Evaluations) {
+    throw UsageError("the reference has no sums whose evaluations it could count");
+  }
   if (!options.region) return;
   const Region& region = *options.region;
   if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||
