@@ -99,7 +99,7 @@ void MethodOptions::addTo(CommandLine& line) {
   const RenderOptions defaults;
   line.value("--transport", "NAME", "dipole or better-dipole [dipole]",
              [this](const Given& given) { transport_ = readChoice(given, transports()); });
-  line.value("--sum", "NAME", "tree, all surfels (exact) or the paper's pattern [tree]",
+  line.value("--sum", "NAME", "tree, all (every surfel) or pattern [tree]",
              [this](const Given& given) { sum_ = readChoice(given, sums()); });
   line.value("--site", "NAME", "vertex, fragment or auto [auto]",
              [this](const Given& given) { site_ = readChoice(given, sites()); });
@@ -176,10 +176,9 @@ void PictureOptions::addTo(CommandLine& line, const Kinds& kinds) {
              [this](const Given& given) { size_ = readSize(given, 16384); });
   line.value(
       "--aov", "NAME",
-      fmt::format(
-          "write this instead, EXR: radiance exitance irradiance position normal "
-          "depth object{}",
-          kinds.sourceMap ? " evaluations dsm-position dsm-normal dsm-irradiance dsm-area" : ""),
+      fmt::format("write this instead, EXR: radiance exitance irradiance position normal "
+                  "depth object{}",
+                  kinds.sourceMap ? " evaluations dsm-{position,normal,irradiance,area}" : ""),
       [this](const Given& given) { aov_ = readChoice(given, aovs()); });
   line.value("--antialias", "N",
              fmt::format("samples a pixel: 1, 2, 4 or 8 [{}; AOVs 1]", defaults.antialias),

@@ -210,9 +210,8 @@ Done makeFrames(const RenderCommand& command, const Job& job, const FrameRange& 
 }  // namespace
 
 void runRender(const Arguments& arguments) {
-  CommandLine line(
-      "render",
-      "Renders a still or a film. Lengths are mm, light is linear RGB, in [] is the default.");
+  CommandLine line("render",
+                   "Renders stills and films. Lengths in mm, light in linear RGB, defaults in [].");
   RenderCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;

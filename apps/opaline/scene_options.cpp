@@ -143,7 +143,7 @@ LoadedScene SceneOptions::load(const LogCallback& log) const {
 
 void LightOptions::addTo(CommandLine& line) {
   line.repeated(
-      "--directional", "X,Y,Z[:R,G,B]", "direction towards it, irradiance [1,1,1]",
+      "--directional", "DIR[:RGB]", "X,Y,Z towards it; irradiance R,G,B [1,1,1]",
       [this](const Given& given) {
         const PlacedColour light = readPlacedColour(given);
         directional_.push_back({readDirection(light.place), light.colour.value_or(Rgb{1, 1, 1})});

@@ -47,7 +47,11 @@ class Refusals(ProgramTest):
             self.refused(2, command, "--jsom", says="did you mean --json?")
 
     def test_what_comes_later_is_no_option_yet(self):
-        self.refused(2, "render", "--sum", "tree", says=("--sum tree", "pattern, all"))
+        self.refused(2, "render", "--sum", "forest", says=("--sum forest", "pattern, tree, all"))
+        self.refused(2, "render", "--tolerance", "0.1", "--sum", "all", says=("--tolerance", "--sum tree"))
+        self.refused(2, "render", "--max-sources", "4096", "--method", "paper", says="--max-sources")
+        self.refused(2, "render", "--max-sources", "12", says=("--max-sources", "1024"))
+        self.refused(2, "render", "--tolerance", "0", says=("--tolerance", "0.0001"))
         self.refused(2, "render", "--transport", "boundary", says=("--transport boundary", "dipole, better-dipole"))
 
     def test_one_scene_and_no_argument_too_many(self):
