@@ -28,7 +28,7 @@ void main() {
   vec3 surface = texelFetch(texelSurface, ivec2(gl_FragCoord.xy), 0).xyz;
   vec3 position = centre + surface.x * along + surface.y * across;
   vec3 n = unitOr(normal + surface.x * dFdx(normal) + surface.y * dFdy(normal), vec3(0.0, 1.0, 0.0));
-  vec3 irradiance = irradianceAt(position, n, media[objects[object].table.x]);
+  vec3 irradiance = irradianceAt(position, n, cross(along, across), media[objects[object].table.x]);
 
   positionArea = vec4(position, surface.z * length(cross(along, across)));
   unitNormal = vec4(n, 0.0);

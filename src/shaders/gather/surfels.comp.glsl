@@ -59,7 +59,8 @@ vec3 normalAt(PiecePlace place, vec2 at) {
 }
 
 vec3 irradianceOn(PiecePlace place, vec2 at, uint object) {
-  return irradianceAt(positionAt(place, at), normalAt(place, at), media[objects[object].table.x]);
+  return irradianceAt(positionAt(place, at), normalAt(place, at), cross(place.along, place.across),
+                      media[objects[object].table.x]);
 }
 
 // The three points whose mean is that of any square over the piece (Strang and Fix 1973).

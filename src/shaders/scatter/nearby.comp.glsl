@@ -27,7 +27,7 @@ void main() {
   ObjectData body = objects[uint(surface.w) - 1u];
   if (body.nearby.x == 0.0 || !isSummedAtFragments(body, site)) return;
   vec3 normal = texelFetch(surfaceNormal, pixel, 0).xyz;
-  vec3 missing = irradianceAt(surface.xyz, normal, media[body.table.x]) *
+  vec3 missing = irradianceAt(surface.xyz, normal, normal, media[body.table.x]) *
                  missingNearby(surface.xyz, normal, body);
   vec4 value = imageLoad(exitance, pixel);
   imageStore(exitance, pixel, vec4(max(value.rgb + missing, 0.0), value.a));

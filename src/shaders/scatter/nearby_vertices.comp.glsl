@@ -33,7 +33,7 @@ void main() {
   if (body.nearby.x == 0.0 || isSummedAtFragments(body, site)) return;
   vec3 position = positions[vertex].xyz;
   vec3 normal = unitOr(normals[vertex].xyz, vec3(0.0, 1.0, 0.0));
-  vec3 missing = irradianceAt(position, normal, media[body.table.x]) *
+  vec3 missing = irradianceAt(position, normal, normal, media[body.table.x]) *
                  missingNearby(position, normal, body);
   exitances[vertex].rgb = max(exitances[vertex].rgb + missing, 0.0);
 }
