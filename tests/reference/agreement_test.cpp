@@ -37,6 +37,7 @@ class AgreementTest : public RendererTest {
     options.shadowSize = 2048;
     options.transport = transport;
     options.sum = sum;
+    options.maxSources = maxSources_;
     options.site = Site::Fragment;
     options.clip = -1;
     if (!std::exchange(isSet_, true)) renderer().setScene(scene_);
@@ -66,6 +67,7 @@ class AgreementTest : public RendererTest {
   }
 
   Scene scene_;
+  int maxSources_ = RenderOptions{}.maxSources;
   bool isSet_ = false;
 };
 
@@ -103,35 +105,58 @@ TEST_F(AgreementTest, PixelsShowTheSamePlaces) {
   EXPECT_LE(different, 2);
 }
 
-// What the sum over all texels of the map lacks: a map of 256 has a texel every 0.12 mm, a third of
-// marble's shortest mean free path, for which the lattice's error is far below what a chart's
-// border does: it may miss half a texel of surface on either side, 1-2 % of what is seen beside it.
-// The border of a shadow is as soft as a few texels of the shadow map. All over the picture that is
-// less than a thousandth.
-TEST_F(AgreementTest, SumOverAllTexelsIsTheIntegral) {
-  for (const Transport transport : {Transport::Dipole, Transport::BetterDipole}) {
-    const Image found = rendered({Aov::Exitance}, Sum::All, transport)[0];
-    const Image truth = exact({Aov::Exitance}, transport)[0];
-    double squares = 0;
-    double sum = 0;
-    double largest = 0;
-    int values = 0;
-    for (std::size_t i = 0; i < truth.rgba.size(); i += 4) {
-      if (truth.rgba[i + 3] == 0 || found.rgba[i + 3] == 0) continue;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double value{truth.rgba[i + c]};
-        const double difference = double{found.rgba[i + c]} - value;
-        squares += difference * difference;
-        sum += value;
-        largest = std::max(largest, std::abs(difference) / value);
-        ++values;
-      }
+struct Difference {
+  double relative = 0;  ///< root mean square over the mean
+  double largest = 0;   ///< over the value there
+};
+
+Difference differenceOf(const Image& found, const Image& truth) {
+  Difference difference;
+  double squares = 0;
+  double sum = 0;
+  int values = 0;
+  for (std::size_t i = 0; i < truth.rgba.size(); i += 4) {
+    if (truth.rgba[i + 3] == 0 || found.rgba[i + 3] == 0) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double value{truth.rgba[i + c]};
+      const double off = double{found.rgba[i + c]} - value;
+      squares += off * off;
+      sum += value;
+      difference.largest = std::max(difference.largest, std::abs(off) / value);
+      ++values;
     }
-    const double relative = std::sqrt(squares / values) / (sum / values);
-    RecordProperty("relative_rmse", std::to_string(relative));
-    EXPECT_LT(relative, 1e-3);
-    EXPECT_LT(largest, 0.02);
   }
+  difference.relative = std::sqrt(squares / values) / (sum / values);
+  return difference;
+}
+
+// Surfels of two thirds of marble's shortest mean free path, of three sources each: the lattice's
+// error is far below that of a shadow's border, which is as soft as a few texels of the shadow map.
+TEST_F(AgreementTest, SumOverAllSurfelsIsTheIntegral) {
+  for (const Transport transport : {Transport::Dipole, Transport::BetterDipole}) {
+    const Difference difference = differenceOf(rendered({Aov::Exitance}, Sum::All, transport)[0],
+                                               exact({Aov::Exitance}, transport)[0]);
+    RecordProperty("relative_rmse", std::to_string(difference.relative));
+    EXPECT_LT(difference.relative, 1e-3);
+    EXPECT_LT(difference.largest, 0.02);
+  }
+}
+
+// What is left is what the surfels are too coarse for: fewer and larger ones are further off.
+TEST_F(AgreementTest, FinerSurfelsComeNearerToTheIntegral) {
+  const Image truth = exact({Aov::Exitance}, Transport::Dipole)[0];
+  double before = 0;
+  for (const int surfels : {1024, 4096, 16384}) {
+    maxSources_ = surfels;
+    const double now =
+        differenceOf(rendered({Aov::Exitance}, Sum::All, Transport::Dipole)[0], truth).relative;
+    RecordProperty("relative_rmse_of_" + std::to_string(surfels), std::to_string(now));
+    if (before > 0) {
+      EXPECT_LT(now, 0.7 * before) << surfels;
+    }
+    before = now;
+  }
+  EXPECT_LT(before, 0.01);
 }
 
 }  // namespace
