@@ -25,6 +25,15 @@ int redAt(const core::Image8& image, int x, int y) {
   return image.rgba.at(4 * static_cast<std::size_t>(y * image.width + x));
 }
 
+TEST(Padded, KeepsThePictureAndAddsPaperAtTheRight) {
+  const core::Image8 wider = padded(uniform(3, 2, 100), 5, paper);
+  ASSERT_EQ(wider.width, 5);
+  ASSERT_EQ(wider.height, 2);
+  EXPECT_EQ(redAt(wider, 2, 1), 100);
+  EXPECT_EQ(redAt(wider, 3, 1), paper[0]);
+  EXPECT_EQ(redAt(wider, 4, 0), paper[0]);
+}
+
 TEST(Sheet, PlacesPanelsRowByRowWithPaperBetweenAndWhereNoneIsLeft) {
   const core::Image8 picture =
       sheet({uniform(3, 2, 100), uniform(3, 2, 150), uniform(3, 2, 200)}, 2, 1, paper);

@@ -70,6 +70,13 @@ core::Image8 plain(const Image& image, const Paper& paper) {
   return picture;
 }
 
+core::Image8 padded(const core::Image8& picture, int width, const Paper& paper) {
+  core::Image8 wider = blank(width, picture.height);
+  fillWith(wider, paper);
+  blit(picture, wider, 0, 0);
+  return wider;
+}
+
 core::Image8 sheet(const std::vector<core::Image8>& panels, int columns, int gap,
                    const Paper& paper) {
   if (panels.empty() || columns < 1) throw std::invalid_argument("a sheet without panels");

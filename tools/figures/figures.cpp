@@ -41,7 +41,7 @@ void sourceMap(Studio& studio, const char* name) {
       studio.renderer.render(options, {Aov::DsmPosition, Aov::DsmNormal, Aov::DsmIrradiance})
           .images;
   publish(studio, name,
-          sheet({photograph(studio, everySource(256), {0, size, size}),
+          sheet({photograph(studio, objectSpace(), {0, size, size}),
                  plain(overBox(maps.at(0), boundsOf(scene)), dark),
                  plain(asColour(maps.at(1)), dark), develop(maps.at(2), -2.5F)},
                 4, gapPixels, white));
@@ -63,12 +63,12 @@ void buddha(Studio& studio, const char* name) {
       {{centre[0] - 75, centre[1] + 62, centre[2] + 10}, {66000, 61000, 54000}}};
   const Exposure exposure{0, 512, 704};
   studio.renderer.setScene(scene);
-  const core::Image8 point = photograph(studio, everySource(320), exposure);
+  const core::Image8 point = photograph(studio, objectSpace(), exposure);
   scene.lighting.environment =
       dimmed(core::readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr"), 0.3F);
   studio.renderer.setScene(scene);
   publish(studio, name,
-          sheet({point, photograph(studio, everySource(320), exposure)}, 2, gapPixels, white));
+          sheet({point, photograph(studio, objectSpace(), exposure)}, 2, gapPixels, white));
 }
 
 void threeModels(Studio& studio, const char* name) {

@@ -18,6 +18,9 @@ std::span<const Figure> stillFigures();
 /// Figure 4.
 std::span<const Figure> cubeFigures();
 
+/// The paper's sum beside the one in object space.
+std::span<const Figure> sumFigures();
+
 /// Figure 9, and motion that the paper does not show.
 std::span<const Figure> motionFigures();
 

@@ -1,4 +1,4 @@
-// Makes the pictures of docs/paper.md and docs/deformation.md, all or those named.
+// Makes the pictures of docs/ and of the README, all or those named.
 
 #include <fmt/format.h>
 
@@ -38,7 +38,8 @@ void requireModels(const fs::path& folder) {
 
 std::vector<Figure> allFigures() {
   std::vector<Figure> all;
-  for (const std::span<const Figure> some : {stillFigures(), cubeFigures(), motionFigures()}) {
+  for (const std::span<const Figure> some :
+       {stillFigures(), cubeFigures(), sumFigures(), motionFigures()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   std::sort(all.begin(), all.end(), [](const Figure& a, const Figure& b) {

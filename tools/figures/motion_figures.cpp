@@ -28,7 +28,7 @@ void morph(Studio& studio, const char* name) {
   studio.renderer.setScene(scene);
   const Exposure exposure{0.7F, 304, 304};
   std::vector<core::Image8> panels = film(studio, paperMethod(), exposure, 0.4, 6);
-  for (core::Image8& panel : film(studio, everySource(256), exposure, 0.4, 6)) {
+  for (core::Image8& panel : film(studio, objectSpace(), exposure, 0.4, 6)) {
     panels.push_back(std::move(panel));
   }
   publish(studio, name, sheet(panels, 6, 0, dark));
@@ -41,7 +41,7 @@ void wobble(Studio& studio, const char* name) {
   scene.deformers = {{DeformerKind::Wobble, 0.09F, 1}};
   studio.renderer.setScene(scene);
   publish(studio, name,
-          sheet(film(studio, everySource(192), {0.3F, 272, 320}, 1.0 / 12, 12), 6, 0, dark));
+          sheet(film(studio, objectSpace(), {0.3F, 272, 320}, 1.0 / 12, 12), 6, 0, dark));
 }
 
 void walk(Studio& studio, const char* name) {
@@ -50,7 +50,7 @@ void walk(Studio& studio, const char* name) {
   scene.lighting = stageLight();
   studio.renderer.setScene(scene);
   publish(studio, name,
-          sheet(film(studio, everySource(256), {0.8F, 220, 320}, 2.0 / 8, 8), 8, 0, dark));
+          sheet(film(studio, objectSpace(), {0.8F, 220, 320}, 2.0 / 8, 8), 8, 0, dark));
 }
 
 void deformers(Studio& studio, const char* name) {
@@ -64,7 +64,7 @@ void deformers(Studio& studio, const char* name) {
         Deformer{DeformerKind::Wobble, 0.12F}}) {
     scene.deformers = {deformer};
     studio.renderer.setScene(scene);
-    panels.push_back(photograph(studio, everySource(192), {0.3F, 336, 384}));
+    panels.push_back(photograph(studio, objectSpace(), {0.3F, 336, 384}));
   }
   publish(studio, name, sheet(panels, 5, 0, dark));
 }

@@ -65,11 +65,10 @@ RenderOptions paperMethod() {
   return options;
 }
 
-RenderOptions everySource(int dsmSize) {
+RenderOptions objectSpace() {
   RenderOptions options = paperMethod();
-  options.sum = Sum::All;
-  options.site = Site::Vertex;
-  options.dsmSize = dsmSize;
+  options.sum = Sum::Tree;
+  options.site = Site::Auto;
   return options;
 }
 

@@ -45,8 +45,8 @@ Lighting stageLight();
 /// What `opaline render --method paper` stands for: dipole, pattern, fragments.
 RenderOptions paperMethod();
 
-/// Every source at every vertex: smooth, and exact for the map.
-RenderOptions everySource(int dsmSize);
+/// What is rendered where nothing else is asked for.
+RenderOptions objectSpace();
 
 /// The scene that the renderer has been given, rendered twice as large as it is shown, over dark
 /// paper.
