@@ -151,8 +151,10 @@ Surfels makeSurfels(const Surface& surface, std::span<const double> wantedSpacin
          surfels.piecesPerSurfel < surface.triangles.size()) {
     surfels.piecesPerSurfel *= 2;
   }
+  const std::size_t full =
+      surfels.piecesPerSurfel == 1 ? maxSurfels : maxSurfels - std::min(objects, maxSurfels);
   Cut made = cut(surface, wantedSpacingMm,
-                 std::max(maxSurfels * surfels.piecesPerSurfel, surface.triangles.size()));
+                 std::max(full * surfels.piecesPerSurfel, surface.triangles.size()));
   surfels.spacingOfObjectMm = std::move(made.spacingOfObjectMm);
   std::vector<std::vector<TreeItem>> items =
       itemsOfObjects(surface, made.pieces, objects, surfels.piecesPerSurfel);
