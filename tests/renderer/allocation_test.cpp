@@ -115,15 +115,15 @@ TEST(AllocationTest, SteadyFramesAllocateNothing) {
   const Scene scene = moving();
   renderer.setScene(scene);
   RenderOptions options = tinyOptions();
-  for (const Sum sum : {Sum::Pattern, Sum::All})
-    for (const Site site : {Site::Vertex, Site::Fragment}) {
+  for (const Sum sum : {Sum::Pattern, Sum::Tree, Sum::All})
+    for (const Site site : {Site::Vertex, Site::Fragment, Site::Auto}) {
       options.sum = sum;
       options.site = site;
       const auto nothing = [] {};
       EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {}, nothing), 0U);
       EXPECT_EQ(allocationsOfSteadyFrames(
                     renderer, options,
-                    {Aov::Radiance, Aov::Exitance, Aov::Irradiance, Aov::DsmArea}, nothing),
+                    {Aov::Radiance, Aov::Exitance, Aov::Evaluations, Aov::DsmArea}, nothing),
                 0U);
     }
 }
