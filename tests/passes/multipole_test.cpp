@@ -142,14 +142,14 @@ void expectDerivatives(Model model, double meanFreePaths, double bound) {
 }
 
 TEST(MultipoleShader, DipolesDerivatives) {
-  expectDerivatives(Model::Dipole, 1000, 2e-5);
+  expectDerivatives(Model::Dipole, 1000, 1e-5);
 }
 
 // Fluence is a difference of two poles: far from both, what is left of it is as small as the square
 // of their distance from each other over that from the place, and so is the accuracy.
 TEST(MultipoleShader, BetterDipolesDerivatives) {
-  expectDerivatives(Model::BetterDipole, 10, 1e-4);
-  expectDerivatives(Model::BetterDipole, 100, 1e-2);
+  expectDerivatives(Model::BetterDipole, 10, 1e-5);
+  expectDerivatives(Model::BetterDipole, 100, 5e-4);
 }
 
 TEST(MultipoleShader, DifferencesAreOfThePublishedProfiles) {

@@ -86,7 +86,8 @@ Scene moving() {
 
 RenderOptions tinyOptions() {
   RenderOptions options;
-  options.width = options.height = 48;
+  options.width = options.height = 32;
+  options.maxSources = 2048;  // coarse: all passes of a frame have something to do
   options.dsmSize = 128;
   options.shadowSize = 128;
   return options;
