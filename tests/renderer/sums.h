@@ -15,9 +15,7 @@ namespace opaline::test {
 /// Of one picture beside another, over all channels of the pixels that it covers.
 struct SumErrors {
   double rms = 0;           ///< relative to the picture's mean
-  double largest = 0;       ///< likewise
-  double localRms = 0;      ///< relative to the pixel, or to a twentieth of its brightest channel
-  double localLargest = 0;  ///< likewise
+  double localLargest = 0;  ///< relative to the pixel, or to a twentieth of its brightest channel
   int pixels = 0;
 };
 
@@ -46,13 +44,10 @@ SumErrors errorsWhere(const Image& found, const Image& exact, const Counts& coun
       const double relative = off / mean[c];
       const double local = off / std::max({value, brightest / 20, 1e-30});
       errors.rms += relative * relative;
-      errors.localRms += local * local;
-      errors.largest = std::max(errors.largest, relative);
       errors.localLargest = std::max(errors.localLargest, local);
     }
   });
   errors.rms = std::sqrt(errors.rms / (3.0 * errors.pixels));
-  errors.localRms = std::sqrt(errors.localRms / (3.0 * errors.pixels));
   return errors;
 }
 

@@ -158,6 +158,20 @@ TEST_F(TreeTest, ColouredLightsFromDifferentSides) {
   }
 }
 
+// The tree is that of the rest pose, its nodes are of this frame's surface.
+TEST_F(TreeTest, ATwistedAndBentBodyIsAsGoodAsOneAtRest) {
+  Scene scene = backlitBear(25, marble());
+  RenderOptions options = treeOptions(40);
+  renderer().setScene(scene);
+  const double atRest = meanOf(render(options, {Aov::Evaluations})[0])[0];
+  scene.deformers = {{DeformerKind::Twist, 2, 0}, {DeformerKind::Bend, 1, 0}};
+  renderer().setScene(scene);
+  const TreeAndAll images = treeAndAll(options);
+  expectWithin(0.01, errorsOf(images.tree, images.all), "twisted and bent");
+  const double moved = meanOf(render(options, {Aov::Evaluations})[0])[0];
+  EXPECT_LT(moved, 1.5 * atRest);
+}
+
 // B = E · D(2R), as in scatter_test.cpp, with surfels many times as large as the profile is wide.
 TEST_F(TreeTest, CoarseSurfelsKeepWhatTheySendNearby) {
   constexpr double radiusMm = 20;
@@ -191,6 +205,34 @@ TEST_F(TreeTest, CoarseSurfelsKeepWhatTheySendNearby) {
       EXPECT_LT(std::sqrt(squares / covered), 0.01);
       EXPECT_LT(largest, 0.03);
     }
+}
+
+// A plate thinner than its surfels are long, lit from one side: hardly a surfel has triangles of
+// both, and what is nearby on the other side is not taken for the place's own. Surfels joined by
+// places alone were off by 35 %.
+TEST_F(TreeTest, CoarseSurfelsTellTheSidesOfAThinPlateApart) {
+  constexpr float halfMm = 12;
+  constexpr float borderMm = 3;
+  const Mesh plate = together(sheet({0, 0, 0.25F}, {halfMm, 0, 0}, {0, halfMm, 0}),
+                              sheet({0, 0, -0.25F}, {halfMm, 0, 0}, {0, -halfMm, 0}));
+  Scene scene = sceneOf(plate, marble(), {8, 5, 40}, 14);
+  for (const float side : {1.0F, -1.0F}) {
+    scene.lighting.directional = {{{0, 0, side}, {3, 3, 3}}};
+    renderer().setScene(scene);
+    RenderOptions options = treeOptions(48);
+    options.tolerance = 0.003F;
+    const std::vector<Image> fine = render(options, {Aov::Exitance, Aov::Position});
+    for (const int maxSources : {2048, 8192}) {  // two triangles a surfel, and one
+      options.maxSources = maxSources;
+      const Image coarse = render(options, {Aov::Exitance})[0];
+      const SumErrors errors = errorsWhere(coarse, fine[0], [&](std::size_t i) {
+        const float* place = &fine[1].rgba[i];
+        return std::max(std::abs(place[0]), std::abs(place[1])) < halfMm - borderMm;
+      });
+      EXPECT_GT(errors.pixels, 500);
+      EXPECT_LT(errors.rms, maxSources == 2048 ? 0.08 : 0.01) << side;
+    }
+  }
 }
 
 double percentile99(std::vector<double> values) {
