@@ -173,8 +173,35 @@ Scene ballsOf(const std::vector<BallOf>& balls) {
   return scene;
 }
 
-// In uniform light, which nothing shades, every ball has its own closed form, B = E · D(2R), though
-// others lie close by and one is as small as a mean free path.
+// Largest deviation of the balls, in uniform light which nothing shades, from the closed form
+// B = E · D(2R) of each.
+double largestDeviation(const std::vector<BallOf>& balls, const RenderOptions& options) {
+  Scene scene = ballsOf(balls);
+  scene.lighting.ambient = {1, 1, 1};
+  Renderer& renderer = *sharedRenderer().renderer;
+  renderer.setScene(scene);
+  const std::vector<Image> images = renderer.render(options, {Aov::Exitance, Aov::Object}).images;
+  std::vector<int> seen(balls.size(), 0);
+  double largest = 0;
+  forEachCovered(images[0], [&](std::size_t i) {
+    const auto object = static_cast<std::size_t>(images[1].rgba[i]);
+    const BallOf& ball = balls[object];
+    ++seen[object];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double exact =
+          std::numbers::pi * bssrdf::meanTransmittance(ball.medium.eta) *
+          bssrdf::makeProfile(bssrdf::Model::Dipole,
+                              bssrdf::coefficients(ball.medium, static_cast<int>(c)))
+              .disc(2 * static_cast<double>(ball.radiusMm));
+      const double off = static_cast<double>(images[0].rgba[i + c]) / exact - 1;
+      largest = std::max(largest, std::abs(off));
+    }
+  });
+  for (const int pixels : seen) EXPECT_GT(pixels, 4);
+  return largest;
+}
+
+// Though others lie close by and one is as small as a mean free path.
 TEST_F(TreeFramesTest, EveryObjectIsOfItsOwnMedium) {
   Medium dense = skin();
   dense.eta = 1.8;
@@ -182,29 +209,21 @@ TEST_F(TreeFramesTest, EveryObjectIsOfItsOwnMedium) {
                                   {{2, 0, 0}, 3, 4, skin()},
                                   {{6, 4, 0}, 2, 4, dense},
                                   {{-1, -4, 2}, 0.6F, 4, skin()}};
-  Scene scene = ballsOf(balls);
-  scene.lighting.ambient = {1, 1, 1};
-  renderer().setScene(scene);
+  for (const Site site : {Site::Fragment, Site::Vertex})
+    EXPECT_LT(largestDeviation(balls, treeOptions(64, site)), 0.01);
+}
+
+// Balls that nearly touch, with surfels many mean free paths apart: what is nearby is of the same
+// object.
+TEST_F(TreeFramesTest, CoarseSurfelsAreThoseOfTheirOwnObject) {
+  Medium clear = skin();
+  for (double& sigma : clear.sigmaSPrimePerMm) sigma *= 0.3;
+  const std::vector<BallOf> balls{
+      {{-6, 0, 0}, 6, 3, marble()}, {{5.1F, 0, 0}, 5, 3, skin()}, {{0, -5.5F, 6}, 2, 3, clear}};
   for (const Site site : {Site::Fragment, Site::Vertex}) {
-    const std::vector<Image> images = render(treeOptions(64, site), {Aov::Exitance, Aov::Object});
-    std::array<int, 4> seen{};
-    double largest = 0;
-    forEachCovered(images[0], [&](std::size_t i) {
-      const auto object = static_cast<std::size_t>(images[1].rgba[i]);
-      const BallOf& ball = balls[object];
-      ++seen[object];
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double exact =
-            std::numbers::pi * bssrdf::meanTransmittance(ball.medium.eta) *
-            bssrdf::makeProfile(bssrdf::Model::Dipole,
-                                bssrdf::coefficients(ball.medium, static_cast<int>(c)))
-                .disc(2 * static_cast<double>(ball.radiusMm));
-        const double off = static_cast<double>(images[0].rgba[i + c]) / exact - 1;
-        largest = std::max(largest, std::abs(off));
-        ASSERT_NEAR(off, 0, 0.01) << "object " << object << ", channel " << c;
-      }
-    });
-    for (const int pixels : seen) EXPECT_GT(pixels, 4);
+    RenderOptions options = treeOptions(64, site);
+    options.maxSources = 1024;
+    EXPECT_LT(largestDeviation(balls, options), 0.05);
   }
 }
 
