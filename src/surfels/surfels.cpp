@@ -25,7 +25,8 @@ std::vector<double> largestTriangleOfObjectMm(const Surface& surface, std::size_
   return largest;
 }
 
-double areaMm2(const Surface& surface, std::uint32_t triangle) {
+// Its normal, as long as twice its area, mm².
+std::array<double, 3> crossOf(const Surface& surface, std::uint32_t triangle) {
   const Triangle& t = surface.triangles[triangle];
   std::array<std::array<double, 3>, 2> edges{};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -35,9 +36,12 @@ double areaMm2(const Surface& surface, std::uint32_t triangle) {
     }
   }
   const auto& [a, b] = edges;
-  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                    a[0] * b[1] - a[1] * b[0]) /
-         2;
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double areaMm2(const Surface& surface, std::uint32_t triangle) {
+  const std::array<double, 3> cross = crossOf(surface, triangle);
+  return std::hypot(cross[0], cross[1], cross[2]) / 2;
 }
 
 // Pieces of a spacing h have at most the area √3/2 h², that of an equilateral triangle: the spacing
@@ -93,6 +97,24 @@ Vec3 placeOf(const Surface& surface, const Piece& piece) {
   return place;
 }
 
+// The sides of parts thinner than the surfels that are joined from them are further apart than such
+// a surfel is large.
+void tellSidesApart(const Surface& surface, std::span<const Piece> pieces,
+                    std::uint32_t piecesPerSurfel, std::span<TreeItem> items) {
+  double area = 0;
+  for (const TreeItem& item : items) {
+    const Piece& piece = pieces[item.index];
+    area += static_cast<double>(piece.fraction) * areaMm2(surface, piece.triangle);
+  }
+  const double sizeMm = std::sqrt(area * piecesPerSurfel / static_cast<double>(items.size()));
+  for (TreeItem& item : items) {
+    const std::array<double, 3> cross = crossOf(surface, pieces[item.index].triangle);
+    const double length = std::hypot(cross[0], cross[1], cross[2]);
+    for (std::size_t axis = 0; axis < 3 && length > 0; ++axis)
+      item.facingMm[axis] = static_cast<float>(sizeMm * cross[axis] / length);
+  }
+}
+
 // The pieces of each object as the tree's items, filled up with empty ones to whole surfels.
 std::vector<std::vector<TreeItem>> itemsOfObjects(const Surface& surface,
                                                   std::vector<Piece>& pieces, std::size_t objects,
@@ -102,10 +124,13 @@ std::vector<std::vector<TreeItem>> itemsOfObjects(const Surface& surface,
     items[surface.objectOfTriangle[pieces[i].triangle]].push_back({placeOf(surface, pieces[i]), i});
   }
   for (std::vector<TreeItem>& list : items) {
+    if (piecesPerSurfel > 1) tellSidesApart(surface, pieces, piecesPerSurfel, list);
     while (list.size() % piecesPerSurfel != 0) {
       Piece empty = pieces[list.back().index];
       empty.fraction = 0;
-      list.push_back({list.back().placeMm, static_cast<std::uint32_t>(pieces.size())});
+      TreeItem item = list.back();
+      item.index = static_cast<std::uint32_t>(pieces.size());
+      list.push_back(item);
       pieces.push_back(empty);
     }
   }
@@ -151,8 +176,10 @@ Surfels makeSurfels(const Surface& surface, std::span<const double> wantedSpacin
          surfels.piecesPerSurfel < surface.triangles.size()) {
     surfels.piecesPerSurfel *= 2;
   }
+  const std::size_t full =
+      surfels.piecesPerSurfel == 1 ? maxSurfels : maxSurfels - std::min(objects, maxSurfels);
   Cut made = cut(surface, wantedSpacingMm,
-                 std::max(maxSurfels * surfels.piecesPerSurfel, surface.triangles.size()));
+                 std::max(full * surfels.piecesPerSurfel, surface.triangles.size()));
   surfels.spacingOfObjectMm = std::move(made.spacingOfObjectMm);
   std::vector<std::vector<TreeItem>> items =
       itemsOfObjects(surface, made.pieces, objects, surfels.piecesPerSurfel);

@@ -8,18 +8,23 @@ namespace opaline::surfels {
 
 namespace {
 
-std::size_t longestAxis(std::span<const TreeItem> items) {
-  Vec3 low = items[0].placeMm;
-  Vec3 high = low;
-  for (const TreeItem& item : items) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], item.placeMm[axis]);
-      high[axis] = std::max(high[axis], item.placeMm[axis]);
-    }
-  }
+// Axes 0 to 2 are places, 3 to 5 facings.
+float coordinate(const TreeItem& item, std::size_t axis) {
+  return axis < 3 ? item.placeMm[axis] : item.facingMm[axis - 3];
+}
+
+std::size_t longestAxis(std::span<const TreeItem> items, std::size_t axes) {
   std::size_t longest = 0;
-  for (std::size_t axis = 1; axis < 3; ++axis) {
-    if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
+  float length = -1;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    const auto [low, high] = std::minmax_element(items.begin(), items.end(),
+                                                 [axis](const TreeItem& a, const TreeItem& b) {
+                                                   return coordinate(a, axis) < coordinate(b, axis);
+                                                 });
+    const float range = coordinate(*high, axis) - coordinate(*low, axis);
+    if (range <= length) continue;
+    longest = axis;
+    length = range;
   }
   return longest;
 }
@@ -46,13 +51,13 @@ class TreeBuilder {
   std::array<std::span<TreeItem>, 2> halve(std::span<TreeItem> items) const {
     const std::size_t surfels = items.size() / itemsPerSurfel_;
     const std::size_t front = surfels / 2 * itemsPerSurfel_;
-    const std::size_t axis = longestAxis(items);
+    const std::size_t axis = longestAxis(items, itemsPerSurfel_ == 1 ? 3 : 6);
     // The index decides between equal places: one order on every machine.
     std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(front), items.end(),
                      [axis](const TreeItem& a, const TreeItem& b) {
-                       if (a.placeMm[axis] != b.placeMm[axis])
-                         return a.placeMm[axis] < b.placeMm[axis];
-                       return a.index < b.index;
+                       const float left = coordinate(a, axis);
+                       const float right = coordinate(b, axis);
+                       return left != right ? left < right : a.index < b.index;
                      });
     return {items.first(front), items.subspan(front)};
   }

@@ -32,11 +32,13 @@ struct Tree {
 struct TreeItem {
   Vec3 placeMm{};
   std::uint32_t index = 0;
+  Vec3 facingMm{};  ///< normal; where surfels have several items, to be told apart like places
 };
 
 /// Orders the items of each object so that any few neighbours in the order are neighbours in space,
 /// every `itemsPerSurfel` of them one surfel, and makes their tree: halves at the median along the
-/// longest axis. Every object's number of items is a multiple of itemsPerSurfel.
+/// longest axis of places and facings. Every object's number of items is a multiple of
+/// itemsPerSurfel.
 Tree makeTree(std::span<const std::span<TreeItem>> itemsOfObject, std::uint32_t itemsPerSurfel);
 
 }  // namespace opaline::surfels

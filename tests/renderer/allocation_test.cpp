@@ -86,7 +86,8 @@ Scene moving() {
 
 RenderOptions tinyOptions() {
   RenderOptions options;
-  options.width = options.height = 48;
+  options.width = options.height = 32;
+  options.maxSources = 2048;  // coarse: all passes of a frame have something to do
   options.dsmSize = 128;
   options.shadowSize = 128;
   return options;
@@ -115,15 +116,15 @@ TEST(AllocationTest, SteadyFramesAllocateNothing) {
   const Scene scene = moving();
   renderer.setScene(scene);
   RenderOptions options = tinyOptions();
-  for (const Sum sum : {Sum::Pattern, Sum::All})
-    for (const Site site : {Site::Vertex, Site::Fragment}) {
+  for (const Sum sum : {Sum::Pattern, Sum::Tree, Sum::All})
+    for (const Site site : {Site::Vertex, Site::Fragment, Site::Auto}) {
       options.sum = sum;
       options.site = site;
       const auto nothing = [] {};
       EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {}, nothing), 0U);
       EXPECT_EQ(allocationsOfSteadyFrames(
                     renderer, options,
-                    {Aov::Radiance, Aov::Exitance, Aov::Irradiance, Aov::DsmArea}, nothing),
+                    {Aov::Radiance, Aov::Exitance, Aov::Evaluations, Aov::DsmArea}, nothing),
                 0U);
     }
 }
