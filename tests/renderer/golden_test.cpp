@@ -73,7 +73,8 @@ GoldenCase readCase(const json& description) {
       golden.options.transport = oneOf<Transport>(
           {{"dipole", Transport::Dipole}, {"better-dipole", Transport::BetterDipole}}, value);
     else if (key == "sum")
-      golden.options.sum = oneOf<Sum>({{"pattern", Sum::Pattern}, {"all", Sum::All}}, value);
+      golden.options.sum =
+          oneOf<Sum>({{"pattern", Sum::Pattern}, {"tree", Sum::Tree}, {"all", Sum::All}}, value);
     else if (key == "site")
       golden.options.site = oneOf<Site>(
           {{"vertex", Site::Vertex}, {"fragment", Site::Fragment}, {"auto", Site::Auto}}, value);
