@@ -38,14 +38,14 @@ void checkSize(const Device& device, const BufferOptions& options) {
   if ((options.usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) != 0 && options.bytes > storageLimit) {
     throw Error(fmt::format(
         "the buffer \"{}\" needs {:.1f} MB, but {} reads at most {:.1f} MB from one buffer; use a "
-        "smaller mesh or map, or another device",
+        "smaller mesh or map, fewer sources, or another device",
         options.name, static_cast<double>(options.bytes) / 1e6, device.info().name,
         static_cast<double>(storageLimit) / 1e6));
   }
   if (options.bytes > device.largestBufferBytes()) {
     throw Error(fmt::format(
         "the buffer \"{}\" needs {:.1f} MB, which is more than {} allows; use a smaller mesh or "
-        "map, or another device",
+        "map, fewer sources, or another device",
         options.name, static_cast<double>(options.bytes) / 1e6, device.info().name));
   }
 }
