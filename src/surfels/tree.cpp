@@ -77,6 +77,10 @@ class TreeBuilder {
     }
     std::uint32_t height = 0;
     for (const std::span<TreeItem> half : halve(items)) {
+      if (surfels <= 2 * maxSurfelsOfLeaf) {
+        height = std::max(height, add(half) + 1);
+        continue;
+      }
       for (const std::span<TreeItem> quarter : halve(half)) {
         height = std::max(height, add(quarter) + 1);
       }

@@ -9,7 +9,7 @@
 namespace opaline::surfels {
 
 /// Most surfels that a leaf holds. A leaf holds at least two, unless its object has only one.
-constexpr std::uint32_t maxSurfelsOfLeaf = 8;
+constexpr std::uint32_t maxSurfelsOfLeaf = 4;
 
 /// How many objects' surfels hang together, in an array of nodes in depth-first order: the first
 /// child of an inner node follows it. It is made from the rest pose, and kept when that deforms.
