@@ -19,7 +19,7 @@ namespace opaline::bench {
 
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;  // passes in the order they run
 
 constexpr double secondsPerFrame = 0.02;
 /// The smallest there is: what errors are against.

@@ -85,7 +85,7 @@ def scaling_lines(scaling):
                              ("tolerance", "tolerance", "rel_rmse")):
         lines += ["", *table(
             (value, "surfels", "gather ms", "scatter ms", "frame ms", "scatter", "frame", "evaluations", last or ""),
-            [(f"{row[value]:g}", str(row["surfels"]), f"{row['gather_ms']:.3f}", f"{row['scatter_ms']:.3f}",
+            [(f"{row[value]:.7g}", str(row["surfels"]), f"{row['gather_ms']:.3f}", f"{row['scatter_ms']:.3f}",
               f"{row['frame_ms']:.3f}", f"{row['scatter_ratio']:.2f}", f"{row['frame_ratio']:.2f}",
               f"{row['evaluations']:.1f}",
               f"{100 * row[last]:.3f} %" if last and row[last] is not None else "") for row in scaling[key]["rows"]])]

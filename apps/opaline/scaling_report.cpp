@@ -62,7 +62,7 @@ std::string line(const std::vector<ScalingRow>& rows, std::size_t at, const std:
     return fmt::format("{:.2f}", ratio(milliseconds, first));
   };
   return fmt::format("{:<12}{:>9}{:>10}{:>10}{:>10}{:>10}{:>12.1f}{:>13}\n",
-                     fmt::format("{:g}", row.value), row.surfels, times(row.gatherMilliseconds),
+                     fmt::format("{:.7g}", row.value), row.surfels, times(row.gatherMilliseconds),
                      times(row.scatterMilliseconds), times(row.nearbyMilliseconds),
                      times(row.frameMilliseconds), row.evaluations, last);
 }

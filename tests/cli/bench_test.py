@@ -1,5 +1,6 @@
 """`bench`: what its suites ask for and what they tell."""
 
+import json
 import os
 import unittest
 
@@ -70,7 +71,11 @@ class Methods(ProgramTest):
                 self.assertIsNone(row["evaluations"])
             else:
                 self.assertGreater(row["evaluations"], 0)
+        self.succeed("render", *scene, "--sum", "all", "--size", "24x24", "-o", "all.exr", "--report", "all.json")
+        # Three points for each surfel.
+        sources = 3 * json.loads((self.folder / "all.json").read_text())["sources"]
         for sum_of_all in (row for row in rows if row["sum"] == "all"):
+            self.assertAlmostEqual(sum_of_all["evaluations"], sources, delta=1e-5 * sources)
             tree, = (row for row in rows if row["sum"] == "tree" and row["site"] == sum_of_all["site"]
                      and row["transport"] == sum_of_all["transport"])
             self.assertLess(tree["evaluations"], sum_of_all["evaluations"] / 2)
