@@ -96,7 +96,8 @@ struct BenchCommand {
       throw UsageError("--size and --plot belong to bench methods and bench scaling");
     if (*suite == Suite::Table1 && (scene.any() || lights.any() || camera.any()))
       throw UsageError(
-          "a scene, its medium, lights and camera belong to bench methods and bench scaling; table1 "
+          "a scene, its medium, lights and camera belong to bench methods and bench scaling; "
+          "table1 "
           "has its own");
   }
 
