@@ -57,7 +57,8 @@ def passes_of(row, *names):
 def frame_lines(frame):
     scatter = {row["way"]: passes_of(row, "estimate", "scatter", "nearby") for row in frame["rows"]}
     whole = {row["way"]: row["frame_ms"] for row in frame["rows"]}
-    lines = [f"## Frames of {frame['scene']}, deforming, {frame['size'][0]} x {frame['size'][1]}", ""]
+    lines = ["", f"## Frames of {frame['scene']}, deforming, {frame['lighting']}, {frame['size'][0]} x "
+             f"{frame['size'][1]}", ""]
     lines += table(
         ("frame", "site", "ms", "opaque frames", "frames of the paper", "evaluations", "rms"),
         [("opaque", "", f"{frame['opaque_ms']:.3f}", "1", "", "", "")] +
@@ -102,8 +103,10 @@ def table1_lines(measured):
 def report(figures):
     """What was measured, as Markdown."""
     device = figures["device"]
-    lines = [f"# {device['name']}, {device['driver']}", ""]
-    lines += frame_lines(figures["frame"]) + motion_lines(figures["motion"]) + scaling_lines(figures["scaling"])
+    lines = [f"# {device['name']}, {device['driver']}"]
+    for frame in figures["frames"]:
+        lines += frame_lines(frame)
+    lines += motion_lines(figures["motion"]) + scaling_lines(figures["scaling"])
     if figures["table1"]:
         lines += table1_lines(figures["table1"])
     return "\n".join(lines) + "\n"
@@ -131,7 +134,7 @@ def main():
         sys.exit(refusal(devices, arguments.device))
     on = ("--json", "--device", str(device["index"]))
     figures = {"device": device,
-               "frame": run_json(arguments.programs / "opaline_frame_bench", *on, "--frames", "101"),
+               "frames": run_json(arguments.programs / "opaline_frame_bench", *on, "--frames", "101"),
                "motion": run_json(arguments.programs / "opaline_motion_bench", *on, "--frames", "26"),
                "scaling": run_json(opaline, "bench", "scaling", *on, "--size", "1024", "--medium", "marble", "--frames",
                                    "50"),

@@ -19,7 +19,7 @@ DISCRETE = {"index": 2, "name": "Large One", "type": "discrete", "driver": "3.4"
 
 FRAME_ROW = {"site": "fragment", "sources": 7, "frame_ms": 1.25, "opaque_frames": 2.5, "papers": 0.75,
              "passes_ms": {"gather": .25, "estimate": .125, "scatter": .25}}
-FRAME = {"scene": "bunny", "device": DISCRETE, "size": [1024, 1024], "opaque_ms": .5,
+FRAME = {"scene": "bunny", "lighting": "lit from behind", "device": DISCRETE, "size": [1024, 1024], "opaque_ms": .5,
          "rows": [{"way": way, **FRAME_ROW} for way in ("paper fragment", "tree auto", "tree fragment")]}
 MOTION = {"rows": [{"motion": "skin", "frame_ms": 2, "ratio": 1.0625, "allowed": 1.1}]}
 SCALING_ROW = {"surfels": 9, "gather_ms": 1, "scatter_ms": 2, "nearby_ms": 0, "frame_ms": 3, "scatter_ratio": 1,
@@ -47,7 +47,7 @@ class BenchGpu(unittest.TestCase):
 
     def run_with(self, devices, *options, models=()):
         answers = {"opaline info": {"devices": devices}, "bench table1": TABLE1, "bench scaling": SCALING,
-                   "frame_bench": FRAME, "motion_bench": MOTION}
+                   "frame_bench": [FRAME], "motion_bench": MOTION}
         for name in ("opaline", "opaline_frame_bench", "opaline_motion_bench"):
             program = self.folder / name
             program.write_text(STAND_IN.format(python=sys.executable, answers=json.dumps(answers)))
@@ -79,8 +79,8 @@ class BenchGpu(unittest.TestCase):
         self.assertEqual(done.stderr.count("--device 2"), 4)
         figures = json.loads((self.folder / "bench_gpu.json").read_text())
         self.assertEqual(figures["device"], DISCRETE)
-        self.assertEqual((figures["frame"], figures["motion"], figures["scaling"], figures["table1"]),
-                         (FRAME, MOTION, SCALING, TABLE1))
+        self.assertEqual((figures["frames"], figures["motion"], figures["scaling"], figures["table1"]),
+                         ([FRAME], MOTION, SCALING, TABLE1))
         text = (self.folder / "bench_gpu.md").read_text()
         for part in ("Large One", "3.4", "measured 0.375 ms", "measured 1.250 ms", "1.062", "0.125 %", "345.5"):
             self.assertIn(part, text)
