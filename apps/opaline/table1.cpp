@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
 #include <system_error>
 
 #include "bssrdf/media.h"
@@ -67,35 +68,51 @@ RenderOptions treeOptions() {
   return options;
 }
 
-/// The time goes on from frame to frame, so that none can be that of the one before.
-double framesPerSecond(Renderer& renderer, const Scene& scene, RenderOptions options, int frames) {
-  const double clipSeconds = scene.clips.empty() ? 1 : double{scene.clips.front().seconds};
+/// The tree has no use for the paper's atlas, so each has a renderer with what it needs.
+struct Renderers {
+  Renderer paper;
+  Renderer tree;
+};
+
+/// One kind of frame and what its frames took.
+struct Way {
+  Renderer& renderer;
+  RenderOptions options;
+  double& perSecond;
   FrameMedians medians;
+};
+
+/// One frame of each way after the other, again and again, so that what else the machine does falls
+/// on all alike. The time goes on, so that no frame can be that before.
+void measureInTurns(std::span<Way> ways, double clipSeconds, int frames) {
   Frame done;
-  for (int frame = 0; frame <= frames; ++frame) {
-    options.seconds = clipSeconds * frame / framesPerClip;
-    renderFrame(renderer, options, {Aov::Radiance}, done);
-    medians.add(done);
+  for (int frame = 0; frame <= frames; ++frame)
+    for (Way& way : ways) {
+      way.options.seconds = clipSeconds * frame / framesPerClip;
+      renderFrame(way.renderer, way.options, {Aov::Radiance}, done);
+      way.medians.add(done);
+    }
+  for (Way& way : ways) {
+    const double median = way.medians.frameMilliseconds();
+    way.perSecond = median > 0 ? 1000 / median : 0;
   }
-  const double median = medians.frameMilliseconds();
-  return median > 0 ? 1000 / median : 0;
 }
 
-Table1Row measureRow(Renderer& renderer, const PaperRow& paper, const Table1Order& order) {
+Table1Row measureRow(Renderers& renderers, const PaperRow& paper, const Table1Order& order) {
   Table1Row row;
   row.data = paper.data;
   row.paperFragmentPerSecond = paper.fragmentPerSecond;
   row.paperVertexPerSecond = paper.vertexPerSecond;
   const Scene scene = loadRow(paper, order);
-  renderer.setScene(scene);
-  const auto perSecond = [&](const RenderOptions& options) {
-    return framesPerSecond(renderer, scene, options, order.frames);
+  renderers.paper.setScene(scene);
+  renderers.tree.setScene(scene);
+  std::array ways{
+      Way{renderers.paper, paperOptions(Site::Fragment), row.fragmentPerSecond, {}},
+      Way{renderers.paper, paperOptions(Site::Vertex), row.vertexPerSecond, {}},
+      Way{renderers.tree, treeOptions(), row.treePerSecond, {}},
   };
-  row.fragmentPerSecond = perSecond(paperOptions(Site::Fragment));
-  row.vertexPerSecond = perSecond(paperOptions(Site::Vertex));
-  renderer.setScene(scene);  // the tree has no use for the atlas
-  row.treePerSecond = perSecond(treeOptions());
-  const RenderReport report = renderer.report();
+  measureInTurns(ways, scene.clips.empty() ? 1 : double{scene.clips.front().seconds}, order.frames);
+  const RenderReport report = renderers.tree.report();
   row.triangles = report.triangles;
   row.vertices = report.vertices;
   return row;
@@ -117,14 +134,15 @@ void requireTable1Models(const fs::path& folder) {
 
 Table1 measureTable1(const Table1Order& order) {
   requireTable1Models(order.models);
-  Renderer renderer({order.device, false, order.log});
+  Renderers renderers{Renderer({order.device, false, order.log}),
+                      Renderer({order.device, false, order.log})};
   Table1 table;
   for (const PaperRow& row : paperRows) {
     if (statusColumns() > 0) showStatus(fmt::format("measuring {}", row.data));
-    table.rows.push_back(measureRow(renderer, row, order));
+    table.rows.push_back(measureRow(renderers, row, order));
   }
   clearStatus();
-  table.device = renderer.report().device;
+  table.device = renderers.tree.report().device;
   return table;
 }
 
