@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 
 #include "compare/figures.h"
 #include "frame_medians.h"
@@ -44,6 +45,15 @@ SharedRenderer rendererFor(const ScalingOrder& order, const Scene& scene, const 
   return renderer;
 }
 
+Way makeWay(const ScalingOrder& order, double value, const Scene& scene, SharedRenderer renderer) {
+  Way way;
+  way.row.value = value;
+  way.row.medium = scene.objects.at(0).medium;
+  way.renderer = std::move(renderer);
+  way.options = optionsFor(order);
+  return way;
+}
+
 /// One frame of each way after the other, again and again, so that what else the machine does falls
 /// on all of them alike.
 void measureInTurns(std::vector<Way>& ways, int frames, const std::string& status) {
@@ -78,12 +88,10 @@ std::vector<ScalingRow> measureBudgets(const ScalingOrder& order, double denserB
   const Scene scene = withDenserMedia(order.scene, denserBy);
   std::vector<Way> ways;
   for (const int part : budgetParts) {
-    Way way;
-    way.options = optionsFor(order);
-    way.options.maxSources = order.mostSurfels / part;
-    way.row.value = way.options.maxSources;
-    way.renderer = rendererFor(order, scene, {});  // that the budget binds is meant
-    ways.push_back(std::move(way));
+    const int budget = order.mostSurfels / part;
+    // No notes: that the budget binds is meant.
+    ways.push_back(makeWay(order, budget, scene, rendererFor(order, scene, {})));
+    ways.back().options.maxSources = budget;
   }
   measureInTurns(ways, order.frames, "measuring budgets of surfels");
   return rowsOf(ways);
@@ -92,12 +100,9 @@ std::vector<ScalingRow> measureBudgets(const ScalingOrder& order, double denserB
 std::vector<ScalingRow> measureDiffusion(const ScalingOrder& order) {
   std::vector<Way> ways;
   for (const double divisor : sigmaTrDivisors) {
-    Way way;
-    way.options = optionsFor(order);
-    way.row.value = divisor;
-    way.renderer = rendererFor(order, withSmallerSigmaTr(order.scene, divisor),
-                               ways.empty() ? order.log : LogCallback{});
-    ways.push_back(std::move(way));
+    const Scene scene = withSmallerSigmaTr(order.scene, divisor);
+    const LogCallback log = ways.empty() ? order.log : LogCallback{};  // notes once
+    ways.push_back(makeWay(order, divisor, scene, rendererFor(order, scene, log)));
   }
   measureInTurns(ways, order.frames, "measuring longer ways of light");
   return rowsOf(ways);
@@ -113,12 +118,8 @@ std::vector<ScalingRow> measureTolerances(const ScalingOrder& order, DeviceDescr
   const SharedRenderer renderer = rendererFor(order, order.scene, {});
   std::vector<Way> ways;
   for (const double tolerance : tolerancesMeasured) {
-    Way way;
-    way.options = optionsFor(order);
-    way.options.tolerance = static_cast<float>(tolerance);
-    way.row.value = tolerance;
-    way.renderer = renderer;
-    ways.push_back(std::move(way));
+    ways.push_back(makeWay(order, tolerance, order.scene, renderer));
+    ways.back().options.tolerance = static_cast<float>(tolerance);
   }
   measureInTurns(ways, order.frames, "measuring tolerances");
   RenderOptions options = optionsFor(order);

@@ -24,6 +24,7 @@ struct ScalingOrder {
 
 struct ScalingRow {
   double value = 0;  ///< of what the series varies
+  Medium medium;     ///< of the first object
   std::size_t surfels = 0;
   double gatherMilliseconds = 0;   ///< light that enters the surfels, and their tree
   double scatterMilliseconds = 0;  ///< the sum over the tree with its rough estimate

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scaling.h"
@@ -80,11 +81,14 @@ Json toJson(const Scaling& scaling) {
     const std::optional<double>& error = scaling.tolerances[i].error;
     tolerances[i]["rel_rmse"] = error ? Json(*error) : Json(nullptr);
   }
+  Json diffusion = seriesJson(scaling.diffusion, "divisor");
+  for (std::size_t i = 0; i < scaling.diffusion.size(); ++i)
+    diffusion[i]["medium"] = mediumJson(scaling.diffusion[i].medium);
   return {{"scene", scaling.scene},
           {"size", {scaling.edgePixels, scaling.edgePixels}},
           {"device", deviceJson(scaling.device)},
           {"surfels", {{"coefficients_factor", scaling.denserBy}, {"rows", std::move(budgets)}}},
-          {"sigma_tr", {{"rows", seriesJson(scaling.diffusion, "divisor")}}},
+          {"sigma_tr", {{"rows", std::move(diffusion)}}},
           {"tolerance", {{"finest", scaling.finestTolerance}, {"rows", std::move(tolerances)}}}};
 }
 

@@ -30,11 +30,11 @@ class Table1(ProgramTest):
         self.refused(1, "bench", "table1", "--models", "here", says=("here", "--models"))
 
     def test_rows(self):
-        # Stand-ins, as small as can be: the table is the same.
+        # Stand-ins, as small as can be, and seen edge on: the table is the same.
         models = self.folder / "models"
         models.mkdir()
         for name in FILES:
-            (models / name).write_text(tetrahedron(2 if name == "bunny_egg_b.ply" else 1))
+            (models / name).write_text(tetrahedron(.04 if name == "bunny_egg_b.ply" else .02))
         run = self.succeed("bench", "table1", "--frames", 1, "--models", "models", "--json")
         table = run.json()
         self.assertEqual(set(table), {"device", "rows"})
@@ -140,6 +140,13 @@ class Scaling(ProgramTest):
         # The medium's scattering stays, and with it how finely it is divided.
         self.assertEqual([row["divisor"] for row in series["sigma_tr"]], [1, 10, 100])
         self.assertEqual(len({row["surfels"] for row in series["sigma_tr"]}), 1)
+        media = [row["medium"] for row in series["sigma_tr"]]
+        self.assertEqual([medium["sigma_s_per_mm"] for medium in media], 3 * [{"r": 2.5, "g": 2.5, "b": 2.5}])
+        for medium, divisor in zip(media, (1, 10, 100)):
+            for channel, sigma_a in (("r", .02), ("g", .01)):
+                length = (3 * sigma_a * (sigma_a + 2.5)) ** -.5
+                self.assertAlmostEqual(medium["diffusion_length_mm"][channel] / length, divisor, delta=1e-9 * divisor)
+            self.assertEqual(medium["sigma_a_per_mm"]["b"], 0)
 
         self.assertEqual([row["tolerance"] for row in series["tolerance"]],
                          [.1, .03, .01, .003])
