@@ -20,7 +20,7 @@ namespace opaline::bench {
 
 namespace {
 
-using json = nlohmann::ordered_json;  // passes in the order they run
+using Json = nlohmann::ordered_json;  // passes in the order they run
 
 constexpr double secondsPerFrame = 0.02;
 /// The smallest there is: what errors are against.
@@ -96,8 +96,8 @@ const char* nameOf(Site site) {
   return "auto";
 }
 
-json describe(Way& way, const Image& finest, double opaqueMs, double paperMs) {
-  json result;
+Json describe(Way& way, const Image& finest, double opaqueMs, double paperMs) {
+  Json result;
   result["way"] = way.name;
   result["site"] = nameOf(way.site);
   result["sources"] = way.sources;
@@ -121,7 +121,7 @@ json describe(Way& way, const Image& finest, double opaqueMs, double paperMs) {
   return result;
 }
 
-json measure(const Arguments& arguments, const Scene& scene, const char* lighting) {
+Json measure(const Arguments& arguments, const Scene& scene, const char* lighting) {
   // Each with what its own sum needs, and no more.
   Renderer paper({arguments.device, false, {}});
   Renderer tree({arguments.device, false, {}});
@@ -146,7 +146,7 @@ json measure(const Arguments& arguments, const Scene& scene, const char* lightin
   finest.tolerance = static_cast<float>(finestTolerance);
   const RenderResult exact = tree.render(finest, {Aov::Exitance});
   const DeviceDescription& device = exact.report.device;
-  json result{{"scene", scene.name},
+  Json result{{"scene", scene.name},
               {"lighting", lighting},
               {"device", {{"name", device.name}, {"type", device.type}, {"driver", device.driver}}},
               {"size", {finest.width, finest.height}},
@@ -154,21 +154,21 @@ json measure(const Arguments& arguments, const Scene& scene, const char* lightin
               {"vertices", exact.report.vertices},
               {"finest_tolerance", finestTolerance},
               {"opaque_ms", opaque.frameMilliseconds()},
-              {"rows", json::array()}};
+              {"rows", Json::array()}};
   for (Way& way : ways)
     result["rows"].push_back(describe(way, exact.images[0], opaque.frameMilliseconds(),
                                       ways[0].times.frameMilliseconds()));
   return result;
 }
 
-std::string verdict(const json& row) {
+std::string verdict(const Json& row) {
   if (!row.contains("papers_allowed")) return "";
   const double allowed = row["papers_allowed"].get<double>();
   return row["papers"].get<double>() <= allowed ? fmt::format(" (within {:g})", allowed)
                                                 : fmt::format(" (MORE than {:g})", allowed);
 }
 
-void print(const json& result) {
+void print(const Json& result) {
   fmt::print("{}, deforming, {}, {} triangles, {} vertices, {} x {} pixels, on {}, {}\n",
              result["scene"].get<std::string>(), result["lighting"].get<std::string>(),
              result["triangles"].get<std::size_t>(), result["vertices"].get<std::size_t>(),
@@ -177,7 +177,7 @@ void print(const json& result) {
              result["device"]["driver"].get<std::string>());
   fmt::print("medians of warm frames in turns; an opaque frame takes {:.2f} ms\n",
              result["opaque_ms"].get<double>());
-  for (const json& row : result["rows"]) {
+  for (const Json& row : result["rows"]) {
     fmt::print("\n{}, {} sources, at {}\n", row["way"].get<std::string>(),
                row["sources"].get<std::size_t>(),
                row["site"] == "vertex" ? "vertices" : "fragments");
@@ -200,11 +200,11 @@ void print(const json& result) {
 void run(int count, char** values) {
   const Arguments arguments = parse("opaline_frame_bench", count, values, 11);
   const Scene scene = deforming(loadModel());
-  json results = json::array();
+  Json results = Json::array();
   results.push_back(measure(arguments, litFromBehind(scene), "lit from behind"));
   results.push_back(measure(arguments, scene, "in the default lights"));
   if (arguments.json) return fmt::print("{}\n", results.dump(2));
-  for (const json& result : results) {
+  for (const Json& result : results) {
     if (&result != &results[0]) fmt::print("\n\n");
     print(result);
   }

@@ -80,6 +80,7 @@ void measureInTurns(std::vector<Way>& ways, int frames, const std::string& statu
 
 std::vector<ScalingRow> rowsOf(const std::vector<Way>& ways) {
   std::vector<ScalingRow> rows;
+  rows.reserve(ways.size());
   for (const Way& way : ways) rows.push_back(way.row);
   return rows;
 }
