@@ -5,13 +5,14 @@ OPALINE := $(BUILD)/bin/opaline
 PYTHON ?= python3
 LAUNCHER := $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 
-.PHONY: help demo build test check bench figures accuracy format asan package dependencies
+.PHONY: help demo build test check bench bench-gpu figures accuracy format asan package dependencies
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
 	@echo 'make build     build $(OPALINE)'
 	@echo 'make test      build, check every rule of the house, run all tests'
 	@echo 'make bench     times of every pass on this machine'
+	@echo 'make bench-gpu all figures of docs/performance.md on a GPU, into build/; DEVICE=name chooses it'
 	@echo 'make figures   the pictures of docs/paper.md and docs/deformation.md, from the models'
 	@echo 'make accuracy  the table and heat maps of docs/accuracy.md, from the models: half an hour on two cores'
 	@echo 'make format    clang-format everything'
@@ -50,6 +51,9 @@ test: build check
 bench: build
 	$(BUILD)/bin/opaline_frame_bench
 	$(BUILD)/bin/opaline_motion_bench
+
+bench-gpu: build
+	$(PYTHON) tools/bench_gpu.py $(BUILD)/bin build --device "$(DEVICE)"
 
 figures: build
 	$(BUILD)/bin/opaline_figures

@@ -36,16 +36,19 @@ int positive(std::string_view text) {
 }  // namespace
 
 Arguments parse(std::string_view program, int count, char** values, int defaultFrames) {
-  Arguments arguments{.json = false, .frames = defaultFrames};
+  Arguments arguments{.json = false, .frames = defaultFrames, .device = {}};
   for (int i = 1; i < count; ++i) {
     const std::string_view argument = values[i];
     if (argument == "--json") {
       arguments.json = true;
     } else if (argument == "--frames" && i + 1 < count) {
       arguments.frames = positive(values[++i]);
+    } else if (argument == "--device" && i + 1 < count) {
+      arguments.device = values[++i];
     } else {
       throw UsageError(
-          fmt::format("usage: {} [--json] [--frames N]; {} is unknown", program, argument));
+          fmt::format("usage: {} [--json] [--frames N] [--device NAME|INDEX]; {} is unknown",
+                      program, argument));
     }
   }
   return arguments;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "opaline/scene.h"
@@ -9,9 +10,10 @@ namespace opaline::bench {
 struct Arguments {
   bool json = false;
   int frames = 0;
+  std::string device;  ///< as RendererOptions::device
 };
 
-/// --json and --frames N. Throws UsageError for anything else.
+/// --json, --frames N and --device NAME|INDEX. Throws UsageError for anything else.
 Arguments parse(std::string_view program, int count, char** values, int defaultFrames);
 
 /// The bunny of the models, or the built-in bear where there are none, of marble, 50 mm.

@@ -1,14 +1,18 @@
-// Times of the passes of the paper's method on this machine, and how they compare with an opaque
-// frame of the same mesh.
+// What a translucent frame of a deforming body costs on this machine: by the paper's method and by
+// the tree, as multiples of an opaque frame of the same mesh and of the paper's.
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "arguments.h"
+#include "compare/figures.h"
 #include "opaline/renderer.h"
 #include "opaque_frame.h"
 
@@ -16,132 +20,192 @@ namespace opaline::bench {
 
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::ordered_json;  // passes in the order they run
 
-/// The frame of `opaline render --method paper` at a site.
-RenderOptions paperOptions(Site site) {
+constexpr double secondsPerFrame = 0.02;
+/// The smallest there is: what errors are against.
+constexpr double finestTolerance = 1e-4;
+
+/// Everything moves, from frame to frame.
+Scene deforming(Scene scene) {
+  scene.deformers = {{DeformerKind::Twist, 0.5F, 2}, {DeformerKind::Wobble, 0.03F, 1}};
+  return scene;
+}
+
+/// The one light of docs/accuracy.md: surfels that face the camera send out little, so that the
+/// tree has little to do where it stands.
+Scene litFromBehind(Scene scene) {
+  constexpr float pi = 3.14159F;
+  constexpr Vec3 towards{0.45F, 0.35F, -0.82F};
+  const float length = std::hypot(towards[0], towards[1], towards[2]);
+  scene.lighting = {};
+  scene.lighting.directional = {
+      {{towards[0] / length, towards[1] / length, towards[2] / length}, {pi, pi, pi}}};
+  return scene;
+}
+
+RenderOptions optionsFor(Sum sum, Site site) {
   RenderOptions options;
+  options.sum = sum;
   options.site = site;
-  options.dsmSize = 512;
   options.antialias = 1;
   return options;
 }
 
-std::size_t coveredPixels(Renderer& renderer, const RenderOptions& options) {
-  const Image object = renderer.render(options, {Aov::Object}).images[0];
-  std::size_t covered = 0;
-  for (std::size_t i = 3; i < object.rgba.size(); i += 4) covered += object.rgba[i] > 0 ? 1U : 0U;
-  return covered;
-}
+/// One kind of translucent frame.
+struct Way {
+  const char* name;
+  RenderOptions options;
+  std::optional<double> mostPapers;  ///< of the paper's frames that one may take
+  Renderer& renderer;
+  FrameTimes times;
+  Site site = Site::Auto;  ///< that was chosen
+  std::size_t sources = 0;
 
-json describe(const FrameTimes& times) {
-  json description;
-  description["frame_ms"] = times.frameMilliseconds();
-  for (const PassTime& pass : times.passes()) {
-    description["passes_ms"][pass.name] = pass.milliseconds;
+  void render(double seconds) {
+    options.seconds = seconds;
+    const RenderReport report = renderer.render(options).report;
+    std::vector<gpu::PassTiming> passes;
+    for (const PassTime& pass : report.passes) passes.push_back({pass.name, pass.milliseconds});
+    times.add(report.frameMilliseconds, passes);
+    site = report.site;
+    sources = report.sources;
   }
-  return description;
-}
-
-void renderPaper(Renderer& renderer, const RenderOptions& options, FrameTimes& times) {
-  const RenderReport report = renderer.render(options).report;
-  std::vector<gpu::PassTiming> passes;
-  for (const PassTime& pass : report.passes) passes.push_back({pass.name, pass.milliseconds});
-  times.add(report.frameMilliseconds, passes);
-}
-
-/// One kind of frame after the other, again and again, so that what else the machine does falls on
-/// all of them alike.
-struct Times {
-  FrameTimes fragment;
-  FrameTimes vertex;
-  FrameTimes opaque;
 };
 
-Times timeFrames(Renderer& renderer, OpaqueFrame& opaque, int frames) {
-  Times times;
-  for (int i = 0; i < frames; ++i) {
-    renderPaper(renderer, paperOptions(Site::Fragment), times.fragment);
-    opaque.render(times.opaque);
-    renderPaper(renderer, paperOptions(Site::Vertex), times.vertex);
+double meanOverCovered(const Image& image) {
+  double sum = 0;
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i + 3] <= 0) continue;
+    sum += double{image.rgba[i]};
+    ++covered;
   }
-  return times;
+  return covered > 0 ? sum / static_cast<double>(covered) : 0;
 }
 
-double passMilliseconds(const json& frame, const std::string& name) {
-  return frame["passes_ms"].value(name, 0.0);
+const char* nameOf(Site site) {
+  switch (site) {
+    case Site::Vertex:
+      return "vertex";
+    case Site::Fragment:
+      return "fragment";
+    case Site::Auto:
+      break;
+  }
+  return "auto";
 }
 
-json measure(const Arguments& arguments) {
-  const Scene scene = loadModel();
-  Renderer renderer;
-  renderer.setScene(scene);
+Json describe(Way& way, const Image& finest, double opaqueMs, double paperMs) {
+  Json result;
+  result["way"] = way.name;
+  result["site"] = nameOf(way.site);
+  result["sources"] = way.sources;
+  result["frame_ms"] = way.times.frameMilliseconds();
+  for (const PassTime& pass : way.times.passes())
+    result["passes_ms"][pass.name] = pass.milliseconds;
+  result["opaque_frames"] = way.times.frameMilliseconds() / opaqueMs;
+  result["papers"] = way.times.frameMilliseconds() / paperMs;
+  if (way.mostPapers) result["papers_allowed"] = *way.mostPapers;
 
-  const RenderOptions options = paperOptions(Site::Fragment);
-  OpaqueFrame opaqueFrame(scene, options);
-  const Times times = timeFrames(renderer, opaqueFrame, arguments.frames);
-  const RenderReport report = renderer.render(options).report;
-
-  json result;
-  const int block = 2 * options.pattern.nearRings + 1;
-  const int farTaps = 8;
-  const int taps = block * block + farTaps;
-  const std::size_t covered = coveredPixels(renderer, options);
-  result["scene"] = scene.name;
-  result["device"] = report.device.name;
-  result["width"] = options.width;
-  result["height"] = options.height;
-  result["dsm_size"] = options.dsmSize;
-  result["triangles"] = report.triangles;
-  result["vertices"] = report.vertices;
-  result["covered_pixels"] = covered;
-  result["taps"] = taps;
-  result["fragment"] = describe(times.fragment);
-  result["vertex"] = describe(times.vertex);
-  result["opaque"] = describe(times.opaque);
-  const double opaque = times.opaque.frameMilliseconds();
-  result["fragment"]["opaque_frames"] = times.fragment.frameMilliseconds() / opaque;
-  result["vertex"]["opaque_frames"] = times.vertex.frameMilliseconds() / opaque;
-  result["fragment"]["ns_per_pixel_and_tap"] =
-      passMilliseconds(result["fragment"], "scatter") * 1e6 /
-      (static_cast<double>(std::max<std::size_t>(covered, 1)) * taps);
-  result["vertex"]["ns_per_vertex_and_tap"] = passMilliseconds(result["vertex"], "scatter") * 1e6 /
-                                              (static_cast<double>(report.vertices) * taps);
+  way.options.seconds = 0;
+  const std::vector<Image> found =
+      way.renderer.render(way.options, {Aov::Exitance, Aov::Evaluations}).images;
+  if (way.options.sum != Sum::Pattern) result["evaluations"] = meanOverCovered(found[1]);
+  const auto figures =
+      compare::figuresOver(found[0], finest, compare::commonPixels(found[0], finest));
+  if (figures) {
+    result["rel_rmse"] = figures->all.relRmse;
+    result["p95_rel"] = figures->all.p95Rel;
+  }
   return result;
 }
 
-void printFrame(const char* title, const json& frame) {
-  fmt::print("\n{}\n", title);
-  for (const auto& [name, milliseconds] : frame["passes_ms"].items())
-    fmt::print("  {:<24}{:>10.2f} ms\n", name, milliseconds.get<double>());
-  fmt::print("  {:<24}{:>10.2f} ms\n", "whole frame", frame["frame_ms"].get<double>());
+Json measure(const Arguments& arguments, const Scene& scene, const char* lighting) {
+  // Each with what its own sum needs, and no more.
+  Renderer paper({arguments.device, false, {}});
+  Renderer tree({arguments.device, false, {}});
+  paper.setScene(scene);
+  tree.setScene(scene);
+  OpaqueFrame opaqueFrame(scene, optionsFor(Sum::Tree, Site::Auto), arguments.device);
+  std::array ways{Way{"paper fragment", optionsFor(Sum::Pattern, Site::Fragment), {}, paper, {}},
+                  Way{"paper vertex", optionsFor(Sum::Pattern, Site::Vertex), {}, paper, {}},
+                  Way{"tree auto", optionsFor(Sum::Tree, Site::Auto), 1, tree, {}},
+                  Way{"tree fragment", optionsFor(Sum::Tree, Site::Fragment), 3, tree, {}}};
+
+  // One kind of frame after the other, again and again, so that what else the machine does falls on
+  // all of them alike.
+  FrameTimes opaque;
+  for (int i = 0; i < arguments.frames; ++i) {
+    const double seconds = secondsPerFrame * i;
+    opaqueFrame.render(seconds, opaque);
+    for (Way& way : ways) way.render(seconds);
+  }
+
+  RenderOptions finest = optionsFor(Sum::Tree, Site::Fragment);
+  finest.tolerance = static_cast<float>(finestTolerance);
+  const RenderResult exact = tree.render(finest, {Aov::Exitance});
+  const DeviceDescription& device = exact.report.device;
+  Json result{{"scene", scene.name},
+              {"lighting", lighting},
+              {"device", {{"name", device.name}, {"type", device.type}, {"driver", device.driver}}},
+              {"size", {finest.width, finest.height}},
+              {"triangles", exact.report.triangles},
+              {"vertices", exact.report.vertices},
+              {"finest_tolerance", finestTolerance},
+              {"opaque_ms", opaque.frameMilliseconds()},
+              {"rows", Json::array()}};
+  for (Way& way : ways)
+    result["rows"].push_back(describe(way, exact.images[0], opaque.frameMilliseconds(),
+                                      ways[0].times.frameMilliseconds()));
+  return result;
 }
 
-void print(const json& r) {
-  fmt::print("{}, {} triangles, {} x {} pixels, map of {} texels, on {}\n",
-             r["scene"].get<std::string>(), r["triangles"].get<std::size_t>(),
-             r["width"].get<int>(), r["height"].get<int>(), r["dsm_size"].get<int>(),
-             r["device"].get<std::string>());
-  fmt::print("medians of warm frames; {} covered pixels, {} vertices, {} taps\n",
-             r["covered_pixels"].get<std::size_t>(), r["vertices"].get<std::size_t>(),
-             r["taps"].get<int>());
-  printFrame("pattern over fragments", r["fragment"]);
-  fmt::print("  {:<24}{:>10.2f} opaque frames\n", "", r["fragment"]["opaque_frames"].get<double>());
-  fmt::print("  {:<24}{:>10.2f} ns a covered pixel and tap\n", "",
-             r["fragment"]["ns_per_pixel_and_tap"].get<double>());
-  printFrame("pattern over vertices", r["vertex"]);
-  fmt::print("  {:<24}{:>10.2f} opaque frames\n", "", r["vertex"]["opaque_frames"].get<double>());
-  fmt::print("  {:<24}{:>10.2f} ns a vertex and tap\n", "",
-             r["vertex"]["ns_per_vertex_and_tap"].get<double>());
-  printFrame("opaque frame", r["opaque"]);
+std::string verdict(const Json& row) {
+  if (!row.contains("papers_allowed")) return "";
+  const double allowed = row["papers_allowed"].get<double>();
+  return row["papers"].get<double>() <= allowed ? fmt::format(" (within {:g})", allowed)
+                                                : fmt::format(" (MORE than {:g})", allowed);
+}
+
+void print(const Json& result) {
+  fmt::print("{}, deforming, {}, {} triangles, {} vertices, {} x {} pixels, on {}, {}\n",
+             result["scene"].get<std::string>(), result["lighting"].get<std::string>(),
+             result["triangles"].get<std::size_t>(), result["vertices"].get<std::size_t>(),
+             result["size"][0].get<int>(), result["size"][1].get<int>(),
+             result["device"]["name"].get<std::string>(),
+             result["device"]["driver"].get<std::string>());
+  fmt::print("medians of warm frames in turns; an opaque frame takes {:.2f} ms\n",
+             result["opaque_ms"].get<double>());
+  for (const Json& row : result["rows"]) {
+    fmt::print("\n{}, {} sources, at {}\n", row["way"].get<std::string>(),
+               row["sources"].get<std::size_t>(),
+               row["site"] == "vertex" ? "vertices" : "fragments");
+    for (const auto& [name, milliseconds] : row["passes_ms"].items())
+      fmt::print("  {:<24}{:>10.2f} ms\n", name, milliseconds.get<double>());
+    fmt::print("  {:<24}{:>10.2f} ms\n", "whole frame", row["frame_ms"].get<double>());
+    fmt::print("  {:<24}{:>10.2f} opaque frames\n", "", row["opaque_frames"].get<double>());
+    fmt::print("  {:<24}{:>10.2f} frames of the paper{}\n", "", row["papers"].get<double>(),
+               verdict(row));
+    if (row.contains("evaluations"))
+      fmt::print("  {:<24}{:>10.1f} a {}\n", "evaluations", row["evaluations"].get<double>(),
+                 row["site"] == "vertex" ? "vertex" : "pixel");
+    if (row.contains("rel_rmse"))
+      fmt::print("  {:<24}{:>10.2f} % rms, {:.2f} % at the 95th percentile\n",
+                 fmt::format("to tolerance {:g}", result["finest_tolerance"].get<double>()),
+                 100 * row["rel_rmse"].get<double>(), 100 * row["p95_rel"].get<double>());
+  }
 }
 
 void run(int count, char** values) {
   const Arguments arguments = parse("opaline_frame_bench", count, values, 11);
-  const json result = measure(arguments);
-  if (arguments.json) {
-    fmt::print("{}\n", result.dump(2));
-  } else {
+  const Scene scene = deforming(loadModel());
+  Json results = Json::array();
+  results.push_back(measure(arguments, litFromBehind(scene), "lit from behind"));
+  results.push_back(measure(arguments, scene, "in the default lights"));
+  if (arguments.json) return fmt::print("{}\n", results.dump(2));
+  for (const Json& result : results) {
+    if (&result != &results[0]) fmt::print("\n\n");
     print(result);
   }
 }

@@ -92,12 +92,13 @@ struct Way {
   double allowed;  ///< ratio to the still
   Scene scene;
   bool fromHost = false;
-  std::unique_ptr<Renderer> renderer = std::make_unique<Renderer>();
+  std::unique_ptr<Renderer> renderer;
   std::vector<Vec3> positions;
   std::vector<double> milliseconds;
   int frame = 0;
 
-  void start() {
+  void start(const std::string& device) {
+    renderer = std::make_unique<Renderer>(RendererOptions{device, false, {}});
     renderer->setScene(scene);
     positions = scene.objects[0].mesh.positionsMm;
   }
@@ -142,7 +143,7 @@ void run(int count, char** values) {
   ways.push_back({"morph, normals anew", 1.1, morphed(scene, false)});
   ways.push_back({"procedural", 1.1, deformed(scene)});
   ways.push_back({"host", 1.25, scene, true});
-  for (Way& way : ways) way.start();
+  for (Way& way : ways) way.start(arguments.device);
   // One way after the other, again and again, so that what else the machine does falls on all
   // alike.
   Frame done;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/gtc/type_ptr.hpp>
+#include <string>
 #include <vector>
 
 #include "gpu/command_list.h"
@@ -60,8 +61,9 @@ gpu::Pipeline makeLambert(gpu::Device& device) {
 
 class OpaqueFrame::Implementation {
  public:
-  Implementation(const Scene& scene, const RenderOptions& options)
-      : deform_(device_),
+  Implementation(const Scene& scene, const RenderOptions& options, const std::string& device)
+      : device_({.selector = device, .validation = false, .log = {}}),
+        deform_(device_),
         fit_(device_),
         shadow_(device_),
         surface_(device_),
@@ -88,9 +90,9 @@ class OpaqueFrame::Implementation {
                               std::vector<shared::FrameData>{makeFrameData(scene, options)}, 0);
   }
 
-  void render(FrameTimes& times) {
+  void render(double seconds, FrameTimes& times) {
     commands_.begin();
-    motion_.record(commands_, deform_, 0, 0, resources_.mesh);
+    motion_.record(commands_, deform_, 0, seconds, resources_.mesh);
     fit_.record(commands_, upload_, 0, resources_.mesh, view_);
     shadow_.record(commands_, view_, resources_.mesh, shadows_);
     surface_.record(commands_, {view_, resources_.mesh, charts_, {0, 0}, exitance_.vertices},
@@ -132,12 +134,13 @@ class OpaqueFrame::Implementation {
   gpu::Buffer upload_;
 };
 
-OpaqueFrame::OpaqueFrame(const Scene& scene, const RenderOptions& options)
-    : implementation_(std::make_unique<Implementation>(scene, options)) {}
+OpaqueFrame::OpaqueFrame(const Scene& scene, const RenderOptions& options,
+                         const std::string& device)
+    : implementation_(std::make_unique<Implementation>(scene, options, device)) {}
 OpaqueFrame::~OpaqueFrame() = default;
 
-void OpaqueFrame::render(FrameTimes& times) {
-  implementation_->render(times);
+void OpaqueFrame::render(double seconds, FrameTimes& times) {
+  implementation_->render(seconds, times);
 }
 
 }  // namespace opaline::bench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "opaline/renderer.h"
 #include "renderer/timing.h"
@@ -11,10 +12,11 @@ namespace opaline::bench {
 /// then Lambert's law with the same shadow map.
 class OpaqueFrame {
  public:
-  OpaqueFrame(const Scene& scene, const RenderOptions& options);
+  /// `device`: as gpu::DeviceOptions::selector.
+  OpaqueFrame(const Scene& scene, const RenderOptions& options, const std::string& device);
   ~OpaqueFrame();
 
-  void render(FrameTimes& times);
+  void render(double seconds, FrameTimes& times);
 
  private:
   class Implementation;

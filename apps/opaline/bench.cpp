@@ -13,6 +13,7 @@
 #include "opaline/error.h"
 #include "output.h"
 #include "paths.h"
+#include "scaling.h"
 #include "scene_options.h"
 #include "table1.h"
 #include "values.h"
@@ -21,7 +22,7 @@ namespace opaline::app {
 
 namespace {
 
-enum class Suite { Table1, Methods };
+enum class Suite { Table1, Methods, Scaling };
 
 struct BenchCommand {
   std::optional<Suite> suite;
@@ -34,30 +35,38 @@ struct BenchCommand {
   std::optional<int> edge;
   std::optional<int> every;
   std::optional<std::filesystem::path> truth;
+  bool all = false;
+  std::optional<int> maxSources;
   std::optional<std::filesystem::path> plot;
   bool quiet = false;
   bool json = false;
 
   void addTo(CommandLine& line) {
-    line.positional("SUITE", "table1: the paper's Table 1; methods: error against cost",
+    line.positional("SUITE", "table1: the paper's Table 1; methods: error against cost; scaling",
                     [this](const Given& given) {
-                      suite = readChoice<Suite>(
-                          given, {{"table1", Suite::Table1}, {"methods", Suite::Methods}});
+                      suite = readChoice<Suite>(given, {{"table1", Suite::Table1},
+                                                        {"methods", Suite::Methods},
+                                                        {"scaling", Suite::Scaling}});
                     });
     line.section("table1: five models at 1024x1024, 9 frames each");
     line.value("--models", "FOLDER", "[OPALINE_MODELS, else ../shared/models]",
                [this](const Given& given) { models = given.text; });
     line.section("methods: every way to render a scene, 3 frames each; takes minutes");
-    scene.addTo(line);
-    lights.addTo(line);
-    camera.addTo(line);
-    line.value("--size", "N", "edge of the picture in pixels, 8 to 2048 [256]",
-               [this](const Given& given) { edge = readInteger(given, 8, 2048); });
     line.value("--every", "N", "of the integral's pixels, without --truth [2]",
                [this](const Given& given) { every = readInteger(given, 1, 64); });
     line.value("--truth", "FILE.exr", "exitance by reference --path, in the same view",
                [this](const Given& given) { truth = given.text; });
-    line.value("--plot", "FILE.svg", "draw errors against times",
+    line.flag("--all", "the sum over every surfel too; slow without a GPU", all);
+    line.section("scaling: the tree's cost by surfels, sigma_tr and tolerance, 5 frames each");
+    line.value("--max-sources", "N", "largest budget, 16384 to 4194304 [1048576]",
+               [this](const Given& given) { maxSources = readInteger(given, 1 << 14, 1 << 22); });
+    line.section("methods and scaling");
+    scene.addTo(line);
+    lights.addTo(line);
+    camera.addTo(line);
+    line.value("--size", "N", "edge in pixels, 8 to 2048 [methods: 256, scaling: 512]",
+               [this](const Given& given) { edge = readInteger(given, 8, 2048); });
+    line.value("--plot", "FILE.svg", "draw errors against times, or times against hardness",
                [this](const Given& given) { plot = readOutput(given, {".svg"}); });
     line.section("Run");
     line.value("--frames", "N", "of each measurement, 1 to 1000",
@@ -74,18 +83,40 @@ struct BenchCommand {
     return variable != nullptr && *variable != '\0' ? variable : "../shared/models";
   }
 
-  /// Refuses what belongs to the other suite.
+  /// Refuses what belongs to another suite.
   void check() const {
-    if (!suite) throw UsageError("bench needs the name of a suite: table1 or methods");
-    if (*suite == Suite::Methods && models) {
-      throw UsageError("--models belongs to bench table1; methods measures one SCENE");
-    }
-    if (*suite == Suite::Table1 && (edge || every || truth || plot)) {
-      throw UsageError("--size, --every, --truth and --plot belong to bench methods");
-    }
-    if (*suite == Suite::Table1 && (scene.any() || lights.any() || camera.any())) {
+    if (!suite) throw UsageError("bench needs the name of a suite: table1, methods or scaling");
+    if (*suite != Suite::Table1 && models)
+      throw UsageError("--models belongs to bench table1; methods and scaling measure one SCENE");
+    if (*suite != Suite::Methods && (every || truth || all))
+      throw UsageError("--every, --truth and --all belong to bench methods");
+    if (*suite != Suite::Scaling && maxSources)
+      throw UsageError("--max-sources belongs to bench scaling");
+    if (*suite == Suite::Table1 && (edge || plot))
+      throw UsageError("--size and --plot belong to bench methods and bench scaling");
+    if (*suite == Suite::Table1 && (scene.any() || lights.any() || camera.any()))
       throw UsageError(
-          "a scene, its medium, lights and camera belong to bench methods; table1 has its own");
+          "a scene, its medium, lights and camera belong to bench methods and bench scaling; "
+          "table1 "
+          "has its own");
+  }
+
+  Scene loadScene(const LogCallback& log) const {
+    Scene loaded = scene.load(log).scene;
+    lights.applyTo(loaded);
+    camera.applyTo(loaded);
+    return loaded;
+  }
+
+  void run() const {
+    if (plot) core::requireWritable(*plot);
+    switch (*suite) {
+      case Suite::Table1:
+        return runTable1();
+      case Suite::Methods:
+        return runMethods();
+      case Suite::Scaling:
+        return runScaling();
     }
   }
 
@@ -100,20 +131,31 @@ struct BenchCommand {
   }
 
   void runMethods() const {
-    if (plot) core::requireWritable(*plot);
     MethodsOrder order;
     order.log = noteTaker(quiet);
-    order.scene = scene.load(order.log).scene;
-    lights.applyTo(order.scene);
-    camera.applyTo(order.scene);
+    order.scene = loadScene(order.log);
     order.edgePixels = edge.value_or(order.edgePixels);
     order.every = every.value_or(order.every);
     order.frames = frames.value_or(order.frames);
+    order.all = all;
     order.device = device.value_or("");
     if (truth) order.truth = core::readHdrImage(*truth);
     const Methods methods = measureMethods(order);
     if (plot) core::writeWhole(*plot, plotSvg(methods));
     printOut(json ? toText(toJson(methods)) : toReadable(methods));
+  }
+
+  void runScaling() const {
+    ScalingOrder order;
+    order.log = noteTaker(quiet);
+    order.scene = loadScene(order.log);
+    order.edgePixels = edge.value_or(order.edgePixels);
+    order.mostSurfels = maxSources.value_or(order.mostSurfels);
+    order.frames = frames.value_or(order.frames);
+    order.device = device.value_or("");
+    const Scaling scaling = measureScaling(order);
+    if (plot) core::writeWhole(*plot, plotSvg(scaling));
+    printOut(json ? toText(toJson(scaling)) : toReadable(scaling));
   }
 };
 
@@ -127,11 +169,7 @@ void runBench(const Arguments& arguments) {
   command.addTo(line);
   if (!line.parse(arguments)) return;
   command.check();
-  if (*command.suite == Suite::Table1) {
-    command.runTable1();
-  } else {
-    command.runMethods();
-  }
+  command.run();
 }
 
 }  // namespace opaline::app

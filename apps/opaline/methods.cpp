@@ -6,6 +6,7 @@
 #include <array>
 
 #include "compare/figures.h"
+#include "frame_medians.h"
 #include "opaline/error.h"
 #include "output.h"
 #include "picture_options.h"
@@ -70,9 +71,11 @@ MethodRow measure(Renderer& renderer, const MethodsOrder& order, const RenderOpt
   row.frameMilliseconds = report.frameMilliseconds;
   device = report.device;
   options.frames = 1;
-  const Image found = renderer.render(options, {Aov::Exitance}).images.at(0);
-  row.integralError = errorAgainst(found, exact);
-  row.truthError = blockErrorAgainst(found, order.truth);
+  const std::vector<Image> found =
+      renderer.render(options, {Aov::Exitance, Aov::Evaluations}).images;
+  row.integralError = errorAgainst(found[0], exact);
+  row.truthError = blockErrorAgainst(found[0], order.truth);
+  if (options.sum != Sum::Pattern) row.evaluations = meanOverCovered(found[1]);
   return row;
 }
 
@@ -121,14 +124,15 @@ Methods measureMethods(const MethodsOrder& order) {
     // Blocks need all pixels.
     const Image exact = exactExitance(order, geometry, transport, order.truth ? 1 : order.every);
     if (order.truth) requireSameView(*order.truth, exact);
-    for (const Sum sum : {Sum::Pattern, Sum::All}) {
+    for (const Sum sum : {Sum::Pattern, Sum::Tree, Sum::All}) {
+      if (sum == Sum::All && !order.all) continue;
       for (const Site site : {Site::Vertex, Site::Fragment}) {
         if (statusColumns() > 0) showStatus(fmt::format("measuring the {}", name));
         methods.rows.push_back(measure(renderer, order, optionsFor(order, transport, sum, site),
                                        exact, methods.device));
       }
     }
-    MethodRow integral{transport, "integral", "exact", {}, {}, {}};
+    MethodRow integral{transport, "integral", "exact", {}, {}, {}, {}};
     integral.truthError = blockErrorAgainst(exact, order.truth);
     methods.rows.push_back(integral);
   }
@@ -143,6 +147,7 @@ Json toJson(const Methods& methods) {
                     {"sum", row.sum},
                     {"site", row.site},
                     {"frame_ms", orNull(row.frameMilliseconds)},
+                    {"evaluations", orNull(row.evaluations)},
                     {"integral_rel_rmse", orNull(row.integralError)},
                     {"truth_block_rel_rmse", orNull(row.truthError)}});
   }
@@ -155,14 +160,16 @@ Json toJson(const Methods& methods) {
 std::string toReadable(const Methods& methods) {
   std::string text = fmt::format(
       "{0}, exitance at {1}x{1} on {2} ({3})\n"
-      "{4:<16}{5:<10}{6:<10}{7:>12}{8:>14}{9:>20}\n",
+      "{4:<16}{5:<10}{6:<10}{7:>12}{8:>13}{9:>14}{10:>18}\n",
       methods.scene, methods.edgePixels, methods.device.name, methods.device.type, "transport",
-      "sum", "site", "a frame", "to integral", "to truth, blocks");
+      "sum", "site", "a frame", "evaluations", "to integral", "to truth, blocks");
   for (const MethodRow& row : methods.rows) {
-    text += fmt::format(
-        "{:<16}{:<10}{:<10}{:>12}{:>14}{:>20}\n", nameOf(row.transport, transports()), row.sum,
-        row.site, row.frameMilliseconds ? fmt::format("{:.1f} ms", *row.frameMilliseconds) : "-",
-        percent(row.integralError), percent(row.truthError));
+    text +=
+        fmt::format("{:<16}{:<10}{:<10}{:>12}{:>13}{:>14}{:>18}\n",
+                    nameOf(row.transport, transports()), row.sum, row.site,
+                    row.frameMilliseconds ? fmt::format("{:.1f} ms", *row.frameMilliseconds) : "-",
+                    row.evaluations ? fmt::format("{:.1f}", *row.evaluations) : "-",
+                    percent(row.integralError), percent(row.truthError));
   }
   return text;
 }

@@ -17,8 +17,9 @@ namespace opaline::app {
 struct MethodsOrder {
   Scene scene;
   int edgePixels = 256;
-  int every = 2;   ///< only every so many pixels across and down against the integral
-  int frames = 3;  ///< of each measurement of time
+  int every = 2;     ///< only every so many pixels across and down against the integral
+  int frames = 3;    ///< of each measurement of time
+  bool all = false;  ///< the sum over every surfel too, which takes minutes without a GPU
   std::string device;
   std::optional<Image> truth;  ///< exitance of the same view, edgePixels square
   LogCallback log;
@@ -27,11 +28,12 @@ struct MethodsOrder {
 /// One way of rendering, or the exact integral by itself.
 struct MethodRow {
   Transport transport = Transport::Dipole;
-  std::string sum;   ///< pattern, all or integral
+  std::string sum;   ///< pattern, tree, all or integral
   std::string site;  ///< vertex, fragment or exact
   std::optional<double> frameMilliseconds;
   std::optional<double> integralError;  ///< rms over the mean, pixels
   std::optional<double> truthError;     ///< the same, blocks of 8×8 pixels
+  std::optional<double> evaluations;    ///< of the profile by the sum, mean over covered pixels
 };
 
 struct Methods {

@@ -24,6 +24,7 @@ struct Table1Row {
   std::size_t vertices = 0;
   double fragmentPerSecond = 0;  ///< the paper's FTF
   double vertexPerSecond = 0;    ///< the paper's VTF
+  double treePerSecond = 0;      ///< the tree, at vertices or fragments as the model suggests
   double paperFragmentPerSecond = 0;
   double paperVertexPerSecond = 0;
 };

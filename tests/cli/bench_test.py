@@ -1,5 +1,6 @@
 """`bench`: what its suites ask for and what they tell."""
 
+import json
 import os
 import unittest
 
@@ -29,11 +30,11 @@ class Table1(ProgramTest):
         self.refused(1, "bench", "table1", "--models", "here", says=("here", "--models"))
 
     def test_rows(self):
-        # Stand-ins, as small as can be: the table is the same.
+        # Stand-ins, as small as can be, and seen edge on: the table is the same.
         models = self.folder / "models"
         models.mkdir()
         for name in FILES:
-            (models / name).write_text(tetrahedron(2 if name == "bunny_egg_b.ply" else 1))
+            (models / name).write_text(tetrahedron(.04 if name == "bunny_egg_b.ply" else .02))
         run = self.succeed("bench", "table1", "--frames", 1, "--models", "models", "--json")
         table = run.json()
         self.assertEqual(set(table), {"device", "rows"})
@@ -44,29 +45,52 @@ class Table1(ProgramTest):
             self.assertEqual(row["triangles"], 4)
             self.assertGreater(row["ftf_fps"], 0)
             self.assertGreater(row["vtf_fps"], 0)
-            self.assertIsNone(row["tree_fps"])
+            self.assertGreater(row["tree_fps"], 0)
 
 
 class Methods(ProgramTest):
+    WAYS = (("pattern", "vertex"), ("pattern", "fragment"), ("tree", "vertex"), ("tree", "fragment"))
+
     def test_rows(self):
         self.write("t.ply", tetrahedron(1))
         # Even light, so that a few triangles with smooth normals are lit alike by all.
         scene = ("t.ply", "--diagonal-mm", 10, "--medium", "marble", "--ambient", "1,1,1")
         view = ("--aov", "exitance", "--size", "24x24", "-o", "truth.exr")
         self.succeed("reference", "--path", "--samples", 20000, *scene, *view)
-        run = self.succeed("bench", "methods", *scene, "--size", 24, "--frames", 1, "--truth", "truth.exr",
+        run = self.succeed("bench", "methods", *scene, "--size", 24, "--frames", 1, "--truth", "truth.exr", "--all",
                            "--plot", "plot.svg", "--json")
         rows = run.json()["rows"]
         self.assertEqual([(row["transport"], row["sum"], row["site"]) for row in rows],
                          [(transport, *way) for transport in ("dipole", "better-dipole")
-                          for way in (("pattern", "vertex"), ("pattern", "fragment"), ("all", "vertex"),
-                                      ("all", "fragment"), ("integral", "exact"))])
+                          for way in (*self.WAYS, ("all", "vertex"), ("all", "fragment"), ("integral", "exact"))])
         for row in rows:
             self.assertGreater(row["truth_block_rel_rmse"], 0)
-            if row["sum"] == "all" and row["site"] == "fragment":
+            if row["sum"] in ("tree", "all") and row["site"] == "fragment":
                 self.assertLess(row["integral_rel_rmse"], .05)
-        self.assertIn("<svg", (self.folder / "plot.svg").read_text())
-        self.assertIn("better-dipole", (self.folder / "plot.svg").read_text())
+            if row["sum"] in ("pattern", "integral"):
+                self.assertIsNone(row["evaluations"])
+            else:
+                self.assertGreater(row["evaluations"], 0)
+        self.succeed("render", *scene, "--sum", "all", "--size", "24x24", "-o", "all.exr", "--report", "all.json")
+        # Three points for each surfel.
+        sources = 3 * json.loads((self.folder / "all.json").read_text())["sources"]
+        for sum_of_all in (row for row in rows if row["sum"] == "all"):
+            self.assertAlmostEqual(sum_of_all["evaluations"], sources, delta=1e-5 * sources)
+            tree, = (row for row in rows if row["sum"] == "tree" and row["site"] == sum_of_all["site"]
+                     and row["transport"] == sum_of_all["transport"])
+            self.assertLess(tree["evaluations"], sum_of_all["evaluations"] / 2)
+        plot = (self.folder / "plot.svg").read_text()
+        for part in ("<svg", "better-dipole", ">pattern<", ">tree<", ">all<"):
+            self.assertIn(part, plot)
+
+    def test_the_sum_of_all_is_asked_for(self):
+        self.write("t.ply", tetrahedron(1))
+        run = self.succeed("bench", "methods", "t.ply", "--size", 8, "--frames", 1)
+        lines = run.out.splitlines()
+        self.assertEqual([tuple(line.split()[:3]) for line in lines[2:]],
+                         [(transport, *way) for transport in ("dipole", "better-dipole")
+                          for way in (*self.WAYS, ("integral", "exact"))])
+        self.assertIn("evaluations", lines[1])
 
     def test_refusals(self):
         self.refused(2, "bench", "methods", "--models", "here", says="--models")
@@ -74,13 +98,77 @@ class Methods(ProgramTest):
         for option in (("t.ply",), ("--medium", "marble"), ("--sigma-s", "1,1,1"), ("--ambient", "1,1,1"),
                        ("--fov-degrees", 20)):
             self.refused(2, "bench", "table1", *option, says="bench methods")
-        self.refused(2, "bench", says=("table1", "methods"))
+        self.refused(2, "bench", "scaling", "--all", says="bench methods")
+        self.refused(2, "bench", says=("table1", "methods", "scaling"))
         self.write("t.ply", tetrahedron(1))
         self.succeed("reference", "--path", "--samples", 10, "t.ply", "--size", "8x8", "--aov", "exitance", "-o", "a.exr")
         self.refused(2, "bench", "methods", "t.ply", "--truth", "a.exr", says=("--truth", "8 x 8"))
         # The truth of another view.
         self.refused(2, "bench", "methods", "t.ply", "--size", 8, "--truth", "a.exr", "--fov-degrees", 90,
                      says=("--truth", "reference --path"))
+
+
+class Scaling(ProgramTest):
+    TIMES = {"gather_ms", "scatter_ms", "nearby_ms", "frame_ms", "scatter_ratio", "frame_ratio"}
+
+    def measure(self, *options):
+        self.write("t.ply", tetrahedron(1))
+        # Its edges of 10 mm are long beside the mean free path of 0.4 mm.
+        return self.succeed("bench", "scaling", "t.ply", "--diagonal-mm", 20, "--sigma-s", "2.5,2.5,2.5", "--sigma-a",
+                            "0.02,0.01,0", "--size", 32, "--frames", 1, "--max-sources", 16384, *options)
+
+    def test_series(self):
+        run = self.measure("--plot", "plot.svg", "--json")
+        found = run.json()
+        self.assertEqual(set(found), {"scene", "size", "device", "surfels", "sigma_tr", "tolerance"})
+        self.assertEqual(found["size"], [32, 32])
+        series = {name: found[name]["rows"] for name in ("surfels", "sigma_tr", "tolerance")}
+        for rows in series.values():
+            self.assertEqual((rows[0]["scatter_ratio"], rows[0]["frame_ratio"]), (1, 1))
+            for row in rows:
+                self.assertLessEqual(self.TIMES, set(row))
+                self.assertGreater(row["scatter_ms"], 0)
+                self.assertGreater(row["frame_ms"], row["scatter_ms"])
+                self.assertAlmostEqual(row["scatter_ratio"], row["scatter_ms"] / rows[0]["scatter_ms"], places=9)
+
+        # Every budget binds: bisection at least halves what it leaves of one.
+        self.assertEqual([row["max_sources"] for row in series["surfels"]], [1024, 4096, 16384])
+        for row in series["surfels"]:
+            self.assertLessEqual(row["surfels"], row["max_sources"])
+            self.assertGreater(row["surfels"], row["max_sources"] / 3)
+
+        # The medium's scattering stays, and with it how finely it is divided.
+        self.assertEqual([row["divisor"] for row in series["sigma_tr"]], [1, 10, 100])
+        self.assertEqual(len({row["surfels"] for row in series["sigma_tr"]}), 1)
+        media = [row["medium"] for row in series["sigma_tr"]]
+        self.assertEqual([medium["sigma_s_per_mm"] for medium in media], 3 * [{"r": 2.5, "g": 2.5, "b": 2.5}])
+        for medium, divisor in zip(media, (1, 10, 100)):
+            for channel, sigma_a in (("r", .02), ("g", .01)):
+                length = (3 * sigma_a * (sigma_a + 2.5)) ** -.5
+                self.assertAlmostEqual(medium["diffusion_length_mm"][channel] / length, divisor, delta=1e-9 * divisor)
+            self.assertEqual(medium["sigma_a_per_mm"]["b"], 0)
+
+        self.assertEqual([row["tolerance"] for row in series["tolerance"]],
+                         [.1, .03, .01, .003])
+        self.assertEqual(found["tolerance"]["finest"], 1e-4)
+        errors = [row["rel_rmse"] for row in series["tolerance"]]
+        evaluations = [row["evaluations"] for row in series["tolerance"]]
+        self.assertEqual(errors, sorted(errors, reverse=True))
+        self.assertEqual(evaluations, sorted(evaluations))
+        for row in series["tolerance"]:
+            self.assertLess(row["rel_rmse"], row["tolerance"])
+        self.assertIn("<svg", (self.folder / "plot.svg").read_text())
+
+    def test_tables(self):
+        out = self.measure().out
+        for part in ("every budget binds", "sigma_tr", "1.30", "tolerance", "evaluations"):
+            self.assertIn(part, out)
+
+    def test_refusals(self):
+        self.refused(2, "bench", "scaling", "--models", "here", says="bench table1")
+        self.refused(2, "bench", "scaling", "--truth", "a.exr", says="bench methods")
+        self.refused(2, "bench", "methods", "--max-sources", 20000, says="bench scaling")
+        self.refused(2, "bench", "scaling", "--max-sources", 16383, says="from 16384 to 4194304")
 
 
 if __name__ == "__main__":

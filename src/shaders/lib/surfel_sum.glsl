@@ -21,10 +21,14 @@ vec3 surfelSum(vec3 position, Profile profile, uint first, uint end) {
   return sum;
 }
 
-// The same of those that belong to the object.
-vec3 surfelSumOf(vec3 position, ObjectData body, uint first, uint end) {
-  return surfelSum(position, media[body.table.x].profile, max(first, body.table.y),
-                   min(end, body.table.y + body.table.z));
+// The same of those that belong to the object. The fourth component counts evaluations of the
+// profile.
+vec4 surfelSumOf(vec3 position, ObjectData body, uint first, uint end) {
+  first = max(first, body.table.y);
+  end = min(end, body.table.y + body.table.z);
+  if (first >= end) return vec4(0.0);
+  return vec4(surfelSum(position, media[body.table.x].profile, first, end),
+              float(sourcesPerSurfel * (end - first)));
 }
 
 #endif

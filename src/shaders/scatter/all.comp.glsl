@@ -26,11 +26,10 @@ void main() {
   vec4 value = firstSurfel == 0u ? vec4(0.0) : imageLoad(exitance, pixel);
   if (surface.w > 0.0) {
     ObjectData body = objects[uint(surface.w) - 1u];
-    value.a = 1.0;
     if (isSummedAtFragments(body, site)) {
-      value.rgb += surfelSumOf(surface.xyz, body, firstSurfel, endSurfel);
+      value += surfelSumOf(surface.xyz, body, firstSurfel, endSurfel);
     } else if (firstSurfel == 0u) {
-      value.rgb = texelFetch(vertexExitance, pixel, 0).rgb;
+      value = texelFetch(vertexExitance, pixel, 0);
     }
   }
   imageStore(exitance, pixel, value);

@@ -25,7 +25,6 @@ void main() {
   if (i >= vertexCount) return;
   ObjectData body = objects[corners[i].object];
   if (isSummedAtFragments(body, site)) return;
-  vec4 value = firstSurfel == 0u ? vec4(0.0, 0.0, 0.0, 1.0) : exitances[i];
-  value.rgb += surfelSumOf(positions[i].xyz, body, firstSurfel, endSurfel);
-  exitances[i] = value;
+  vec4 value = firstSurfel == 0u ? vec4(0.0) : exitances[i];
+  exitances[i] = value + surfelSumOf(positions[i].xyz, body, firstSurfel, endSurfel);
 }
