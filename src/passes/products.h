@@ -97,6 +97,7 @@ struct Surfels {
   gpu::Buffer normals;                       ///< vec4 a surfel, unit
   std::uint32_t count = 0;                   ///< of surfels
   gpu::Buffer nodes;                         ///< shared::TreeNode, depth first
+  gpu::Buffer boxes;                         ///< shared::NodeBox, one a node
   gpu::Buffer links;                         ///< the nodes' links, which no frame changes
   gpu::Buffer byHeight;                      ///< nodes, leaves first
   std::vector<std::uint32_t> firstOfHeight;  ///< one more than there are heights

@@ -98,7 +98,8 @@ SurfelPass::SurfelPass(gpu::Device& device)
                          .shader = shaders::gather_tree_nodes_comp,
                          .bindings = {{0, BindingType::StorageBuffer},
                                       {1, BindingType::StorageBuffer},
-                                      {2, BindingType::StorageBuffer}},
+                                      {2, BindingType::StorageBuffer},
+                                      {3, BindingType::StorageBuffer}},
                          .pushConstantBytes = sizeof(NodeRange),
                      }) {}
 
@@ -116,6 +117,7 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::Surfels& mad
                                              std::size_t{shared::sourcesPerSurfel} * surfels.count);
   surfels.normals = makeRoom<shared::vec4>(device, "normals of surfels", surfels.count);
   surfels.nodes = makeRoom<shared::TreeNode>(device, "tree", made.tree.links.size());
+  surfels.boxes = makeRoom<shared::NodeBox>(device, "boxes of the tree", made.tree.links.size());
   return surfels;
 }
 
@@ -148,13 +150,14 @@ void SurfelPass::fitTree(gpu::CommandList& commands, Surfels& surfels) const {
   };
   commands.bind(leaves_);
   commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
-                          Binding::read(2, surfels.sources), Binding::write(3, surfels.nodes)});
+                          Binding::read(2, surfels.sources), Binding::write(3, surfels.nodes),
+                          Binding::write(4, surfels.boxes)});
   commands.pushConstants(range(0));
   commands.dispatchLinear(range(0).count);
   commands.bind(nodes_);
   for (std::size_t height = 1; height + 1 < surfels.firstOfHeight.size(); ++height) {
     commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
-                            Binding::write(2, surfels.nodes)});
+                            Binding::write(2, surfels.nodes), Binding::write(3, surfels.boxes)});
     commands.pushConstants(range(height));
     commands.dispatchLinear(range(height).count);
   }

@@ -9,6 +9,8 @@ layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[];
 layout(std430, set = 0, binding = 2) readonly buffer Sources { Source sources[]; };
 layout(std430, set = 0, binding = 3) writeonly buffer Nodes { TreeNode nodes[]; };
 
+layout(std430, set = 0, binding = 4) writeonly buffer Boxes { NodeBox boxes[]; };
+
 layout(push_constant) uniform Push {
   uint first;
   uint count;
@@ -42,14 +44,19 @@ void main() {
   for (int c = 0; c < 3; ++c) centroids[c] = flux[c] > 0.0 ? weighted[c] / flux[c] : middle;
 
   float radius = 0.0;
+  vec3 low = middle;
+  vec3 high = middle;
   mat3 moments = mat3(0.0);
   for (uint s = from; s < to; ++s) {
     vec4 place = sources[s].positionArea;
     vec3 f = sources[s].flux.rgb;
     vec3 offset = place.xyz - middle;
+    low = min(low, place.xyz);
+    high = max(high, place.xyz);
     moments += (f.r + f.g + f.b) * outerProduct(offset, offset);
     for (int c = 0; c < 3; ++c) radius = max(radius, distance(place.xyz, centroids[c]));
   }
   if (all > 0.0) moments /= all;
+  boxes[node] = NodeBox(vec4(low, 0.0), vec4(high, 0.0));
   nodes[node] = makeNode(centroids, radius, link, flux, moments);
 }

@@ -8,6 +8,8 @@ layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
 layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
 layout(std430, set = 0, binding = 2) buffer Nodes { TreeNode nodes[]; };
 
+layout(std430, set = 0, binding = 3) buffer Boxes { NodeBox boxes[]; };
+
 layout(push_constant) uniform Push {
   uint first;
   uint count;
@@ -44,17 +46,27 @@ void main() {
   mat3 centroids;
   for (int c = 0; c < 3; ++c) centroids[c] = flux[c] > 0.0 ? weighted[c] / flux[c] : middle;
 
+  // No source lies further than the furthest of any child may, nor than the box's furthest corner.
   float radius = 0.0;
+  vec3 low = boxes[node + 1u].low.xyz;
+  vec3 high = boxes[node + 1u].high.xyz;
   mat3 moments = mat3(0.0);
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
     TreeNode below = nodes[child];
     vec3 f = below.flux;
     vec3 offset = middleOf(below) - middle;
     moments += (f.r + f.g + f.b) * (momentsOf(below) + outerProduct(offset, offset));
+    low = min(low, boxes[child].low.xyz);
+    high = max(high, boxes[child].high.xyz);
     mat3 theirs = centroidsOf(below);
     for (int c = 0; c < 3; ++c)
       radius = max(radius, distance(theirs[c], centroids[c]) + below.radius);
   }
+  float toCorner = 0.0;
+  for (int c = 0; c < 3; ++c)
+    toCorner = max(toCorner, length(max(high - centroids[c], centroids[c] - low)));
+  radius = min(radius, toCorner);
+  boxes[node] = NodeBox(vec4(low, 0.0), vec4(high, 0.0));
   if (all > 0.0) moments /= all;
   nodes[node] = makeNode(centroids, radius, link, flux, moments);
 }

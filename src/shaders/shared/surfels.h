@@ -55,6 +55,12 @@ struct TreeNode {
   vec4 moments;  // zz xy xz yz
 };
 
+/// The box around all sources below a node in this frame, mm.
+struct NodeBox {
+  vec4 low;
+  vec4 high;
+};
+
 /// A node's link: leaves have leafBit, their number of surfels less one from bit leafCountShift,
 /// and their first surfel below; inner nodes the index of the node after all that are below them.
 /// All have setBit: read as floats they are normal numbers, which no device changes.
@@ -66,6 +72,7 @@ OPALINE_SURFEL_CONSTANT leafCountShift = 26u;
 static_assert(sizeof(SurfelPiece) == 48);
 static_assert(offsetof(SurfelPiece, v0) == 16);
 static_assert(sizeof(Source) == 32);
+static_assert(sizeof(NodeBox) == 32);
 static_assert(sizeof(TreeNode) == 80);
 static_assert(offsetof(TreeNode, link) == 28);
 static_assert(offsetof(TreeNode, flux) == 48);
