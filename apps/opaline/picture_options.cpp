@@ -77,6 +77,19 @@ const Choices<Site>& sites() {
   return table;
 }
 
+bool showsMap(Aov aov) {
+  switch (aov) {
+    case Aov::Irradiance:
+    case Aov::DsmPosition:
+    case Aov::DsmNormal:
+    case Aov::DsmIrradiance:
+    case Aov::DsmArea:
+      return true;
+    default:
+      return false;
+  }
+}
+
 RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
   RenderOptions options;
   setFrom(options.width, settings.width);
@@ -128,7 +141,7 @@ void MethodOptions::addTo(CommandLine& line) {
                farDistance_ = readFloat(given, {1e-3, 1000, "mean free paths"});
              });
   line.value("--dsm-size", "N",
-             fmt::format("diffusion source map, 64 to 4096 texels [{}]", defaults.dsmSize),
+             fmt::format("map of the pattern, 64 to 4096 texels [{}]", defaults.dsmSize),
              [this](const Given& given) { dsmSize_ = readInteger(given, 64, 4096); });
   line.value("--shadow-size", "N",
              fmt::format("shadow maps, 64 to 8192 texels [{}]", defaults.shadowSize),
@@ -161,6 +174,13 @@ void MethodOptions::applyTo(RenderOptions& options) const {
   setFrom(options.pattern.farDistance, farDistance_);
   setFrom(options.dsmSize, dsmSize_);
   setFrom(options.shadowSize, shadowSize_);
+}
+
+void MethodOptions::requireUse(const RenderOptions& options, Aov aov) const {
+  if (!dsmSize_ || options.sum == Sum::Pattern || showsMap(aov)) return;
+  throw UsageError(
+      "--dsm-size is of the diffusion source map, which only --sum pattern and --aov irradiance or "
+      "dsm-* make");
 }
 
 void PictureOptions::addTo(CommandLine& line, const Kinds& kinds) {

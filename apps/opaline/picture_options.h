@@ -17,6 +17,9 @@ const Choices<Sum>& sums();
 const Choices<Site>& sites();
 const Choices<core::ToneCurve>& toneCurves();
 
+/// Whether the variable is read off the diffusion source map.
+bool showsMap(Aov aov);
+
 /// The [render] table of a scene file over the defaults.
 RenderOptions optionsOf(const scene::SceneFileSettings& settings);
 
@@ -26,6 +29,8 @@ class MethodOptions {
   void addTo(CommandLine& line);
   /// Throws UsageError for a mixture that contradicts itself.
   void applyTo(RenderOptions& options) const;
+  /// Throws UsageError for what only the diffusion source map has a use for, where none is made.
+  void requireUse(const RenderOptions& options, Aov aov) const;
 
  private:
   bool paper_ = false;

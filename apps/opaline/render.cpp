@@ -80,6 +80,7 @@ struct RenderCommand {
     RenderOptions options = optionsOf(settings);
     method.applyTo(options);
     picture.applyTo(options);
+    method.requireUse(options, picture.aov());
     // A report gives the time of a warm frame, so it takes a second one.
     options.frames = report || json ? 2 : 1;
     return options;

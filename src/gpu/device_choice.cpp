@@ -39,6 +39,17 @@ bool hasPushDescriptors(VkPhysicalDevice physical) {
   });
 }
 
+bool hasSubgroupArithmetic(VkPhysicalDevice physical) {
+  VkPhysicalDeviceSubgroupProperties subgroup{};
+  subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
+  VkPhysicalDeviceProperties2 properties{};
+  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+  properties.pNext = &subgroup;
+  vkGetPhysicalDeviceProperties2(physical, &properties);
+  return (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) != 0 &&
+         (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0;
+}
+
 std::string whatIsMissing(VkPhysicalDevice physical, std::uint32_t apiVersion) {
   if (apiVersion < VK_API_VERSION_1_3) {
     return fmt::format("Vulkan 1.3 (it has {}.{})", VK_API_VERSION_MAJOR(apiVersion),
@@ -59,6 +70,7 @@ std::string whatIsMissing(VkPhysicalDevice physical, std::uint32_t apiVersion) {
   need(there.vulkan13.maintenance4 == VK_TRUE, "maintenance4");
   need(there.vulkan13.shaderDemoteToHelperInvocation == VK_TRUE, "shaderDemoteToHelperInvocation");
   need(there.vulkan13.shaderTerminateInvocation == VK_TRUE, "shaderTerminateInvocation");
+  need(hasSubgroupArithmetic(physical), "subgroup arithmetic in compute");
   need(hasPushDescriptors(physical), VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
   need(findQueueFamily(physical).has_value(), "a queue for graphics and compute");
   return missing;

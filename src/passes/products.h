@@ -108,7 +108,7 @@ struct Surfels {
 /// What the camera sees, a texel a pixel.
 struct VisibleSurface {
   gpu::GpuImage position;  ///< xyz mm, w object + 1
-  gpu::GpuImage normal;    ///< xyz unit
+  gpu::GpuImage normal;    ///< xyz unit, towards the camera; w -1 where that is inwards, else 1
   gpu::GpuImage place;     ///< xy place among the neighbourhoods
   gpu::GpuImage exitance;  ///< rgb of the vertices, interpolated
   gpu::GpuImage depth;

@@ -69,9 +69,10 @@ FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, S
           .seconds = options.seconds};
 }
 
-// Every pass of a frame in a command list's count: those of deforming and gathering, those of the
-// vertices' scattering, and three for each look at the surface.
-constexpr std::uint32_t maxPassesOfFrame = 12 + 3 * 10;
+// Every pass of a frame: deform, normals, fit, shadow, map, neighbours, surfels, tree; estimate,
+// scatter and nearby at the vertices; and surface, scatter, nearby and shade for each look, of
+// which there are as many as antialiasing samples and one at the pixels' centres.
+constexpr std::uint32_t maxPassesOfFrame = 8 + 3 + 4 * (8 + 1);
 
 // One of the frames that may be under way.
 struct FrameSlot {

@@ -139,6 +139,14 @@ SurfelsOfObject surfelsOf(const surfels::Surfels& made, const SceneResources& re
           .coarse = spacingMm > coarseInFreePaths * shortestMeanFreePathMm(medium)};
 }
 
+// As many surfels as asked for, or as many as the device reads the sources of from one buffer.
+std::size_t budgetOf(const gpu::Device& device, int maxSurfels) {
+  constexpr std::size_t bytes = shared::sourcesPerSurfel * sizeof(shared::Source);
+  const std::size_t range = std::min(std::size_t{device.limits().maxStorageBufferRange},
+                                     device.limits().maxTexelBufferElements * sizeof(glm::vec4));
+  return std::min(static_cast<std::size_t>(maxSurfels), range / bytes);
+}
+
 void divide(gpu::Device& device, const Scene& scene, SceneResources& resources,
             const LogCallback& log) {
   const scene::MergedMesh& merged = *resources.merged;
@@ -146,8 +154,8 @@ void divide(gpu::Device& device, const Scene& scene, SceneResources& resources,
   std::vector<double> wantedMm;
   for (const Object& object : scene.objects)
     wantedMm.push_back(sizeInFreePaths * shortestMeanFreePathMm(object.medium));
-  const surfels::Surfels made = surfels::makeSurfels(
-      surface, wantedMm, static_cast<std::size_t>(*resources.needs.maxSurfels));
+  const std::size_t budget = budgetOf(device, *resources.needs.maxSurfels);
+  const surfels::Surfels made = surfels::makeSurfels(surface, wantedMm, budget);
   double coarsest = 1;
   for (std::size_t i = 0; i < resources.objects; ++i) {
     resources.surfelsOfObject.push_back(surfelsOf(made, resources, i));
@@ -157,11 +165,14 @@ void divide(gpu::Device& device, const Scene& scene, SceneResources& resources,
   resources.surfels.coarse =
       std::any_of(resources.surfelsOfObject.begin(), resources.surfelsOfObject.end(),
                   [](const SurfelsOfObject& surfels) { return surfels.coarse; });
-  if (coarsest > 1 && log)
-    log(LogLevel::Note,
-        fmt::format("the budget of {} surfels leaves them {:.1f} times as large as the medium asks "
-                    "for; raise --max-sources for more accuracy",
-                    *resources.needs.maxSurfels, coarsest));
+  if (coarsest <= 1 || !log) return;
+  const bool asked = budget == static_cast<std::size_t>(*resources.needs.maxSurfels);
+  log(LogLevel::Note,
+      fmt::format(
+          "the budget of {} surfels leaves them {:.1f} times as large as the medium asks "
+          "for; {}",
+          budget, coarsest,
+          asked ? "raise --max-sources for more accuracy" : "this device has no room for more"));
 }
 
 }  // namespace

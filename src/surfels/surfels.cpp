@@ -165,17 +165,28 @@ void coarsenToMean(const Surface& surface, Surfels& surfels) {
   }
 }
 
+// With every triangle one piece.
+std::size_t leastSurfels(const Surface& surface, std::size_t objects,
+                         std::uint32_t piecesPerSurfel) {
+  std::vector<std::size_t> triangles(objects, 0);
+  for (const std::uint32_t object : surface.objectOfTriangle) ++triangles[object];
+  std::size_t surfels = 0;
+  for (const std::size_t count : triangles)
+    surfels += (count + piecesPerSurfel - 1) / piecesPerSurfel;
+  return surfels;
+}
+
 }  // namespace
 
 Surfels makeSurfels(const Surface& surface, std::span<const double> wantedSpacingMm,
                     std::size_t maxSurfels) {
   const std::size_t objects = wantedSpacingMm.size();
   Surfels surfels;
-  // An object's last surfel may be a part of one: room for that is kept.
-  while (surface.triangles.size() / surfels.piecesPerSurfel + objects > maxSurfels &&
+  while (leastSurfels(surface, objects, surfels.piecesPerSurfel) > maxSurfels &&
          surfels.piecesPerSurfel < surface.triangles.size()) {
     surfels.piecesPerSurfel *= 2;
   }
+  // An object's last surfel may be a part of one: room for that is kept.
   const std::size_t full =
       surfels.piecesPerSurfel == 1 ? maxSurfels : maxSurfels - std::min(objects, maxSurfels);
   Cut made = cut(surface, wantedSpacingMm,

@@ -18,7 +18,7 @@ import unittest
 from images import read_exr, read_png
 from program import PROGRAM, ProgramTest
 
-MODEL = ("--builtin", "teapot", "--dsm-size", 64, "--shadow-size", 64)
+MODEL = ("--builtin", "teapot", "--shadow-size", 64)
 MOTION = ("--deform", "wobble:0.1:0.7", "--deform", "twist:0.5:1.5")
 TEAPOT = (*MODEL, "--fov-degrees", 50, "--size", "24x16")
 MOVING = (*TEAPOT, *MOTION)
@@ -155,7 +155,7 @@ def dented(height):
 
 class Sequence(Film):
     HEIGHTS = (.34, .45, .6, .5)
-    OPTIONS = ("--size", "24x16", "--dsm-size", 64, "--shadow-size", 64, "--fov-degrees", 50)
+    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--fov-degrees", 50)
 
     def setUp(self):
         super().setUp()
@@ -227,7 +227,7 @@ def walker():
 
 
 class Clips(Film):
-    OPTIONS = ("--size", "24x16", "--dsm-size", 64, "--shadow-size", 64, "--diagonal-mm", 30, "--fov-degrees", 60,
+    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--diagonal-mm", 30, "--fov-degrees", 60,
                "--aov", "position", "-o", "a.exr")
 
     def setUp(self):

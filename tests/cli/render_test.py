@@ -14,7 +14,7 @@ EDGE = DIAGONAL / math.sqrt(3)
 # Marble's boundary at normal incidence, eta 1.5: 1 - ((1.5 - 1) / (1.5 + 1))^2.
 ENTERING = .96
 # A cube whose centre is not the origin, of a medium in which nothing shines through.
-CUBE = ("cube.obj", "--diagonal-mm", DIAGONAL, "--medium", "marble", "--size", "64x48", "--dsm-size", 128,
+CUBE = ("cube.obj", "--diagonal-mm", DIAGONAL, "--medium", "marble", "--size", "64x48",
         "--shadow-size", 256, "--quiet")
 
 
@@ -38,7 +38,7 @@ class Render(ProgramTest):
 
 class Outputs(Render):
     def test_the_built_in_bear(self):
-        run = self.succeed("render", "--size", "128x96", "--dsm-size", 128)
+        run = self.succeed("render", "--size", "128x96")
         self.assertEqual(run.out, "")
         self.assertIn("bear.png", run.err)
         self.assertEqual(self.listing(), ["bear.png", "cube.obj"])
@@ -85,7 +85,7 @@ class Outputs(Render):
         # The cube's edges of 17 mm are longer than any mean free path of marble, the bear's are not
         # longer than one of 100 mm.
         self.assertEqual(self.succeed("render", *CUBE, "--json").json()["site"], "fragment")
-        bear = self.succeed("render", "--size", "16x16", "--dsm-size", 64, "--sigma-s", ".01,.01,.01",
+        bear = self.succeed("render", "--size", "16x16", "--sigma-s", ".01,.01,.01",
                             "--sigma-a", "0,0,0", "--json").json()
         self.assertEqual(bear["site"], "vertex")
 
@@ -131,7 +131,7 @@ class Geometry(Render):
         self.assertAlmostEqual(narrow / wide / expected, 1, delta=.15)
 
     def test_the_whole_bear_is_in_the_picture(self):
-        self.succeed("render", "--aov", "depth", "--size", "96x96", "--dsm-size", 64, "-o", "bear.exr")
+        self.succeed("render", "--aov", "depth", "--size", "96x96", "-o", "bear.exr")
         picture = read_exr((self.folder / "bear.exr").read_bytes())
         edge = [*picture.rows[0], *picture.rows[-1], *(row[x] for row in picture.rows for x in (0, -1))]
         self.assertFalse(any(pixel[3] for pixel in edge))
@@ -139,7 +139,7 @@ class Geometry(Render):
 
     def test_a_direction_keeps_the_distance_of_the_scenes_camera(self):
         self.write("near.toml", 'model = "cube.obj"\ndiagonal_mm = 30\n[camera]\nposition_mm = [0, 0, 40]\n')
-        arguments = ("--aov", "depth", "--size", "16x15", "--dsm-size", 64)
+        arguments = ("--aov", "depth", "--size", "16x15")
         for turned in ((), ("--camera-direction", "0,0,-7"), ("--camera-direction", "3,0,0")):
             self.succeed("render", "near.toml", *arguments, *turned, "-o", "near.exr")
             centre = read_exr((self.folder / "near.exr").read_bytes()).centre()
@@ -150,7 +150,7 @@ class Geometry(Render):
         self.write("plate.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
                    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
                    "0 0 0\n0 4 0\n0 4 3\n0 0 3\n4 0 1 2 3\n")
-        plate = ("plate.ply", "--diagonal-mm", 50, "--size", "30x30", "--dsm-size", 64)
+        plate = ("plate.ply", "--diagonal-mm", 50, "--size", "30x30")
         # Half height 20 mm at 70 - 15 mm: 2 atan(20 / 55) = 39.97 degrees.
         self.assertIn("--fov-degrees 40", self.succeed("render", *plate).err)
         # From the side all corners are 70 mm away: 2 atan(20 / 70) = 31.9 degrees.
@@ -159,7 +159,7 @@ class Geometry(Render):
             self.assertNotIn("does not fit", self.succeed("render", *plate, *fits).err, fits)
         # A cube's front is 1.4 - .289 diagonals away: 2 atan(.289 / 1.111) = 29.1 degrees.
         self.assertNotIn("does not fit", self.succeed("render", "cube.obj", *plate[3:]).err)
-        narrow = (*plate[:3], "--size", "10x30", "--dsm-size", 64, "--camera-direction", "1,0,0")
+        narrow = (*plate[:3], "--size", "10x30", "--camera-direction", "1,0,0")
         # Half width 15 mm in a third of the height, 70 mm away: 2 atan(3 * 15 / 70) = 65.5 degrees.
         self.assertIn("--fov-degrees 66", self.succeed("render", *narrow).err)
 

@@ -78,6 +78,8 @@ class RefitTest : public gpu::GpuTest {
     gpu::Buffer sources = gpu::makeBuffer(device(), "sources", lit.sources, storage);
     gpu::Buffer nodes =
         gpu::makeBuffer(device(), "nodes", std::vector<TreeNode>(tree.links.size()), storage);
+    gpu::Buffer boxes = gpu::makeBuffer(device(), "boxes",
+                                        std::vector<shared::NodeBox>(tree.links.size()), storage);
     const auto pipeline = [&](const char* name, std::span<const std::uint32_t> shader,
                               std::uint32_t slots) {
       gpu::ComputePipelineOptions options{.name = name, .shader = shader, .pushConstantBytes = 8};
@@ -85,8 +87,8 @@ class RefitTest : public gpu::GpuTest {
         options.bindings.push_back({slot, BindingType::StorageBuffer});
       return gpu::Pipeline(device(), options);
     };
-    const gpu::Pipeline leaves = pipeline("leaves", shaders::gather_tree_leaves_comp, 4);
-    const gpu::Pipeline inner = pipeline("nodes", shaders::gather_tree_nodes_comp, 3);
+    const gpu::Pipeline leaves = pipeline("leaves", shaders::gather_tree_leaves_comp, 5);
+    const gpu::Pipeline inner = pipeline("nodes", shaders::gather_tree_nodes_comp, 4);
     gpu::CommandList commands(device(), "refit");
     commands.begin();
     for (std::size_t height = 0; height + 1 < tree.firstOfHeight.size(); ++height) {
@@ -95,10 +97,11 @@ class RefitTest : public gpu::GpuTest {
       commands.bind(height == 0 ? leaves : inner);
       if (height == 0)
         commands.bindResources({Binding::read(0, links), Binding::read(1, byHeight),
-                                Binding::read(2, sources), Binding::write(3, nodes)});
+                                Binding::read(2, sources), Binding::write(3, nodes),
+                                Binding::write(4, boxes)});
       else
-        commands.bindResources(
-            {Binding::read(0, links), Binding::read(1, byHeight), Binding::write(2, nodes)});
+        commands.bindResources({Binding::read(0, links), Binding::read(1, byHeight),
+                                Binding::write(2, nodes), Binding::write(3, boxes)});
       commands.pushConstants(std::array<std::uint32_t, 2>{first, count});
       commands.dispatchLinear(count);
     }
@@ -158,9 +161,12 @@ Sums sumsOf(std::span<const Source> sources) {
   for (std::size_t c = 0; c < 3; ++c)
     sums.centroids[c] = sums.flux[c] > 0 ? (1 / sums.flux[c]) * sums.centroids[c] : sums.middle;
   for (const Source& source : sources) {
-    const Vector offset = placeOf(source) - sums.middle;
-    for (std::size_t i = 0; i < 3; ++i)
-      sums.moments[i] = sums.moments[i] + (all(source) / total * offset[i]) * offset;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vector offset = placeOf(source) - sums.centroids[c];
+      const double part = static_cast<double>(source.flux[static_cast<int>(c)]) / total;
+      for (std::size_t i = 0; i < 3; ++i)
+        sums.moments[i] = sums.moments[i] + (part * offset[i]) * offset;
+    }
   }
   return sums;
 }

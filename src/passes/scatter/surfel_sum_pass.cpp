@@ -133,6 +133,7 @@ void SurfelSumPass::treeOverVertices(gpu::CommandList& commands, const Order& or
                                      const Vertices& over) const {
   const Pipelines& made = pipelines(order.transport);
   for (const gpu::Pipeline* pipeline : {&made.roughVertices, &made.treeVertices}) {
+    if (pipeline == &made.treeVertices && order.site == ScatterSite::Fragments) break;
     commands.beginPass(pipeline == &made.roughVertices ? "estimate" : "scatter");
     commands.bind(*pipeline);
     commands.bindResources(

@@ -22,8 +22,13 @@ layout(push_constant) uniform Push {
   uint piecesPerSurfel;
 };
 
+// Less flux is none: sums of it would not be normal numbers.
+const float leastFlux = 1e-30;
+
 void put(uint source, vec3 position, float area, vec3 irradiance) {
-  sources[source] = Source(vec4(position, area), vec4(area * irradiance, 0.0));
+  vec3 flux = area * irradiance;
+  sources[source] = Source(vec4(position, area),
+                           vec4(mix(vec3(0.0), flux, greaterThan(flux, vec3(leastFlux))), 0.0));
 }
 
 struct PiecePlace {
@@ -76,7 +81,7 @@ void gatherPiece(uint surfel) {
   surfelNormals[surfel] = vec4(normalAt(place, middle), 0.0);
 }
 
-// Each source stands for some of the pieces, one of which is asked what falls on it.
+// Each source stands for some of the pieces, the largest of which is asked what falls on it.
 void gatherPieces(uint surfel) {
   vec3 direction = vec3(0.0);
   for (uint i = 0u; i < sourcesPerSurfel; ++i) {
@@ -84,7 +89,8 @@ void gatherPieces(uint surfel) {
     uint end = (i + 1u) * piecesPerSurfel / sourcesPerSurfel;
     float area = 0.0;
     vec3 byArea = vec3(0.0);
-    vec3 irradiance = vec3(0.0);
+    float largestArea = 0.0;
+    uint largest = first;
     vec3 somewhere = positions[pieces[surfel * piecesPerSurfel].a].xyz;
     for (uint k = first; k < end; ++k) {
       SurfelPiece piece = pieces[surfel * piecesPerSurfel + k];
@@ -93,7 +99,16 @@ void gatherPieces(uint surfel) {
       area += place.area;
       byArea += place.area * positionAt(place, middle);
       direction += place.area * normalAt(place, middle);
-      if (k == first) irradiance = irradianceOn(place, middle, piece.object);
+      if (place.area > largestArea) {
+        largestArea = place.area;
+        largest = k;
+      }
+    }
+    vec3 irradiance = vec3(0.0);
+    if (largestArea > 0.0) {
+      SurfelPiece piece = pieces[surfel * piecesPerSurfel + largest];
+      PiecePlace place = placeOf(piece);
+      irradiance = irradianceOn(place, middleOf(place), piece.object);
     }
     put(sourcesPerSurfel * surfel + i, area > 0.0 ? byArea / area : somewhere, area, irradiance);
   }

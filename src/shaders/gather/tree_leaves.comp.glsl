@@ -50,11 +50,13 @@ void main() {
   for (uint s = from; s < to; ++s) {
     vec4 place = sources[s].positionArea;
     vec3 f = sources[s].flux.rgb;
-    vec3 offset = place.xyz - middle;
     low = min(low, place.xyz);
     high = max(high, place.xyz);
-    moments += (f.r + f.g + f.b) * outerProduct(offset, offset);
-    for (int c = 0; c < 3; ++c) radius = max(radius, distance(place.xyz, centroids[c]));
+    for (int c = 0; c < 3; ++c) {
+      vec3 offset = place.xyz - centroids[c];
+      moments += f[c] * outerProduct(offset, offset);
+      radius = max(radius, length(offset));
+    }
   }
   if (all > 0.0) moments /= all;
   boxes[node] = NodeBox(vec4(low, 0.0), vec4(high, 0.0));

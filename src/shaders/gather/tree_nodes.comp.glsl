@@ -54,13 +54,15 @@ void main() {
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
     TreeNode below = nodes[child];
     vec3 f = below.flux;
-    vec3 offset = middleOf(below) - middle;
-    moments += (f.r + f.g + f.b) * (momentsOf(below) + outerProduct(offset, offset));
+    moments += (f.r + f.g + f.b) * momentsOf(below);
     low = min(low, boxes[child].low.xyz);
     high = max(high, boxes[child].high.xyz);
     mat3 theirs = centroidsOf(below);
-    for (int c = 0; c < 3; ++c)
-      radius = max(radius, distance(theirs[c], centroids[c]) + below.radius);
+    for (int c = 0; c < 3; ++c) {
+      vec3 offset = theirs[c] - centroids[c];
+      moments += f[c] * outerProduct(offset, offset);
+      radius = max(radius, length(offset) + below.radius);
+    }
   }
   float toCorner = 0.0;
   for (int c = 0; c < 3; ++c)

@@ -10,6 +10,11 @@ layout(std140, set = 0, binding = BINDING_PATTERN) uniform Pattern {
 layout(set = 0, binding = BINDING_POSITION) uniform sampler2D nearPosition;  // mm; 1 on surface
 layout(set = 0, binding = BINDING_FLUX) uniform sampler2D nearFlux;          // E·A; A
 
+// With the one in the middle, whose mean is tabulated.
+uint nearEvaluations(MediumData medium) {
+  return medium.tables.y + 1u;
+}
+
 // The near block around a place among the neighbourhoods (Gong et al. 2008, section 4.1), each
 // sample weighted by the texels it stands for (section 4.2). The cell at the centre, where the
 // profile is sharpest, is integrated rather than sampled. To the square of a sample's distance comes

@@ -19,7 +19,7 @@ const float nearestInRadii2 = 2.0;
 
 // The first term left out that does not cancel in a node whose surfels lie evenly about its
 // centroid is of fourth order, F g⁴ f⁗/24 with the mean square g²; of that, this much.
-const float neglectedPart = 0.8;
+const float neglectedPart = 1.0;
 
 Derivatives profileDerivatives(Profile profile, vec3 squaredMm2) {
   return transport == 0u ? dipoleDerivatives(profile, squaredMm2)

@@ -26,7 +26,8 @@ void main() {
   if (surface.w == 0.0) return;
   ObjectData body = objects[uint(surface.w) - 1u];
   if (body.nearby.x == 0.0 || !isSummedAtFragments(body, site)) return;
-  vec3 normal = texelFetch(surfaceNormal, pixel, 0).xyz;
+  vec4 seen = texelFetch(surfaceNormal, pixel, 0);
+  vec3 normal = seen.w * seen.xyz;
   vec3 missing = irradianceAt(surface.xyz, normal, normal, media[body.table.x]) *
                  missingNearby(surface.xyz, normal, body);
   vec4 value = imageLoad(exitance, pixel);

@@ -48,7 +48,10 @@ void main() {
   if (objects[corner.object].table.x != medium) return;
   vec3 position = positions[i].xyz;
   vec3 sum = farSum(i, position, media[medium]);
-  if (withNearBlock != 0u)
+  float evaluations = 8.0;
+  if (withNearBlock != 0u) {
     sum += nearSum(position, media[medium], nearPlace(corner, charts[corner.chart]));
-  exitances[i] = vec4(sum, 1.0);
+    evaluations += float(nearEvaluations(media[medium]));
+  }
+  exitances[i] = vec4(sum, evaluations);
 }

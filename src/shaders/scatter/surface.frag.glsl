@@ -11,14 +11,15 @@ layout(location = 4) flat in uint object;
 layout(location = 5) flat in float side;  // -1 where the triangle is mirrored
 
 layout(location = 0) out vec4 positionObject;  // mm; object + 1
-layout(location = 1) out vec4 unitNormal;      // towards the side that is seen
+layout(location = 1) out vec4 unitNormal;      // towards the side that is seen; -1: the inside
 layout(location = 2) out vec2 placeNearby;     // among the neighbourhoods
 layout(location = 3) out vec4 vertexExitance;  // interpolated
 
 void main() {
   vec3 n = unitOr(normal, vec3(0.0, 1.0, 0.0));
   positionObject = vec4(position, float(object + 1u));
-  unitNormal = vec4(gl_FrontFacing == (side > 0.0) ? n : -n, 0.0);
+  float seen = gl_FrontFacing == (side > 0.0) ? 1.0 : -1.0;
+  unitNormal = vec4(seen * n, seen);
   placeNearby = place;
   vertexExitance = exitance;
 }

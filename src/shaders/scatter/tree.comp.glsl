@@ -38,8 +38,14 @@ void main() {
   vec4 known = inside ? texelFetch(vertexExitance, pixel, 0) : vec4(0.0);
   ObjectData body = objects[covered ? uint(surface.w) - 1u : 0u];
   bool here = covered && isSummedAtFragments(body, site);
-  vec4 sum = treeSum(surface.xyz, here && body.tree.x < body.tree.y ? body.tree.x : noNode,
-                     body.tree.y, media[body.table.x].profile, toleratedAt(known.rgb, tolerance));
+  uint root = here && body.tree.x < body.tree.y ? body.tree.x : noNode;
+  Profile profile = media[body.table.x].profile;
+  vec3 about = known.rgb;
+  // Between vertices far apart it may be much darker than they are.
+  bool coarse = here && body.table.w != 0u;
+  vec3 there = roughSum(surface.xyz, coarse ? root : noNode, body.tree.y, profile);
+  if (coarse) about = min(about, there);
+  vec4 sum = treeSum(surface.xyz, root, body.tree.y, profile, toleratedAt(about, tolerance));
   if (inside)
     imageStore(exitance, pixel, covered ? here ? sum : known : vec4(0.0));
 }

@@ -49,8 +49,9 @@ struct TreeNode {
   vec3 green;
   uint link;  // see below
   vec3 blue;
-  float momentXx;  // mean second moments of all flux about its centroid, mm²
-  vec3 flux;       // rgb
+  float
+      momentXx;  // second moments of each channel's flux about its centroid, mean of all flux, mm²
+  vec3 flux;     // rgb
   float momentYy;
   vec4 moments;  // zz xy xz yz
 };
