@@ -120,7 +120,7 @@ void MethodOptions::addTo(CommandLine& line) {
     paper_ = readChoice<bool>(given, {{"paper", true}});
   });
   line.value("--tolerance", "X",
-             fmt::format("of the tree, relative error, 1e-4 to 1 [{}]", defaults.tolerance),
+             fmt::format("of the tree's nodes, relative, 1e-4 to 1 [{}]", defaults.tolerance),
              [this](const Given& given) {
                tolerance_ = readFloat(given, {1e-4, 1});
              });

@@ -38,7 +38,7 @@ enum class Site {
 enum class Aov {
   Radiance,       ///< leaving towards the camera
   Exitance,       ///< B
-  Irradiance,     ///< E, that has entered the surface
+  Irradiance,     ///< E, that has entered the surface, by the diffusion source map
   Position,       ///< mm
   Normal,         ///< unit
   Depth,          ///< distance along the viewing axis, mm, in R, G and B
@@ -65,7 +65,7 @@ struct RenderOptions {
   Transport transport = Transport::Dipole;
   Sum sum = Sum::Tree;
   Site site = Site::Auto;
-  float tolerance = 0.01F;   ///< of Sum::Tree, error relative to exitance, in [1e-4, 1]
+  float tolerance = 0.01F;   ///< of Sum::Tree, of each node relative to exitance, in [1e-4, 1]
   int maxSources = 262'144;  ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
   PatternOptions pattern;
   int dsmSize = 512;        ///< edge of the diffusion source map, texels, in [64, 4096]

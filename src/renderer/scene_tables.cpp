@@ -81,10 +81,8 @@ class TableBuilder {
   std::vector<float> albedo_;
 };
 
-// Around coarse surfels the profile is integrated within this, mm.
-double nearbyRadiusMm(const SurfelsOfObject& surfels, const Medium& medium) {
-  return std::max(4 * surfels.sourceSpacingMm, 2 * shortestMeanFreePathMm(medium));
-}
+// Around coarse surfels the profile is integrated within so many of their sources' spacings.
+constexpr double nearbySpacings = 4;
 
 std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Transport transport) {
   std::vector<shared::ObjectData> objects(resources.objects);
@@ -97,7 +95,7 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     objects[i].tree = {surfels.root, surfels.endNode, 0, 0};
     if (!surfels.coarse) continue;
     const Medium& medium = resources.media[resources.mediumOfObject[i]];
-    const double radiusMm = nearbyRadiusMm(surfels, medium);
+    const double radiusMm = nearbySpacings * surfels.sourceSpacingMm;
     objects[i].nearby.x = static_cast<float>(radiusMm);
     const std::array<bssrdf::Profile, 3> profiles =
         bssrdf::makeProfiles(modelOf(transport), medium);

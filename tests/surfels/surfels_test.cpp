@@ -143,6 +143,25 @@ TEST(Surfels, KeepTheBudgetWhereEveryObjectsLastSurfelIsNotFull) {
 }
 
 // As to nine hundred million times finer than what fits: it ends, and soon.
+// As many pieces as triangles, and no more than a surfel of each object filled up.
+TEST(Surfels, OfAsManyObjectsAsTheBudgetTakeNoMoreThanTheyNeed) {
+  Body body{.name = "grains", .objects = 1000};
+  for (std::uint32_t object = 0; object < body.objects; ++object) {
+    for (std::uint32_t i = 0; i < 9; ++i) {
+      const auto first = static_cast<std::uint32_t>(body.positions.size());
+      const auto x = static_cast<float>(object);
+      const auto y = static_cast<float>(i);
+      body.positions.insert(body.positions.end(), {{x, y, 0}, {x + 0.5F, y, 0}, {x, y + 0.5F, 0}});
+      body.triangles.push_back({first, first + 1, first + 2});
+      body.objectOfTriangle.push_back(object);
+    }
+  }
+  const Surfels made = makeSurfels(body.surface(), body.spacing(10), 1024);
+  EXPECT_EQ(made.count(), 1000U);
+  EXPECT_EQ(made.piecesPerSurfel, 16U);
+  expectPartition(body, made);
+}
+
 TEST(Surfels, EndHoweverFineTheyWereToBe) {
   for (Body body : allBodies()) {
     for (const float scale : {1e-6F, 1.0F, 1e6F}) {

@@ -21,7 +21,7 @@ class SurfelSumPass {
   struct Order {
     ScatterTransport transport = ScatterTransport::Dipole;
     ScatterSite site = ScatterSite::PerObject;
-    float tolerance = 0.01F;  ///< of the tree: error of a sum relative to it
+    float tolerance = 0.01F;  ///< of the tree: error of a node relative to the sum
   };
   struct Vertices {
     SceneTables& tables;
