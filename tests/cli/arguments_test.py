@@ -50,6 +50,7 @@ class Refusals(ProgramTest):
         self.refused(2, "render", "--sum", "forest", says=("--sum forest", "pattern, tree, all"))
         self.refused(2, "render", "--tolerance", "0.1", "--sum", "all", says=("--tolerance", "--sum tree"))
         self.refused(2, "render", "--max-sources", "4096", "--method", "paper", says="--max-sources")
+        self.refused(2, "render", "--dsm-size", "128", says=("--dsm-size", "--sum pattern"))
         self.refused(2, "render", "--max-sources", "12", says=("--max-sources", "1024"))
         self.refused(2, "render", "--tolerance", "0", says=("--tolerance", "0.0001"))
         self.refused(2, "render", "--transport", "boundary", says=("--transport boundary", "dipole, better-dipole"))

@@ -56,7 +56,8 @@ class Outputs(Render):
         self.assertEqual(self.listing(), ["cube.exr", "cube.obj", "cube.png"])
 
     def test_report(self):
-        run = self.succeed("render", *CUBE, "--json", "--report", "r.json", "-o", "a.png", "--method", "paper")
+        run = self.succeed("render", *CUBE, "--json", "--report", "r.json", "-o", "a.png", "--method", "paper",
+                           "--dsm-size", 128)
         report = run.json()
         self.assertEqual(report, json.loads((self.folder / "r.json").read_text()))
         self.assertEqual(set(report), REPORT)
@@ -164,11 +165,11 @@ class Geometry(Render):
         self.assertIn("--fov-degrees 66", self.succeed("render", *narrow).err)
 
     def test_the_diffusion_source_map_holds_the_whole_surface(self):
-        area = self.exr("--aov", "dsm-area")
+        area = self.exr("--aov", "dsm-area", "--dsm-size", 128)
         self.assertEqual((area.width, area.height), (128, 128))
         total = sum(pixel[0] for pixel in area.covered())
         self.assertAlmostEqual(total / (6 * EDGE**2), 1, delta=.03)
-        for normal in self.exr("--aov", "dsm-normal").covered():
+        for normal in self.exr("--aov", "dsm-normal", "--dsm-size", 128).covered():
             self.assertAlmostEqual(math.hypot(*normal[:3]), 1, delta=1e-3)
 
 
