@@ -28,8 +28,6 @@ namespace {
 using gpu::Binding;
 using gpu::BindingType;
 
-constexpr std::uint32_t tileSize = 8;
-
 std::uint32_t unsignedOf(int value) {
   return static_cast<std::uint32_t>(value);
 }
@@ -103,9 +101,7 @@ class OpaqueFrame::Implementation {
         {Binding::uniform(0, view_.data), Binding::sampled(1, visible_.position, nearest_),
          Binding::sampled(2, visible_.normal, nearest_),
          Binding::sampled(3, shadows_.depth, nearest_), Binding::writeImage(4, radiance_)});
-    const VkExtent2D extent = radiance_.extent();
-    commands_.dispatch((extent.width + tileSize - 1) / tileSize,
-                       (extent.height + tileSize - 1) / tileSize);
+    commands_.dispatchTiles(radiance_);
     commands_.endPass();
     commands_.submit();
     commands_.wait();

@@ -77,19 +77,6 @@ const Choices<Site>& sites() {
   return table;
 }
 
-bool showsMap(Aov aov) {
-  switch (aov) {
-    case Aov::Irradiance:
-    case Aov::DsmPosition:
-    case Aov::DsmNormal:
-    case Aov::DsmIrradiance:
-    case Aov::DsmArea:
-      return true;
-    default:
-      return false;
-  }
-}
-
 RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
   RenderOptions options;
   setFrom(options.width, settings.width);

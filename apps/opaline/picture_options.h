@@ -17,9 +17,6 @@ const Choices<Sum>& sums();
 const Choices<Site>& sites();
 const Choices<core::ToneCurve>& toneCurves();
 
-/// Whether the variable is read off the diffusion source map.
-bool showsMap(Aov aov);
-
 /// The [render] table of a scene file over the defaults.
 RenderOptions optionsOf(const scene::SceneFileSettings& settings);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "svg_sheet.h"
+
 namespace opaline::app {
 
 namespace {
@@ -62,20 +64,6 @@ double niceStep(double length) {
     if (length / (factor * power) >= 4) return factor * power;
   }
   return power;
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
 }
 
 std::string grid(const Axes& axes) {

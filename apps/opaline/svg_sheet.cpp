@@ -13,6 +13,14 @@ const char* codeOf(SvgColour colour) {
   return codes[static_cast<std::size_t>(colour)];
 }
 
+std::string gridLine(double x1, double y1, double x2, double y2) {
+  return fmt::format(
+      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#ccc\"/>\n", x1, y1,
+      x2, y2);
+}
+
+}  // namespace
+
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -26,14 +34,6 @@ std::string escaped(const std::string& text) {
   }
   return result;
 }
-
-std::string gridLine(double x1, double y1, double x2, double y2) {
-  return fmt::format(
-      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#ccc\"/>\n", x1, y1,
-      x2, y2);
-}
-
-}  // namespace
 
 SvgSheet::SvgSheet(const SvgFrame& frame, const std::string& title)
     : frame_(frame),

@@ -5,6 +5,9 @@
 
 namespace opaline::app {
 
+/// With the characters that XML keeps for itself written as entities.
+std::string escaped(const std::string& text);
+
 /// Where a plot's axes run on its sheet, in SVG units; the legend stands to the right of them.
 struct SvgFrame {
   double width = 720;

@@ -50,6 +50,9 @@ enum class Aov {
   DsmArea,        ///< the diffusion source map: area of a texel on the surface, mm², in R, G and B
 };
 
+/// Whether a variable is read off the diffusion source map.
+bool showsMap(Aov aov);
+
 /// Shape of the pattern of Gong et al. 2008, Figure 5. Lengths are in mean free paths 1/σ_t' of the
 /// channel with the shortest.
 struct PatternOptions {

@@ -282,6 +282,12 @@ void CommandList::dispatchLinear(std::uint32_t count) {
   dispatch((groups + rows - 1) / rows, rows);
 }
 
+void CommandList::dispatchTiles(const GpuImage& image) {
+  constexpr std::uint32_t tileSize = 8;
+  const VkExtent2D extent = image.extent();
+  dispatch((extent.width + tileSize - 1) / tileSize, (extent.height + tileSize - 1) / tileSize);
+}
+
 VkRenderingAttachmentInfo CommandList::attachment(const ColorTarget& target) {
   GpuImage& image = *target.image;
   assert(target.clear || image.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);

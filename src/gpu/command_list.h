@@ -107,6 +107,10 @@ class CommandList {
   /// At least `count` invocations of a shader with 64 in a group; see shaders/lib/linear.glsl.
   void dispatchLinear(std::uint32_t count);
 
+  /// An invocation for each pixel of an image at least, of a shader with 64 in a group that are a
+  /// tile of 8×8.
+  void dispatchTiles(const GpuImage& image);
+
   /// The targets become attachments (with their barriers); viewport and scissor cover all of them.
   void beginRendering(std::span<const ColorTarget> colors, const DepthTarget* depth = nullptr);
   void beginRendering(std::initializer_list<ColorTarget> colors,

@@ -43,14 +43,9 @@ Site chooseSite(const RenderOptions& options, const SceneResources& resources) {
   return atVertices == 0 || options.sum == Sum::Pattern ? Site::Fragment : Site::Auto;
 }
 
-bool needsMap(Aov aov) {
-  return aov == Aov::Irradiance || aov == Aov::DsmPosition || aov == Aov::DsmNormal ||
-         aov == Aov::DsmIrradiance || aov == Aov::DsmArea;
-}
-
 bool needsMap(const RenderOptions& options, const std::vector<Aov>& aovs) {
   return options.sum == Sum::Pattern ||
-         std::any_of(aovs.begin(), aovs.end(), [](Aov aov) { return needsMap(aov); });
+         std::any_of(aovs.begin(), aovs.end(), [](Aov aov) { return showsMap(aov); });
 }
 
 FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, Site site) {
@@ -307,6 +302,11 @@ class Renderer::Implementation {
   FrameTimes times_;
   Frame frame_;  // of render()
 };
+
+bool showsMap(Aov aov) {
+  return aov == Aov::Irradiance || aov == Aov::DsmPosition || aov == Aov::DsmNormal ||
+         aov == Aov::DsmIrradiance || aov == Aov::DsmArea;
+}
 
 Renderer::Renderer(const RendererOptions& options)
     : implementation_(std::make_unique<Implementation>(options)) {}

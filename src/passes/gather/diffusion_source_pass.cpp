@@ -258,14 +258,13 @@ void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& in
 
 void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
                                            DiffusionSources& sources) const {
-  const auto tiles = [](const gpu::GpuImage& image) { return (image.extent().width + 7) / 8; };
   commands.bind(neighbours_);
   commands.bindResources(
       {Binding::read(0, sources.nearOrigins), Binding::sampled(1, sources.positionArea, nearest_),
        Binding::sampled(2, sources.irradianceObject, nearest_),
        Binding::writeImage(3, sources.nearPosition), Binding::writeImage(4, sources.nearFlux),
        Binding::sampled(5, sources.texelSurface, nearest_)});
-  commands.dispatch(tiles(sources.nearPosition), tiles(sources.nearPosition));
+  commands.dispatchTiles(sources.nearPosition);
 
   commands.bind(cells_);
   commands.bindResources(
@@ -274,7 +273,7 @@ void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
        Binding::writeImage(3, sources.farPosition), Binding::writeImage(4, sources.farFlux),
        Binding::sampled(5, sources.texelSurface, nearest_)});
   commands.pushConstants(static_cast<std::int32_t>(sources.cellEdge));
-  commands.dispatch(tiles(sources.farPosition), tiles(sources.farPosition));
+  commands.dispatchTiles(sources.farPosition);
 }
 
 }  // namespace opaline::passes

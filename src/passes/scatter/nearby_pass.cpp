@@ -13,8 +13,6 @@ using gpu::Binding;
 using gpu::BindingSlot;
 using gpu::BindingType;
 
-constexpr std::uint32_t tileSize = 8;
-
 struct VertexConstants {
   std::uint32_t vertexCount;
   ScatterSite site;
@@ -100,9 +98,7 @@ void NearbyPass::overFragments(gpu::CommandList& commands, ScatterTransport tran
        Binding::texels(8, inputs.surfels.nodes), Binding::texels(9, inputs.surfels.sources),
        Binding::read(10, inputs.surfels.normals)});
   commands.pushConstants(site);
-  const VkExtent2D extent = exitance.image.extent();
-  commands.dispatch((extent.width + tileSize - 1) / tileSize,
-                    (extent.height + tileSize - 1) / tileSize);
+  commands.dispatchTiles(exitance.image);
   commands.endPass();
 }
 

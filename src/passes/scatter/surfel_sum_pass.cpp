@@ -17,8 +17,6 @@ using gpu::BindingType;
 // Surfels summed by one dispatch, so that none runs into the time limit of a display's device.
 constexpr std::uint32_t surfelsPerDispatch = 8192;
 
-constexpr std::uint32_t tileSize = 8;
-
 struct SurfelRange {
   std::uint32_t first;
   std::uint32_t end;
@@ -48,12 +46,6 @@ void forEachRange(std::uint32_t surfels, ScatterSite site, const Dispatch& dispa
     dispatch(SurfelRange{first, end, site});
     first = end;
   } while (first < surfels);
-}
-
-void dispatchTiles(gpu::CommandList& commands, const gpu::GpuImage& image) {
-  const VkExtent2D extent = image.extent();
-  commands.dispatch((extent.width + tileSize - 1) / tileSize,
-                    (extent.height + tileSize - 1) / tileSize);
 }
 
 gpu::Pipeline makeTreeVertices(gpu::Device& device, ScatterTransport transport, bool rough) {
@@ -159,7 +151,7 @@ void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& o
        Binding::read(5, over.tables.media), Binding::texels(6, over.surfels.nodes),
        Binding::texels(7, over.surfels.sources)});
   commands.pushConstants(TreeConstants{order.tolerance, order.site});
-  dispatchTiles(commands, over.exitance.image);
+  commands.dispatchTiles(over.exitance.image);
   commands.endPass();
 }
 
@@ -190,7 +182,7 @@ void SurfelSumPass::allOverFragments(gpu::CommandList& commands, const Order& or
                             Binding::read(5, over.tables.media),
                             Binding::texels(6, over.surfels.sources)});
     commands.pushConstants(range);
-    dispatchTiles(commands, over.exitance.image);
+    commands.dispatchTiles(over.exitance.image);
   });
   commands.endPass();
 }

@@ -11,8 +11,6 @@ namespace {
 using gpu::Binding;
 using gpu::BindingType;
 
-constexpr std::uint32_t tileSize = 8;
-
 struct ShadeConstants {
   std::uint32_t samplesBefore;
   float sampleWeight;
@@ -54,7 +52,6 @@ gpu::GpuImage ShadePass::makeRadiance(gpu::Device& device, std::uint32_t width,
 
 void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
                        gpu::GpuImage& radiance) const {
-  const VkExtent2D extent = radiance.extent();
   commands.beginPass("shade");
   commands.bind(pipeline_);
   commands.bindResources(
@@ -69,8 +66,7 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
                                         .sampleWeight = 1.0F / static_cast<float>(inputs.samples),
                                         .alpha = inputs.roughness * inputs.roughness,
                                         .specular = inputs.specular ? 1U : 0U});
-  commands.dispatch((extent.width + tileSize - 1) / tileSize,
-                    (extent.height + tileSize - 1) / tileSize);
+  commands.dispatchTiles(radiance);
   commands.endPass();
 }
 

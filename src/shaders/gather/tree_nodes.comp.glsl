@@ -15,12 +15,6 @@ layout(push_constant) uniform Push {
   uint count;
 };
 
-vec3 middleOf(TreeNode node) {
-  vec3 flux = node.flux;
-  float all = flux.r + flux.g + flux.b;
-  return all > 0.0 ? centroidsOf(node) * (flux / all) : node.red;
-}
-
 void main() {
   uint i = linearIndex();
   if (i >= count) return;
@@ -38,7 +32,7 @@ void main() {
     mat3 centroids = centroidsOf(below);
     flux += f;
     for (int c = 0; c < 3; ++c) weighted[c] += f[c] * centroids[c];
-    middles += middleOf(below);
+    middles += below.red;  // of all three, where there is no flux
     children += 1.0;
   }
   float all = flux.r + flux.g + flux.b;
