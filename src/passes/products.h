@@ -105,6 +105,12 @@ struct Surfels {
   gpu::Buffer vertexOrder;                   ///< vertices, neighbours in space together
 };
 
+/// The surface of this frame for rays (lib/rays.glsl), on the surfels' tree; texel buffers.
+struct RayHierarchy {
+  gpu::Buffer corners;  ///< shared::RayPiece, one a piece
+  gpu::Buffer boxes;    ///< shared::RayBox, one a node
+};
+
 /// What the camera sees, a texel a pixel.
 struct VisibleSurface {
   gpu::GpuImage position;  ///< xyz mm, w object + 1

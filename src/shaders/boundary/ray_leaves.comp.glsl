@@ -1,0 +1,70 @@
+// The pieces of surfels where they lie in this frame, and boxes around those of each leaf.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/linear.glsl"
+#include "lib/tree_node.glsl"
+#include "shared/rays.h"
+
+layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
+layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Positions { vec4 positions[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
+layout(std430, set = 0, binding = 4) writeonly buffer RayPieces { RayPiece rayPieces[]; };
+layout(std430, set = 0, binding = 5) writeonly buffer RayBoxes { RayBox boxes[]; };
+
+layout(push_constant) uniform Push {
+  uint first;
+  uint count;
+  uint piecesPerSurfel;
+};
+
+// Of coordinates: some roundings of them.
+const float roundedPart = 1.0 / float(1u << 21u);
+
+const float neverHit = -1e30;
+
+float largestOf(vec3 v) {
+  return max(max(v.x, v.y), v.z);
+}
+
+vec3 cornerAt(mat3 triangle, float v, float w) {
+  return (1.0 - v - w) * triangle[0] + v * triangle[1] + w * triangle[2];
+}
+
+void main() {
+  uint i = linearIndex();
+  if (i >= count) return;
+  uint node = byHeight[first + i];
+  uint link = links[node];
+  uint from = firstSurfelOf(link) * piecesPerSurfel;
+  uint to = from + surfelCountOf(link) * piecesPerSurfel;
+
+  vec3 low = vec3(0.0);
+  vec3 high = vec3(0.0);
+  for (uint p = from; p < to; ++p) {
+    SurfelPiece piece = pieces[p];
+    mat3 triangle = mat3(positions[piece.a].xyz, positions[piece.b].xyz, positions[piece.c].xyz);
+    mat3 corners =
+        mat3(cornerAt(triangle, piece.v0, piece.w0), cornerAt(triangle, piece.v1, piece.w1),
+             cornerAt(triangle, piece.v2, piece.w2));
+    vec3 along = corners[1] - corners[0];
+    vec3 across = corners[2] - corners[0];
+    vec3 opposite = corners[2] - corners[1];
+    float longest = sqrt(max(max(dot(along, along), dot(across, across)), dot(opposite, opposite)));
+    vec3 furthest = max(max(abs(corners[0]), abs(corners[1])), abs(corners[2]));
+    float reachSlack = roundedPart * longest;
+    float slack = reachSlack * largestOf(furthest);
+    // What is thinner than its neighbours' slack is a line.
+    bool never = piece.fraction == 0.0 || !(length(cross(along, across)) > 0.5 * slack);
+    rayPieces[p] = RayPiece(vec4(corners[0], float(piece.object)),
+                            vec4(corners[1], never ? 0.0 : reachSlack),
+                            vec4(corners[2], never ? neverHit : slack));
+    if (p == from) low = high = corners[0];
+    if (never) continue;
+    low = min(low, min(min(corners[0], corners[1]), corners[2]));
+    high = max(high, max(max(corners[0], corners[1]), corners[2]));
+  }
+  float margin = roundedPart * largestOf(max(abs(low), abs(high)));
+  boxes[node] = RayBox(vec4(low - margin, uintBitsToFloat(link)),
+                       vec4(high + margin, float(piecesPerSurfel)));
+}

@@ -1,0 +1,125 @@
+// Where rays meet the surface of this frame, from either side. Needs, before it,
+// BINDING_PIECE_CORNERS and BINDING_RAY_BOXES, the two buffers of a RayHierarchy.
+//
+// A ray is seen along its direction: pieces and it are turned so that it is the z axis. A corner
+// that pieces share then lies at one place for all of them, and an edge between two pieces has the
+// ray on one side or the other (as in Woop, Benthin and Wald 2013); where pieces do not share
+// corners, or those only nearly, slack sees to it.
+#ifndef OPALINE_LIB_RAYS
+#define OPALINE_LIB_RAYS
+#include "lib/tree_node.glsl"
+#include "shared/rays.h"
+
+layout(set = 0, binding = BINDING_PIECE_CORNERS) uniform samplerBuffer pieceCorners;  // RayPiece
+layout(set = 0, binding = BINDING_RAY_BOXES) uniform samplerBuffer rayBoxes;          // RayBox
+
+const uint noPiece = 0xffffffffu;
+
+struct RayHit {
+  float distance;  // in lengths of the direction; maxDistance where nothing is hit
+  uint piece;      // or noPiece
+};
+
+struct Ray {
+  vec3 origin;
+  vec3 inverse;  // of the direction
+  mat3 turn;     // its rows: two directions across, and that of which `distance` is in lengths
+  float reach;   // largest coordinate of the origin, mm
+};
+
+// Smaller components of a direction, 0 too, are this, so that none has no inverse. Boxes are wide
+// enough for it.
+const float leastComponent = 1e-18;
+
+Ray makeRay(vec3 origin, vec3 direction) {
+  vec3 size = abs(direction);
+  bvec3 small = lessThan(size, vec3(leastComponent));
+  vec3 inverse = 1.0 / mix(direction, vec3(leastComponent), small);
+  vec3 unit = normalize(direction);
+  // Duff et al. 2017.
+  float s = unit.z >= 0.0 ? 1.0 : -1.0;
+  float a = -1.0 / (s + unit.z);
+  float b = unit.x * unit.y * a;
+  vec3 across = vec3(1.0 + s * unit.x * unit.x * a, s * b, -s * unit.x);
+  vec3 up = vec3(b, s + unit.y * unit.y * a, -unit.y);
+  vec3 places = abs(origin);
+  return Ray(origin, inverse, transpose(mat3(across, up, direction / dot(direction, direction))),
+             max(max(places.x, places.y), places.z));
+}
+
+// Whether some of the box may lie between the ray's origin and `furthest`.
+bool meetsBox(Ray ray, vec3 low, vec3 high, float furthest) {
+  vec3 toLow = (low - ray.origin) * ray.inverse;
+  vec3 toHigh = (high - ray.origin) * ray.inverse;
+  vec3 enters = min(toLow, toHigh);
+  vec3 leaves = max(toLow, toHigh);
+  const float rounded = 1.0 + 1.0 / float(1u << 21u);
+  float enter = max(max(enters.x, enters.y), max(enters.z, 0.0));
+  float leave = min(min(leaves.x, leaves.y), leaves.z) * rounded;
+  return enter <= min(leave, furthest);
+}
+
+// Makes it the hit if it is one between `nearest` and the hit.
+void meetPiece(Ray ray, uint piece, float nearest, inout RayHit hit) {
+  int at = 3 * int(piece);
+  vec4 a4 = texelFetch(pieceCorners, at);
+  vec4 b4 = texelFetch(pieceCorners, at + 1);
+  vec4 c4 = texelFetch(pieceCorners, at + 2);
+  vec3 a = ray.turn * (a4.xyz - ray.origin);
+  vec3 b = ray.turn * (b4.xyz - ray.origin);
+  vec3 c = ray.turn * (c4.xyz - ray.origin);
+  // Twice the areas of the ray with each edge, all of one sign where it passes between them.
+  vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
+  float slack = b4.w * ray.reach + c4.w;
+  float least = min(min(areas.x, areas.y), areas.z);
+  float most = max(max(areas.x, areas.y), areas.z);
+  if (least < -slack && most > slack) return;
+  // A mean of the corners' distances, whatever the piece is like.
+  areas = least >= -slack ? max(areas, 0.0) : max(-areas, 0.0);
+  float all = areas.x + areas.y + areas.z;
+  float distance = (areas.x * a.z + areas.y * b.z + areas.z * c.z) / all;
+  if (all > 0.0 && distance > nearest && distance < hit.distance) hit = RayHit(distance, piece);
+}
+
+// The nearest of the pieces below nodes firstNode .. endNode - 1 (a whole object's, or several
+// objects') that a ray meets further than `minDistance` and nearer than `maxDistance`; distances in
+// lengths of `direction`, which need not be 1.
+RayHit nearestHit(vec3 origin, vec3 direction, float minDistance, float maxDistance, uint firstNode,
+                  uint endNode) {
+  Ray ray = makeRay(origin, direction);
+  RayHit hit = RayHit(maxDistance, noPiece);
+  uint node = firstNode;
+  while (node < endNode) {
+    vec4 low = texelFetch(rayBoxes, 2 * int(node));
+    vec4 high = texelFetch(rayBoxes, 2 * int(node) + 1);
+    uint link = floatBitsToUint(low.w);
+    bool met = meetsBox(ray, low.xyz, high.xyz, hit.distance);
+    if (met && isLeaf(link)) {
+      uint pieces = uint(high.w);
+      uint piece = firstSurfelOf(link) * pieces;
+      uint end = piece + surfelCountOf(link) * pieces;
+      for (; piece < end; ++piece) meetPiece(ray, piece, minDistance, hit);
+    }
+    node = met ? node + 1u : afterNode(node, link);
+  }
+  return hit;
+}
+
+RayHit nearestHit(vec3 origin, vec3 direction, float maxDistance, uint firstNode, uint endNode) {
+  return nearestHit(origin, direction, 0.0, maxDistance, firstNode, endNode);
+}
+
+// Of a piece that was hit: unit, to the side from which its triangle's corners are seen
+// counter-clockwise.
+vec3 facetNormal(uint piece) {
+  int at = 3 * int(piece);
+  vec3 a = texelFetch(pieceCorners, at).xyz;
+  return normalize(cross(texelFetch(pieceCorners, at + 1).xyz - a,
+                         texelFetch(pieceCorners, at + 2).xyz - a));
+}
+
+uint objectOfPiece(uint piece) {
+  return uint(texelFetch(pieceCorners, 3 * int(piece)).w);
+}
+
+#endif
