@@ -61,6 +61,13 @@ const Choices<core::ToneCurve>& toneCurves() {
 
 const Choices<Transport>& transports() {
   static const Choices<Transport> table{{"dipole", Transport::Dipole},
+                                        {"better-dipole", Transport::BetterDipole},
+                                        {"boundary", Transport::Boundary}};
+  return table;
+}
+
+const Choices<Transport>& halfSpaceTransports() {
+  static const Choices<Transport> table{{"dipole", Transport::Dipole},
                                         {"better-dipole", Transport::BetterDipole}};
   return table;
 }
@@ -97,7 +104,7 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
 
 void MethodOptions::addTo(CommandLine& line) {
   const RenderOptions defaults;
-  line.value("--transport", "NAME", "dipole or better-dipole [dipole]",
+  line.value("--transport", "NAME", "boundary, better-dipole or dipole [boundary]",
              [this](const Given& given) { transport_ = readChoice(given, transports()); });
   line.value("--sum", "NAME", "tree, all (every surfel) or pattern [tree]",
              [this](const Given& given) { sum_ = readChoice(given, sums()); });
@@ -111,6 +118,12 @@ void MethodOptions::addTo(CommandLine& line) {
              [this](const Given& given) {
                tolerance_ = readFloat(given, {1e-4, 1});
              });
+  line.value("--bounces", "N",
+             fmt::format("of light that leaves and enters again, 0 to 8 [{}]", defaults.bounces),
+             [this](const Given& given) { bounces_ = readInteger(given, 0, 8); });
+  line.value("--boundary-surfels", "N",
+             fmt::format("unknowns at most, 64 to 262144 [{}]", defaults.boundarySurfels),
+             [this](const Given& given) { boundarySurfels_ = readInteger(given, 64, 1 << 18); });
   line.value("--max-sources", "N",
              fmt::format("surfels at most, 1024 to 4194304 [{}]", defaults.maxSources),
              [this](const Given& given) { maxSources_ = readInteger(given, 1024, 1 << 22); });
@@ -154,6 +167,14 @@ void MethodOptions::applyTo(RenderOptions& options) const {
   if (options.sum == Sum::Pattern && maxSources_) {
     throw UsageError("--max-sources limits surfels and needs --sum tree or --sum all");
   }
+  if (options.transport != Transport::Boundary && (bounces_ || boundarySurfels_)) {
+    throw UsageError("--bounces and --boundary-surfels need --transport boundary");
+  }
+  if (options.transport == Transport::Boundary && options.sum == Sum::Pattern) {
+    throw UsageError("--transport boundary works with surfels and needs --sum tree or --sum all");
+  }
+  setFrom(options.bounces, bounces_);
+  setFrom(options.boundarySurfels, boundarySurfels_);
   setFrom(options.tolerance, tolerance_);
   setFrom(options.maxSources, maxSources_);
   setFrom(options.pattern.nearRings, nearRings_);

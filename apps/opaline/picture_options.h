@@ -13,6 +13,7 @@
 namespace opaline::app {
 
 const Choices<Transport>& transports();
+const Choices<Transport>& halfSpaceTransports();  ///< those of which a profile tells all
 const Choices<Sum>& sums();
 const Choices<Site>& sites();
 const Choices<core::ToneCurve>& toneCurves();
@@ -35,6 +36,8 @@ class MethodOptions {
   std::optional<Sum> sum_;
   std::optional<Site> site_;
   std::optional<float> tolerance_;
+  std::optional<int> bounces_;
+  std::optional<int> boundarySurfels_;
   std::optional<int> maxSources_;
   std::optional<int> nearRings_;
   std::optional<float> nearSpacing_;

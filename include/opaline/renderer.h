@@ -17,6 +17,7 @@ namespace opaline {
 enum class Transport {
   Dipole,        ///< Jensen et al. 2001, Eq. 4; the paper's
   BetterDipole,  ///< d'Eon 2012
+  Boundary,      ///< diffusion in the body as it is, by its surface; a better dipole's detail on top
 };
 
 /// Which sources are summed.
@@ -70,6 +71,8 @@ struct RenderOptions {
   Site site = Site::Auto;
   float tolerance = 0.01F;   ///< of Sum::Tree, of each node relative to exitance, in [1e-4, 1]
   int maxSources = 262'144;  ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
+  int boundarySurfels = 20'000;  ///< most unknowns of Transport::Boundary, in [64, 262144]
+  int bounces = 2;  ///< of light that leaves and enters again, of Transport::Boundary, in [0, 8]
   PatternOptions pattern;
   int dsmSize = 512;        ///< edge of the diffusion source map, texels, in [64, 4096]
   int shadowSize = 1024;    ///< edge of each shadow map, texels, in [64, 8192]

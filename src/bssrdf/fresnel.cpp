@@ -65,6 +65,21 @@ double meanTransmittance(double eta) {
   return 1.0 - reflectance;
 }
 
+double meanCosineInside(double eta) {
+  assert(eta >= 1.0);
+  constexpr int steps = 2048;
+  double entering = 0;
+  double weighted = 0;
+  // By the midpoint rule over μ².
+  for (int i = 0; i < steps; ++i) {
+    const double squared = (i + 0.5) / steps;
+    const double transmitted = 1.0 - fresnelReflectance(eta, std::sqrt(squared));
+    entering += transmitted;
+    weighted += transmitted * std::sqrt(1.0 - (1.0 - squared) / (eta * eta));
+  }
+  return weighted / entering;
+}
+
 double diffuseReflectanceInside(double eta) {
   return -1.440 / (eta * eta) + 0.710 / eta + 0.668 + 0.0636 * eta;
 }

@@ -12,6 +12,10 @@ double fresnelReflectanceInside(double eta, double cosTheta);
 /// Mean transmittance of diffuse light from outside, 2∫₀¹ F_t μ dμ, to 1e-10.
 double meanTransmittance(double eta);
 
+/// Mean cosine inside of diffuse light that entered from outside, eta ≥ 1: ∫₀¹ F_t μ μ_in dμ /
+/// ∫₀¹ F_t μ dμ.
+double meanCosineInside(double eta);
+
 /// Classic internal diffuse reflectance F_dr (Egan and Hilgeman 1973, as in Jensen et al. 2001).
 double diffuseReflectanceInside(double eta);
 

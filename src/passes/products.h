@@ -103,12 +103,66 @@ struct Surfels {
   std::vector<std::uint32_t> firstOfHeight;  ///< one more than there are heights
   bool coarse = false;                       ///< of any object: wants what NearbyPass adds
   gpu::Buffer vertexOrder;                   ///< vertices, neighbours in space together
+  gpu::Buffer middles;                       ///< vec4 a surfel, mm
+  gpu::Buffer corners;                       ///< shared::AtlasCorner, one a surfel
+  gpu::Buffer order;                         ///< every surfel's own index
+};
+
+/// Where light is summed in a compute shader of one invocation a place: vertices or surfels.
+struct Places {
+  gpu::Buffer& positions;  ///< vec4, mm
+  gpu::Buffer& normals;    ///< vec4, unit
+  gpu::Buffer& corners;    ///< shared::AtlasCorner, for the object
+  gpu::Buffer& order;      ///< neighbours in space together
+  gpu::Buffer& exitances;  ///< vec4
+  std::uint32_t count = 0;
 };
 
 /// The surface of this frame for rays (lib/rays.glsl), on the surfels' tree; texel buffers.
 struct RayHierarchy {
   gpu::Buffer corners;  ///< shared::RayPiece, one a piece
   gpu::Buffer boxes;    ///< shared::RayBox, one a node
+};
+
+/// Light in the body under each cluster: points where it collides.
+struct Beams {
+  gpu::Buffer points;     ///< shared::BeamPoint, maxPoints a cluster
+  gpu::Buffer strengths;  ///< vec4 a cluster: power that entered; numbers of points
+};
+
+/// Clusters of surfels, their tree, and what boundary transport makes of them in a frame.
+struct Clusters {
+  gpu::Buffer ranges;                        ///< shared::ClusterRange
+  gpu::Buffer clusterOfSurfel;               ///< one a surfel
+  gpu::Buffer links;                         ///< of the nodes
+  gpu::Buffer byHeight;                      ///< nodes, leaves first
+  std::vector<std::uint32_t> firstOfHeight;  ///< one more than there are heights
+  std::uint32_t count = 0;                   ///< of clusters
+  std::uint32_t surfelNodes = 0;             ///< of the tree of all surfels
+  gpu::Buffer clusters;                      ///< shared::Cluster
+  gpu::Buffer nodes;                         ///< shared::ClusterNode
+  gpu::Buffer irradiances;                   ///< vec4 a cluster for each light, and from everywhere
+  std::uint32_t lights = 0;
+  gpu::Buffer meetings;            ///< shared::Meeting, of the rays outwards of each cluster
+  std::uint32_t raysOutwards = 0;  ///< of each cluster
+  Beams fromLight;                 ///< of one light after the other
+  Beams fromEverywhere;
+  gpu::Buffer beamNodes;  ///< shared::BeamNode
+  gpu::Buffer sources;    ///< vec4 a cluster: fluence in a medium without end
+  gpu::Buffer fluences;   ///< vec4 a cluster: on the body's surface
+  gpu::Buffer latest;     ///< vec4 a cluster: exitance of the light that entered last
+  gpu::Buffer exitances;  ///< vec4 a cluster: of all light
+  gpu::Buffer means;      ///< vec4 a cluster: exitance of a half-space
+  gpu::Buffer exitancesOfSurfels;  ///< vec4 a surfel: of a half-space
+};
+
+/// What the solver of boundary transport works with.
+struct Solver {
+  gpu::Buffer densities;  ///< shared::DensityNode
+  gpu::Buffer products;   ///< vec4 a cluster
+  gpu::Buffer basis;      ///< vec4 a cluster for each step and one more
+  gpu::Buffer sums;       ///< vec4, of work groups
+  gpu::Buffer state;      ///< shared::SolverState
 };
 
 /// What the camera sees, a texel a pixel.
@@ -125,5 +179,15 @@ struct Exitance {
   gpu::GpuImage image;
   gpu::Buffer vertices;
 };
+
+inline Places verticesOf(DeformedMesh& mesh, Surfels& surfels, Exitance& exitance) {
+  return {mesh.positions,      mesh.normals,     mesh.vertexCorners,
+          surfels.vertexOrder, exitance.vertices, mesh.vertexCount};
+}
+
+inline Places placesOf(Surfels& surfels, gpu::Buffer& exitances) {
+  return {surfels.middles, surfels.normals, surfels.corners, surfels.order, exitances,
+          surfels.count};
+}
 
 }  // namespace opaline::passes

@@ -52,8 +52,57 @@ struct FrameContext {
     return {scatterTransport(plan.transport), scatterSite(plan.site), plan.tolerance};
   }
 
+  bool boundary() const { return plan.transport == Transport::Boundary; }
+
+  // What leaves through the clusters: of the light that enters from outside, and of what leaves and
+  // enters again.
+  void solveBoundary(SceneResources& scene) const {
+    passes::Clusters& clusters = scene.clusters;
+    passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+    passes.clusters.record(commands,
+                           {resources.view, mesh, resources.tables, resources.shadows,
+                            scene.surfels, scene.rays},
+                           plan.bounces > 0 || !plan.skyIsDark, clusters);
+    const passes::BeamPass::Inputs inputs{resources.view, resources.tables, scene.rays};
+    for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
+      const bool again = bounce > 0;
+      if (again)
+        passes.beams.recordReentry(commands, inputs, clusters);
+      else
+        passes.beams.recordLights(commands, inputs, clusters);
+      passes.solver.record(commands, {.tolerance = plan.tolerance, .addsToLast = again},
+                           resources.tables, clusters, scene.solver);
+      passes.beams.recordExitance(commands, resources.tables, clusters, again);
+    }
+  }
+
+  // Sums the half-space where its mean over clusters is taken from.
+  void meansOverClusters(SceneResources& scene) const {
+    using From = passes::CarryPass::From;
+    if (plan.site == Site::Vertex)
+      return passes.carry.recordMeans(commands, From::Vertices, resources.exitance.vertices,
+                                      scene.surfels, scene.clusters);
+    const passes::Places surfels =
+        passes::placesOf(scene.surfels, scene.clusters.exitancesOfSurfels);
+    sumOver(surfels, {order().transport, passes::ScatterSite::Vertices, plan.tolerance},
+            scene.surfels);
+    passes.carry.recordMeans(commands, From::Surfels, surfels.exitances, scene.surfels,
+                             scene.clusters);
+  }
+
+  void sumOver(const passes::Places& places, const passes::SurfelSumPass::Order& how,
+               passes::Surfels& surfels) const {
+    const passes::SurfelSumPass::OverPlaces over{resources.tables, surfels, places};
+    if (plan.sum == Sum::Tree)
+      passes.sum.treeOverPlaces(commands, how, over);
+    else
+      passes.sum.allOverPlaces(commands, how, over);
+    if (surfels.coarse)
+      passes.nearby.overPlaces(commands, how.transport, how.site, nearbyInputs(surfels), places);
+  }
+
   // Everything where the site is the vertices; else what is always summed there.
-  void scatterAtVertices(passes::Surfels& surfels) const {
+  void scatterAtVertices(SceneResources& scene) const {
     if (plan.sum == Sum::Pattern) {
       using Part = passes::PatternPass::VertexPart;
       return passes.pattern.overVertices(
@@ -61,16 +110,18 @@ struct FrameContext {
           plan.site == Site::Vertex ? Part::Everything : Part::FarSamples, resources.tables,
           resources.sources, mesh, resources.exitance);
     }
-    const passes::SurfelSumPass::Vertices over{resources.tables, surfels, mesh, resources.exitance};
-    if (plan.sum == Sum::Tree) passes.sum.treeOverVertices(commands, order(), over);
-    if (plan.site == Site::Fragment) return;
-    if (plan.sum == Sum::All) passes.sum.allOverVertices(commands, order(), over);
-    if (surfels.coarse)
-      passes.nearby.overVertices(commands, order().transport, order().site, nearbyInputs(surfels),
-                                 mesh, resources.exitance);
+    const passes::Places vertices = passes::verticesOf(mesh, scene.surfels, resources.exitance);
+    // The tree's rough sum is wanted by fragments too.
+    if (plan.sum == Sum::Tree || plan.site != Site::Fragment)
+      sumOver(vertices, order(), scene.surfels);
+    if (!boundary()) return;
+    meansOverClusters(scene);
+    if (plan.site != Site::Fragment)
+      passes.carry.overVertices(commands, order().site, resources.tables, scene.clusters, vertices);
   }
 
-  void scatterAtFragments(passes::Surfels& surfels) const {
+  void scatterAtFragments(SceneResources& scene) const {
+    passes::Surfels& surfels = scene.surfels;
     if (plan.sum == Sum::Pattern)
       return passes.pattern.overFragments(commands, scatterTransport(plan.transport),
                                           resources.tables, resources.sources, resources.surface,
@@ -84,18 +135,21 @@ struct FrameContext {
     if (surfels.coarse)
       passes.nearby.overFragments(commands, order().transport, order().site, nearbyInputs(surfels),
                                   resources.surface, resources.exitance);
+    if (boundary())
+      passes.carry.overFragments(commands, order().site, resources.tables, scene.clusters,
+                                 resources.surface, resources.exitance);
   }
 
   passes::NearbyPass::Inputs nearbyInputs(passes::Surfels& surfels) const {
     return {resources.view, resources.tables, resources.shadows, surfels};
   }
 
-  void seeSurface(const glm::vec2& jitter, passes::Surfels& surfels) const {
+  void seeSurface(const glm::vec2& jitter, SceneResources& scene) const {
     passes.surface.record(
         commands,
         {resources.view, mesh, resources.sources.charts, jitter, resources.exitance.vertices},
         resources.surface);
-    if (plan.site != Site::Vertex) scatterAtFragments(surfels);
+    if (plan.site != Site::Vertex) scatterAtFragments(scene);
   }
 
   void shade(std::uint32_t sample, std::uint32_t samples) const {
@@ -123,6 +177,11 @@ Passes::Passes(gpu::Device& device)
       pattern(device),
       sum(device),
       nearby(device),
+      rays(device),
+      clusters(device),
+      beams(device),
+      solver(device),
+      carry(device),
       environment(device),
       shade(device) {}
 
@@ -134,7 +193,8 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   const FrameContext context{commands, passes, plan, scene.mesh, resources};
   context.deform(motion, upload);
   context.gather(scene.surfels);
-  context.scatterAtVertices(scene.surfels);
+  if (plan.transport == Transport::Boundary) context.solveBoundary(scene);
+  context.scatterAtVertices(scene);
 
   if (plan.samples > 0) {
     const VkExtent2D extent = resources.radiance.extent();
@@ -143,11 +203,11 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
     const auto samples = static_cast<std::uint32_t>(plan.samples);
     const std::span<const glm::vec2> pattern = samplePattern(plan.samples);
     for (std::uint32_t sample = 0; sample < samples; ++sample) {
-      context.seeSurface(pattern[sample] * pixel, scene.surfels);
+      context.seeSurface(pattern[sample] * pixel, scene);
       context.shade(sample, samples);
     }
   }
-  if (plan.centre) context.seeSurface({0, 0}, scene.surfels);
+  if (plan.centre) context.seeSurface({0, 0}, scene);
 }
 
 }  // namespace opaline

@@ -6,6 +6,11 @@
 #include "gpu/command_list.h"
 #include "gpu/transfer.h"
 #include "opaline/renderer.h"
+#include "passes/boundary/beam_pass.h"
+#include "passes/boundary/carry_pass.h"
+#include "passes/boundary/cluster_pass.h"
+#include "passes/boundary/ray_pass.h"
+#include "passes/boundary/solver_pass.h"
 #include "passes/deform/deform_pass.h"
 #include "passes/gather/diffusion_source_pass.h"
 #include "passes/gather/fit_pass.h"
@@ -36,6 +41,11 @@ struct Passes {
   passes::PatternPass pattern;
   passes::SurfelSumPass sum;
   passes::NearbyPass nearby;
+  passes::RayPass rays;
+  passes::ClusterPass clusters;
+  passes::BeamPass beams;
+  passes::SolverPass solver;
+  passes::CarryPass carry;
   passes::EnvironmentPass environment;
   passes::ShadePass shade;
 };
@@ -52,12 +62,17 @@ struct FrameResources {
   gpu::GpuImage radiance;
 };
 
+/// Most bounces of a frame.
+constexpr int maxBounces = 8;
+
 /// What a frame is to do.
 struct FramePlan {
   Transport transport = Transport::Dipole;
   Sum sum = Sum::Tree;
   Site site = Site::Fragment;  ///< Auto: as each object has it, not for Sum::Pattern
-  float tolerance = 0.01F;     ///< of Sum::Tree
+  float tolerance = 0.01F;     ///< of Sum::Tree, and of the solver of Transport::Boundary
+  int bounces = 2;             ///< of Transport::Boundary
+  bool skyIsDark = false;      ///< no light but that of lights
   bool map = false;            ///< draw the diffusion source map, whoever wants it
   int samples = 4;             ///< of radiance, 0 for none
   bool centre = false;         ///< leave the visible surface and exitance of the pixels' centres

@@ -48,11 +48,14 @@ bool needsMap(const RenderOptions& options, const std::vector<Aov>& aovs) {
          std::any_of(aovs.begin(), aovs.end(), [](Aov aov) { return showsMap(aov); });
 }
 
-FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, Site site) {
+FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, Site site,
+                   bool skyIsDark) {
   return {.transport = options.transport,
           .sum = options.sum,
           .site = site,
           .tolerance = options.tolerance,
+          .bounces = options.bounces,
+          .skyIsDark = skyIsDark,
           .map = needsMap(options, aovs),
           .samples = std::find(aovs.begin(), aovs.end(), Aov::Radiance) != aovs.end()
                          ? options.antialias
@@ -64,10 +67,13 @@ FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, S
           .seconds = options.seconds};
 }
 
-// Every pass of a frame: deform, normals, fit, shadow, map, neighbours, surfels, tree; estimate,
-// scatter and nearby at the vertices; and surface, scatter, nearby and shade for each look, of
+// Every pass of a frame: deform, normals, fit, shadow, map, neighbours, surfels, tree; of boundary
+// transport the rays' boxes, clusters, their rays, rays and sources of every light, sources of every
+// bounce, as many solutions, means and what is carried to vertices; estimate, scatter and nearby at
+// the vertices and at the surfels; and surface, scatter, nearby, carry and shade for each look, of
 // which there are as many as antialiasing samples and one at the pixels' centres.
-constexpr std::uint32_t maxPassesOfFrame = 8 + 3 + 4 * (8 + 1);
+constexpr std::uint32_t maxPassesOfFrame =
+    8 + (3 + 2 * (shared::maxLights + 1) + 3 * (maxBounces + 1) + 2) + 2 * 3 + 5 * (8 + 1);
 
 // One of the frames that may be under way.
 struct FrameSlot {
@@ -141,7 +147,7 @@ class Renderer::Implementation {
     FrameSlot& slot = slots_[next_];
     slot.readback.prepare(device_, aovs, site_, camera, *resources_);
     slot.commands.begin();
-    recordFrame(slot.commands, passes_, makePlan(options, aovs, site_), upload, *motion_,
+    recordFrame(slot.commands, passes_, makePlan(options, aovs, site_, skyIsDark()), upload, *motion_,
                 *uploaded_, *resources_);
     slot.readback.record(slot.commands, site_, *resources_);
     slot.commands.submit();
@@ -202,6 +208,7 @@ class Renderer::Implementation {
     SceneNeeds needs = uploaded_ ? uploaded_->needs : SceneNeeds{};
     if (needsMap(options, aovs)) needs.mapSize = options.dsmSize;
     if (options.sum != Sum::Pattern) needs.maxSurfels = options.maxSources;
+    if (options.transport == Transport::Boundary) needs.maxClusters = options.boundarySurfels;
     const bool isUploaded = uploaded_ && uploaded_->needs == needs;
     if (isUploaded && resources_ && sameTables(prepared_, options)) return;
     device_.waitIdle();
@@ -213,6 +220,11 @@ class Renderer::Implementation {
     prepared_ = options;
     if (needs.mapSize) prepared_.dsmSize = *needs.mapSize;  // kept, if no map is asked for now
     resources_ = makeFrameResources(prepared_);
+  }
+
+  bool skyIsDark() const {
+    const Lighting& lighting = scene_->lighting;
+    return !lighting.environment && lighting.ambient == Rgb{0, 0, 0};
   }
 
   static bool sameTables(const RenderOptions& a, const RenderOptions& b) {

@@ -13,9 +13,14 @@
 #include "bssrdf/profile.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
+#include "passes/boundary/cluster_pass.h"
+#include "passes/boundary/ray_pass.h"
+#include "passes/boundary/solver_pass.h"
 #include "passes/gather/surfel_pass.h"
+#include "scene/topology.h"
 #include "shaders/shared/mesh.h"
 #include "shaders/shared/surfels.h"
+#include "surfels/clusters.h"
 #include "surfels/surfels.h"
 
 namespace opaline {
@@ -147,6 +152,30 @@ std::size_t budgetOf(const gpu::Device& device, int maxSurfels) {
   return std::min(static_cast<std::size_t>(maxSurfels), range / bytes);
 }
 
+void cluster(gpu::Device& device, const Scene& scene, const surfels::Surface& surface,
+             const surfels::Surfels& surfels, SceneResources& resources, const LogCallback& log) {
+  const surfels::Clusters made = surfels::makeClusters(
+      surface, surfels, static_cast<std::size_t>(*resources.needs.maxClusters));
+  for (std::size_t i = 0; i < resources.objects; ++i) {
+    SurfelsOfObject& object = resources.surfelsOfObject[i];
+    object.clusterRoot = made.tree.rootOfObject[i];
+    object.clusterEndNode = made.tree.rootOfObject[i + 1];
+    const Object& given = scene.objects[i];
+    object.closed = scene::factsOf(given.mesh.positionsMm, given.mesh.triangles).closed;
+    if (!object.closed && log)
+      log(LogLevel::Note,
+          fmt::format("object '{}' is open: it has no inside for boundary transport, so its light "
+                      "scatters as in a half-space, by better-dipole",
+                      given.name));
+  }
+  const std::size_t lights =
+      scene.lighting.directional.size() + scene.lighting.points.size();
+  resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, surfels,
+                                                         static_cast<std::uint32_t>(lights));
+  resources.rays = passes::RayPass::makeHierarchy(device, resources.surfels);
+  resources.solver = passes::SolverPass::makeSolver(device, resources.clusters);
+}
+
 void divide(gpu::Device& device, const Scene& scene, SceneResources& resources,
             const LogCallback& log) {
   const scene::MergedMesh& merged = *resources.merged;
@@ -165,6 +194,7 @@ void divide(gpu::Device& device, const Scene& scene, SceneResources& resources,
   resources.surfels.coarse =
       std::any_of(resources.surfelsOfObject.begin(), resources.surfelsOfObject.end(),
                   [](const SurfelsOfObject& surfels) { return surfels.coarse; });
+  if (resources.needs.maxClusters) cluster(device, scene, surface, made, resources, log);
   if (coarsest <= 1 || !log) return;
   const bool asked = budget == static_cast<std::size_t>(*resources.needs.maxSurfels);
   log(LogLevel::Note,

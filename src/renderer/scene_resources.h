@@ -23,6 +23,7 @@ atlas::Surface surfaceOf(const scene::MergedMesh& merged);
 struct SceneNeeds {
   std::optional<int> mapSize;     ///< an atlas for a diffusion source map of that edge, texels
   std::optional<int> maxSurfels;  ///< surfels and their tree
+  std::optional<int> maxClusters;  ///< clusters of surfels, for boundary transport
 
   bool operator==(const SceneNeeds&) const = default;
 };
@@ -35,6 +36,9 @@ struct SurfelsOfObject {
   std::uint32_t endNode = 0;   ///< the node after its tree
   double sourceSpacingMm = 0;  ///< root of the mean area that a source stands for
   bool coarse = false;         ///< sources are too far apart for the medium
+  std::uint32_t clusterRoot = 0;     ///< among the nodes of clusters
+  std::uint32_t clusterEndNode = 0;  ///< the node after its tree
+  bool closed = false;               ///< has an inside; only found out where there are clusters
 };
 
 /// A scene on the device: what depends on the rest pose alone. Objects are laid end to end and
@@ -45,6 +49,9 @@ struct SceneResources {
   passes::DeformedMesh mesh;
   atlas::Atlas atlas;                            ///< empty where no map is needed
   passes::Surfels surfels;                       ///< empty where none are needed
+  passes::RayHierarchy rays;                     ///< these three where clusters are needed
+  passes::Clusters clusters;
+  passes::Solver solver;
   std::vector<SurfelsOfObject> surfelsOfObject;  ///< one an object, where there are surfels
   std::uint32_t objects = 0;
   std::uint32_t triangles = 0;

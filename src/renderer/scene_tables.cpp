@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "bssrdf/fresnel.h"
 #include "bssrdf/profile.h"
 #include "environment/spherical_harmonics.h"
 #include "gpu/device.h"
@@ -26,6 +28,28 @@ std::vector<double> differentEtas(const std::vector<Medium>& media) {
   for (const Medium& medium : media)
     if (std::find(etas.begin(), etas.end(), medium.eta) == etas.end()) etas.push_back(medium.eta);
   return etas;
+}
+
+// The medium as Transport::Boundary sees it: Grosjean's diffusion, as the better dipole's.
+shared::BoundaryMedium insideOf(const Medium& medium) {
+  const std::array<bssrdf::Profile, 3> profiles =
+      bssrdf::makeProfiles(bssrdf::Model::BetterDipole, medium);
+  shared::BoundaryMedium inside{};
+  for (int c = 0; c < 3; ++c) {
+    const bssrdf::Profile& profile = profiles[static_cast<std::size_t>(c)];
+    const bssrdf::Coefficients coefficients = bssrdf::coefficients(medium, c);
+    inside.diffusion[c] = static_cast<float>(profile.diffusionMm);
+    inside.sigma[c] = static_cast<float>(profile.sigmaTrPerMm);
+    inside.extinction[c] = static_cast<float>(coefficients.sigmaTPrimePerMm);
+    inside.albedo[c] = static_cast<float>(coefficients.albedo);
+  }
+  const double eta = medium.eta;
+  inside.diffusion.w =
+      static_cast<float>((1 + bssrdf::threeC2(eta)) / (1 - bssrdf::twoC1(eta)));
+  inside.sigma.w = static_cast<float>(bssrdf::meanCosineInside(eta));
+  inside.extinction.w = static_cast<float>(bssrdf::meanTransmittance(eta));
+  inside.albedo.w = static_cast<float>(std::sqrt(1 - 1 / (eta * eta)));
+  return inside;
 }
 
 // Entries from one medium's pattern to the next: a multiple of every device's alignment of uniform
@@ -64,6 +88,7 @@ class TableBuilder {
     const auto eta = static_cast<std::uint32_t>(std::find(etas_.begin(), etas_.end(), medium.eta) -
                                                 etas_.begin());
     media_.push_back({.profile = shaders::packProfile(profiles),
+                      .inside = insideOf(medium),
                       .boundary = {static_cast<float>(medium.eta),
                                    static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
                                    static_cast<float>(mask.nearSquareMm2),
@@ -93,6 +118,8 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     objects[i].table.y = surfels.first;
     objects[i].table.z = surfels.count;
     objects[i].tree = {surfels.root, surfels.endNode, 0, 0};
+    objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, surfels.closed ? 1U : 0U,
+                           0};
     if (!surfels.coarse) continue;
     const Medium& medium = resources.media[resources.mediumOfObject[i]];
     const double radiusMm = nearbySpacings * surfels.sourceSpacingMm;

@@ -81,6 +81,24 @@ std::array<Part, 2> bisect(const Part& part, const std::array<double, 3>& square
 
 }  // namespace
 
+std::array<double, 3> crossOf(const Surface& surface, std::uint32_t triangle) {
+  const Triangle& t = surface.triangles[triangle];
+  std::array<std::array<double, 3>, 2> edges{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      edges[i][axis] =
+          double{surface.positionsMm[t[i + 1]][axis]} - double{surface.positionsMm[t[0]][axis]};
+    }
+  }
+  const auto& [a, b] = edges;
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double areaMm2(const Surface& surface, std::uint32_t triangle) {
+  const std::array<double, 3> cross = crossOf(surface, triangle);
+  return std::hypot(cross[0], cross[1], cross[2]) / 2;
+}
+
 double spacingOfMm(const Surface& surface, std::uint32_t triangle) {
   return std::sqrt(squaredSpacing(wholeTriangle(surface, triangle).squaredEdges()));
 }

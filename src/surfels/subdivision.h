@@ -30,6 +30,11 @@ struct Piece {
 /// mean square: sqrt((a² + b² + c²) / 6) of its edges.
 double spacingOfMm(const Surface& surface, std::uint32_t triangle);
 
+/// A triangle's normal, as long as twice its area, mm².
+std::array<double, 3> crossOf(const Surface& surface, std::uint32_t triangle);
+
+double areaMm2(const Surface& surface, std::uint32_t triangle);
+
 /// Bisects the longest edge of every triangle and of its parts until none is larger than its
 /// object's spacing, mm (spacingOfMm). Nothing when that makes more than `limit` pieces.
 std::optional<std::vector<Piece>> subdivide(const Surface& surface,

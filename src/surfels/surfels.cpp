@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "surfels/clusters.h"
+
 namespace opaline::surfels {
 
 namespace {
@@ -23,25 +25,6 @@ std::vector<double> largestTriangleOfObjectMm(const Surface& surface, std::size_
     mm = std::max(mm, spacingOfMm(surface, t));
   }
   return largest;
-}
-
-// Its normal, as long as twice its area, mm².
-std::array<double, 3> crossOf(const Surface& surface, std::uint32_t triangle) {
-  const Triangle& t = surface.triangles[triangle];
-  std::array<std::array<double, 3>, 2> edges{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      edges[i][axis] =
-          double{surface.positionsMm[t[i + 1]][axis]} - double{surface.positionsMm[t[0]][axis]};
-    }
-  }
-  const auto& [a, b] = edges;
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double areaMm2(const Surface& surface, std::uint32_t triangle) {
-  const std::array<double, 3> cross = crossOf(surface, triangle);
-  return std::hypot(cross[0], cross[1], cross[2]) / 2;
 }
 
 // Pieces of a spacing h have at most the area √3/2 h², that of an equilateral triangle: the spacing
@@ -97,8 +80,8 @@ Vec3 placeOf(const Surface& surface, const Piece& piece) {
   return place;
 }
 
-// The sides of parts thinner than the surfels that are joined from them are further apart than such
-// a surfel is large.
+// The sides of parts thinner than what is joined, surfels or clusters, are further apart than such
+// a group is large.
 void tellSidesApart(const Surface& surface, std::span<const Piece> pieces,
                     std::uint32_t piecesPerSurfel, std::span<TreeItem> items) {
   double area = 0;
@@ -106,7 +89,8 @@ void tellSidesApart(const Surface& surface, std::span<const Piece> pieces,
     const Piece& piece = pieces[item.index];
     area += static_cast<double>(piece.fraction) * areaMm2(surface, piece.triangle);
   }
-  const double sizeMm = std::sqrt(area * piecesPerSurfel / static_cast<double>(items.size()));
+  const double surfels = static_cast<double>(items.size()) / piecesPerSurfel;
+  const double sizeMm = std::max(usualClusterMm(area), std::sqrt(area / surfels));
   for (TreeItem& item : items) {
     const std::array<double, 3> cross = crossOf(surface, pieces[item.index].triangle);
     const double length = std::hypot(cross[0], cross[1], cross[2]);
@@ -124,7 +108,7 @@ std::vector<std::vector<TreeItem>> itemsOfObjects(const Surface& surface,
     items[surface.objectOfTriangle[pieces[i].triangle]].push_back({placeOf(surface, pieces[i]), i});
   }
   for (std::vector<TreeItem>& list : items) {
-    if (piecesPerSurfel > 1) tellSidesApart(surface, pieces, piecesPerSurfel, list);
+    tellSidesApart(surface, pieces, piecesPerSurfel, list);
     while (list.size() % piecesPerSurfel != 0) {
       Piece empty = pieces[list.back().index];
       empty.fraction = 0;

@@ -13,7 +13,8 @@ float coordinate(const TreeItem& item, std::size_t axis) {
   return axis < 3 ? item.placeMm[axis] : item.facingMm[axis - 3];
 }
 
-std::size_t longestAxis(std::span<const TreeItem> items, std::size_t axes) {
+std::size_t longestAxis(std::span<const TreeItem> items) {
+  constexpr std::size_t axes = 6;
   std::size_t longest = 0;
   float length = -1;
   for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -40,7 +41,7 @@ class TreeBuilder {
 
   Tree finish() {
     tree_.rootOfObject.push_back(nodeCount());
-    sortByHeight();
+    tree_.sortByHeight();
     return std::move(tree_);
   }
 
@@ -51,7 +52,7 @@ class TreeBuilder {
   std::array<std::span<TreeItem>, 2> halve(std::span<TreeItem> items) const {
     const std::size_t surfels = items.size() / itemsPerSurfel_;
     const std::size_t front = surfels / 2 * itemsPerSurfel_;
-    const std::size_t axis = longestAxis(items, itemsPerSurfel_ == 1 ? 3 : 6);
+    const std::size_t axis = longestAxis(items);
     // The index decides between equal places: one order on every machine.
     std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(front), items.end(),
                      [axis](const TreeItem& a, const TreeItem& b) {
@@ -62,32 +63,25 @@ class TreeBuilder {
     return {items.first(front), items.subspan(front)};
   }
 
-  // The height of the node that holds the items.
-  std::uint32_t add(std::span<TreeItem> items) {
+  void add(std::span<TreeItem> items) {
     const std::uint32_t node = nodeCount();
     const auto surfels = static_cast<std::uint32_t>(items.size() / itemsPerSurfel_);
     tree_.links.push_back(0);
-    heights_.push_back(0);
     if (surfels <= maxSurfelsOfLeaf) {
       tree_.links[node] =
           Tree::leafBit | Tree::setBit | ((surfels - 1) << Tree::countShift) | firstSurfel_;
       firstSurfel_ += surfels;
       orderWithin(items);
-      return 0;
+      return;
     }
-    std::uint32_t height = 0;
     for (const std::span<TreeItem> half : halve(items)) {
       if (surfels <= 2 * maxSurfelsOfLeaf) {
-        height = std::max(height, add(half) + 1);
+        add(half);
         continue;
       }
-      for (const std::span<TreeItem> quarter : halve(half)) {
-        height = std::max(height, add(quarter) + 1);
-      }
+      for (const std::span<TreeItem> quarter : halve(half)) add(quarter);
     }
     tree_.links[node] = Tree::setBit | nodeCount();
-    heights_[node] = height;
-    return height;
   }
 
   // Makes neighbours of the items of every surfel of a leaf.
@@ -96,26 +90,39 @@ class TreeBuilder {
     for (const std::span<TreeItem> half : halve(items)) orderWithin(half);
   }
 
-  void sortByHeight() {
-    const std::uint32_t tallest =
-        heights_.empty() ? 0 : *std::max_element(heights_.begin(), heights_.end());
-    tree_.firstOfHeight.assign(std::size_t{tallest} + 2, 0);
-    for (const std::uint32_t height : heights_) ++tree_.firstOfHeight[height + 1];
-    for (std::size_t i = 1; i < tree_.firstOfHeight.size(); ++i)
-      tree_.firstOfHeight[i] += tree_.firstOfHeight[i - 1];
-    std::vector<std::uint32_t> next(tree_.firstOfHeight.begin(), tree_.firstOfHeight.end() - 1);
-    tree_.byHeight.resize(heights_.size());
-    for (std::uint32_t node = 0; node < heights_.size(); ++node)
-      tree_.byHeight[next[heights_[node]]++] = node;
-  }
-
   std::uint32_t itemsPerSurfel_;
   std::uint32_t firstSurfel_ = 0;
-  std::vector<std::uint32_t> heights_;
   Tree tree_;
 };
 
 }  // namespace
+
+NodeLink linkOf(const Tree& tree, std::uint32_t node) {
+  const std::uint32_t link = tree.links[node];
+  if ((link & Tree::leafBit) == 0) return {.end = link & (Tree::setBit - 1)};
+  return {.leaf = true,
+          .first = link & ((1U << Tree::countShift) - 1),
+          .count = ((link & (Tree::setBit - 1)) >> Tree::countShift) + 1,
+          .end = node + 1};
+}
+
+void Tree::sortByHeight() {
+  std::vector<std::uint32_t> heights(links.size(), 0);
+  for (auto node = static_cast<std::uint32_t>(links.size()); node-- > 0;) {
+    const NodeLink link = linkOf(*this, node);
+    for (std::uint32_t child = node + 1; child < link.end; child = linkOf(*this, child).end)
+      heights[node] = std::max(heights[node], heights[child] + 1);
+  }
+  const std::uint32_t tallest =
+      heights.empty() ? 0 : *std::max_element(heights.begin(), heights.end());
+  firstOfHeight.assign(std::size_t{tallest} + 2, 0);
+  for (const std::uint32_t height : heights) ++firstOfHeight[height + 1];
+  for (std::size_t i = 1; i < firstOfHeight.size(); ++i) firstOfHeight[i] += firstOfHeight[i - 1];
+  std::vector<std::uint32_t> next(firstOfHeight.begin(), firstOfHeight.end() - 1);
+  byHeight.resize(heights.size());
+  for (std::uint32_t node = 0; node < heights.size(); ++node)
+    byHeight[next[heights[node]]++] = node;
+}
 
 Tree makeTree(std::span<const std::span<TreeItem>> itemsOfObject, std::uint32_t itemsPerSurfel) {
   TreeBuilder builder(itemsPerSurfel);

@@ -26,13 +26,25 @@ struct Tree {
   std::vector<std::uint32_t> byHeight;
   std::vector<std::uint32_t> firstOfHeight;  ///< into byHeight; one more than there are heights
   std::vector<std::uint32_t> rootOfObject;   ///< one more than there are objects
+
+  /// Fills byHeight and firstOfHeight from the links.
+  void sortByHeight();
 };
+
+/// A node's link taken apart.
+struct NodeLink {
+  bool leaf = false;
+  std::uint32_t first = 0;  ///< surfel of a leaf
+  std::uint32_t count = 0;  ///< of a leaf's surfels
+  std::uint32_t end = 0;    ///< the node after all that are below
+};
+NodeLink linkOf(const Tree& tree, std::uint32_t node);
 
 /// What is to be ordered: a place and what it belongs to.
 struct TreeItem {
   Vec3 placeMm{};
   std::uint32_t index = 0;
-  Vec3 facingMm{};  ///< normal; where surfels have several items, to be told apart like places
+  Vec3 facingMm{};  ///< normal, to be told apart like places; 0 where that is not wanted
 };
 
 /// Orders the items of each object so that any few neighbours in the order are neighbours in space,

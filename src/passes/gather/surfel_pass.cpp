@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "shaders/shaders.h"
+#include "shaders/shared/mesh.h"
 #include "shaders/shared/surfels.h"
 
 namespace opaline::passes {
@@ -53,6 +55,20 @@ std::vector<shared::SurfelPiece> packPieces(const surfels::Surfels& made,
   return packed;
 }
 
+std::vector<shared::AtlasCorner> cornersOf(const surfels::Surfels& made,
+                                           const surfels::Surface& surface) {
+  std::vector<shared::AtlasCorner> corners(made.count());
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i].object = surface.objectOfTriangle[made.pieces[i * made.piecesPerSurfel].triangle];
+  return corners;
+}
+
+std::vector<std::uint32_t> inOrder(std::uint32_t count) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  return order;
+}
+
 template <typename T>
 gpu::Buffer makeRoom(gpu::Device& device, const char* name, std::size_t count) {
   return {device,
@@ -79,7 +95,8 @@ SurfelPass::SurfelPass(gpu::Device& device)
                                {6, BindingType::SampledImage},
                                {7, BindingType::SampledImage},
                                {8, BindingType::StorageBuffer},
-                               {9, BindingType::StorageBuffer}},
+                               {9, BindingType::StorageBuffer},
+                               {10, BindingType::StorageBuffer}},
                   .pushConstantBytes = sizeof(SurfelCounts),
               }),
       leaves_(device,
@@ -116,6 +133,9 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::Surfels& mad
   surfels.sources = makeRoom<shared::Source>(device, "sources",
                                              std::size_t{shared::sourcesPerSurfel} * surfels.count);
   surfels.normals = makeRoom<shared::vec4>(device, "normals of surfels", surfels.count);
+  surfels.middles = makeRoom<shared::vec4>(device, "middles of surfels", surfels.count);
+  surfels.corners = gpu::makeBuffer(device, "objects of surfels", cornersOf(made, surface), storage);
+  surfels.order = gpu::makeBuffer(device, "order of surfels", inOrder(surfels.count), storage);
   surfels.nodes = makeRoom<shared::TreeNode>(device, "tree", made.tree.links.size());
   surfels.boxes = makeRoom<shared::NodeBox>(device, "boxes of the tree", made.tree.links.size());
   return surfels;
@@ -138,7 +158,7 @@ void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfel
        Binding::read(4, inputs.tables.objects), Binding::read(5, inputs.tables.media),
        Binding::sampled(6, inputs.shadows.depth, nearest_),
        Binding::sampled(7, inputs.tables.ambientCubes, linear_), Binding::write(8, surfels.sources),
-       Binding::write(9, surfels.normals)});
+       Binding::write(9, surfels.normals), Binding::write(10, surfels.middles)});
   commands.pushConstants(SurfelCounts{surfels.count, surfels.piecesPerSurfel});
   commands.dispatchLinear(surfels.count);
 }

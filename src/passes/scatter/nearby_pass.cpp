@@ -65,22 +65,21 @@ NearbyPass::Pipelines NearbyPass::makePipelines(gpu::Device& device, ScatterTran
                                 })};
 }
 
-void NearbyPass::overVertices(gpu::CommandList& commands, ScatterTransport transport,
-                              ScatterSite site, const Inputs& inputs, DeformedMesh& mesh,
-                              Exitance& exitance) const {
+void NearbyPass::overPlaces(gpu::CommandList& commands, ScatterTransport transport,
+                            ScatterSite site, const Inputs& inputs, const Places& places) const {
   commands.beginPass("nearby");
   commands.bind(pipelines(transport).vertices);
   commands.bindResources(
-      {Binding::uniform(0, inputs.frame.data), Binding::read(1, mesh.positions),
-       Binding::read(2, mesh.vertexCorners), Binding::write(3, exitance.vertices),
+      {Binding::uniform(0, inputs.frame.data), Binding::read(1, places.positions),
+       Binding::read(2, places.corners), Binding::write(3, places.exitances),
        Binding::read(4, inputs.tables.objects), Binding::read(5, inputs.tables.media),
        Binding::sampled(6, inputs.shadows.depth, nearest_),
        Binding::sampled(7, inputs.tables.ambientCubes, linear_),
        Binding::texels(8, inputs.surfels.nodes), Binding::texels(9, inputs.surfels.sources),
-       Binding::read(10, inputs.surfels.normals), Binding::read(11, mesh.normals),
-       Binding::read(12, inputs.surfels.vertexOrder)});
-  commands.pushConstants(VertexConstants{mesh.vertexCount, site});
-  commands.dispatchLinear(mesh.vertexCount);
+       Binding::read(10, inputs.surfels.normals), Binding::read(11, places.normals),
+       Binding::read(12, places.order)});
+  commands.pushConstants(VertexConstants{places.count, site});
+  commands.dispatchLinear(places.count);
   commands.endPass();
 }
 

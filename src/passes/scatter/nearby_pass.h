@@ -22,8 +22,8 @@ class NearbyPass {
     ShadowMaps& shadows;
     Surfels& surfels;
   };
-  void overVertices(gpu::CommandList& commands, ScatterTransport transport, ScatterSite site,
-                    const Inputs& inputs, DeformedMesh& mesh, Exitance& exitance) const;
+  void overPlaces(gpu::CommandList& commands, ScatterTransport transport, ScatterSite site,
+                  const Inputs& inputs, const Places& places) const;
   void overFragments(gpu::CommandList& commands, ScatterTransport transport, ScatterSite site,
                      const Inputs& inputs, VisibleSurface& surface, Exitance& exitance) const;
 

@@ -121,21 +121,21 @@ SurfelSumPass::Pipelines SurfelSumPass::makePipelines(gpu::Device& device,
   };
 }
 
-void SurfelSumPass::treeOverVertices(gpu::CommandList& commands, const Order& order,
-                                     const Vertices& over) const {
+void SurfelSumPass::treeOverPlaces(gpu::CommandList& commands, const Order& order,
+                                     const OverPlaces& over) const {
   const Pipelines& made = pipelines(order.transport);
   for (const gpu::Pipeline* pipeline : {&made.roughVertices, &made.treeVertices}) {
     if (pipeline == &made.treeVertices && order.site == ScatterSite::Fragments) break;
     commands.beginPass(pipeline == &made.roughVertices ? "estimate" : "scatter");
     commands.bind(*pipeline);
     commands.bindResources(
-        {Binding::read(1, over.mesh.positions), Binding::read(2, over.mesh.vertexCorners),
-         Binding::write(3, over.exitance.vertices), Binding::read(4, over.tables.objects),
+        {Binding::read(1, over.places.positions), Binding::read(2, over.places.corners),
+         Binding::write(3, over.places.exitances), Binding::read(4, over.tables.objects),
          Binding::read(5, over.tables.media), Binding::texels(6, over.surfels.nodes),
-         Binding::texels(7, over.surfels.sources), Binding::read(8, over.surfels.vertexOrder)});
+         Binding::texels(7, over.surfels.sources), Binding::read(8, over.places.order)});
     commands.pushConstants(
-        VertexTreeConstants{over.mesh.vertexCount, {order.tolerance, order.site}});
-    commands.dispatchLinear(over.mesh.vertexCount);
+        VertexTreeConstants{over.places.count, {order.tolerance, order.site}});
+    commands.dispatchLinear(over.places.count);
     commands.endPass();
   }
 }
@@ -155,17 +155,17 @@ void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& o
   commands.endPass();
 }
 
-void SurfelSumPass::allOverVertices(gpu::CommandList& commands, const Order& order,
-                                    const Vertices& over) const {
+void SurfelSumPass::allOverPlaces(gpu::CommandList& commands, const Order& order,
+                                    const OverPlaces& over) const {
   commands.beginPass("scatter");
   commands.bind(pipelines(order.transport).allVertices);
   forEachRange(over.surfels.count, order.site, [&](const SurfelRange& range) {
     commands.bindResources(
-        {Binding::read(1, over.mesh.positions), Binding::read(2, over.mesh.vertexCorners),
-         Binding::write(3, over.exitance.vertices), Binding::read(4, over.tables.objects),
+        {Binding::read(1, over.places.positions), Binding::read(2, over.places.corners),
+         Binding::write(3, over.places.exitances), Binding::read(4, over.tables.objects),
          Binding::read(5, over.tables.media), Binding::texels(6, over.surfels.sources)});
-    commands.pushConstants(VertexSurfelRange{over.mesh.vertexCount, range});
-    commands.dispatchLinear(over.mesh.vertexCount);
+    commands.pushConstants(VertexSurfelRange{over.places.count, range});
+    commands.dispatchLinear(over.places.count);
   });
   commands.endPass();
 }

@@ -23,11 +23,10 @@ class SurfelSumPass {
     ScatterSite site = ScatterSite::PerObject;
     float tolerance = 0.01F;  ///< of the tree: error of a node relative to the sum
   };
-  struct Vertices {
+  struct OverPlaces {
     SceneTables& tables;
     Surfels& surfels;
-    DeformedMesh& mesh;
-    Exitance& exitance;
+    Places places;
   };
   /// Objects that are summed at vertices keep what was interpolated, surface.exitance.
   struct Fragments {
@@ -37,12 +36,12 @@ class SurfelSumPass {
     Exitance& exitance;
   };
 
-  /// A rough sum at all vertices, then one to the tolerance where it is wanted there.
-  void treeOverVertices(gpu::CommandList& commands, const Order& order, const Vertices& over) const;
-  /// After treeOverVertices.
+  /// A rough sum at all places, then one to the tolerance where it is wanted there.
+  void treeOverPlaces(gpu::CommandList& commands, const Order& order, const OverPlaces& over) const;
+  /// After treeOverPlaces at the vertices.
   void treeOverFragments(gpu::CommandList& commands, const Order& order,
                          const Fragments& over) const;
-  void allOverVertices(gpu::CommandList& commands, const Order& order, const Vertices& over) const;
+  void allOverPlaces(gpu::CommandList& commands, const Order& order, const OverPlaces& over) const;
   void allOverFragments(gpu::CommandList& commands, const Order& order,
                         const Fragments& over) const;
 

@@ -17,6 +17,8 @@ layout(std430, set = 0, binding = 5) readonly buffer Media { MediumData media[];
 layout(std430, set = 0, binding = 8) writeonly buffer Sources { Source sources[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer SurfelNormals { vec4 surfelNormals[]; };
 
+layout(std430, set = 0, binding = 10) writeonly buffer SurfelMiddles { vec4 middles[]; };
+
 layout(push_constant) uniform Push {
   uint surfelCount;
   uint piecesPerSurfel;
@@ -79,11 +81,14 @@ void gatherPiece(uint surfel) {
         irradianceOn(place, at, piece.object));
   }
   surfelNormals[surfel] = vec4(normalAt(place, middle), 0.0);
+  middles[surfel] = vec4(positionAt(place, middle), 0.0);
 }
 
 // Each source stands for some of the pieces, the largest of which is asked what falls on it.
 void gatherPieces(uint surfel) {
   vec3 direction = vec3(0.0);
+  vec3 middleOfAll = vec3(0.0);
+  float largestOfAll = -1.0;
   for (uint i = 0u; i < sourcesPerSurfel; ++i) {
     uint first = i * piecesPerSurfel / sourcesPerSurfel;
     uint end = (i + 1u) * piecesPerSurfel / sourcesPerSurfel;
@@ -99,6 +104,10 @@ void gatherPieces(uint surfel) {
       area += place.area;
       byArea += place.area * positionAt(place, middle);
       direction += place.area * normalAt(place, middle);
+      if (place.area > largestOfAll) {
+        largestOfAll = place.area;
+        middleOfAll = positionAt(place, middle);
+      }
       if (place.area > largestArea) {
         largestArea = place.area;
         largest = k;
@@ -113,6 +122,7 @@ void gatherPieces(uint surfel) {
     put(sourcesPerSurfel * surfel + i, area > 0.0 ? byArea / area : somewhere, area, irradiance);
   }
   surfelNormals[surfel] = vec4(unitOr(direction, vec3(0.0, 1.0, 0.0)), 0.0);
+  middles[surfel] = vec4(middleOfAll, 0.0);
 }
 
 void main() {

@@ -2,6 +2,7 @@
 #ifndef OPALINE_LIB_IRRADIANCE
 #define OPALINE_LIB_IRRADIANCE
 #include "lib/frame.glsl"
+#include "lib/light.glsl"
 #include "lib/shadow.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/unit.glsl"
@@ -9,19 +10,27 @@
 
 layout(set = 0, binding = AMBIENT_BINDING) uniform samplerCubeArray ambientIrradiance;
 
-// `facet` is at right angles to the surface as it is drawn, of any length and either side: what of it
-// faces away from a light is in its own shadow, wherever `normal` looks.
+vec3 ambientAt(vec3 normal, MediumData medium) {
+  return textureLod(ambientIrradiance, vec4(normal, float(medium.tables.x)), 0.0).rgb;
+}
+
+// Of one light. `outside` is the unit normal of the surface as it is drawn: what of it faces away
+// from a light is in its own shadow, wherever `normal` looks.
+vec3 irradianceOf(uint light, vec3 position, vec3 normal, vec3 outside, MediumData medium) {
+  vec3 toLight;
+  vec3 arriving = lightIrradiance(light, position, toLight);
+  float cosine = dot(normal, toLight);
+  if (cosine <= 0.0 || dot(outside, toLight) <= 0.0) return vec3(0.0);
+  float entering = cosine * (1.0 - fresnelReflectance(medium.boundary.x, cosine));
+  return arriving * (entering * lightVisibility(light, position, outside));
+}
+
+// Of all. `facet` is at right angles to the surface as it is drawn, of any length and either side.
 vec3 irradianceAt(vec3 position, vec3 normal, vec3 facet, MediumData medium) {
   vec3 outside = unitOr(dot(facet, normal) < 0.0 ? -facet : facet, normal);
-  vec3 sum = textureLod(ambientIrradiance, vec4(normal, float(medium.tables.x)), 0.0).rgb;
-  for (uint i = 0u; i < frame.counts.x; ++i) {
-    vec3 toLight;
-    vec3 arriving = lightIrradiance(i, position, toLight);
-    float cosine = dot(normal, toLight);
-    if (cosine <= 0.0 || dot(outside, toLight) <= 0.0) continue;
-    float entering = cosine * (1.0 - fresnelReflectance(medium.boundary.x, cosine));
-    sum += arriving * (entering * lightVisibility(i, position, outside));
-  }
+  vec3 sum = ambientAt(normal, medium);
+  for (uint i = 0u; i < frame.counts.x; ++i)
+    sum += irradianceOf(i, position, normal, outside, medium);
   return sum;
 }
 

@@ -73,17 +73,4 @@ float lightVisibility(uint index, vec3 position, vec3 normal) {
   return sum / 9.0;
 }
 
-// Irradiance on a surface that faces the light, unshadowed; the direction to it comes back unit.
-vec3 lightIrradiance(uint index, vec3 position, out vec3 toLight) {
-  LightData light = frame.lights[index];
-  if (light.place.w == 0.0) {
-    toLight = light.place.xyz;
-    return light.power.rgb;
-  }
-  vec3 offset = light.place.xyz - position;
-  float squared = max(dot(offset, offset), 1e-12);
-  toLight = offset * inversesqrt(squared);
-  return light.power.rgb / squared;
-}
-
 #endif

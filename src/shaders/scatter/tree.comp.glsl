@@ -8,9 +8,8 @@
 #define BINDING_NODES 6
 #define BINDING_SOURCES 7
 #include "lib/tree_sum.glsl"
+#include "lib/tile.glsl"
 #include "lib/tolerance.glsl"
-
-layout(local_size_x = 64) in;
 
 layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
 layout(set = 0, binding = 2, rgba32f) uniform writeonly image2D exitance;
@@ -20,15 +19,6 @@ layout(push_constant) uniform Push {
   float tolerance;
   uint site;
 };
-
-// Tiles of 8×8 pixels, within which the invocations follow Morton's order: a subgroup of any size
-// is a compact piece of the picture.
-ivec2 pixelOfInvocation() {
-  uint i = gl_LocalInvocationIndex;
-  uvec2 inTile = uvec2(bitfieldExtract(i, 0, 1) | bitfieldExtract(i, 2, 1) << 1 | bitfieldExtract(i, 4, 1) << 2,
-                       bitfieldExtract(i, 1, 1) | bitfieldExtract(i, 3, 1) << 1 | bitfieldExtract(i, 5, 1) << 2);
-  return ivec2(gl_WorkGroupID.xy * 8u + inTile);
-}
 
 void main() {
   ivec2 pixel = pixelOfInvocation();

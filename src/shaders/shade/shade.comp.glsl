@@ -6,6 +6,7 @@
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
+#include "lib/light.glsl"
 #include "lib/shadow.glsl"
 #include "shared/medium.h"
 

@@ -15,8 +15,17 @@ using glm::vec4;
 #define OPALINE_PATTERN_CONSTANT const uint
 #endif
 
+/// What diffusion in the body itself takes of a medium.
+struct BoundaryMedium {
+  vec4 diffusion;   // rgb: D, mm (Grosjean 1956); w: A = (1 + 3C₂) / (1 - 2C₁)
+  vec4 sigma;       // rgb: √(σ_a / D), 1/mm; w: mean cosine inside of diffuse light that entered
+  vec4 extinction;  // rgb: σ_t', 1/mm; w: mean transmittance of diffuse light, F̄_t
+  vec4 albedo;      // rgb: α'; w: critical cosine √(1 - 1/η²)
+};
+
 struct MediumData {
   Profile profile;
+  BoundaryMedium inside;
   vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t); z, w: mean square
                   // radius of the piece of surface that a near and a far sample stand for, mm²
   uvec4 tables;  // x: layer of the ambient cube map; y: number of near samples; z: 0;
@@ -38,7 +47,7 @@ struct PatternEntry {
 OPALINE_PATTERN_CONSTANT maxPatternEntries = 31 * 31 + 2;
 
 #ifdef __cplusplus
-static_assert(sizeof(MediumData) == sizeof(Profile) + 32);
+static_assert(sizeof(MediumData) == sizeof(Profile) + 96);
 static_assert(sizeof(PatternEntry) == 16);
 static_assert(sizeof(PatternEntry) * maxPatternEntries <= 16384);
 }  // namespace opaline::shared

@@ -1,0 +1,169 @@
+#include "passes/boundary/beam_pass.h"
+
+#include <cstddef>
+
+#include "gpu/device.h"
+#include "passes/boundary/pipelines.h"
+#include "shaders/shaders.h"
+
+namespace opaline::passes {
+
+namespace {
+
+using gpu::Binding;
+using gpu::BindingType;
+
+struct BeamChoice {
+  std::uint32_t clusters;
+  std::uint32_t beam;
+};
+
+struct NodeRange {
+  std::uint32_t first;
+  std::uint32_t count;
+  std::uint32_t scattersOnce;
+};
+
+struct Sum {
+  std::uint32_t clusters;
+  std::uint32_t adds;
+};
+
+struct ReentryCounts {
+  std::uint32_t clusters;
+  std::uint32_t raysOutwards;
+};
+
+gpu::Pipeline makeNodes(gpu::Device& device, bool leaves) {
+  return {device, gpu::ComputePipelineOptions{.name = leaves ? "leaves of points" : "nodes of points",
+                                              .shader = shaders::boundary_beam_nodes_comp,
+                                              .bindings = slots(9, {2}),
+                                              .pushConstantBytes = sizeof(NodeRange),
+                                              .specialization = {leaves ? 1U : 0U}}};
+}
+
+gpu::Pipeline makeSum(gpu::Device& device, const char* name, gpu::Spirv shader) {
+  return {device, gpu::ComputePipelineOptions{.name = name,
+                                              .shader = shader,
+                                              .bindings = slots(8, {2, 4}),
+                                              .pushConstantBytes = sizeof(Sum)}};
+}
+
+}  // namespace
+
+BeamPass::BeamPass(gpu::Device& device)
+    : trace_(device,
+             gpu::ComputePipelineOptions{
+                 .name = "points of light",
+                 .shader = shaders::boundary_beams_comp,
+                 .bindings = {{0, BindingType::UniformBuffer},
+                              {1, BindingType::StorageBuffer},
+                              {2, BindingType::StorageBuffer},
+                              {3, BindingType::TexelBuffer},
+                              {4, BindingType::TexelBuffer},
+                              {5, BindingType::StorageBuffer},
+                              {6, BindingType::StorageBuffer},
+                              {7, BindingType::StorageBuffer},
+                              {8, BindingType::StorageBuffer},
+                              {9, BindingType::StorageBuffer}},
+                 .pushConstantBytes = sizeof(BeamChoice),
+             }),
+      leaves_(makeNodes(device, true)),
+      nodes_(makeNodes(device, false)),
+      source_(makeSum(device, "sources of fluence", shaders::boundary_source_comp)),
+      single_(makeSum(device, "light that scatters once", shaders::boundary_single_comp)),
+      reentry_(device, gpu::ComputePipelineOptions{.name = "light that enters again",
+                                                   .shader = shaders::boundary_reentry_comp,
+                                                   .bindings = slots(4),
+                                                   .pushConstantBytes = sizeof(ReentryCounts)}),
+      exitance_(device, gpu::ComputePipelineOptions{.name = "exitance of clusters",
+                                                    .shader = shaders::boundary_exitance_comp,
+                                                    .bindings = slots(6),
+                                                    .pushConstantBytes = sizeof(Sum)}) {}
+
+void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs,
+                            Clusters& clusters) const {
+  for (std::uint32_t beam = 0; beam <= clusters.lights; ++beam) {
+    Beams& beams = beam < clusters.lights ? clusters.fromLight : clusters.fromEverywhere;
+    commands.beginPass("rays");
+    trace(commands, inputs, clusters, beam, beams);
+    commands.endPass();
+    commands.beginPass("sources");
+    spread(commands, inputs.tables, clusters, beams, beam > 0);
+    commands.endPass();
+  }
+}
+
+void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs,
+                             Clusters& clusters) const {
+  commands.beginPass("sources");
+  commands.bind(reentry_);
+  commands.bindResources({Binding::read(0, clusters.clusters), Binding::read(1, clusters.meetings),
+                          Binding::read(2, clusters.latest),
+                          Binding::write(3, clusters.fromEverywhere.strengths)});
+  commands.pushConstants(ReentryCounts{clusters.count, clusters.raysOutwards});
+  commands.dispatchLinear(clusters.count);
+  spread(commands, inputs.tables, clusters, clusters.fromEverywhere, false);
+  commands.endPass();
+}
+
+void BeamPass::recordExitance(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
+                              bool adds) const {
+  commands.beginPass("solve");
+  commands.bind(exitance_);
+  commands.bindResources({Binding::read(0, tables.objects), Binding::read(1, tables.media),
+                          Binding::read(2, clusters.ranges), Binding::read(3, clusters.fluences),
+                          Binding::write(4, clusters.latest),
+                          Binding::write(5, clusters.exitances)});
+  commands.pushConstants(Sum{clusters.count, adds ? 1U : 0U});
+  commands.dispatchLinear(clusters.count);
+  commands.endPass();
+}
+
+void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
+                     std::uint32_t beam, Beams& beams) const {
+  commands.bind(trace_);
+  commands.bindResources(
+      {Binding::uniform(0, inputs.frame.data), Binding::read(1, inputs.tables.objects),
+       Binding::read(2, inputs.tables.media), Binding::texels(3, inputs.rays.corners),
+       Binding::texels(4, inputs.rays.boxes), Binding::read(5, clusters.ranges),
+       Binding::read(6, clusters.clusters), Binding::read(7, clusters.irradiances),
+       Binding::write(8, beams.points), Binding::write(9, beams.strengths)});
+  commands.pushConstants(BeamChoice{clusters.count, beam});
+  commands.dispatchLinear(clusters.count);
+}
+
+void BeamPass::spread(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
+                      Beams& beams, bool adds) const {
+  for (const bool scattersOnce : {false, true}) {
+    fitNodes(commands, tables, clusters, beams, scattersOnce);
+    commands.bind(scattersOnce ? single_ : source_);
+    commands.bindResources(
+        {Binding::read(0, tables.objects), Binding::read(1, tables.media),
+         Binding::texels(2, beams.points), Binding::read(3, beams.strengths),
+         Binding::texels(4, clusters.beamNodes), Binding::read(5, clusters.ranges),
+         Binding::read(6, clusters.clusters),
+         Binding::write(7, scattersOnce ? clusters.latest : clusters.sources)});
+    commands.pushConstants(Sum{clusters.count, adds ? 1U : 0U});
+    commands.dispatchLinear(clusters.count);
+  }
+}
+
+void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
+                        Beams& beams, bool scattersOnce) const {
+  for (std::size_t height = 0; height + 1 < clusters.firstOfHeight.size(); ++height) {
+    commands.bind(height == 0 ? leaves_ : nodes_);
+    commands.bindResources({Binding::read(0, tables.objects), Binding::read(1, tables.media),
+                            Binding::texels(2, beams.points), Binding::read(3, beams.strengths),
+                            Binding::read(4, clusters.links), Binding::read(5, clusters.byHeight),
+                            Binding::read(6, clusters.ranges), Binding::read(7, clusters.clusters),
+                            Binding::write(8, clusters.beamNodes)});
+    const std::uint32_t first = clusters.firstOfHeight[height];
+    const NodeRange range{first, clusters.firstOfHeight[height + 1] - first,
+                          scattersOnce ? 1U : 0U};
+    commands.pushConstants(range);
+    commands.dispatchLinear(range.count);
+  }
+}
+
+}  // namespace opaline::passes

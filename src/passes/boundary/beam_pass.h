@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Light that enters, followed to its collisions in the body, and what these give to every cluster
+/// before any diffusion: fluence as in a medium without end, and light that leaves at once.
+class BeamPass {
+ public:
+  explicit BeamPass(gpu::Device& device);
+
+  struct Inputs {
+    FrameView& frame;
+    SceneTables& tables;
+    RayHierarchy& rays;
+  };
+  /// All lights and what comes from everywhere.
+  void recordLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters) const;
+  /// Light that just left, `latest`, where it enters again.
+  void recordReentry(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters) const;
+  /// Turns fluences into `latest` exitance and adds it to the rest, or starts that.
+  void recordExitance(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
+                      bool adds) const;
+
+ private:
+  void trace(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
+             std::uint32_t beam, Beams& beams) const;
+  void spread(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters, Beams& beams,
+              bool adds) const;
+  void fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters, Beams& beams,
+                bool scattersOnce) const;
+
+  gpu::Pipeline trace_;
+  gpu::Pipeline leaves_;
+  gpu::Pipeline nodes_;
+  gpu::Pipeline source_;
+  gpu::Pipeline single_;
+  gpu::Pipeline reentry_;
+  gpu::Pipeline exitance_;
+};
+
+}  // namespace opaline::passes

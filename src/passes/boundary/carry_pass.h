@@ -1,0 +1,37 @@
+#pragma once
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Brings what boundary transport found at clusters to vertices and visible pixels: the exitance of
+/// a half-space that is there already, corrected by the difference that clusters have on the mean.
+class CarryPass {
+ public:
+  explicit CarryPass(gpu::Device& device);
+
+  /// The mean of the half-space's exitance over every cluster, from vertices or from surfels.
+  enum class From { Vertices, Surfels };
+  void recordMeans(gpu::CommandList& commands, From from, gpu::Buffer& exitances, Surfels& surfels,
+                   Clusters& clusters) const;
+
+  void overVertices(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
+                    Clusters& clusters, const Places& vertices) const;
+  void overFragments(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
+                     Clusters& clusters, VisibleSurface& surface, Exitance& exitance) const;
+
+ private:
+  gpu::Sampler nearest_;
+  gpu::Pipeline meansOfVertices_;
+  gpu::Pipeline meansOfSurfels_;
+  gpu::Pipeline vertices_;
+  gpu::Pipeline fragments_;
+};
+
+}  // namespace opaline::passes

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+#include "surfels/clusters.h"
+#include "surfels/surfels.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// The places at which boundary transport is solved, as they are in this frame: shape, light that
+/// enters, how thick the body is and what of the scene they see.
+class ClusterPass {
+ public:
+  explicit ClusterPass(gpu::Device& device);
+
+  /// For set-up, not for frames.
+  static Clusters makeClusters(gpu::Device& device, const surfels::Clusters& made,
+                               const surfels::Surface& surface, const surfels::Surfels& surfels,
+                               std::uint32_t lights);
+
+  struct Inputs {
+    FrameView& frame;
+    DeformedMesh& mesh;
+    SceneTables& tables;
+    ShadowMaps& shadows;
+    Surfels& surfels;
+    RayHierarchy& rays;
+  };
+  /// Rays outwards only where `looksAround`: else each sees all of the sky and nothing else.
+  void record(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,
+              Clusters& clusters) const;
+
+ private:
+  void gather(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters) const;
+  void fitNodes(gpu::CommandList& commands, Clusters& clusters) const;
+  void enclose(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters) const;
+  void survey(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,
+              Clusters& clusters) const;
+
+  gpu::Sampler nearest_;
+  gpu::Sampler linear_;
+  gpu::Pipeline gather_;
+  gpu::Pipeline nodes_;
+  gpu::Pipeline enclose_;
+  gpu::Pipeline survey_;
+};
+
+}  // namespace opaline::passes

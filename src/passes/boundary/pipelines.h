@@ -1,0 +1,36 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/pipeline.h"
+
+namespace opaline::passes {
+
+/// Slots 0 to `count` - 1: storage buffers but for those listed, which are texel buffers.
+inline std::vector<gpu::BindingSlot> slots(std::uint32_t count,
+                                           std::initializer_list<std::uint32_t> texels = {}) {
+  std::vector<gpu::BindingSlot> made;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bool texel = std::find(texels.begin(), texels.end(), i) != texels.end();
+    made.push_back({i, texel ? gpu::BindingType::TexelBuffer : gpu::BindingType::StorageBuffer});
+  }
+  return made;
+}
+
+/// Room for `count` of T that shaders write, and read as storage or texels.
+template <typename T>
+gpu::Buffer makeRoom(gpu::Device& device, const char* name, std::size_t count) {
+  return {device,
+          {.name = name,
+           .bytes = std::max<std::size_t>(count, 1) * sizeof(T),
+           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT}};
+}
+
+}  // namespace opaline::passes

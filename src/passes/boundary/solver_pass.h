@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Solves the boundary's equation for the fluence at clusters by generalised minimal residuals (Saad
+/// and Schultz 1986), on the device alone: it stops by itself once the residual is small enough.
+class SolverPass {
+ public:
+  explicit SolverPass(gpu::Device& device);
+
+  /// For set-up, not for frames.
+  static Solver makeSolver(gpu::Device& device, const Clusters& clusters);
+
+  struct Order {
+    std::uint32_t steps = 8;     ///< at most, up to shared::maxSolverSteps
+    float tolerance = 0.01F;     ///< of the residual, relative to the sources
+    bool addsToLast = false;     ///< the tolerance is of the sources of the solution before
+  };
+  /// From clusters.sources to clusters.fluences.
+  void record(gpu::CommandList& commands, const Order& order, SceneTables& tables,
+              Clusters& clusters, Solver& solver) const;
+
+ private:
+  void orthogonalise(gpu::CommandList& commands, const Order& order, std::uint32_t step,
+                     Clusters& clusters, gpu::Buffer& product, Solver& solver) const;
+  void multiply(gpu::CommandList& commands, std::uint32_t step, SceneTables& tables,
+                Clusters& clusters, Solver& solver) const;
+
+  gpu::Pipeline leaves_;
+  gpu::Pipeline nodes_;
+  gpu::Pipeline product_;
+  gpu::Pipeline dots_;
+  gpu::Pipeline step_;
+  gpu::Pipeline finish_;
+};
+
+}  // namespace opaline::passes

@@ -1,0 +1,120 @@
+// Points of light in the body on the nodes of the tree of clusters: at leaves, one a cluster, or at
+// inner nodes of one height. Either as sources of fluence or, of the part that is followed to its
+// second collision, as sources of light that scatters once.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 0
+#define BINDING_MEDIA 1
+#define BINDING_POINTS 2
+#define BINDING_STRENGTHS 3
+#include "lib/beam.glsl"
+#include "lib/linear.glsl"
+
+layout(constant_id = 0) const uint ofLeaves = 1u;
+
+layout(std430, set = 0, binding = 4) readonly buffer Links { uint links[]; };
+layout(std430, set = 0, binding = 5) readonly buffer ByHeight { uint byHeight[]; };
+layout(std430, set = 0, binding = 6) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 8) buffer Nodes { BeamNode nodes[]; };
+
+layout(push_constant) uniform Push {
+  uint first;
+  uint count;
+  uint scattersOnce;  // 1: sources of light that scatters once
+};
+
+mat3 placesOf(BeamPoint point) {
+  return mat3(point.red.xyz, point.green.xyz, point.blue.xyz);
+}
+
+mat3 centroidsOf(BeamNode node) {
+  return mat3(node.redRadius.xyz, node.greenLink.xyz, node.blueSquare.xyz);
+}
+
+void put(uint node, mat3 centroids, float radius, float square, vec3 power) {
+  nodes[node] = BeamNode(vec4(centroids[0], radius),
+                         vec4(centroids[1], uintBitsToFloat(links[node])),
+                         vec4(centroids[2], square), vec4(power, 0.0));
+}
+
+mat3 meansOf(mat3 weighted, vec3 power, vec3 otherwise) {
+  float all = power.r + power.g + power.b;
+  vec3 middle = all > 0.0 ? (weighted[0] + weighted[1] + weighted[2]) / all : otherwise;
+  mat3 means;
+  for (int c = 0; c < 3; ++c) means[c] = power[c] > 0.0 ? weighted[c] / power[c] : middle;
+  return means;
+}
+
+void gatherLeaf(uint i) {
+  Cluster cluster = clusters[i];
+  vec4 strength = strengths[i];
+  uvec2 counts = pointCountsOf(strength);
+  BoundaryMedium medium = media[objects[ranges[i].object].table.x].inside;
+  vec3 shares[2] = vec3[2](shareOfFirst(cluster), shareOfSecond(cluster, medium));
+  if (scattersOnce != 0u) shares = vec3[2](cluster.second.rgb, vec3(0.0));
+
+  vec3 power = vec3(0.0);
+  mat3 weighted = mat3(0.0);
+  for (uint order = 0u; order < 2u; ++order) {
+    for (uint p = 0u; p < counts[order]; ++p) {
+      BeamPoint point = readPoint(i * maxPoints + order * maxFirstPoints + p);
+      vec3 f = strength.rgb * shares[order] * shareOf(point);
+      mat3 places = placesOf(point);
+      power += f;
+      for (int c = 0; c < 3; ++c) weighted[c] += f[c] * places[c];
+    }
+  }
+  mat3 centroids = meansOf(weighted, power, cluster.centroidArea.xyz);
+  float radius = 0.0;
+  float square = 0.0;
+  for (uint order = 0u; order < 2u; ++order) {
+    for (uint p = 0u; p < counts[order]; ++p) {
+      BeamPoint point = readPoint(i * maxPoints + order * maxFirstPoints + p);
+      vec3 f = strength.rgb * shares[order] * shareOf(point);
+      mat3 places = placesOf(point);
+      for (int c = 0; c < 3; ++c) {
+        vec3 offset = places[c] - centroids[c];
+        if (f[c] > 0.0) radius = max(radius, length(offset));
+        square += f[c] * dot(offset, offset);
+      }
+    }
+  }
+  float all = power.r + power.g + power.b;
+  put(ranges[i].node, centroids, radius, all > 0.0 ? square / all : 0.0, power);
+}
+
+void gatherNode(uint node) {
+  uint end = afterNode(node, links[node]);
+  vec3 power = vec3(0.0);
+  mat3 weighted = mat3(0.0);
+  for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
+    vec3 f = nodes[child].power.rgb;
+    mat3 places = centroidsOf(nodes[child]);
+    power += f;
+    for (int c = 0; c < 3; ++c) weighted[c] += f[c] * places[c];
+  }
+  mat3 centroids = meansOf(weighted, power, nodes[node + 1u].redRadius.xyz);
+  float radius = 0.0;
+  float square = 0.0;
+  for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
+    vec3 f = nodes[child].power.rgb;
+    mat3 places = centroidsOf(nodes[child]);
+    for (int c = 0; c < 3; ++c) {
+      vec3 offset = places[c] - centroids[c];
+      if (f[c] > 0.0) radius = max(radius, length(offset) + nodes[child].redRadius.w);
+      square += f[c] * (dot(offset, offset) + nodes[child].blueSquare.w);
+    }
+  }
+  float all = power.r + power.g + power.b;
+  put(node, centroids, radius, all > 0.0 ? square / all : 0.0, power);
+}
+
+void main() {
+  uint i = linearIndex();
+  if (i >= count) return;
+  if (ofLeaves != 0u)
+    gatherLeaf(i);
+  else
+    gatherNode(byHeight[first + i]);
+}

@@ -1,0 +1,182 @@
+// Where light that enters through a cluster collides in the body: of one light, along its refracted
+// ray and that ray's reflections inside; or of what comes from everywhere, below the cluster.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 1
+#define BINDING_MEDIA 2
+#define BINDING_PIECE_CORNERS 3
+#define BINDING_RAY_BOXES 4
+#include "lib/boundary.glsl"
+#include "lib/frame.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/light.glsl"
+#include "lib/linear.glsl"
+#include "lib/rays.glsl"
+#include "lib/unit.glsl"
+
+layout(std430, set = 0, binding = 5) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 6) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Irradiances { vec4 irradiances[]; };
+layout(std430, set = 0, binding = 8) writeonly buffer Points { BeamPoint points[]; };
+layout(std430, set = 0, binding = 9) writeonly buffer Strengths { vec4 strengths[]; };
+
+layout(push_constant) uniform Push {
+  uint clusterCount;
+  uint beam;  // a light, or the number of lights for what comes from everywhere
+};
+
+const float leastShare = 0.005;      // of light that is followed further
+const float leastEntryCosine = 0.05;  // to the mean normal, of light that reaches a part of a cluster
+const uint meetingsOfPath = 3u;      // reflections on the way to a second collision
+
+struct Body {
+  BoundaryMedium medium;
+  float eta;
+  uint firstNode;
+  uint endNode;
+  float least;  // rays start that far from where they leave, mm
+};
+
+uint pointCount[2];  // of first and second collisions so far
+
+void put(uint cluster, uint order, BeamPoint point) {
+  points[cluster * maxPoints + order * maxFirstPoints + pointCount[order]] = point;
+  ++pointCount[order];
+}
+
+float reflectedInside(Body body, float cosine) {
+  return fresnelReflectance(1.0 / body.eta, min(cosine, 1.0));
+}
+
+RayHit nextHit(Body body, vec3 origin, vec3 direction, float furthest) {
+  return nearestHit(origin, direction, body.least, furthest, body.firstNode, body.endNode);
+}
+
+// Goes on from `origin` for a path's length, mirrored where it meets the surface; what leaves there
+// is taken off the share.
+vec4 collisionAfter(Body body, vec3 origin, vec3 direction, float path, float share) {
+  for (uint k = 0u; k <= meetingsOfPath; ++k) {
+    RayHit hit = nextHit(body, origin, direction, path);
+    if (hit.piece == noPiece) return vec4(origin + path * direction, share);
+    vec3 normal = facetNormal(hit.piece);
+    origin += hit.distance * direction;
+    path -= hit.distance;
+    share *= reflectedInside(body, abs(dot(direction, normal)));
+    direction = reflect(direction, normal);
+    if (share <= 0.0) break;
+  }
+  return vec4(origin, 0.0);
+}
+
+// One of `count` directions all around, turned about the axes of the cluster.
+vec3 evenDirection(uint k, uint count, Cluster cluster) {
+  const float golden = 2.39996322972865;
+  float z = 1.0 - (2.0 * float(k) + 1.0) / float(count);
+  float angle = golden * float(k);
+  vec3 across = cross(cluster.facet.xyz, cluster.along.xyz);
+  return sqrt(max(1.0 - z * z, 0.0)) * (cos(angle) * cluster.along.xyz + sin(angle) * across) +
+         z * cluster.facet.xyz;
+}
+
+// The second collisions of light that collided first at `point`: directions k, k + stride, ...
+void scatterOn(Body body, uint i, Cluster cluster, BeamPoint point, uint k, uint stride, uint count) {
+  vec3 followed = cluster.second.rgb;
+  for (uint d = k; d < count; d += stride) {
+    vec3 direction = evenDirection(d, count, cluster);
+    // Free paths of equal parts of the light, in an order that does not go along with directions.
+    float depth = -log((float((d * 5u + 3u) % count) + 0.5) / float(count));
+    float part = float(stride) / float(count);
+    vec4 ends[3] = vec4[3](point.red, point.green, point.blue);
+    for (int c = 0; c < 3; ++c)
+      ends[c] = followed[c] > 0.0 && ends[c].w > 0.0
+                    ? collisionAfter(body, ends[c].xyz, direction,
+                                     depth / body.medium.extinction[c], part * ends[c].w)
+                    : vec4(ends[c].xyz, 0.0);
+    put(i, 1u, BeamPoint(ends[0], ends[1], ends[2]));
+  }
+}
+
+// The three places for a quantile of the light that collides within a length.
+BeamPoint pointAt(vec3 origin, vec3 direction, vec3 lengths, vec3 shares) {
+  return BeamPoint(vec4(origin + lengths.r * direction, shares.r),
+                   vec4(origin + lengths.g * direction, shares.g),
+                   vec4(origin + lengths.b * direction, shares.b));
+}
+
+// Gauss's points and weights.
+const float threeAt[3] = float[3](0.112701665, 0.5, 0.887298335);
+const float threeWeights[3] = float[3](5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0);
+const float twoAt[2] = float[2](0.211324865, 0.788675135);
+
+void firstSegment(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction, float lengthMm,
+                  vec3 extinction) {
+  vec3 collides = 1.0 - exp(-extinction * lengthMm);
+  bool further = cluster.second.rgb != vec3(0.0);
+  for (uint p = 0u; p < pointsOfFirstSegment; ++p) {
+    vec3 lengths = -log(1.0 - threeAt[p] * collides) / extinction;
+    BeamPoint point = pointAt(origin, direction, lengths, threeWeights[p] * collides);
+    put(i, 0u, point);
+    if (further)
+      scatterOn(body, i, cluster, point, p, pointsOfFirstSegment,
+                pointsOfFirstSegment * directionsOfPoint);
+  }
+}
+
+void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction, RayHit hit) {
+  vec3 extinction = body.medium.extinction.rgb;
+  bool further = cluster.second.rgb != vec3(0.0);
+  vec3 left = vec3(1.0);
+  for (uint s = 1u; s <= maxReflections; ++s) {
+    if (hit.piece == noPiece) return;
+    vec3 normal = facetNormal(hit.piece);
+    left *= exp(-extinction * hit.distance) * reflectedInside(body, abs(dot(direction, normal)));
+    if (largestOf(left) < leastShare) return;
+    origin += hit.distance * direction;
+    direction = reflect(direction, normal);
+    hit = nextHit(body, origin, direction, 3e38);
+    float lengthMm = min(hit.distance, 1e18);
+    vec3 collides = 1.0 - exp(-extinction * lengthMm);
+    for (uint p = 0u; p < pointsOfReflection; ++p) {
+      vec3 lengths = -log(1.0 - twoAt[p] * collides) / extinction;
+      BeamPoint point = pointAt(origin, direction, lengths, 0.5 * left * collides);
+      put(i, 0u, point);
+      if (further) {
+        uint count = pointsOfReflection * maxReflections;
+        scatterOn(body, i, cluster, point, (s - 1u) * pointsOfReflection + p, count, count);
+      }
+    }
+  }
+}
+
+void main() {
+  uint i = linearIndex();
+  if (i >= clusterCount) return;
+  Cluster cluster = clusters[i];
+  ObjectData itsBody = objects[ranges[i].object];
+  MediumData medium = media[itsBody.table.x];
+  Body body = Body(medium.inside, medium.boundary.x, itsBody.tree.x, itsBody.tree.y,
+                   1e-4 * cluster.normal.w);
+  vec3 power = cluster.centroidArea.w * irradiances[beam * clusterCount + i].rgb;
+  bool everywhere = beam == frame.counts.x;
+  if (everywhere) power *= cluster.facet.w;
+  pointCount[0] = 0u;
+  pointCount[1] = 0u;
+  if (everywhere) {
+    float mean = medium.inside.sigma.w;
+    vec3 extinction = medium.inside.extinction.rgb / mean;
+    firstSegment(body, i, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
+  } else if (power != vec3(0.0)) {
+    vec3 toLight;
+    lightIrradiance(beam, cluster.centroidArea.xyz, toLight);
+    vec3 normal = cluster.normal.xyz;
+    float cosine = dot(toLight, normal);
+    // A cluster that faces away as a whole has parts that do not.
+    vec3 from = unitOr(toLight + max(leastEntryCosine - cosine, 0.0) * normal, normal);
+    vec3 direction = unitOr(refract(-from, normal, 1.0 / body.eta), -normal);
+    RayHit hit = nextHit(body, cluster.start.xyz, direction, 3e38);
+    firstSegment(body, i, cluster, cluster.centroidArea.xyz, direction, min(hit.distance, 1e18),
+                 body.medium.extinction.rgb);
+    reflections(body, i, cluster, cluster.start.xyz, direction, hit);
+  }
+  strengths[i] = vec4(power, float(pointCount[0]) + 64.0 * float(pointCount[1]));
+}

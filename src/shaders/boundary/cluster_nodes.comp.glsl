@@ -1,0 +1,48 @@
+// Inner nodes of the tree of clusters, all of one height, from their children: the shape.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/linear.glsl"
+#include "lib/tree_node.glsl"
+#include "shared/boundary.h"
+
+layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
+layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
+layout(std430, set = 0, binding = 2) buffer Nodes { ClusterNode nodes[]; };
+
+layout(push_constant) uniform Push {
+  uint first;
+  uint count;
+};
+
+void main() {
+  uint i = linearIndex();
+  if (i >= count) return;
+  uint node = byHeight[first + i];
+  uint link = links[node];
+  uint end = afterNode(node, link);
+
+  float area = 0.0;
+  vec3 byArea = vec3(0.0);
+  vec3 vectorArea = vec3(0.0);
+  for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
+    float itsArea = nodes[child].spread.w;
+    area += itsArea;
+    byArea += itsArea * nodes[child].centroidLink.xyz;
+    vectorArea += nodes[child].vectorArea.xyz;
+  }
+  vec3 middle = area > 0.0 ? byArea / area : nodes[node + 1u].centroidLink.xyz;
+  float radius = 0.0;
+  float reach = 0.0;
+  float square = 0.0;
+  for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
+    vec3 offset = nodes[child].centroidLink.xyz - middle;
+    vec4 spread = nodes[child].spread;
+    float away = length(offset);
+    radius = max(radius, away + spread.x);
+    reach = max(reach, away + spread.z);
+    square += spread.w * (spread.y + away * away);
+  }
+  if (area > 0.0) square /= area;
+  nodes[node] = ClusterNode(vec4(middle, uintBitsToFloat(link)), vec4(radius, square, reach, area),
+                            vec4(vectorArea, 0.0));
+}

@@ -1,0 +1,136 @@
+// The clusters as they are in this frame: place, area, and the light that enters through them, of
+// each light by itself and of all that comes from everywhere.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define SHADOW_BINDING 6
+#define AMBIENT_BINDING 7
+#define BINDING_OBJECTS 4
+#define BINDING_MEDIA 5
+#include "lib/boundary.glsl"
+#include "lib/irradiance.glsl"
+#include "lib/linear.glsl"
+
+layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
+layout(std430, set = 0, binding = 8) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 9) writeonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 10) writeonly buffer Nodes { ClusterNode nodes[]; };
+layout(std430, set = 0, binding = 11) writeonly buffer Irradiances { vec4 irradiances[]; };
+
+layout(push_constant) uniform Push {
+  uint clusterCount;
+  uint piecesPerSurfel;
+};
+
+// How far a cluster is felt by the interpolation between clusters, in edges of it as a square.
+const float reachInEdges = 1.7;
+
+struct PieceShape {
+  vec3 corners[3];
+  vec3 vectorArea;  // outwards
+  float area;
+  mat3 itsNormals;  // at the triangle's corners
+  mat3x2 places;    // barycentric coordinates of the piece's corners
+};
+
+PieceShape shapeOf(SurfelPiece piece) {
+  PieceShape shape;
+  vec3 origin = positions[piece.a].xyz;
+  vec3 along = positions[piece.b].xyz - origin;
+  vec3 across = positions[piece.c].xyz - origin;
+  shape.places = mat3x2(piece.v0, piece.w0, piece.v1, piece.w1, piece.v2, piece.w2);
+  for (int i = 0; i < 3; ++i)
+    shape.corners[i] = origin + shape.places[i].x * along + shape.places[i].y * across;
+  vec4 a = normals[piece.a];
+  shape.vectorArea = a.w * 0.5 * piece.fraction * cross(along, across);
+  shape.area = length(shape.vectorArea);
+  shape.itsNormals = mat3(a.xyz, normals[piece.b].xyz, normals[piece.c].xyz);
+  return shape;
+}
+
+vec3 middleOf(PieceShape shape) {
+  return (shape.corners[0] + shape.corners[1] + shape.corners[2]) / 3.0;
+}
+
+// What enters through a piece, mean over three points (Strang and Fix 1973): of a light, or from
+// everywhere.
+const uint everywhere = 0xffffffffu;
+vec3 enteringThrough(PieceShape shape, MediumData medium, uint light) {
+  vec3 sum = vec3(0.0);
+  vec3 facet = unitOr(shape.vectorArea, vec3(0.0, 1.0, 0.0));
+  vec3 middle = middleOf(shape);
+  vec2 middlePlace = (shape.places[0] + shape.places[1] + shape.places[2]) / 3.0;
+  for (int i = 0; i < 3; ++i) {
+    vec2 at = 0.5 * (middlePlace + shape.places[i]);
+    vec3 normal = unitOr(shape.itsNormals * vec3(1.0 - at.x - at.y, at), facet);
+    sum += light == everywhere ? ambientAt(normal, medium)
+                               : irradianceOf(light, 0.5 * (middle + shape.corners[i]), normal,
+                                              facet, medium);
+  }
+  return sum / 3.0;
+}
+
+void main() {
+  uint i = linearIndex();
+  if (i >= clusterCount) return;
+  ClusterRange range = ranges[i];
+  // A mirrored body's triangles go round the other way.
+  float side = normals[pieces[range.firstSurfel * piecesPerSurfel].a].w;
+  MediumData medium = media[objects[range.object].table.x];
+  uint first = range.firstSurfel * piecesPerSurfel;
+  uint end = range.endSurfel * piecesPerSurfel;
+
+  float area = 0.0;
+  vec3 byArea = vec3(0.0);
+  vec3 vectorArea = vec3(0.0);
+  for (uint k = first; k < end; ++k) {
+    PieceShape shape = shapeOf(pieces[k]);
+    area += shape.area;
+    byArea += shape.area * middleOf(shape);
+    vectorArea += shape.vectorArea;
+  }
+  vec3 middle = area > 0.0 ? byArea / area : positions[pieces[first].a].xyz;
+  vec3 normal = unitOr(vectorArea, vec3(0.0, 1.0, 0.0));
+
+  // The piece whose middle is nearest stands for the cluster where it has to be on the surface.
+  float square = 0.0;
+  float radius = 0.0;
+  float least = 3e38;
+  uint nearest = first;
+  for (uint k = first; k < end; ++k) {
+    PieceShape shape = shapeOf(pieces[k]);
+    for (int c = 0; c < 3; ++c) {
+      vec3 offset = shape.corners[c] - middle;
+      radius = max(radius, length(offset));
+      vec3 between = 0.5 * (shape.corners[c] + shape.corners[(c + 1) % 3]) - middle;
+      square += shape.area / 3.0 * dot(between, between);
+    }
+    vec3 offset = middleOf(shape) - middle;
+    float squared = dot(offset, offset) + (dot(shape.vectorArea, normal) > 0.0 ? 0.0 : 1e30);
+    if (shape.area > 0.0 && squared < least) {
+      least = squared;
+      nearest = k;
+    }
+  }
+  if (area > 0.0) square /= area;
+  PieceShape there = shapeOf(pieces[nearest]);
+  vec3 facet = unitOr(there.vectorArea, normal);
+  vec3 along = unitOr(there.corners[1] - there.corners[0], vec3(1.0, 0.0, 0.0));
+
+  clusters[i] = Cluster(vec4(middle, area), vec4(normal, sqrt(area / pi)), vec4(vectorArea, 0.5),
+                        vec4(middleOf(there), 0.0), vec4(along, side), vec4(facet, 1.0), vec4(0.0));
+  float reach = max(1.2 * radius, reachInEdges * sqrt(area));
+  nodes[range.node] = ClusterNode(vec4(middle, uintBitsToFloat(leafBit | setBit | i)),
+                                  vec4(radius, square, reach, area), vec4(vectorArea, 0.0));
+
+  for (uint beam = 0u; beam <= frame.counts.x; ++beam) {
+    vec3 sum = vec3(0.0);
+    for (uint k = first; k < end; ++k) {
+      PieceShape shape = shapeOf(pieces[k]);
+      sum += shape.area *
+             enteringThrough(shape, medium, beam < frame.counts.x ? beam : everywhere);
+    }
+    irradiances[beam * clusterCount + i] = vec4(area > 0.0 ? sum / area : vec3(0.0), 0.0);
+  }
+}

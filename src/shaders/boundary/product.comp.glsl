@@ -1,0 +1,73 @@
+// The operator of the boundary's equation on a fluence:
+//   c_i φ_i + S_ii φ_i / 2A + Σ_j [S_ij / 2A + K_ij] φ_j,  S = e^{-σr} / 4πDr,
+//   K_ij φ_j = -(1 + σr) e^{-σr} (x_j - x_i)·A_j φ_j / 4πr³.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#define BINDING_OBJECTS 0
+#define BINDING_MEDIA 1
+#include "lib/boundary.glsl"
+#include "lib/linear.glsl"
+
+layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Clusters { Cluster clusters[]; };
+layout(set = 0, binding = 4) uniform samplerBuffer nodes;      // ClusterNode
+layout(set = 0, binding = 5) uniform samplerBuffer densities;  // DensityNode
+layout(std430, set = 0, binding = 6) readonly buffer Fluences { vec4 fluences[]; };
+layout(std430, set = 0, binding = 7) writeonly buffer Products { vec4 products[]; };
+layout(std430, set = 0, binding = 8) readonly buffer State { SolverState state; };
+
+layout(push_constant) uniform Push {
+  uint clusterCount;
+  uint first;  // of the fluences
+  uint step;   // of the solver; skipped when that is done
+};
+
+void main() {
+  uint i = linearIndex();
+  if (step > 0u && state.done != 0u) return;
+  bool inside = i < clusterCount;
+  ClusterRange range = ranges[inside ? i : 0u];
+  ObjectData body = objects[range.object];
+  BoundaryMedium medium = media[body.table.x].inside;
+  vec3 sigma = medium.sigma.rgb;
+  float leastSigma = leastOf(sigma);
+  vec3 weightS = 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);  // 1 / 2AD
+  Cluster cluster = clusters[inside ? i : 0u];
+  vec3 place = cluster.centroidArea.xyz;
+
+  vec3 sum = vec3(0.0);
+  uint next = inside ? body.clusters.x : noNode;
+  while (true) {
+    uint at = subgroupMin(next);
+    if (at == noNode) break;
+    if (next == at) {
+      vec4 centroidLink = texelFetch(nodes, 3 * int(at));
+      vec4 spread = texelFetch(nodes, 3 * int(at) + 1);
+      uint link = floatBitsToUint(centroidLink.w);
+      vec3 offset = centroidLink.xyz - place;
+      float squared = dot(offset, offset);
+      bool taken = isLeaf(link) || isFar(squared, spread.x, leastSigma);
+      if (taken && at != range.node && squared > 0.0) {
+        vec4 red = texelFetch(densities, 3 * int(at));
+        vec4 green = texelFetch(densities, 3 * int(at) + 1);
+        vec4 blue = texelFetch(densities, 3 * int(at) + 2);
+        float over = inversesqrt(squared);
+        vec3 x = sigma * (squared * over);
+        vec3 e = exp(-x) * over;
+        vec3 second = 1.0 + sigma * sigma * (spread.y / 6.0);
+        vec3 along = vec3(dot(offset, red.xyz), dot(offset, green.xyz), dot(offset, blue.xyz));
+        sum += e * (weightS * second * vec3(red.w, green.w, blue.w) -
+                    (1.0 + x) * (over * over) * along);
+      }
+      next = taken ? afterNode(at, link) : at + 1u;
+      if (next >= body.clusters.y) next = noNode;
+    }
+  }
+  if (!inside) return;
+  vec3 own = 0.5 * absorbedLength(sigma, vec3(cluster.normal.w)) / medium.diffusion.rgb;
+  vec3 fluence = fluences[first + i].rgb;
+  products[i] = vec4(sum / (4.0 * pi) +
+                         fluence * (cluster.vectorArea.w + own / (2.0 * medium.diffusion.w)),
+                     0.0);
+}

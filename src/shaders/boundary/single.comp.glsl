@@ -1,0 +1,98 @@
+// Light that leaves after its first collision, through every cluster:
+// M₁ = α' Σ power e^{-σ_t'r} μ (1 - F_in(μ)) / 4πr², of the part whose second collisions are followed.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#define BINDING_OBJECTS 0
+#define BINDING_MEDIA 1
+#define BINDING_POINTS 2
+#define BINDING_STRENGTHS 3
+#define BINDING_BEAM_NODES 4
+#include "lib/beam_walk.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/linear.glsl"
+
+layout(std430, set = 0, binding = 5) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 6) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 7) buffer Exitances { vec4 exitances[]; };
+
+layout(push_constant) uniform Push {
+  uint clusterCount;
+  uint adds;  // 1: to what other light gave
+};
+
+const float furthestFreePaths = 12.0;
+
+uint receiver;
+Cluster its;
+BoundaryMedium medium;
+float eta;
+
+float leaving(float cosine) {
+  return cosine <= medium.albedo.w ? 0.0 : 1.0 - fresnelReflectance(1.0 / eta, min(cosine, 1.0));
+}
+
+float fromPlace(vec3 place, float extinction) {
+  vec3 offset = its.centroidArea.xyz - place;
+  float squared = dot(offset, offset) + 0.25 * its.normal.w * its.normal.w;
+  float over = inversesqrt(squared);
+  float cosine = dot(offset, its.normal.xyz) * over;
+  return exp(-extinction * squared * over) * over * over * cosine * leaving(cosine);
+}
+
+vec3 fromPlaces(BeamPoint point) {
+  vec3 extinction = medium.extinction.rgb;
+  return vec3(fromPlace(point.red.xyz, extinction.r), fromPlace(point.green.xyz, extinction.g),
+              fromPlace(point.blue.xyz, extinction.b));
+}
+
+vec3 fromNode(BeamNode node, vec3 squared) {
+  return node.power.rgb * fromPlaces(BeamPoint(node.redRadius, node.greenLink, node.blueSquare));
+}
+
+// The cluster's own light as from a disc at its depth: ½ ∫ e^{-σ_t' z/μ} (1 - F_in) dμ, from the
+// cosine to the disc's edge to 1, here times 4π; Gauss, four points.
+float fromDisc(vec3 place, float extinction) {
+  const float at[4] = float[4](0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558);
+  const float weight[4] = float[4](0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226);
+  float radius = its.normal.w;
+  float depth = max(dot(its.centroidArea.xyz - place, its.normal.xyz), 0.0);
+  float from = max(depth * inversesqrt(depth * depth + radius * radius + 1e-30), medium.albedo.w);
+  float sum = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    float cosine = from + at[k] * (1.0 - from);
+    sum += weight[k] * exp(-extinction * depth / cosine) * leaving(cosine);
+  }
+  return 2.0 * pi / max(its.centroidArea.w, 1e-30) * (1.0 - from) * sum;
+}
+
+vec3 fromPoints(uint cluster) {
+  vec4 strength = strengths[cluster];
+  uint count = pointCountsOf(strength).x;
+  vec3 extinction = medium.extinction.rgb;
+  vec3 sum = vec3(0.0);
+  for (uint p = 0u; p < count; ++p) {
+    BeamPoint point = readPoint(cluster * maxPoints + p);
+    bool disc = cluster == receiver && p < pointsOfFirstSegment;
+    sum += shareOf(point) * (disc ? vec3(fromDisc(point.red.xyz, extinction.r),
+                                         fromDisc(point.green.xyz, extinction.g),
+                                         fromDisc(point.blue.xyz, extinction.b))
+                                  : fromPlaces(point));
+  }
+  return strength.rgb * clusters[cluster].second.rgb * sum;
+}
+
+void main() {
+  uint i = linearIndex();
+  bool inside = i < clusterCount;
+  receiver = inside ? i : 0u;
+  its = clusters[receiver];
+  ObjectData body = objects[ranges[receiver].object];
+  medium = media[body.table.x].inside;
+  eta = media[body.table.x].boundary.x;
+  vec3 sum = beamSum(its.centroidArea.xyz, inside ? body.clusters.x : noNode, body.clusters.y, 0.0,
+                     furthestFreePaths / leastOf(medium.extinction.rgb));
+  if (!inside) return;
+  sum *= medium.albedo.rgb / (4.0 * pi);
+  exitances[i] = vec4(adds != 0u ? exitances[i].rgb + sum : sum, 0.0);
+}

@@ -1,0 +1,97 @@
+// A step of generalised minimal residuals (Saad and Schultz 1986), each channel by itself: makes the
+// product orthogonal to the basis (Gram and Schmidt), which gives the next vector, and finds the
+// residual by Givens rotations. Step 0 makes the first vector from the residual.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/linear.glsl"
+#include "lib/group_sum.glsl"
+#include "shared/boundary.h"
+
+layout(std430, set = 0, binding = 0) readonly buffer Products { vec4 products[]; };
+layout(std430, set = 0, binding = 1) buffer Basis { vec4 basis[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Sums { vec4 sums[]; };
+layout(std430, set = 0, binding = 3) buffer State { SolverState state; };
+
+layout(push_constant) uniform Push {
+  uint clusterCount;
+  uint step;
+  float tolerance;  // of the residual, relative to the right-hand side
+  uint keepsWanted;  // 1: what is wanted stays that of the solution before, which this adds to
+};
+
+// What is left of a vector, relative to what it was, when it is nothing but rounding.
+const float leastLeft2 = 1e-10;
+
+vec3 total(uint k) {
+  uint groups = (clusterCount + 63u) / 64u;
+  vec3 sum = vec3(0.0);
+  for (uint g = gl_LocalInvocationIndex; g < groups; g += 64u)
+    sum += sums[g * (maxSolverSteps + 1u) + k].rgb;
+  return groupSum(sum);
+}
+
+vec3 overOr0(vec3 a, vec3 b) {
+  return mix(a / b, vec3(0.0), lessThanEqual(abs(b), vec3(1e-30)));
+}
+
+void start(uint i) {
+  vec3 norm = sqrt(total(0u));
+  vec3 right = sqrt(total(1u));
+  if (i < clusterCount) basis[i] = vec4(overOr0(products[i].rgb, norm), 0.0);
+  if (i != 0u) return;
+  if (keepsWanted == 0u) state.wanted = vec4(tolerance * right, 0.0);
+  state.rotated[0] = vec4(norm, 0.0);
+  state.residual = vec4(overOr0(norm * tolerance, state.wanted.rgb), 0.0);
+  state.steps = 0u;
+  state.done = all(lessThanEqual(norm, state.wanted.rgb)) ? 1u : 0u;
+}
+
+// The column of the Hessenberg matrix under all rotations, and the one it adds.
+void rotate(vec3 column[maxSolverSteps + 1u]) {
+  uint last = step - 1u;
+  for (uint k = 0u; k < last; ++k) {
+    vec3 c = state.cosine[k].rgb;
+    vec3 s = state.sine[k].rgb;
+    vec3 upper = c * column[k] + s * column[k + 1u];
+    column[k + 1u] = c * column[k + 1u] - s * column[k];
+    column[k] = upper;
+  }
+  vec3 size = sqrt(column[last] * column[last] + column[step] * column[step]);
+  vec3 c = overOr0(column[last], size);
+  vec3 s = overOr0(column[step], size);
+  column[last] = size;
+  for (uint k = 0u; k <= last; ++k)
+    state.hessenberg[last * (maxSolverSteps + 1u) + k] = vec4(column[k], 0.0);
+  vec3 before = state.rotated[last].rgb;
+  state.cosine[last] = vec4(c, 0.0);
+  state.sine[last] = vec4(s, 0.0);
+  state.rotated[last] = vec4(c * before, 0.0);
+  state.rotated[step] = vec4(-s * before, 0.0);
+  vec3 left = abs(s * before);
+  state.residual = vec4(overOr0(left * tolerance, state.wanted.rgb), 0.0);
+  state.steps = step;
+  if (all(lessThanEqual(left, state.wanted.rgb))) state.done = 1u;
+}
+
+void main() {
+  uint i = linearIndex();
+  if (step == 0u) {
+    start(i);
+    return;
+  }
+  if (state.done != 0u) return;
+  bool inside = i < clusterCount;
+  vec3 vector = inside ? products[i].rgb : vec3(0.0);
+  vec3 column[maxSolverSteps + 1u];
+  vec3 left2 = total(step);
+  vec3 all2 = left2;
+  for (uint k = 0u; k < step; ++k) {
+    column[k] = total(k);
+    left2 -= column[k] * column[k];
+    if (inside) vector -= column[k] * basis[k * clusterCount + i].rgb;
+  }
+  left2 = mix(left2, vec3(0.0), lessThanEqual(left2, leastLeft2 * all2));
+  column[step] = sqrt(left2);
+  if (inside) basis[step * clusterCount + i] = vec4(overOr0(vector, column[step]), 0.0);
+  if (i == 0u) rotate(column);
+}

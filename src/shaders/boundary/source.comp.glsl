@@ -1,0 +1,92 @@
+// The fluence that points of light would give every cluster in a medium without end:
+// φˢ_i = Σ power e^{-σr} / 4πDr, r² = |x_i - y|² + ρ_i²/4.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#define BINDING_OBJECTS 0
+#define BINDING_MEDIA 1
+#define BINDING_POINTS 2
+#define BINDING_STRENGTHS 3
+#define BINDING_BEAM_NODES 4
+#include "lib/beam_walk.glsl"
+#include "lib/linear.glsl"
+
+layout(std430, set = 0, binding = 5) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 6) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 7) buffer Sources { vec4 sources[]; };
+
+layout(push_constant) uniform Push {
+  uint clusterCount;
+  uint adds;  // 1: to what other light gave
+};
+
+uint receiver;
+Cluster its;
+BoundaryMedium medium;
+
+// e^{-σr} / r about a smoothed distance.
+vec3 kernel(vec3 squared) {
+  vec3 smoothed = squared + 0.25 * its.normal.w * its.normal.w;
+  vec3 over = inversesqrt(smoothed);
+  return exp(-medium.sigma.rgb * smoothed * over) * over;
+}
+
+vec3 fromNode(BeamNode node, vec3 squared) {
+  vec3 sigma = medium.sigma.rgb;
+  return node.power.rgb * kernel(squared) * (1.0 + sigma * sigma * (node.blueSquare.w / 6.0));
+}
+
+// The cluster's own light, of first collisions on the way in, as from discs at their depths:
+// (e^{-σz} - e^{-σ√(z² + ρ²)}) / 2Dσ, here times 4πD.
+vec3 fromDisc(BeamPoint point) {
+  vec3 place = its.centroidArea.xyz;
+  vec3 depth = -vec3(dot(point.red.xyz - place, its.normal.xyz),
+                     dot(point.green.xyz - place, its.normal.xyz),
+                     dot(point.blue.xyz - place, its.normal.xyz));
+  depth = max(depth, 0.0);
+  vec3 sigma = medium.sigma.rgb;
+  float radius = its.normal.w;
+  vec3 further = sqrt(depth * depth + radius * radius) - depth;
+  return 2.0 * pi / max(its.centroidArea.w, 1e-30) * exp(-sigma * depth) *
+         absorbedLength(sigma, further);
+}
+
+vec3 fromPoints(uint cluster) {
+  vec4 strength = strengths[cluster];
+  uvec2 counts = pointCountsOf(strength);
+  vec3 place = its.centroidArea.xyz;
+  vec3 first = vec3(0.0);
+  uint at = cluster * maxPoints;
+  uint p = 0u;
+  if (cluster == receiver) {
+    for (; p < min(counts.x, pointsOfFirstSegment); ++p) {
+      BeamPoint point = readPoint(at + p);
+      first += shareOf(point) * fromDisc(point);
+    }
+  }
+  for (; p < counts.x; ++p) {
+    BeamPoint point = readPoint(at + p);
+    first += shareOf(point) * kernel(squaredDistances(point, place));
+  }
+  vec3 second = vec3(0.0);
+  for (p = 0u; p < counts.y; ++p) {
+    BeamPoint point = readPoint(at + maxFirstPoints + p);
+    second += shareOf(point) * kernel(squaredDistances(point, place));
+  }
+  Cluster from = clusters[cluster];
+  return strength.rgb * (shareOfFirst(from) * first + shareOfSecond(from, medium) * second);
+}
+
+void main() {
+  uint i = linearIndex();
+  bool inside = i < clusterCount;
+  receiver = inside ? i : 0u;
+  its = clusters[receiver];
+  ObjectData body = objects[ranges[receiver].object];
+  medium = media[body.table.x].inside;
+  vec3 sum = beamSum(its.centroidArea.xyz, inside ? body.clusters.x : noNode, body.clusters.y,
+                     leastOf(medium.sigma.rgb), 1e18);
+  if (!inside) return;
+  sum /= 4.0 * pi * medium.diffusion.rgb;
+  sources[i] = vec4(adds != 0u ? sources[i].rgb + sum : sum, 0.0);
+}

@@ -1,0 +1,113 @@
+// Rays from every cluster that ask for nothing but the shape: inwards, how thick the body is, and
+// outwards, what of the scene it sees.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 0
+#define BINDING_MEDIA 1
+#define BINDING_PIECE_CORNERS 2
+#define BINDING_RAY_BOXES 3
+#include "lib/boundary.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/linear.glsl"
+#include "lib/rays.glsl"
+#include "lib/unit.glsl"
+
+layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 5) buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 6) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Pieces { SurfelPiece pieces[]; };
+layout(std430, set = 0, binding = 8) writeonly buffer Meetings { Meeting meetings[]; };
+
+layout(push_constant) uniform Push {
+  uint clusterCount;
+  uint piecesPerSurfel;
+  uint raysOutwards;  // of each cluster
+  uint nodeCount;     // of all surfels' trees
+};
+
+// Part of the light that is followed to its second collision: where little of it scatters again, or
+// the body is thin, diffusion from the first is too rough.
+vec3 shareOfSecond(BoundaryMedium medium, float thickness) {
+  vec3 dark = 1.0 - smoothstep(0.96, 0.99, medium.albedo.rgb);
+  return dark;
+}
+
+float transmittedInto(float eta, float cosine) {
+  return 1.0 - fresnelReflectance(eta, cosine);
+}
+
+// The k-th of many directions about a normal, as dense as their cosine; `along` turns them.
+vec3 cosineDirection(uint k, uint count, float turn, vec3 normal, vec3 along) {
+  const float golden = 2.39996322972865;
+  float squared = (float(k) + 0.5) / float(count);
+  float angle = golden * float(k) + turn;
+  vec3 across = cross(normal, along);
+  return sqrt(squared) * (cos(angle) * along + sin(angle) * across) + sqrt(1.0 - squared) * normal;
+}
+
+// Any number in [0, 2π), another one for each cluster.
+float turnOf(uint cluster) {
+  return 2.0 * pi * fract(0.618033988749895 * float(cluster % 4096u));
+}
+
+struct PieceFrame {
+  vec3 middle;
+  vec3 normal;
+  vec3 along;
+};
+
+PieceFrame frameOf(uint piece, float side) {
+  vec3 a = texelFetch(pieceCorners, 3 * int(piece)).xyz;
+  vec3 b = texelFetch(pieceCorners, 3 * int(piece) + 1).xyz;
+  vec3 c = texelFetch(pieceCorners, 3 * int(piece) + 2).xyz;
+  return PieceFrame((a + b + c) / 3.0, side * unitOr(cross(b - a, c - a), vec3(0.0)),
+                    unitOr(b - a, vec3(0.0)));
+}
+
+void lookAround(uint i, inout Cluster cluster, ClusterRange range) {
+  MediumData own = media[objects[range.object].table.x];
+  uint first = range.firstSurfel * piecesPerSurfel;
+  uint count = range.endSurfel * piecesPerSurfel - first;
+  float least = 1e-4 * cluster.normal.w;
+  float side = cluster.along.w;
+  float sky = 0.0;
+  float all = 0.0;
+  for (uint k = 0u; k < raysOutwards; ++k) {
+    // From all over the cluster.
+    PieceFrame place = frameOf(first + (2u * k + 1u) * count / (2u * raysOutwards), side);
+    if (place.normal == vec3(0.0)) place = PieceFrame(cluster.start.xyz, cluster.facet.xyz, cluster.along.xyz);
+    // Turned in steps that do not go along with those over the cluster.
+    vec3 direction = cosineDirection((k * 7u) % raysOutwards, raysOutwards, turnOf(i), place.normal, place.along);
+    float entering = transmittedInto(own.boundary.x, dot(direction, place.normal));
+    RayHit hit = nearestHit(place.middle, direction, least, 3e38, 0u, nodeCount);
+    all += entering;
+    Meeting meeting = Meeting(noCluster, 0.0);
+    if (hit.piece == noPiece) {
+      sky += entering;
+    } else {
+      MediumData other = media[objects[pieces[hit.piece].object].table.x];
+      uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
+      float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
+      if (cosine > 0.0)
+        meeting = Meeting(cluster, entering * transmittedInto(other.boundary.x, cosine) /
+                                       other.inside.extinction.w / float(raysOutwards));
+    }
+    meetings[i * raysOutwards + k] = meeting;
+  }
+  cluster.facet.w = all > 0.0 ? sky / all : 1.0;
+}
+
+void main() {
+  uint i = linearIndex();
+  if (i >= clusterCount) return;
+  Cluster cluster = clusters[i];
+  ClusterRange range = ranges[i];
+  ObjectData body = objects[range.object];
+  RayHit through = nearestHit(cluster.start.xyz, -cluster.facet.xyz, 1e-4 * cluster.normal.w, 3e38,
+                              body.tree.x, body.tree.y);
+  float thickness = through.piece == noPiece ? 1e18 : through.distance;
+  if (raysOutwards > 0u) lookAround(i, cluster, range);
+  clusters[i].start.w = thickness;
+  clusters[i].facet.w = cluster.facet.w;
+  clusters[i].second = vec4(shareOfSecond(media[body.table.x].inside, thickness), 0.0);
+}

@@ -1,0 +1,49 @@
+// Points of light in the body under a cluster (shared/boundary.h). Needs, before it, BINDING_POINTS,
+// BINDING_STRENGTHS and what lib/boundary.glsl needs.
+#ifndef OPALINE_LIB_BEAM
+#define OPALINE_LIB_BEAM
+#include "lib/boundary.glsl"
+
+layout(set = 0, binding = BINDING_POINTS) uniform samplerBuffer points;  // BeamPoint
+// Power that entered through each cluster; w: numbers of its points as packPointCounts has them.
+layout(std430, set = 0, binding = BINDING_STRENGTHS) readonly buffer Strengths { vec4 strengths[]; };
+
+const float secondCountsFrom = 64.0;
+
+float packPointCounts(uint first, uint second) {
+  return float(first) + secondCountsFrom * float(second);
+}
+
+uvec2 pointCountsOf(vec4 strength) {
+  float second = floor(strength.w / secondCountsFrom);
+  return uvec2(uint(strength.w - secondCountsFrom * second), uint(second));
+}
+
+BeamPoint readPoint(uint index) {
+  return BeamPoint(texelFetch(points, 3 * int(index)), texelFetch(points, 3 * int(index) + 1),
+                   texelFetch(points, 3 * int(index) + 2));
+}
+
+vec3 shareOf(BeamPoint point) {
+  return vec3(point.red.w, point.green.w, point.blue.w);
+}
+
+// Squared distances of a place from the three channels' points.
+vec3 squaredDistances(BeamPoint point, vec3 place) {
+  vec3 red = point.red.xyz - place;
+  vec3 green = point.green.xyz - place;
+  vec3 blue = point.blue.xyz - place;
+  return vec3(dot(red, red), dot(green, green), dot(blue, blue));
+}
+
+// Of the light that entered, what a cluster's points of first and of second collisions are given:
+// the sources of fluence.
+vec3 shareOfFirst(Cluster cluster) {
+  return 1.0 - cluster.second.rgb;
+}
+
+vec3 shareOfSecond(Cluster cluster, BoundaryMedium medium) {
+  return cluster.second.rgb * medium.albedo.rgb;
+}
+
+#endif

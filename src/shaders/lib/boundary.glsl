@@ -1,0 +1,39 @@
+// What the shaders of boundary transport share. Needs, before it, BINDING_OBJECTS and BINDING_MEDIA.
+#ifndef OPALINE_LIB_BOUNDARY
+#define OPALINE_LIB_BOUNDARY
+#include "lib/tree_node.glsl"
+#include "shared/boundary.h"
+#include "shared/frame.h"
+#include "shared/medium.h"
+
+layout(std430, set = 0, binding = BINDING_OBJECTS) readonly buffer Objects { ObjectData objects[]; };
+layout(std430, set = 0, binding = BINDING_MEDIA) readonly buffer Media { MediumData media[]; };
+
+const float pi = 3.14159265358979;
+const uint noNode = 0xffffffffu;
+
+// A node is taken for what is below it from further than its radius over this.
+const float openingAngle = 0.5;
+
+// Whether a node may be taken. Where light falls off within the node, it is felt to be smaller.
+bool isFar(float squaredMm2, float radius, float sigmaPerMm) {
+  float felt = radius * max(1.0, sigmaPerMm * radius);
+  return squaredMm2 * (openingAngle * openingAngle) > felt * felt;
+}
+
+float leastOf(vec3 v) {
+  return min(min(v.x, v.y), v.z);
+}
+
+float largestOf(vec3 v) {
+  return max(max(v.x, v.y), v.z);
+}
+
+// (1 - e^{-σ l}) / σ, also for σ = 0.
+vec3 absorbedLength(vec3 sigma, vec3 lengthMm) {
+  vec3 x = sigma * lengthMm;
+  vec3 series = lengthMm * (1.0 - x * (0.5 - x / 6.0));
+  return mix((1.0 - exp(-x)) / max(sigma, vec3(1e-20)), series, lessThan(x, vec3(0.02)));
+}
+
+#endif

@@ -1,0 +1,55 @@
+// From clusters to places of the surface: light as boundary transport has it, with the detail that a
+// half-space has between them. Needs, before it, BINDING_CLUSTERS, BINDING_CLUSTER_NODES,
+// BINDING_EXITANCES and BINDING_MEANS.
+#ifndef OPALINE_LIB_CARRY
+#define OPALINE_LIB_CARRY
+#include "lib/tree_node.glsl"
+#include "shared/boundary.h"
+
+layout(std430, set = 0, binding = BINDING_CLUSTERS) readonly buffer Clusters { Cluster clusters[]; };
+layout(set = 0, binding = BINDING_CLUSTER_NODES) uniform samplerBuffer clusterNodes;
+layout(std430, set = 0, binding = BINDING_EXITANCES) readonly buffer Exitances { vec4 exitances[]; };
+layout(std430, set = 0, binding = BINDING_MEANS) readonly buffer Means { vec4 means[]; };
+
+const uint noNode = 0xffffffffu;
+
+// Of clusters that face away from a place; above 0, so that every place has some.
+const float leastFacing = 1e-4;
+
+// The half-space's exitance at a place, corrected by what surrounds it: weights fall to 0 where a
+// cluster's reach ends, so nothing jumps. Detail is scaled down, not up. The invocations of a
+// subgroup go in step; those with nothing to do have noNode as root.
+vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, uint root, uint end) {
+  vec3 exitance = vec3(0.0);
+  vec3 mean = vec3(0.0);
+  float all = 0.0;
+  uint next = root;
+  while (true) {
+    uint at = subgroupMin(next);
+    if (at == noNode) break;
+    if (next == at) {
+      vec4 centroidLink = texelFetch(clusterNodes, 3 * int(at));
+      uint link = floatBitsToUint(centroidLink.w);
+      float reach = texelFetch(clusterNodes, 3 * int(at) + 1).z;
+      vec3 offset = centroidLink.xyz - place;
+      float left = 1.0 - dot(offset, offset) / max(reach * reach, 1e-30);
+      bool opened = left > 0.0;
+      if (opened && isLeaf(link)) {
+        uint i = firstSurfelOf(link);
+        float weight = left * left * max(dot(normal, clusters[i].normal.xyz), leastFacing);
+        exitance += weight * exitances[i].rgb;
+        mean += weight * means[i].rgb;
+        all += weight;
+      }
+      next = opened ? at + 1u : afterNode(at, link);
+      if (next >= end) next = noNode;
+    }
+  }
+  if (all <= 0.0) return halfSpace;
+  exitance /= all;
+  mean /= all;
+  vec3 scale = min(exitance / max(mean, vec3(1e-30)), vec3(1.0));
+  return max(exitance + scale * (halfSpace - mean), vec3(0.0));
+}
+
+#endif

@@ -1,0 +1,116 @@
+// Boundary transport in storage buffers. Included by C++ and GLSL.
+#ifndef OPALINE_SHARED_BOUNDARY_H
+#define OPALINE_SHARED_BOUNDARY_H
+
+#ifdef __cplusplus
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec4.hpp>
+namespace opaline::shared {
+using uint = std::uint32_t;  // NOLINT(readability-identifier-naming): GLSL's word
+using glm::vec4;
+#define OPALINE_BOUNDARY_CONSTANT constexpr std::uint32_t
+#else
+#define OPALINE_BOUNDARY_CONSTANT const uint
+#endif
+
+/// Which surfels a cluster is of, the same in every frame.
+struct ClusterRange {
+  uint firstSurfel;
+  uint endSurfel;
+  uint object;
+  uint node;  // its leaf in the tree of clusters
+};
+
+/// A cluster in this frame.
+struct Cluster {
+  vec4 centroidArea;  // mm; a, mm²
+  vec4 normal;        // unit, of the vector area; w: ρ = √(a/π), mm
+  vec4 vectorArea;    // A = Σ a n, mm²; w: share of the solid angle that the body fills there, c
+  vec4 start;         // a place on the surface near the centroid, mm; w: thickness of the body, mm
+  vec4 along;         // unit, in the surface there, moving with it; w: 1, or -1 where the body is mirrored
+  vec4 facet;         // unit, outwards there; w: share of the sky that it sees
+  vec4 second;        // rgb: part of the light that is followed to its second collision
+};
+
+/// Light that entered through a cluster is spread over points in the body: first the places of its
+/// first collision, then, of the part that is followed further, of its second.
+OPALINE_BOUNDARY_CONSTANT pointsOfFirstSegment = 3u;
+OPALINE_BOUNDARY_CONSTANT pointsOfReflection = 2u;
+OPALINE_BOUNDARY_CONSTANT maxReflections = 4u;
+OPALINE_BOUNDARY_CONSTANT maxFirstPoints = pointsOfFirstSegment + pointsOfReflection * maxReflections;
+OPALINE_BOUNDARY_CONSTANT directionsOfPoint = 4u;
+OPALINE_BOUNDARY_CONSTANT maxSecondPoints =
+    directionsOfPoint * pointsOfFirstSegment + pointsOfReflection * maxReflections;
+OPALINE_BOUNDARY_CONSTANT maxPoints = maxFirstPoints + maxSecondPoints;
+
+/// One of them: a place and a share of the light for each channel.
+struct BeamPoint {
+  vec4 red;  // mm; share
+  vec4 green;
+  vec4 blue;
+};
+
+/// What a ray from a cluster met outside: another cluster, and which part of that one's exitance
+/// enters here by this ray.
+struct Meeting {
+  uint cluster;  // or noCluster
+  float share;
+};
+OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
+
+/// A node of the tree of clusters in this frame.
+struct ClusterNode {
+  vec4 centroidLink;  // of the area, mm; link, as in shared/surfels.h with clusters for surfels
+  vec4 spread;        // x: no place lies further from the centroid, mm; y: mean square of that
+                      // distance, mm²; z: no cluster is felt further from it by the interpolation, mm;
+                      // w: a, mm²
+  vec4 vectorArea;    // mm²
+};
+
+/// Fluence φ over what is below a node: Σ A φ; Σ a φ for each channel.
+struct DensityNode {
+  vec4 red;
+  vec4 green;
+  vec4 blue;
+};
+
+/// Light from points below a node.
+struct BeamNode {
+  vec4 redRadius;  // centroid of the red power, mm; no point of any channel lies further from its
+                   // own, mm
+  vec4 greenLink;
+  vec4 blueSquare;  // w: mean square distance, mm²
+  vec4 power;       // rgb
+};
+
+/// Most steps of the solver before it must do with what it has.
+OPALINE_BOUNDARY_CONSTANT maxSolverSteps = 8u;
+
+/// Generalised minimal residuals (Saad and Schultz 1986), each channel by itself.
+struct SolverState {
+  vec4 hessenberg[maxSolverSteps * (maxSolverSteps + 1u)];  // column after column
+  vec4 cosine[maxSolverSteps];                              // Givens rotations
+  vec4 sine[maxSolverSteps];
+  vec4 rotated[maxSolverSteps + 1u];  // right-hand side under these rotations
+  vec4 wanted;    // rgb: norm below which the residual is small enough
+  vec4 residual;  // rgb: relative to the right-hand side
+  uint steps;     // that were made
+  uint done;      // 1: nothing more to do
+  uint unused0;
+  uint unused1;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(ClusterRange) == 16);
+static_assert(sizeof(Cluster) == 112);
+static_assert(sizeof(BeamPoint) == 48);
+static_assert(sizeof(Meeting) == 8);
+static_assert(sizeof(ClusterNode) == 48);
+static_assert(sizeof(DensityNode) == 48);
+static_assert(sizeof(BeamNode) == 64);
+static_assert(sizeof(SolverState) == 16 * (72 + 8 + 8 + 9 + 3));
+}  // namespace opaline::shared
+#endif
+
+#endif

@@ -1,0 +1,188 @@
+#include "surfels/thickness.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace opaline::surfels {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector difference(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+struct Box {
+  Vector low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+             std::numeric_limits<double>::infinity()};
+  Vector high{-low[0], -low[1], -low[2]};
+
+  void include(const Vector& place) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], place[axis]);
+      high[axis] = std::max(high[axis], place[axis]);
+    }
+  }
+
+  void include(const Box& box) {
+    include(box.low);
+    include(box.high);
+  }
+};
+
+struct Ray {
+  Vector origin;
+  Vector direction;  // unit
+  std::uint32_t from;  // triangle that it leaves
+};
+
+// The rays' way through the tree of surfels.
+class Tracer {
+ public:
+  Tracer(const Surface& surface, const Surfels& surfels) : surface_(surface), surfels_(surfels) {
+    boxes_.resize(surfels.tree.links.size());
+    for (std::size_t object = 0; object + 1 < surfels.tree.rootOfObject.size(); ++object) {
+      for (std::uint32_t node = surfels.tree.rootOfObject[object];
+           node < surfels.tree.rootOfObject[object + 1]; node = enclose(node)) {
+      }
+    }
+  }
+
+  // From the middle of a surfel's first piece, inwards.
+  double thicknessUnder(std::uint32_t surfel) const {
+    const Piece& piece = surfels_.pieces[std::size_t{surfel} * surfels_.piecesPerSurfel];
+    const std::array<Vector, 3> corners = cornersOf(piece.triangle);
+    const Vector along = difference(corners[1], corners[0]);
+    const Vector across = difference(corners[2], corners[0]);
+    const Vector outwards = cross(along, across);
+    const double length = std::sqrt(dot(outwards, outwards));
+    if (!(length > 0)) return std::numeric_limits<double>::infinity();
+    double v = 0;
+    double w = 0;
+    for (const std::array<float, 2>& corner : piece.corners) {
+      v += static_cast<double>(corner[0]) / 3;
+      w += static_cast<double>(corner[1]) / 3;
+    }
+    Ray ray{.origin = corners[0], .direction = {}, .from = piece.triangle};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      ray.origin[axis] += v * along[axis] + w * across[axis];
+      ray.direction[axis] = -outwards[axis] / length;
+    }
+    return nearest(ray, surface_.objectOfTriangle[piece.triangle]);
+  }
+
+ private:
+  std::array<Vector, 3> cornersOf(std::uint32_t triangle) const {
+    std::array<Vector, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& place = surface_.positionsMm[surface_.triangles[triangle][i]];
+      corners[i] = {place[0], place[1], place[2]};
+    }
+    return corners;
+  }
+
+  std::span<const Piece> piecesOf(const NodeLink& leaf) const {
+    const std::size_t pieces = surfels_.piecesPerSurfel;
+    return std::span(surfels_.pieces).subspan(leaf.first * pieces, leaf.count * pieces);
+  }
+
+  // Returns the node after all that are below it.
+  std::uint32_t enclose(std::uint32_t node) {
+    const NodeLink link = linkOf(surfels_.tree, node);
+    Box box;
+    if (link.leaf) {
+      for (const Piece& piece : piecesOf(link))
+        for (const Vector& corner : cornersOf(piece.triangle)) box.include(corner);
+    } else {
+      for (std::uint32_t child = node + 1; child < link.end;) {
+        const std::uint32_t next = enclose(child);
+        box.include(boxes_[child]);
+        child = next;
+      }
+    }
+    boxes_[node] = box;
+    return link.end;
+  }
+
+  static bool meets(const Ray& ray, const Box& box, double within) {
+    double near = 0;
+    double far = within;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double over = 1 / ray.direction[axis];
+      double first = (box.low[axis] - ray.origin[axis]) * over;
+      double second = (box.high[axis] - ray.origin[axis]) * over;
+      if (first > second) std::swap(first, second);
+      if (first > near) near = first;  // keeps the other where this is no number
+      if (second < far) far = second;
+    }
+    return near <= far;
+  }
+
+  // Distance to a triangle by Möller and Trumbore 1997.
+  std::optional<double> meet(const Ray& ray, std::uint32_t triangle) const {
+    if (triangle == ray.from) return {};
+    const std::array<Vector, 3> corners = cornersOf(triangle);
+    const Vector along = difference(corners[1], corners[0]);
+    const Vector across = difference(corners[2], corners[0]);
+    const Vector p = cross(ray.direction, across);
+    const double determinant = dot(along, p);
+    if (determinant == 0) return {};
+    const Vector to = difference(ray.origin, corners[0]);
+    const double u = dot(to, p) / determinant;
+    const Vector q = cross(to, along);
+    const double v = dot(ray.direction, q) / determinant;
+    const double distance = dot(across, q) / determinant;
+    if (!(u >= 0 && v >= 0 && u + v <= 1 && distance > 0)) return {};
+    return distance;
+  }
+
+  double nearest(const Ray& ray, std::uint32_t object) const {
+    double distance = std::numeric_limits<double>::infinity();
+    const std::uint32_t end = surfels_.tree.rootOfObject[object + 1];
+    for (std::uint32_t node = surfels_.tree.rootOfObject[object]; node < end;) {
+      const NodeLink link = linkOf(surfels_.tree, node);
+      if (!meets(ray, boxes_[node], distance)) {
+        node = link.end;
+        continue;
+      }
+      if (link.leaf)
+        for (const Piece& piece : piecesOf(link))
+          distance = std::min(distance, meet(ray, piece.triangle).value_or(distance));
+      ++node;
+    }
+    return distance;
+  }
+
+  const Surface& surface_;
+  const Surfels& surfels_;
+  std::vector<Box> boxes_;
+};
+
+}  // namespace
+
+std::vector<double> thicknessMm(const Surface& surface, const Surfels& surfels) {
+  const Tracer tracer(surface, surfels);
+  std::vector<double> thickness(surfels.count());
+  for (std::uint32_t node = 0; node < surfels.tree.links.size(); ++node) {
+    const NodeLink link = linkOf(surfels.tree, node);
+    if (!link.leaf) continue;
+    const double mm = tracer.thicknessUnder(link.first);
+    std::fill_n(thickness.begin() + link.first, link.count, mm);
+  }
+  return thickness;
+}
+
+}  // namespace opaline::surfels
