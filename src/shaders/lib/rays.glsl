@@ -69,15 +69,15 @@ void meetPiece(Ray ray, uint piece, float nearest, inout RayHit hit) {
   vec3 b = ray.turn * (b4.xyz - ray.origin);
   vec3 c = ray.turn * (c4.xyz - ray.origin);
   // Twice the areas of the ray with each edge, all of one sign where it passes between them.
-  vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
+  precise vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
   float slack = b4.w * ray.reach + c4.w;
   float least = min(min(areas.x, areas.y), areas.z);
   float most = max(max(areas.x, areas.y), areas.z);
   if (least < -slack && most > slack) return;
   // A mean of the corners' distances, whatever the piece is like.
-  areas = least >= -slack ? max(areas, 0.0) : max(-areas, 0.0);
-  float all = areas.x + areas.y + areas.z;
-  float distance = (areas.x * a.z + areas.y * b.z + areas.z * c.z) / all;
+  vec3 parts = least >= -slack ? max(areas, 0.0) : max(-areas, 0.0);
+  float all = parts.x + parts.y + parts.z;
+  float distance = (parts.x * a.z + parts.y * b.z + parts.z * c.z) / all;
   if (all > 0.0 && distance > nearest && distance < hit.distance) hit = RayHit(distance, piece);
 }
 
