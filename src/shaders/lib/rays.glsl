@@ -90,17 +90,22 @@ RayHit nearestHit(vec3 origin, vec3 direction, float minDistance, float maxDista
   RayHit hit = RayHit(maxDistance, noPiece);
   uint node = firstNode;
   while (node < endNode) {
-    vec4 low = texelFetch(rayBoxes, 2 * int(node));
-    vec4 high = texelFetch(rayBoxes, 2 * int(node) + 1);
-    uint link = floatBitsToUint(low.w);
-    bool met = meetsBox(ray, low.xyz, high.xyz, hit.distance);
-    if (met && isLeaf(link)) {
-      uint pieces = uint(high.w);
-      uint piece = firstSurfelOf(link) * pieces;
-      uint end = piece + surfelCountOf(link) * pieces;
-      for (; piece < end; ++piece) meetPiece(ray, piece, minDistance, hit);
-    }
-    node = met ? node + 1u : afterNode(node, link);
+    uint piece = 0u;
+    uint end = 0u;
+    do {
+      vec4 low = texelFetch(rayBoxes, 2 * int(node));
+      vec4 high = texelFetch(rayBoxes, 2 * int(node) + 1);
+      uint link = floatBitsToUint(low.w);
+      bool met = meetsBox(ray, low.xyz, high.xyz, hit.distance);
+      bool leaf = isLeaf(link);
+      if (met && leaf) {
+        uint pieces = uint(high.w);
+        piece = firstSurfelOf(link) * pieces;
+        end = piece + surfelCountOf(link) * pieces;
+      }
+      node = met || leaf ? node + 1u : afterNode(node, link);
+    } while (node < endNode && piece == end);
+    for (; piece < end; ++piece) meetPiece(ray, piece, minDistance, hit);
   }
   return hit;
 }
