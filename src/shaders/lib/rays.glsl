@@ -81,15 +81,13 @@ void meetPiece(Ray ray, uint piece, float nearest, inout RayHit hit) {
   if (all > 0.0 && distance > nearest && distance < hit.distance) hit = RayHit(distance, piece);
 }
 
-// The nearest of the pieces below nodes firstNode .. endNode - 1 (a whole object's, or several
-// objects') that a ray meets further than `minDistance` and nearer than `maxDistance`; distances in
-// lengths of `direction`, which need not be 1.
-RayHit nearestHit(vec3 origin, vec3 direction, float minDistance, float maxDistance, uint firstNode,
-                  uint endNode) {
-  Ray ray = makeRay(origin, direction);
+// Goes to the next leaf that the ray meets, then through its pieces: neighbours, each on its own way,
+// so have more often the same to do.
+RayHit meetPieces(Ray ray, float minDistance, float maxDistance, uint firstNode, uint endNode,
+                  bool anyWillDo) {
   RayHit hit = RayHit(maxDistance, noPiece);
   uint node = firstNode;
-  while (node < endNode) {
+  while (node < endNode && !(anyWillDo && hit.piece != noPiece)) {
     uint piece = 0u;
     uint end = 0u;
     do {
@@ -110,8 +108,23 @@ RayHit nearestHit(vec3 origin, vec3 direction, float minDistance, float maxDista
   return hit;
 }
 
+// The nearest of the pieces below nodes firstNode .. endNode - 1 (a whole object's, or several
+// objects') that a ray meets further than `minDistance` and nearer than `maxDistance`; distances in
+// lengths of `direction`, which need not be 1.
+RayHit nearestHit(vec3 origin, vec3 direction, float minDistance, float maxDistance, uint firstNode,
+                  uint endNode) {
+  return meetPieces(makeRay(origin, direction), minDistance, maxDistance, firstNode, endNode, false);
+}
+
 RayHit nearestHit(vec3 origin, vec3 direction, float maxDistance, uint firstNode, uint endNode) {
   return nearestHit(origin, direction, 0.0, maxDistance, firstNode, endNode);
+}
+
+// Whether there is any such piece.
+bool occluded(vec3 origin, vec3 direction, float minDistance, float maxDistance, uint firstNode,
+              uint endNode) {
+  Ray ray = makeRay(origin, direction);
+  return meetPieces(ray, minDistance, maxDistance, firstNode, endNode, true).piece != noPiece;
 }
 
 // Of a piece that was hit: unit, to the side from which its triangle's corners are seen
