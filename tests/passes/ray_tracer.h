@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,8 +22,12 @@ namespace opaline::passes::test {
 constexpr std::uint32_t noPiece = 0xffffffffU;
 
 struct Hit {
+  std::array<float, 3> normal{};
   float distance = 0;
   std::uint32_t piece = noPiece;
+  std::uint32_t object = 0;
+  std::uint32_t blocked = 0;
+  std::uint32_t unused = 0;
 };
 
 /// A body divided into surfels, and the device's hierarchy of it.

@@ -116,6 +116,7 @@ void compare(const Body& body, const RayTracer& tracer, const std::vector<Ray>& 
     const auto distance = static_cast<double>(hits[i].distance);
     ASSERT_TRUE(std::isfinite(distance)) << i;
     if (expected.earliest < expected.latest - 1e-3 * expected.earliest) ++unsure;
+    ASSERT_EQ(hits[i].blocked, hits[i].piece == noPiece ? 0U : 1U) << i;
     if (hits[i].piece == noPiece) {
       ASSERT_EQ(hits[i].distance, rays[i].to) << i;
       ASSERT_EQ(expected.latest, std::numeric_limits<double>::infinity()) << i;
@@ -127,7 +128,11 @@ void compare(const Body& body, const RayTracer& tracer, const std::vector<Ray>& 
     ASSERT_LT(hits[i].piece, tracer.made().pieces.size());
     const surfels::Piece& piece = tracer.made().pieces[hits[i].piece];
     ASSERT_GT(piece.fraction, 0) << i;
-    const PlaneHit there = meet(rays[i], cornersOf(body, piece));
+    ASSERT_EQ(hits[i].object, body.objectOfTriangle[piece.triangle]) << i;
+    const std::array<Vector, 3> corners = cornersOf(body, piece);
+    const Vector normal = unit(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    ASSERT_LT(length(toVector(hits[i].normal.data()) - normal), 1e-4) << i;
+    const PlaneHit there = meet(rays[i], corners);
     ASSERT_GE(there.insideMm, -4 * rounding / there.cosine) << i;
   }
   EXPECT_GT(found, rays.size() / 10);

@@ -1,7 +1,6 @@
 // Where a list of rays meets a surface, nearest; or how often each meets it at all.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
 #define BINDING_PIECE_CORNERS 0
 #define BINDING_RAY_BOXES 1
 #include "lib/linear.glsl"
@@ -12,8 +11,13 @@ struct TestRay {
   vec4 directionTo;  // w: greatest
 };
 
+struct TestHit {
+  vec4 normalDistance;
+  uvec4 found;  // piece or number of hits, object, whether anything is in the way
+};
+
 layout(std430, set = 0, binding = 2) readonly buffer Rays { TestRay rays[]; };
-layout(std430, set = 0, binding = 3) writeonly buffer Hits { uvec2 hits[]; };  // distance, piece
+layout(std430, set = 0, binding = 3) writeonly buffer Hits { TestHit hits[]; };
 
 layout(push_constant) uniform Push {
   uint count;
@@ -34,5 +38,9 @@ void main() {
       hit = nearestHit(ray.originFrom.xyz, ray.directionTo.xyz, hit.distance + apart,
                        ray.directionTo.w, firstNode, endNode);
   }
-  hits[i] = uvec2(floatBitsToUint(hit.distance), met);
+  bool hitOne = apart == 0.0 && hit.piece != noPiece;
+  bool blocked = occluded(ray.originFrom.xyz, ray.directionTo.xyz, ray.originFrom.w,
+                          ray.directionTo.w, firstNode, endNode);
+  hits[i] = TestHit(vec4(hitOne ? facetNormal(hit.piece) : vec3(0.0), hit.distance),
+                    uvec4(met, hitOne ? objectOfPiece(hit.piece) : 0u, uint(blocked), 0u));
 }
