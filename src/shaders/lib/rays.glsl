@@ -59,8 +59,8 @@ bool meetsBox(Ray ray, vec3 low, vec3 high, float furthest) {
   return enter <= min(leave, furthest);
 }
 
-// Makes it the hit if it is one between `nearest` and the hit.
-void meetPiece(Ray ray, uint piece, float nearest, inout RayHit hit) {
+// Makes the piece the hit if the ray meets it further than `minDistance` and nearer than that.
+void meetPiece(Ray ray, uint piece, float minDistance, inout RayHit hit) {
   int at = 3 * int(piece);
   vec4 a4 = texelFetch(pieceCorners, at);
   vec4 b4 = texelFetch(pieceCorners, at + 1);
@@ -68,7 +68,8 @@ void meetPiece(Ray ray, uint piece, float nearest, inout RayHit hit) {
   vec3 a = ray.turn * (a4.xyz - ray.origin);
   vec3 b = ray.turn * (b4.xyz - ray.origin);
   vec3 c = ray.turn * (c4.xyz - ray.origin);
-  // Twice the areas of the ray with each edge, all of one sign where it passes between them.
+  // Twice the areas of the ray with each edge, all of one sign where it passes between them. No
+  // rounding gives one of the wrong sign, as long as none is left out.
   precise vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
   float slack = b4.w * ray.reach + c4.w;
   float least = min(min(areas.x, areas.y), areas.z);
@@ -78,7 +79,7 @@ void meetPiece(Ray ray, uint piece, float nearest, inout RayHit hit) {
   vec3 parts = least >= -slack ? max(areas, 0.0) : max(-areas, 0.0);
   float all = parts.x + parts.y + parts.z;
   float distance = (parts.x * a.z + parts.y * b.z + parts.z * c.z) / all;
-  if (all > 0.0 && distance > nearest && distance < hit.distance) hit = RayHit(distance, piece);
+  if (all > 0.0 && distance > minDistance && distance < hit.distance) hit = RayHit(distance, piece);
 }
 
 // Goes to the next leaf that the ray meets, then through its pieces: neighbours, each on its own way,
@@ -110,7 +111,8 @@ RayHit meetPieces(Ray ray, float minDistance, float maxDistance, uint firstNode,
 
 // The nearest of the pieces below nodes firstNode .. endNode - 1 (a whole object's, or several
 // objects') that a ray meets further than `minDistance` and nearer than `maxDistance`; distances in
-// lengths of `direction`, which need not be 1.
+// lengths of `direction`, which need not be 1. A ray that starts on a piece meets it at about 0, to
+// either side: a millionth of the coordinates, and more the flatter it leaves.
 RayHit nearestHit(vec3 origin, vec3 direction, float minDistance, float maxDistance, uint firstNode,
                   uint endNode) {
   return meetPieces(makeRay(origin, direction), minDistance, maxDistance, firstNode, endNode, false);
