@@ -54,11 +54,13 @@ void main() {
     vec3 furthest = max(max(abs(corners[0]), abs(corners[1])), abs(corners[2]));
     float reachSlack = roundedPart * longest;
     float slack = reachSlack * largestOf(furthest);
-    // What is thinner than its neighbours' slack is a line.
-    bool never = piece.fraction == 0.0 || !(length(cross(along, across)) > 0.5 * slack);
+    bool never = piece.fraction == 0.0 ||
+                 !(length(cross(along, across)) > 0.5 * roundedPart * longest * longest);
+    // Whole triangles share their corners with others bit by bit.
+    bool whole = piece.fraction == 1.0;
     rayPieces[p] = RayPiece(vec4(corners[0], float(piece.object)),
-                            vec4(corners[1], never ? 0.0 : reachSlack),
-                            vec4(corners[2], never ? neverHit : slack));
+                            vec4(corners[1], never || whole ? 0.0 : reachSlack),
+                            vec4(corners[2], never ? neverHit : whole ? 0.0 : slack));
     if (p == from) low = high = corners[0];
     if (never) continue;
     low = min(low, min(min(corners[0], corners[1]), corners[2]));

@@ -59,8 +59,8 @@ bool meetsBox(Ray ray, vec3 low, vec3 high, float furthest) {
   return enter <= min(leave, furthest);
 }
 
-// Makes it the hit if it is one between `nearest` and the hit.
-void meetPiece(Ray ray, uint piece, float nearest, inout RayHit hit) {
+// Makes the piece the hit if the ray meets it further than `minDistance` and nearer than that.
+void meetPiece(Ray ray, uint piece, float minDistance, inout RayHit hit) {
   int at = 3 * int(piece);
   vec4 a4 = texelFetch(pieceCorners, at);
   vec4 b4 = texelFetch(pieceCorners, at + 1);
@@ -68,45 +68,65 @@ void meetPiece(Ray ray, uint piece, float nearest, inout RayHit hit) {
   vec3 a = ray.turn * (a4.xyz - ray.origin);
   vec3 b = ray.turn * (b4.xyz - ray.origin);
   vec3 c = ray.turn * (c4.xyz - ray.origin);
-  // Twice the areas of the ray with each edge, all of one sign where it passes between them.
-  vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
+  // Twice the areas of the ray with each edge, all of one sign where it passes between them. No
+  // rounding gives one of the wrong sign, as long as none is left out.
+  precise vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
   float slack = b4.w * ray.reach + c4.w;
   float least = min(min(areas.x, areas.y), areas.z);
   float most = max(max(areas.x, areas.y), areas.z);
   if (least < -slack && most > slack) return;
   // A mean of the corners' distances, whatever the piece is like.
-  areas = least >= -slack ? max(areas, 0.0) : max(-areas, 0.0);
-  float all = areas.x + areas.y + areas.z;
-  float distance = (areas.x * a.z + areas.y * b.z + areas.z * c.z) / all;
-  if (all > 0.0 && distance > nearest && distance < hit.distance) hit = RayHit(distance, piece);
+  vec3 parts = least >= -slack ? max(areas, 0.0) : max(-areas, 0.0);
+  float all = parts.x + parts.y + parts.z;
+  float distance = (parts.x * a.z + parts.y * b.z + parts.z * c.z) / all;
+  if (all > 0.0 && distance > minDistance && distance < hit.distance) hit = RayHit(distance, piece);
 }
 
-// The nearest of the pieces below nodes firstNode .. endNode - 1 (a whole object's, or several
-// objects') that a ray meets further than `minDistance` and nearer than `maxDistance`; distances in
-// lengths of `direction`, which need not be 1.
-RayHit nearestHit(vec3 origin, vec3 direction, float minDistance, float maxDistance, uint firstNode,
-                  uint endNode) {
-  Ray ray = makeRay(origin, direction);
+// Goes to the next leaf that the ray meets, then through its pieces: neighbours, each on its own way,
+// so have more often the same to do.
+RayHit meetPieces(Ray ray, float minDistance, float maxDistance, uint firstNode, uint endNode,
+                  bool anyWillDo) {
   RayHit hit = RayHit(maxDistance, noPiece);
   uint node = firstNode;
-  while (node < endNode) {
-    vec4 low = texelFetch(rayBoxes, 2 * int(node));
-    vec4 high = texelFetch(rayBoxes, 2 * int(node) + 1);
-    uint link = floatBitsToUint(low.w);
-    bool met = meetsBox(ray, low.xyz, high.xyz, hit.distance);
-    if (met && isLeaf(link)) {
-      uint pieces = uint(high.w);
-      uint piece = firstSurfelOf(link) * pieces;
-      uint end = piece + surfelCountOf(link) * pieces;
-      for (; piece < end; ++piece) meetPiece(ray, piece, minDistance, hit);
-    }
-    node = met ? node + 1u : afterNode(node, link);
+  while (node < endNode && !(anyWillDo && hit.piece != noPiece)) {
+    uint piece = 0u;
+    uint end = 0u;
+    do {
+      vec4 low = texelFetch(rayBoxes, 2 * int(node));
+      vec4 high = texelFetch(rayBoxes, 2 * int(node) + 1);
+      uint link = floatBitsToUint(low.w);
+      bool met = meetsBox(ray, low.xyz, high.xyz, hit.distance);
+      bool leaf = isLeaf(link);
+      if (met && leaf) {
+        uint pieces = uint(high.w);
+        piece = firstSurfelOf(link) * pieces;
+        end = piece + surfelCountOf(link) * pieces;
+      }
+      node = met || leaf ? node + 1u : afterNode(node, link);
+    } while (node < endNode && piece == end);
+    for (; piece < end; ++piece) meetPiece(ray, piece, minDistance, hit);
   }
   return hit;
 }
 
+// The nearest of the pieces below nodes firstNode .. endNode - 1 (a whole object's, or several
+// objects') that a ray meets further than `minDistance` and nearer than `maxDistance`; distances in
+// lengths of `direction`, which need not be 1. A ray that starts on a piece meets it at about 0, to
+// either side: a millionth of the coordinates, and more the flatter it leaves.
+RayHit nearestHit(vec3 origin, vec3 direction, float minDistance, float maxDistance, uint firstNode,
+                  uint endNode) {
+  return meetPieces(makeRay(origin, direction), minDistance, maxDistance, firstNode, endNode, false);
+}
+
 RayHit nearestHit(vec3 origin, vec3 direction, float maxDistance, uint firstNode, uint endNode) {
   return nearestHit(origin, direction, 0.0, maxDistance, firstNode, endNode);
+}
+
+// Whether there is any such piece.
+bool occluded(vec3 origin, vec3 direction, float minDistance, float maxDistance, uint firstNode,
+              uint endNode) {
+  Ray ray = makeRay(origin, direction);
+  return meetPieces(ray, minDistance, maxDistance, firstNode, endNode, true).piece != noPiece;
 }
 
 // Of a piece that was hit: unit, to the side from which its triangle's corners are seen

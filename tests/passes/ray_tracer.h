@@ -1,0 +1,125 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "gpu/command_list.h"
+#include "gpu/device.h"
+#include "gpu/helpers.h"
+#include "gpu/pipeline.h"
+#include "passes/boundary/ray_pass.h"
+#include "passes/gather/surfel_pass.h"
+#include "passes/ray_bodies.h"
+#include "shaders/shaders.h"
+
+namespace opaline::passes::test {
+
+constexpr std::uint32_t noPiece = 0xffffffffU;
+
+struct Hit {
+  std::array<float, 3> normal{};
+  float distance = 0;
+  std::uint32_t piece = noPiece;
+  std::uint32_t object = 0;
+  std::uint32_t blocked = 0;
+  std::uint32_t unused = 0;
+};
+
+/// A body divided into surfels, and the device's hierarchy of it.
+class RayTracer {
+ public:
+  RayTracer(gpu::Device& device, const Body& body, double spacingMm, std::size_t maxSurfels)
+      : device_(device),
+        made_(surfels::makeSurfels(body.surface(), std::vector<double>(body.objects, spacingMm),
+                                   maxSurfels)),
+        surfels_(SurfelPass::makeSurfels(device, made_, body.surface())),
+        hierarchy_(RayPass::makeHierarchy(device, surfels_)),
+        refit_(device),
+        trace_(device, {.name = "rays",
+                        .shader = shaders::shaders_rays_comp,
+                        .bindings = {{0, gpu::BindingType::TexelBuffer},
+                                     {1, gpu::BindingType::TexelBuffer},
+                                     {2, gpu::BindingType::StorageBuffer},
+                                     {3, gpu::BindingType::StorageBuffer}},
+                        .pushConstantBytes = sizeof(Push)}),
+        commands_(device, "rays") {
+    moveTo(body.moved);
+  }
+
+  const surfels::Surfels& made() const { return made_; }
+
+  void moveTo(const std::vector<Vec3>& positions) {
+    std::vector<glm::vec4> packed;
+    packed.reserve(positions.size());
+    for (const Vec3& p : positions) packed.emplace_back(p[0], p[1], p[2], 1.0F);
+    mesh_.positions =
+        gpu::makeBuffer(device_, "positions", packed, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    commands_.begin();
+    refit_.record(commands_, mesh_, surfels_, hierarchy_);
+    commands_.submit();
+    commands_.wait();
+  }
+
+  /// Nearest hits among some objects.
+  std::vector<Hit> nearest(const std::vector<Ray>& rays, std::uint32_t firstObject,
+                           std::uint32_t endObject) {
+    return trace(rays, firstObject, endObject, 0);
+  }
+  std::vector<Hit> nearest(const std::vector<Ray>& rays) { return trace(rays, 0, objects(), 0); }
+  /// How often the rays meet the surface, where hits nearer to each other than `apart` are one.
+  std::vector<std::uint32_t> crossings(const std::vector<Ray>& rays, float apart) {
+    std::vector<std::uint32_t> counts;
+    for (const Hit& hit : trace(rays, 0, objects(), apart)) counts.push_back(hit.piece);
+    return counts;
+  }
+
+ private:
+  struct Push {
+    std::uint32_t count;
+    std::uint32_t firstNode;
+    std::uint32_t endNode;
+    float apart;
+  };
+
+  std::uint32_t objects() const {
+    return static_cast<std::uint32_t>(made_.tree.rootOfObject.size() - 1);
+  }
+
+  std::vector<Hit> trace(const std::vector<Ray>& rays, std::uint32_t firstObject,
+                         std::uint32_t endObject, float apart) {
+    using gpu::Binding;
+    constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    gpu::Buffer input = gpu::makeBuffer(device_, "rays", rays, storage);
+    gpu::Buffer output = gpu::makeBuffer(device_, "hits", std::vector<Hit>(rays.size()), storage);
+    const auto count = static_cast<std::uint32_t>(rays.size());
+    commands_.begin();
+    commands_.beginPass("trace");
+    commands_.bind(trace_);
+    commands_.bindResources({Binding::texels(0, hierarchy_.corners),
+                             Binding::texels(1, hierarchy_.boxes), Binding::read(2, input),
+                             Binding::write(3, output)});
+    commands_.pushConstants(Push{count, made_.tree.rootOfObject[firstObject],
+                                 made_.tree.rootOfObject[endObject], apart});
+    commands_.dispatchLinear(count);
+    commands_.endPass();
+    commands_.submit();
+    commands_.wait();
+    return gpu::readAs<Hit>(device_, output);
+  }
+
+  gpu::Device& device_;
+  surfels::Surfels made_;
+  Surfels surfels_;
+  RayHierarchy hierarchy_;
+  DeformedMesh mesh_;
+  RayPass refit_;
+  gpu::Pipeline trace_;
+  gpu::CommandList commands_;
+};
+
+}  // namespace opaline::passes::test

@@ -1,0 +1,46 @@
+// Where a list of rays meets a surface, nearest; or how often each meets it at all.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define BINDING_PIECE_CORNERS 0
+#define BINDING_RAY_BOXES 1
+#include "lib/linear.glsl"
+#include "lib/rays.glsl"
+
+struct TestRay {
+  vec4 originFrom;   // w: least distance
+  vec4 directionTo;  // w: greatest
+};
+
+struct TestHit {
+  vec4 normalDistance;
+  uvec4 found;  // piece or number of hits, object, whether anything is in the way
+};
+
+layout(std430, set = 0, binding = 2) readonly buffer Rays { TestRay rays[]; };
+layout(std430, set = 0, binding = 3) writeonly buffer Hits { TestHit hits[]; };
+
+layout(push_constant) uniform Push {
+  uint count;
+  uint firstNode;
+  uint endNode;
+  float apart;  // of hits that are to be counted, mm; 0: the nearest is wanted
+};
+
+void main() {
+  uint i = linearIndex();
+  if (i >= count) return;
+  TestRay ray = rays[i];
+  RayHit hit = nearestHit(ray.originFrom.xyz, ray.directionTo.xyz, ray.originFrom.w,
+                          ray.directionTo.w, firstNode, endNode);
+  uint met = hit.piece;
+  if (apart > 0.0) {
+    for (met = 0u; hit.piece != noPiece && met < 1000u; ++met)
+      hit = nearestHit(ray.originFrom.xyz, ray.directionTo.xyz, hit.distance + apart,
+                       ray.directionTo.w, firstNode, endNode);
+  }
+  bool hitOne = apart == 0.0 && hit.piece != noPiece;
+  bool blocked = occluded(ray.originFrom.xyz, ray.directionTo.xyz, ray.originFrom.w,
+                          ray.directionTo.w, firstNode, endNode);
+  hits[i] = TestHit(vec4(hitOne ? facetNormal(hit.piece) : vec3(0.0), hit.distance),
+                    uvec4(met, hitOne ? objectOfPiece(hit.piece) : 0u, uint(blocked), 0u));
+}
