@@ -141,7 +141,8 @@ struct Clusters {
   std::uint32_t surfelNodes = 0;             ///< of the tree of all surfels
   gpu::Buffer clusters;                      ///< shared::Cluster
   gpu::Buffer nodes;                         ///< shared::ClusterNode
-  gpu::Buffer irradiances;                   ///< vec4 a cluster for each light, and from everywhere
+  gpu::Buffer entries;                       ///< shared::Entry a cluster for each light, then
+                                             ///< for what comes from everywhere
   std::uint32_t lights = 0;
   gpu::Buffer meetings;            ///< shared::Meeting, of the rays outwards of each cluster
   std::uint32_t raysOutwards = 0;  ///< of each cluster

@@ -25,6 +25,11 @@ passes::ScatterSite scatterSite(Site site) {
   return passes::ScatterSite::PerObject;
 }
 
+// The solver's residuals in tolerances: less than 1, because what is seen may be far darker than
+// where the light enters.
+constexpr float residualOfLight = 0.3F;
+constexpr float residualOfBounce = 1;
+
 // What every step of a frame needs.
 struct FrameContext {
   gpu::CommandList& commands;
@@ -70,8 +75,9 @@ struct FrameContext {
         passes.beams.recordReentry(commands, inputs, clusters);
       else
         passes.beams.recordLights(commands, inputs, clusters);
-      passes.solver.record(commands, {.tolerance = plan.tolerance, .addsToLast = again},
-                           resources.tables, clusters, scene.solver);
+      const float tolerance = (again ? residualOfBounce : residualOfLight) * plan.tolerance;
+      passes.solver.record(commands, {.tolerance = tolerance}, resources.tables, clusters,
+                           scene.solver);
       passes.beams.recordExitance(commands, resources.tables, clusters, again);
     }
   }

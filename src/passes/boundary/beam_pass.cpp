@@ -127,7 +127,7 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, Clusters&
       {Binding::uniform(0, inputs.frame.data), Binding::read(1, inputs.tables.objects),
        Binding::read(2, inputs.tables.media), Binding::texels(3, inputs.rays.corners),
        Binding::texels(4, inputs.rays.boxes), Binding::read(5, clusters.ranges),
-       Binding::read(6, clusters.clusters), Binding::read(7, clusters.irradiances),
+       Binding::read(6, clusters.clusters), Binding::read(7, clusters.entries),
        Binding::write(8, beams.points), Binding::write(9, beams.strengths)});
   commands.pushConstants(BeamChoice{clusters.count, beam});
   commands.dispatchLinear(clusters.count);

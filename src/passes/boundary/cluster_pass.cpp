@@ -129,8 +129,8 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters&
   clusters.byHeight = gpu::makeBuffer(device, "clusters by height", made.tree.byHeight, storage);
   clusters.clusters = makeRoom<shared::Cluster>(device, "clusters", count);
   clusters.nodes = makeRoom<shared::ClusterNode>(device, "tree of clusters", nodes);
-  clusters.irradiances =
-      makeRoom<shared::vec4>(device, "irradiances of clusters", count * (lights + std::size_t{1}));
+  clusters.entries =
+      makeRoom<shared::Entry>(device, "light that enters", count * (lights + std::size_t{1}));
   clusters.meetings = makeRoom<shared::Meeting>(device, "meetings", count * raysOutwards);
   clusters.fromLight = makeBeams(device, "points from a light", "strengths from a light",
                                  clusters.count);
@@ -169,7 +169,7 @@ void ClusterPass::gather(gpu::CommandList& commands, const Inputs& inputs,
        Binding::sampled(6, inputs.shadows.depth, nearest_),
        Binding::sampled(7, inputs.tables.ambientCubes, linear_), Binding::read(8, clusters.ranges),
        Binding::write(9, clusters.clusters), Binding::write(10, clusters.nodes),
-       Binding::write(11, clusters.irradiances)});
+       Binding::write(11, clusters.entries)});
   commands.pushConstants(ClusterCounts{clusters.count, inputs.surfels.piecesPerSurfel});
   commands.dispatchLinear(clusters.count);
 }

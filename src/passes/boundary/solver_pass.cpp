@@ -36,14 +36,13 @@ struct Step {
   std::uint32_t clusters;
   std::uint32_t step;
   float tolerance;
-  std::uint32_t keepsWanted;
 };
 
 gpu::Pipeline makeDensities(gpu::Device& device, bool leaves) {
   return {device,
           gpu::ComputePipelineOptions{.name = leaves ? "densities of leaves" : "densities of nodes",
                                       .shader = shaders::boundary_densities_comp,
-                                      .bindings = slots(7),
+                                      .bindings = slots(10),
                                       .pushConstantBytes = sizeof(DensityRange),
                                       .specialization = {leaves ? 1U : 0U}}};
 }
@@ -113,7 +112,7 @@ void SolverPass::orthogonalise(gpu::CommandList& commands, const Order& order, s
   commands.bind(step_);
   commands.bindResources({Binding::read(0, product), Binding::write(1, solver.basis),
                           Binding::read(2, solver.sums), Binding::write(3, solver.state)});
-  commands.pushConstants(Step{clusters.count, step, order.tolerance, order.addsToLast ? 1U : 0U});
+  commands.pushConstants(Step{clusters.count, step, order.tolerance});
   commands.dispatchLinear(clusters.count);
 }
 
@@ -126,7 +125,8 @@ void SolverPass::multiply(gpu::CommandList& commands, std::uint32_t step, SceneT
     commands.bindResources({Binding::read(0, clusters.links), Binding::read(1, clusters.byHeight),
                             Binding::write(2, solver.densities), Binding::read(3, clusters.clusters),
                             Binding::read(4, clusters.ranges), Binding::read(5, solver.basis),
-                            Binding::read(6, solver.state)});
+                            Binding::read(6, solver.state), Binding::read(7, tables.objects),
+                            Binding::read(8, tables.media), Binding::read(9, clusters.nodes)});
     const std::uint32_t first = clusters.firstOfHeight[height];
     const std::uint32_t count = clusters.firstOfHeight[height + 1] - first;
     commands.pushConstants(DensityRange{height == 0 ? firstFluence : first, count, step});

@@ -25,7 +25,6 @@ class SolverPass {
   struct Order {
     std::uint32_t steps = 8;     ///< at most, up to shared::maxSolverSteps
     float tolerance = 0.01F;     ///< of the residual, relative to the sources
-    bool addsToLast = false;     ///< the tolerance is of the sources of the solution before
   };
   /// From clusters.sources to clusters.fluences.
   void record(gpu::CommandList& commands, const Order& order, SceneTables& tables,

@@ -16,7 +16,7 @@
 
 layout(std430, set = 0, binding = 5) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 6) readonly buffer Clusters { Cluster clusters[]; };
-layout(std430, set = 0, binding = 7) readonly buffer Irradiances { vec4 irradiances[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Entries { Entry entries[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Points { BeamPoint points[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Strengths { vec4 strengths[]; };
 
@@ -26,7 +26,7 @@ layout(push_constant) uniform Push {
 };
 
 const float leastShare = 0.005;      // of light that is followed further
-const float leastEntryCosine = 0.05;  // to the mean normal, of light that reaches a part of a cluster
+const float leastEntryCosine = 0.05;  // to the mean normal where it enters
 const uint meetingsOfPath = 3u;      // reflections on the way to a second collision
 
 struct Body {
@@ -156,7 +156,8 @@ void main() {
   MediumData medium = media[itsBody.table.x];
   Body body = Body(medium.inside, medium.boundary.x, itsBody.tree.x, itsBody.tree.y,
                    1e-4 * cluster.normal.w);
-  vec3 power = cluster.centroidArea.w * irradiances[beam * clusterCount + i].rgb;
+  Entry entry = entries[beam * clusterCount + i];
+  vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   bool everywhere = beam == frame.counts.x;
   if (everywhere) power *= cluster.facet.w;
   pointCount[0] = 0u;
@@ -167,16 +168,15 @@ void main() {
     firstSegment(body, i, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
   } else if (power != vec3(0.0)) {
     vec3 toLight;
-    lightIrradiance(beam, cluster.centroidArea.xyz, toLight);
-    vec3 normal = cluster.normal.xyz;
+    lightIrradiance(beam, entry.place.xyz, toLight);
+    vec3 normal = entry.normal.xyz;
     float cosine = dot(toLight, normal);
-    // A cluster that faces away as a whole has parts that do not.
     vec3 from = unitOr(toLight + max(leastEntryCosine - cosine, 0.0) * normal, normal);
     vec3 direction = unitOr(refract(-from, normal, 1.0 / body.eta), -normal);
-    RayHit hit = nextHit(body, cluster.start.xyz, direction, 3e38);
-    firstSegment(body, i, cluster, cluster.centroidArea.xyz, direction, min(hit.distance, 1e18),
+    RayHit hit = nextHit(body, entry.start.xyz, direction, 3e38);
+    firstSegment(body, i, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
                  body.medium.extinction.rgb);
-    reflections(body, i, cluster, cluster.start.xyz, direction, hit);
+    reflections(body, i, cluster, entry.start.xyz, direction, hit);
   }
   strengths[i] = vec4(power, float(pointCount[0]) + 64.0 * float(pointCount[1]));
 }

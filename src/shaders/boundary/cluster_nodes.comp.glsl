@@ -44,5 +44,5 @@ void main() {
   }
   if (area > 0.0) square /= area;
   nodes[node] = ClusterNode(vec4(middle, uintBitsToFloat(link)), vec4(radius, square, reach, area),
-                            vec4(vectorArea, 0.0));
+                            vec4(vectorArea, nodes[node + 1u].vectorArea.w));
 }

@@ -16,7 +16,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces
 layout(std430, set = 0, binding = 8) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 10) writeonly buffer Nodes { ClusterNode nodes[]; };
-layout(std430, set = 0, binding = 11) writeonly buffer Irradiances { vec4 irradiances[]; };
+layout(std430, set = 0, binding = 11) writeonly buffer Entries { Entry entries[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -53,8 +53,8 @@ vec3 middleOf(PieceShape shape) {
   return (shape.corners[0] + shape.corners[1] + shape.corners[2]) / 3.0;
 }
 
-// What enters through a piece, mean over three points (Strang and Fix 1973): of a light, or from
-// everywhere.
+// Light that enters through a piece, mean over three points (Strang and Fix 1973). Of a light by the
+// cosine to the facet, so that no light is lost or gained, or from everywhere.
 const uint everywhere = 0xffffffffu;
 vec3 enteringThrough(PieceShape shape, MediumData medium, uint light) {
   vec3 sum = vec3(0.0);
@@ -65,10 +65,41 @@ vec3 enteringThrough(PieceShape shape, MediumData medium, uint light) {
     vec2 at = 0.5 * (middlePlace + shape.places[i]);
     vec3 normal = unitOr(shape.itsNormals * vec3(1.0 - at.x - at.y, at), facet);
     sum += light == everywhere ? ambientAt(normal, medium)
-                               : irradianceOf(light, 0.5 * (middle + shape.corners[i]), normal,
+                               : irradianceOf(light, 0.5 * (middle + shape.corners[i]), facet,
                                               facet, medium);
   }
   return sum / 3.0;
+}
+
+Entry entryOf(uint first, uint end, Cluster cluster, MediumData medium, uint light) {
+  vec3 sum = vec3(0.0);
+  vec3 weighted = vec3(0.0);
+  vec3 normal = vec3(0.0);
+  float all = 0.0;
+  for (uint k = first; k < end; ++k) {
+    PieceShape shape = shapeOf(pieces[k]);
+    vec3 entering = enteringThrough(shape, medium, light);
+    float amount = entering.r + entering.g + entering.b;
+    sum += shape.area * entering;
+    weighted += shape.area * amount * middleOf(shape);
+    normal += amount * shape.vectorArea;
+    all += shape.area * amount;
+  }
+  if (all <= 0.0) return Entry(vec4(0.0), cluster.centroidArea, cluster.normal, cluster.start);
+  vec3 place = weighted / all;
+  vec3 start = cluster.start.xyz;
+  float least = 3e38;
+  for (uint k = first; k < end; ++k) {
+    PieceShape shape = shapeOf(pieces[k]);
+    vec3 offset = middleOf(shape) - place;
+    if (dot(offset, offset) >= least || shape.area <= 0.0 ||
+        enteringThrough(shape, medium, light) == vec3(0.0))
+      continue;
+    least = dot(offset, offset);
+    start = middleOf(shape);
+  }
+  return Entry(vec4(sum / cluster.centroidArea.w, 0.0), vec4(place, 0.0),
+               vec4(unitOr(normal, cluster.normal.xyz), 0.0), vec4(start, 0.0));
 }
 
 void main() {
@@ -118,19 +149,14 @@ void main() {
   vec3 facet = unitOr(there.vectorArea, normal);
   vec3 along = unitOr(there.corners[1] - there.corners[0], vec3(1.0, 0.0, 0.0));
 
-  clusters[i] = Cluster(vec4(middle, area), vec4(normal, sqrt(area / pi)), vec4(vectorArea, 0.5),
+  Cluster cluster = Cluster(vec4(middle, area), vec4(normal, sqrt(area / pi)), vec4(vectorArea, 0.5),
                         vec4(middleOf(there), 0.0), vec4(along, side), vec4(facet, 1.0), vec4(0.0));
+  clusters[i] = cluster;
   float reach = max(1.2 * radius, reachInEdges * sqrt(area));
   nodes[range.node] = ClusterNode(vec4(middle, uintBitsToFloat(leafBit | setBit | i)),
-                                  vec4(radius, square, reach, area), vec4(vectorArea, 0.0));
+                                  vec4(radius, square, reach, area), vec4(vectorArea, float(range.object)));
 
-  for (uint beam = 0u; beam <= frame.counts.x; ++beam) {
-    vec3 sum = vec3(0.0);
-    for (uint k = first; k < end; ++k) {
-      PieceShape shape = shapeOf(pieces[k]);
-      sum += shape.area *
-             enteringThrough(shape, medium, beam < frame.counts.x ? beam : everywhere);
-    }
-    irradiances[beam * clusterCount + i] = vec4(area > 0.0 ? sum / area : vec3(0.0), 0.0);
-  }
+  for (uint beam = 0u; beam <= frame.counts.x; ++beam)
+    entries[beam * clusterCount + i] =
+        entryOf(first, end, cluster, medium, beam < frame.counts.x ? beam : everywhere);
 }

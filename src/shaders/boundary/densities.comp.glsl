@@ -2,9 +2,10 @@
 // of one height.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 7
+#define BINDING_MEDIA 8
+#include "lib/boundary.glsl"
 #include "lib/linear.glsl"
-#include "lib/tree_node.glsl"
-#include "shared/boundary.h"
 
 layout(constant_id = 0) const uint ofLeaves = 1u;
 
@@ -16,11 +17,18 @@ layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange range
 layout(std430, set = 0, binding = 5) readonly buffer Fluences { vec4 fluences[]; };
 layout(std430, set = 0, binding = 6) readonly buffer State { SolverState state; };
 
+layout(std430, set = 0, binding = 9) readonly buffer Shapes { ClusterNode shapes[]; };
+
 layout(push_constant) uniform Push {
   uint first;  // of the nodes by height, or of the fluences
   uint count;
   uint step;  // of the solver; skipped when that is done
 };
+
+// Seen from another place, a density is one there and a dipole.
+vec4 moved(vec4 density, vec3 offset) {
+  return vec4(density.xyz + density.w * offset, density.w);
+}
 
 void main() {
   uint i = linearIndex();
@@ -33,11 +41,15 @@ void main() {
   }
   uint node = byHeight[first + i];
   uint end = afterNode(node, links[node]);
+  BoundaryMedium medium = media[objects[uint(shapes[node].vectorArea.w)].table.x].inside;
+  vec3 weightS = 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);
+  vec3 place = shapes[node].centroidLink.xyz;
   DensityNode sum = DensityNode(vec4(0.0), vec4(0.0), vec4(0.0));
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
-    sum.red += nodes[child].red;
-    sum.green += nodes[child].green;
-    sum.blue += nodes[child].blue;
+    vec3 offset = shapes[child].centroidLink.xyz - place;
+    sum.red += moved(nodes[child].red, weightS.r * offset);
+    sum.green += moved(nodes[child].green, weightS.g * offset);
+    sum.blue += moved(nodes[child].blue, weightS.b * offset);
   }
   nodes[node] = sum;
 }

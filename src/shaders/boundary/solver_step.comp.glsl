@@ -16,7 +16,6 @@ layout(push_constant) uniform Push {
   uint clusterCount;
   uint step;
   float tolerance;  // of the residual, relative to the right-hand side
-  uint keepsWanted;  // 1: what is wanted stays that of the solution before, which this adds to
 };
 
 // What is left of a vector, relative to what it was, when it is nothing but rounding.
@@ -39,7 +38,7 @@ void start(uint i) {
   vec3 right = sqrt(total(1u));
   if (i < clusterCount) basis[i] = vec4(overOr0(products[i].rgb, norm), 0.0);
   if (i != 0u) return;
-  if (keepsWanted == 0u) state.wanted = vec4(tolerance * right, 0.0);
+  state.wanted = vec4(tolerance * right, 0.0);
   state.rotated[0] = vec4(norm, 0.0);
   state.residual = vec4(overOr0(norm * tolerance, state.wanted.rgb), 0.0);
   state.steps = 0u;

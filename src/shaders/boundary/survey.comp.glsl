@@ -25,11 +25,12 @@ layout(push_constant) uniform Push {
   uint nodeCount;     // of all surfels' trees
 };
 
-// Part of the light that is followed to its second collision: where little of it scatters again, or
-// the body is thin, diffusion from the first is too rough.
+// Part of the light that is followed to its second collision: where little of it scatters again,
+// diffusion from the first is too rough. Not where the body is thinner than a mean free path: light
+// that leaves after one collision does so within a cluster's size there.
 vec3 shareOfSecond(BoundaryMedium medium, float thickness) {
   vec3 dark = 1.0 - smoothstep(0.96, 0.99, medium.albedo.rgb);
-  return dark;
+  return dark * smoothstep(0.3, 1.2, thickness * medium.extinction.rgb);
 }
 
 float transmittedInto(float eta, float cosine) {

@@ -33,6 +33,14 @@ struct Cluster {
   vec4 second;        // rgb: part of the light that is followed to its second collision
 };
 
+/// Light of one kind that enters through a cluster.
+struct Entry {
+  vec4 irradiance;  // rgb, mean over the cluster
+  vec4 place;       // where it enters on the mean, mm
+  vec4 normal;      // unit, of where it enters on the mean
+  vec4 start;       // a place on the surface near there that it reaches, mm
+};
+
 /// Light that entered through a cluster is spread over points in the body: first the places of its
 /// first collision, then, of the part that is followed further, of its second.
 OPALINE_BOUNDARY_CONSTANT pointsOfFirstSegment = 3u;
@@ -65,10 +73,11 @@ struct ClusterNode {
   vec4 spread;        // x: no place lies further from the centroid, mm; y: mean square of that
                       // distance, mm²; z: no cluster is felt further from it by the interpolation, mm;
                       // w: a, mm²
-  vec4 vectorArea;    // mm²
+  vec4 vectorArea;    // mm²; w: the object's index
 };
 
-/// Fluence φ over what is below a node: Σ A φ; Σ a φ for each channel.
+/// Fluence φ over what is below a node, for each channel: Σ φ (A + a δ / 2AD), with the offset δ from
+/// the node's centroid; Σ a φ.
 struct DensityNode {
   vec4 red;
   vec4 green;
@@ -104,6 +113,7 @@ struct SolverState {
 #ifdef __cplusplus
 static_assert(sizeof(ClusterRange) == 16);
 static_assert(sizeof(Cluster) == 112);
+static_assert(sizeof(Entry) == 64);
 static_assert(sizeof(BeamPoint) == 48);
 static_assert(sizeof(Meeting) == 8);
 static_assert(sizeof(ClusterNode) == 48);
