@@ -86,8 +86,9 @@ struct ReferenceCommand {
     motion.addTo(line, false);
     line.section("Method");
     line.flag("--integral", "the exact surface integral of the dipole", integral);
-    line.value("--transport", "NAME", "dipole or better-dipole [dipole]",
-               [this](const Given& given) { transport = readChoice(given, halfSpaceTransports()); });
+    line.value(
+        "--transport", "NAME", "dipole or better-dipole [dipole]",
+        [this](const Given& given) { transport = readChoice(given, halfSpaceTransports()); });
     line.value("--tolerance", "X", "of the integral, relative, 1e-7 to 0.5 [0.001]",
                [this](const Given& given) {
                  tolerance = readNumber(given, {1e-7, 0.5});

@@ -10,6 +10,10 @@ Json renderReportJson(const RenderReport& report, const RenderOptions& options,
   for (const PassTime& pass : report.passes) {
     passes.push_back({{"name", pass.name}, {"ms", pass.milliseconds}});
   }
+  Json solutions = Json::array();
+  for (const Solution& solution : report.solutions) {
+    solutions.push_back({{"steps", solution.steps}, {"residual", solution.residual}});
+  }
   return {{"device", deviceJson(report.device)},
           {"size", {options.width, options.height}},
           {"transport", nameOf(report.transport, transports())},
@@ -18,6 +22,8 @@ Json renderReportJson(const RenderReport& report, const RenderOptions& options,
           {"triangles", report.triangles},
           {"vertices", report.vertices},
           {"sources", report.sources},
+          {"boundary_surfels", report.boundarySurfels},
+          {"solutions", std::move(solutions)},
           {"passes", std::move(passes)},
           {"frame_ms", report.frameMilliseconds},
           {"peak_memory_mb", report.peakMemoryMegabytes},

@@ -17,7 +17,7 @@ namespace opaline {
 enum class Transport {
   Dipole,        ///< Jensen et al. 2001, Eq. 4; the paper's
   BetterDipole,  ///< d'Eon 2012
-  Boundary,      ///< diffusion in the body as it is, by its surface; a better dipole's detail on top
+  Boundary,  ///< diffusion in the body as it is, by its surface; a better dipole's detail on top
 };
 
 /// Which sources are summed.
@@ -69,8 +69,8 @@ struct RenderOptions {
   Transport transport = Transport::Dipole;
   Sum sum = Sum::Tree;
   Site site = Site::Auto;
-  float tolerance = 0.01F;   ///< of Sum::Tree, of each node relative to exitance, in [1e-4, 1]
-  int maxSources = 262'144;  ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
+  float tolerance = 0.01F;       ///< of Sum::Tree, of each node relative to exitance, in [1e-4, 1]
+  int maxSources = 262'144;      ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
   int boundarySurfels = 20'000;  ///< most unknowns of Transport::Boundary, in [64, 262144]
   int bounces = 2;  ///< of light that leaves and enters again, of Transport::Boundary, in [0, 8]
   PatternOptions pattern;
@@ -97,6 +97,12 @@ struct DeviceDescription {
   std::string driver;
 };
 
+/// How the boundary's equation was solved for light that entered, or for a bounce of it.
+struct Solution {
+  int steps = 0;   ///< of generalised minimal residuals
+  Rgb residual{};  ///< relative to the sources of fluence
+};
+
 /// What a call of render() did.
 struct RenderReport {
   DeviceDescription device;
@@ -105,9 +111,12 @@ struct RenderReport {
   Site site = Site::Fragment;  ///< Auto where it differs between objects
   std::size_t triangles = 0;
   std::size_t vertices = 0;
-  std::size_t sources = 0;         ///< surfels, or texels of the map that carry surface
-  std::vector<PassTime> passes;    ///< in the order they ran
-  double frameMilliseconds = 0;    ///< GPU time, median over the frames after the first
+  std::size_t sources = 0;          ///< surfels, or texels of the map that carry surface
+  std::size_t boundarySurfels = 0;  ///< unknowns of Transport::Boundary
+  std::vector<Solution>
+      solutions;                 ///< of Transport::Boundary in the last frame, one and one a bounce
+  std::vector<PassTime> passes;  ///< in the order they ran
+  double frameMilliseconds = 0;  ///< GPU time, median over the frames after the first
   double peakMemoryMegabytes = 0;  ///< of the device's memory, by this renderer
 };
 
@@ -123,6 +132,7 @@ struct Frame {
   std::vector<Image> images;  ///< in the order they were asked for
   double milliseconds = 0;    ///< GPU time
   std::vector<PassTime> passes;
+  std::vector<Solution> solutions;  ///< of Transport::Boundary, one and one a bounce
 };
 
 // For callers who work with the renderer's Vulkan device; see opaline/vulkan.h.

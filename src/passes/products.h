@@ -148,12 +148,12 @@ struct Clusters {
   std::uint32_t raysOutwards = 0;  ///< of each cluster
   Beams fromLight;                 ///< of one light after the other
   Beams fromEverywhere;
-  gpu::Buffer beamNodes;  ///< shared::BeamNode
-  gpu::Buffer sources;    ///< vec4 a cluster: fluence in a medium without end
-  gpu::Buffer fluences;   ///< vec4 a cluster: on the body's surface
-  gpu::Buffer latest;     ///< vec4 a cluster: exitance of the light that entered last
-  gpu::Buffer exitances;  ///< vec4 a cluster: of all light
-  gpu::Buffer means;      ///< vec4 a cluster: exitance of a half-space
+  gpu::Buffer beamNodes;           ///< shared::BeamNode
+  gpu::Buffer sources;             ///< vec4 a cluster: fluence in a medium without end
+  gpu::Buffer fluences;            ///< vec4 a cluster: on the body's surface
+  gpu::Buffer latest;              ///< vec4 a cluster: exitance of the light that entered last
+  gpu::Buffer exitances;           ///< vec4 a cluster: of all light
+  gpu::Buffer means;               ///< vec4 a cluster: exitance of a half-space
   gpu::Buffer exitancesOfSurfels;  ///< vec4 a surfel: of a half-space
 };
 
@@ -163,7 +163,7 @@ struct Solver {
   gpu::Buffer products;   ///< vec4 a cluster
   gpu::Buffer basis;      ///< vec4 a cluster for each step and one more
   gpu::Buffer sums;       ///< vec4, of work groups
-  gpu::Buffer state;      ///< shared::SolverState
+  gpu::Buffer states;     ///< shared::SolverState, of every solution of a frame
 };
 
 /// What the camera sees, a texel a pixel.
@@ -182,13 +182,13 @@ struct Exitance {
 };
 
 inline Places verticesOf(DeformedMesh& mesh, Surfels& surfels, Exitance& exitance) {
-  return {mesh.positions,      mesh.normals,     mesh.vertexCorners,
+  return {mesh.positions,      mesh.normals,      mesh.vertexCorners,
           surfels.vertexOrder, exitance.vertices, mesh.vertexCount};
 }
 
 inline Places placesOf(Surfels& surfels, gpu::Buffer& exitances) {
-  return {surfels.middles, surfels.normals, surfels.corners, surfels.order, exitances,
-          surfels.count};
+  return {surfels.middles, surfels.normals, surfels.corners,
+          surfels.order,   exitances,       surfels.count};
 }
 
 }  // namespace opaline::passes

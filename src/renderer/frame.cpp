@@ -64,10 +64,10 @@ struct FrameContext {
   void solveBoundary(SceneResources& scene) const {
     passes::Clusters& clusters = scene.clusters;
     passes.rays.record(commands, mesh, scene.surfels, scene.rays);
-    passes.clusters.record(commands,
-                           {resources.view, mesh, resources.tables, resources.shadows,
-                            scene.surfels, scene.rays},
-                           plan.bounces > 0 || !plan.skyIsDark, clusters);
+    passes.clusters.record(
+        commands,
+        {resources.view, mesh, resources.tables, resources.shadows, scene.surfels, scene.rays},
+        plan.bounces > 0 || !plan.skyIsDark, clusters);
     const passes::BeamPass::Inputs inputs{resources.view, resources.tables, scene.rays};
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
@@ -76,8 +76,9 @@ struct FrameContext {
       else
         passes.beams.recordLights(commands, inputs, clusters);
       const float tolerance = (again ? residualOfBounce : residualOfLight) * plan.tolerance;
-      passes.solver.record(commands, {.tolerance = tolerance}, resources.tables, clusters,
-                           scene.solver);
+      passes.solver.record(commands,
+                           {.solution = static_cast<std::uint32_t>(bounce), .tolerance = tolerance},
+                           resources.tables, clusters, scene.solver);
       passes.beams.recordExitance(commands, resources.tables, clusters, again);
     }
   }

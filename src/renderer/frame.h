@@ -62,9 +62,6 @@ struct FrameResources {
   gpu::GpuImage radiance;
 };
 
-/// Most bounces of a frame.
-constexpr int maxBounces = 8;
-
 /// What a frame is to do.
 struct FramePlan {
   Transport transport = Transport::Dipole;

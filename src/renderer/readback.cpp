@@ -10,6 +10,7 @@
 #include <glm/vec4.hpp>
 
 #include "gpu/device.h"
+#include "shaders/shared/boundary.h"
 
 namespace opaline {
 
@@ -125,6 +126,10 @@ bool needsCentre(Aov aov) {
 
 void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site site,
                        const CameraView& camera, FrameResources& resources) {
+  if (!states_)
+    states_ = gpu::Buffer(device, {.name = "solutions on the host",
+                                   .bytes = (maxBounces + 1) * sizeof(shared::SolverState),
+                                   .memory = gpu::Memory::Readback});
   camera_ = camera;
   entries_.clear();
   std::size_t bytes = 0;
@@ -213,6 +218,23 @@ void Readback::make(const Entry& entry, Image& image) const {
 void Readback::finish(std::vector<Image>& images) const {
   images.resize(entries_.size());
   for (std::size_t i = 0; i < entries_.size(); ++i) make(entries_[i], images[i]);
+}
+
+void Readback::recordSolutions(gpu::CommandList& commands, int count, passes::Solver& solver) {
+  solutions_ = count;
+  if (count == 0) return;
+  commands.copyBuffer(solver.states, states_,
+                      static_cast<std::size_t>(count) * sizeof(shared::SolverState));
+  commands.use(states_, gpu::Access::HostRead);
+}
+
+void Readback::finishSolutions(std::vector<Solution>& solutions) const {
+  solutions.resize(static_cast<std::size_t>(solutions_));
+  for (std::size_t i = 0; i < solutions.size(); ++i) {
+    const shared::SolverState& state = states_.mappedAs<shared::SolverState>()[i];
+    solutions[i] = {static_cast<int>(state.steps),
+                    {state.residual.x, state.residual.y, state.residual.z}};
+  }
 }
 
 }  // namespace opaline

@@ -27,6 +27,11 @@ class Readback {
   /// Records the copies.
   void record(gpu::CommandList& commands, Site site, FrameResources& resources);
 
+  /// Records the copy of how `count` solutions went; none where it is 0.
+  void recordSolutions(gpu::CommandList& commands, int count, passes::Solver& solver);
+
+  void finishSolutions(std::vector<Solution>& solutions) const;
+
   /// The images in the order of the variables; the frame has finished.
   void finish(std::vector<Image>& images) const;
 
@@ -46,6 +51,8 @@ class Readback {
   const T* texels(const Source& source) const;
 
   gpu::Buffer buffer_;
+  gpu::Buffer states_;  // shared::SolverState
+  int solutions_ = 0;
   std::vector<Entry> entries_;
   CameraView camera_;
 };

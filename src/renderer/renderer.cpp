@@ -68,10 +68,10 @@ FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, S
 }
 
 // Every pass of a frame: deform, normals, fit, shadow, map, neighbours, surfels, tree; of boundary
-// transport the rays' boxes, clusters, their rays, rays and sources of every light, sources of every
-// bounce, as many solutions, means and what is carried to vertices; estimate, scatter and nearby at
-// the vertices and at the surfels; and surface, scatter, nearby, carry and shade for each look, of
-// which there are as many as antialiasing samples and one at the pixels' centres.
+// transport the rays' boxes, clusters, their rays, rays and sources of every light, sources of
+// every bounce, as many solutions, means and what is carried to vertices; estimate, scatter and
+// nearby at the vertices and at the surfels; and surface, scatter, nearby, carry and shade for each
+// look, of which there are as many as antialiasing samples and one at the pixels' centres.
 constexpr std::uint32_t maxPassesOfFrame =
     8 + (3 + 2 * (shared::maxLights + 1) + 3 * (maxBounces + 1) + 2) + 2 * 3 + 5 * (8 + 1);
 
@@ -147,9 +147,12 @@ class Renderer::Implementation {
     FrameSlot& slot = slots_[next_];
     slot.readback.prepare(device_, aovs, site_, camera, *resources_);
     slot.commands.begin();
-    recordFrame(slot.commands, passes_, makePlan(options, aovs, site_, skyIsDark()), upload, *motion_,
-                *uploaded_, *resources_);
+    recordFrame(slot.commands, passes_, makePlan(options, aovs, site_, skyIsDark()), upload,
+                *motion_, *uploaded_, *resources_);
     slot.readback.record(slot.commands, site_, *resources_);
+    const bool boundary = options.transport == Transport::Boundary;
+    slot.readback.recordSolutions(slot.commands, boundary ? options.bounces + 1 : 0,
+                                  uploaded_->solver);
     slot.commands.submit();
     next_ = (next_ + 1) % slots_.size();
     ++waiting_;
@@ -192,6 +195,8 @@ class Renderer::Implementation {
     --waiting_;
     slot.commands.wait();
     slot.readback.finish(frame.images);
+    slot.readback.finishSolutions(frame.solutions);
+    solutions_ = frame.solutions;
     const std::vector<gpu::PassTiming>& timings = slot.commands.timings();
     frame.milliseconds = slot.commands.frameMilliseconds();
     frame.passes.resize(timings.size());
@@ -283,17 +288,20 @@ class Renderer::Implementation {
 
   RenderReport makeReport(const FrameTimes& times) const {
     constexpr double megabyte = 1e6;
-    return {.device = describe(device_.info()),
-            .transport = last_.transport,
-            .sum = last_.sum,
-            .site = site_,
-            .triangles = uploaded_->triangles,
-            .vertices = uploaded_->mesh.vertexCount,
-            .sources = last_.sum == Sum::Pattern ? resources_->sources.sourceCount
-                                                 : uploaded_->surfels.count,
-            .passes = times.passes(),
-            .frameMilliseconds = times.frameMilliseconds(),
-            .peakMemoryMegabytes = static_cast<double>(device_.peakMemoryBytes()) / megabyte};
+    return {
+        .device = describe(device_.info()),
+        .transport = last_.transport,
+        .sum = last_.sum,
+        .site = site_,
+        .triangles = uploaded_->triangles,
+        .vertices = uploaded_->mesh.vertexCount,
+        .sources =
+            last_.sum == Sum::Pattern ? resources_->sources.sourceCount : uploaded_->surfels.count,
+        .boundarySurfels = last_.transport == Transport::Boundary ? uploaded_->clusters.count : 0,
+        .solutions = solutions_,
+        .passes = times.passes(),
+        .frameMilliseconds = times.frameMilliseconds(),
+        .peakMemoryMegabytes = static_cast<double>(device_.peakMemoryBytes()) / megabyte};
   }
 
   gpu::Device device_;
@@ -312,7 +320,8 @@ class Renderer::Implementation {
   RenderOptions last_;      // of the frame submitted last
   Site site_ = Site::Fragment;
   FrameTimes times_;
-  Frame frame_;  // of render()
+  std::vector<Solution> solutions_;  // of the frame collected last
+  Frame frame_;                      // of render()
 };
 
 bool showsMap(Aov aov) {

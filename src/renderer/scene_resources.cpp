@@ -168,12 +168,11 @@ void cluster(gpu::Device& device, const Scene& scene, const surfels::Surface& su
                       "scatters as in a half-space, by better-dipole",
                       given.name));
   }
-  const std::size_t lights =
-      scene.lighting.directional.size() + scene.lighting.points.size();
+  const std::size_t lights = scene.lighting.directional.size() + scene.lighting.points.size();
   resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, surfels,
                                                          static_cast<std::uint32_t>(lights));
   resources.rays = passes::RayPass::makeHierarchy(device, resources.surfels);
-  resources.solver = passes::SolverPass::makeSolver(device, resources.clusters);
+  resources.solver = passes::SolverPass::makeSolver(device, resources.clusters, maxBounces + 1);
 }
 
 void divide(gpu::Device& device, const Scene& scene, SceneResources& resources,

@@ -19,10 +19,13 @@ namespace opaline {
 /// As the atlas wants it; `merged` outlives it.
 atlas::Surface surfaceOf(const scene::MergedMesh& merged);
 
+/// Of light that leaves and enters again, at most.
+constexpr int maxBounces = 8;
+
 /// What sums need of a scene beside its mesh.
 struct SceneNeeds {
-  std::optional<int> mapSize;     ///< an atlas for a diffusion source map of that edge, texels
-  std::optional<int> maxSurfels;  ///< surfels and their tree
+  std::optional<int> mapSize;      ///< an atlas for a diffusion source map of that edge, texels
+  std::optional<int> maxSurfels;   ///< surfels and their tree
   std::optional<int> maxClusters;  ///< clusters of surfels, for boundary transport
 
   bool operator==(const SceneNeeds&) const = default;
@@ -32,10 +35,10 @@ struct SceneNeeds {
 struct SurfelsOfObject {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  std::uint32_t root = 0;      ///< among the tree's nodes
-  std::uint32_t endNode = 0;   ///< the node after its tree
-  double sourceSpacingMm = 0;  ///< root of the mean area that a source stands for
-  bool coarse = false;         ///< sources are too far apart for the medium
+  std::uint32_t root = 0;            ///< among the tree's nodes
+  std::uint32_t endNode = 0;         ///< the node after its tree
+  double sourceSpacingMm = 0;        ///< root of the mean area that a source stands for
+  bool coarse = false;               ///< sources are too far apart for the medium
   std::uint32_t clusterRoot = 0;     ///< among the nodes of clusters
   std::uint32_t clusterEndNode = 0;  ///< the node after its tree
   bool closed = false;               ///< has an inside; only found out where there are clusters
@@ -47,9 +50,9 @@ struct SceneResources {
   const scene::MergedMesh* merged = nullptr;  ///< that it was made from
   SceneNeeds needs;                           ///< that it was made for
   passes::DeformedMesh mesh;
-  atlas::Atlas atlas;                            ///< empty where no map is needed
-  passes::Surfels surfels;                       ///< empty where none are needed
-  passes::RayHierarchy rays;                     ///< these three where clusters are needed
+  atlas::Atlas atlas;         ///< empty where no map is needed
+  passes::Surfels surfels;    ///< empty where none are needed
+  passes::RayHierarchy rays;  ///< these three where clusters are needed
   passes::Clusters clusters;
   passes::Solver solver;
   std::vector<SurfelsOfObject> surfelsOfObject;  ///< one an object, where there are surfels

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "opaline/error.h"
-#include "renderer/frame.h"
 #include "renderer/light_views.h"
+#include "renderer/scene_resources.h"
 #include "shaders/shared/frame.h"
 
 namespace opaline {

@@ -10,7 +10,7 @@ namespace opaline::surfels {
 namespace {
 
 // Clusters of an object whose parts are all thick.
-constexpr double usualClusters = 5000;
+constexpr double usualClusters = 3000;
 
 // Thinner parts than this share of the usual edge are not followed further: their two sides are one
 // place to light that leaves.
@@ -72,7 +72,7 @@ class Divider {
       const double usual = usualClusterMm(area);
       for (std::uint32_t i = surfels_.firstOfObject[object]; i < surfels_.firstOfObject[object + 1];
            ++i)
-        wantedMm_[i] = std::clamp(thickness[i] / 2, leastPart * usual, usual);
+        wantedMm_[i] = std::clamp(thickness[i], leastPart * usual, usual);
     }
   }
 
@@ -137,8 +137,9 @@ Clusters makeClusters(const Surface& surface, const Surfels& surfels, std::size_
   Clusters clusters = divider.divide(scale);
   while (clusters.count() > maxClusters && clusters.count() > clusters.tree.rootOfObject.size()) {
     // Their number goes with the square of the scale.
-    scale *= std::max(coarser, std::sqrt(static_cast<double>(clusters.count()) /
-                                         static_cast<double>(maxClusters)) * 0.9);
+    scale *= std::max(
+        coarser,
+        std::sqrt(static_cast<double>(clusters.count()) / static_cast<double>(maxClusters)) * 0.9);
     clusters = divider.divide(scale);
   }
   return clusters;

@@ -24,7 +24,7 @@ struct Clusters {
 /// of the root of its area.
 double usualClusterMm(double areaOfObjectMm2);
 
-/// As large as usual, and no larger than half the thickness of the body there, unless that makes
+/// As large as usual, and no larger than the body is thick there, unless that makes
 /// more than `maxClusters`: then all are coarser by the same factor. Every object has one at least.
 Clusters makeClusters(const Surface& surface, const Surfels& surfels, std::size_t maxClusters);
 

@@ -45,7 +45,7 @@ struct Box {
 
 struct Ray {
   Vector origin;
-  Vector direction;  // unit
+  Vector direction;    // unit
   std::uint32_t from;  // triangle that it leaves
 };
 

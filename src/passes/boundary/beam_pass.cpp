@@ -35,11 +35,12 @@ struct ReentryCounts {
 };
 
 gpu::Pipeline makeNodes(gpu::Device& device, bool leaves) {
-  return {device, gpu::ComputePipelineOptions{.name = leaves ? "leaves of points" : "nodes of points",
-                                              .shader = shaders::boundary_beam_nodes_comp,
-                                              .bindings = slots(9, {2}),
-                                              .pushConstantBytes = sizeof(NodeRange),
-                                              .specialization = {leaves ? 1U : 0U}}};
+  return {device,
+          gpu::ComputePipelineOptions{.name = leaves ? "leaves of points" : "nodes of points",
+                                      .shader = shaders::boundary_beam_nodes_comp,
+                                      .bindings = slots(9, {2}),
+                                      .pushConstantBytes = sizeof(NodeRange),
+                                      .specialization = {leaves ? 1U : 0U}}};
 }
 
 gpu::Pipeline makeSum(gpu::Device& device, const char* name, gpu::Spirv shader) {
@@ -138,12 +139,11 @@ void BeamPass::spread(gpu::CommandList& commands, SceneTables& tables, Clusters&
   for (const bool scattersOnce : {false, true}) {
     fitNodes(commands, tables, clusters, beams, scattersOnce);
     commands.bind(scattersOnce ? single_ : source_);
-    commands.bindResources(
-        {Binding::read(0, tables.objects), Binding::read(1, tables.media),
-         Binding::texels(2, beams.points), Binding::read(3, beams.strengths),
-         Binding::texels(4, clusters.beamNodes), Binding::read(5, clusters.ranges),
-         Binding::read(6, clusters.clusters),
-         Binding::write(7, scattersOnce ? clusters.latest : clusters.sources)});
+    commands.bindResources({Binding::read(0, tables.objects), Binding::read(1, tables.media),
+                            Binding::texels(2, beams.points), Binding::read(3, beams.strengths),
+                            Binding::texels(4, clusters.beamNodes),
+                            Binding::read(5, clusters.ranges), Binding::read(6, clusters.clusters),
+                            Binding::write(7, scattersOnce ? clusters.latest : clusters.sources)});
     commands.pushConstants(Sum{clusters.count, adds ? 1U : 0U});
     commands.dispatchLinear(clusters.count);
   }

@@ -70,13 +70,12 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
                              Clusters& clusters, const Places& vertices) const {
   commands.beginPass("carry");
   commands.bind(vertices_);
-  commands.bindResources(
-      {Binding::read(0, tables.objects), Binding::read(1, tables.media),
-       Binding::read(2, clusters.clusters), Binding::texels(3, clusters.nodes),
-       Binding::read(4, clusters.exitances), Binding::read(5, clusters.means),
-       Binding::read(6, vertices.positions), Binding::read(7, vertices.normals),
-       Binding::read(8, vertices.corners), Binding::read(9, vertices.order),
-       Binding::write(10, vertices.exitances)});
+  commands.bindResources({Binding::read(0, tables.objects), Binding::read(1, tables.media),
+                          Binding::read(2, clusters.clusters), Binding::texels(3, clusters.nodes),
+                          Binding::read(4, clusters.exitances), Binding::read(5, clusters.means),
+                          Binding::read(6, vertices.positions), Binding::read(7, vertices.normals),
+                          Binding::read(8, vertices.corners), Binding::read(9, vertices.order),
+                          Binding::write(10, vertices.exitances)});
   commands.pushConstants(VertexConstants{vertices.count, site});
   commands.dispatchLinear(vertices.count);
   commands.endPass();
@@ -87,12 +86,12 @@ void CarryPass::overFragments(gpu::CommandList& commands, ScatterSite site, Scen
                               Exitance& exitance) const {
   commands.beginPass("carry");
   commands.bind(fragments_);
-  commands.bindResources(
-      {Binding::read(0, tables.objects), Binding::read(1, tables.media),
-       Binding::read(2, clusters.clusters), Binding::texels(3, clusters.nodes),
-       Binding::read(4, clusters.exitances), Binding::read(5, clusters.means),
-       Binding::sampled(6, surface.position, nearest_),
-       Binding::sampled(7, surface.normal, nearest_), Binding::writeImage(8, exitance.image)});
+  commands.bindResources({Binding::read(0, tables.objects), Binding::read(1, tables.media),
+                          Binding::read(2, clusters.clusters), Binding::texels(3, clusters.nodes),
+                          Binding::read(4, clusters.exitances), Binding::read(5, clusters.means),
+                          Binding::sampled(6, surface.position, nearest_),
+                          Binding::sampled(7, surface.normal, nearest_),
+                          Binding::writeImage(8, exitance.image)});
   commands.pushConstants(site);
   commands.dispatchTiles(exitance.image);
   commands.endPass();

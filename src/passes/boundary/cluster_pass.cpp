@@ -55,8 +55,8 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::Clusters& made,
   for (std::uint32_t i = 0; i < made.count(); ++i) {
     const std::uint32_t first = made.firstSurfel[i];
     const surfels::Piece& piece = surfels.pieces[std::size_t{first} * surfels.piecesPerSurfel];
-    ranges.push_back({first, made.firstSurfel[i + 1], surface.objectOfTriangle[piece.triangle],
-                      leaf[i]});
+    ranges.push_back(
+        {first, made.firstSurfel[i + 1], surface.objectOfTriangle[piece.triangle], leaf[i]});
   }
   return ranges;
 }
@@ -111,8 +111,8 @@ ClusterPass::ClusterPass(gpu::Device& device)
                                                   .pushConstantBytes = sizeof(SurveyCounts)}) {}
 
 Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters& made,
-                                   const surfels::Surface& surface,
-                                   const surfels::Surfels& surfels, std::uint32_t lights) {
+                                   const surfels::Surface& surface, const surfels::Surfels& surfels,
+                                   std::uint32_t lights) {
   const std::size_t count = made.count();
   const std::size_t nodes = made.tree.links.size();
   Clusters clusters;
@@ -121,8 +121,8 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters&
   clusters.raysOutwards = raysOutwards;
   clusters.surfelNodes = static_cast<std::uint32_t>(surfels.tree.links.size());
   clusters.firstOfHeight = made.tree.firstOfHeight;
-  clusters.ranges = gpu::makeBuffer(device, "ranges of clusters",
-                                    rangesOf(made, surface, surfels), storage);
+  clusters.ranges =
+      gpu::makeBuffer(device, "ranges of clusters", rangesOf(made, surface, surfels), storage);
   clusters.clusterOfSurfel =
       gpu::makeBuffer(device, "cluster of each surfel", clusterOfSurfel(made), storage);
   clusters.links = gpu::makeBuffer(device, "links of clusters", made.tree.links, storage);
@@ -132,10 +132,10 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters&
   clusters.entries =
       makeRoom<shared::Entry>(device, "light that enters", count * (lights + std::size_t{1}));
   clusters.meetings = makeRoom<shared::Meeting>(device, "meetings", count * raysOutwards);
-  clusters.fromLight = makeBeams(device, "points from a light", "strengths from a light",
-                                 clusters.count);
-  clusters.fromEverywhere = makeBeams(device, "points from everywhere",
-                                      "strengths from everywhere", clusters.count);
+  clusters.fromLight =
+      makeBeams(device, "points from a light", "strengths from a light", clusters.count);
+  clusters.fromEverywhere =
+      makeBeams(device, "points from everywhere", "strengths from everywhere", clusters.count);
   clusters.beamNodes = makeRoom<shared::BeamNode>(device, "tree of points", nodes);
   clusters.sources = makeRoom<shared::vec4>(device, "sources of fluence", count);
   clusters.fluences = makeRoom<shared::vec4>(device, "fluences", count);

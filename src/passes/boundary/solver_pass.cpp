@@ -19,23 +19,32 @@ struct DensityRange {
   std::uint32_t first;
   std::uint32_t count;
   std::uint32_t step;
+  std::uint32_t solution;
 };
 
 struct ProductRange {
   std::uint32_t clusters;
   std::uint32_t first;
   std::uint32_t step;
+  std::uint32_t solution;
+};
+
+struct FinishRange {
+  std::uint32_t clusters;
+  std::uint32_t solution;
 };
 
 struct DotRange {
   std::uint32_t clusters;
   std::uint32_t step;
+  std::uint32_t solution;
 };
 
 struct Step {
   std::uint32_t clusters;
   std::uint32_t step;
   float tolerance;
+  std::uint32_t solution;
 };
 
 gpu::Pipeline makeDensities(gpu::Device& device, bool leaves) {
@@ -67,20 +76,21 @@ SolverPass::SolverPass(gpu::Device& device)
       finish_(device, gpu::ComputePipelineOptions{.name = "solution",
                                                   .shader = shaders::boundary_solver_finish_comp,
                                                   .bindings = slots(3),
-                                                  .pushConstantBytes = sizeof(std::uint32_t)}) {}
+                                                  .pushConstantBytes = sizeof(FinishRange)}) {}
 
-Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters) {
+Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
+                              std::uint32_t solutions) {
   const std::size_t nodes = clusters.firstOfHeight.back();
   const std::size_t count = clusters.count;
   const std::size_t groups = (count + clustersOfGroup - 1) / clustersOfGroup;
   Solver solver;
   solver.densities = makeRoom<shared::DensityNode>(device, "densities", nodes);
   solver.products = makeRoom<shared::vec4>(device, "products", count);
-  solver.basis = makeRoom<shared::vec4>(device, "basis of the solver",
-                                        count * (shared::maxSolverSteps + 1));
-  solver.sums = makeRoom<shared::vec4>(device, "sums of the solver",
-                                       groups * (shared::maxSolverSteps + 1));
-  solver.state = makeRoom<shared::SolverState>(device, "state of the solver", 1);
+  solver.basis =
+      makeRoom<shared::vec4>(device, "basis of the solver", count * (shared::maxSolverSteps + 1));
+  solver.sums =
+      makeRoom<shared::vec4>(device, "sums of the solver", groups * (shared::maxSolverSteps + 1));
+  solver.states = makeRoom<shared::SolverState>(device, "states of the solver", solutions);
   return solver;
 }
 
@@ -90,13 +100,13 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
   commands.fill(clusters.fluences, 0);
   orthogonalise(commands, order, 0, clusters, clusters.sources, solver);
   for (std::uint32_t step = 1; step <= std::min(order.steps, shared::maxSolverSteps); ++step) {
-    multiply(commands, step, tables, clusters, solver);
+    multiply(commands, order, step, tables, clusters, solver);
     orthogonalise(commands, order, step, clusters, solver.products, solver);
   }
   commands.bind(finish_);
   commands.bindResources({Binding::write(0, clusters.fluences), Binding::read(1, solver.basis),
-                          Binding::read(2, solver.state)});
-  commands.pushConstants(clusters.count);
+                          Binding::read(2, solver.states)});
+  commands.pushConstants(FinishRange{clusters.count, order.solution});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
 }
@@ -106,30 +116,32 @@ void SolverPass::orthogonalise(gpu::CommandList& commands, const Order& order, s
   commands.bind(dots_);
   commands.bindResources({Binding::read(0, clusters.clusters), Binding::read(1, product),
                           Binding::read(2, solver.basis), Binding::read(3, clusters.sources),
-                          Binding::write(4, solver.sums), Binding::read(5, solver.state)});
-  commands.pushConstants(DotRange{clusters.count, step});
+                          Binding::write(4, solver.sums), Binding::read(5, solver.states)});
+  commands.pushConstants(DotRange{clusters.count, step, order.solution});
   commands.dispatchLinear(clusters.count);
   commands.bind(step_);
   commands.bindResources({Binding::read(0, product), Binding::write(1, solver.basis),
-                          Binding::read(2, solver.sums), Binding::write(3, solver.state)});
-  commands.pushConstants(Step{clusters.count, step, order.tolerance});
+                          Binding::read(2, solver.sums), Binding::write(3, solver.states)});
+  commands.pushConstants(Step{clusters.count, step, order.tolerance, order.solution});
   commands.dispatchLinear(clusters.count);
 }
 
 // The operator on the last vector of the basis.
-void SolverPass::multiply(gpu::CommandList& commands, std::uint32_t step, SceneTables& tables,
-                          Clusters& clusters, Solver& solver) const {
+void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
+                          SceneTables& tables, Clusters& clusters, Solver& solver) const {
   const std::uint32_t firstFluence = (step - 1) * clusters.count;
   for (std::size_t height = 0; height + 1 < clusters.firstOfHeight.size(); ++height) {
     commands.bind(height == 0 ? leaves_ : nodes_);
     commands.bindResources({Binding::read(0, clusters.links), Binding::read(1, clusters.byHeight),
-                            Binding::write(2, solver.densities), Binding::read(3, clusters.clusters),
-                            Binding::read(4, clusters.ranges), Binding::read(5, solver.basis),
-                            Binding::read(6, solver.state), Binding::read(7, tables.objects),
-                            Binding::read(8, tables.media), Binding::read(9, clusters.nodes)});
+                            Binding::write(2, solver.densities),
+                            Binding::read(3, clusters.clusters), Binding::read(4, clusters.ranges),
+                            Binding::read(5, solver.basis), Binding::read(6, solver.states),
+                            Binding::read(7, tables.objects), Binding::read(8, tables.media),
+                            Binding::read(9, clusters.nodes)});
     const std::uint32_t first = clusters.firstOfHeight[height];
     const std::uint32_t count = clusters.firstOfHeight[height + 1] - first;
-    commands.pushConstants(DensityRange{height == 0 ? firstFluence : first, count, step});
+    commands.pushConstants(
+        DensityRange{height == 0 ? firstFluence : first, count, step, order.solution});
     commands.dispatchLinear(count);
   }
   commands.bind(product_);
@@ -137,8 +149,8 @@ void SolverPass::multiply(gpu::CommandList& commands, std::uint32_t step, SceneT
                           Binding::read(2, clusters.ranges), Binding::read(3, clusters.clusters),
                           Binding::texels(4, clusters.nodes), Binding::texels(5, solver.densities),
                           Binding::read(6, solver.basis), Binding::write(7, solver.products),
-                          Binding::read(8, solver.state)});
-  commands.pushConstants(ProductRange{clusters.count, firstFluence, step});
+                          Binding::read(8, solver.states)});
+  commands.pushConstants(ProductRange{clusters.count, firstFluence, step, order.solution});
   commands.dispatchLinear(clusters.count);
 }
 

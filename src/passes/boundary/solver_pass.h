@@ -13,16 +13,18 @@ class Device;
 
 namespace opaline::passes {
 
-/// Solves the boundary's equation for the fluence at clusters by generalised minimal residuals (Saad
-/// and Schultz 1986), on the device alone: it stops by itself once the residual is small enough.
+/// Solves the boundary's equation for the fluence at clusters by generalised minimal residuals
+/// (Saad and Schultz 1986), on the device alone: it stops by itself once the residual is small
+/// enough.
 class SolverPass {
  public:
   explicit SolverPass(gpu::Device& device);
 
   /// For set-up, not for frames.
-  static Solver makeSolver(gpu::Device& device, const Clusters& clusters);
+  static Solver makeSolver(gpu::Device& device, const Clusters& clusters, std::uint32_t solutions);
 
   struct Order {
+    std::uint32_t solution = 0;  ///< which of the solver's states tells how it went
     std::uint32_t steps = 8;     ///< at most, up to shared::maxSolverSteps
     float tolerance = 0.01F;     ///< of the residual, relative to the sources
   };
@@ -33,8 +35,8 @@ class SolverPass {
  private:
   void orthogonalise(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                      Clusters& clusters, gpu::Buffer& product, Solver& solver) const;
-  void multiply(gpu::CommandList& commands, std::uint32_t step, SceneTables& tables,
-                Clusters& clusters, Solver& solver) const;
+  void multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
+                SceneTables& tables, Clusters& clusters, Solver& solver) const;
 
   gpu::Pipeline leaves_;
   gpu::Pipeline nodes_;

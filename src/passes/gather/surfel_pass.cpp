@@ -134,7 +134,8 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::Surfels& mad
                                              std::size_t{shared::sourcesPerSurfel} * surfels.count);
   surfels.normals = makeRoom<shared::vec4>(device, "normals of surfels", surfels.count);
   surfels.middles = makeRoom<shared::vec4>(device, "middles of surfels", surfels.count);
-  surfels.corners = gpu::makeBuffer(device, "objects of surfels", cornersOf(made, surface), storage);
+  surfels.corners =
+      gpu::makeBuffer(device, "objects of surfels", cornersOf(made, surface), storage);
   surfels.order = gpu::makeBuffer(device, "order of surfels", inOrder(surfels.count), storage);
   surfels.nodes = makeRoom<shared::TreeNode>(device, "tree", made.tree.links.size());
   surfels.boxes = makeRoom<shared::NodeBox>(device, "boxes of the tree", made.tree.links.size());

@@ -122,7 +122,7 @@ SurfelSumPass::Pipelines SurfelSumPass::makePipelines(gpu::Device& device,
 }
 
 void SurfelSumPass::treeOverPlaces(gpu::CommandList& commands, const Order& order,
-                                     const OverPlaces& over) const {
+                                   const OverPlaces& over) const {
   const Pipelines& made = pipelines(order.transport);
   for (const gpu::Pipeline* pipeline : {&made.roughVertices, &made.treeVertices}) {
     if (pipeline == &made.treeVertices && order.site == ScatterSite::Fragments) break;
@@ -133,8 +133,7 @@ void SurfelSumPass::treeOverPlaces(gpu::CommandList& commands, const Order& orde
          Binding::write(3, over.places.exitances), Binding::read(4, over.tables.objects),
          Binding::read(5, over.tables.media), Binding::texels(6, over.surfels.nodes),
          Binding::texels(7, over.surfels.sources), Binding::read(8, over.places.order)});
-    commands.pushConstants(
-        VertexTreeConstants{over.places.count, {order.tolerance, order.site}});
+    commands.pushConstants(VertexTreeConstants{over.places.count, {order.tolerance, order.site}});
     commands.dispatchLinear(over.places.count);
     commands.endPass();
   }
@@ -156,7 +155,7 @@ void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& o
 }
 
 void SurfelSumPass::allOverPlaces(gpu::CommandList& commands, const Order& order,
-                                    const OverPlaces& over) const {
+                                  const OverPlaces& over) const {
   commands.beginPass("scatter");
   commands.bind(pipelines(order.transport).allVertices);
   forEachRange(over.surfels.count, order.site, [&](const SurfelRange& range) {

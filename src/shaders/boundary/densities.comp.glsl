@@ -15,7 +15,7 @@ layout(std430, set = 0, binding = 2) buffer Nodes { DensityNode nodes[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Fluences { vec4 fluences[]; };
-layout(std430, set = 0, binding = 6) readonly buffer State { SolverState state; };
+layout(std430, set = 0, binding = 6) readonly buffer States { SolverState states[]; };
 
 layout(std430, set = 0, binding = 9) readonly buffer Shapes { ClusterNode shapes[]; };
 
@@ -23,6 +23,7 @@ layout(push_constant) uniform Push {
   uint first;  // of the nodes by height, or of the fluences
   uint count;
   uint step;  // of the solver; skipped when that is done
+  uint solution;
 };
 
 // Seen from another place, a density is one there and a dipole.
@@ -32,7 +33,7 @@ vec4 moved(vec4 density, vec3 offset) {
 
 void main() {
   uint i = linearIndex();
-  if (i >= count || step > 0u && state.done != 0u) return;
+  if (i >= count || step > 0u && states[solution].done != 0u) return;
   if (ofLeaves != 0u) {
     vec4 shape = vec4(clusters[i].vectorArea.xyz, clusters[i].centroidArea.w);
     vec3 fluence = fluences[first + i].rgb;

@@ -12,6 +12,8 @@ layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange range
 layout(std430, set = 0, binding = 3) buffer Clusters { Cluster clusters[]; };
 layout(set = 0, binding = 4) uniform samplerBuffer nodes;  // ClusterNode
 
+const float leastShare = 0.05;
+
 layout(push_constant) uniform Push {
   uint clusterCount;
 };
@@ -37,11 +39,14 @@ void main() {
                    isFar(squared, texelFetch(nodes, 3 * int(at) + 1).x, sigma);
       if (taken && at != range.node && squared > 0.0) {
         float over = inversesqrt(squared);
-        share += over * over * over * dot(offset, texelFetch(nodes, 3 * int(at) + 2).xyz);
+        float fills = over * over * over * dot(offset, texelFetch(nodes, 3 * int(at) + 2).xyz);
+        if (isLeaf(link)) fills *= coverageOfDisc(squared, texelFetch(nodes, 3 * int(at) + 1).w);
+        share += fills;
       }
       next = taken ? afterNode(at, link) : at + 1u;
       if (next >= body.clusters.y) next = noNode;
     }
   }
-  if (inside) clusters[i].vectorArea.w = share / (4.0 * pi);
+  // Clusters that lie upon each other might give any number.
+  if (inside) clusters[i].vectorArea.w = clamp(share / (4.0 * pi), leastShare, 1.0);
 }

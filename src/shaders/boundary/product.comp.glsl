@@ -1,6 +1,6 @@
 // The operator of the boundary's equation on a fluence:
 //   c_i φ_i + S_ii φ_i / 2A + Σ_j [S_ij / 2A + K_ij] φ_j,  S = e^{-σr} / 4πDr,
-//   K_ij φ_j = -(1 + σr) e^{-σr} (x_j - x_i)·A_j φ_j / 4πr³.
+//   K_ij φ_j = -(1 + σr) e^{-σr} (x_j - x_i)·A_j φ_j / 4πr³, single clusters covering what a disc does.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -15,17 +15,18 @@ layout(set = 0, binding = 4) uniform samplerBuffer nodes;      // ClusterNode
 layout(set = 0, binding = 5) uniform samplerBuffer densities;  // DensityNode
 layout(std430, set = 0, binding = 6) readonly buffer Fluences { vec4 fluences[]; };
 layout(std430, set = 0, binding = 7) writeonly buffer Products { vec4 products[]; };
-layout(std430, set = 0, binding = 8) readonly buffer State { SolverState state; };
+layout(std430, set = 0, binding = 8) readonly buffer States { SolverState states[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint first;  // of the fluences
   uint step;   // of the solver; skipped when that is done
+  uint solution;
 };
 
 void main() {
   uint i = linearIndex();
-  if (step > 0u && state.done != 0u) return;
+  if (step > 0u && states[solution].done != 0u) return;
   bool inside = i < clusterCount;
   ClusterRange range = ranges[inside ? i : 0u];
   ObjectData body = objects[range.object];
@@ -53,12 +54,13 @@ void main() {
         vec4 green = texelFetch(densities, 3 * int(at) + 1);
         vec4 blue = texelFetch(densities, 3 * int(at) + 2);
         float over = inversesqrt(squared);
+        float fills = isLeaf(link) ? coverageOfDisc(squared, spread.w) : 1.0;
         vec3 x = sigma * (squared * over);
         vec3 e = exp(-x) * over;
         vec3 second = 1.0 + sigma * sigma * (spread.y / 6.0);
         vec3 along = vec3(dot(offset, red.xyz), dot(offset, green.xyz), dot(offset, blue.xyz));
         sum += e * (weightS * second * vec3(red.w, green.w, blue.w) -
-                    (1.0 + x) * (over * over) * along);
+                    (1.0 + x) * (over * over * fills) * along);
       }
       next = taken ? afterNode(at, link) : at + 1u;
       if (next >= body.clusters.y) next = noNode;

@@ -12,15 +12,16 @@ layout(std430, set = 0, binding = 1) readonly buffer Products { vec4 products[];
 layout(std430, set = 0, binding = 2) readonly buffer Basis { vec4 basis[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Wanted { vec4 wanted[]; };
 layout(std430, set = 0, binding = 4) writeonly buffer Sums { vec4 sums[]; };
-layout(std430, set = 0, binding = 5) readonly buffer State { SolverState state; };
+layout(std430, set = 0, binding = 5) readonly buffer States { SolverState states[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint step;
+  uint solution;
 };
 
 void main() {
-  if (step > 0u && state.done != 0u) return;
+  if (step > 0u && states[solution].done != 0u) return;
   uint i = linearIndex();
   bool inside = i < clusterCount;
   uint group = i / 64u;

@@ -6,10 +6,11 @@
 
 layout(std430, set = 0, binding = 0) buffer Fluences { vec4 fluences[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Basis { vec4 basis[]; };
-layout(std430, set = 0, binding = 2) readonly buffer State { SolverState state; };
+layout(std430, set = 0, binding = 2) readonly buffer States { SolverState states[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
+  uint solution;
 };
 
 vec3 overOr0(vec3 a, vec3 b) {
@@ -21,11 +22,11 @@ void main() {
   if (i >= clusterCount) return;
   vec3 weights[maxSolverSteps];
   vec3 sum = vec3(0.0);
-  for (uint k = state.steps; k-- > 0u;) {
-    vec3 rest = state.rotated[k].rgb;
-    for (uint j = k + 1u; j < state.steps; ++j)
-      rest -= state.hessenberg[j * (maxSolverSteps + 1u) + k].rgb * weights[j];
-    weights[k] = overOr0(rest, state.hessenberg[k * (maxSolverSteps + 1u) + k].rgb);
+  for (uint k = states[solution].steps; k-- > 0u;) {
+    vec3 rest = states[solution].rotated[k].rgb;
+    for (uint j = k + 1u; j < states[solution].steps; ++j)
+      rest -= states[solution].hessenberg[j * (maxSolverSteps + 1u) + k].rgb * weights[j];
+    weights[k] = overOr0(rest, states[solution].hessenberg[k * (maxSolverSteps + 1u) + k].rgb);
     sum += weights[k] * basis[k * clusterCount + i].rgb;
   }
   fluences[i].rgb += sum;

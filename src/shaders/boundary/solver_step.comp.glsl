@@ -10,12 +10,13 @@
 layout(std430, set = 0, binding = 0) readonly buffer Products { vec4 products[]; };
 layout(std430, set = 0, binding = 1) buffer Basis { vec4 basis[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Sums { vec4 sums[]; };
-layout(std430, set = 0, binding = 3) buffer State { SolverState state; };
+layout(std430, set = 0, binding = 3) buffer States { SolverState states[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint step;
   float tolerance;  // of the residual, relative to the right-hand side
+  uint solution;
 };
 
 // What is left of a vector, relative to what it was, when it is nothing but rounding.
@@ -38,19 +39,19 @@ void start(uint i) {
   vec3 right = sqrt(total(1u));
   if (i < clusterCount) basis[i] = vec4(overOr0(products[i].rgb, norm), 0.0);
   if (i != 0u) return;
-  state.wanted = vec4(tolerance * right, 0.0);
-  state.rotated[0] = vec4(norm, 0.0);
-  state.residual = vec4(overOr0(norm * tolerance, state.wanted.rgb), 0.0);
-  state.steps = 0u;
-  state.done = all(lessThanEqual(norm, state.wanted.rgb)) ? 1u : 0u;
+  states[solution].wanted = vec4(tolerance * right, 0.0);
+  states[solution].rotated[0] = vec4(norm, 0.0);
+  states[solution].residual = vec4(overOr0(norm * tolerance, states[solution].wanted.rgb), 0.0);
+  states[solution].steps = 0u;
+  states[solution].done = all(lessThanEqual(norm, states[solution].wanted.rgb)) ? 1u : 0u;
 }
 
 // The column of the Hessenberg matrix under all rotations, and the one it adds.
 void rotate(vec3 column[maxSolverSteps + 1u]) {
   uint last = step - 1u;
   for (uint k = 0u; k < last; ++k) {
-    vec3 c = state.cosine[k].rgb;
-    vec3 s = state.sine[k].rgb;
+    vec3 c = states[solution].cosine[k].rgb;
+    vec3 s = states[solution].sine[k].rgb;
     vec3 upper = c * column[k] + s * column[k + 1u];
     column[k + 1u] = c * column[k + 1u] - s * column[k];
     column[k] = upper;
@@ -60,16 +61,16 @@ void rotate(vec3 column[maxSolverSteps + 1u]) {
   vec3 s = overOr0(column[step], size);
   column[last] = size;
   for (uint k = 0u; k <= last; ++k)
-    state.hessenberg[last * (maxSolverSteps + 1u) + k] = vec4(column[k], 0.0);
-  vec3 before = state.rotated[last].rgb;
-  state.cosine[last] = vec4(c, 0.0);
-  state.sine[last] = vec4(s, 0.0);
-  state.rotated[last] = vec4(c * before, 0.0);
-  state.rotated[step] = vec4(-s * before, 0.0);
+    states[solution].hessenberg[last * (maxSolverSteps + 1u) + k] = vec4(column[k], 0.0);
+  vec3 before = states[solution].rotated[last].rgb;
+  states[solution].cosine[last] = vec4(c, 0.0);
+  states[solution].sine[last] = vec4(s, 0.0);
+  states[solution].rotated[last] = vec4(c * before, 0.0);
+  states[solution].rotated[step] = vec4(-s * before, 0.0);
   vec3 left = abs(s * before);
-  state.residual = vec4(overOr0(left * tolerance, state.wanted.rgb), 0.0);
-  state.steps = step;
-  if (all(lessThanEqual(left, state.wanted.rgb))) state.done = 1u;
+  states[solution].residual = vec4(overOr0(left * tolerance, states[solution].wanted.rgb), 0.0);
+  states[solution].steps = step;
+  if (all(lessThanEqual(left, states[solution].wanted.rgb))) states[solution].done = 1u;
 }
 
 void main() {
@@ -78,7 +79,7 @@ void main() {
     start(i);
     return;
   }
-  if (state.done != 0u) return;
+  if (states[solution].done != 0u) return;
   bool inside = i < clusterCount;
   vec3 vector = inside ? products[i].rgb : vec3(0.0);
   vec3 column[maxSolverSteps + 1u];

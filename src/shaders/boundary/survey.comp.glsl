@@ -26,11 +26,12 @@ layout(push_constant) uniform Push {
 };
 
 // Part of the light that is followed to its second collision: where little of it scatters again,
-// diffusion from the first is too rough. Not where the body is thinner than a mean free path: light
-// that leaves after one collision does so within a cluster's size there.
-vec3 shareOfSecond(BoundaryMedium medium, float thickness) {
+// diffusion from the first is too rough. Not where the body is thinner, or clusters are larger, than
+// some mean free paths: light that leaves after one collision does so within a cluster's size there.
+vec3 shareOfSecond(BoundaryMedium medium, float thickness, float edge) {
   vec3 dark = 1.0 - smoothstep(0.96, 0.99, medium.albedo.rgb);
-  return dark * smoothstep(0.3, 1.2, thickness * medium.extinction.rgb);
+  vec3 thick = smoothstep(0.3, 1.2, thickness * medium.extinction.rgb);
+  return dark * thick * (1.0 - smoothstep(1.5, 3.0, edge * medium.extinction.rgb));
 }
 
 float transmittedInto(float eta, float cosine) {
@@ -110,5 +111,6 @@ void main() {
   if (raysOutwards > 0u) lookAround(i, cluster, range);
   clusters[i].start.w = thickness;
   clusters[i].facet.w = cluster.facet.w;
-  clusters[i].second = vec4(shareOfSecond(media[body.table.x].inside, thickness), 0.0);
+  clusters[i].second = vec4(
+      shareOfSecond(media[body.table.x].inside, thickness, sqrt(cluster.centroidArea.w)), 0.0);
 }

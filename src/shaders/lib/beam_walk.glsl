@@ -31,7 +31,7 @@ vec3 beamSum(vec3 place, uint root, uint end, float sigma, float reachMm) {
       float nearest = leastOf(squared);
       float reached = reachMm + node.redRadius.w;
       bool taken = node.power.rgb == vec3(0.0) || nearest > reached * reached;
-      if (!taken && isFar(nearest, 0.7 * node.redRadius.w, sigma)) {
+      if (!taken && isFar(nearest, min(0.7 * node.redRadius.w, 2.0 * sqrt(node.blueSquare.w)), sigma)) {
         sum += fromNode(node, squared);
         taken = true;
       }

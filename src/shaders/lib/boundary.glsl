@@ -21,6 +21,15 @@ bool isFar(float squaredMm2, float radius, float sigmaPerMm) {
   return squaredMm2 * (openingAngle * openingAngle) > felt * felt;
 }
 
+// A cluster of that area as a disc fills less of the solid angle than its area over the squared
+// distance: what that is to be multiplied by, on the disc's axis.
+float coverageOfDisc(float squaredMm2, float areaMm2) {
+  float x2 = squaredMm2 * pi / max(areaMm2, 1e-30);
+  // 2x² (1 - x/√(1+x²)) without its cancellation.
+  float root = sqrt(1.0 + x2);
+  return 2.0 * x2 / (root * (root + sqrt(x2)));
+}
+
 float leastOf(vec3 v) {
   return min(min(v.x, v.y), v.z);
 }

@@ -28,9 +28,9 @@ struct Cluster {
   vec4 normal;        // unit, of the vector area; w: ρ = √(a/π), mm
   vec4 vectorArea;    // A = Σ a n, mm²; w: share of the solid angle that the body fills there, c
   vec4 start;         // a place on the surface near the centroid, mm; w: thickness of the body, mm
-  vec4 along;         // unit, in the surface there, moving with it; w: 1, or -1 where the body is mirrored
-  vec4 facet;         // unit, outwards there; w: share of the sky that it sees
-  vec4 second;        // rgb: part of the light that is followed to its second collision
+  vec4 along;  // unit, in the surface there, moving with it; w: 1, or -1 where the body is mirrored
+  vec4 facet;  // unit, outwards there; w: share of the sky that it sees
+  vec4 second;  // rgb: part of the light that is followed to its second collision
 };
 
 /// Light of one kind that enters through a cluster.
@@ -46,7 +46,8 @@ struct Entry {
 OPALINE_BOUNDARY_CONSTANT pointsOfFirstSegment = 3u;
 OPALINE_BOUNDARY_CONSTANT pointsOfReflection = 2u;
 OPALINE_BOUNDARY_CONSTANT maxReflections = 4u;
-OPALINE_BOUNDARY_CONSTANT maxFirstPoints = pointsOfFirstSegment + pointsOfReflection * maxReflections;
+OPALINE_BOUNDARY_CONSTANT maxFirstPoints =
+    pointsOfFirstSegment + pointsOfReflection * maxReflections;
 OPALINE_BOUNDARY_CONSTANT directionsOfPoint = 4u;
 OPALINE_BOUNDARY_CONSTANT maxSecondPoints =
     directionsOfPoint * pointsOfFirstSegment + pointsOfReflection * maxReflections;
@@ -71,13 +72,13 @@ OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
 struct ClusterNode {
   vec4 centroidLink;  // of the area, mm; link, as in shared/surfels.h with clusters for surfels
   vec4 spread;        // x: no place lies further from the centroid, mm; y: mean square of that
-                      // distance, mm²; z: no cluster is felt further from it by the interpolation, mm;
-                      // w: a, mm²
-  vec4 vectorArea;    // mm²; w: the object's index
+                // distance, mm²; z: no cluster is felt further from it by the interpolation, mm;
+                // w: a, mm²
+  vec4 vectorArea;  // mm²; w: the object's index
 };
 
-/// Fluence φ over what is below a node, for each channel: Σ φ (A + a δ / 2AD), with the offset δ from
-/// the node's centroid; Σ a φ.
+/// Fluence φ over what is below a node, for each channel: Σ φ (A + a δ / 2AD), with the offset δ
+/// from the node's centroid; Σ a φ.
 struct DensityNode {
   vec4 red;
   vec4 green;
@@ -102,10 +103,10 @@ struct SolverState {
   vec4 cosine[maxSolverSteps];                              // Givens rotations
   vec4 sine[maxSolverSteps];
   vec4 rotated[maxSolverSteps + 1u];  // right-hand side under these rotations
-  vec4 wanted;    // rgb: norm below which the residual is small enough
-  vec4 residual;  // rgb: relative to the right-hand side
-  uint steps;     // that were made
-  uint done;      // 1: nothing more to do
+  vec4 wanted;                        // rgb: norm below which the residual is small enough
+  vec4 residual;                      // rgb: relative to the right-hand side
+  uint steps;                         // that were made
+  uint done;                          // 1: nothing more to do
   uint unused0;
   uint unused1;
 };
