@@ -92,6 +92,42 @@ TEST(DenseBoundary, SecondCollisionsAndExitsShareTheFirst) {
   EXPECT_NEAR(after / before, 1, 0.01);
 }
 
+// On a sphere chords r have the area 2π r dr, and (x_j - x_i)·n_j = r²/(2R): both integrals are
+// closed, and the fluence 1 everywhere gives their sum.
+TEST(DenseBoundary, LeftSideOfASphere) {
+  constexpr double radius = 3;
+  const ClusteredBody body = sphere(radius, 2);
+  const reference::Geometry geometry(body.scene);
+  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const DenseBoundary equation(clusters, {1, 0.05, 1.3}, insideOf(clusters));
+  const Diffusion& medium = equation.medium();
+  const double sigma = medium.attenuationPerMm;
+  const double lost = std::exp(-2 * sigma * radius);
+  const double expected = 0.5 - (2 - (2 + 2 * sigma * radius) * lost) / (4 * sigma * radius) +
+                          (1 - lost) / (4 * medium.boundary * medium.diffusionMm * sigma);
+  const std::vector<double> one(clusters.count(), 1);
+  std::vector<double> left(clusters.count());
+  equation.product(one, left);
+  const double mean =
+      std::accumulate(left.begin(), left.end(), 0.0) / static_cast<double>(left.size());
+  EXPECT_NEAR(mean / expected, 1, 0.005);
+}
+
+// Light along the normal of a sheet: what is not taken up and not let out comes back.
+TEST(DenseBoundary, LightIsMirroredInside) {
+  constexpr double thickness = 0.3;
+  const ClusteredBody body = slab(3, thickness, 8);
+  const reference::Geometry geometry(body.scene);
+  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const Diffusion medium({0.9, 0.1, 1.5});
+  double taken = 0;
+  for (const LightPoint& point : firstCollisions(geometry, clusters, medium, toLight))
+    if (point.cluster == 0) taken += point.weight;
+  // Rays start a little off the surface.
+  const double back = 0.04 * std::exp(-thickness);  // ((η-1)/(η+1))² = 0.04
+  EXPECT_NEAR(taken, (1 - std::exp(-thickness)) * (1 + back), 4 * geometry.offsetMm());
+}
+
 TEST(DenseBoundary, SolvesItsEquation) {
   const ClusteredBody body = sphere(4, 2);
   const reference::Geometry geometry(body.scene);
