@@ -68,6 +68,15 @@ struct Meeting {
 };
 OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
 
+/// Light of a cluster that is mirrored at the surface on arrival and enters another.
+struct Mirrored {
+  vec4 power;    // rgb
+  uint cluster;  // where it enters, or noCluster
+  uint unused0;
+  uint unused1;
+  uint unused2;
+};
+
 /// A node of the tree of clusters in this frame.
 struct ClusterNode {
   vec4 centroidLink;  // of the area, mm; link, as in shared/surfels.h with clusters for surfels
@@ -117,6 +126,7 @@ static_assert(sizeof(Cluster) == 112);
 static_assert(sizeof(Entry) == 64);
 static_assert(sizeof(BeamPoint) == 48);
 static_assert(sizeof(Meeting) == 8);
+static_assert(sizeof(Mirrored) == 32);
 static_assert(sizeof(ClusterNode) == 48);
 static_assert(sizeof(DensityNode) == 48);
 static_assert(sizeof(BeamNode) == 64);
