@@ -69,7 +69,7 @@ struct FrameContext {
         {resources.view, mesh, resources.tables, resources.shadows, scene.surfels, scene.rays},
         plan.bounces > 0 || !plan.skyIsDark, clusters);
     const passes::BeamPass::Inputs inputs{resources.view, resources.tables, scene.surfels,
-                                         scene.rays};
+                                          scene.rays};
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
       if (again)

@@ -115,16 +115,15 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs,
   }
 }
 
-void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs,
-                             Clusters& clusters, bool isFirst) const {
+void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
+                             bool isFirst) const {
   commands.beginPass("sources");
   commands.bind(reentry_);
   commands.bindResources({Binding::read(0, clusters.clusters), Binding::read(1, clusters.meetings),
                           Binding::read(2, clusters.latest),
                           Binding::write(3, clusters.fromEverywhere.strengths),
                           Binding::read(4, clusters.arrived)});
-  commands.pushConstants(
-      ReentryCounts{clusters.count, clusters.raysOutwards, isFirst ? 1U : 0U});
+  commands.pushConstants(ReentryCounts{clusters.count, clusters.raysOutwards, isFirst ? 1U : 0U});
   commands.dispatchLinear(clusters.count);
   spread(commands, inputs.tables, clusters, clusters.fromEverywhere, false);
   commands.endPass();

@@ -96,8 +96,8 @@ struct DensityNode {
 
 /// Light from points below a node.
 struct BeamNode {
-  vec4 redRadius;  // centroid of the red power, mm; no point of any channel lies further from its
-                   // own, mm
+  vec4 redRadius;  // centroid of the red power, mm; how large the points below are to the eye of
+                   // sums over them, mm
   vec4 greenLink;
   vec4 blueSquare;  // w: mean square distance, mm²
   vec4 power;       // rgb

@@ -48,8 +48,8 @@ struct ObjectData {
   uvec4 tree;   // x: root, among the nodes; y: the node after all of its tree
   uvec4 clusters;  // of boundary transport, x: root among their nodes; y: the node after their
                    // tree; z: 1 where the body is closed
-  vec4 nearby;  // x: radius within which coarse surfels are corrected, mm, 0 for none; yzw:
-                // reflectance of a disc of that radius
+  vec4 nearby;     // x: radius within which coarse surfels are corrected, mm, 0 for none; yzw:
+                   // reflectance of a disc of that radius
 };
 
 #ifdef __cplusplus
