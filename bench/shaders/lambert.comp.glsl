@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define SHADOW_BINDING 3
 #include "lib/frame.glsl"
+#include "lib/light.glsl"
 #include "lib/shadow.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

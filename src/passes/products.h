@@ -148,6 +148,10 @@ struct Clusters {
   std::uint32_t raysOutwards = 0;  ///< of each cluster
   Beams fromLight;                 ///< of one light after the other
   Beams fromEverywhere;
+  gpu::Buffer mirrored;            ///< shared::Mirrored a cluster, of one light after the other
+  gpu::Buffer peak;                ///< largest power of those, a float's bits
+  gpu::Buffer sums;                ///< of those, three whole numbers a cluster; 0 between lights
+  gpu::Buffer arrived;             ///< vec4 a cluster: power that enters after it was mirrored
   gpu::Buffer beamNodes;           ///< shared::BeamNode
   gpu::Buffer sources;             ///< vec4 a cluster: fluence in a medium without end
   gpu::Buffer fluences;            ///< vec4 a cluster: on the body's surface

@@ -68,11 +68,12 @@ struct FrameContext {
         commands,
         {resources.view, mesh, resources.tables, resources.shadows, scene.surfels, scene.rays},
         plan.bounces > 0 || !plan.skyIsDark, clusters);
-    const passes::BeamPass::Inputs inputs{resources.view, resources.tables, scene.rays};
+    const passes::BeamPass::Inputs inputs{resources.view, resources.tables, scene.surfels,
+                                          scene.rays};
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
       if (again)
-        passes.beams.recordReentry(commands, inputs, clusters);
+        passes.beams.recordReentry(commands, inputs, clusters, bounce == 1);
       else
         passes.beams.recordLights(commands, inputs, clusters);
       const float tolerance = (again ? residualOfBounce : residualOfLight) * plan.tolerance;

@@ -16,6 +16,8 @@ using gpu::BindingType;
 struct BeamChoice {
   std::uint32_t clusters;
   std::uint32_t beam;
+  std::uint32_t piecesPerSurfel;
+  std::uint32_t surfelNodes;
 };
 
 struct NodeRange {
@@ -32,6 +34,7 @@ struct Sum {
 struct ReentryCounts {
   std::uint32_t clusters;
   std::uint32_t raysOutwards;
+  std::uint32_t isFirst;
 };
 
 gpu::Pipeline makeNodes(gpu::Device& device, bool leaves) {
@@ -41,6 +44,14 @@ gpu::Pipeline makeNodes(gpu::Device& device, bool leaves) {
                                       .bindings = slots(9, {2}),
                                       .pushConstantBytes = sizeof(NodeRange),
                                       .specialization = {leaves ? 1U : 0U}}};
+}
+
+gpu::Pipeline makeMirrored(gpu::Device& device, bool addsUp) {
+  return {device, gpu::ComputePipelineOptions{.name = "mirrored light",
+                                              .shader = shaders::boundary_mirrored_comp,
+                                              .bindings = slots(4),
+                                              .pushConstantBytes = sizeof(std::uint32_t),
+                                              .specialization = {addsUp ? 1U : 0U}}};
 }
 
 gpu::Pipeline makeSum(gpu::Device& device, const char* name, gpu::Spirv shader) {
@@ -66,16 +77,21 @@ BeamPass::BeamPass(gpu::Device& device)
                               {6, BindingType::StorageBuffer},
                               {7, BindingType::StorageBuffer},
                               {8, BindingType::StorageBuffer},
-                              {9, BindingType::StorageBuffer}},
+                              {9, BindingType::StorageBuffer},
+                              {10, BindingType::StorageBuffer},
+                              {11, BindingType::StorageBuffer},
+                              {12, BindingType::StorageBuffer}},
                  .pushConstantBytes = sizeof(BeamChoice),
              }),
+      addMirrored_(makeMirrored(device, true)),
+      takeMirrored_(makeMirrored(device, false)),
       leaves_(makeNodes(device, true)),
       nodes_(makeNodes(device, false)),
       source_(makeSum(device, "sources of fluence", shaders::boundary_source_comp)),
       single_(makeSum(device, "light that scatters once", shaders::boundary_single_comp)),
       reentry_(device, gpu::ComputePipelineOptions{.name = "light that enters again",
                                                    .shader = shaders::boundary_reentry_comp,
-                                                   .bindings = slots(4),
+                                                   .bindings = slots(5),
                                                    .pushConstantBytes = sizeof(ReentryCounts)}),
       exitance_(device, gpu::ComputePipelineOptions{.name = "exitance of clusters",
                                                     .shader = shaders::boundary_exitance_comp,
@@ -84,10 +100,14 @@ BeamPass::BeamPass(gpu::Device& device)
 
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs,
                             Clusters& clusters) const {
+  commands.fill(clusters.sums, 0);
+  commands.fill(clusters.arrived, 0);
   for (std::uint32_t beam = 0; beam <= clusters.lights; ++beam) {
     Beams& beams = beam < clusters.lights ? clusters.fromLight : clusters.fromEverywhere;
     commands.beginPass("rays");
+    commands.fill(clusters.peak, 0);
     trace(commands, inputs, clusters, beam, beams);
+    if (beam < clusters.lights) bringMirrored(commands, clusters);
     commands.endPass();
     commands.beginPass("sources");
     spread(commands, inputs.tables, clusters, beams, beam > 0);
@@ -95,14 +115,15 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs,
   }
 }
 
-void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs,
-                             Clusters& clusters) const {
+void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
+                             bool isFirst) const {
   commands.beginPass("sources");
   commands.bind(reentry_);
   commands.bindResources({Binding::read(0, clusters.clusters), Binding::read(1, clusters.meetings),
                           Binding::read(2, clusters.latest),
-                          Binding::write(3, clusters.fromEverywhere.strengths)});
-  commands.pushConstants(ReentryCounts{clusters.count, clusters.raysOutwards});
+                          Binding::write(3, clusters.fromEverywhere.strengths),
+                          Binding::read(4, clusters.arrived)});
+  commands.pushConstants(ReentryCounts{clusters.count, clusters.raysOutwards, isFirst ? 1U : 0U});
   commands.dispatchLinear(clusters.count);
   spread(commands, inputs.tables, clusters, clusters.fromEverywhere, false);
   commands.endPass();
@@ -129,9 +150,22 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, Clusters&
        Binding::read(2, inputs.tables.media), Binding::texels(3, inputs.rays.corners),
        Binding::texels(4, inputs.rays.boxes), Binding::read(5, clusters.ranges),
        Binding::read(6, clusters.clusters), Binding::read(7, clusters.entries),
-       Binding::write(8, beams.points), Binding::write(9, beams.strengths)});
-  commands.pushConstants(BeamChoice{clusters.count, beam});
+       Binding::write(8, beams.points), Binding::write(9, beams.strengths),
+       Binding::read(10, clusters.clusterOfSurfel), Binding::write(11, clusters.mirrored),
+       Binding::write(12, clusters.peak)});
+  commands.pushConstants(
+      BeamChoice{clusters.count, beam, inputs.surfels.piecesPerSurfel, clusters.surfelNodes});
   commands.dispatchLinear(clusters.count);
+}
+
+void BeamPass::bringMirrored(gpu::CommandList& commands, Clusters& clusters) const {
+  for (const gpu::Pipeline* pipeline : {&addMirrored_, &takeMirrored_}) {
+    commands.bind(*pipeline);
+    commands.bindResources({Binding::read(0, clusters.mirrored), Binding::read(1, clusters.peak),
+                            Binding::write(2, clusters.sums), Binding::write(3, clusters.arrived)});
+    commands.pushConstants(clusters.count);
+    commands.dispatchLinear(clusters.count);
+  }
 }
 
 void BeamPass::spread(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,

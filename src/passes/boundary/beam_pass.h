@@ -21,12 +21,14 @@ class BeamPass {
   struct Inputs {
     FrameView& frame;
     SceneTables& tables;
+    Surfels& surfels;
     RayHierarchy& rays;
   };
   /// All lights and what comes from everywhere.
   void recordLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters) const;
   /// Light that just left, `latest`, where it enters again.
-  void recordReentry(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters) const;
+  void recordReentry(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
+                     bool isFirst) const;
   /// Turns fluences into `latest` exitance and adds it to the rest, or starts that.
   void recordExitance(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
                       bool adds) const;
@@ -34,12 +36,15 @@ class BeamPass {
  private:
   void trace(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
              std::uint32_t beam, Beams& beams) const;
+  void bringMirrored(gpu::CommandList& commands, Clusters& clusters) const;
   void spread(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters, Beams& beams,
               bool adds) const;
   void fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters, Beams& beams,
                 bool scattersOnce) const;
 
   gpu::Pipeline trace_;
+  gpu::Pipeline addMirrored_;
+  gpu::Pipeline takeMirrored_;
   gpu::Pipeline leaves_;
   gpu::Pipeline nodes_;
   gpu::Pipeline source_;

@@ -24,6 +24,11 @@ layout(push_constant) uniform Push {
   uint scattersOnce;  // 1: sources of light that scatters once
 };
 
+// How large points are felt to be, in roots of their mean square distance; and of the largest.
+const float feltInARow = 2.0;
+const float feltAllAround = 1.0;
+const float feltOfRadius = 0.7;
+
 mat3 placesOf(BeamPoint point) {
   return mat3(point.red.xyz, point.green.xyz, point.blue.xyz);
 }
@@ -81,7 +86,10 @@ void gatherLeaf(uint i) {
     }
   }
   float all = power.r + power.g + power.b;
-  put(ranges[i].node, centroids, radius, all > 0.0 ? square / all : 0.0, power);
+  square = all > 0.0 ? square / all : 0.0;
+  // Points of second collisions lie all around and are met by those of the clusters beside.
+  float spread = mix(feltInARow, feltAllAround, largestOf(cluster.second.rgb)) * sqrt(square);
+  put(ranges[i].node, centroids, min(feltOfRadius * radius, spread), square, power);
 }
 
 void gatherNode(uint node) {
@@ -95,19 +103,21 @@ void gatherNode(uint node) {
     for (int c = 0; c < 3; ++c) weighted[c] += f[c] * places[c];
   }
   mat3 centroids = meansOf(weighted, power, nodes[node + 1u].redRadius.xyz);
-  float radius = 0.0;
+  float felt2 = 0.0;
   float square = 0.0;
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
     vec3 f = nodes[child].power.rgb;
     mat3 places = centroidsOf(nodes[child]);
     for (int c = 0; c < 3; ++c) {
       vec3 offset = places[c] - centroids[c];
-      if (f[c] > 0.0) radius = max(radius, length(offset) + nodes[child].redRadius.w);
-      square += f[c] * (dot(offset, offset) + nodes[child].blueSquare.w);
+      float away2 = dot(offset, offset);
+      felt2 += f[c] * (feltInARow * feltInARow * away2 +
+                       nodes[child].redRadius.w * nodes[child].redRadius.w);
+      square += f[c] * (away2 + nodes[child].blueSquare.w);
     }
   }
-  float all = power.r + power.g + power.b;
-  put(node, centroids, radius, all > 0.0 ? square / all : 0.0, power);
+  float all = max(power.r + power.g + power.b, 1e-30);
+  put(node, centroids, sqrt(felt2 / all), square / all, power);
 }
 
 void main() {

@@ -20,9 +20,15 @@ layout(std430, set = 0, binding = 7) readonly buffer Entries { Entry entries[]; 
 layout(std430, set = 0, binding = 8) writeonly buffer Points { BeamPoint points[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Strengths { vec4 strengths[]; };
 
+layout(std430, set = 0, binding = 10) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
+layout(std430, set = 0, binding = 11) writeonly buffer MirroredLight { Mirrored mirrored[]; };
+layout(std430, set = 0, binding = 12) buffer Peak { uint peak; };
+
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint beam;  // a light, or the number of lights for what comes from everywhere
+  uint piecesPerSurfel;
+  uint nodeCount;  // of all surfels' trees
 };
 
 const float leastShare = 0.005;      // of light that is followed further
@@ -148,6 +154,23 @@ void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction
   }
 }
 
+// What the surface does not let in goes on outside and may enter elsewhere.
+Mirrored mirroredOf(Body body, Entry entry, vec3 from, vec3 power) {
+  vec3 normal = entry.normal.xyz;
+  float reflected = fresnelReflectance(body.eta, min(dot(from, normal), 1.0));
+  vec3 direction = reflect(-from, normal);
+  RayHit hit = nearestHit(entry.start.xyz, direction, body.least, 3e38, 0u, nodeCount);
+  Mirrored nothing = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);
+  if (hit.piece == noPiece) return nothing;
+  uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
+  float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
+  if (cosine <= 0.0) return nothing;
+  float eta = media[objects[ranges[cluster].object].table.x].boundary.x;
+  float entering = 1.0 - fresnelReflectance(eta, min(cosine, 1.0));
+  return Mirrored(vec4(power * entering * reflected / max(1.0 - reflected, 1e-6), 0.0), cluster,
+                  0u, 0u, 0u);
+}
+
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount) return;
@@ -162,6 +185,7 @@ void main() {
   if (everywhere) power *= cluster.facet.w;
   pointCount[0] = 0u;
   pointCount[1] = 0u;
+  Mirrored goesOn = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);
   if (everywhere) {
     float mean = medium.inside.sigma.w;
     vec3 extinction = medium.inside.extinction.rgb / mean;
@@ -177,6 +201,9 @@ void main() {
     firstSegment(body, i, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
                  body.medium.extinction.rgb);
     reflections(body, i, cluster, entry.start.xyz, direction, hit);
+    goesOn = mirroredOf(body, entry, from, power);
+    atomicMax(peak, floatBitsToUint(largestOf(goesOn.power.rgb)));
   }
+  mirrored[i] = goesOn;
   strengths[i] = vec4(power, float(pointCount[0]) + 64.0 * float(pointCount[1]));
 }

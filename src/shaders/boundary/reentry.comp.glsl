@@ -10,9 +10,12 @@ layout(std430, set = 0, binding = 1) readonly buffer Meetings { Meeting meetings
 layout(std430, set = 0, binding = 2) readonly buffer Latest { vec4 latest[]; };
 layout(std430, set = 0, binding = 3) buffer Strengths { vec4 strengths[]; };
 
+layout(std430, set = 0, binding = 4) readonly buffer Arrived { vec4 arrived[]; };
+
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint raysOutwards;
+  uint isFirst;  // 1: light that was mirrored on arrival too
 };
 
 void main() {
@@ -23,5 +26,5 @@ void main() {
     Meeting meeting = meetings[i * raysOutwards + k];
     if (meeting.cluster != noCluster) sum += meeting.share * latest[meeting.cluster].rgb;
   }
-  strengths[i].rgb = clusters[i].centroidArea.w * sum;
+  strengths[i].rgb = clusters[i].centroidArea.w * sum + (isFirst != 0u ? arrived[i].rgb : vec3(0.0));
 }

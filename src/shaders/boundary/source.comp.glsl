@@ -64,7 +64,9 @@ vec3 fromPoints(uint cluster) {
       first += shareOf(point) * fromDisc(point);
     }
   }
-  for (; p < counts.x; ++p) {
+  Cluster from = clusters[cluster];
+  uint firstCount = shareOfFirst(from) == vec3(0.0) ? 0u : counts.x;
+  for (; p < firstCount; ++p) {
     BeamPoint point = readPoint(at + p);
     first += shareOf(point) * kernel(squaredDistances(point, place));
   }
@@ -73,7 +75,6 @@ vec3 fromPoints(uint cluster) {
     BeamPoint point = readPoint(at + maxFirstPoints + p);
     second += shareOf(point) * kernel(squaredDistances(point, place));
   }
-  Cluster from = clusters[cluster];
   return strength.rgb * (shareOfFirst(from) * first + shareOfSecond(from, medium) * second);
 }
 

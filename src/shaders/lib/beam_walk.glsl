@@ -29,9 +29,9 @@ vec3 beamSum(vec3 place, uint root, uint end, float sigma, float reachMm) {
       uint link = floatBitsToUint(node.greenLink.w);
       vec3 squared = squaredDistances(BeamPoint(node.redRadius, node.greenLink, node.blueSquare), place);
       float nearest = leastOf(squared);
-      float reached = reachMm + node.redRadius.w;
+      float reached = reachMm + 2.0 * sqrt(node.blueSquare.w);
       bool taken = node.power.rgb == vec3(0.0) || nearest > reached * reached;
-      if (!taken && isFar(nearest, min(0.7 * node.redRadius.w, 2.0 * sqrt(node.blueSquare.w)), sigma)) {
+      if (!taken && isFar(nearest, node.redRadius.w, sigma)) {
         sum += fromNode(node, squared);
         taken = true;
       }

@@ -68,6 +68,15 @@ struct Meeting {
 };
 OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
 
+/// Light of a cluster that is mirrored at the surface on arrival and enters another.
+struct Mirrored {
+  vec4 power;    // rgb
+  uint cluster;  // where it enters, or noCluster
+  uint unused0;
+  uint unused1;
+  uint unused2;
+};
+
 /// A node of the tree of clusters in this frame.
 struct ClusterNode {
   vec4 centroidLink;  // of the area, mm; link, as in shared/surfels.h with clusters for surfels
@@ -87,8 +96,8 @@ struct DensityNode {
 
 /// Light from points below a node.
 struct BeamNode {
-  vec4 redRadius;  // centroid of the red power, mm; no point of any channel lies further from its
-                   // own, mm
+  vec4 redRadius;  // centroid of the red power, mm; how large the points below are to the eye of
+                   // sums over them, mm
   vec4 greenLink;
   vec4 blueSquare;  // w: mean square distance, mm²
   vec4 power;       // rgb
@@ -117,6 +126,7 @@ static_assert(sizeof(Cluster) == 112);
 static_assert(sizeof(Entry) == 64);
 static_assert(sizeof(BeamPoint) == 48);
 static_assert(sizeof(Meeting) == 8);
+static_assert(sizeof(Mirrored) == 32);
 static_assert(sizeof(ClusterNode) == 48);
 static_assert(sizeof(DensityNode) == 48);
 static_assert(sizeof(BeamNode) == 64);

@@ -1,0 +1,36 @@
+// Light mirrored on arrival, brought to the clusters where it enters: first added up in whole
+// numbers, whose sum does not depend on the order, then turned into power.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/linear.glsl"
+#include "shared/boundary.h"
+
+layout(constant_id = 0) const uint addsUp = 1u;
+
+layout(std430, set = 0, binding = 0) readonly buffer MirroredLight { Mirrored mirrored[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Peak { uint peak; };
+layout(std430, set = 0, binding = 2) buffer Sums { uint sums[]; };  // three a cluster
+layout(std430, set = 0, binding = 3) buffer Arrived { vec4 arrived[]; };
+
+layout(push_constant) uniform Push {
+  uint clusterCount;
+};
+
+void main() {
+  uint i = linearIndex();
+  float most = uintBitsToFloat(peak);
+  if (i >= clusterCount || most <= 0.0) return;
+  float whole = 4.0e9 / float(clusterCount);  // what the peak is, so that all together fit
+  if (addsUp == 0u) {
+    for (uint c = 0u; c < 3u; ++c) {
+      arrived[i][c] += float(sums[3u * i + c]) / whole * most;
+      sums[3u * i + c] = 0u;
+    }
+    return;
+  }
+  Mirrored light = mirrored[i];
+  if (light.cluster == noCluster) return;
+  uvec3 parts = uvec3(light.power.rgb / most * whole);
+  for (uint c = 0u; c < 3u; ++c)
+    if (parts[c] > 0u) atomicAdd(sums[3u * light.cluster + c], parts[c]);
+}

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "boundary/clusters.h"
+
+namespace opaline::test::boundary {
+
+/// What a directional light of irradiance 1 does at the surface of a body, by its triangles, which
+/// are in shadow or not as a whole, with the cosines of their own normals.
+struct LightEntering {
+  std::vector<double> irradiance;  ///< per cluster
+  /// The clusters, but placed where the light enters them: centroid, normal and start are those of
+  /// the lit part.
+  Clusters places;
+  /// Irradiance of light that enters after it was mirrored on the outside, at any cosine.
+  std::vector<double> mirrored;
+};
+
+LightEntering lightEntering(const reference::Geometry& geometry, const Clusters& clusters,
+                            double eta, const Vector& directionToLight);
+
+}  // namespace opaline::test::boundary

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "boundary/channel.h"
+#include "boundary/clusters.h"
+
+namespace opaline::test::boundary {
+
+/// How much of the light that leaves one cluster enters another: E' = entries · M. Shape and index
+/// of refraction alone decide.
+class Reentry {
+ public:
+  /// Every pair that sees each other, from start to start.
+  static Reentry ofPairs(const reference::Geometry& geometry, const Clusters& clusters,
+                         const Diffusion& medium);
+  /// Rays from every cluster, so many, stratified by the cosine.
+  static Reentry ofRays(const reference::Geometry& geometry, const Clusters& clusters,
+                        const Diffusion& medium, int rays);
+  /// The same from places all over each cluster, about the facets' normals.
+  static Reentry ofSpreadRays(const reference::Geometry& geometry, const Clusters& clusters,
+                              const Diffusion& medium, int rays);
+
+  std::vector<double> entering(std::span<const double> exitance) const;
+  std::size_t entries() const;
+
+ private:
+  struct Entry {
+    std::uint32_t from;
+    float factor;
+  };
+  std::vector<std::vector<Entry>> rows_;
+};
+
+}  // namespace opaline::test::boundary
