@@ -59,7 +59,7 @@ std::vector<fs::path> sharedModels() {
   std::vector<fs::path> models;
   for (const fs::path& folder : folders) {
     if (!models.empty() || !fs::is_directory(folder)) continue;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
       const fs::path kind = entry.path().extension();
       if (kind == ".ply" || kind == ".obj" || kind == ".glb" || kind == ".gltf")
         models.push_back(entry.path());
@@ -311,7 +311,7 @@ TEST_F(RobustnessTest, TrianglesWithoutAreaAndIsolatedVerticesAreBorne) {
 
 // What boundary transport has no inside for, or a hard one, and media at the ends of what there is.
 TEST_F(RobustnessTest, AwkwardBodiesAreBorne) {
-  for (const atlas::awkward::Shape& shape : atlas::awkward::all()) {
+  for (const awkward::Shape& shape : awkward::all()) {
     if (shape.triangles.empty()) continue;
     Scene scene = ball();
     scene.objects[0].mesh = {shape.positions, {}, shape.triangles};
