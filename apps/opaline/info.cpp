@@ -60,12 +60,13 @@ std::array<double, 3> sizeMm(const Object& object) {
 Json objectsJson(const Scene& scene) {
   Json objects = Json::array();
   for (const Object& object : scene.objects) {
-    objects.push_back({{"name", object.name},
-                       {"triangles", object.mesh.triangles.size()},
-                       {"vertices", object.mesh.positionsMm.size()},
-                       {"size_mm", sizeMm(object)},
-                       {"closed", scene::factsOf(object.mesh.positionsMm, object.mesh.triangles).closed},
-                       {"medium", mediumJson(object.medium)}});
+    objects.push_back(
+        {{"name", object.name},
+         {"triangles", object.mesh.triangles.size()},
+         {"vertices", object.mesh.positionsMm.size()},
+         {"size_mm", sizeMm(object)},
+         {"closed", scene::factsOf(object.mesh.positionsMm, object.mesh.triangles).closed},
+         {"medium", mediumJson(object.medium)}});
   }
   return objects;
 }

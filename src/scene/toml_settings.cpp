@@ -55,9 +55,10 @@ void readSize(const TomlTable& table, SceneFileSettings& settings) {
 
 SceneFileSettings readSettings(const TomlTable& root) {
   constexpr std::array<Keys, 19> keys{
-      "size",         "transport",    "sum",      "site",        "bounces",  "boundary_surfels",
-      "near_rings",   "near_spacing", "far_distance", "dsm_size", "shadow_size", "specular",
-      "roughness",  "antialias", "exposure",     "tone",      "device",      "seconds",  "clip"};
+      "size",       "transport",    "sum",          "site",     "bounces",     "boundary_surfels",
+      "near_rings", "near_spacing", "far_distance", "dsm_size", "shadow_size", "specular",
+      "roughness",  "antialias",    "exposure",     "tone",     "device",      "seconds",
+      "clip"};
   constexpr std::array<Keys, 3> transports{"dipole", "better-dipole", "boundary"};
   constexpr std::array<Keys, 3> sums{"pattern", "tree", "all"};
   constexpr std::array<Keys, 3> sites{"auto", "vertex", "fragment"};

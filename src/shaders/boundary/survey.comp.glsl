@@ -112,5 +112,6 @@ void main() {
   clusters[i].start.w = thickness;
   clusters[i].facet.w = cluster.facet.w;
   clusters[i].second = vec4(
-      shareOfSecond(media[body.table.x].inside, thickness, sqrt(cluster.centroidArea.w)), 0.0);
+      shareOfSecond(media[body.table.x].inside, thickness, sqrt(cluster.centroidArea.w)),
+      range.hasInside != 0u ? 1.0 : 0.0);
 }

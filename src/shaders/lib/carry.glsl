@@ -37,7 +37,8 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, uint root, uint end) {
       if (opened && isLeaf(link)) {
         uint i = firstSurfelOf(link);
         float weight = left * left * max(dot(normal, clusters[i].normal.xyz), leastFacing);
-        exitance += weight * exitances[i].rgb;
+        bool hasInside = clusters[i].second.w != 0.0;
+        exitance += weight * (hasInside ? exitances[i].rgb : means[i].rgb);
         mean += weight * means[i].rgb;
         all += weight;
       }
