@@ -1,0 +1,153 @@
+// Boundary transport while a body moves: a frame depends on nothing but its time, what is wrong
+// with it does not flicker, and where a body stands and how it is turned does not matter.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "renderer/boundary_fixture.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+
+using BoundaryFramesTest = RendererTest;
+
+Medium gummy() {
+  return {"gummy", {1.0, 1.0, 1.0}, {0.02, 0.3, 0.4}, 1.4};
+}
+
+Scene twistingBear() {
+  Scene scene = backlitBear(50, gummy());
+  scene.deformers = {{DeformerKind::Twist, 1.5F, 2}};
+  return scene;
+}
+
+// Against clusters and sources as fine as they get: what a frame is off by stays from frame to
+// frame.
+TEST_F(BoundaryFramesTest, ErrorDoesNotFlickerAsTheBearTwists) {
+  renderer().setScene(twistingBear());
+  RenderOptions options = boundaryOptions(64, 2);
+  std::vector<double> before;
+  for (int frame = 0; frame < 4; ++frame) {
+    options.seconds = 0.2 + frame / 25.0;
+    options.boundarySurfels = RenderOptions{}.boundarySurfels;
+    options.tolerance = RenderOptions{}.tolerance;
+    options.maxSources = 65'536;
+    const Image found = render(options, {Aov::Exitance})[0];
+    options.tolerance = 1e-3F;
+    const Image fine = render(options, {Aov::Exitance})[0];
+    const std::array<double, 3> mean = meanOf(fine);
+    std::vector<double> error(found.rgba.size());
+    forEachCovered(fine, [&](std::size_t i) {
+      for (std::size_t c = 0; c < 3; ++c)
+        error[i + c] = static_cast<double>(found.rgba[i + c] - fine.rgba[i + c]) / mean[c];
+    });
+    if (frame > 0) {
+      double squares = 0;
+      const int pixels = forEachCovered(fine, [&](std::size_t i) {
+        for (std::size_t c = 0; c < 3; ++c) squares += std::pow(error[i + c] - before[i + c], 2);
+      });
+      EXPECT_LT(std::sqrt(squares / (3 * pixels)), 0.005) << frame;
+    }
+    before = error;
+  }
+}
+
+TEST_F(BoundaryFramesTest, AFrameIsTheSameWhateverWasShownBefore) {
+  for (const Site site : {Site::Fragment, Site::Vertex}) {
+    RenderOptions options = boundaryOptions(48, 2);
+    options.site = site;
+    renderer().setScene(twistingBear());
+    options.seconds = 0.4;
+    const Image alone = render(options, {Aov::Exitance})[0];
+    renderer().setScene(twistingBear());
+    Image played;
+    for (int frame = 0; frame <= 5; ++frame) {
+      options.seconds = 0.08 * frame;
+      played = render(options, {Aov::Exitance})[0];
+    }
+    EXPECT_EQ(played.rgba, alone.rgba);
+    options.seconds = 0;
+    render(options, {Aov::Exitance});
+    options.seconds = 0.4;
+    EXPECT_EQ(render(options, {Aov::Exitance})[0].rgba, alone.rgba);
+  }
+}
+
+/// Turned about an axis and moved, with its lights and camera.
+class Motion {
+ public:
+  Motion(const Vector& axis, double angle, const Vector& shift)
+      : axis_(unit(axis)), angle_(angle), shift_(shift) {}
+
+  Vector turned(const Vector& v) const {
+    const double c = std::cos(angle_);
+    return c * v + std::sin(angle_) * cross(axis_, v) + (1 - c) * dot(axis_, v) * axis_;
+  }
+  Vector moved(const Vector& v) const { return turned(v) + shift_; }
+
+  Scene operator()(Scene scene) const {
+    const auto move = [&](Vec3& v) { v = toVec3(moved(toVector(v))); };
+    const auto turn = [&](Vec3& v) { v = toVec3(turned(toVector(v))); };
+    for (Object& object : scene.objects) {
+      for (Vec3& position : object.mesh.positionsMm) move(position);
+      for (Vec3& normal : object.mesh.normals) turn(normal);
+    }
+    for (DirectionalLight& light : scene.lighting.directional) turn(light.directionToLight);
+    for (PointLight& light : scene.lighting.points) move(light.positionMm);
+    move(scene.camera.positionMm);
+    move(scene.camera.targetMm);
+    turn(scene.camera.up);
+    return scene;
+  }
+
+ private:
+  Vector axis_;
+  double angle_;
+  Vector shift_;
+};
+
+Scene litPeanut() {
+  Scene scene = sceneOf(peanut(20), marble(), {20, 5, 50}, 10.5F);
+  scene.lighting.directional = {{toVec3(unit({0.45, 0.35, -0.82})), {3, 3, 3}}};
+  scene.lighting.points = {{{12, 8, 9}, {100, 50, 100}}};
+  return scene;
+}
+
+// The rest pose alone decides which clusters there are, so a body that is carried about as it is
+// drawn keeps them: then only single precision and the light's shadow maps differ.
+TEST_F(BoundaryFramesTest, ABodyCarriedAboutLooksTheSame) {
+  const Scene scene = litPeanut();
+  const Motion motion({0.3, 1, 0.5}, 1.1, {3, -40, 25});
+  Scene carried = scene;
+  const Scene moved = motion(scene);
+  carried.lighting = moved.lighting;
+  carried.camera = moved.camera;
+  const RenderOptions options = boundaryOptions(64, 2);
+  const Image atRest = renderBoundary(scene, options, {Aov::Exitance}).images[0];
+  renderer().setScene(carried);
+  renderer().replacePositions(0, moved.objects[0].mesh.positionsMm);
+  const Image elsewhere = render(options, {Aov::Exitance})[0];
+  // A pixel at the rim may be covered in one and not in the other.
+  double squares = 0;
+  int both = 0;
+  const std::array<double, 3> mean = meanOf(atRest);
+  const int pixels = forEachCovered(atRest, [&](std::size_t i) {
+    if (elsewhere.rgba[i + 3] <= 0) return;
+    ++both;
+    for (std::size_t c = 0; c < 3; ++c)
+      squares +=
+          std::pow(static_cast<double>(elsewhere.rgba[i + c] - atRest.rgba[i + c]) / mean[c], 2);
+  });
+  EXPECT_GT(both, pixels - 10);
+  EXPECT_LT(std::sqrt(squares / (3 * both)), 0.005);
+}
+
+}  // namespace
+}  // namespace opaline
