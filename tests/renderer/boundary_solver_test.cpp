@@ -77,7 +77,7 @@ TEST_F(BoundarySolverTest, NoMoreUnknownsThanAllowed) {
   options.boundarySurfels = 600;
   const RenderResult few = renderer().render(options, {Aov::Exitance});
   EXPECT_LE(few.report.boundarySurfels, 600U);
-  EXPECT_GT(few.report.boundarySurfels, 300U);
+  EXPECT_GT(few.report.boundarySurfels, 200U);
   EXPECT_GT(usual.report.boundarySurfels, 2 * few.report.boundarySurfels);
   EXPECT_LT(errorsOf(few.images[0], usual.images[0]).rms, 0.1);
 }
