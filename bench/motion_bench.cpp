@@ -24,6 +24,7 @@ constexpr int framesInARow = 4;
 
 RenderOptions options() {
   RenderOptions options;
+  options.transport = Transport::Dipole;
   options.site = Site::Fragment;
   options.antialias = 1;
   return options;

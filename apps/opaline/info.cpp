@@ -60,11 +60,13 @@ std::array<double, 3> sizeMm(const Object& object) {
 Json objectsJson(const Scene& scene) {
   Json objects = Json::array();
   for (const Object& object : scene.objects) {
-    objects.push_back({{"name", object.name},
-                       {"triangles", object.mesh.triangles.size()},
-                       {"vertices", object.mesh.positionsMm.size()},
-                       {"size_mm", sizeMm(object)},
-                       {"medium", mediumJson(object.medium)}});
+    objects.push_back(
+        {{"name", object.name},
+         {"triangles", object.mesh.triangles.size()},
+         {"vertices", object.mesh.positionsMm.size()},
+         {"size_mm", sizeMm(object)},
+         {"closed", scene::factsOf(object.mesh.positionsMm, object.mesh.triangles).closed},
+         {"medium", mediumJson(object.medium)}});
   }
   return objects;
 }
@@ -153,7 +155,8 @@ std::string sceneText(const Scene& scene, const Json& facts) {
       "from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) mm, diagonal {:.4g} mm\n",
       bounds.minMm[0], bounds.minMm[1], bounds.minMm[2], bounds.maxMm[0], bounds.maxMm[1],
       bounds.maxMm[2], diagonalMm(scene));
-  for (const Object& object : scene.objects) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
     const MediumLengths lengths = lengthsOf(object.medium);
     const std::array<double, 3> size = sizeMm(object);
     text += fmt::format(
@@ -161,6 +164,11 @@ std::string sceneText(const Scene& scene, const Json& facts) {
         "mm\n",
         object.name, size[0], size[1], size[2], object.medium.name, rgbText(lengths.meanFreePathMm),
         rgbText(lengths.diffusionMm));
+    if (!facts["objects"][i]["closed"].get<bool>())
+      text += fmt::format(
+          "object {} is open: it has no inside for --transport boundary, so its light scatters as "
+          "in a half-space, by better-dipole\n",
+          object.name);
   }
   text += motionText(scene);
   for (const Repair& repair : scene.repairs) {

@@ -91,6 +91,8 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
   setFromName(options.transport, settings.transport, transports());
   setFromName(options.sum, settings.sum, sums());
   setFromName(options.site, settings.site, sites());
+  setFrom(options.bounces, settings.bounces);
+  setFrom(options.boundarySurfels, settings.boundarySurfels);
   setFrom(options.pattern.nearRings, settings.nearRings);
   setFrom(options.pattern.nearSpacing, settings.nearSpacing);
   setFrom(options.pattern.farDistance, settings.farDistance);
@@ -148,9 +150,12 @@ void MethodOptions::addTo(CommandLine& line) {
              [this](const Given& given) { shadowSize_ = readInteger(given, 64, 8192); });
 }
 
-void MethodOptions::applyTo(RenderOptions& options) const {
-  setFrom(options.transport, transport_);
+void MethodOptions::applyTo(RenderOptions& options,
+                            const scene::SceneFileSettings& settings) const {
   setFrom(options.sum, sum_);
+  // The pattern alone means the paper's.
+  if (options.sum == Sum::Pattern && !settings.transport) options.transport = Transport::Dipole;
+  setFrom(options.transport, transport_);
   setFrom(options.site, site_);
   if (paper_) {
     options.transport = paperValue(transport_, Transport::Dipole, "--transport", transports());

@@ -21,12 +21,13 @@ const Choices<core::ToneCurve>& toneCurves();
 /// The [render] table of a scene file over the defaults.
 RenderOptions optionsOf(const scene::SceneFileSettings& settings);
 
-/// --transport, --sum, --site, --method and the shape of the pattern.
+/// --transport, --sum, --site, --method and what shapes each of them.
 class MethodOptions {
  public:
   void addTo(CommandLine& line);
-  /// Throws UsageError for a mixture that contradicts itself.
-  void applyTo(RenderOptions& options) const;
+  /// Onto what `settings` made of the defaults. Throws UsageError for a mixture that contradicts
+  /// itself.
+  void applyTo(RenderOptions& options, const scene::SceneFileSettings& settings) const;
   /// Throws UsageError for what only the diffusion source map has a use for, where none is made.
   void requireUse(const RenderOptions& options, Aov aov) const;
 

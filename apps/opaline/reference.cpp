@@ -127,6 +127,8 @@ struct ReferenceCommand {
 
   RenderOptions options(const scene::SceneFileSettings& settings) const {
     RenderOptions options = optionsOf(settings);
+    // There is an integral of half-spaces alone.
+    if (options.transport == Transport::Boundary) options.transport = Transport::Dipole;
     if (transport) options.transport = *transport;
     picture.applyTo(options);
     return options;

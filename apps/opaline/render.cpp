@@ -78,7 +78,7 @@ struct RenderCommand {
 
   RenderOptions options(const scene::SceneFileSettings& settings) const {
     RenderOptions options = optionsOf(settings);
-    method.applyTo(options);
+    method.applyTo(options, settings);
     picture.applyTo(options);
     method.requireUse(options, picture.aov());
     // A report gives the time of a warm frame, so it takes a second one.
@@ -156,8 +156,8 @@ Json emptyReportJson(const Job& job, const std::vector<std::string>& outputs) {
   nothing.sum = job.options.sum;
   nothing.site = job.options.site;
   Json json = renderReportJson(nothing, job.options, outputs);
-  for (const char* unknown :
-       {"device", "triangles", "vertices", "sources", "frame_ms", "peak_memory_mb"}) {
+  for (const char* unknown : {"device", "triangles", "vertices", "sources", "boundary_surfels",
+                              "frame_ms", "peak_memory_mb"}) {
     json[unknown] = nullptr;
   }
   return json;

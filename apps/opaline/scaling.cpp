@@ -33,6 +33,7 @@ struct Way {
 RenderOptions optionsFor(const ScalingOrder& order) {
   RenderOptions options;
   options.width = options.height = order.edgePixels;
+  options.transport = Transport::Dipole;
   options.sum = Sum::Tree;
   options.site = Site::Fragment;
   options.antialias = 1;

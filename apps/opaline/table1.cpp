@@ -60,10 +60,11 @@ Scene loadRow(const PaperRow& row, const Table1Order& order) {
   return loadScene(order.models / row.file, options);
 }
 
-/// `opaline render` without --method.
+/// `opaline render --transport dipole`: the paper's transport, another sum.
 RenderOptions treeOptions() {
   RenderOptions options;
   options.width = options.height = edgePixels;
+  options.transport = Transport::Dipole;
   options.antialias = 1;
   return options;
 }

@@ -22,7 +22,8 @@ enum class Transport {
 
 /// Which sources are summed.
 enum class Sum {
-  Pattern,  ///< near block and eight far samples of the diffusion source map (Gong et al. 2008)
+  Pattern,  ///< near block and eight far samples of the diffusion source map (Gong et al. 2008),
+            ///< not for Transport::Boundary
   Tree,     ///< surfels in object space, groups of them where the tolerance allows
   All,      ///< every surfel, exact for them
 };
@@ -66,7 +67,7 @@ struct PatternOptions {
 struct RenderOptions {
   int width = 1024;   ///< pixels, in [1, 16384]
   int height = 1024;  ///< pixels, in [1, 16384]
-  Transport transport = Transport::Dipole;
+  Transport transport = Transport::Boundary;
   Sum sum = Sum::Tree;
   Site site = Site::Auto;
   float tolerance = 0.01F;       ///< of Sum::Tree, of each node relative to exitance, in [1e-4, 1]

@@ -17,7 +17,7 @@
 #include "passes/boundary/ray_pass.h"
 #include "passes/boundary/solver_pass.h"
 #include "passes/gather/surfel_pass.h"
-#include "scene/topology.h"
+#include "scene/insides.h"
 #include "shaders/shared/mesh.h"
 #include "shaders/shared/surfels.h"
 #include "surfels/clusters.h"
@@ -156,21 +156,26 @@ void cluster(gpu::Device& device, const Scene& scene, const surfels::Surface& su
              const surfels::Surfels& surfels, SceneResources& resources, const LogCallback& log) {
   const surfels::Clusters made = surfels::makeClusters(
       surface, surfels, static_cast<std::size_t>(*resources.needs.maxClusters));
+  std::vector<bool> triangleHasInside;
   for (std::size_t i = 0; i < resources.objects; ++i) {
     SurfelsOfObject& object = resources.surfelsOfObject[i];
     object.clusterRoot = made.tree.rootOfObject[i];
     object.clusterEndNode = made.tree.rootOfObject[i + 1];
     const Object& given = scene.objects[i];
-    object.closed = scene::factsOf(given.mesh.positionsMm, given.mesh.triangles).closed;
-    if (!object.closed && log)
+    const std::vector<bool> inside =
+        scene::trianglesWithInside(given.mesh.positionsMm, given.mesh.triangles);
+    triangleHasInside.insert(triangleHasInside.end(), inside.begin(), inside.end());
+    object.hasInside = std::find(inside.begin(), inside.end(), true) != inside.end();
+    const bool open = std::find(inside.begin(), inside.end(), false) != inside.end();
+    if (open && log)
       log(LogLevel::Note,
-          fmt::format("object '{}' is open: it has no inside for boundary transport, so its light "
-                      "scatters as in a half-space, by better-dipole",
-                      given.name));
+          fmt::format("{} '{}' is open and has no inside for boundary transport: light scatters "
+                      "there as in a half-space, by better-dipole",
+                      object.hasInside ? "a part of object" : "object", given.name));
   }
   const std::size_t lights = scene.lighting.directional.size() + scene.lighting.points.size();
-  resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, surfels,
-                                                         static_cast<std::uint32_t>(lights));
+  resources.clusters = passes::ClusterPass::makeClusters(
+      device, made, surface, surfels, triangleHasInside, static_cast<std::uint32_t>(lights));
   resources.rays = passes::RayPass::makeHierarchy(device, resources.surfels);
   resources.solver = passes::SolverPass::makeSolver(device, resources.clusters, maxBounces + 1);
 }

@@ -41,7 +41,7 @@ struct SurfelsOfObject {
   bool coarse = false;               ///< sources are too far apart for the medium
   std::uint32_t clusterRoot = 0;     ///< among the nodes of clusters
   std::uint32_t clusterEndNode = 0;  ///< the node after its tree
-  bool closed = false;               ///< has an inside; only found out where there are clusters
+  bool hasInside = false;            ///< in some part; only found out where there are clusters
 };
 
 /// A scene on the device: what depends on the rest pose alone. Objects are laid end to end and

@@ -117,7 +117,7 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     objects[i].table.y = surfels.first;
     objects[i].table.z = surfels.count;
     objects[i].tree = {surfels.root, surfels.endNode, 0, 0};
-    objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, surfels.closed ? 1U : 0U,
+    objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, surfels.hasInside ? 1U : 0U,
                            0};
     if (!surfels.coarse) continue;
     const Medium& medium = resources.media[resources.mediumOfObject[i]];

@@ -89,6 +89,8 @@ void validateLighting(const Lighting& lighting) {
 }  // namespace
 
 void validate(const RenderOptions& options) {
+  if (options.transport == Transport::Boundary && options.sum == Sum::Pattern)
+    throw UsageError("boundary transport works with surfels; the pattern needs another transport");
   requireWithin("the width", options.width, 1, 16384);
   requireWithin("the height", options.height, 1, 16384);
   requireWithin("the tolerance", options.tolerance, 1e-4F, 1.0F);

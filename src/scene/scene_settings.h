@@ -14,9 +14,11 @@ namespace opaline::scene {
 struct SceneFileSettings {
   std::optional<int> width;  ///< size = [1024, 1024]
   std::optional<int> height;
-  std::optional<std::string> transport;  ///< dipole, better-dipole
-  std::optional<std::string> sum;        ///< pattern, all
+  std::optional<std::string> transport;  ///< boundary, better-dipole, dipole
+  std::optional<std::string> sum;        ///< tree, all, pattern
   std::optional<std::string> site;       ///< auto, vertex, fragment
+  std::optional<int> bounces;            ///< bounces, of transport boundary
+  std::optional<int> boundarySurfels;    ///< boundary_surfels, at most
   std::optional<int> nearRings;          ///< near_rings
   std::optional<float> nearSpacing;      ///< near_spacing, mean free paths
   std::optional<float> farDistance;      ///< far_distance, mean free paths

@@ -54,12 +54,13 @@ void readSize(const TomlTable& table, SceneFileSettings& settings) {
 }  // namespace
 
 SceneFileSettings readSettings(const TomlTable& root) {
-  constexpr std::array<Keys, 17> keys{
-      "size",         "transport", "sum",         "site",     "near_rings", "near_spacing",
-      "far_distance", "dsm_size",  "shadow_size", "specular", "roughness",  "antialias",
-      "exposure",     "tone",      "device",      "seconds",  "clip"};
-  constexpr std::array<Keys, 2> transports{"dipole", "better-dipole"};
-  constexpr std::array<Keys, 2> sums{"pattern", "all"};
+  constexpr std::array<Keys, 19> keys{
+      "size",       "transport",    "sum",          "site",     "bounces",     "boundary_surfels",
+      "near_rings", "near_spacing", "far_distance", "dsm_size", "shadow_size", "specular",
+      "roughness",  "antialias",    "exposure",     "tone",     "device",      "seconds",
+      "clip"};
+  constexpr std::array<Keys, 3> transports{"dipole", "better-dipole", "boundary"};
+  constexpr std::array<Keys, 3> sums{"pattern", "tree", "all"};
   constexpr std::array<Keys, 3> sites{"auto", "vertex", "fragment"};
   constexpr std::array<Keys, 2> tones{"neutral", "none"};
   SceneFileSettings settings;
@@ -70,6 +71,8 @@ SceneFileSettings readSettings(const TomlTable& root) {
   settings.transport = table->choice("transport", transports);
   settings.sum = table->choice("sum", sums);
   settings.site = table->choice("site", sites);
+  settings.bounces = table->integer("bounces", 0, 8);
+  settings.boundarySurfels = table->integer("boundary_surfels", 64, 1 << 18);
   settings.nearRings = table->integer("near_rings", 0, 15);
   settings.nearSpacing = asFloat(table->number("near_spacing", 1e-3, 100));
   settings.farDistance = asFloat(table->number("far_distance", 1e-3, 1000));

@@ -53,7 +53,17 @@ class Refusals(ProgramTest):
         self.refused(2, "render", "--dsm-size", "128", says=("--dsm-size", "--sum pattern"))
         self.refused(2, "render", "--max-sources", "12", says=("--max-sources", "1024"))
         self.refused(2, "render", "--tolerance", "0", says=("--tolerance", "0.0001"))
-        self.refused(2, "render", "--transport", "boundary", says=("--transport boundary", "dipole, better-dipole"))
+
+    def test_what_only_the_body_itself_has_a_use_for(self):
+        for option in (("--bounces", "1"), ("--boundary-surfels", "4096")):
+            for other in (("--transport", "dipole"), ("--transport", "better-dipole"), ("--sum", "pattern"),
+                          ("--method", "paper")):
+                self.refused(2, "render", *option, *other, says=(option[0], "--transport boundary"))
+        self.refused(2, "render", "--transport", "boundary", "--sum", "pattern",
+                     says=("--transport boundary", "--sum tree"))
+        self.refused(2, "render", "--transport", "slab", says=("--transport slab", "dipole, better-dipole, boundary"))
+        for command in (("reference", "--integral"), ("profile",)):
+            self.refused(2, *command, "--transport", "boundary", says=("--transport boundary", "better-dipole"))
 
     def test_one_scene_and_no_argument_too_many(self):
         self.refused(2, "render", "a.ply", "b.ply", says="b.ply")
@@ -98,6 +108,11 @@ class Refusals(ProgramTest):
             ("--point", "0,0,10", "needs an intensity"),
             ("--ambient", "-1,0,0", "-1 is not"),
             ("--camera-direction", "0,0,0", "must not be zero"),
+            ("--bounces", "9", "from 0 to 8"),
+            ("--bounces", "-1", "from 0 to 8"),
+            ("--bounces", "1.5", "whole number"),
+            ("--boundary-surfels", "63", "from 64 to 262144"),
+            ("--boundary-surfels", "262145", "from 64 to 262144"),
             ("--near-rings", "16", "from 0 to 15"),
             ("--near-rings", "1.5", "whole number"),
             ("--near-spacing", "0", "from 0.001 to 100"),
@@ -160,6 +175,7 @@ class Refusals(ProgramTest):
             (("-o", "a.exr", "--exposure", "1"), "linear"),
             (("--no-specular", "--roughness", ".3"), "--roughness"),
             (("--method", "paper", "--transport", "better-dipole"), "contradicts --method paper"),
+            (("--method", "paper", "--transport", "boundary"), "contradicts --method paper"),
             (("--method", "paper", "--sum", "all"), "contradicts --method paper"),
             (("--method", "paper", "--site", "vertex"), "contradicts --method paper"),
             (("--sum", "all", "--near-rings", "3"), "--sum pattern"),

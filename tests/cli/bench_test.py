@@ -71,7 +71,7 @@ class Methods(ProgramTest):
                 self.assertIsNone(row["evaluations"])
             else:
                 self.assertGreater(row["evaluations"], 0)
-        self.succeed("render", *scene, "--sum", "all", "--size", "24x24", "-o", "all.exr", "--report", "all.json")
+        self.succeed("render", *scene, "--transport", "dipole", "--sum", "all", "--size", "24x24", "-o", "all.exr", "--report", "all.json")
         # Three points for each surfel.
         sources = 3 * json.loads((self.folder / "all.json").read_text())["sources"]
         for sum_of_all in (row for row in rows if row["sum"] == "all"):

@@ -39,11 +39,24 @@ class Info(ProgramTest):
         info = run.json()
         self.assertFalse(info["closed"])
         self.assertEqual((info["boundary_loops"], info["components"], info["triangles"]), (1, 1, 10))
+        self.assertEqual([entry["closed"] for entry in info["objects"]], [False])
         self.assertTrue(info["repairs"])
         for repair in info["repairs"]:
             self.assertGreater(repair["count"], 0)
         self.assertIn("50 mm", run.err, "a file without a unit is scaled, with a note")
         self.assertEqual(self.succeed("info", "box.obj", "--json", "--quiet").err, "")
+
+    def test_an_open_object_has_no_inside(self):
+        self.write("box.obj", "o lidless\n" + CUBE_OBJ.replace("f 5//2 6//2 7//2 8//2\n", ""))
+        line, = (line for line in self.succeed("info", "box.obj").out.splitlines() if "is open" in line)
+        for part in ("object ", "--transport boundary", "better-dipole"):
+            self.assertIn(part, line)
+        # Rendering says the same.
+        self.assertIn("is open", self.succeed("render", "box.obj", "--size", "8x8", "-o", "a.png").err)
+        self.write("cube.obj", CUBE_OBJ)
+        self.assertEqual([entry["closed"] for entry in self.succeed("info", "cube.obj", "--json").json()["objects"]],
+                         [True])
+        self.assertNotIn("is open", self.succeed("info", "cube.obj").out)
 
     def test_what_moves(self):
         self.write("cube.obj", CUBE_OBJ)

@@ -7,8 +7,8 @@ import unittest
 from images import read_exr, read_png
 from program import CUBE_OBJ, ProgramTest
 
-REPORT = {"device", "size", "transport", "sum", "site", "triangles", "vertices", "sources", "passes", "frame_ms",
-          "peak_memory_mb", "outputs"}
+REPORT = {"device", "size", "transport", "sum", "site", "triangles", "vertices", "sources", "boundary_surfels",
+          "solutions", "passes", "frame_ms", "peak_memory_mb", "outputs"}
 DIAGONAL = 30
 EDGE = DIAGONAL / math.sqrt(3)
 # Marble's boundary at normal incidence, eta 1.5: 1 - ((1.5 - 1) / (1.5 + 1))^2.
@@ -67,15 +67,50 @@ class Outputs(Render):
         self.assertEqual((report["transport"], report["sum"], report["site"]), ("dipole", "pattern", "fragment"))
         self.assertEqual((report["triangles"], report["outputs"]), (12, ["a.png"]))
         self.assertTrue(0 < report["sources"] <= 128 * 128)
+        self.assertEqual((report["boundary_surfels"], report["solutions"]), (0, []))
         self.assertTrue(report["passes"])
         for entry in report["passes"]:
             self.assertTrue(entry["name"] and entry["ms"] >= 0, entry)
         self.assertGreater(report["frame_ms"], 0)
         self.assertGreater(report["peak_memory_mb"], 0)
 
+    def test_how_the_body_was_solved_is_reported(self):
+        for asked, bounces in (((), 2), (("--bounces", 0), 0), (("--transport", "boundary", "--bounces", 1), 1)):
+            report = self.succeed("render", *CUBE, *asked, "--json", "-o", "a.png").json()
+            self.assertEqual((report["transport"], report["sum"]), ("boundary", "tree"))
+            self.assertTrue(0 < report["boundary_surfels"] <= report["sources"])
+            # One of the light from outside, and one a bounce of it.
+            self.assertEqual(len(report["solutions"]), 1 + bounces)
+            for solution in report["solutions"]:
+                self.assertEqual(set(solution), {"steps", "residual"})
+                self.assertGreaterEqual(solution["steps"], 0)
+                self.assertEqual(len(solution["residual"]), 3)
+                for residual in solution["residual"]:
+                    # The default tolerance of the tree, or what little is left.
+                    self.assertTrue(0 <= residual <= .01, solution)
+            self.assertGreater(report["solutions"][0]["steps"], 0)
+
+    def test_the_unknowns_keep_to_their_budget(self):
+        found = [self.succeed("render", *CUBE, "--boundary-surfels", most, "--json").json()["boundary_surfels"]
+                 for most in (100, 1000)]
+        self.assertTrue(0 < found[0] <= 100 < found[1] <= 1000, found)
+
+    def test_the_pattern_alone_is_the_papers(self):
+        report = self.succeed("render", *CUBE, "--sum", "pattern", "--json", "-o", "a.png").json()
+        self.assertEqual((report["transport"], report["sum"]), ("dipole", "pattern"))
+        self.write("scene.toml", 'model = "cube.obj"\n[render]\nsum = "pattern"\nsize = [8, 8]\n')
+        self.assertEqual(self.succeed("render", "scene.toml", "--json").json()["transport"], "dipole")
+        again = self.succeed("render", "scene.toml", "--sum", "tree", "--json").json()
+        self.assertEqual((again["transport"], again["sum"]), ("boundary", "tree"))
+        self.refused(2, "render", "scene.toml", "--transport", "boundary", says=("--transport boundary", "--sum tree"))
+        self.write("scene.toml", 'model = "cube.obj"\n[render]\ntransport = "boundary"\n')
+        self.refused(2, "render", "scene.toml", "--sum", "pattern", says=("--transport boundary", "--sum tree"))
+
     def test_every_method_is_what_the_report_says(self):
-        for transport in ("dipole", "better-dipole"):
-            for total in ("pattern", "all"):
+        for transport in ("dipole", "better-dipole", "boundary"):
+            for total in ("pattern", "tree", "all"):
+                if (transport, total) == ("boundary", "pattern"):
+                    continue
                 for site in ("vertex", "fragment"):
                     asked = {"transport": transport, "sum": total, "site": site}
                     options = [part for name, value in asked.items() for part in (f"--{name}", value)]
@@ -105,7 +140,7 @@ class Outputs(Render):
         self.refused(2, "render", *CUBE, "--device", "99", says="99")
 
     def test_the_validation_layer_has_nothing_to_say(self):
-        for method in (("--sum", "pattern"), ("--sum", "all")):
+        for method in ((), ("--sum", "pattern"), ("--sum", "all"), ("--transport", "dipole")):
             run = self.succeed("render", *CUBE, "--validation", *method,
                                "--point", "0,0,20:1,1,1", "--directional", "1,1,1", "--ambient", "1,1,1")
             self.assertEqual(run.err, "")
@@ -255,6 +290,14 @@ class SceneFiles(Render):
                          ([20, 10], "better-dipole", "fragment"))
         self.write("scene.toml", 'model = "cube.obj"\n[render]\nsize = "36x24"\ndsm_size = 64\n')
         self.assertEqual(self.succeed("render", "scene.toml", "--json").json()["size"], [36, 24])
+        self.write("scene.toml", 'model = "cube.obj"\n[render]\nsize = [8, 8]\ntransport = "boundary"\nsum = "tree"\n'
+                   'bounces = 1\nboundary_surfels = 200\n')
+        report = self.succeed("render", "scene.toml", "--json").json()
+        self.assertEqual((report["transport"], report["sum"], len(report["solutions"])), ("boundary", "tree", 2))
+        self.assertLessEqual(report["boundary_surfels"], 200)
+        report = self.succeed("render", "scene.toml", "--bounces", 3, "--boundary-surfels", 64, "--json").json()
+        self.assertEqual(len(report["solutions"]), 4)
+        self.assertLessEqual(report["boundary_surfels"], 64)
 
 
 if __name__ == "__main__":

@@ -89,6 +89,7 @@ class Comparison {
     sharedRenderer().renderer->setScene(scene_);
     RenderOptions options;
     options.width = options.height = edge;
+    options.transport = Transport::Dipole;
     options.site = accuracy.site;
     options.seconds = accuracy.seconds;
     options.maxSources = accuracy.maxSources;

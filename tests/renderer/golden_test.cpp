@@ -70,8 +70,10 @@ GoldenCase readCase(const json& description) {
     else if (key == "rms_difference")
       golden.rmsDifference = value;
     else if (key == "transport")
-      golden.options.transport = oneOf<Transport>(
-          {{"dipole", Transport::Dipole}, {"better-dipole", Transport::BetterDipole}}, value);
+      golden.options.transport = oneOf<Transport>({{"dipole", Transport::Dipole},
+                                                   {"better-dipole", Transport::BetterDipole},
+                                                   {"boundary", Transport::Boundary}},
+                                                  value);
     else if (key == "sum")
       golden.options.sum =
           oneOf<Sum>({{"pattern", Sum::Pattern}, {"tree", Sum::Tree}, {"all", Sum::All}}, value);

@@ -95,9 +95,10 @@ class RendererTestBase : public Base {
 
 using RendererTest = RendererTestBase<testing::Test>;
 
-/// Small pictures of everything.
+/// Small pictures of everything, by the transport whose values stand on paper.
 inline RenderOptions smallOptions() {
   RenderOptions options;
+  options.transport = Transport::Dipole;
   options.width = 64;
   options.height = 64;
   options.dsmSize = 256;

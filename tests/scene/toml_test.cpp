@@ -88,6 +88,8 @@ size = [640, 480]
 transport = "better-dipole"
 sum = "all"
 site = "vertex"
+bounces = 5
+boundary_surfels = 6000
 near_rings = 3
 near_spacing = 0.5
 far_distance = 20
@@ -127,6 +129,8 @@ device = "llvmpipe"
   EXPECT_EQ(s.transport, "better-dipole");
   EXPECT_EQ(s.sum, "all");
   EXPECT_EQ(s.site, "vertex");
+  EXPECT_EQ(s.bounces, 5);
+  EXPECT_EQ(s.boundarySurfels, 6000);
   EXPECT_EQ(s.nearRings, 3);
   EXPECT_EQ(s.nearSpacing, 0.5F);
   EXPECT_EQ(s.farDistance, 20.0F);

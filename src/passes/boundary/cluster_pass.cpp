@@ -1,6 +1,8 @@
 #include "passes/boundary/cluster_pass.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "gpu/device.h"
@@ -49,14 +51,22 @@ std::vector<std::uint32_t> leafOfCluster(const surfels::Clusters& made) {
 
 std::vector<shared::ClusterRange> rangesOf(const surfels::Clusters& made,
                                            const surfels::Surface& surface,
-                                           const surfels::Surfels& surfels) {
+                                           const surfels::Surfels& surfels,
+                                           const std::vector<bool>& triangleHasInside) {
+  const auto hasInside = [&](const surfels::Piece& piece) {
+    return triangleHasInside[piece.triangle];
+  };
   const std::vector<std::uint32_t> leaf = leafOfCluster(made);
+  const std::size_t perSurfel = surfels.piecesPerSurfel;
   std::vector<shared::ClusterRange> ranges;
   for (std::uint32_t i = 0; i < made.count(); ++i) {
     const std::uint32_t first = made.firstSurfel[i];
-    const surfels::Piece& piece = surfels.pieces[std::size_t{first} * surfels.piecesPerSurfel];
+    const std::uint32_t end = made.firstSurfel[i + 1];
+    const std::span<const surfels::Piece> pieces =
+        std::span(surfels.pieces).subspan(first * perSurfel, (end - first) * perSurfel);
+    const bool inside = std::all_of(pieces.begin(), pieces.end(), hasInside);
     ranges.push_back(
-        {first, made.firstSurfel[i + 1], surface.objectOfTriangle[piece.triangle], leaf[i]});
+        {first, end, surface.objectOfTriangle[pieces.front().triangle], leaf[i], inside ? 1U : 0U});
   }
   return ranges;
 }
@@ -112,6 +122,7 @@ ClusterPass::ClusterPass(gpu::Device& device)
 
 Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters& made,
                                    const surfels::Surface& surface, const surfels::Surfels& surfels,
+                                   const std::vector<bool>& triangleHasInside,
                                    std::uint32_t lights) {
   const std::size_t count = made.count();
   const std::size_t nodes = made.tree.links.size();
@@ -121,8 +132,8 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters&
   clusters.raysOutwards = raysOutwards;
   clusters.surfelNodes = static_cast<std::uint32_t>(surfels.tree.links.size());
   clusters.firstOfHeight = made.tree.firstOfHeight;
-  clusters.ranges =
-      gpu::makeBuffer(device, "ranges of clusters", rangesOf(made, surface, surfels), storage);
+  clusters.ranges = gpu::makeBuffer(device, "ranges of clusters",
+                                    rangesOf(made, surface, surfels, triangleHasInside), storage);
   clusters.clusterOfSurfel =
       gpu::makeBuffer(device, "cluster of each surfel", clusterOfSurfel(made), storage);
   clusters.links = gpu::makeBuffer(device, "links of clusters", made.tree.links, storage);

@@ -40,6 +40,7 @@ struct Body {
   float eta;
   uint firstNode;
   uint endNode;
+  float side;   // -1 where it is mirrored
   float least;  // rays start that far from where they leave, mm
 };
 
@@ -55,7 +56,8 @@ float reflectedInside(Body body, float cosine) {
 }
 
 RayHit nextHit(Body body, vec3 origin, vec3 direction, float furthest) {
-  return nearestHit(origin, direction, body.least, furthest, body.firstNode, body.endNode);
+  return nearestExit(origin, direction, body.side, body.least, furthest, body.firstNode,
+                     body.endNode);
 }
 
 // Goes on from `origin` for a path's length, mirrored where it meets the surface; what leaves there
@@ -178,7 +180,7 @@ void main() {
   ObjectData itsBody = objects[ranges[i].object];
   MediumData medium = media[itsBody.table.x];
   Body body = Body(medium.inside, medium.boundary.x, itsBody.tree.x, itsBody.tree.y,
-                   1e-4 * cluster.normal.w);
+                   cluster.along.w, 1e-4 * cluster.normal.w);
   Entry entry = entries[beam * clusterCount + i];
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   bool everywhere = beam == frame.counts.x;

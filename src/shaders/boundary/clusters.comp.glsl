@@ -85,7 +85,7 @@ Entry entryOf(uint first, uint end, Cluster cluster, MediumData medium, uint lig
     normal += amount * shape.vectorArea;
     all += shape.area * amount;
   }
-  if (all <= 0.0) return Entry(vec4(0.0), cluster.centroidArea, cluster.normal, cluster.start);
+  if (all <= 0.0 || cluster.centroidArea.w <= 0.0) return Entry(vec4(0.0), cluster.centroidArea, cluster.normal, cluster.start);
   vec3 place = weighted / all;
   vec3 start = cluster.start.xyz;
   float least = 3e38;
@@ -98,7 +98,7 @@ Entry entryOf(uint first, uint end, Cluster cluster, MediumData medium, uint lig
     least = dot(offset, offset);
     start = middleOf(shape);
   }
-  return Entry(vec4(sum / cluster.centroidArea.w, 0.0), vec4(place, 0.0),
+  return Entry(vec4(sum / max(cluster.centroidArea.w, 1e-30), 0.0), vec4(place, 0.0),
                vec4(unitOr(normal, cluster.normal.xyz), 0.0), vec4(start, 0.0));
 }
 
@@ -149,10 +149,16 @@ void main() {
   vec3 facet = unitOr(there.vectorArea, normal);
   vec3 along = unitOr(there.corners[1] - there.corners[0], vec3(1.0, 0.0, 0.0));
 
+  float reach = max(1.2 * radius, reachInEdges * sqrt(area));
   Cluster cluster = Cluster(vec4(middle, area), vec4(normal, sqrt(area / pi)), vec4(vectorArea, 0.5),
                         vec4(middleOf(there), 0.0), vec4(along, side), vec4(facet, 1.0), vec4(0.0));
+  if (range.hasInside == 0u) {
+    cluster.centroidArea.w = 0.0;
+    cluster.vectorArea = vec4(0.0);
+    area = 0.0;
+    vectorArea = vec3(0.0);
+  }
   clusters[i] = cluster;
-  float reach = max(1.2 * radius, reachInEdges * sqrt(area));
   nodes[range.node] = ClusterNode(vec4(middle, uintBitsToFloat(leafBit | setBit | i)),
                                   vec4(radius, square, reach, area), vec4(vectorArea, float(range.object)));
 

@@ -105,12 +105,13 @@ void main() {
   Cluster cluster = clusters[i];
   ClusterRange range = ranges[i];
   ObjectData body = objects[range.object];
-  RayHit through = nearestHit(cluster.start.xyz, -cluster.facet.xyz, 1e-4 * cluster.normal.w, 3e38,
-                              body.tree.x, body.tree.y);
+  RayHit through = nearestExit(cluster.start.xyz, -cluster.facet.xyz, cluster.along.w,
+                               1e-4 * cluster.normal.w, 3e38, body.tree.x, body.tree.y);
   float thickness = through.piece == noPiece ? 1e18 : through.distance;
   if (raysOutwards > 0u) lookAround(i, cluster, range);
   clusters[i].start.w = thickness;
   clusters[i].facet.w = cluster.facet.w;
   clusters[i].second = vec4(
-      shareOfSecond(media[body.table.x].inside, thickness, sqrt(cluster.centroidArea.w)), 0.0);
+      shareOfSecond(media[body.table.x].inside, thickness, sqrt(cluster.centroidArea.w)),
+      range.hasInside != 0u ? 1.0 : 0.0);
 }

@@ -1,5 +1,5 @@
-// From clusters to places of the surface: light as boundary transport has it, with the detail that a
-// half-space has between them. Needs, before it, BINDING_CLUSTERS, BINDING_CLUSTER_NODES,
+// From clusters to places of the surface: light as boundary transport has it, with detail of a
+// half-space between them. Needs, before it, BINDING_CLUSTERS, BINDING_CLUSTER_NODES,
 // BINDING_EXITANCES and BINDING_MEANS.
 #ifndef OPALINE_LIB_CARRY
 #define OPALINE_LIB_CARRY
@@ -11,17 +11,23 @@ layout(set = 0, binding = BINDING_CLUSTER_NODES) uniform samplerBuffer clusterNo
 layout(std430, set = 0, binding = BINDING_EXITANCES) readonly buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = BINDING_MEANS) readonly buffer Means { vec4 means[]; };
 
+const float pi = 3.14159265358979;
 const uint noNode = 0xffffffffu;
 
 // Of clusters that face away from a place; above 0, so that every place has some.
 const float leastFacing = 1e-4;
 
-// The half-space's exitance at a place, corrected by what surrounds it: weights fall to 0 where a
-// cluster's reach ends, so nothing jumps. Detail is scaled down, not up. The invocations of a
-// subgroup go in step; those with nothing to do have noNode as root.
-vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, uint root, uint end) {
+// Clusters that many mean free paths wide resolve nothing of what a half-space has between them; the
+// smaller they are, the less of its detail is wanted.
+const float coarseInFreePaths = 4.0;
+
+// The exitance at a place, where the half-space has that one, by the clusters around: their weights
+// fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. The
+// invocations of a subgroup go in step; those with nothing to do have noNode as root.
+vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, vec3 extinction, uint root, uint end) {
   vec3 exitance = vec3(0.0);
   vec3 mean = vec3(0.0);
+  float edge = 0.0;
   float all = 0.0;
   uint next = root;
   while (true) {
@@ -37,8 +43,10 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, uint root, uint end) {
       if (opened && isLeaf(link)) {
         uint i = firstSurfelOf(link);
         float weight = left * left * max(dot(normal, clusters[i].normal.xyz), leastFacing);
-        exitance += weight * exitances[i].rgb;
+        bool hasInside = clusters[i].second.w != 0.0;
+        exitance += weight * (hasInside ? exitances[i].rgb : means[i].rgb);
         mean += weight * means[i].rgb;
+        edge += weight * sqrt(pi) * clusters[i].normal.w;
         all += weight;
       }
       next = opened ? at + 1u : afterNode(at, link);
@@ -48,8 +56,9 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, uint root, uint end) {
   if (all <= 0.0) return halfSpace;
   exitance /= all;
   mean /= all;
-  vec3 scale = min(exitance / max(mean, vec3(1e-30)), vec3(1.0));
-  return max(exitance + scale * (halfSpace - mean), vec3(0.0));
+  vec3 detail = clamp(edge / all * extinction / coarseInFreePaths, 0.0, 1.0);
+  detail *= min(exitance / max(mean, vec3(1e-30)), vec3(1.0));
+  return max(exitance + detail * (halfSpace - mean), vec3(0.0));
 }
 
 #endif

@@ -142,4 +142,19 @@ uint objectOfPiece(uint piece) {
   return uint(texelFetch(pieceCorners, 3 * int(piece)).w);
 }
 
+// The nearest place where a ray through the inside of a body comes out: folds of the surface that it
+// would have to enter by do not count. `side` is -1 where the body is mirrored.
+RayHit nearestExit(vec3 origin, vec3 direction, float side, float minDistance, float maxDistance,
+                   uint firstNode, uint endNode) {
+  const uint mostFolds = 4u;
+  RayHit hit;
+  float from = minDistance;
+  for (uint k = 0u; k < mostFolds; ++k) {
+    hit = nearestHit(origin, direction, from, maxDistance, firstNode, endNode);
+    if (hit.piece == noPiece || side * dot(facetNormal(hit.piece), direction) > 0.0) break;
+    from = hit.distance + minDistance;
+  }
+  return hit;
+}
+
 #endif

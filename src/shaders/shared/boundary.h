@@ -19,7 +19,8 @@ struct ClusterRange {
   uint firstSurfel;
   uint endSurfel;
   uint object;
-  uint node;  // its leaf in the tree of clusters
+  uint node;       // its leaf in the tree of clusters
+  uint hasInside;  // 0 where the body is open: no diffusion in it, no area to others
 };
 
 /// A cluster in this frame.
@@ -30,7 +31,8 @@ struct Cluster {
   vec4 start;         // a place on the surface near the centroid, mm; w: thickness of the body, mm
   vec4 along;  // unit, in the surface there, moving with it; w: 1, or -1 where the body is mirrored
   vec4 facet;  // unit, outwards there; w: share of the sky that it sees
-  vec4 second;  // rgb: part of the light that is followed to its second collision
+  vec4 second;  // rgb: part of the light that is followed to its second collision; w: 0 without
+                // inside
 };
 
 /// Light of one kind that enters through a cluster.
@@ -121,7 +123,7 @@ struct SolverState {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ClusterRange) == 16);
+static_assert(sizeof(ClusterRange) == 20);
 static_assert(sizeof(Cluster) == 112);
 static_assert(sizeof(Entry) == 64);
 static_assert(sizeof(BeamPoint) == 48);

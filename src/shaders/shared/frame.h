@@ -47,7 +47,7 @@ struct ObjectData {
                 // fragments, 0 at vertices
   uvec4 tree;   // x: root, among the nodes; y: the node after all of its tree
   uvec4 clusters;  // of boundary transport, x: root among their nodes; y: the node after their
-                   // tree; z: 1 where the body is closed
+                   // tree; z: 1 where some part of the body has an inside
   vec4 nearby;     // x: radius within which coarse surfels are corrected, mm, 0 for none; yzw:
                    // reflectance of a disc of that radius
 };
