@@ -101,7 +101,7 @@ double transmittance(double cosine) {
 
 /// Light of the milky ball that enters there: radiance M F_t / (π F̄_t) over the part that is seen.
 double enteringAt(const Vector& place, const Vector& normal, const ExitanceByCosine& exitance) {
-  constexpr int steps = 60;
+  constexpr int steps = 30;
   double sum = 0;
   for (int i = 0; i < steps; ++i)
     for (int k = 0; k < 2 * steps; ++k) {
