@@ -1,0 +1,168 @@
+// Bodies that boundary transport cannot be right about, or that are hard to get right: it says
+// something finite and not too bright of each, and steps aside where there is no inside.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <ostream>
+#include <string>
+#include <utility>
+
+#include "renderer/boundary_fixture.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+
+using BoundaryAwkwardTest = RendererTest;
+
+void light(Scene& scene) {
+  constexpr auto pi = std::numbers::pi_v<float>;
+  scene.lighting.directional = {{toVec3(unit({0.45, 0.35, 0.82})), {pi, pi, pi}}};
+}
+
+// There is no inside to solve in.
+TEST_F(BoundaryAwkwardTest, AnOpenSheetIsABetterDipole) {
+  Scene scene = sceneOf(sheet({0, 0, 0}, {8, 0, 0}, {0, 8, 0}), marble(), {0, 10, 40}, 12);
+  light(scene);
+  for (const Site site : {Site::Fragment, Site::Vertex}) {
+    RenderOptions options = boundaryOptions(48, 2);
+    options.site = site;
+    const Image boundary = renderBoundary(scene, options, {Aov::Exitance}).images[0];
+    options.transport = Transport::BetterDipole;
+    const Image dipole = renderBoundary(scene, options, {Aov::Exitance}).images[0];
+    EXPECT_GT(meanOf(dipole)[0], 0.1);
+    EXPECT_EQ(boundary.rgba, dipole.rgba);
+  }
+}
+
+struct AwkwardCase {
+  std::string name;
+  std::function<Mesh()> mesh;
+  double brightest = 1;  ///< of what may enter: more where surfaces lie one over another
+};
+
+void PrintTo(const AwkwardCase& awkward, std::ostream* to) {
+  *to << awkward.name;
+}
+
+Mesh insideOut(Mesh mesh) {
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  for (Vec3& normal : mesh.normals) normal = toVec3(-1.0 * toVector(normal));
+  return mesh;
+}
+
+Mesh withDegenerateTriangles() {
+  Mesh mesh = sphere({0, 0, 0}, 5, 3);
+  const auto at = static_cast<std::uint32_t>(mesh.positionsMm.size());
+  mesh.positionsMm.insert(mesh.positionsMm.end(), {{5, 0, 0}, {6, 0, 0}, {7, 0, 0}});
+  mesh.normals.insert(mesh.normals.end(), 3, Vec3{0, 1, 0});
+  mesh.triangles.push_back({at, at + 1, at + 2});  // no area
+  mesh.triangles.push_back({at, at, at});
+  mesh.triangles.push_back({0, 0, 1});
+  return mesh;
+}
+
+Mesh oneTriangle() {
+  Mesh mesh;
+  mesh.positionsMm = {{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}};
+  mesh.normals.assign(3, {0, 0, 1});
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+Mesh tinyComponents() {
+  Mesh mesh;
+  for (int i = 0; i < 10; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 10;
+    mesh = together(mesh, sphere(toVec3({4 * std::cos(angle), 4 * std::sin(angle), 0}), 0.4F, 0));
+  }
+  return mesh;
+}
+
+class BoundaryAwkwardBodyTest : public RendererTestBase<testing::TestWithParam<AwkwardCase>> {};
+
+// Nothing can leave that did not enter, but a place may gather some from around.
+TEST_P(BoundaryAwkwardBodyTest, IsFiniteAndNotTooBright) {
+  Scene scene = sceneOf(GetParam().mesh(), marble(), {0, 5, 40}, 8);
+  light(scene);
+  scene.lighting.ambient = {0.1F, 0.1F, 0.1F};
+  const double entering = std::numbers::pi * 1.1;
+  for (const Site site : {Site::Fragment, Site::Vertex}) {
+    RenderOptions options = boundaryOptions(48, 2);
+    options.site = site;
+    const RenderResult result = renderBoundary(scene, options, {Aov::Exitance, Aov::Radiance});
+    for (const Image& image : result.images)
+      for (const float value : image.rgba) ASSERT_TRUE(std::isfinite(value));
+    int count = forEachCovered(result.images[0], [&](std::size_t i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        ASSERT_GE(result.images[0].rgba[i + c], 0);
+        ASSERT_LT(static_cast<double>(result.images[0].rgba[i + c]),
+                  GetParam().brightest * entering);
+      }
+    });
+    EXPECT_GE(count, 1);
+    for (const Solution& solution : result.report.solutions) {
+      EXPECT_LE(solution.steps, 8);
+      for (const float residual : solution.residual) {
+        EXPECT_TRUE(std::isfinite(residual));
+        EXPECT_LE(residual, 1);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bodies, BoundaryAwkwardBodyTest,
+    testing::Values(
+        AwkwardCase{"self_intersecting",
+                    [] {
+                      return together(sphere({-2, 0, 0}, 4, 3), sphere({2, 0, 0}, 4, 3));
+                    }},
+        AwkwardCase{"coincident",
+                    [] {
+                      return together(sphere({0, 0, 0}, 5, 3), sphere({0, 0, 0}, 5, 3));
+                    }},
+        AwkwardCase{"nearly_coincident",
+                    [] {
+                      return together(sphere({0, 0, 0}, 5, 3), sphere({0, 0, 0}, 4.999F, 3));
+                    }},
+        AwkwardCase{"degenerate", withDegenerateTriangles},
+        AwkwardCase{"one_triangle", oneTriangle}, AwkwardCase{"tiny_components", tinyComponents},
+        AwkwardCase{"inside_out",
+                    [] {
+                      return insideOut(sphere({0, 0, 0}, 5, 3));
+                    }},
+        AwkwardCase{"ball_in_a_ball",
+                    [] {
+                      return together(sphere({0, 0, 0}, 5, 3), sphere({0, 0, 0}, 2, 3));
+                    }},
+        AwkwardCase{
+            "ball_and_sheet",
+            [] {
+              return together(sphere({0, 0, 0}, 4, 3), sheet({0, 0, -5}, {6, 0, 0}, {0, 6, 0}));
+            }},
+        AwkwardCase{"half_a_ball",
+                    [] {
+                      Mesh mesh = sphere({0, 0, 0}, 5, 3);
+                      std::erase_if(mesh.triangles, [&](const Triangle& corners) {
+                        return mesh.positionsMm[corners[0]][1] > 0;
+                      });
+                      return mesh;
+                    }},
+        AwkwardCase{"thin_as_paper",
+                    [] {
+                      return box({0, 0, 0}, {5, 5, 0.005F}, 8);
+                    }},
+        AwkwardCase{"needle",
+                    [] {
+                      return box({0, 0, 0}, {7, 0.2F, 0.2F}, 8);
+                    }}),
+    [](const auto& awkward) { return awkward.param.name; });
+
+}  // namespace
+}  // namespace opaline

@@ -1,0 +1,218 @@
+// Boundary transport against path tracing of whole bodies lit from behind, by means over blocks of
+// 8×8 pixels: the bear, and the bunny where its model is there. See blocks/README.md.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bssrdf/media.h"
+#include "renderer/renderer_fixture.h"
+
+namespace opaline {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace test;
+
+constexpr int edge = 256;
+constexpr int blockEdge = 8;
+constexpr double blocksOfPicture = (edge / blockEdge) * (edge / blockEdge);
+constexpr const char* bunny = "bunny_closed.ply";
+
+/// A file of the folder that the variable names, or else of the one beside the repository.
+std::optional<fs::path> sharedFile(const char* variable, const char* folder, const char* name) {
+  std::vector<fs::path> folders;
+  if (const char* named = std::getenv(variable)) folders.emplace_back(named);
+  folders.emplace_back(fs::path(OPALINE_SOURCE_DIR) / ".." / "shared" / folder);
+  for (const fs::path& place : folders)
+    if (fs::is_regular_file(place / name)) return place / name;
+  return std::nullopt;
+}
+
+using Colour = std::array<double, 3>;
+using Place = std::pair<int, int>;
+
+/// What path tracing says; both are the same where there is one run only.
+struct Truth {
+  std::map<Place, std::array<Colour, 2>> blocks;
+  Colour mean{};  ///< over the object
+};
+
+using Row = std::map<std::string, double>;
+
+std::vector<Row> rowsOf(const fs::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  std::vector<std::string> names;
+  for (std::istringstream header(line); std::getline(header, line, ',');) names.push_back(line);
+  std::vector<Row> rows;
+  while (std::getline(in, line)) {
+    Row row;
+    std::istringstream cells(line);
+    for (const std::string& name : names) {
+      std::getline(cells, line, ',');
+      row[name] = std::stod(line);
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// Of columns with these prefixes; `covered` says how many pixels of a block the object has.
+Truth truthOf(const fs::path& file, const std::array<std::string, 2>& prefixes, const char* covered,
+              double pixelsOfCovered) {
+  Truth truth;
+  double pixels = 0;
+  for (const Row& row : rowsOf(file)) {
+    const double here = row.at(covered) * pixelsOfCovered;
+    if (here == 0) continue;
+    pixels += here;
+    std::array<Colour, 2>& block =
+        truth.blocks[{static_cast<int>(row.at("block_x")), static_cast<int>(row.at("block_y"))}];
+    constexpr std::array<const char*, 3> channels{"_r", "_g", "_b"};
+    for (std::size_t run = 0; run < 2; ++run)
+      for (std::size_t c = 0; c < 3; ++c) {
+        block[run][c] = row.at(prefixes[run] + channels[c]);
+        truth.mean[c] += block[run][c] / 2 * blockEdge * blockEdge;
+      }
+  }
+  for (double& value : truth.mean) value /= pixels;
+  return truth;
+}
+
+/// Root mean square over all blocks of the picture, over the mean of the object. The runs' noise
+/// is not in it, since the product of their differences has none on average.
+Colour blockErrors(const Image& found, const Truth& truth) {
+  std::map<Place, Colour> ours;
+  forEachCovered(found, [&](std::size_t i) {
+    const int pixel = static_cast<int>(i / 4);
+    Colour& block = ours[{pixel % edge / blockEdge, pixel / edge / blockEdge}];
+    for (std::size_t c = 0; c < 3; ++c)
+      block[c] += static_cast<double>(found.rgba[i + c]) / (blockEdge * blockEdge);
+  });
+  Colour squares{};
+  for (const auto& [place, runs] : truth.blocks)
+    for (std::size_t c = 0; c < 3; ++c)
+      squares[c] += (ours[place][c] - runs[0][c]) * (ours[place][c] - runs[1][c]);
+  for (const auto& [place, block] : ours)
+    if (!truth.blocks.contains(place))
+      for (std::size_t c = 0; c < 3; ++c) squares[c] += block[c] * block[c];
+  Colour errors{};
+  for (std::size_t c = 0; c < 3; ++c)
+    errors[c] = std::sqrt(std::max(squares[c], 0.0) / blocksOfPicture) / truth.mean[c];
+  return errors;
+}
+
+struct BlocksCase {
+  const char* name;
+  const char* model;  ///< nullptr: the bear
+  const char* medium;
+  std::array<double, 2> most;  ///< without and with light that enters again, of all channels
+  std::array<double, 2> mostOfRed;
+  std::vector<Deformer> deformers = {};
+};
+
+void PrintTo(const BlocksCase& blocks, std::ostream* to) {
+  *to << blocks.name;
+}
+
+Scene sceneOf(const BlocksCase& blocks) {
+  LoadOptions load;
+  load.diagonalMm = 50.0F;
+  load.medium = bssrdf::findMedium(blocks.medium);
+  Scene scene = blocks.model == nullptr
+                    ? builtInBear(load)
+                    : loadScene(*sharedFile("OPALINE_MODELS", "models", blocks.model), load);
+  constexpr auto full = std::numbers::pi_v<float>;
+  scene.lighting = {};
+  scene.lighting.directional = {{{0.45F, 0.35F, -0.82F}, {full, full, full}}};
+  if (blocks.model != nullptr) scene.camera = defaultCamera(scene);
+  scene.deformers = blocks.deformers;
+  return scene;
+}
+
+class BoundaryBlocksTest : public RendererTestBase<testing::TestWithParam<BlocksCase>> {
+ protected:
+  void SetUp() override {
+    RendererTestBase::SetUp();
+    const char* model = GetParam().model;
+    if (model != nullptr && !sharedFile("OPALINE_MODELS", "models", model))
+      GTEST_SKIP() << model << " is not here; set OPALINE_MODELS to its folder";
+  }
+
+  static Image picture(int bounces) {
+    RenderOptions options;
+    options.width = options.height = edge;
+    options.transport = Transport::Boundary;
+    options.bounces = bounces;
+    return render(sceneOf(GetParam()), options, {Aov::Exitance})[0];
+  }
+
+  static void expectNear(const Image& found, const Truth& truth, std::size_t withReentry) {
+    ASSERT_GT(truth.blocks.size(), 200U);
+    const Colour errors = blockErrors(found, truth);
+    const double all = std::hypot(errors[0], errors[1], errors[2]) / std::sqrt(3.0);
+    std::ostringstream what;
+    what << (withReentry == 0 ? "without" : "with") << " light that enters again: " << errors[0]
+         << ", " << errors[1] << ", " << errors[2];
+    RecordProperty(withReentry == 0 ? "without_reentry" : "with_reentry", what.str());
+    EXPECT_LE(errors[0], GetParam().mostOfRed[withReentry]) << what.str();
+    EXPECT_LE(all, GetParam().most[withReentry]) << what.str();
+  }
+};
+
+TEST_P(BoundaryBlocksTest, AreThoseOfPathTracing) {
+  for (const std::size_t withReentry : {0U, 1U}) {
+    const fs::path file = fs::path(OPALINE_SOURCE_DIR) / "tests/renderer/blocks" /
+                          (std::string(GetParam().name) +
+                           (withReentry == 0 ? "_without_reentry.csv" : "_with_reentry.csv"));
+    expectNear(picture(withReentry == 0 ? 0 : RenderOptions{}.bounces),
+               truthOf(file, {"first", "second"}, "covered", 1), withReentry);
+  }
+}
+
+const std::vector<Deformer> twistedAndBent{{DeformerKind::Twist, 2, 0}, {DeformerKind::Bend, 1, 0}};
+
+// In green and blue skin absorbs too much for diffusion: a third and more of what collides.
+INSTANTIATE_TEST_SUITE_P(
+    FromBehind, BoundaryBlocksTest,
+    testing::Values(BlocksCase{"bear_gummy", nullptr, "gummy-red", {0.08, 0.10}, {0.08, 0.10}},
+                    BlocksCase{"marble", bunny, "marble", {0.05, 0.08}, {0.05, 0.08}},
+                    BlocksCase{"skin1", bunny, "skin1", {0.13, 0.13}, {0.10, 0.12}},
+                    BlocksCase{
+                        "twisted", bunny, "marble", {0.06, 0.09}, {0.06, 0.09}, twistedAndBent}),
+    [](const auto& blocks) { return std::string(blocks.param.name); });
+
+class BoundaryMilkTest : public BoundaryBlocksTest {};
+
+// By another program's path tracer.
+TEST_P(BoundaryMilkTest, BlocksAreThoseOfThePublishedTable) {
+  const auto table = sharedFile("OPALINE_REFERENCE", "reference", "bunny50_skimmilk_blocks.csv");
+  if (!table)
+    GTEST_SKIP() << "bunny50_skimmilk_blocks.csv is not here; set OPALINE_REFERENCE to its folder";
+  constexpr double pixels = blockEdge * blockEdge;
+  expectNear(picture(0), truthOf(*table, {"exitance", "exitance"}, "coverage", pixels), 0);
+  expectNear(picture(RenderOptions{}.bounces),
+             truthOf(*table, {"reentry", "reentry"}, "coverage", pixels), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(FromBehind, BoundaryMilkTest,
+                         testing::Values(BlocksCase{
+                             "skimmilk", bunny, "skimmilk", {0.06, 0.08}, {0.06, 0.08}}),
+                         [](const auto& blocks) { return std::string(blocks.param.name); });
+
+}  // namespace
+}  // namespace opaline

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "renderer/renderer_fixture.h"
+#include "renderer/shapes.h"
+#include "renderer/sums.h"
+
+namespace opaline::test {
+
+/// With fewer sources than usual, since most of the time goes into their sum at each of them.
+inline RenderOptions boundaryOptions(int edge, int bounces = 0) {
+  RenderOptions options = smallOptions();
+  options.width = options.height = edge;
+  options.transport = Transport::Boundary;
+  options.bounces = bounces;
+  options.maxSources = 16'384;
+  return options;
+}
+
+inline RenderResult renderBoundary(const Scene& scene, const RenderOptions& options,
+                                   const std::vector<Aov>& aovs) {
+  sharedRenderer().renderer->setScene(scene);
+  return sharedRenderer().renderer->render(options, aovs);
+}
+
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// A convex or star-shaped body around the origin, by what it is that far away in each direction.
+template <typename RadiusMm>
+Mesh starShaped(const RadiusMm& radiusMm, int levels) {
+  Mesh mesh = sphere({0, 0, 0}, 1, levels);
+  std::vector<Vector> normals(mesh.positionsMm.size(), Vector{});
+  for (Vec3& position : mesh.positionsMm) {
+    const Vector direction = unit(toVector(position));
+    position = toVec3(radiusMm(direction) * direction);
+  }
+  for (const Triangle& t : mesh.triangles) {
+    const Vector a = toVector(mesh.positionsMm[t[0]]);
+    const Vector area =
+        cross(toVector(mesh.positionsMm[t[1]]) - a, toVector(mesh.positionsMm[t[2]]) - a);
+    for (const std::uint32_t corner : t) normals[corner] = normals[corner] + area;
+  }
+  for (std::size_t i = 0; i < normals.size(); ++i) mesh.normals[i] = toVec3(unit(normals[i]));
+  return mesh;
+}
+
+/// Two lobes along y with a waist between them, half as wide as a lobe.
+inline Mesh peanut(double lengthMm, int levels = 4) {
+  return starShaped([&](const Vector& d) { return lengthMm / 2 * (0.25 + 0.75 * d[1] * d[1]); },
+                    levels);
+}
+
+/// A ball with a dent towards +z, rounded at its rim, that goes down to 3/10 of its radius.
+inline Mesh dented(double radiusMm, int levels = 4) {
+  constexpr double wide = 0.9;  // radians from the axis to the rim
+  return starShaped(
+      [&](const Vector& d) {
+        const double angle = std::min(std::acos(std::clamp(d[2], -1.0, 1.0)) / wide, 1.0);
+        return radiusMm * (1 - 0.35 * (1 + std::cos(std::numbers::pi * angle)));
+      },
+      levels);
+}
+
+/// A sphere around the origin, seen from +z, each channel another medium.
+inline Scene ballOf(float radiusMm, const Medium& medium, int levels = 4) {
+  return sceneOf(sphere({0, 0, 0}, radiusMm, levels), medium, {0, 0, 4 * radiusMm},
+                 1.02F * radiusMm);
+}
+
+/// Exitance in bands of equal area of the cosine to +x, from away to towards, of a ball that is
+/// turned about the x axis: as seen from +z, where every band is seen.
+template <std::size_t bands>
+std::array<std::array<double, 3>, bands> exitanceOfBands(const Image& exitance,
+                                                         const Image& position,
+                                                         const Vec3& cameraMm) {
+  std::array<std::array<double, 3>, bands> sums{};
+  std::array<double, bands> areas{};
+  forEachCovered(exitance, [&](std::size_t i) {
+    const Vector at = toVector(&position.rgba[i]);
+    const Vector outward = unit(at);
+    const Vector toCamera = toVector(cameraMm) - at;
+    const double seen = dot(outward, unit(toCamera));
+    if (seen < 0.1) return;
+    // Area of the ball that the pixel covers, up to a factor.
+    const double axial = dot(unit(toCamera), unit(toVector(cameraMm)));
+    const double area = dot(toCamera, toCamera) * std::pow(axial, 3) / seen;
+    const auto band = static_cast<std::size_t>(
+        std::clamp((outward[0] + 1) / 2 * static_cast<double>(bands), 0.0, bands - 0.5));
+    areas[band] += area;
+    for (std::size_t c = 0; c < 3; ++c)
+      sums[band][c] += area * static_cast<double>(exitance.rgba[i + c]);
+  });
+  for (std::size_t band = 0; band < bands; ++band) {
+    EXPECT_GT(areas[band], 0);
+    for (double& sum : sums[band]) sum /= areas[band];
+  }
+  return sums;
+}
+
+/// Mean over the pixels whose place `counts`.
+template <typename Counts>
+std::array<double, 3> meanWhere(const Image& image, const Image& position, const Counts& counts) {
+  std::array<double, 3> sum{};
+  int count = 0;
+  forEachCovered(image, [&](std::size_t i) {
+    if (!counts(toVector(&position.rgba[i]))) return;
+    ++count;
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += static_cast<double>(image.rgba[i + c]);
+  });
+  EXPECT_GT(count, 0);
+  for (double& value : sum) value /= std::max(count, 1);
+  return sum;
+}
+
+}  // namespace opaline::test

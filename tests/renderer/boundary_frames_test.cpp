@@ -1,0 +1,186 @@
+// Boundary transport while a body moves: a frame depends on nothing but its time, what is wrong
+// with it does not flicker, and where a body stands and how it is turned does not matter.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "renderer/boundary_fixture.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+
+using BoundaryFramesTest = RendererTest;
+
+Medium gummy() {
+  return {"gummy", {1.0, 1.0, 1.0}, {0.02, 0.3, 0.4}, 1.4};
+}
+
+Scene twistingBear(float radians) {
+  Scene scene = backlitBear(50, gummy());
+  scene.deformers = {{DeformerKind::Twist, radians, 2}};
+  return scene;
+}
+
+RenderOptions fineOptions() {
+  RenderOptions options = boundaryOptions(64, 2);
+  options.tolerance = 1e-3F;
+  options.boundarySurfels = 1 << 18;
+  options.maxSources = 1 << 16;  // and with that other clusters
+  return options;
+}
+
+/// How what a film is off by changes between neighbouring frames 1/25 s apart, relative to the
+/// mean.
+struct Flicker {
+  double ofMean = 0;  ///< largest, of a channel's mean over the picture
+  double rms = 0;     ///< largest of a pair of frames, over pixels and channels
+};
+
+Flicker flickerOf(const Scene& scene) {
+  Renderer& renderer = *sharedRenderer().renderer;
+  renderer.setScene(scene);
+  constexpr std::size_t frames = 3;
+  std::array<std::vector<Image>, 2> films;
+  for (std::size_t fine = 0; fine < 2; ++fine)
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+      RenderOptions options = fine == 0 ? boundaryOptions(64, 2) : fineOptions();
+      options.seconds = 0.2 + static_cast<double>(frame) / 25;
+      films[fine].push_back(renderer.render(options, {Aov::Exitance}).images[0]);
+    }
+  Flicker flicker;
+  for (std::size_t frame = 1; frame < frames; ++frame) {
+    const std::array<double, 3> mean = meanOf(films[1][frame]);
+    std::array<double, 3> sum{};
+    double squares = 0;
+    int pixels = 0;
+    const auto errorAt = [&](std::size_t at, std::size_t i) {
+      return static_cast<double>(films[0][at].rgba[i] - films[1][at].rgba[i]);
+    };
+    forEachCovered(films[1][frame], [&](std::size_t i) {
+      if (films[1][frame - 1].rgba[i + 3] <= 0) return;
+      ++pixels;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double change = (errorAt(frame, i + c) - errorAt(frame - 1, i + c)) / mean[c];
+        sum[c] += change;
+        squares += change * change;
+      }
+    });
+    EXPECT_GT(pixels, 500);
+    for (const double change : sum)
+      flicker.ofMean = std::max(flicker.ofMean, std::abs(change) / pixels);
+    flicker.rms = std::max(flicker.rms, std::sqrt(squares / (3 * pixels)));
+  }
+  return flicker;
+}
+
+TEST_F(BoundaryFramesTest, ErrorOfThePictureDoesNotFlickerAsTheBearTwists) {
+  EXPECT_LT(flickerOf(twistingBear(1.5F)).ofMean, 0.005);
+}
+
+// So slowly that what is off at a place stays in its pixel.
+TEST_F(BoundaryFramesTest, ErrorOfPlacesDoesNotFlickerAsTheBearTwists) {
+  EXPECT_LT(flickerOf(twistingBear(0.03F)).rms, 0.005);
+}
+
+TEST_F(BoundaryFramesTest, AFrameIsTheSameWhateverWasShownBefore) {
+  Scene scene = sceneOf(peanut(20), marble(), {20, 5, 50}, 12);
+  scene.lighting.directional = {{toVec3(unit({0.45, 0.35, -0.82})), {3, 3, 3}}};
+  scene.deformers = {{DeformerKind::Twist, 1.5F, 2}, {DeformerKind::Bend, 0.8F, 3}};
+  for (const Site site : {Site::Fragment, Site::Vertex}) {
+    RenderOptions options = boundaryOptions(32, 2);
+    options.site = site;
+    renderer().setScene(scene);
+    options.seconds = 0.4;
+    const Image alone = render(options, {Aov::Exitance})[0];
+    renderer().setScene(scene);
+    Image played;
+    for (int frame = 0; frame <= 2; ++frame) {
+      options.seconds = 0.2 * frame;
+      played = render(options, {Aov::Exitance})[0];
+    }
+    EXPECT_EQ(played.rgba, alone.rgba);
+    options.seconds = 0;
+    EXPECT_NE(render(options, {Aov::Exitance})[0].rgba, alone.rgba);
+    options.seconds = 0.4;
+    EXPECT_EQ(render(options, {Aov::Exitance})[0].rgba, alone.rgba);
+  }
+}
+
+/// Turned about an axis and moved, with its lights and camera.
+class Motion {
+ public:
+  Motion(const Vector& axis, double angle, const Vector& shift)
+      : axis_(unit(axis)), angle_(angle), shift_(shift) {}
+
+  Vector turned(const Vector& v) const {
+    const double c = std::cos(angle_);
+    return c * v + std::sin(angle_) * cross(axis_, v) + (1 - c) * dot(axis_, v) * axis_;
+  }
+  Vector moved(const Vector& v) const { return turned(v) + shift_; }
+
+  Scene operator()(Scene scene) const {
+    const auto move = [&](Vec3& v) { v = toVec3(moved(toVector(v))); };
+    const auto turn = [&](Vec3& v) { v = toVec3(turned(toVector(v))); };
+    for (Object& object : scene.objects) {
+      for (Vec3& position : object.mesh.positionsMm) move(position);
+      for (Vec3& normal : object.mesh.normals) turn(normal);
+    }
+    for (DirectionalLight& light : scene.lighting.directional) turn(light.directionToLight);
+    for (PointLight& light : scene.lighting.points) move(light.positionMm);
+    move(scene.camera.positionMm);
+    move(scene.camera.targetMm);
+    turn(scene.camera.up);
+    return scene;
+  }
+
+ private:
+  Vector axis_;
+  double angle_;
+  Vector shift_;
+};
+
+Scene litPeanut() {
+  Scene scene = sceneOf(peanut(20), marble(), {20, 5, 50}, 10.5F);
+  scene.lighting.directional = {{toVec3(unit({0.45, 0.35, -0.82})), {3, 3, 3}}};
+  scene.lighting.points = {{{12, 8, 9}, {100, 50, 100}}};
+  return scene;
+}
+
+// The rest pose alone decides which clusters there are, so a body that is carried about as it is
+// drawn keeps them: then only single precision and the light's shadow maps differ.
+TEST_F(BoundaryFramesTest, ABodyCarriedAboutLooksTheSame) {
+  const Scene scene = litPeanut();
+  const Motion motion({0.3, 1, 0.5}, 1.1, {3, -40, 25});
+  Scene carried = scene;
+  const Scene moved = motion(scene);
+  carried.lighting = moved.lighting;
+  carried.camera = moved.camera;
+  const RenderOptions options = boundaryOptions(64, 2);
+  const Image atRest = renderBoundary(scene, options, {Aov::Exitance}).images[0];
+  renderer().setScene(carried);
+  renderer().replacePositions(0, moved.objects[0].mesh.positionsMm);
+  const Image elsewhere = render(options, {Aov::Exitance})[0];
+  // A pixel at the rim may be covered in one and not in the other.
+  double squares = 0;
+  int both = 0;
+  const std::array<double, 3> mean = meanOf(atRest);
+  const int pixels = forEachCovered(atRest, [&](std::size_t i) {
+    if (elsewhere.rgba[i + 3] <= 0) return;
+    ++both;
+    for (std::size_t c = 0; c < 3; ++c)
+      squares +=
+          std::pow(static_cast<double>(elsewhere.rgba[i + c] - atRest.rgba[i + c]) / mean[c], 2);
+  });
+  EXPECT_GT(both, pixels - 10);
+  EXPECT_LT(std::sqrt(squares / (3 * both)), 0.005);
+}
+
+}  // namespace
+}  // namespace opaline

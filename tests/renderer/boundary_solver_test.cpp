@@ -1,0 +1,98 @@
+// How boundary transport's equation is solved: as well as is asked for, in few steps, and the
+// better the closer to what a fine solution says.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/boundary_fixture.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+
+using BoundarySolverTest = RendererTest;
+
+float worstOf(const Solution& solution) {
+  return std::max({solution.residual[0], solution.residual[1], solution.residual[2]});
+}
+
+Scene litDent(const Medium& medium) {
+  Scene scene = sceneOf(dented(10), medium, {10, 5, 40}, 10.5F);
+  scene.lighting.directional = {{toVec3(unit({0.3, 0.5, 0.8})), {3, 3, 3}}};
+  return scene;
+}
+
+// Whichever body, medium and tolerance: bright and dark ones, twisted ones, a plate.
+TEST_F(BoundarySolverTest, ResidualIsAsSmallAsAsked) {
+  Scene twisted = backlitBear(50, marble());
+  twisted.deformers = {{DeformerKind::Twist, 2, 0}, {DeformerKind::Bend, 1, 0}};
+  Scene plate = sceneOf(box({0, 0, 0}, {10, 10, 0.5F}, 20), marble(), {0, 10, 40}, 15);
+  plate.lighting.directional = {{{0, 0, -1}, {1, 1, 1}}};
+  for (const Scene& scene : {litDent(marble()), litDent(skin()), twisted, plate}) {
+    renderer().setScene(scene);
+    int steps = 0;
+    for (const float tolerance : {0.1F, 0.01F, 0.003F}) {
+      RenderOptions options = boundaryOptions(16, 2);
+      options.tolerance = tolerance;
+      options.site = Site::Vertex;
+      const RenderReport report = renderer().render(options, {Aov::Exitance}).report;
+      ASSERT_EQ(report.solutions.size(), 3U);
+      EXPECT_EQ(report.transport, Transport::Boundary);
+      EXPECT_GT(report.boundarySurfels, 500U);
+      for (const Solution& solution : report.solutions) {
+        EXPECT_LE(worstOf(solution), tolerance) << scene.name << " " << tolerance;
+        EXPECT_LE(solution.steps, 8);
+      }
+      EXPECT_GE(report.solutions[0].steps, 1);
+      EXPECT_GE(report.solutions[0].steps, steps);
+      steps = report.solutions[0].steps;
+    }
+  }
+}
+
+TEST_F(BoundarySolverTest, ErrorFallsWithTheTolerance) {
+  renderer().setScene(litDent(marble()));
+  const auto picture = [&](float tolerance) {
+    RenderOptions options = boundaryOptions(40, 2);
+    options.tolerance = tolerance;
+    return render(options, {Aov::Exitance})[0];
+  };
+  const Image fine = picture(3e-4F);
+  double last = 1;
+  for (const float tolerance : {0.1F, 0.03F, 0.01F, 0.003F}) {
+    const double rms = errorsOf(picture(tolerance), fine).rms;
+    EXPECT_LT(rms, static_cast<double>(tolerance)) << tolerance;
+    EXPECT_LT(rms, last) << tolerance;
+    last = rms;
+  }
+}
+
+TEST_F(BoundarySolverTest, NoMoreUnknownsThanAllowed) {
+  renderer().setScene(litDent(marble()));
+  RenderOptions options = boundaryOptions(40);
+  const RenderResult usual = renderer().render(options, {Aov::Exitance});
+  options.boundarySurfels = 600;
+  const RenderResult few = renderer().render(options, {Aov::Exitance});
+  EXPECT_LE(few.report.boundarySurfels, 600U);
+  EXPECT_GT(few.report.boundarySurfels, 200U);
+  EXPECT_GT(usual.report.boundarySurfels, 2 * few.report.boundarySurfels);
+  EXPECT_LT(errorsOf(few.images[0], usual.images[0]).rms, 0.1);
+}
+
+TEST_F(BoundarySolverTest, OneSolutionAndOneMoreForEachBounce) {
+  renderer().setScene(litDent(marble()));
+  for (const int bounces : {0, 1, 4}) {
+    const RenderReport report =
+        renderer().render(boundaryOptions(16, bounces), {Aov::Exitance}).report;
+    EXPECT_EQ(report.solutions.size(), static_cast<std::size_t>(bounces) + 1);
+  }
+  RenderOptions options = boundaryOptions(16);
+  options.transport = Transport::BetterDipole;
+  EXPECT_TRUE(renderer().render(options, {Aov::Exitance}).report.solutions.empty());
+}
+
+}  // namespace
+}  // namespace opaline
