@@ -28,8 +28,8 @@ Medium thinMilk() {
   return {"thin milk", {0.8, 0.6, 0.4}, {0.003, 0.002, 0.001}, 1.3};
 }
 
-Scene litDent() {
-  Scene scene = sceneOf(dented(10, 3), thinMilk(), {20, 12, 34}, 10.5F);
+Scene litPeanut() {
+  Scene scene = sceneOf(peanut(24, 3), thinMilk(), {20, 12, 44}, 12.5F);
   scene.lighting.directional = {{toVec3(unit({-0.6, 0.5, 0.4})), {1, 1, 1}}};
   return scene;
 }
@@ -72,12 +72,12 @@ double errorOfTriangles(const RenderResult& found, const boundary::Clusters& clu
     mean += exitance[k];
     squares += std::pow(sum[k] / pixels[k] - exitance[k], 2);
   }
-  EXPECT_GT(triangles, 300);
+  EXPECT_GT(triangles, 200);
   return std::sqrt(squares * triangles) / mean;
 }
 
 TEST_F(BoundaryDenseTest, EveryPairSaysTheSame) {
-  const Scene scene = litDent();
+  const Scene scene = litPeanut();
   const reference::Scene body = referenceOf(scene);
   const reference::Geometry geometry(body);
   std::vector<std::uint32_t> own(scene.objects[0].mesh.triangles.size());
