@@ -5,6 +5,11 @@ OPALINE := $(BUILD)/bin/opaline
 PYTHON ?= python3
 LAUNCHER := $(if $(shell command -v ccache),-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 
+MODELS := $(or $(OPALINE_MODELS),../shared/models)
+TRUTHS := $(foreach run,bunny_1 bunny_2 bear_1 bear_2,build/truth/$(run).exr)
+SCENE_bunny := $(MODELS)/bunny_closed.ply --medium marble --diagonal-mm 50 --cell-mm 0.8 --seconds 170
+SCENE_bear := --builtin bear --medium gummy-red --seconds 60
+
 .PHONY: help demo build test check bench bench-gpu figures accuracy format asan package dependencies
 
 help:
@@ -13,7 +18,7 @@ help:
 	@echo 'make test      build, check every rule of the house, run all tests'
 	@echo 'make bench     times of every pass on this machine'
 	@echo 'make bench-gpu all figures of docs/performance.md on a GPU, into build/; DEVICE=name chooses it'
-	@echo 'make figures   the pictures of docs/paper.md and docs/deformation.md, from the models'
+	@echo 'make figures   the pictures of docs/, from the models'
 	@echo 'make accuracy  the table and heat maps of docs/accuracy.md, from the models: half an hour on two cores'
 	@echo 'make format    clang-format everything'
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
@@ -55,8 +60,14 @@ bench: build
 bench-gpu: build
 	$(PYTHON) tools/bench_gpu.py $(BUILD)/bin build --device "$(DEVICE)"
 
-figures: build
+figures: build $(TRUTHS)
 	$(BUILD)/bin/opaline_figures
+
+# What boundary transport is shown beside: 8 minutes in all.
+$(TRUTHS): | build
+	mkdir -p $(@D)
+	$(OPALINE) reference $(SCENE_$(word 1,$(subst _, ,$(@F)))) --path --directional 0.45,0.35,-0.82:3.14159,3.14159,3.14159 \
+	  --size 256x256 --aov exitance --seed $(subst .exr,,$(word 2,$(subst _, ,$(@F)))) -o $@
 
 accuracy: build
 	$(PYTHON) tools/accuracy.py --program $(OPALINE)

@@ -1,5 +1,6 @@
-// What a translucent frame of a deforming body costs on this machine: by the paper's method and by
-// the tree, as multiples of an opaque frame of the same mesh and of the paper's.
+// What a translucent frame of a deforming body costs on this machine: by the paper's method, by the
+// tree, and by boundary transport, as multiples of an opaque frame of the same mesh, of the paper's
+// and of the tree's.
 
 #include <fmt/format.h>
 
@@ -46,21 +47,37 @@ Scene litFromBehind(Scene scene) {
 
 RenderOptions optionsFor(Sum sum, Site site) {
   RenderOptions options;
+  options.transport = Transport::Dipole;
   options.sum = sum;
   options.site = site;
   options.antialias = 1;
   return options;
 }
 
+RenderOptions boundaryFor(int bounces) {
+  RenderOptions options = optionsFor(Sum::Tree, Site::Auto);
+  options.transport = Transport::Boundary;
+  options.bounces = bounces;
+  return options;
+}
+
+/// How many frames of another kind one may take.
+struct Limits {
+  std::optional<double> papers = std::nullopt;  ///< of the paper's, at fragments
+  std::optional<double> trees = std::nullopt;   ///< of the tree's dipole
+};
+
 /// One kind of translucent frame.
 struct Way {
   const char* name;
   RenderOptions options;
-  std::optional<double> mostPapers;  ///< of the paper's frames that one may take
+  Limits most;
   Renderer& renderer;
   FrameTimes times;
   Site site = Site::Auto;  ///< that was chosen
   std::size_t sources = 0;
+  std::size_t boundarySurfels = 0;
+  std::vector<Solution> solutions;
 
   void render(double seconds) {
     options.seconds = seconds;
@@ -70,6 +87,8 @@ struct Way {
     times.add(report.frameMilliseconds, passes);
     site = report.site;
     sources = report.sources;
+    boundarySurfels = report.boundarySurfels;
+    solutions = report.solutions;
   }
 };
 
@@ -96,7 +115,14 @@ const char* nameOf(Site site) {
   return "auto";
 }
 
-Json describe(Way& way, const Image& finest, double opaqueMs, double paperMs) {
+/// What frames are multiples of.
+struct Yardsticks {
+  double opaqueMs;
+  double paperMs;
+  double treeMs;
+};
+
+Json describe(Way& way, const Image& finest, const Yardsticks& yardsticks) {
   Json result;
   result["way"] = way.name;
   result["site"] = nameOf(way.site);
@@ -104,14 +130,22 @@ Json describe(Way& way, const Image& finest, double opaqueMs, double paperMs) {
   result["frame_ms"] = way.times.frameMilliseconds();
   for (const PassTime& pass : way.times.passes())
     result["passes_ms"][pass.name] = pass.milliseconds;
-  result["opaque_frames"] = way.times.frameMilliseconds() / opaqueMs;
-  result["papers"] = way.times.frameMilliseconds() / paperMs;
-  if (way.mostPapers) result["papers_allowed"] = *way.mostPapers;
+  result["opaque_frames"] = way.times.frameMilliseconds() / yardsticks.opaqueMs;
+  result["papers"] = way.times.frameMilliseconds() / yardsticks.paperMs;
+  if (way.most.papers) result["papers_allowed"] = *way.most.papers;
+  result["trees"] = way.times.frameMilliseconds() / yardsticks.treeMs;
+  if (way.most.trees) result["trees_allowed"] = *way.most.trees;
+  if (way.options.transport == Transport::Boundary) {
+    result["boundary_surfels"] = way.boundarySurfels;
+    for (const Solution& solution : way.solutions) result["steps"].push_back(solution.steps);
+  }
 
   way.options.seconds = 0;
   const std::vector<Image> found =
       way.renderer.render(way.options, {Aov::Exitance, Aov::Evaluations}).images;
   if (way.options.sum != Sum::Pattern) result["evaluations"] = meanOverCovered(found[1]);
+  // Another transport is no approximation of the dipole's.
+  if (way.options.transport != Transport::Dipole) return result;
   const auto figures =
       compare::figuresOver(found[0], finest, compare::commonPixels(found[0], finest));
   if (figures) {
@@ -125,13 +159,20 @@ Json measure(const Arguments& arguments, const Scene& scene, const char* lightin
   // Each with what its own sum needs, and no more.
   Renderer paper({arguments.device, false, {}});
   Renderer tree({arguments.device, false, {}});
+  Renderer boundary({arguments.device, false, {}});
   paper.setScene(scene);
   tree.setScene(scene);
+  boundary.setScene(scene);
   OpaqueFrame opaqueFrame(scene, optionsFor(Sum::Tree, Site::Auto), arguments.device);
-  std::array ways{Way{"paper fragment", optionsFor(Sum::Pattern, Site::Fragment), {}, paper, {}},
-                  Way{"paper vertex", optionsFor(Sum::Pattern, Site::Vertex), {}, paper, {}},
-                  Way{"tree auto", optionsFor(Sum::Tree, Site::Auto), 1, tree, {}},
-                  Way{"tree fragment", optionsFor(Sum::Tree, Site::Fragment), 3, tree, {}}};
+  std::array ways{
+      Way{"paper fragment", optionsFor(Sum::Pattern, Site::Fragment), {}, paper, {}},
+      Way{"paper vertex", optionsFor(Sum::Pattern, Site::Vertex), {}, paper, {}},
+      Way{"tree auto", optionsFor(Sum::Tree, Site::Auto), {.papers = 1}, tree, {}},
+      Way{"tree fragment", optionsFor(Sum::Tree, Site::Fragment), {.papers = 3}, tree, {}},
+      Way{"boundary, no bounces", boundaryFor(0), {.trees = 2}, boundary, {}},
+      Way{"boundary, two bounces", boundaryFor(2), {.trees = 3}, boundary, {}}};
+  constexpr std::size_t paperFragment = 0;
+  constexpr std::size_t treeAuto = 2;
 
   // One kind of frame after the other, again and again, so that what else the machine does falls on
   // all of them alike.
@@ -155,17 +196,20 @@ Json measure(const Arguments& arguments, const Scene& scene, const char* lightin
               {"finest_tolerance", finestTolerance},
               {"opaque_ms", opaque.frameMilliseconds()},
               {"rows", Json::array()}};
-  for (Way& way : ways)
-    result["rows"].push_back(describe(way, exact.images[0], opaque.frameMilliseconds(),
-                                      ways[0].times.frameMilliseconds()));
+  const Yardsticks yardsticks{opaque.frameMilliseconds(),
+                              ways[paperFragment].times.frameMilliseconds(),
+                              ways[treeAuto].times.frameMilliseconds()};
+  for (Way& way : ways) result["rows"].push_back(describe(way, exact.images[0], yardsticks));
   return result;
 }
 
-std::string verdict(const Json& row) {
-  if (!row.contains("papers_allowed")) return "";
-  const double allowed = row["papers_allowed"].get<double>();
-  return row["papers"].get<double>() <= allowed ? fmt::format(" (within {:g})", allowed)
-                                                : fmt::format(" (MORE than {:g})", allowed);
+/// Of "papers" or "trees".
+std::string verdict(const Json& row, const std::string& yardstick) {
+  const std::string limit = yardstick + "_allowed";
+  if (!row.contains(limit)) return "";
+  const double allowed = row[limit].get<double>();
+  return row[yardstick].get<double>() <= allowed ? fmt::format(" (within {:g})", allowed)
+                                                 : fmt::format(" (MORE than {:g})", allowed);
 }
 
 void print(const Json& result) {
@@ -186,7 +230,12 @@ void print(const Json& result) {
     fmt::print("  {:<24}{:>10.2f} ms\n", "whole frame", row["frame_ms"].get<double>());
     fmt::print("  {:<24}{:>10.2f} opaque frames\n", "", row["opaque_frames"].get<double>());
     fmt::print("  {:<24}{:>10.2f} frames of the paper{}\n", "", row["papers"].get<double>(),
-               verdict(row));
+               verdict(row, "papers"));
+    fmt::print("  {:<24}{:>10.2f} frames of the tree's dipole{}\n", "", row["trees"].get<double>(),
+               verdict(row, "trees"));
+    if (row.contains("steps"))
+      fmt::print("  {:<24}{:>10} of {} unknowns\n", "solved in steps", row["steps"].dump(),
+                 row["boundary_surfels"].get<std::size_t>());
     if (row.contains("evaluations"))
       fmt::print("  {:<24}{:>10.1f} a {}\n", "evaluations", row["evaluations"].get<double>(),
                  row["site"] == "vertex" ? "vertex" : "pixel");

@@ -136,6 +136,7 @@ void CommandLine::addValue(const std::string& names, const std::string& placehol
                            const std::string& help, Taker take, bool repeatable) {
   Entry entry;
   entry.left = names == placeholder ? names : spaced(names) + " " + placeholder;
+  entry.names = spaced(names);
   entry.help = help;
   entry.placeholder = placeholder;
   entry.option =
@@ -223,8 +224,16 @@ std::vector<std::string> CommandLine::optionNames() const {
 std::string CommandLine::help() const {
   std::string text =
       fmt::format("opaline {}{} [options]\n{}\n", name_, usage_, wrapped(summary_, helpWidth, 0));
-  for (const Entry& entry : entries_) {
-    text += entry.option == nullptr ? entry.left + ":\n" : helpLine(entry.left, entry.help);
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const Entry& entry = entries_[i];
+    if (entry.option == nullptr) {
+      text += entry.left + ":\n";
+    } else if (i + 1 < entries_.size() && entries_[i + 1].help.empty() && entries_[i + 1].option) {
+      text += helpLine(entry.names + ", " + entries_[i + 1].left, entry.help);
+      ++i;
+    } else {
+      text += helpLine(entry.left, entry.help);
+    }
   }
   return text;
 }

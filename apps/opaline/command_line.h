@@ -35,6 +35,7 @@ class CommandLine {
   void requiredPositional(const std::string& name, const std::string& help, Taker take);
   void section(const std::string& title);
   void flag(const std::string& names, const std::string& help, bool& on);
+  /// Without a help of its own it stands in the help beside the option before it.
   void value(const std::string& names, const std::string& placeholder, const std::string& help,
              Taker take);
   void repeated(const std::string& names, const std::string& placeholder, const std::string& help,
@@ -50,6 +51,7 @@ class CommandLine {
   struct Entry {
     std::string left;  ///< a section's title, or an option with its placeholder
     std::string help;
+    std::string names;
     std::string placeholder;
     CLI::Option* option = nullptr;
     bool repeatable = false;

@@ -22,6 +22,7 @@
 #include "output.h"
 #include "paths.h"
 #include "scene/deformer_check.h"
+#include "scene/insides.h"
 #include "scene/merged_mesh.h"
 #include "scene/topology.h"
 #include "scene_options.h"
@@ -57,16 +58,21 @@ std::array<double, 3> sizeMm(const Object& object) {
           bounds.maxMm[2] - bounds.minMm[2]};
 }
 
+std::ptrdiff_t trianglesWithoutInside(const Object& object) {
+  const std::vector<bool> inside =
+      scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
+  return std::count(inside.begin(), inside.end(), false);
+}
+
 Json objectsJson(const Scene& scene) {
   Json objects = Json::array();
   for (const Object& object : scene.objects) {
-    objects.push_back(
-        {{"name", object.name},
-         {"triangles", object.mesh.triangles.size()},
-         {"vertices", object.mesh.positionsMm.size()},
-         {"size_mm", sizeMm(object)},
-         {"closed", scene::factsOf(object.mesh.positionsMm, object.mesh.triangles).closed},
-         {"medium", mediumJson(object.medium)}});
+    objects.push_back({{"name", object.name},
+                       {"triangles", object.mesh.triangles.size()},
+                       {"vertices", object.mesh.positionsMm.size()},
+                       {"size_mm", sizeMm(object)},
+                       {"triangles_without_inside", trianglesWithoutInside(object)},
+                       {"medium", mediumJson(object.medium)}});
   }
   return objects;
 }
@@ -164,11 +170,12 @@ std::string sceneText(const Scene& scene, const Json& facts) {
         "mm\n",
         object.name, size[0], size[1], size[2], object.medium.name, rgbText(lengths.meanFreePathMm),
         rgbText(lengths.diffusionMm));
-    if (!facts["objects"][i]["closed"].get<bool>())
+    const auto open = facts["objects"][i]["triangles_without_inside"].get<std::size_t>();
+    if (open > 0)
       text += fmt::format(
-          "object {} is open: it has no inside for --transport boundary, so its light scatters as "
-          "in a half-space, by better-dipole\n",
-          object.name);
+          "{} {} is open and has no inside for --transport boundary: light scatters there as in a "
+          "half-space, by better-dipole\n",
+          open < object.mesh.triangles.size() ? "a part of object" : "object", object.name);
   }
   text += motionText(scene);
   for (const Repair& repair : scene.repairs) {

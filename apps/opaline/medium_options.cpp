@@ -33,9 +33,9 @@ void MediumOptions::addTo(CommandLine& line) {
   line.value("--medium", "NAME", "one that opaline media lists",
              [this](const Given& given) { named_ = namedMedium(given); });
   line.value(
-      "--sigma-s", "R,G,B", "reduced scattering, 1/mm, with --sigma-a",
+      "--sigma-s", "R,G,B", "reduced scattering and absorption, 1/mm",
       [this](const Given& given) { sigmaSPrimePerMm_ = readTriple(given, coefficientRange); });
-  line.value("--sigma-a", "R,G,B", "absorption, 1/mm",
+  line.value("--sigma-a", "R,G,B", "",
              [this](const Given& given) { sigmaAPerMm_ = readTriple(given, coefficientRange); });
   line.value("--eta", "X", "index of refraction, 1.01 to 3 [1.3]", [this](const Given& given) {
     eta_ = readNumber(given, {1.01, 3});

@@ -116,7 +116,7 @@ void MethodOptions::addTo(CommandLine& line) {
     paper_ = readChoice<bool>(given, {{"paper", true}});
   });
   line.value("--tolerance", "X",
-             fmt::format("of the tree's nodes, relative, 1e-4 to 1 [{}]", defaults.tolerance),
+             fmt::format("of nodes and solution, relative, 1e-4 to 1 [{}]", defaults.tolerance),
              [this](const Given& given) {
                tolerance_ = readFloat(given, {1e-4, 1});
              });
@@ -209,9 +209,8 @@ void PictureOptions::addTo(CommandLine& line, const Kinds& kinds) {
              [this](const Given& given) { size_ = readSize(given, 16384); });
   line.value(
       "--aov", "NAME",
-      fmt::format("write this instead, EXR: radiance exitance irradiance position normal "
-                  "depth object{}",
-                  kinds.sourceMap ? " evaluations dsm-{position,normal,irradiance,area}" : ""),
+      fmt::format("write instead, EXR: radiance exitance irradiance position normal depth object{}",
+                  kinds.sourceMap ? " evaluations dsm-*" : ""),
       [this](const Given& given) { aov_ = readChoice(given, aovs()); });
   line.value("--antialias", "N",
              fmt::format("samples a pixel: 1, 2, 4 or 8 [{}; AOVs 1]", defaults.antialias),

@@ -88,8 +88,10 @@ void PassTimer::collect() {
 }
 
 double PassTimer::millisecondsBetween(std::uint64_t from, std::uint64_t to) const {
-  // The mask makes a counter that wrapped around come out right.
-  return static_cast<double>((to - from) & mask_) * millisecondsPerTick_;
+  // The mask makes a counter that wrapped around come out right. One that went back a little, as
+  // software devices' do between cores, counts as no time.
+  const std::uint64_t ticks = (to - from) & mask_;
+  return ticks > mask_ / 2 ? 0 : static_cast<double>(ticks) * millisecondsPerTick_;
 }
 
 void PassTimer::add(const std::string& name, double milliseconds) {

@@ -92,16 +92,16 @@ struct FrameContext {
                                       scene.surfels, scene.clusters);
     const passes::Places surfels =
         passes::placesOf(scene.surfels, scene.clusters.exitancesOfSurfels);
-    sumOver(surfels, {order().transport, passes::ScatterSite::Vertices, plan.tolerance},
+    sumOver(surfels, Sum::Tree, {order().transport, passes::ScatterSite::Vertices, plan.tolerance},
             scene.surfels);
     passes.carry.recordMeans(commands, From::Surfels, surfels.exitances, scene.surfels,
                              scene.clusters);
   }
 
-  void sumOver(const passes::Places& places, const passes::SurfelSumPass::Order& how,
+  void sumOver(const passes::Places& places, Sum sum, const passes::SurfelSumPass::Order& how,
                passes::Surfels& surfels) const {
     const passes::SurfelSumPass::OverPlaces over{resources.tables, surfels, places};
-    if (plan.sum == Sum::Tree)
+    if (sum == Sum::Tree)
       passes.sum.treeOverPlaces(commands, how, over);
     else
       passes.sum.allOverPlaces(commands, how, over);
@@ -121,7 +121,7 @@ struct FrameContext {
     const passes::Places vertices = passes::verticesOf(mesh, scene.surfels, resources.exitance);
     // The tree's rough sum is wanted by fragments too.
     if (plan.sum == Sum::Tree || plan.site != Site::Fragment)
-      sumOver(vertices, order(), scene.surfels);
+      sumOver(vertices, plan.sum, order(), scene.surfels);
     if (!boundary()) return;
     meansOverClusters(scene);
     if (plan.site != Site::Fragment)

@@ -49,8 +49,10 @@ bool needsMap(const RenderOptions& options, const std::vector<Aov>& aovs) {
 }
 
 FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, Site site,
-                   bool skyIsDark) {
-  return {.transport = options.transport,
+                   bool skyIsDark, const SceneResources& resources) {
+  // Where nothing has an inside, boundary transport is what it falls back to.
+  const bool halfSpaces = options.transport == Transport::Boundary && !resources.hasInside();
+  return {.transport = halfSpaces ? Transport::BetterDipole : options.transport,
           .sum = options.sum,
           .site = site,
           .tolerance = options.tolerance,
@@ -147,10 +149,10 @@ class Renderer::Implementation {
     FrameSlot& slot = slots_[next_];
     slot.readback.prepare(device_, aovs, site_, camera, *resources_);
     slot.commands.begin();
-    recordFrame(slot.commands, passes_, makePlan(options, aovs, site_, skyIsDark()), upload,
-                *motion_, *uploaded_, *resources_);
+    recordFrame(slot.commands, passes_, makePlan(options, aovs, site_, skyIsDark(), *uploaded_),
+                upload, *motion_, *uploaded_, *resources_);
     slot.readback.record(slot.commands, site_, *resources_);
-    const bool boundary = options.transport == Transport::Boundary;
+    const bool boundary = options.transport == Transport::Boundary && uploaded_->hasInside();
     slot.readback.recordSolutions(slot.commands, boundary ? options.bounces + 1 : 0,
                                   uploaded_->solver);
     slot.commands.submit();
@@ -288,20 +290,21 @@ class Renderer::Implementation {
 
   RenderReport makeReport(const FrameTimes& times) const {
     constexpr double megabyte = 1e6;
-    return {
-        .device = describe(device_.info()),
-        .transport = last_.transport,
-        .sum = last_.sum,
-        .site = site_,
-        .triangles = uploaded_->triangles,
-        .vertices = uploaded_->mesh.vertexCount,
-        .sources =
-            last_.sum == Sum::Pattern ? resources_->sources.sourceCount : uploaded_->surfels.count,
-        .boundarySurfels = last_.transport == Transport::Boundary ? uploaded_->clusters.count : 0,
-        .solutions = solutions_,
-        .passes = times.passes(),
-        .frameMilliseconds = times.frameMilliseconds(),
-        .peakMemoryMegabytes = static_cast<double>(device_.peakMemoryBytes()) / megabyte};
+    return {.device = describe(device_.info()),
+            .transport = last_.transport,
+            .sum = last_.sum,
+            .site = site_,
+            .triangles = uploaded_->triangles,
+            .vertices = uploaded_->mesh.vertexCount,
+            .sources = last_.sum == Sum::Pattern ? resources_->sources.sourceCount
+                                                 : uploaded_->surfels.count,
+            .boundarySurfels = last_.transport == Transport::Boundary && uploaded_->hasInside()
+                                   ? uploaded_->clusters.count
+                                   : 0,
+            .solutions = solutions_,
+            .passes = times.passes(),
+            .frameMilliseconds = times.frameMilliseconds(),
+            .peakMemoryMegabytes = static_cast<double>(device_.peakMemoryBytes()) / megabyte};
   }
 
   gpu::Device device_;

@@ -222,6 +222,11 @@ bool wantsVertices(const SceneResources& resources, std::size_t object) {
          shortestMeanFreePathMm(resources.media[resources.mediumOfObject[object]]);
 }
 
+bool SceneResources::hasInside() const {
+  return std::any_of(surfelsOfObject.begin(), surfelsOfObject.end(),
+                     [](const SurfelsOfObject& object) { return object.hasInside; });
+}
+
 double shortestMeanFreePathMm(const Medium& medium) {
   double shortest = bssrdf::coefficients(medium, 0).meanFreePathMm;
   for (int channel = 1; channel < 3; ++channel)

@@ -62,6 +62,9 @@ struct SceneResources {
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<double> meanEdgeOfObjectMm;
   std::vector<double> areaOfObjectMm2;
+
+  /// Whether any object has, so that boundary transport is of use.
+  bool hasInside() const;
 };
 
 /// `merged` is of the scene and outlives the resources. Notes go to `log`.

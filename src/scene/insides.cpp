@@ -11,7 +11,7 @@ namespace opaline::scene {
 namespace {
 
 // Of a part's surface, that its holes may be to count as closed.
-constexpr double largestHoles = 0.03;
+constexpr double largestHoles = 0.05;
 
 double distance(const Vec3& a, const Vec3& b) {
   return length(toDouble(a) - toDouble(b));

@@ -99,13 +99,25 @@ class Tracer {
     return std::span(surfels_.pieces).subspan(leaf.first * pieces, leaf.count * pieces);
   }
 
+  // A piece, not all of its triangle: of few large triangles every leaf's box would be the body's.
+  void include(const Piece& piece, Box& box) const {
+    const std::array<Vector, 3> corners = cornersOf(piece.triangle);
+    for (const std::array<float, 2>& corner : piece.corners) {
+      const auto v = static_cast<double>(corner[0]);
+      const auto w = static_cast<double>(corner[1]);
+      Vector place{};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        place[axis] = (1 - v - w) * corners[0][axis] + v * corners[1][axis] + w * corners[2][axis];
+      box.include(place);
+    }
+  }
+
   // Returns the node after all that are below it.
   std::uint32_t enclose(std::uint32_t node) {
     const NodeLink link = linkOf(surfels_.tree, node);
     Box box;
     if (link.leaf) {
-      for (const Piece& piece : piecesOf(link))
-        for (const Vector& corner : cornersOf(piece.triangle)) box.include(corner);
+      for (const Piece& piece : piecesOf(link)) include(piece, box);
     } else {
       for (std::uint32_t child = node + 1; child < link.end;) {
         const std::uint32_t next = enclose(child);

@@ -93,6 +93,32 @@ TEST(MeanTransmittance, FromTheDenserSide) {
   }
 }
 
+TEST(MeanCosineInside, PublishedFigures) {
+  EXPECT_NEAR(meanCosineInside(1.3), 0.840, 5e-4);
+  EXPECT_NEAR(meanCosineInside(1.5), 0.885, 5e-4);
+}
+
+TEST(MeanCosineInside, IsTheIntegral) {
+  for (const double eta : {1.0001, 1.01, 1.1, 1.3, 1.5, 2.0, 3.0}) {
+    // μ = s³ spreads the narrow peak at grazing angles of media that hardly refract.
+    const auto mean = [&](double power) {
+      return integrate(
+          [&](double s) {
+            const double mu = s * s * s;
+            const double inside = std::sqrt(1 - (1 - mu * mu) / (eta * eta));
+            return (1 - fresnelReflectance(eta, mu)) * mu * std::pow(inside, power) * 3 * s * s;
+          },
+          0, 1, 4000);
+    };
+    EXPECT_NEAR(meanCosineInside(eta), mean(1) / mean(0), 2e-5) << eta;
+  }
+}
+
+// Where nothing refracts or reflects it is that of diffuse light, ∫ μ² dμ / ∫ μ dμ.
+TEST(MeanCosineInside, OfEqualMediaIsTwoThirds) {
+  EXPECT_NEAR(meanCosineInside(1.0), 2.0 / 3, 1e-6);
+}
+
 /// (k+1) ∫ F_in μ^k dμ.
 double momentInside(double eta, int power) {
   const double critical = std::sqrt(1 - 1 / (eta * eta));

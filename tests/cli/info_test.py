@@ -39,7 +39,7 @@ class Info(ProgramTest):
         info = run.json()
         self.assertFalse(info["closed"])
         self.assertEqual((info["boundary_loops"], info["components"], info["triangles"]), (1, 1, 10))
-        self.assertEqual([entry["closed"] for entry in info["objects"]], [False])
+        self.assertEqual([entry["triangles_without_inside"] for entry in info["objects"]], [10])
         self.assertTrue(info["repairs"])
         for repair in info["repairs"]:
             self.assertGreater(repair["count"], 0)
@@ -54,8 +54,8 @@ class Info(ProgramTest):
         # Rendering says the same.
         self.assertIn("is open", self.succeed("render", "box.obj", "--size", "8x8", "-o", "a.png").err)
         self.write("cube.obj", CUBE_OBJ)
-        self.assertEqual([entry["closed"] for entry in self.succeed("info", "cube.obj", "--json").json()["objects"]],
-                         [True])
+        closed, = self.succeed("info", "cube.obj", "--json").json()["objects"]
+        self.assertEqual(closed["triangles_without_inside"], 0)
         self.assertNotIn("is open", self.succeed("info", "cube.obj").out)
 
     def test_what_moves(self):

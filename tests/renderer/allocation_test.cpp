@@ -88,6 +88,7 @@ RenderOptions tinyOptions() {
   RenderOptions options;
   options.width = options.height = 32;
   options.maxSources = 2048;  // coarse: all passes of a frame have something to do
+  options.boundarySurfels = 256;
   options.dsmSize = 128;
   options.shadowSize = 128;
   return options;
@@ -116,17 +117,20 @@ TEST(AllocationTest, SteadyFramesAllocateNothing) {
   const Scene scene = moving();
   renderer.setScene(scene);
   RenderOptions options = tinyOptions();
-  for (const Sum sum : {Sum::Pattern, Sum::Tree, Sum::All})
-    for (const Site site : {Site::Vertex, Site::Fragment, Site::Auto}) {
-      options.sum = sum;
-      options.site = site;
-      const auto nothing = [] {};
-      EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {}, nothing), 0U);
-      EXPECT_EQ(allocationsOfSteadyFrames(
-                    renderer, options,
-                    {Aov::Radiance, Aov::Exitance, Aov::Evaluations, Aov::DsmArea}, nothing),
-                0U);
-    }
+  for (const Transport transport : {Transport::Dipole, Transport::Boundary})
+    for (const Sum sum : {Sum::Pattern, Sum::Tree, Sum::All})
+      for (const Site site : {Site::Vertex, Site::Fragment, Site::Auto}) {
+        if (transport == Transport::Boundary && sum == Sum::Pattern) continue;
+        options.transport = transport;
+        options.sum = sum;
+        options.site = site;
+        const auto nothing = [] {};
+        EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {}, nothing), 0U);
+        EXPECT_EQ(allocationsOfSteadyFrames(
+                      renderer, options,
+                      {Aov::Radiance, Aov::Exitance, Aov::Evaluations, Aov::DsmArea}, nothing),
+                  0U);
+      }
 }
 
 TEST(AllocationTest, GivenPositionsAllocateNothing) {

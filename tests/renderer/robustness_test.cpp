@@ -2,9 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
+#include <string>
+#include <vector>
 
+#include "atlas/awkward_meshes.h"
 #include "renderer/renderer_fixture.h"
 #include "renderer/shapes.h"
 
@@ -12,6 +18,8 @@ namespace opaline {
 namespace {
 
 using namespace test;
+
+namespace fs = std::filesystem;
 
 using RobustnessTest = RendererTest;
 
@@ -23,6 +31,42 @@ Scene ball() {
   scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
   scene.lighting.ambient = {0.1F, 0.1F, 0.1F};
   return scene;
+}
+
+void expectSound(const std::vector<Image>& images, const std::string& what) {
+  for (const Image& image : images)
+    for (const float value : image.rgba)
+      ASSERT_TRUE(std::isfinite(value) && value >= 0) << what << ": " << value;
+}
+
+/// Of the scene that is set, whoever carries the light and wherever it is summed.
+void expectLightIsSound(const std::string& what) {
+  for (const Transport transport : {Transport::Dipole, Transport::Boundary})
+    for (const Site site : {Site::Vertex, Site::Fragment}) {
+      RenderOptions options = smallOptions();
+      options.transport = transport;
+      options.boundarySurfels = 1000;
+      options.site = site;
+      expectSound(sharedRenderer().renderer->render(options, {Aov::Radiance, Aov::Exitance}).images,
+                  what + (transport == Transport::Dipole ? ", dipole" : ", boundary"));
+    }
+}
+
+std::vector<fs::path> sharedModels() {
+  std::vector<fs::path> folders;
+  if (const char* named = std::getenv("OPALINE_MODELS")) folders.emplace_back(named);
+  folders.emplace_back(fs::path(OPALINE_SOURCE_DIR) / ".." / "shared" / "models");
+  std::vector<fs::path> models;
+  for (const fs::path& folder : folders) {
+    if (!models.empty() || !fs::is_directory(folder)) continue;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+      const fs::path kind = entry.path().extension();
+      if (kind == ".ply" || kind == ".obj" || kind == ".glb" || kind == ".gltf")
+        models.push_back(entry.path());
+    }
+  }
+  std::sort(models.begin(), models.end());
+  return models;
 }
 
 template <typename Change>
@@ -50,6 +94,14 @@ TEST_F(RobustnessTest, OptionsOutOfRangeAreRefused) {
       changed([](RenderOptions& o) { o.maxSources = 1023; }),
       changed([](RenderOptions& o) { o.maxSources = -1; }),
       changed([](RenderOptions& o) { o.maxSources = (1 << 22) + 1; }),
+      changed([](RenderOptions& o) { o.boundarySurfels = 63; }),
+      changed([](RenderOptions& o) { o.boundarySurfels = (1 << 18) + 1; }),
+      changed([](RenderOptions& o) { o.bounces = -1; }),
+      changed([](RenderOptions& o) { o.bounces = 9; }),
+      changed([](RenderOptions& o) {
+        o.transport = Transport::Boundary;
+        o.sum = Sum::Pattern;
+      }),
       changed([](RenderOptions& o) { o.antialias = 3; }),
       changed([](RenderOptions& o) { o.antialias = 0; }),
       changed([](RenderOptions& o) { o.frames = 0; }),
@@ -197,12 +249,8 @@ TEST_F(RobustnessTest, MotionWithoutMeasureIsBorne) {
   Scene scene = riggedBall();
   for (const float scale : {0.0F, 1e-20F, 1e20F, 3e38F}) {
     scene.clips[0].tracks[0].values = {scale, scale, scale, 1, 1, 1};
-    for (const Site site : {Site::Vertex, Site::Fragment}) {
-      RenderOptions options = smallOptions();
-      options.site = site;
-      for (const Image& image : render(scene, options, {Aov::Radiance, Aov::Exitance}))
-        for (const float value : image.rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0);
-    }
+    renderer().setScene(scene);
+    expectLightIsSound("scale " + std::to_string(scale));
   }
 }
 
@@ -257,11 +305,49 @@ TEST_F(RobustnessTest, TrianglesWithoutAreaAndIsolatedVerticesAreBorne) {
   mesh.triangles.push_back({4, 4, 4});
   mesh.positionsMm.push_back({1, 1, 1});
   mesh.normals.push_back({0, 0, 1});
-  for (const Site site : {Site::Vertex, Site::Fragment}) {
+  renderer().setScene(scene);
+  expectLightIsSound("triangles without area");
+}
+
+// What boundary transport has no inside for, or a hard one, and media at the ends of what there is.
+TEST_F(RobustnessTest, AwkwardBodiesAreBorne) {
+  for (const awkward::Shape& shape : awkward::all()) {
+    if (shape.triangles.empty()) continue;
+    Scene scene = ball();
+    scene.objects[0].mesh = {shape.positions, {}, shape.triangles};
+    scene.objects[0].mesh.normals.assign(shape.positions.size(), {0, 0, 1});
+    renderer().setScene(scene);
+    expectLightIsSound(shape.name);
+  }
+  for (const double scattering : {1e-3, 0.05, 100.0})
+    for (const double absorption : {0.0, 0.01, 10.0}) {
+      Scene scene = ball();
+      Medium& medium = scene.objects[0].medium;
+      medium.sigmaSPrimePerMm = {scattering, scattering, 1};
+      medium.sigmaAPerMm = {absorption, 2 * absorption, absorption};
+      renderer().setScene(scene);
+      expectLightIsSound("scattering " + std::to_string(scattering) + ", absorption " +
+                         std::to_string(absorption));
+    }
+}
+
+// Every shared model, open and closed ones.
+TEST_F(RobustnessTest, SharedModelsAreBorne) {
+  const std::vector<fs::path> models = sharedModels();
+  if (models.empty())
+    GTEST_SKIP() << "the shared models are not here; set OPALINE_MODELS to their folder";
+  for (const fs::path& file : models) {
+    LoadOptions load;
+    load.diagonalMm = 50;
+    load.medium = marble();
+    Scene scene = loadScene(file, load);
+    scene.lighting = ball().lighting;
+    renderer().setScene(scene);
     RenderOptions options = smallOptions();
-    options.site = site;
-    for (const Image& image : render(scene, options, {Aov::Radiance, Aov::Exitance}))
-      for (const float value : image.rgba) ASSERT_TRUE(std::isfinite(value) && value >= 0);
+    options.transport = Transport::Boundary;
+    options.boundarySurfels = 2000;
+    options.maxSources = 20'000;
+    expectSound(render(options, {Aov::Radiance, Aov::Exitance}), file.filename().string());
   }
 }
 

@@ -57,6 +57,49 @@ inline Body sliver() {
   return {"sliver", {{0, 0, 0}, {10, 0, 0}, {4, 0.0001F, 0}}, {{0, 1, 2}}, {0}, 1};
 }
 
+/// Eight corners, given low then high along y, each counterclockwise from above.
+inline Body hexahedron(const std::string& name, const std::array<Vec3, 8>& corners) {
+  Body body{name, {corners.begin(), corners.end()}, {}, {}, 1};
+  constexpr std::array<std::array<std::uint32_t, 4>, 6> faces{
+      {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+  for (const auto& face : faces) {
+    body.triangles.push_back({face[0], face[1], face[2]});
+    body.triangles.push_back({face[0], face[2], face[3]});
+  }
+  body.objectOfTriangle.assign(body.triangles.size(), 0);
+  return body;
+}
+
+/// From the origin to that corner.
+inline Body box(float x, float y, float z) {
+  return hexahedron(
+      "box",
+      {{{0, 0, 0}, {0, 0, z}, {x, 0, z}, {x, 0, 0}, {0, y, 0}, {0, y, z}, {x, y, z}, {x, y, 0}}});
+}
+
+/// A box whose top slopes from `low` at x = 0 to `high`.
+inline Body wedge(float x, float low, float high, float z) {
+  Body body = box(x, 0, z);
+  body.name = "wedge";
+  for (const std::size_t i : {4U, 5U}) body.positions[i][1] = low;
+  for (const std::size_t i : {6U, 7U}) body.positions[i][1] = high;
+  return body;
+}
+
+/// Both, each as objects of its own.
+inline Body together(const Body& a, const Body& b) {
+  Body body = a;
+  body.name += "_and_" + b.name;
+  const auto vertices = static_cast<std::uint32_t>(a.positions.size());
+  body.positions.insert(body.positions.end(), b.positions.begin(), b.positions.end());
+  for (const Triangle& t : b.triangles)
+    body.triangles.push_back({t[0] + vertices, t[1] + vertices, t[2] + vertices});
+  for (const std::uint32_t object : b.objectOfTriangle)
+    body.objectOfTriangle.push_back(object + static_cast<std::uint32_t>(a.objects));
+  body.objects += b.objects;
+  return body;
+}
+
 inline std::vector<Body> allBodies() {
   std::vector<Body> bodies{withEmptyObjects(), crowd(), sliver()};
   for (const awkward::Shape& shape : awkward::all()) bodies.push_back(bodyOf(shape));

@@ -21,6 +21,9 @@ std::span<const Figure> cubeFigures();
 /// The paper's sum beside the one in object space.
 std::span<const Figure> sumFigures();
 
+/// Half-spaces and boundary transport beside light followed through the body.
+std::span<const Figure> boundaryFigures();
+
 /// Figure 9, and motion that the paper does not show.
 std::span<const Figure> motionFigures();
 

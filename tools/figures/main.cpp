@@ -27,8 +27,8 @@ fs::path modelFolder() {
 }
 
 void requireModels(const fs::path& folder) {
-  for (const char* file : {"bunny.ply", "buddha.ply", "bunny_egg_a.ply", "bunny_egg_b.ply",
-                           "gltf/CesiumMan.glb", "env/venice_sunset_1k.hdr"}) {
+  for (const char* file : {"bunny.ply", "bunny_closed.ply", "buddha.ply", "bunny_egg_a.ply",
+                           "bunny_egg_b.ply", "gltf/CesiumMan.glb", "env/venice_sunset_1k.hdr"}) {
     std::error_code error;
     if (fs::is_regular_file(folder / file, error)) continue;
     throw Error(fmt::format("there is no {} in {}: OPALINE_MODELS names the folder of the models",
@@ -39,7 +39,7 @@ void requireModels(const fs::path& folder) {
 std::vector<Figure> allFigures() {
   std::vector<Figure> all;
   for (const std::span<const Figure> some :
-       {stillFigures(), cubeFigures(), sumFigures(), motionFigures()}) {
+       {stillFigures(), cubeFigures(), sumFigures(), boundaryFigures(), motionFigures()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   std::sort(all.begin(), all.end(), [](const Figure& a, const Figure& b) {

@@ -149,7 +149,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters&
       makeBeams(device, "points from everywhere", "strengths from everywhere", clusters.count);
   clusters.mirrored = makeRoom<shared::Mirrored>(device, "mirrored light", count);
   clusters.peak = makeRoom<shared::vec4>(device, "peak of mirrored light", 1);
-  clusters.sums = makeRoom<std::uint32_t>(device, "sums of mirrored light", 3 * count);
+  clusters.sums = makeRoom<shared::vec4>(device, "sums of mirrored light", count);
   clusters.arrived = makeRoom<shared::vec4>(device, "arrived mirrored light", count);
   clusters.beamNodes = makeRoom<shared::BeamNode>(device, "tree of points", nodes);
   clusters.sources = makeRoom<shared::vec4>(device, "sources of fluence", count);

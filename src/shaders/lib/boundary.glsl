@@ -15,9 +15,10 @@ const uint noNode = 0xffffffffu;
 // A node is taken for what is below it from further than its radius over this.
 const float openingAngle = 0.35;
 
-// Whether a node may be taken. Where light falls off within the node, it is felt to be smaller.
+// Whether a node may be taken. Where light falls off within the node, that is felt to be larger; twice
+// is enough, because from further away nothing comes.
 bool isFar(float squaredMm2, float radius, float sigmaPerMm) {
-  float felt = radius * max(1.0, sigmaPerMm * radius);
+  float felt = radius * clamp(sigmaPerMm * radius, 1.0, 2.0);
   return squaredMm2 * (openingAngle * openingAngle) > felt * felt;
 }
 

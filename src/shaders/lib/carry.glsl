@@ -21,6 +21,9 @@ const float leastFacing = 1e-4;
 // smaller they are, the less of its detail is wanted.
 const float coarseInFreePaths = 4.0;
 
+// From clusters that wide on nothing is wanted of them: to the medium the surface is a half-space.
+const vec2 farTooCoarse = vec2(10.0, 20.0);
+
 // The exitance at a place, where the half-space has that one, by the clusters around: their weights
 // fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. The
 // invocations of a subgroup go in step; those with nothing to do have noNode as root.
@@ -29,6 +32,7 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, vec3 extinction, uint ro
   vec3 mean = vec3(0.0);
   float edge = 0.0;
   float all = 0.0;
+  float inside = 0.0;
   uint next = root;
   while (true) {
     uint at = subgroupMin(next);
@@ -43,22 +47,26 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, vec3 extinction, uint ro
       if (opened && isLeaf(link)) {
         uint i = firstSurfelOf(link);
         float weight = left * left * max(dot(normal, clusters[i].normal.xyz), leastFacing);
-        bool hasInside = clusters[i].second.w != 0.0;
-        exitance += weight * (hasInside ? exitances[i].rgb : means[i].rgb);
+        all += weight;
+        weight *= clusters[i].second.w;  // 0 without inside
+        exitance += weight * exitances[i].rgb;
         mean += weight * means[i].rgb;
         edge += weight * sqrt(pi) * clusters[i].normal.w;
-        all += weight;
+        inside += weight;
       }
       next = opened ? at + 1u : afterNode(at, link);
       if (next >= end) next = noNode;
     }
   }
-  if (all <= 0.0) return halfSpace;
-  exitance /= all;
-  mean /= all;
-  vec3 detail = clamp(edge / all * extinction / coarseInFreePaths, 0.0, 1.0);
+  if (inside <= 0.0) return halfSpace;
+  exitance /= inside;
+  mean /= inside;
+  vec3 freePaths = edge / inside * extinction;
+  vec3 detail = clamp(freePaths / coarseInFreePaths, 0.0, 1.0);
   detail *= min(exitance / max(mean, vec3(1e-30)), vec3(1.0));
-  return max(exitance + detail * (halfSpace - mean), vec3(0.0));
+  vec3 better = max(exitance + detail * (halfSpace - mean), vec3(0.0));
+  vec3 asHalfSpace = smoothstep(farTooCoarse.x, farTooCoarse.y, freePaths);
+  return mix(halfSpace, better, inside / all * (1.0 - asHalfSpace));
 }
 
 #endif

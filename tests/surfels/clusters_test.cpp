@@ -1,0 +1,260 @@
+#include "surfels/clusters.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "surfels/bodies.h"
+#include "surfels/surfels.h"
+#include "surfels/tree.h"
+
+namespace opaline::surfels {
+namespace {
+
+using namespace test;
+
+constexpr std::size_t unlimited = 1'000'000;
+
+/// By the words of tree.h: depth first, the leaves in the order of the clusters.
+class Walk {
+ public:
+  explicit Walk(const Tree& tree) : tree_(tree), heights_(tree.links.size(), 0) {}
+
+  std::uint32_t clusters() const { return next_; }
+  const std::vector<std::uint32_t>& heights() const { return heights_; }
+
+  /// Returns the node after all below.
+  std::uint32_t enter(std::uint32_t node, std::uint32_t end) {
+    const std::uint32_t link = tree_.links[node];
+    EXPECT_NE(link & Tree::setBit, 0U);
+    if ((link & Tree::leafBit) != 0) {
+      EXPECT_EQ(link & ~(Tree::leafBit | Tree::setBit), next_) << "one cluster a leaf, in order";
+      ++next_;
+      return node + 1;
+    }
+    const std::uint32_t after = link & (Tree::setBit - 1);
+    EXPECT_GT(after, node + 1);
+    EXPECT_LE(after, end);
+    std::uint32_t children = 0;
+    for (std::uint32_t child = node + 1; child < after && !testing::Test::HasFailure();
+         ++children) {
+      const std::uint32_t next = enter(child, after);
+      heights_[node] = std::max(heights_[node], heights_[child] + 1);
+      child = next;
+    }
+    EXPECT_GE(children, 2U);
+    EXPECT_LE(children, 4U);
+    return after;
+  }
+
+ private:
+  const Tree& tree_;
+  std::uint32_t next_ = 0;
+  std::vector<std::uint32_t> heights_;
+};
+
+void expectTree(const Clusters& made) {
+  Walk walk(made.tree);
+  const std::vector<std::uint32_t>& roots = made.tree.rootOfObject;
+  ASSERT_EQ(roots.front(), 0U);
+  ASSERT_EQ(roots.back(), made.tree.links.size());
+  for (std::size_t object = 0; object + 1 < roots.size(); ++object) {
+    ASSERT_EQ(walk.clusters(), made.firstOfObject[object]);
+    if (roots[object] < roots[object + 1]) {
+      ASSERT_EQ(walk.enter(roots[object], roots[object + 1]), roots[object + 1]);
+    }
+  }
+  ASSERT_EQ(walk.clusters(), made.count());
+
+  ASSERT_EQ(made.tree.byHeight.size(), made.tree.links.size());
+  std::vector<std::uint32_t> sorted = made.tree.byHeight;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::uint32_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], i);
+  ASSERT_EQ(made.tree.firstOfHeight.back(), made.tree.byHeight.size());
+  for (std::size_t height = 0; height + 1 < made.tree.firstOfHeight.size(); ++height)
+    for (std::uint32_t i = made.tree.firstOfHeight[height]; i < made.tree.firstOfHeight[height + 1];
+         ++i)
+      ASSERT_EQ(walk.heights()[made.tree.byHeight[i]], height);
+}
+
+/// Every surfel in exactly one cluster, those of a cluster together and of one object.
+void expectPartition(const Surfels& surfels, const Clusters& made) {
+  ASSERT_EQ(made.firstOfObject.size(), surfels.firstOfObject.size());
+  ASSERT_EQ(made.firstSurfel.size(), std::size_t{made.count()} + 1);
+  ASSERT_EQ(made.firstOfObject.front(), 0U);
+  for (std::size_t object = 0; object < made.firstOfObject.size(); ++object)
+    ASSERT_EQ(made.firstSurfel[made.firstOfObject[object]], surfels.firstOfObject[object]);
+  for (std::uint32_t i = 0; i < made.count(); ++i)
+    ASSERT_LT(made.firstSurfel[i], made.firstSurfel[i + 1]);
+}
+
+std::size_t objectsWithSurfels(const Surfels& surfels) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i + 1 < surfels.firstOfObject.size(); ++i)
+    if (surfels.firstOfObject[i] < surfels.firstOfObject[i + 1]) ++count;
+  return count;
+}
+
+TEST(Clusters, HoldEverySurfelOnceWithinTheBudget) {
+  for (const Body& body : allBodies())
+    for (const std::size_t maxSurfels : {200U, 20'000U}) {
+      const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), maxSurfels);
+      const std::size_t least = objectsWithSurfels(surfels);
+      for (const std::size_t budget :
+           {std::size_t{1}, std::size_t{64}, std::size_t{500}, unlimited}) {
+        const Clusters made = makeClusters(body.surface(), surfels, budget);
+        EXPECT_LE(made.count(), std::max(budget, least)) << body.name;
+        EXPECT_GE(made.count(), least) << body.name;
+        expectPartition(surfels, made);
+        expectTree(made);
+        if (HasFailure()) FAIL() << body.name << ", " << maxSurfels << ", " << budget;
+      }
+    }
+}
+
+TEST(Clusters, AreAlwaysTheSame) {
+  const Body body = bodyOf(awkward::torus());
+  const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.05), 100'000);
+  const Clusters once = makeClusters(body.surface(), surfels, 1000);
+  const Clusters again = makeClusters(body.surface(), surfels, 1000);
+  EXPECT_EQ(once.firstSurfel, again.firstSurfel);
+  EXPECT_EQ(once.tree.links, again.tree.links);
+}
+
+/// A cluster as one flat patch.
+struct Patch {
+  double areaMm2 = 0;
+  Point middle{};
+  Point normal{};  // unit where it is flat
+
+  double edgeMm() const { return std::sqrt(areaMm2); }
+};
+
+std::vector<Patch> patchesOf(const Body& body, const Surfels& surfels, const Clusters& made) {
+  std::vector<Patch> patches(made.count());
+  for (std::uint32_t i = 0; i < made.count(); ++i) {
+    Patch& patch = patches[i];
+    for (std::size_t k = std::size_t{made.firstSurfel[i]} * surfels.piecesPerSurfel;
+         k < std::size_t{made.firstSurfel[i + 1]} * surfels.piecesPerSurfel; ++k) {
+      const Piece& piece = surfels.pieces[k];
+      const Point cross = crossOf(body.surface(), piece.triangle);
+      const std::array<Point, 3> corners = placesOf(body, piece);
+      const double area =
+          static_cast<double>(piece.fraction) * std::hypot(cross[0], cross[1], cross[2]) / 2;
+      patch.areaMm2 += area;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        patch.normal[axis] += static_cast<double>(piece.fraction) * cross[axis] / 2;
+        for (const Point& corner : corners) patch.middle[axis] += area * corner[axis] / 3;
+      }
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      patch.middle[axis] /= patch.areaMm2;
+      patch.normal[axis] /= patch.areaMm2;
+    }
+  }
+  return patches;
+}
+
+// A node has up to four children of as many surfels each: what is too large for a cluster makes
+// clusters of a quarter of that and more, but for the surfels' own differences.
+constexpr double smallestPart = 0.2;
+
+TEST(Clusters, OfAThickBodyAreAsLargeAsUsual) {
+  const Body body = bodyOf(awkward::sphere());
+  const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
+  const Clusters made = makeClusters(body.surface(), surfels, unlimited);
+  double area = 0;
+  for (const Patch& patch : patchesOf(body, surfels, made)) area += patch.areaMm2;
+  const double usual = usualClusterMm(area);
+  for (const Patch& patch : patchesOf(body, surfels, made))
+    ASSERT_LE(patch.edgeMm(), usual * (1 + 1e-6));
+  // None is larger than usual, and none much smaller than a quarter.
+  const double fewest = area / (usual * usual);
+  EXPECT_GE(made.count(), fewest * (1 - 1e-6));
+  EXPECT_LE(made.count(), fewest / smallestPart);
+}
+
+/// Of a plate across y from 0 to `edge`: where its narrow sides, which are thick, have a part.
+bool isAtRim(const Patch& patch, double edge, double within) {
+  const auto [low, high] = std::minmax(patch.middle[0], patch.middle[2]);
+  return std::abs(patch.normal[1]) < 0.99 || low < within || high > edge - within;
+}
+
+// Between usual and a quarter of it the edge of a cluster is what the slab is thick.
+TEST(Clusters, OfASlabAreAsLargeAsItIsThick) {
+  constexpr double edge = 8;
+  for (const double thick : {0.18, 0.12, 0.07}) {
+    const Body body =
+        box(static_cast<float>(edge), static_cast<float>(thick), static_cast<float>(edge));
+    const double area = 2 * edge * edge + 4 * edge * thick;
+    ASSERT_GT(usualClusterMm(area), thick);
+    ASSERT_LT(usualClusterMm(area) / 4, thick);
+    const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
+    const Clusters made = makeClusters(body.surface(), surfels, unlimited);
+    int counted = 0;
+    for (const Patch& patch : patchesOf(body, surfels, made)) {
+      if (isAtRim(patch, edge, 2 * thick)) continue;
+      ++counted;
+      ASSERT_LE(patch.edgeMm(), thick * (1 + 1e-4));
+      ASSERT_GE(patch.areaMm2, smallestPart * thick * thick);
+    }
+    EXPECT_GT(counted, 1000);
+  }
+}
+
+// Thinner than a quarter of usual it makes no difference any more.
+TEST(Clusters, OfALeafAreAQuarterOfUsual) {
+  constexpr double edge = 8;
+  const Body body = box(static_cast<float>(edge), 0.001F, static_cast<float>(edge));
+  const double least = usualClusterMm(2 * edge * edge + 4 * edge * 0.001) / 4;
+  const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.01), 4 * unlimited);
+  for (const Patch& patch :
+       patchesOf(body, surfels, makeClusters(body.surface(), surfels, unlimited))) {
+    if (isAtRim(patch, edge, 0.2)) continue;
+    ASSERT_LE(patch.edgeMm(), least * (1 + 1e-4));
+    ASSERT_GE(patch.areaMm2, smallestPart * least * least);
+  }
+}
+
+// From usual at the thick end to the thickness at the thin one.
+TEST(Clusters, OfAWedgeFollowItsThickness) {
+  constexpr double length = 8;
+  const Body body = wedge(static_cast<float>(length), 0.06F, 0.46F, 8);
+  const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
+  const Clusters made = makeClusters(body.surface(), surfels, unlimited);
+  const std::vector<Patch> patches = patchesOf(body, surfels, made);
+  double area = 0;
+  for (const Patch& patch : patches) area += patch.areaMm2;
+  const double usual = usualClusterMm(area);
+  for (const Patch& patch : patches) {
+    if (patch.normal[1] > -0.999) continue;  // of the bottom alone
+    const double thick = std::clamp(0.06 + 0.05 * patch.middle[0], usual / 4, usual);
+    // A cluster is up to `usual` long, over which the thickness changes by a tenth of that.
+    ASSERT_LE(patch.edgeMm(), thick * 1.05) << patch.middle[0];
+    ASSERT_GE(patch.areaMm2, smallestPart * thick * thick) << patch.middle[0];
+  }
+}
+
+// All objects, by the same factor.
+TEST(Clusters, BeyondTheBudgetAreCoarserThroughout) {
+  Body second = bodyOf(awkward::torus());
+  for (Vec3& p : second.positions) p[0] += 10;
+  const Body body = together(bodyOf(awkward::sphere()), second);
+  const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
+  const Clusters fine = makeClusters(body.surface(), surfels, unlimited);
+  const Clusters coarse = makeClusters(body.surface(), surfels, fine.count() / 8);
+  EXPECT_LE(coarse.count(), fine.count() / 8);
+  // Halves at the median jump by four: what fits may be that much less.
+  EXPECT_GE(coarse.count(), fine.count() / 8 / 5);
+  const auto ofFirst = [](const Clusters& made) {
+    return static_cast<double>(made.firstOfObject[1]) / made.count();
+  };
+  EXPECT_GT(ofFirst(coarse), ofFirst(fine) / 4);
+  EXPECT_LT(ofFirst(coarse), ofFirst(fine) * 4);
+}
+
+}  // namespace
+}  // namespace opaline::surfels
