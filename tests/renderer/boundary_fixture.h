@@ -58,16 +58,34 @@ inline Mesh peanut(double lengthMm, int levels = 4) {
                     levels);
 }
 
-/// A ball with a dent towards +z, rounded at its rim, that goes down to 3/10 of its radius.
-inline Mesh dented(double radiusMm, int levels = 4) {
-  constexpr double wide = 0.9;  // radians from the axis to the rim
-  return starShaped(
-      [&](const Vector& d) {
-        const double angle = std::min(std::acos(std::clamp(d[2], -1.0, 1.0)) / wide, 1.0);
-        return radiusMm * (1 - 0.35 * (1 + std::cos(std::numbers::pi * angle)));
-      },
-      levels);
-}
+/// A ball around the origin from which another has been taken, whose middle is 1.1 radii towards +z
+/// and whose radius is ¾ as large.
+struct Bowl {
+  double radiusMm;
+
+  double hollowRadiusMm() const { return 0.75 * radiusMm; }
+  double hollowCentreMm() const { return 1.1 * radiusMm; }
+  double bottomMm() const { return hollowCentreMm() - hollowRadiusMm(); }
+  /// Where the two spheres meet.
+  double rimMm() const {
+    const double c = hollowCentreMm();
+    const double h = hollowRadiusMm();
+    return (radiusMm * radiusMm + c * c - h * h) / (2 * c);
+  }
+  double rimRadiusMm() const { return std::sqrt(radiusMm * radiusMm - rimMm() * rimMm()); }
+
+  Mesh mesh(int levels = 4) const {
+    return starShaped(
+        [this](const Vector& d) {
+          const double along = hollowCentreMm() * d[2];
+          const double squared = along * along - hollowCentreMm() * hollowCentreMm() +
+                                 hollowRadiusMm() * hollowRadiusMm();
+          if (d[2] < 0 || squared < 0) return radiusMm;
+          return std::min(radiusMm, along - std::sqrt(squared));
+        },
+        levels);
+  }
+};
 
 /// A sphere around the origin, seen from +z, each channel another medium.
 inline Scene ballOf(float radiusMm, const Medium& medium, int levels = 4) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "renderer/boundary_fixture.h"
@@ -28,11 +29,20 @@ Scene twistingBear(float radians) {
   return scene;
 }
 
+// With a source for each triangle at least: where several are one, detail is not followed.
+constexpr int sourcesOfBear = 1 << 16;
+
+RenderOptions coarseOptions() {
+  RenderOptions options = boundaryOptions(64, 2);
+  options.maxSources = sourcesOfBear;
+  options.boundarySurfels = 2400;  // of 4500
+  return options;
+}
+
 RenderOptions fineOptions() {
   RenderOptions options = boundaryOptions(64, 2);
+  options.maxSources = sourcesOfBear;
   options.tolerance = 1e-3F;
-  options.boundarySurfels = 1 << 18;
-  options.maxSources = 1 << 16;  // and with that other clusters
   return options;
 }
 
@@ -43,31 +53,45 @@ struct Flicker {
   double rms = 0;     ///< largest of a pair of frames, over pixels and channels
 };
 
-Flicker flickerOf(const Scene& scene) {
-  Renderer& renderer = *sharedRenderer().renderer;
-  renderer.setScene(scene);
-  constexpr std::size_t frames = 3;
-  std::array<std::vector<Image>, 2> films;
-  for (std::size_t fine = 0; fine < 2; ++fine)
-    for (std::size_t frame = 0; frame < frames; ++frame) {
-      RenderOptions options = fine == 0 ? boundaryOptions(64, 2) : fineOptions();
-      options.seconds = 0.2 + static_cast<double>(frame) / 25;
-      films[fine].push_back(renderer.render(options, {Aov::Exitance}).images[0]);
-    }
+struct Film {
+  std::vector<Image> exitances;
+  std::vector<Image> positions;
+};
+
+Film filmOf(RenderOptions options, int frames) {
+  Film film;
+  for (int frame = 0; frame < frames; ++frame) {
+    options.seconds = 0.2 + frame / 25.0;
+    std::vector<Image> images =
+        sharedRenderer().renderer->render(options, {Aov::Exitance, Aov::Position}).images;
+    film.exitances.push_back(std::move(images[0]));
+    film.positions.push_back(std::move(images[1]));
+  }
+  return film;
+}
+
+/// Of pixels that show what has moved no further than that.
+Flicker flickerOf(const Scene& scene, int frames, double mostMm) {
+  sharedRenderer().renderer->setScene(scene);
+  const Film coarse = filmOf(coarseOptions(), frames);
+  const Film fine = filmOf(fineOptions(), frames);
+  const auto error = [&](std::size_t frame, std::size_t i) {
+    return static_cast<double>(coarse.exitances[frame].rgba[i] - fine.exitances[frame].rgba[i]);
+  };
   Flicker flicker;
-  for (std::size_t frame = 1; frame < frames; ++frame) {
-    const std::array<double, 3> mean = meanOf(films[1][frame]);
+  for (std::size_t frame = 1; frame < fine.exitances.size(); ++frame) {
+    const std::array<double, 3> mean = meanOf(fine.exitances[frame]);
     std::array<double, 3> sum{};
     double squares = 0;
     int pixels = 0;
-    const auto errorAt = [&](std::size_t at, std::size_t i) {
-      return static_cast<double>(films[0][at].rgba[i] - films[1][at].rgba[i]);
-    };
-    forEachCovered(films[1][frame], [&](std::size_t i) {
-      if (films[1][frame - 1].rgba[i + 3] <= 0) return;
+    forEachCovered(fine.positions[frame], [&](std::size_t i) {
+      if (fine.positions[frame - 1].rgba[i + 3] <= 0 ||
+          length(toVector(&fine.positions[frame].rgba[i]) -
+                 toVector(&fine.positions[frame - 1].rgba[i])) > mostMm)
+        return;
       ++pixels;
       for (std::size_t c = 0; c < 3; ++c) {
-        const double change = (errorAt(frame, i + c) - errorAt(frame - 1, i + c)) / mean[c];
+        const double change = (error(frame, i + c) - error(frame - 1, i + c)) / mean[c];
         sum[c] += change;
         squares += change * change;
       }
@@ -81,12 +105,12 @@ Flicker flickerOf(const Scene& scene) {
 }
 
 TEST_F(BoundaryFramesTest, ErrorOfThePictureDoesNotFlickerAsTheBearTwists) {
-  EXPECT_LT(flickerOf(twistingBear(1.5F)).ofMean, 0.005);
+  EXPECT_LT(flickerOf(twistingBear(1.5F), 3, 1e3).ofMean, 0.005);
 }
 
-// So slowly that what is off at a place stays in its pixel.
+// So slowly that what is off at a place stays in its pixel, where no edge passes.
 TEST_F(BoundaryFramesTest, ErrorOfPlacesDoesNotFlickerAsTheBearTwists) {
-  EXPECT_LT(flickerOf(twistingBear(0.03F)).rms, 0.005);
+  EXPECT_LT(flickerOf(twistingBear(0.03F), 2, 0.1).rms, 0.005);
 }
 
 TEST_F(BoundaryFramesTest, AFrameIsTheSameWhateverWasShownBefore) {
