@@ -70,9 +70,9 @@ struct RenderOptions {
   Transport transport = Transport::Boundary;
   Sum sum = Sum::Tree;
   Site site = Site::Auto;
-  float tolerance = 0.01F;       ///< of Sum::Tree, of each node relative to exitance, in [1e-4, 1]
-  int maxSources = 262'144;      ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
-  int boundarySurfels = 20'000;  ///< most unknowns of Transport::Boundary, in [64, 262144]
+  float tolerance = 0.01F;     ///< of Sum::Tree, of each node relative to exitance, in [1e-4, 1]
+  int maxSources = 262'144;    ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
+  int boundarySurfels = 8192;  ///< most unknowns of Transport::Boundary, in [64, 262144]
   int bounces = 2;  ///< of light that leaves and enters again, of Transport::Boundary, in [0, 8]
   PatternOptions pattern;
   int dsmSize = 512;        ///< edge of the diffusion source map, texels, in [64, 4096]

@@ -1,6 +1,8 @@
 #include "renderer/frame.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "renderer/camera_view.h"
 
@@ -29,6 +31,12 @@ passes::ScatterSite scatterSite(Site site) {
 // where the light enters.
 constexpr float residualOfLight = 0.3F;
 constexpr float residualOfBounce = 1;
+
+// Of nodes in the sums over clusters: their error goes with its square and a half, so that it
+// follows the tolerance.
+float openingAngleOf(float tolerance) {
+  return std::clamp(0.25F * std::pow(tolerance / 0.01F, 0.4F), 0.05F, 0.5F);
+}
 
 // What every step of a frame needs.
 struct FrameContext {
@@ -63,13 +71,14 @@ struct FrameContext {
   // enters again.
   void solveBoundary(SceneResources& scene) const {
     passes::Clusters& clusters = scene.clusters;
+    const float openingAngle = openingAngleOf(plan.tolerance);
     passes.rays.record(commands, mesh, scene.surfels, scene.rays);
     passes.clusters.record(
         commands,
         {resources.view, mesh, resources.tables, resources.shadows, scene.surfels, scene.rays},
         plan.bounces > 0 || !plan.skyIsDark, clusters);
     const passes::BeamPass::Inputs inputs{resources.view, resources.tables, scene.surfels,
-                                          scene.rays};
+                                          scene.rays, openingAngle};
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
       if (again)
@@ -78,7 +87,9 @@ struct FrameContext {
         passes.beams.recordLights(commands, inputs, clusters);
       const float tolerance = (again ? residualOfBounce : residualOfLight) * plan.tolerance;
       passes.solver.record(commands,
-                           {.solution = static_cast<std::uint32_t>(bounce), .tolerance = tolerance},
+                           {.solution = static_cast<std::uint32_t>(bounce),
+                            .openingAngle = openingAngle,
+                            .tolerance = tolerance},
                            resources.tables, clusters, scene.solver);
       passes.beams.recordExitance(commands, resources.tables, clusters, again);
     }

@@ -152,10 +152,24 @@ std::size_t budgetOf(const gpu::Device& device, int maxSurfels) {
   return std::min(static_cast<std::size_t>(maxSurfels), range / bytes);
 }
 
+// Largest edge of clusters, in mean free paths of the channel where they are longest: on larger
+// ones light that enters lies too near the surface for them.
+constexpr double clusterInFreePaths = 4;
+
+double longestMeanFreePathMm(const Medium& medium) {
+  double longest = 0;
+  for (int channel = 0; channel < 3; ++channel)
+    longest = std::max(longest, bssrdf::coefficients(medium, channel).meanFreePathMm);
+  return longest;
+}
+
 void cluster(gpu::Device& device, const Scene& scene, const surfels::Surface& surface,
              const surfels::Surfels& surfels, SceneResources& resources, const LogCallback& log) {
+  std::vector<double> largestMm;
+  for (const Object& object : scene.objects)
+    largestMm.push_back(clusterInFreePaths * longestMeanFreePathMm(object.medium));
   const surfels::Clusters made = surfels::makeClusters(
-      surface, surfels, static_cast<std::size_t>(*resources.needs.maxClusters));
+      surface, surfels, largestMm, static_cast<std::size_t>(*resources.needs.maxClusters));
   std::vector<bool> triangleHasInside;
   for (std::size_t i = 0; i < resources.objects; ++i) {
     SurfelsOfObject& object = resources.surfelsOfObject[i];

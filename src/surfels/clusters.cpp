@@ -28,8 +28,9 @@ struct Below {
 
 class Divider {
  public:
-  Divider(const Surface& surface, const Surfels& surfels) : surfels_(surfels) {
-    measure(surface);
+  Divider(const Surface& surface, const Surfels& surfels, std::span<const double> largestMm)
+      : surfels_(surfels) {
+    measure(surface, largestMm);
     below_.resize(surfels.tree.links.size());
     for (std::uint32_t node = 0; node < below_.size(); node = sum(node)) {
     }
@@ -55,7 +56,7 @@ class Divider {
   std::uint32_t count() const { return static_cast<std::uint32_t>(made_.firstSurfel.size()); }
   std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(made_.tree.links.size()); }
 
-  void measure(const Surface& surface) {
+  void measure(const Surface& surface, std::span<const double> largestMm) {
     const std::vector<double> thickness = thicknessMm(surface, surfels_);
     areaMm2_.resize(surfels_.count());
     for (std::size_t surfel = 0; surfel < areaMm2_.size(); ++surfel)
@@ -69,7 +70,7 @@ class Divider {
       for (std::uint32_t i = surfels_.firstOfObject[object]; i < surfels_.firstOfObject[object + 1];
            ++i)
         area += areaMm2_[i];
-      const double usual = usualClusterMm(area);
+      const double usual = std::min(usualClusterMm(area), largestMm[object]);
       for (std::uint32_t i = surfels_.firstOfObject[object]; i < surfels_.firstOfObject[object + 1];
            ++i)
         wantedMm_[i] = std::clamp(thickness[i], leastPart * usual, usual);
@@ -131,8 +132,9 @@ double usualClusterMm(double areaOfObjectMm2) {
   return std::sqrt(areaOfObjectMm2 / usualClusters);
 }
 
-Clusters makeClusters(const Surface& surface, const Surfels& surfels, std::size_t maxClusters) {
-  Divider divider(surface, surfels);
+Clusters makeClusters(const Surface& surface, const Surfels& surfels,
+                      std::span<const double> largestMm, std::size_t maxClusters) {
+  Divider divider(surface, surfels, largestMm);
   double scale = 1;
   Clusters clusters = divider.divide(scale);
   while (clusters.count() > maxClusters && clusters.count() > clusters.tree.rootOfObject.size()) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "surfels/subdivision.h"
@@ -24,8 +25,10 @@ struct Clusters {
 /// of the root of its area.
 double usualClusterMm(double areaOfObjectMm2);
 
-/// As large as usual, and no larger than the body is thick there, unless that makes
-/// more than `maxClusters`: then all are coarser by the same factor. Every object has one at least.
-Clusters makeClusters(const Surface& surface, const Surfels& surfels, std::size_t maxClusters);
+/// As large as usual, no larger than `largestMm`, one an object, nor than the body is thick there,
+/// unless that makes more than `maxClusters`: then all are coarser by the same factor. Every object
+/// has one at least.
+Clusters makeClusters(const Surface& surface, const Surfels& surfels,
+                      std::span<const double> largestMm, std::size_t maxClusters);
 
 }  // namespace opaline::surfels

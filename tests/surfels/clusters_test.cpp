@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,6 +15,13 @@
 
 namespace opaline::surfels {
 namespace {
+
+// However large.
+Clusters clustersOf(const Surface& surface, const Surfels& surfels, std::size_t budget) {
+  const std::vector<double> unlimitedMm(surfels.spacingOfObjectMm.size(),
+                                        std::numeric_limits<double>::infinity());
+  return makeClusters(surface, surfels, unlimitedMm, budget);
+}
 
 using namespace test;
 
@@ -105,7 +114,7 @@ TEST(Clusters, HoldEverySurfelOnceWithinTheBudget) {
       const std::size_t least = objectsWithSurfels(surfels);
       for (const std::size_t budget :
            {std::size_t{1}, std::size_t{64}, std::size_t{500}, unlimited}) {
-        const Clusters made = makeClusters(body.surface(), surfels, budget);
+        const Clusters made = clustersOf(body.surface(), surfels, budget);
         EXPECT_LE(made.count(), std::max(budget, least)) << body.name;
         EXPECT_GE(made.count(), least) << body.name;
         expectPartition(surfels, made);
@@ -118,8 +127,8 @@ TEST(Clusters, HoldEverySurfelOnceWithinTheBudget) {
 TEST(Clusters, AreAlwaysTheSame) {
   const Body body = bodyOf(awkward::torus());
   const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.05), 100'000);
-  const Clusters once = makeClusters(body.surface(), surfels, 1000);
-  const Clusters again = makeClusters(body.surface(), surfels, 1000);
+  const Clusters once = clustersOf(body.surface(), surfels, 1000);
+  const Clusters again = clustersOf(body.surface(), surfels, 1000);
   EXPECT_EQ(once.firstSurfel, again.firstSurfel);
   EXPECT_EQ(once.tree.links, again.tree.links);
 }
@@ -165,7 +174,7 @@ constexpr double smallestPart = 0.2;
 TEST(Clusters, OfAThickBodyAreAsLargeAsUsual) {
   const Body body = bodyOf(awkward::sphere());
   const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
-  const Clusters made = makeClusters(body.surface(), surfels, unlimited);
+  const Clusters made = clustersOf(body.surface(), surfels, unlimited);
   double area = 0;
   for (const Patch& patch : patchesOf(body, surfels, made)) area += patch.areaMm2;
   const double usual = usualClusterMm(area);
@@ -193,7 +202,7 @@ TEST(Clusters, OfASlabAreAsLargeAsItIsThick) {
     ASSERT_GT(usualClusterMm(area), thick);
     ASSERT_LT(usualClusterMm(area) / 4, thick);
     const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
-    const Clusters made = makeClusters(body.surface(), surfels, unlimited);
+    const Clusters made = clustersOf(body.surface(), surfels, unlimited);
     int counted = 0;
     for (const Patch& patch : patchesOf(body, surfels, made)) {
       if (isAtRim(patch, edge, 2 * thick)) continue;
@@ -212,7 +221,7 @@ TEST(Clusters, OfALeafAreAQuarterOfUsual) {
   const double least = usualClusterMm(2 * edge * edge + 4 * edge * 0.001) / 4;
   const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.01), 4 * unlimited);
   for (const Patch& patch :
-       patchesOf(body, surfels, makeClusters(body.surface(), surfels, unlimited))) {
+       patchesOf(body, surfels, clustersOf(body.surface(), surfels, unlimited))) {
     if (isAtRim(patch, edge, 0.2)) continue;
     ASSERT_LE(patch.edgeMm(), least * (1 + 1e-4));
     ASSERT_GE(patch.areaMm2, smallestPart * least * least);
@@ -224,7 +233,7 @@ TEST(Clusters, OfAWedgeFollowItsThickness) {
   constexpr double length = 8;
   const Body body = wedge(static_cast<float>(length), 0.06F, 0.46F, 8);
   const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
-  const Clusters made = makeClusters(body.surface(), surfels, unlimited);
+  const Clusters made = clustersOf(body.surface(), surfels, unlimited);
   const std::vector<Patch> patches = patchesOf(body, surfels, made);
   double area = 0;
   for (const Patch& patch : patches) area += patch.areaMm2;
@@ -244,8 +253,8 @@ TEST(Clusters, BeyondTheBudgetAreCoarserThroughout) {
   for (Vec3& p : second.positions) p[0] += 10;
   const Body body = together(bodyOf(awkward::sphere()), second);
   const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
-  const Clusters fine = makeClusters(body.surface(), surfels, unlimited);
-  const Clusters coarse = makeClusters(body.surface(), surfels, fine.count() / 8);
+  const Clusters fine = clustersOf(body.surface(), surfels, unlimited);
+  const Clusters coarse = clustersOf(body.surface(), surfels, fine.count() / 8);
   EXPECT_LE(coarse.count(), fine.count() / 8);
   // Halves at the median jump by four: what fits may be that much less.
   EXPECT_GE(coarse.count(), fine.count() / 8 / 5);

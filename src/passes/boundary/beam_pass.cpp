@@ -28,6 +28,12 @@ struct NodeRange {
 
 struct Sum {
   std::uint32_t clusters;
+  float openingAngle;
+  std::uint32_t adds;
+};
+
+struct ExitanceConstants {
+  std::uint32_t clusters;
   std::uint32_t adds;
 };
 
@@ -93,10 +99,11 @@ BeamPass::BeamPass(gpu::Device& device)
                                                    .shader = shaders::boundary_reentry_comp,
                                                    .bindings = slots(5),
                                                    .pushConstantBytes = sizeof(ReentryCounts)}),
-      exitance_(device, gpu::ComputePipelineOptions{.name = "exitance of clusters",
-                                                    .shader = shaders::boundary_exitance_comp,
-                                                    .bindings = slots(6),
-                                                    .pushConstantBytes = sizeof(Sum)}) {}
+      exitance_(device,
+                gpu::ComputePipelineOptions{.name = "exitance of clusters",
+                                            .shader = shaders::boundary_exitance_comp,
+                                            .bindings = slots(6),
+                                            .pushConstantBytes = sizeof(ExitanceConstants)}) {}
 
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs,
                             Clusters& clusters) const {
@@ -110,7 +117,7 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs,
     if (beam < clusters.lights) bringMirrored(commands, clusters);
     commands.endPass();
     commands.beginPass("sources");
-    spread(commands, inputs.tables, clusters, beams, beam > 0);
+    spread(commands, inputs, clusters, beams, beam > 0);
     commands.endPass();
   }
 }
@@ -125,7 +132,7 @@ void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, C
                           Binding::read(4, clusters.arrived)});
   commands.pushConstants(ReentryCounts{clusters.count, clusters.raysOutwards, isFirst ? 1U : 0U});
   commands.dispatchLinear(clusters.count);
-  spread(commands, inputs.tables, clusters, clusters.fromEverywhere, false);
+  spread(commands, inputs, clusters, clusters.fromEverywhere, false);
   commands.endPass();
 }
 
@@ -137,7 +144,7 @@ void BeamPass::recordExitance(gpu::CommandList& commands, SceneTables& tables, C
                           Binding::read(2, clusters.ranges), Binding::read(3, clusters.fluences),
                           Binding::write(4, clusters.latest),
                           Binding::write(5, clusters.exitances)});
-  commands.pushConstants(Sum{clusters.count, adds ? 1U : 0U});
+  commands.pushConstants(ExitanceConstants{clusters.count, adds ? 1U : 0U});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
 }
@@ -168,8 +175,9 @@ void BeamPass::bringMirrored(gpu::CommandList& commands, Clusters& clusters) con
   }
 }
 
-void BeamPass::spread(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
+void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                       Beams& beams, bool adds) const {
+  SceneTables& tables = inputs.tables;
   for (const bool scattersOnce : {false, true}) {
     fitNodes(commands, tables, clusters, beams, scattersOnce);
     commands.bind(scattersOnce ? single_ : source_);
@@ -178,7 +186,7 @@ void BeamPass::spread(gpu::CommandList& commands, SceneTables& tables, Clusters&
                             Binding::texels(4, clusters.beamNodes),
                             Binding::read(5, clusters.ranges), Binding::read(6, clusters.clusters),
                             Binding::write(7, scattersOnce ? clusters.latest : clusters.sources)});
-    commands.pushConstants(Sum{clusters.count, adds ? 1U : 0U});
+    commands.pushConstants(Sum{clusters.count, inputs.openingAngle, adds ? 1U : 0U});
     commands.dispatchLinear(clusters.count);
   }
 }

@@ -23,6 +23,7 @@ class BeamPass {
     SceneTables& tables;
     Surfels& surfels;
     RayHierarchy& rays;
+    float openingAngle = 0.25F;  ///< of nodes: taken from further than their radius over this
   };
   /// All lights and what comes from everywhere.
   void recordLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters) const;
@@ -37,7 +38,7 @@ class BeamPass {
   void trace(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
              std::uint32_t beam, Beams& beams) const;
   void bringMirrored(gpu::CommandList& commands, Clusters& clusters) const;
-  void spread(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters, Beams& beams,
+  void spread(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters, Beams& beams,
               bool adds) const;
   void fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters, Beams& beams,
                 bool scattersOnce) const;

@@ -33,6 +33,11 @@ struct NodeRange {
   std::uint32_t count;
 };
 
+struct EncloseConstants {
+  std::uint32_t clusters;
+  float openingAngle;
+};
+
 struct SurveyCounts {
   std::uint32_t clusters;
   std::uint32_t piecesPerSurfel;
@@ -114,7 +119,7 @@ ClusterPass::ClusterPass(gpu::Device& device)
       enclose_(device, gpu::ComputePipelineOptions{.name = "solid angles of clusters",
                                                    .shader = shaders::boundary_enclose_comp,
                                                    .bindings = slots(5, {4}),
-                                                   .pushConstantBytes = sizeof(std::uint32_t)}),
+                                                   .pushConstantBytes = sizeof(EncloseConstants)}),
       survey_(device, gpu::ComputePipelineOptions{.name = "rays of clusters",
                                                   .shader = shaders::boundary_survey_comp,
                                                   .bindings = slots(9, {2, 3}),
@@ -208,7 +213,7 @@ void ClusterPass::enclose(gpu::CommandList& commands, const Inputs& inputs,
                           Binding::read(1, inputs.tables.media), Binding::read(2, clusters.ranges),
                           Binding::write(3, clusters.clusters),
                           Binding::texels(4, clusters.nodes)});
-  commands.pushConstants(clusters.count);
+  commands.pushConstants(EncloseConstants{clusters.count, inputs.openingAngle});
   commands.dispatchLinear(clusters.count);
 }
 

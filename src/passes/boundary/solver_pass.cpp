@@ -24,6 +24,7 @@ struct DensityRange {
 
 struct ProductRange {
   std::uint32_t clusters;
+  float openingAngle;
   std::uint32_t first;
   std::uint32_t step;
   std::uint32_t solution;
@@ -150,7 +151,8 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                           Binding::texels(4, clusters.nodes), Binding::texels(5, solver.densities),
                           Binding::read(6, solver.basis), Binding::write(7, solver.products),
                           Binding::read(8, solver.states)});
-  commands.pushConstants(ProductRange{clusters.count, firstFluence, step, order.solution});
+  commands.pushConstants(
+      ProductRange{clusters.count, order.openingAngle, firstFluence, step, order.solution});
   commands.dispatchLinear(clusters.count);
 }
 

@@ -16,6 +16,7 @@ const float leastShare = 0.05;
 
 layout(push_constant) uniform Push {
   uint clusterCount;
+  float openingAngle;
 };
 
 void main() {
@@ -36,7 +37,7 @@ void main() {
       vec3 offset = centroidLink.xyz - place;
       float squared = dot(offset, offset);
       bool taken = isLeaf(link) ||
-                   isFar(squared, texelFetch(nodes, 3 * int(at) + 1).x, sigma);
+                   isFar(squared, texelFetch(nodes, 3 * int(at) + 1).x, sigma, openingAngle);
       if (taken && at != range.node && squared > 0.0) {
         float over = inversesqrt(squared);
         float fills = over * over * over * dot(offset, texelFetch(nodes, 3 * int(at) + 2).xyz);

@@ -19,6 +19,7 @@ layout(std430, set = 0, binding = 8) readonly buffer States { SolverState states
 
 layout(push_constant) uniform Push {
   uint clusterCount;
+  float openingAngle;
   uint first;  // of the fluences
   uint step;   // of the solver; skipped when that is done
   uint solution;
@@ -48,7 +49,7 @@ void main() {
       uint link = floatBitsToUint(centroidLink.w);
       vec3 offset = centroidLink.xyz - place;
       float squared = dot(offset, offset);
-      bool taken = isLeaf(link) || isFar(squared, spread.x, leastSigma);
+      bool taken = isLeaf(link) || isFar(squared, spread.x, leastSigma, openingAngle);
       if (taken && at != range.node && squared > 0.0) {
         vec4 red = texelFetch(densities, 3 * int(at));
         vec4 green = texelFetch(densities, 3 * int(at) + 1);
@@ -71,6 +72,10 @@ void main() {
     }
   }
   if (!inside) return;
+  if (range.hasInside == 0u) {  // there is no equation
+    products[i] = vec4(0.0);
+    return;
+  }
   vec3 own = 0.5 * absorbedLength(sigma, vec3(cluster.normal.w)) / medium.diffusion.rgb;
   vec3 fluence = fluences[first + i].rgb;
   products[i] = vec4(sum / (4.0 * pi) +

@@ -18,6 +18,7 @@ layout(std430, set = 0, binding = 7) buffer Exitances { vec4 exitances[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
+  float openingAngle;
   uint adds;  // 1: to what other light gave
 };
 
@@ -91,8 +92,9 @@ void main() {
   medium = media[body.table.x].inside;
   eta = media[body.table.x].boundary.x;
   vec3 sum = beamSum(its.centroidArea.xyz, inside ? body.clusters.x : noNode, body.clusters.y, 0.0,
-                     furthestFreePaths / leastOf(medium.extinction.rgb));
+                     furthestFreePaths / leastOf(medium.extinction.rgb), openingAngle);
   if (!inside) return;
+  if (ranges[i].hasInside == 0u) sum = vec3(0.0);
   sum *= medium.albedo.rgb / (4.0 * pi);
   exitances[i] = vec4(adds != 0u ? exitances[i].rgb + sum : sum, 0.0);
 }

@@ -17,6 +17,7 @@ layout(std430, set = 0, binding = 7) buffer Sources { vec4 sources[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
+  float openingAngle;
   uint adds;  // 1: to what other light gave
 };
 
@@ -86,8 +87,9 @@ void main() {
   ObjectData body = objects[ranges[receiver].object];
   medium = media[body.table.x].inside;
   vec3 sum = beamSum(its.centroidArea.xyz, inside ? body.clusters.x : noNode, body.clusters.y,
-                     leastOf(medium.sigma.rgb), 1e18);
+                     leastOf(medium.sigma.rgb), 1e18, openingAngle);
   if (!inside) return;
+  if (ranges[i].hasInside == 0u) sum = vec3(0.0);
   sum /= 4.0 * pi * medium.diffusion.rgb;
   sources[i] = vec4(adds != 0u ? sources[i].rgb + sum : sum, 0.0);
 }

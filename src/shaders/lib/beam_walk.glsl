@@ -18,7 +18,7 @@ vec3 fromNode(BeamNode node, vec3 squared);
 vec3 fromPoints(uint cluster);
 
 // `reachMm` is where no light of any comes from further; the invocations of a subgroup go in step.
-vec3 beamSum(vec3 place, uint root, uint end, float sigma, float reachMm) {
+vec3 beamSum(vec3 place, uint root, uint end, float sigma, float reachMm, float openingAngle) {
   vec3 sum = vec3(0.0);
   uint next = root;
   while (true) {
@@ -31,7 +31,7 @@ vec3 beamSum(vec3 place, uint root, uint end, float sigma, float reachMm) {
       float nearest = leastOf(squared);
       float reached = reachMm + 2.0 * sqrt(node.blueSquare.w);
       bool taken = node.power.rgb == vec3(0.0) || nearest > reached * reached;
-      if (!taken && isFar(nearest, node.redRadius.w, sigma)) {
+      if (!taken && isFar(nearest, node.redRadius.w, sigma, openingAngle)) {
         sum += fromNode(node, squared);
         taken = true;
       }

@@ -12,12 +12,10 @@ layout(std430, set = 0, binding = BINDING_MEDIA) readonly buffer Media { MediumD
 const float pi = 3.14159265358979;
 const uint noNode = 0xffffffffu;
 
-// A node is taken for what is below it from further than its radius over this.
-const float openingAngle = 0.25;
-
-// Whether a node may be taken. Where light falls off within the node, that is felt to be larger; twice
+// Whether a node may be taken for what is below it: from further than its radius over the opening
+// angle. Where light falls off within the node, that is felt to be larger; twice
 // is enough, because from further away nothing comes.
-bool isFar(float squaredMm2, float radius, float sigmaPerMm) {
+bool isFar(float squaredMm2, float radius, float sigmaPerMm, float openingAngle) {
   float felt = radius * clamp(sigmaPerMm * radius, 1.0, 2.0);
   return squaredMm2 * (openingAngle * openingAngle) > felt * felt;
 }

@@ -22,7 +22,7 @@ const float leastFacing = 1e-4;
 const float coarseInFreePaths = 4.0;
 
 // From clusters that wide on nothing is wanted of them: to the medium the surface is a half-space.
-const vec2 farTooCoarse = vec2(10.0, 20.0);
+const vec2 farTooCoarse = vec2(6.0, 12.0);
 
 // The exitance at a place, where the half-space has that one, by the clusters around: their weights
 // fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. The
