@@ -57,12 +57,14 @@ void main() {
         float fills = isLeaf(link) ? coverageOfDisc(squared, spread.w) : 1.0;
         vec3 x = sigma * (squared * over);
         vec3 e = exp(-x) * over;
-        // No disc gives more fluence than in its middle.
-        float most = isLeaf(link) ? min(2.0 * sqrt(pi * squared / max(spread.w, 1e-30)), 1.0) : 1.0;
+        // As for the points of light: no cluster gives more fluence than in its middle.
+        float smoothed = squared + 0.25 * cluster.normal.w * cluster.normal.w;
+        float overSmoothed = inversesqrt(smoothed);
+        vec3 single = exp(-sigma * (smoothed * overSmoothed)) * overSmoothed;
         vec3 second = 1.0 + sigma * sigma * (spread.y / 6.0);
         vec3 along = vec3(dot(offset, red.xyz), dot(offset, green.xyz), dot(offset, blue.xyz));
-        sum += e * (most * weightS * second * vec3(red.w, green.w, blue.w) -
-                    (1.0 + x) * (over * over * fills) * along);
+        sum += single * (weightS * second * vec3(red.w, green.w, blue.w)) -
+               e * (1.0 + x) * (over * over * fills) * along;
       }
       next = taken ? afterNode(at, link) : at + 1u;
       if (next >= body.clusters.y) next = noNode;

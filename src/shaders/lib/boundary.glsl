@@ -13,7 +13,7 @@ const float pi = 3.14159265358979;
 const uint noNode = 0xffffffffu;
 
 // A node is taken for what is below it from further than its radius over this.
-const float openingAngle = 0.35;
+const float openingAngle = 0.25;
 
 // Whether a node may be taken. Where light falls off within the node, that is felt to be larger; twice
 // is enough, because from further away nothing comes.
