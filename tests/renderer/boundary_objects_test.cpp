@@ -22,9 +22,9 @@ using BoundaryObjectsTest = RendererTest;
 Medium milky() {
   return {"milky", {6, 6, 6}, {1e-4, 1e-4, 1e-4}, 1.3};
 }
-/// In which light does not get far from where it enters.
+/// Skin1 in red, 27 times denser: light does not get far from where it enters.
 Medium dense() {
-  return {"dense", {20, 20, 20}, {1, 1, 1}, 1.3};
+  return {"dense", {20, 20, 20}, {0.8649, 0.8649, 0.8649}, 1.3};
 }
 Medium black() {
   return {"black", {0.01, 0.01, 0.01}, {50, 50, 50}, 1.3};
@@ -121,12 +121,10 @@ double enteringAt(const Vector& place, const Vector& normal, const ExitanceByCos
   return sum * area / (std::numbers::pi * bssrdf::meanTransmittance(1.3));
 }
 
-/// What leaves of what enters from everywhere.
+/// What leaves of the light from everywhere that enters: a half-space of skin1 gives back .4290 in
+/// red of what falls on it (slab_mc.csv of the reference tables).
 double albedoOfDense() {
-  Scene scene = ballOf(static_cast<float>(denseRadiusMm), dense());
-  scene.lighting.ambient = {1, 1, 1};
-  const Image image = renderBoundary(scene, boundaryOptions(32), {Aov::Exitance}).images[0];
-  return meanOf(image)[1] / (std::numbers::pi * bssrdf::meanTransmittance(1.3));
+  return 0.4290 / bssrdf::meanTransmittance(1.3);
 }
 
 /// Light that the dense ball gives back over what it is to get, which its albedo says.

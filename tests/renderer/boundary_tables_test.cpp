@@ -160,7 +160,7 @@ Scene slabOf(const SlabCase& slab, float side) {
 }
 
 // Of the middle region, where the slab is as good as endless.
-std::array<double, 3> middleOf(const Scene& scene, double halfMm = 2.5, int maxSources = 65'536) {
+std::array<double, 3> middleOf(const Scene& scene, double halfMm = 2.5, int maxSources = 32'768) {
   RenderOptions options = boundaryOptions(24);
   options.maxSources = maxSources;
   const std::vector<Image> images =
@@ -229,7 +229,7 @@ TEST_F(RendererTest, BoundaryOfALargeThickSlabIsThatOfAHalfSpace) {
                                              {skinRed, skinRed, skinRed},
                                              {0.4308, 0.4308, 0.4308},
                                              {0.4290, 0.4290, 0.4290},
-                                             65'536}}};
+                                             32'768}}};
   constexpr float thicknessMm = 10;
   for (const HalfSpaceCase& half : cases) {
     Medium medium{half.name, {}, {}, half.eta};
