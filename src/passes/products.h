@@ -103,7 +103,7 @@ struct Surfels {
   std::vector<std::uint32_t> firstOfHeight;  ///< one more than there are heights
   bool coarse = false;                       ///< of any object: wants what NearbyPass adds
   gpu::Buffer vertexOrder;                   ///< vertices, neighbours in space together
-  gpu::Buffer middles;                       ///< vec4 a surfel, mm
+  gpu::Buffer places;                        ///< vec4 a surfel, mm
   gpu::Buffer corners;                       ///< shared::AtlasCorner, one a surfel
   gpu::Buffer order;                         ///< every surfel's own index
 };
@@ -191,8 +191,8 @@ inline Places verticesOf(DeformedMesh& mesh, Surfels& surfels, Exitance& exitanc
 }
 
 inline Places placesOf(Surfels& surfels, gpu::Buffer& exitances) {
-  return {surfels.middles, surfels.normals, surfels.corners,
-          surfels.order,   exitances,       surfels.count};
+  return {surfels.places, surfels.normals, surfels.corners,
+          surfels.order,  exitances,       surfels.count};
 }
 
 }  // namespace opaline::passes

@@ -19,7 +19,7 @@ using gpu::Binding;
 using gpu::BindingType;
 
 // Rays of a cluster that ask what it sees.
-constexpr std::uint32_t raysOutwards = 16;
+constexpr std::uint32_t raysOutwards = 24;
 
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 

@@ -133,7 +133,7 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::Surfels& mad
   surfels.sources = makeRoom<shared::Source>(device, "sources",
                                              std::size_t{shared::sourcesPerSurfel} * surfels.count);
   surfels.normals = makeRoom<shared::vec4>(device, "normals of surfels", surfels.count);
-  surfels.middles = makeRoom<shared::vec4>(device, "middles of surfels", surfels.count);
+  surfels.places = makeRoom<shared::vec4>(device, "places of surfels", surfels.count);
   surfels.corners =
       gpu::makeBuffer(device, "objects of surfels", cornersOf(made, surface), storage);
   surfels.order = gpu::makeBuffer(device, "order of surfels", inOrder(surfels.count), storage);
@@ -159,7 +159,7 @@ void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfel
        Binding::read(4, inputs.tables.objects), Binding::read(5, inputs.tables.media),
        Binding::sampled(6, inputs.shadows.depth, nearest_),
        Binding::sampled(7, inputs.tables.ambientCubes, linear_), Binding::write(8, surfels.sources),
-       Binding::write(9, surfels.normals), Binding::write(10, surfels.middles)});
+       Binding::write(9, surfels.normals), Binding::write(10, surfels.places)});
   commands.pushConstants(SurfelCounts{surfels.count, surfels.piecesPerSurfel});
   commands.dispatchLinear(surfels.count);
 }

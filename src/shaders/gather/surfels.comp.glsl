@@ -17,7 +17,7 @@ layout(std430, set = 0, binding = 5) readonly buffer Media { MediumData media[];
 layout(std430, set = 0, binding = 8) writeonly buffer Sources { Source sources[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer SurfelNormals { vec4 surfelNormals[]; };
 
-layout(std430, set = 0, binding = 10) writeonly buffer SurfelMiddles { vec4 middles[]; };
+layout(std430, set = 0, binding = 10) writeonly buffer SurfelPlaces { vec4 places[]; };
 
 layout(push_constant) uniform Push {
   uint surfelCount;
@@ -70,6 +70,14 @@ vec3 irradianceOn(PiecePlace place, vec2 at, uint object) {
                       media[objects[object].table.x]);
 }
 
+// Means over surfels would be off if all were asked at the same place among their sources (the
+// points are R₂, Roberts 2018).
+vec2 somewhereOn(PiecePlace place, uint surfel) {
+  vec2 at = fract(0.5 + float(surfel % 65536u) * vec2(0.7548776662, 0.5698402910));
+  if (at.x + at.y > 1.0) at = 1.0 - at;
+  return (1.0 - at.x - at.y) * place.corners[0] + at.x * place.corners[1] + at.y * place.corners[2];
+}
+
 // The three points whose mean is that of any square over the piece (Strang and Fix 1973).
 void gatherPiece(uint surfel) {
   SurfelPiece piece = pieces[surfel];
@@ -81,7 +89,7 @@ void gatherPiece(uint surfel) {
         irradianceOn(place, at, piece.object));
   }
   surfelNormals[surfel] = vec4(normalAt(place, middle), 0.0);
-  middles[surfel] = vec4(positionAt(place, middle), 0.0);
+  places[surfel] = vec4(positionAt(place, somewhereOn(place, surfel)), 0.0);
 }
 
 // Each source stands for some of the pieces, the largest of which is asked what falls on it.
@@ -122,7 +130,7 @@ void gatherPieces(uint surfel) {
     put(sourcesPerSurfel * surfel + i, area > 0.0 ? byArea / area : somewhere, area, irradiance);
   }
   surfelNormals[surfel] = vec4(unitOr(direction, vec3(0.0, 1.0, 0.0)), 0.0);
-  middles[surfel] = vec4(middleOfAll, 0.0);
+  places[surfel] = vec4(middleOfAll, 0.0);
 }
 
 void main() {
