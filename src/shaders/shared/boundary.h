@@ -132,7 +132,7 @@ static_assert(sizeof(Mirrored) == 32);
 static_assert(sizeof(ClusterNode) == 48);
 static_assert(sizeof(DensityNode) == 48);
 static_assert(sizeof(BeamNode) == 64);
-static_assert(sizeof(SolverState) == 16 * (72 + 8 + 8 + 9 + 3));
+static_assert(sizeof(SolverState) == 1600);
 }  // namespace opaline::shared
 #endif
 
