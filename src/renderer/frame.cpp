@@ -73,10 +73,10 @@ struct FrameContext {
     passes::Clusters& clusters = scene.clusters;
     const float openingAngle = openingAngleOf(plan.tolerance);
     passes.rays.record(commands, mesh, scene.surfels, scene.rays);
-    passes.clusters.record(
-        commands,
-        {resources.view, mesh, resources.tables, resources.shadows, scene.surfels, scene.rays},
-        plan.bounces > 0 || !plan.skyIsDark, clusters);
+    passes.clusters.record(commands,
+                           {resources.view, mesh, resources.tables, resources.shadows,
+                            scene.surfels, scene.rays, openingAngle},
+                           plan.bounces > 0 || !plan.skyIsDark, clusters);
     const passes::BeamPass::Inputs inputs{resources.view, resources.tables, scene.surfels,
                                           scene.rays, openingAngle};
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
