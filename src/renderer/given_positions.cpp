@@ -103,6 +103,11 @@ void GivenPositions::restore(std::size_t object) {
   at(object).source = Source::Pose;
 }
 
+bool GivenPositions::readsDevice() const {
+  return std::any_of(objects_.begin(), objects_.end(),
+                     [](const Given& given) { return given.source == Source::Device; });
+}
+
 void GivenPositions::record(gpu::CommandList& commands, const passes::DeformPass& pass,
                             passes::Motion& motion) {
   bool copied = false;

@@ -89,11 +89,18 @@ bool same(const Medium& a, const Medium& b) {
 }
 
 void listMedia(const Scene& scene, SceneResources& resources) {
+  resources.media.clear();
+  resources.mediumOfObject.clear();
   for (const Object& object : scene.objects) {
     auto found = std::find_if(resources.media.begin(), resources.media.end(),
                               [&](const Medium& medium) { return same(medium, object.medium); });
     if (found == resources.media.end()) found = resources.media.insert(found, object.medium);
     resources.mediumOfObject.push_back(static_cast<std::uint32_t>(found - resources.media.begin()));
+  }
+}
+
+void measure(const Scene& scene, SceneResources& resources) {
+  for (const Object& object : scene.objects) {
     resources.meanEdgeOfObjectMm.push_back(meanEdgeMm(object.mesh));
     resources.areaOfObjectMm2.push_back(areaMm2(object.mesh));
   }
@@ -187,9 +194,8 @@ void cluster(gpu::Device& device, const Scene& scene, const surfels::Surface& su
                       "there as in a half-space, by better-dipole",
                       object.hasInside ? "a part of object" : "object", given.name));
   }
-  const std::size_t lights = scene.lighting.directional.size() + scene.lighting.points.size();
-  resources.clusters = passes::ClusterPass::makeClusters(
-      device, made, surface, surfels, triangleHasInside, static_cast<std::uint32_t>(lights));
+  resources.clusters =
+      passes::ClusterPass::makeClusters(device, made, surface, surfels, triangleHasInside);
   resources.rays = passes::RayPass::makeHierarchy(device, resources.surfels);
   resources.solver = passes::SolverPass::makeSolver(device, resources.clusters, maxBounces + 1);
 }
@@ -257,10 +263,23 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   resources.objects = static_cast<std::uint32_t>(scene.objects.size());
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
   listMedia(scene, resources);
+  measure(scene, resources);
   if (needs.mapSize) resources.atlas = atlas::makeAtlas(surfaceOf(merged), {*needs.mapSize});
   makeMesh(device, resources);
   if (needs.maxSurfels) divide(device, scene, resources, log);
   return resources;
+}
+
+void takeMedia(gpu::Device& device, const Scene& scene, SceneResources& resources,
+               const LogCallback& log) {
+  listMedia(scene, resources);
+  if (!resources.needs.maxSurfels) return;
+  resources.surfels = {};
+  resources.surfelsOfObject.clear();
+  resources.rays = {};
+  resources.clusters = {};
+  resources.solver = {};
+  divide(device, scene, resources, log);
 }
 
 }  // namespace opaline

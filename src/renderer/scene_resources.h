@@ -72,6 +72,10 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
                                   const scene::MergedMesh& merged, const SceneNeeds& needs,
                                   const LogCallback& log = {});
 
+/// Takes up what the scene's media have become; how finely the surface is divided follows them.
+void takeMedia(gpu::Device& device, const Scene& scene, SceneResources& resources,
+               const LogCallback& log = {});
+
 /// Whether light is summed well enough at an object's vertices (Gong et al. 2008): edges are no
 /// longer than a mean free path.
 bool wantsVertices(const SceneResources& resources, std::size_t object);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <filesystem>
+#include <string>
+
+#include "opaline/vulkan.h"
+#include "viewer/presenter.h"
+#include "viewer/window.h"
+
+namespace opaline::app::viewer {
+
+/// Dear ImGui in a window: its fonts, colours, input and drawing.
+class UserInterface {
+ public:
+  /// Where panels stand is read from and kept in `settings`; nowhere where that is empty.
+  UserInterface(const VulkanDevice& device, const Presenter& presenter, const Window& window,
+                const std::filesystem::path& settings);
+  ~UserInterface();
+  UserInterface(const UserInterface&) = delete;
+  UserInterface& operator=(const UserInterface&) = delete;
+
+  /// Between these two, ImGui's own functions say what there is to see.
+  void begin();
+  void end();
+  /// Draws it over what the commands have drawn.
+  void draw(VkCommandBuffer commands) const;
+
+ private:
+  void makeFonts(float scale) const;
+  void uploadFonts() const;
+
+  VulkanDevice device_;
+  VkDescriptorPool pool_ = VK_NULL_HANDLE;
+  std::string settings_;  // ImGui keeps a pointer to it
+};
+
+}  // namespace opaline::app::viewer

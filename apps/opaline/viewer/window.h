@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace opaline::app::viewer {
+
+/// A window on the desktop.
+class Window {
+ public:
+  /// Throws Error where there is no display, or none that Vulkan can draw to.
+  Window(int width, int height, const char* title);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// What Vulkan needs to draw into it.
+  static std::vector<std::string> instanceExtensions();
+  static std::vector<std::string> deviceExtensions();
+  /// The caller destroys it, before the window.
+  VkSurfaceKHR makeSurface(VkInstance instance) const;
+
+  GLFWwindow* handle() const { return window_; }
+  VkExtent2D pixels() const;  ///< 0 × 0 while it is minimised
+  /// How much larger the desktop wants text and controls than usual.
+  float scale() const;
+  bool wantsToClose() const;
+  void setTitle(const std::string& title);
+
+  /// Takes what happened since the last call without waiting.
+  static void poll();
+  /// The same, but sleeps until something happens, or for so long where seconds > 0.
+  static void wait(double seconds = 0);
+  /// Ends a wait(), from any thread.
+  static void wake();
+
+  /// The files that were dropped on the window since the last call.
+  std::vector<std::filesystem::path> takeDropped();
+  /// Whether the desktop asked for the window to be drawn again, or changed its size.
+  bool takeRefresh();
+
+ private:
+  GLFWwindow* window_ = nullptr;
+  std::vector<std::filesystem::path> dropped_;
+  bool refresh_ = true;
+};
+
+}  // namespace opaline::app::viewer
