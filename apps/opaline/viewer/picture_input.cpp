@@ -13,13 +13,13 @@ namespace opaline::app::viewer {
 
 namespace {
 
-bool pressed(int key) {
-  return ImGui::IsKeyPressed(key, false);
-}
-
 bool anyDown() {
   return ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseDown(ImGuiMouseButton_Right) ||
          ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+}
+
+void expose(Session& session, float stops) {
+  session.tone.exposureStops = std::clamp(session.tone.exposureStops + stops, -8.0F, 8.0F);
 }
 
 void step(Session& session, double seconds) {
@@ -102,29 +102,39 @@ void PictureInput::useMouse(Session& session, const Area& area) {
   }
 }
 
-void PictureInput::useKeys(Session& session, const Area& area) {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput || io.KeyCtrl) return;
-  Playback& playback = session.playback;
+void PictureInput::useKey(const KeyPress& press, Session& session, const Area& area) {
   constexpr double frameSeconds = 1.0 / 30;
-  if (pressed(GLFW_KEY_F) && !area.empty()) {
-    frame(session.scene.camera, boundsOf(session.scene),
-          static_cast<float>(area.width) / static_cast<float>(area.height));
-    session.edits.camera = true;
-  }
-  if (pressed(GLFW_KEY_T)) playback.turntable = !playback.turntable;
-  if (pressed(GLFW_KEY_SPACE)) playback.playing = !playback.playing;
-  if (ImGui::IsKeyPressed(GLFW_KEY_LEFT)) step(session, -frameSeconds);
-  if (ImGui::IsKeyPressed(GLFW_KEY_RIGHT)) step(session, frameSeconds);
-  if (pressed(GLFW_KEY_C)) {
-    session.divided = !session.divided;
-    session.edits.picture = true;
-  }
-  if (pressed(GLFW_KEY_H)) session.gizmos = session.scaleBar = !session.gizmos;
-  if (pressed(GLFW_KEY_O) || pressed(GLFW_KEY_X)) {
-    const float by = pressed(GLFW_KEY_O) ? 0.5F : -0.5F;
-    session.tone.exposureStops = std::clamp(session.tone.exposureStops + by, -8.0F, 8.0F);
-    session.edits.picture = true;
+  Playback& playback = session.playback;
+  if (press.control) return;
+  if (press.key == GLFW_KEY_LEFT) return step(session, -frameSeconds);
+  if (press.key == GLFW_KEY_RIGHT) return step(session, frameSeconds);
+  if (press.repeated) return;
+  switch (press.key) {
+    case GLFW_KEY_F:
+      if (area.empty()) return;
+      frame(session.scene.camera, boundsOf(session.scene),
+            static_cast<float>(area.width) / static_cast<float>(area.height));
+      session.edits.camera = true;
+      return;
+    case GLFW_KEY_T:
+      playback.turntable = !playback.turntable;
+      return;
+    case GLFW_KEY_SPACE:
+      playback.playing = !playback.playing;
+      return;
+    case GLFW_KEY_C:
+      session.divided = !session.divided;
+      session.edits.picture = true;
+      return;
+    case GLFW_KEY_H:
+      session.gizmos = session.scaleBar = !session.gizmos;
+      return;
+    case GLFW_KEY_O:
+      return expose(session, 0.5F);
+    case GLFW_KEY_X:
+      return expose(session, -0.5F);
+    default:
+      return;
   }
 }
 

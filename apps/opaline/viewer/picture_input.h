@@ -4,6 +4,7 @@
 #include "viewer/picture_painter.h"
 #include "viewer/projection.h"
 #include "viewer/session.h"
+#include "viewer/window.h"
 
 namespace opaline::app::viewer {
 
@@ -13,7 +14,7 @@ class PictureInput {
   /// Mouse over the picture's area.
   void useMouse(Session& session, const Area& area);
   /// Keys of camera, playback and view.
-  static void useKeys(Session& session, const Area& area);
+  static void useKey(const KeyPress& press, Session& session, const Area& area);
 
   /// Whether something is being dragged, so that pictures should come fast.
   bool dragging() const { return drag_ != Drag::None; }

@@ -194,19 +194,21 @@ void Viewer::drawPanels() {
 }
 
 void Viewer::useKeys() {
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput) return;
-  if (io.KeyCtrl && ImGui::IsKeyPressed(GLFW_KEY_Q, false)) {
-    glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+  const std::vector<KeyPress> presses = window_.takeKeys();
+  if (ImGui::GetIO().WantTextInput) return;
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) keys_ = false;
+  for (const KeyPress& press : presses) {
+    if (press.typed == U'?') keys_ = !keys_;
+    if (press.key == GLFW_KEY_ESCAPE) keys_ = false;
+    if (press.control && press.key == GLFW_KEY_Q) {
+      glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+    }
+    if (!press.control && !press.repeated) {
+      if (press.key == GLFW_KEY_TAB) panels_ = !panels_;
+      if (press.key == GLFW_KEY_P) savePicture();
+    }
+    PictureInput::useKey(press, session_, area_);
   }
-  const auto& typed = io.InputQueueCharacters;
-  const bool asked = std::find(typed.begin(), typed.end(), ImWchar{'?'}) != typed.end();
-  const bool other =
-      ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false);
-  keys_ = asked ? !keys_ : keys_ && !other;
-  if (ImGui::IsKeyPressed(GLFW_KEY_TAB, false)) panels_ = !panels_;
-  if (ImGui::IsKeyPressed(GLFW_KEY_P, false) && !io.KeyCtrl) savePicture();
-  PictureInput::useKeys(session_, area_);
 }
 
 void Viewer::drawInterface() {

@@ -50,6 +50,14 @@ Window::Window(int width, int height, const char* title) {
     Window& window = windowOf(handle);
     for (int i = 0; i < count; ++i) window.dropped_.emplace_back(paths[i]);
   });
+  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int mods) {
+    if (action == GLFW_RELEASE) return;
+    windowOf(handle).keys_.push_back(
+        {key, 0, (mods & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT});
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned int typed) {
+    windowOf(handle).keys_.push_back({0, typed, false, false});
+  });
   glfwSetWindowRefreshCallback(window_,
                                [](GLFWwindow* handle) { windowOf(handle).refresh_ = true; });
   glfwSetFramebufferSizeCallback(
@@ -123,6 +131,10 @@ void Window::wake() {
 
 std::vector<std::filesystem::path> Window::takeDropped() {
   return std::exchange(dropped_, {});
+}
+
+std::vector<KeyPress> Window::takeKeys() {
+  return std::exchange(keys_, {});
 }
 
 bool Window::takeRefresh() {

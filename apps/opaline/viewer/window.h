@@ -10,6 +10,15 @@ struct GLFWwindow;
 
 namespace opaline::app::viewer {
 
+/// A key that went down, or repeats because it stays down. Kept by the window because a key that
+/// is up again before the next frame would be lost otherwise.
+struct KeyPress {
+  int key = 0;        ///< GLFW's name of it; 0 where only `typed` is known
+  char32_t typed = 0;  ///< what it typed; 0 where only `key` is known
+  bool control = false;
+  bool repeated = false;
+};
+
 /// A window on the desktop.
 class Window {
  public:
@@ -41,12 +50,15 @@ class Window {
 
   /// The files that were dropped on the window since the last call.
   std::vector<std::filesystem::path> takeDropped();
+  /// The keys that were pressed since the last call.
+  std::vector<KeyPress> takeKeys();
   /// Whether the desktop asked for the window to be drawn again, or changed its size.
   bool takeRefresh();
 
  private:
   GLFWwindow* window_ = nullptr;
   std::vector<std::filesystem::path> dropped_;
+  std::vector<KeyPress> keys_;
   bool refresh_ = true;
 };
 
