@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -27,7 +28,7 @@ struct ViewCommand {
   MotionOptions motion;
   MethodOptions method;
   LookOptions look;
-  std::array<int, 2> size{1280, 800};
+  std::optional<std::array<int, 2>> size;
   std::string device;
   std::optional<std::filesystem::path> controls;
   bool validation = false;
@@ -40,7 +41,7 @@ struct ViewCommand {
     line.section("Picture");
     camera.addTo(line);
     look.addTo(line);
-    line.value("--size", "WxH", "of the window, pixels [1280x800]",
+    line.value("--size", "WxH", "of the window, pixels [as it was left]",
                [this](const Given& given) { size = readSize(given, 16384); });
     line.section("Motion");
     motion.addTo(line, false);
@@ -101,8 +102,7 @@ void runView(const Arguments& arguments) {
   options.renderer.device = command.device;
   options.renderer.validation = command.validation;
   options.renderer.log = log;
-  options.width = command.size[0];
-  options.height = command.size[1];
+  options.size = command.size;
   options.configFolder = configFolder();
   options.controls = command.controls;
   viewer::Viewer viewer(options);

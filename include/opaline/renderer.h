@@ -82,7 +82,9 @@ struct RenderOptions {
   int antialias = 4;        ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
   int frames = 1;           ///< how often render() renders the picture, for timing; ≥ 1
   double seconds = 0;       ///< time of clip and deformers, ≥ 0
-  int clip = 0;  ///< which of the scene's clips plays; -1: none, nodes as the file has them
+  int clip = 0;         ///< which of the scene's clips plays; -1: none, nodes as the file has them
+  bool patient = true;  ///< wait until the surface is divided anew for media that changed; else
+                        ///< go on with how it was while that is done by another thread
   bool reuseLight = false;  ///< where nothing but the camera changed since a frame of this size and
                             ///< method, take its light: the same picture, sooner
 };
@@ -136,6 +138,8 @@ struct Frame {
   double milliseconds = 0;    ///< GPU time
   std::vector<PassTime> passes;
   std::vector<Solution> solutions;  ///< of Transport::Boundary, one and one a bounce
+  bool provisional = false;         ///< the surface was still divided for other media: see
+                                    ///< RenderOptions::patient
 };
 
 // For callers who work with the renderer's Vulkan device; see opaline/vulkan.h.

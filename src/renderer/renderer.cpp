@@ -14,6 +14,7 @@
 #include "gpu/transfer.h"
 #include "opaline/error.h"
 #include "opaline/vulkan.h"
+#include "renderer/background_divider.h"
 #include "renderer/camera_view.h"
 #include "renderer/frame.h"
 #include "renderer/light_views.h"
@@ -75,6 +76,7 @@ struct FrameSlot {
 
   gpu::CommandList commands;
   Readback readback;
+  bool provisional = false;  // see Frame
 };
 
 }  // namespace
@@ -103,6 +105,7 @@ class Renderer::Implementation {
     device_.waitIdle();
     waiting_ = 0;
     forgetFrames();
+    divider_.forget();
     motion_.reset();
     uploaded_.reset();
     times_.clear();
@@ -214,6 +217,7 @@ class Renderer::Implementation {
     slot.commands.wait();
     slot.readback.finish(frame.images);
     slot.readback.finishSolutions(frame.solutions);
+    frame.provisional = slot.provisional;
     solutions_ = frame.solutions;
     const std::vector<gpu::PassTiming>& timings = slot.commands.timings();
     frame.milliseconds = slot.commands.frameMilliseconds();
@@ -271,6 +275,7 @@ class Renderer::Implementation {
     slot.readback.record(slot.commands, site_, resources);
     slot.readback.recordSolutions(slot.commands, boundary ? options.bounces + 1 : 0,
                                   uploaded_->solver);
+    slot.provisional = provisional();
     slot.commands.submit();
     next_ = (next_ + 1) % slots_.size();
     ++waiting_;
@@ -287,16 +292,36 @@ class Renderer::Implementation {
       device_.waitIdle();
       forgetFrames();
       uploaded_.reset();
+      divider_.forget();
       uploaded_ = makeSceneResources(device_, scene(), merged_, needs, log_);
       media_ = changes_.media;
-    } else if (media_ != changes_.media) {
-      device_.waitIdle();
-      takeMedia(device_, scene(), *uploaded_, log_);
-      media_ = changes_.media;
-      litSurfels_ = nullptr;
+    } else {
+      followMedia(options.patient);
     }
     if (uploaded_->needs.maxClusters) uploaded_->clusters.lights = lightCount(scene_->lighting);
     current_ = &prepared_.of(options, *uploaded_, scene_->lighting, changes_);
+  }
+
+  // Brings the scene on the device in step with its media.
+  void followMedia(bool patient) {
+    if (media_ != changes_.media) takeMedia(scene(), *uploaded_);
+    media_ = changes_.media;
+    if (!uploaded_->needs.maxSurfels) return;
+    const DivisionOrder wanted = orderFor(device_, scene(), *uploaded_);
+    if (uploaded_->divided == wanted) return;
+    divider_.want(wanted, merged_);
+    const std::optional<Division> division = divider_.take(patient);
+    if (!division || !(division->order == wanted)) return;
+    device_.waitIdle();
+    takeDivision(device_, *division, *uploaded_);
+    litSurfels_ = nullptr;
+    ++changes_.media;  // tables name where surfels lie
+    media_ = changes_.media;
+  }
+
+  bool provisional() {
+    return uploaded_->needs.maxSurfels &&
+           !(uploaded_->divided == orderFor(device_, scene(), *uploaded_));
   }
 
   void forgetFrames() {
@@ -380,6 +405,7 @@ class Renderer::Implementation {
   std::optional<SceneMotion> motion_;
   std::optional<SceneResources> uploaded_;
   std::uint64_t media_ = 0;  // changes_.media that uploaded_ is of
+  BackgroundDivider divider_;
   PreparedFrames prepared_;
   PreparedFrame* current_ = nullptr;           // of the frame submitted last
   const PreparedFrame* litSurfels_ = nullptr;  // whose light the surfels hold

@@ -178,6 +178,23 @@ TEST_P(EditTest, MethodsTakeTurns) {
 INSTANTIATE_TEST_SUITE_P(Methods, EditTest, testing::ValuesIn(methods),
                          [](const auto& method) { return std::string(method.param.name); });
 
+// Pictures come at once, of the old division, and then the new one's.
+TEST_P(EditTest, ImpatientPicturesBecomeTheSame) {
+  RenderOptions options = optionsOf(GetParam());
+  Scene scene = wobblyBall();
+  render(scene, options, asked());
+  scene.objects[0].medium.sigmaSPrimePerMm = {9, 8, 7};
+  takeMedium(renderer(), scene);
+  options.patient = false;
+  Frame frame;
+  do {
+    renderer().submit(options, asked());
+    renderer().collect(frame);
+  } while (frame.provisional);
+  options.patient = true;
+  expectSame(frame.images, render(scene, options, asked()));
+}
+
 class EditErrorsTest : public RendererTest {};
 
 TEST_F(EditErrorsTest, RefusedEditsChangeNothing) {

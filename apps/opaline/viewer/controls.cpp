@@ -10,6 +10,7 @@ namespace {
 
 std::vector<Place> noted;
 std::string within;
+Sections sections;
 
 // Room for the names to the right of the controls.
 void leaveRoomForNames() {
@@ -45,11 +46,20 @@ void tip(const char* text) {
 
 bool section(const char* name, bool open) {
   within.clear();
-  const bool isOpen = ImGui::CollapsingHeader(
-      name, open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+  const auto known = sections.try_emplace(name, open).first;
+  ImGui::SetNextItemOpen(known->second, ImGuiCond_Once);
+  known->second = ImGui::CollapsingHeader(name);
   note(name);
   within = name;
-  return isOpen;
+  return known->second;
+}
+
+Sections openSections() {
+  return sections;
+}
+
+void setOpenSections(const Sections& open) {
+  sections = open;
 }
 
 bool button(const char* name, const char* about) {

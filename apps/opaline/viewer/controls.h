@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,12 @@ void beginFrame();
 /// The controls that could be seen since.
 const std::vector<Place>& places();
 
-/// A section that folds; its name stands before the names of its controls.
+/// A section that folds, and is open at first where it says so, unless setOpenSections() said
+/// otherwise; its name stands before the names of its controls.
 bool section(const char* name, bool open);
+using Sections = std::map<std::string, bool>;  ///< by name, whether it is open
+Sections openSections();
+void setOpenSections(const Sections& sections);
 
 /// What the last control is for; shown while the mouse rests on it.
 void tip(const char* text);

@@ -48,9 +48,10 @@ struct Session {
   SceneOptions source;  ///< what was asked to be opened
   std::string name;
   Scene scene;
-  scene::SceneFileSettings settings;  ///< of the scene file, if it was one
-  float diagonalMm = 0;               ///< as loaded
-  std::vector<std::string> notes;     ///< of loading
+  scene::SceneFileSettings settings;      ///< of the scene file, if it was one
+  float diagonalMm = 0;                   ///< as loaded
+  std::optional<float> wantedDiagonalMm;  ///< another, to be loaded
+  std::vector<std::string> notes;         ///< of loading
 
   RenderOptions options;
   core::ToneOptions tone;

@@ -43,6 +43,7 @@ void Stage::draw(Session& session, int width, int height) {
   options.width = width;
   options.height = height;
   options.reuseLight = true;
+  options.patient = false;
   aovs_.clear();
   if (session.aov != Aov::Radiance) aovs_.push_back(session.aov);
   if (session.divided) {

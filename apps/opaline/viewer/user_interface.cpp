@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <filesystem>
 #include <system_error>
 
 #include <backends/imgui_impl_glfw.h>
@@ -55,8 +56,8 @@ void chooseColors() {
 }  // namespace
 
 UserInterface::UserInterface(const VulkanDevice& device, const Presenter& presenter,
-                             const Window& window, const std::filesystem::path& settings)
-    : device_(device), settings_(settings.string()) {
+                             const Window& window)
+    : device_(device) {
   const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 8};
   VkDescriptorPoolCreateInfo pool{};
   pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
@@ -68,7 +69,7 @@ UserInterface::UserInterface(const VulkanDevice& device, const Presenter& presen
 
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = settings_.empty() ? nullptr : settings_.c_str();
+  io.IniFilename = nullptr;  // ViewerState keeps what is to be kept
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   chooseColors();

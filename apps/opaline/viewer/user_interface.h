@@ -2,9 +2,6 @@
 
 #include <vulkan/vulkan.h>
 
-#include <filesystem>
-#include <string>
-
 #include "opaline/vulkan.h"
 #include "viewer/presenter.h"
 #include "viewer/window.h"
@@ -14,9 +11,7 @@ namespace opaline::app::viewer {
 /// Dear ImGui in a window: its fonts, colours, input and drawing.
 class UserInterface {
  public:
-  /// Where panels stand is read from and kept in `settings`; nowhere where that is empty.
-  UserInterface(const VulkanDevice& device, const Presenter& presenter, const Window& window,
-                const std::filesystem::path& settings);
+  UserInterface(const VulkanDevice& device, const Presenter& presenter, const Window& window);
   ~UserInterface();
   UserInterface(const UserInterface&) = delete;
   UserInterface& operator=(const UserInterface&) = delete;
@@ -33,7 +28,6 @@ class UserInterface {
 
   VulkanDevice device_;
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
-  std::string settings_;  // ImGui keeps a pointer to it
 };
 
 }  // namespace opaline::app::viewer

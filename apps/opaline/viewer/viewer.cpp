@@ -35,8 +35,35 @@ RendererOptions forWindows(RendererOptions options) {
   return options;
 }
 
-std::filesystem::path layoutFile(const std::filesystem::path& folder) {
-  return folder.empty() ? folder : folder / "window.ini";
+// A light at the same place of a body that has become so many times as large, as bright on it.
+PointLight scaled(PointLight light, float factor) {
+  for (float& component : light.positionMm) component *= factor;
+  for (float& channel : light.intensity) channel *= factor * factor;
+  return light;
+}
+
+// What was edited, on the same model at another size.
+void takeEdits(const Session& edited, Session& loaded) {
+  const float factor = diagonalMm(loaded.scene) / edited.diagonalMm;
+  const Scene& from = edited.scene;
+  Scene& to = loaded.scene;
+  for (std::size_t i = 0; i < to.objects.size() && i < from.objects.size(); ++i) {
+    to.objects[i].medium = from.objects[i].medium;
+  }
+  to.lighting = from.lighting;
+  for (PointLight& light : to.lighting.points) light = scaled(light, factor);
+  to.camera = from.camera;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    to.camera.positionMm[axis] *= factor;
+    to.camera.targetMm[axis] *= factor;
+  }
+  to.deformers = from.deformers;
+  loaded.options = edited.options;
+  loaded.playback = edited.playback;
+  loaded.divided = edited.divided;
+  loaded.divider = edited.divider;
+  loaded.aov = edited.aov;
+  loaded.object = edited.object;
 }
 
 // The largest area of a picture's shape within another.
@@ -57,22 +84,54 @@ bool isEnvironment(const std::filesystem::path& file) {
 
 Viewer::Viewer(const ViewerOptions& options)
     : options_(options),
-      window_(options.width, options.height, "Opaline"),
+      state_(readState(options.configFolder)),
+      window_(options.size ? (*options.size)[0] : state_.width,
+              options.size ? (*options.size)[1] : state_.height, "Opaline"),
       renderer_(forWindows(options.renderer)),
       presenter_(renderer_.vulkanDevice(), window_),
-      interface_(renderer_.vulkanDevice(), presenter_, window_, layoutFile(options.configFolder)),
+      interface_(renderer_.vulkanDevice(), presenter_, window_),
       painter_(renderer_.vulkanDevice(), presenter_.renderPass()),
       stage_(renderer_),
       variable_(renderer_.vulkanDevice()),
       loader_([] { Window::wake(); }) {
   session_.tone.background = Rgb{0.03F, 0.03F, 0.035F};
+  session_.gizmos = state_.handles;
+  session_.scaleBar = state_.scaleBar;
+  panels_ = state_.panels;
+  controls::setOpenSections(state_.openSections);
   open(options_.source);
+}
+
+Viewer::~Viewer() {
+  keepState();
+}
+
+void Viewer::keepState() {
+  const auto [width, height] = window_.size();
+  // A window that is minimised, or as large as the screen allows, says nothing.
+  if (width > 0 && height > 0) {
+    state_.width = width;
+    state_.height = height;
+  }
+  state_.handles = session_.gizmos;
+  state_.scaleBar = session_.scaleBar;
+  state_.panels = panels_;
+  state_.openSections = controls::openSections();
+  writeState(options_.configFolder, state_);
 }
 
 void Viewer::open(const SceneOptions& source) {
   message_ = fmt::format("loading {}", source.name());
   failed_ = false;
+  resizing_ = false;
   loader_.start(source);
+}
+
+void Viewer::resize(float diagonalMm) {
+  SceneOptions source = session_.source;
+  source.setDiagonalMm(diagonalMm);
+  open(source);
+  resizing_ = true;
 }
 
 void Viewer::openDropped() {
@@ -107,14 +166,22 @@ void Viewer::takeLoaded() {
     made.scene = std::move(result->loaded->scene);
     made.settings = std::move(result->loaded->settings);
     made.notes = std::move(result->notes);
+    made.gizmos = session_.gizmos;
+    made.scaleBar = session_.scaleBar;
     made.options = session_.options;
     made.options.seconds = 0;
     made.options.clip = 0;
-    if (options_.prepare) options_.prepare(made);
+    if (resizing_) {
+      takeEdits(session_, made);
+    } else if (options_.prepare) {
+      options_.prepare(made);
+    }
     options_.prepare = {};  // it was about the first scene
     made.diagonalMm = diagonalMm(made.scene);
-    made.playback.lengthSeconds = lengthOfMotion(made.scene, made.options.clip);
-    made.playback.playing = moves(made.scene, made.options.clip) && made.options.seconds == 0;
+    if (!resizing_) {
+      made.playback.lengthSeconds = lengthOfMotion(made.scene, made.options.clip);
+      made.playback.playing = moves(made.scene, made.options.clip) && made.options.seconds == 0;
+    }
     made.edits.medium.assign(made.scene.objects.size(), false);
     made.edits.picture = true;
     stage_.setScene(made.scene);
@@ -185,6 +252,7 @@ void Viewer::drawPanels() {
     savePicture();
   }
   drawMediumPanel(session_);
+  if (session_.wantedDiagonalMm) resize(*std::exchange(session_.wantedDiagonalMm, std::nullopt));
   drawLightPanel(session_);
   drawMethodPanel(session_);
   drawMotionPanel(session_);
@@ -255,6 +323,7 @@ void Viewer::takeFinished() {
   framesTaken_ = stage_.framesFinished();
   history_.add(stage_.lastFrame());
   session_.report = stage_.report();
+  if (stage_.lastFrame().provisional) session_.edits.picture = true;
   awake_ = std::max(awake_, 1);
   if (session_.aov == Aov::Radiance || stage_.lastFrame().images.empty()) return;
   const Image& image = stage_.lastFrame().images.front();

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -15,6 +17,7 @@
 #include "viewer/stage.h"
 #include "viewer/timing_history.h"
 #include "viewer/user_interface.h"
+#include "viewer/viewer_state.h"
 #include "viewer/window.h"
 
 namespace opaline::app::viewer {
@@ -25,9 +28,8 @@ struct ViewerOptions {
   /// Brings what else was asked for on the command line into what was loaded. May throw.
   std::function<void(Session&)> prepare;
   RendererOptions renderer;
-  int width = 1280;
-  int height = 800;
-  std::filesystem::path configFolder;  ///< where the window's state is kept; empty: nowhere
+  std::optional<std::array<int, 2>> size;  ///< of the window; else as it was left
+  std::filesystem::path configFolder;      ///< where the window's state is kept; empty: nowhere
   std::optional<std::filesystem::path> controls;  ///< gets the places of all controls
 };
 
@@ -35,6 +37,9 @@ struct ViewerOptions {
 class Viewer {
  public:
   explicit Viewer(const ViewerOptions& options);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
 
   /// Until the window is closed. Throws Error where the device fails.
   void run();
@@ -47,6 +52,8 @@ class Viewer {
   void takeLoaded();
   void openDropped();
   void open(const SceneOptions& source);
+  void resize(float diagonalMm);
+  void keepState();
   void sleepUntilNeeded();
   void advance(double seconds);
   void layOut();
@@ -60,6 +67,7 @@ class Viewer {
   void writeControls() const;
 
   ViewerOptions options_;
+  ViewerState state_;
   Window window_;
   Renderer renderer_;
   Presenter presenter_;
@@ -69,6 +77,7 @@ class Viewer {
   HostPicture variable_;  // that is shown instead of radiance
   Aov variableShown_ = Aov::Radiance;
   Loader loader_;
+  bool resizing_ = false;  // what is being loaded is the same model at another size
   Session session_;
   PictureInput input_;
   TimingHistory history_;

@@ -91,6 +91,14 @@ VkSurfaceKHR Window::makeSurface(VkInstance instance) const {
   return surface;
 }
 
+std::array<int, 2> Window::size() const {
+  std::array<int, 2> size{};
+  if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE) {
+    glfwGetWindowSize(window_, size.data(), size.data() + 1);
+  }
+  return size;
+}
+
 VkExtent2D Window::pixels() const {
   int width = 0;
   int height = 0;

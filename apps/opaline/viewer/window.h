@@ -2,6 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace opaline::app::viewer {
 /// A key that went down, or repeats because it stays down. Kept by the window because a key that
 /// is up again before the next frame would be lost otherwise.
 struct KeyPress {
-  int key = 0;        ///< GLFW's name of it; 0 where only `typed` is known
+  int key = 0;         ///< GLFW's name of it; 0 where only `typed` is known
   char32_t typed = 0;  ///< what it typed; 0 where only `key` is known
   bool control = false;
   bool repeated = false;
@@ -35,7 +36,8 @@ class Window {
   VkSurfaceKHR makeSurface(VkInstance instance) const;
 
   GLFWwindow* handle() const { return window_; }
-  VkExtent2D pixels() const;  ///< 0 × 0 while it is minimised
+  std::array<int, 2> size() const;  ///< in the desktop's units
+  VkExtent2D pixels() const;        ///< 0 × 0 while it is minimised
   /// How much larger the desktop wants text and controls than usual.
   float scale() const;
   bool wantsToClose() const;

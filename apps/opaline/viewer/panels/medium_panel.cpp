@@ -84,9 +84,23 @@ bool drawCoefficients(const char* name, std::array<double, 3>& perMm, float low,
   return changed;
 }
 
-void showLengths(const Medium& medium, float diagonalMm) {
+// Taken up when the mouse lets go: every size is another scene.
+void drawSize(Session& session) {
+  static float wantedMm = 0;
+  static bool dragged = false;
+  if (!dragged) wantedMm = session.diagonalMm;
+  if (controls::slider("size", wantedMm, 1, 10'000, "%.1f mm",
+                       "Diagonal of the model's box. Light reaches equally far into a small body "
+                       "and a large one of one medium: size decides how translucent it looks.")) {
+    dragged = true;
+  }
+  if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+  dragged = false;
+  session.wantedDiagonalMm = wantedMm;
+}
+
+void showLengths(const Medium& medium) {
   const MediumLengths lengths = lengthsOf(medium);
-  ImGui::Text("The model measures %.4g mm across.", static_cast<double>(diagonalMm));
   if (!ImGui::BeginTable("lengths", 4, ImGuiTableFlags_SizingStretchProp)) return;
   const auto row = [](const char* name, const std::array<double, 3>& mm) {
     ImGui::TableNextRow();
@@ -136,7 +150,8 @@ void drawMediumPanel(Session& session) {
   if (edited || bent) medium.name = "custom";
   changed = changed || edited || bent;
   if (changed) session.edits.medium[session.object] = true;
-  showLengths(medium, session.diagonalMm);
+  drawSize(session);
+  showLengths(medium);
 }
 
 }  // namespace opaline::app::viewer
