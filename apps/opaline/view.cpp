@@ -55,10 +55,16 @@ struct ViewCommand {
                [this](const Given& given) { controls = readOutput(given, {".json"}); });
   }
 
+  /// Also refuses what contradicts itself.
+  RenderOptions options(const scene::SceneFileSettings& settings) const {
+    RenderOptions options = optionsOf(settings);
+    method.applyTo(options, settings);
+    look.applyTo(options);
+    return options;
+  }
+
   void prepare(viewer::Session& session) const {
-    session.options = optionsOf(session.settings);
-    method.applyTo(session.options, session.settings);
-    look.applyTo(session.options);
+    session.options = options(session.settings);
     lights.applyTo(session.scene);
     camera.applyTo(session.scene);
     motion.applyTo(session.scene);
@@ -95,6 +101,8 @@ void runView(const Arguments& arguments) {
   ViewCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;
+  command.motion.check();
+  static_cast<void>(command.options({}));  // before any window
   const LogCallback log = noteTaker(false);
   viewer::ViewerOptions options;
   options.source = command.scene;

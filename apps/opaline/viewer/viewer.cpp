@@ -203,7 +203,8 @@ void Viewer::sleepUntilNeeded() {
   } else {
     Window::wait();
     awake_ = framesAfterEvent;
-    last_ = Clock::now();  // what slept did not play
+    last_ = Clock::now();                    // what slept did not play
+    if (options_.controls) writeControls();  // whoever drives the window sees that it is awake
   }
   if (window_.takeRefresh()) awake_ = framesAfterEvent;
   const ImGuiIO& io = ImGui::GetIO();
@@ -309,8 +310,8 @@ void Viewer::drawInterface() {
 void Viewer::drawPicture() {
   if (!stage_.hasScene() || area_.empty()) return;
   const bool sliding = ImGui::IsAnyItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
-  const bool moving = session_.playback.playing || session_.playback.turntable ||
-                      input_.dragging() || sliding;
+  const bool moving =
+      session_.playback.playing || session_.playback.turntable || input_.dragging() || sliding;
   const bool resized = area_.width != drawn_.width || area_.height != drawn_.height;
   // What was drawn for speed is drawn well once nothing moves.
   if (!session_.edits.any() && !resized && !(rough_ && !moving)) return;
