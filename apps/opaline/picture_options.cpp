@@ -91,6 +91,8 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
   setFromName(options.transport, settings.transport, transports());
   setFromName(options.sum, settings.sum, sums());
   setFromName(options.site, settings.site, sites());
+  setFrom(options.tolerance, settings.tolerance);
+  setFrom(options.maxSources, settings.maxSources);
   setFrom(options.bounces, settings.bounces);
   setFrom(options.boundarySurfels, settings.boundarySurfels);
   setFrom(options.pattern.nearRings, settings.nearRings);
@@ -304,7 +306,7 @@ core::ToneOptions PictureOptions::tone(const scene::SceneFileSettings& settings)
   setFromName(options.curve, settings.tone, toneCurves());
   setFrom(options.exposureStops, exposureStops_);
   setFrom(options.curve, curve_);
-  options.background = background_;
+  options.background = background_ ? background_ : settings.background;
   return options;
 }
 

@@ -166,7 +166,7 @@ std::optional<std::vector<Vec3>> positionsOf(const std::optional<MeshSequence>& 
 }
 
 Job prepare(const ReferenceCommand& command, std::filesystem::path output, const LogCallback& log) {
-  auto [scene, settings, sequence] = command.scene.load(log);
+  auto [scene, settings, sequence, source] = command.scene.load(log);
   RenderOptions options = command.options(settings);
   rf::requireSound(command.pictureOptions(options));
   command.lights.applyTo(scene);

@@ -103,7 +103,7 @@ struct Job {
 };
 
 Job prepare(const RenderCommand& command, std::filesystem::path output, const LogCallback& log) {
-  auto [scene, settings, sequence] = command.scene.load(log);
+  auto [scene, settings, sequence, source] = command.scene.load(log);
   RenderOptions options = command.options(settings);
   command.lights.applyTo(scene);
   command.camera.applyTo(scene);
