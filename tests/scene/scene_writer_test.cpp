@@ -259,8 +259,7 @@ TEST_F(SceneWriter, IsFoundFromAnyFolder) {
   const scene::LoadedScene loaded = random(3);
   {
     const CurrentFolder here(folder / "scenes");
-    scene::writeScene("mine/a.toml",
-                      scene::describe(loaded.scene, loaded.source, loaded.settings));
+    scene::writeScene("mine/a.toml", scene::describe(loaded.scene, loaded.source, loaded.settings));
   }
   const std::string text = test::readBytes(file());
   EXPECT_THAT(text, HasSubstr("model = \"../../models/cubes.glb\""));
@@ -279,7 +278,8 @@ TEST_F(SceneWriter, ALinkedFolderIsFollowedAndALinkedModelIsNot) {
   fs::create_directory_symlink(folder / "scenes" / "mine", folder / "shortcut");
   fs::create_symlink("cubes.glb", folder / "models" / "current.glb");
   const scene::LoadedScene loaded = scene::loadSceneFile(folder / "models" / "current.glb");
-  scene::writeScene(folder / "shortcut" / "a.toml", scene::describe(loaded.scene, loaded.source, {}));
+  scene::writeScene(folder / "shortcut" / "a.toml",
+                    scene::describe(loaded.scene, loaded.source, {}));
   EXPECT_THAT(test::readBytes(file()), HasSubstr("\"../../models/current.glb\""));
   expectSame(scene::loadSceneFile(folder / "shortcut" / "a.toml").scene, loaded.scene);
 }
