@@ -11,7 +11,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "core/file.h"
-#include "film.h"
+#include "film_output.h"
 #include "json.h"
 #include "motion_options.h"
 #include "opaline/error.h"

@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "core/file.h"
 #include "film.h"
+#include "film_output.h"
 #include "json.h"
 #include "motion_options.h"
 #include "opaline/error.h"
