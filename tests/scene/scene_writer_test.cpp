@@ -341,6 +341,28 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   EXPECT_EQ(found, wanted);
 }
 
+TEST(SceneKeys, AreAllInTheDocument) {
+  const std::string document =
+      test::readBytes(fs::path(OPALINE_SOURCE_DIR) / "docs" / "scene-files.md");
+  const auto expectAll = [&](const auto& keys) {
+    for (const std::string_view key : keys) {
+      const std::string word(key);
+      EXPECT_THAT(document, testing::AnyOf(HasSubstr("`" + word + "`"), HasSubstr("[" + word + "]"),
+                                           HasSubstr("[" + word + ".")));
+    }
+  };
+  expectAll(scene::keys::root);
+  expectAll(scene::keys::medium);
+  expectAll(scene::keys::object);
+  expectAll(scene::keys::deform);
+  expectAll(scene::keys::directional);
+  expectAll(scene::keys::point);
+  expectAll(scene::keys::ambient);
+  expectAll(scene::keys::environment);
+  expectAll(scene::keys::camera);
+  expectAll(scene::keys::render);
+}
+
 TEST_F(SceneWriter, PlacementsComeBack) {
   test::writeBytes(folder / "scenes" / "b.toml", R"(model = "../models/cubes.glb"
 diagonal_mm = 33.3
