@@ -106,6 +106,46 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
   return options;
 }
 
+scene::SceneFileSettings settingsOf(const RenderOptions& options, const core::ToneOptions& tone,
+                                    const Scene& scene) {
+  scene::SceneFileSettings settings;
+  settings.width = options.width;
+  settings.height = options.height;
+  settings.transport = nameOf(options.transport, transports());
+  settings.sum = nameOf(options.sum, sums());
+  settings.site = nameOf(options.site, sites());
+  settings.tolerance = options.tolerance;
+  settings.maxSources = options.maxSources;
+  settings.bounces = options.bounces;
+  settings.boundarySurfels = options.boundarySurfels;
+  settings.nearRings = options.pattern.nearRings;
+  settings.nearSpacing = options.pattern.nearSpacing;
+  settings.farDistance = options.pattern.farDistance;
+  settings.dsmSize = options.dsmSize;
+  settings.shadowSize = options.shadowSize;
+  settings.specular = options.specular;
+  settings.roughness = options.roughness;
+  settings.antialias = options.antialias;
+  settings.exposureStops = tone.exposureStops;
+  settings.tone = nameOf(tone.curve, toneCurves());
+  settings.background = tone.background;
+  settings.seconds = options.seconds;
+  if (options.clip < 0) {
+    settings.clip = "none";
+  } else if (const auto clip = static_cast<std::size_t>(options.clip); clip < scene.clips.size()) {
+    settings.clip = scene.clips[clip].name;
+  }
+  return settings;
+}
+
+core::ToneOptions toneOf(const scene::SceneFileSettings& settings) {
+  core::ToneOptions tone;
+  setFrom(tone.exposureStops, settings.exposureStops);
+  setFromName(tone.curve, settings.tone, toneCurves());
+  tone.background = settings.background;
+  return tone;
+}
+
 void MethodOptions::addTo(CommandLine& line) {
   const RenderOptions defaults;
   line.value("--transport", "NAME", "boundary, better-dipole or dipole [boundary]",
@@ -301,12 +341,10 @@ std::filesystem::path PictureOptions::file(const std::string& sceneName, bool fr
 }
 
 core::ToneOptions PictureOptions::tone(const scene::SceneFileSettings& settings) const {
-  core::ToneOptions options;
-  setFrom(options.exposureStops, settings.exposureStops);
-  setFromName(options.curve, settings.tone, toneCurves());
+  core::ToneOptions options = toneOf(settings);
   setFrom(options.exposureStops, exposureStops_);
   setFrom(options.curve, curve_);
-  options.background = background_ ? background_ : settings.background;
+  if (background_) options.background = background_;
   return options;
 }
 
