@@ -190,15 +190,15 @@ void requireWritable(const fs::path& target) {
 }
 
 struct WholeFile::State {
+  explicit State(const fs::path& wanted)
+      : target(wanted), real(checkedTarget(wanted)), file(real) {}
+
   fs::path target;  ///< as it was given, for messages
   fs::path real;
   TemporaryFile file;
 };
 
-WholeFile::WholeFile(const fs::path& target) {
-  const fs::path real = checkedTarget(target);
-  state_.reset(new State{target, real, TemporaryFile(real)});
-}
+WholeFile::WholeFile(const fs::path& target) : state_(std::make_unique<State>(target)) {}
 
 WholeFile::~WholeFile() = default;
 

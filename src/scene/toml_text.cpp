@@ -36,7 +36,7 @@ void requireHeld(double value, std::string_view what) {
 }
 
 /// TOML's -0 is a whole number, which has no sign.
-std::string withSign(std::string digits) {
+std::string withSign(const std::string& digits) {
   return digits == "-0" ? "-0.0" : digits;
 }
 
