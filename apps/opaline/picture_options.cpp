@@ -91,6 +91,8 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
   setFromName(options.transport, settings.transport, transports());
   setFromName(options.sum, settings.sum, sums());
   setFromName(options.site, settings.site, sites());
+  setFrom(options.tolerance, settings.tolerance);
+  setFrom(options.maxSources, settings.maxSources);
   setFrom(options.bounces, settings.bounces);
   setFrom(options.boundarySurfels, settings.boundarySurfels);
   setFrom(options.pattern.nearRings, settings.nearRings);
@@ -102,6 +104,46 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
   setFrom(options.roughness, settings.roughness);
   setFrom(options.antialias, settings.antialias);
   return options;
+}
+
+scene::SceneFileSettings settingsOf(const RenderOptions& options, const core::ToneOptions& tone,
+                                    const Scene& scene) {
+  scene::SceneFileSettings settings;
+  settings.width = options.width;
+  settings.height = options.height;
+  settings.transport = nameOf(options.transport, transports());
+  settings.sum = nameOf(options.sum, sums());
+  settings.site = nameOf(options.site, sites());
+  settings.tolerance = options.tolerance;
+  settings.maxSources = options.maxSources;
+  settings.bounces = options.bounces;
+  settings.boundarySurfels = options.boundarySurfels;
+  settings.nearRings = options.pattern.nearRings;
+  settings.nearSpacing = options.pattern.nearSpacing;
+  settings.farDistance = options.pattern.farDistance;
+  settings.dsmSize = options.dsmSize;
+  settings.shadowSize = options.shadowSize;
+  settings.specular = options.specular;
+  settings.roughness = options.roughness;
+  settings.antialias = options.antialias;
+  settings.exposureStops = tone.exposureStops;
+  settings.tone = nameOf(tone.curve, toneCurves());
+  settings.background = tone.background;
+  settings.seconds = options.seconds;
+  if (options.clip < 0) {
+    settings.clip = "none";
+  } else if (const auto clip = static_cast<std::size_t>(options.clip); clip < scene.clips.size()) {
+    settings.clip = scene.clips[clip].name;
+  }
+  return settings;
+}
+
+core::ToneOptions toneOf(const scene::SceneFileSettings& settings) {
+  core::ToneOptions tone;
+  setFrom(tone.exposureStops, settings.exposureStops);
+  setFromName(tone.curve, settings.tone, toneCurves());
+  tone.background = settings.background;
+  return tone;
 }
 
 void MethodOptions::addTo(CommandLine& line) {
@@ -229,11 +271,8 @@ void LookOptions::applyTo(RenderOptions& options) const {
   setFrom(options.roughness, roughness_);
 }
 
-core::ToneOptions LookOptions::tone(const scene::SceneFileSettings& settings,
-                                    const core::ToneOptions& usual) const {
-  core::ToneOptions options = usual;
-  setFrom(options.exposureStops, settings.exposureStops);
-  setFromName(options.curve, settings.tone, toneCurves());
+core::ToneOptions LookOptions::tone(const scene::SceneFileSettings& settings) const {
+  core::ToneOptions options = toneOf(settings);
   setFrom(options.exposureStops, exposureStops_);
   setFrom(options.curve, curve_);
   if (background_) options.background = background_;

@@ -21,6 +21,14 @@ const Choices<core::ToneCurve>& toneCurves();
 /// The [render] table of a scene file over the defaults.
 RenderOptions optionsOf(const scene::SceneFileSettings& settings);
 
+/// The [render] table of a file that shows what is on the screen: everything, whether or not it is
+/// the default, but the device.
+scene::SceneFileSettings settingsOf(const RenderOptions& options, const core::ToneOptions& tone,
+                                    const Scene& scene);
+
+/// How a scene file wants its pictures shown.
+core::ToneOptions toneOf(const scene::SceneFileSettings& settings);
+
 /// --transport, --sum, --site, --method and what shapes each of them.
 class MethodOptions {
  public:
@@ -58,9 +66,8 @@ class LookOptions {
   bool asksForReflection() const { return roughness_.has_value(); }
   /// Whether a value was given that only matters to colours of eight bits.
   bool asksForTone() const { return exposureStops_ || curve_ || background_; }
-  /// What was asked for, else what the scene file says, else `usual`.
-  core::ToneOptions tone(const scene::SceneFileSettings& settings,
-                         const core::ToneOptions& usual = {}) const;
+  /// What was asked for, else what the scene file says.
+  core::ToneOptions tone(const scene::SceneFileSettings& settings) const;
 
  private:
   std::optional<int> antialias_;

@@ -20,6 +20,7 @@ struct LoadedScene {
   scene::SceneFileSettings settings;
   /// Where SCENE stands for numbered files; `scene` is the first of them.
   std::optional<MeshSequence> sequence;
+  scene::SceneSource source;
 };
 
 /// SCENE or --builtin, its size and its medium.
@@ -51,6 +52,7 @@ class LightOptions {
   bool any() const { return any_; }
   /// As soon as one was given, only what was given shines.
   void applyTo(Scene& scene) const;
+  void applyTo(LoadedScene& loaded) const;
 
  private:
   bool any_ = false;

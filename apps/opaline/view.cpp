@@ -63,13 +63,13 @@ struct ViewCommand {
     return options;
   }
 
-  void prepare(viewer::Session& session) const {
-    session.options = options(session.settings);
-    lights.applyTo(session.scene);
-    camera.applyTo(session.scene);
-    motion.applyTo(session.scene);
-    motion.applyTo(session.options, session.scene, session.settings);
-    session.tone = look.tone(session.settings, session.tone);
+  void prepare(LoadedScene& loaded, viewer::Session& session) const {
+    lights.applyTo(loaded);
+    camera.applyTo(loaded.scene);
+    motion.applyTo(loaded.scene);
+    session.options = options(loaded.settings);
+    motion.applyTo(session.options, loaded.scene, loaded.settings);
+    session.tone = look.tone(loaded.settings);
   }
 };
 
@@ -106,7 +106,9 @@ void runView(const Arguments& arguments) {
   const LogCallback log = noteTaker(false);
   viewer::ViewerOptions options;
   options.source = command.scene;
-  options.prepare = [&](viewer::Session& session) { command.prepare(session); };
+  options.prepare = [&](LoadedScene& loaded, viewer::Session& session) {
+    command.prepare(loaded, session);
+  };
   options.renderer.device = command.device;
   options.renderer.validation = command.validation;
   options.renderer.log = log;

@@ -9,7 +9,7 @@
 #include "core/tone.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
-#include "scene/scene_settings.h"
+#include "scene/scene_source.h"
 #include "scene_options.h"
 
 namespace opaline::app::viewer {
@@ -45,10 +45,11 @@ struct Playback {
 /// Everything that can be changed in the window, as plain data. Panels change it and note what they
 /// did in `edits`; nothing here draws or renders.
 struct Session {
-  SceneOptions source;  ///< what was asked to be opened
+  SceneOptions asked;  ///< what was asked to be opened
   std::string name;
   Scene scene;
-  scene::SceneFileSettings settings;       ///< of the scene file, if it was one
+  scene::SceneSource source;               ///< the files that it was made of
+  std::optional<Image> environment;        ///< as the source's file has it, not turned
   float diagonalMm = 0;                    ///< as loaded
   std::optional<float> wantedDiagonalMm;   ///< another, to be loaded
   std::optional<float> draggedDiagonalMm;  ///< another, while its slider is being dragged

@@ -16,6 +16,8 @@
 #include "opaline/error.h"
 #include "output.h"
 #include "paths.h"
+#include "picture_options.h"
+#include "scene/environment_file.h"
 #include "viewer/controls.h"
 #include "viewer/orbit.h"
 #include "viewer/overlay.h"
@@ -58,7 +60,9 @@ void takeEdits(const Session& edited, Session& loaded) {
     to.camera.targetMm[axis] *= factor;
   }
   to.deformers = from.deformers;
+  loaded.source.environment = edited.source.environment;
   loaded.options = edited.options;
+  loaded.tone = edited.tone;
   loaded.playback = edited.playback;
   loaded.divided = edited.divided;
   loaded.divider = edited.divider;
@@ -94,7 +98,6 @@ Viewer::Viewer(const ViewerOptions& options)
       stage_(renderer_),
       variable_(renderer_.vulkanDevice()),
       loader_([] { Window::wake(); }) {
-  session_.tone.background = Rgb{0.03F, 0.03F, 0.035F};
   session_.gizmos = state_.handles;
   session_.scaleBar = state_.scaleBar;
   panels_ = state_.panels;
@@ -120,30 +123,33 @@ void Viewer::keepState() {
   writeState(options_.configFolder, state_);
 }
 
-void Viewer::open(const SceneOptions& source) {
-  message_ = fmt::format("loading {}", source.name());
+void Viewer::open(const SceneOptions& asked) {
+  message_ = fmt::format("loading {}", asked.name());
   failed_ = false;
   resizing_ = false;
-  loader_.start(source);
+  loader_.start(asked);
 }
 
 void Viewer::resize(float diagonalMm) {
-  SceneOptions source = session_.source;
-  source.setDiagonalMm(diagonalMm);
-  open(source);
+  SceneOptions asked = session_.asked;
+  asked.setDiagonalMm(diagonalMm);
+  open(asked);
   resizing_ = true;
 }
 
 void Viewer::openDropped() {
   for (const std::filesystem::path& file : window_.takeDropped()) {
     if (!isEnvironment(file)) {
-      SceneOptions source;
-      source.setFile(file);
-      open(source);
+      SceneOptions asked;
+      asked.setFile(file);
+      open(asked);
       continue;
     }
     try {
-      session_.scene.lighting.environment = core::readHdrImage(file);
+      const scene::EnvironmentFile dropped{std::filesystem::absolute(file)};
+      session_.scene.lighting.environment = scene::readEnvironment(dropped);
+      session_.environment = session_.scene.lighting.environment;
+      session_.source.environment = dropped;
       session_.edits.lighting = true;
     } catch (const std::exception& error) {
       message_ = error.what();
@@ -159,24 +165,26 @@ void Viewer::takeLoaded() {
   failed_ = !message_.empty();
   if (failed_) return;
   try {
+    LoadedScene& loaded = *result->loaded;
     Session made;
-    made.tone = session_.tone;
-    made.source = result->source;
+    made.asked = result->source;
     made.name = result->source.name();
-    made.scene = std::move(result->loaded->scene);
-    made.settings = std::move(result->loaded->settings);
     made.notes = std::move(result->notes);
     made.gizmos = session_.gizmos;
     made.scaleBar = session_.scaleBar;
-    made.options = session_.options;
-    made.options.seconds = 0;
-    made.options.clip = 0;
-    if (resizing_) {
-      takeEdits(session_, made);
-    } else if (options_.prepare) {
-      options_.prepare(made);
+    if (options_.prepare) {
+      std::exchange(options_.prepare, {})(loaded, made);  // it is about the first scene
+    } else {
+      made.options = optionsOf(loaded.settings);
+      made.tone = toneOf(loaded.settings);
     }
-    options_.prepare = {};  // it was about the first scene
+    if (!made.tone.background) made.tone.background = Rgb{0.03F, 0.03F, 0.035F};
+    made.scene = std::move(loaded.scene);
+    made.source = std::move(loaded.source);
+    if (resizing_) takeEdits(session_, made);
+    if (const auto& from = made.source.environment) {
+      made.environment = scene::readEnvironment({from->file, from->intensity});
+    }
     made.diagonalMm = diagonalMm(made.scene);
     if (!resizing_) {
       made.playback.lengthSeconds = lengthOfMotion(made.scene, made.options.clip);

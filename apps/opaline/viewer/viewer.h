@@ -26,7 +26,7 @@ namespace opaline::app::viewer {
 struct ViewerOptions {
   SceneOptions source;
   /// Brings what else was asked for on the command line into what was loaded. May throw.
-  std::function<void(Session&)> prepare;
+  std::function<void(LoadedScene&, Session&)> prepare;
   RendererOptions renderer;
   std::optional<std::array<int, 2>> size;  ///< of the window; else as it was left
   std::filesystem::path configFolder;      ///< where the window's state is kept; empty: nowhere
@@ -51,7 +51,7 @@ class Viewer {
 
   void takeLoaded();
   void openDropped();
-  void open(const SceneOptions& source);
+  void open(const SceneOptions& asked);
   void resize(float diagonalMm);
   void keepState();
   void sleepUntilNeeded();

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "scene/environment_file.h"
 #include "viewer/controls.h"
 #include "viewer/panels/panels.h"
 
@@ -92,6 +93,19 @@ void place(PointLight& light, const Session& session) {
   light.intensity = {3 * d * d, 3 * d * d, 3 * d * d};
 }
 
+bool turnEnvironment(Session& session) {
+  if (!session.environment || !session.source.environment) return false;
+  scene::EnvironmentFile& file = *session.source.environment;
+  auto degrees = static_cast<float>(file.rotationDegrees);
+  if (!controls::slider("rotation", degrees, -180, 180, "%.1f deg",
+                        "Of the environment about the vertical, counter-clockwise from above.")) {
+    return false;
+  }
+  file.rotationDegrees = static_cast<double>(degrees);
+  session.scene.lighting.environment = scene::turned(*session.environment, file.rotationDegrees);
+  return true;
+}
+
 bool drawChosen(Session& session) {
   Lighting& lighting = session.scene.lighting;
   const auto index = static_cast<std::size_t>(session.light);
@@ -126,8 +140,11 @@ void drawLightPanel(Session& session) {
   if (lighting.environment) {
     ImGui::Text("environment of %d x %d pixels", lighting.environment->width,
                 lighting.environment->height);
+    changed |= turnEnvironment(session);
     if (controls::button("take it away", "No environment any more.")) {
       lighting.environment.reset();
+      session.environment.reset();
+      session.source.environment.reset();
       changed = true;
     }
   } else {
