@@ -104,6 +104,7 @@ class Renderer::Implementation {
   void setScene(const Scene& scene) {
     validate(scene);
     device_.waitIdle();
+    ++sceneNumber_;
     waiting_ = 0;
     resources_.reset();
     motion_.reset();
@@ -183,6 +184,18 @@ class Renderer::Implementation {
   }
 
   std::size_t validationMessages() const { return device_.validationMessages(); }
+
+  gpu::Device& device() { return device_; }
+
+  std::uint64_t sceneNumber() const { return sceneNumber_; }
+
+  std::size_t vertexCount(std::size_t object) const {
+    if (!scene_) throw Error("no scene is set; call setScene first");
+    if (object >= scene_->objects.size())
+      throw UsageError(
+          fmt::format("there is no object {}: the scene has {}", object, scene_->objects.size()));
+    return scene_->objects[object].mesh.positionsMm.size();
+  }
 
  private:
   void requireClip(int clip) const {
@@ -314,6 +327,7 @@ class Renderer::Implementation {
   std::size_t next_ = 0;     // slot of the next frame
   std::size_t waiting_ = 0;  // frames submitted and not collected
   gpu::UploadRing frameData_;
+  std::uint64_t sceneNumber_ = 0;
   std::unique_ptr<const Scene> scene_;
   scene::MergedMesh merged_;
   std::optional<SceneMotion> motion_;
@@ -376,6 +390,18 @@ VulkanDevice Renderer::vulkanDevice() const {
 
 std::size_t Renderer::validationMessages() const {
   return implementation_->validationMessages();
+}
+
+gpu::Device& Renderer::device() {
+  return implementation_->device();
+}
+
+std::uint64_t Renderer::sceneNumber() const {
+  return implementation_->sceneNumber();
+}
+
+std::size_t Renderer::vertexCount(std::size_t object) const {
+  return implementation_->vertexCount(object);
 }
 
 std::vector<DeviceDescription> listDevices() {

@@ -1,0 +1,80 @@
+// A soft body's cage in storage buffers. Included by C++ and GLSL. Lengths are in cells, places from
+// the cage's origin.
+#ifndef OPALINE_SHARED_SOFT_BODY_H
+#define OPALINE_SHARED_SOFT_BODY_H
+
+#ifdef __cplusplus
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec4.hpp>
+namespace opaline::shared {
+using uint = std::uint32_t;  // NOLINT(readability-identifier-naming): GLSL's word
+using glm::vec4;
+#define OPALINE_SOFT_CONSTANT constexpr std::uint32_t
+#else
+#define OPALINE_SOFT_CONSTANT const uint
+#endif
+
+/// What 16 KiB of shared memory hold, the least that every device has.
+OPALINE_SOFT_CONSTANT maxSoftNodes = 1360u;
+OPALINE_SOFT_CONSTANT softGroupSize = 128u;
+OPALINE_SOFT_CONSTANT noSoftSlot = 0xffffffffu;
+
+/// A corner of cells. Corner i of a cell lies towards +x, +y, +z by its bits 0, 1, 2.
+struct SoftNode {
+  uint slots[8];  // 8 · cell + corner of the cells around it, then noSoftSlot
+  float x;        // at rest
+  float y;
+  float z;
+  float share;  // 1 / number of cells around it; 0: it is held
+};
+
+/// How a node moves: how far it is from its rest, and how far it went in the last substep.
+struct SoftMotion {
+  float shiftX;
+  float shiftY;
+  float shiftZ;
+  float stepX;
+  float stepY;
+  float stepZ;
+};
+
+/// What a call of step does.
+struct SoftStep {
+  vec4 grab;             // xyz: a place to take hold of; w: 1 / radius, 0: none is taken
+  vec4 goal;             // xyz: how far the hold is to go; w: part of the way in a substep
+  float shear;           // 8 μ h² / (ρ a²)
+  float compliance;      // of a cell's volume, less what one iteration makes up for
+  float anchor;          // (ω h)² of the pull to rest
+  float grip;            // (ω h)² of the hold
+  float damping;         // what is left of a velocity after a substep
+  float reach;           // farthest that a held node is asked to be from its rest
+  float stillStep;       // of all nodes in a substep, where nothing moves any more
+  float stillShift;      // of all nodes, where all are taken to be at rest
+  uint cellCount;
+  uint nodeCount;
+  uint substeps;
+  uint holds;  // 1: something is held
+};
+
+/// What comes back of a step.
+struct SoftReport {
+  float holdX;  // how far the hold has gone
+  float holdY;
+  float holdZ;
+  uint still;  // 1: nothing moves
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(SoftNode) == 48);
+static_assert(offsetof(SoftNode, x) == 32);
+static_assert(sizeof(SoftMotion) == 24);
+static_assert(sizeof(SoftStep) == 80);
+static_assert(offsetof(SoftStep, shear) == 32);
+static_assert(offsetof(SoftStep, cellCount) == 64);
+static_assert(sizeof(SoftReport) == 16);
+static_assert(offsetof(SoftReport, still) == 12);
+}  // namespace opaline::shared
+#endif
+
+#endif

@@ -1,0 +1,59 @@
+#include "soft_body/dynamics.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace opaline::soft_body {
+
+namespace {
+
+// |∂C|² of a cell's volume C = V/V₀ - 1 at rest, by its coefficients in cells: three times 2².
+constexpr double gradient2AtRest = 12;
+
+// Part of the way that all forces of a cell together may take it back in a substep: below 1 no mode
+// of the whole overshoots, so that energy only falls.
+constexpr double mostOfTheWay = 0.9;
+
+constexpr double leastSubstepsPerSecond = 500;
+
+// By the frequency of the swing.
+constexpr double anchorFrequency = 0.15;
+constexpr double gripFrequency = 10;
+constexpr double mostGrip = 0.05;
+
+constexpr double followSeconds = 0.03;
+
+double squared(double x) {
+  return x * x;
+}
+
+}  // namespace
+
+Dynamics makeDynamics(const Cage& cage, const Character& character) {
+  assert(character.swingHz > 0 && character.settleSeconds > 0);
+  // Waves of shear pass the height in a quarter of a period.
+  const double waveSpeed = 4 * cage.heightCells * character.swingHz;  // cells / s
+  const double mostWaveNumber = mostOfTheWay / (gradient2AtRest * lambdaOverMu + 8);
+  const double substepsPerSecond =
+      std::max(leastSubstepsPerSecond, std::ceil(waveSpeed / std::sqrt(mostWaveNumber)));
+  Dynamics dynamics;
+  dynamics.substepSeconds = 1 / substepsPerSecond;
+  const double h = dynamics.substepSeconds;
+  dynamics.waveNumber = squared(waveSpeed * h);
+  dynamics.shear = 8 * dynamics.waveNumber;
+  // XPBD's compliance α / h² is 1 / (k h²); one iteration from no multiplier makes the constraint
+  // softer, as if |∂C|² were added to it (Macklin et al. 2016, Eq. 18), which is known beforehand.
+  dynamics.compliance = 1 / (lambdaOverMu * dynamics.waveNumber) - gradient2AtRest;
+  const double swing = 2 * std::numbers::pi * character.swingHz * h;
+  dynamics.anchor = squared(anchorFrequency * swing);
+  dynamics.grip = std::min(squared(gripFrequency * swing), mostGrip);
+  dynamics.follow = -std::expm1(-h / followSeconds);
+  // A swing falls to a twentieth; damping by mass takes half as much from its height as from
+  // velocities.
+  dynamics.damping = std::exp(-2 * std::log(20.0) * h / character.settleSeconds);
+  return dynamics;
+}
+
+}  // namespace opaline::soft_body
