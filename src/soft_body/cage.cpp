@@ -39,14 +39,17 @@ Cage cageOf(const Voxels& voxels) {
   cage.cellMm = voxels.cellMm;
   cage.counts = voxels.counts;
   Corners corners(voxels);
-  for (std::uint32_t z = 0; z < voxels.counts[2]; ++z)
-    for (std::uint32_t y = 0; y < voxels.counts[1]; ++y)
-      for (std::uint32_t x = 0; x < voxels.counts[0]; ++x) {
-        if (!voxels.filled[voxels.index(x, y, z)]) continue;
-        std::array<std::uint32_t, 8>& cell = cage.cells.emplace_back();
-        for (std::uint32_t i = 0; i < 8; ++i)
-          cell[i] = corners.number({x + (i & 1), y + (i >> 1 & 1), z + (i >> 2)}, cage);
-      }
+  for (std::uint32_t colour = 0; colour < 8; ++colour) {
+    for (std::uint32_t z = colour >> 2; z < voxels.counts[2]; z += 2)
+      for (std::uint32_t y = colour >> 1 & 1; y < voxels.counts[1]; y += 2)
+        for (std::uint32_t x = colour & 1; x < voxels.counts[0]; x += 2) {
+          if (!voxels.filled[voxels.index(x, y, z)]) continue;
+          std::array<std::uint32_t, 8>& cell = cage.cells.emplace_back();
+          for (std::uint32_t i = 0; i < 8; ++i)
+            cell[i] = corners.number({x + (i & 1), y + (i >> 1 & 1), z + (i >> 2)}, cage);
+        }
+    cage.firstOfColour[colour + 1] = static_cast<std::uint32_t>(cage.cells.size());
+  }
   return cage;
 }
 

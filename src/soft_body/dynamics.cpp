@@ -9,14 +9,15 @@ namespace opaline::soft_body {
 
 namespace {
 
-// |∂C|² of a cell's volume C = V/V₀ - 1 at rest, by its coefficients in cells: three times 2².
-constexpr double gradient2AtRest = 12;
+// Σ |∂C|² / mass of a cell's volume C = V/V₀ - 1 at rest, inside the body: in cells and cells'
+// masses, three times 2² by its coefficients, and each corner has eight cells' shares of mass.
+constexpr double gradient2AtRest = 12.0 / 8;
 
-// Part of the way that all forces of a cell together may take it back in a substep: below 1 no mode
-// of the whole overshoots, so that energy only falls.
-constexpr double mostOfTheWay = 0.9;
+// Of the volume's compliance at least that much is left when what one iteration makes up for is
+// taken off.
+constexpr double leastCompliance = 0.5;
 
-constexpr double leastSubstepsPerSecond = 500;
+constexpr double leastSubstepsPerSecond = 400;
 
 // By the frequency of the swing.
 constexpr double anchorFrequency = 0.15;
@@ -35,7 +36,7 @@ Dynamics makeDynamics(const Cage& cage, const Character& character) {
   assert(character.swingHz > 0 && character.settleSeconds > 0);
   // Waves of shear pass the height in a quarter of a period.
   const double waveSpeed = 4 * cage.heightCells * character.swingHz;  // cells / s
-  const double mostWaveNumber = mostOfTheWay / (gradient2AtRest * lambdaOverMu + 8);
+  const double mostWaveNumber = 1 / (lambdaOverMu * (gradient2AtRest + leastCompliance));
   const double substepsPerSecond =
       std::max(leastSubstepsPerSecond, std::ceil(waveSpeed / std::sqrt(mostWaveNumber)));
   Dynamics dynamics;

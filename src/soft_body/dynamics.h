@@ -10,8 +10,8 @@ struct Character {
   double settleSeconds = 1.5;
 };
 
-/// λ / μ of Lamé: Poisson's ratio is 5/11.
-inline constexpr double lambdaOverMu = 10;
+/// λ / μ of Lamé: Poisson's ratio is 3/7.
+inline constexpr double lambdaOverMu = 6;
 
 /// The constants of a substep. h is its length, a the edge of a cell, ρ the density.
 struct Dynamics {

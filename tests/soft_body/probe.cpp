@@ -50,7 +50,7 @@ TEST_F(P, Bear) {
     list.begin(); pass.swing(list,st,s); pass.embed(list,s); list.submit(); list.wait();
     auto p=gpu::readAs<float>(device(), s.positions);
     double mx=0; bool fin=true; for(size_t v=0;v<p.size();v++){ fin&=std::isfinite(p[v]); double q=p[v]-mesh.positionsMm[v/3][v%3]; mx=std::max(mx,std::abs(q)); }
-    auto m=gpu::readAs<shared::SoftMotion>(device(), s.motions);
+
     double vol=volume(p,mesh.triangles)/v0-1; worst=std::max(worst,std::abs(vol));
     if (f%std::max(1,int(0.1/(per*d.substepSeconds)))==0) printf("t %.2f max shift %.3f mm vol %+.3f%% finite %d still %u  swing %.3f ms embed %.3f\n", time, mx, 100*vol, fin, gpu::readAs<shared::SoftReport>(device(),s.report)[0].still, list.timings()[0].milliseconds, list.timings()[1].milliseconds);
   }

@@ -35,22 +35,22 @@ gpu::Buffer makeTable(gpu::Device& device, const char* name, const std::vector<T
 }
 
 std::vector<shared::SoftNode> nodesOf(const soft_body::Cage& cage) {
-  std::vector<shared::SoftNode> nodes(cage.nodes.size());
-  std::vector<std::uint32_t> used(nodes.size(), 0);
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    std::fill(std::begin(nodes[n].slots), std::end(nodes[n].slots), shared::noSoftSlot);
-    nodes[n].x = static_cast<float>(cage.nodes[n][0]);
-    nodes[n].y = static_cast<float>(cage.nodes[n][1]);
-    nodes[n].z = static_cast<float>(cage.nodes[n][2]);
-  }
-  for (std::uint32_t c = 0; c < cage.cells.size(); ++c)
-    for (std::uint32_t i = 0; i < 8; ++i) {
-      const std::uint32_t n = cage.cells[c][i];
-      nodes[n].slots[used[n]++] = 8 * c + i;
-    }
-  for (std::size_t n = 0; n < nodes.size(); ++n)
-    nodes[n].share = cage.held[n] ? 0.0F : 1.0F / static_cast<float>(used[n]);
+  std::vector<shared::SoftNode> nodes;
+  for (std::size_t n = 0; n < cage.nodes.size(); ++n)
+    nodes.push_back({static_cast<float>(cage.nodes[n][0]), static_cast<float>(cage.nodes[n][1]),
+                     static_cast<float>(cage.nodes[n][2]), cage.held[n] ? 1U : 0U});
   return nodes;
+}
+
+std::vector<std::uint32_t> cornersOf(const soft_body::Cage& cage) {
+  std::vector<std::uint32_t> masses(cage.nodes.size(), 0);
+  for (const auto& cell : cage.cells)
+    for (const std::uint32_t n : cell)
+      if (!cage.held[n]) ++masses[n];
+  std::vector<std::uint32_t> corners;
+  for (const auto& cell : cage.cells)
+    for (const std::uint32_t n : cell) corners.push_back(n | masses[n] << shared::softMassShift);
+  return corners;
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::vector<shared::SoftNode> nodesOf(const soft_body::Cage& cage) {
 SoftBodyPass::SoftBodyPass(gpu::Device& device)
     : swing_(device, gpu::ComputePipelineOptions{.name = "swing of a soft body",
                                                  .shader = shaders::soft_body_swing_comp,
-                                                 .bindings = storageSlots(7),
+                                                 .bindings = storageSlots(6),
                                                  .pushConstantBytes = sizeof(shared::SoftStep)}),
       spread_(device, gpu::ComputePipelineOptions{.name = "grid of a soft body",
                                                   .shader = shaders::soft_body_spread_comp,
@@ -66,31 +66,35 @@ SoftBodyPass::SoftBodyPass(gpu::Device& device)
                                                   .pushConstantBytes = sizeof(std::uint32_t)}),
       embed_(device, gpu::ComputePipelineOptions{.name = "vertices of a soft body",
                                                  .shader = shaders::soft_body_embed_comp,
-                                                 .bindings = storageSlots(3),
+                                                 .bindings = {{0, BindingType::StorageBuffer},
+                                                              {1, BindingType::TexelBuffer},
+                                                              {2, BindingType::StorageBuffer}},
                                                  .pushConstantBytes = sizeof(EmbedConstants)}) {}
 
 SoftBodyState SoftBodyPass::makeState(gpu::Device& device, const soft_body::Cage& cage,
                                       std::span<const Vec3> restMm) {
   assert(cage.nodes.size() <= shared::maxSoftNodes && !restMm.empty());
   SoftBodyState state;
-  state.cellCount = static_cast<std::uint32_t>(cage.cells.size());
+  state.firstOfColour = cage.firstOfColour;
   state.nodeCount = static_cast<std::uint32_t>(cage.nodes.size());
-  const std::size_t cells = state.cellCount;
+  const std::size_t cells = cage.cells.size();
   const std::size_t nodes = state.nodeCount;
-  state.cells = makeTable(device, "cells of a soft body", cage.cells);
+  state.cells = makeTable(device, "cells of a soft body", cornersOf(cage));
   state.nodes = makeTable(device, "nodes of a soft body", nodesOf(cage));
   state.motions = makeTable(device, "motion of a soft body", std::vector<shared::SoftMotion>(nodes));
   state.turns =
       makeTable(device, "turns of a soft body", std::vector<shared::vec4>(cells, {0, 0, 0, 1}));
   state.grips = makeTable(device, "grips of a soft body", std::vector<shared::vec4>(nodes));
-  state.moves = makeTable(device, "moves of a soft body", std::vector<float>(3 * 8 * cells));
   state.report =
       makeTable(device, "report of a soft body", std::vector<shared::SoftReport>{{0, 0, 0, 1}});
   const soft_body::Spread spread = soft_body::makeSpread(cage);
   const std::size_t places = spread.firstPart.size() - 1;
   state.firstPart = makeTable(device, "first parts of a soft body", spread.firstPart);
   state.parts = makeTable(device, "parts of a soft body", spread.parts);
-  state.grid = makeTable(device, "grid of a soft body", std::vector<float>(3 * places));
+  state.grid = gpu::Buffer(device, {.name = "grid of a soft body",
+                                    .bytes = places * sizeof(shared::vec4),
+                                    .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                             VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT});
   state.rest = gpu::makeBuffer(device, "soft body at rest", std::as_bytes(restMm),
                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   state.positions = gpu::makeBuffer(device, "soft body", std::as_bytes(restMm),
@@ -106,14 +110,13 @@ SoftBodyState SoftBodyPass::makeState(gpu::Device& device, const soft_body::Cage
 
 void SoftBodyPass::swing(gpu::CommandList& commands, shared::SoftStep step,
                          SoftBodyState& state) const {
-  step.cellCount = state.cellCount;
   step.nodeCount = state.nodeCount;
+  std::copy(state.firstOfColour.begin(), state.firstOfColour.end(), step.firstOfColour);
   commands.beginPass("swing");
   commands.bind(swing_);
   commands.bindResources({Binding::read(0, state.cells), Binding::read(1, state.nodes),
                           Binding::write(2, state.motions), Binding::write(3, state.turns),
-                          Binding::write(4, state.grips), Binding::write(5, state.moves),
-                          Binding::write(6, state.report)});
+                          Binding::write(4, state.grips), Binding::write(5, state.report)});
   commands.pushConstants(step);
   commands.dispatch(1);
   commands.endPass();
@@ -128,7 +131,7 @@ void SoftBodyPass::embed(gpu::CommandList& commands, SoftBodyState& state) const
   commands.pushConstants(places);
   commands.dispatchLinear(places);
   commands.bind(embed_);
-  commands.bindResources({Binding::read(0, state.rest), Binding::read(1, state.grid),
+  commands.bindResources({Binding::read(0, state.rest), Binding::texels(1, state.grid),
                           Binding::write(2, state.positions)});
   commands.pushConstants(EmbedConstants{state.origin, state.size});
   commands.dispatchLinear(state.size[3]);

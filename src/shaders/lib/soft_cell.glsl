@@ -1,7 +1,7 @@
 // One cell of a soft body's cage: a cube whose inside follows its corners trilinearly,
 //   x(ξ, η, ζ) = Σ_m c_m ξ^m₀ η^m₁ ζ^m₂, ξ, η, ζ in [-1, 1], m's bits the exponents.
-// The coefficients c_m are sums and differences of corners, and with a mass at each corner alike they
-// move apart from each other: every one of them is a constraint that is solved by itself.
+// The coefficients c_m are sums and differences of corners. Lengths are in cells, masses in eighths of
+// a cell's.
 #ifndef OPALINE_LIB_SOFT_CELL
 #define OPALINE_LIB_SOFT_CELL
 
@@ -74,52 +74,58 @@ float triple(vec3 a, vec3 b, vec3 c) {
   return dot(a, cross(b, c));
 }
 
-// Adds the correction of the volume, C = V / V₀ - 1, to `moved`. V is the integral of det F over the
-// cell. XPBD's step of one constraint: Macklin et al. 2016, Eq. 18, with the multiplier from 0.
-void keepVolume(vec3 c[8], float compliance, inout vec3 moved[8]) {
+// How the volume, C = V / V₀ - 1, changes with the coefficients; returns C. V is the integral of det F
+// over the cell.
+float volumeAndGradient(vec3 c[8], out vec3 gradient[8]) {
   vec3 x = c[1] + vec3(0.5, 0.0, 0.0);
   vec3 y = c[2] + vec3(0.0, 0.5, 0.0);
   vec3 z = c[4] + vec3(0.0, 0.0, 0.5);
-  float third = 1.0 / 3.0;
-  float volume =
-      8.0 * (triple(x, y, z) + third * (triple(c[3], y, c[6]) + triple(c[5], c[6], z) + triple(x, c[3], c[5])));
-  vec3 gradientX = 8.0 * (cross(y, z) + third * cross(c[3], c[5]));
-  vec3 gradientY = 8.0 * (cross(z, x) + third * cross(c[6], c[3]));
-  vec3 gradientZ = 8.0 * (cross(x, y) + third * cross(c[5], c[6]));
-  vec3 gradientXy = 8.0 * third * (cross(y, c[6]) + cross(c[5], x));
-  vec3 gradientYz = 8.0 * third * (cross(c[3], y) + cross(z, c[5]));
-  vec3 gradientZx = 8.0 * third * (cross(c[6], z) + cross(x, c[3]));
-  float square = dot(gradientX, gradientX) + dot(gradientY, gradientY) + dot(gradientZ, gradientZ) +
-                 dot(gradientXy, gradientXy) + dot(gradientYz, gradientYz) + dot(gradientZx, gradientZx);
-  float multiplier = (1.0 - volume) / (square + compliance);
-  moved[1] += multiplier * gradientX;
-  moved[2] += multiplier * gradientY;
-  moved[4] += multiplier * gradientZ;
-  moved[3] += multiplier * gradientXy;
-  moved[6] += multiplier * gradientYz;
-  moved[5] += multiplier * gradientZx;
+  const float third = 1.0 / 3.0;
+  gradient[0] = vec3(0.0);
+  gradient[1] = 8.0 * (cross(y, z) + third * cross(c[3], c[5]));
+  gradient[2] = 8.0 * (cross(z, x) + third * cross(c[6], c[3]));
+  gradient[3] = 8.0 * third * (cross(y, c[6]) + cross(c[5], x));
+  gradient[4] = 8.0 * (cross(x, y) + third * cross(c[5], c[6]));
+  gradient[5] = 8.0 * third * (cross(c[6], z) + cross(x, c[3]));
+  gradient[6] = 8.0 * third * (cross(c[3], y) + cross(z, c[5]));
+  gradient[7] = vec3(0.0);
+  return 8.0 * (triple(x, y, z) +
+                third * (triple(c[3], y, c[6]) + triple(c[5], c[6], z) + triple(x, c[3], c[5]))) -
+         1.0;
 }
 
-// How a cell's corners, shifted by `x` from rest, are moved by its shear and volume; follows its
-// rotation. The energy of shear is μ ∫ |F - R|² dV with R the rotation of the mean of F, which over
-// the coefficients is 4 μ a · |c_m - rest|² · (1, 2/3, 1/3) for one, two and three exponents.
-void relaxCell(inout vec3 x[8], inout vec4 turn, float shear, float compliance) {
-  toModes(x);
-  mat3 f = 2.0 * mat3(x[1], x[2], x[4]);
-  turn = nearerTurn(nearerTurn(turn, f), f);
+// How a cell's shear moves its coefficients. Its energy is μ ∫ |F - R|² dV with R the rotation of the
+// mean of F: 4 μ a · |c_m - rest|² · (1, 2/3, 1/3) for one, two and three exponents.
+void shearBack(vec3 c[8], vec4 turn, float shear, out vec3 moved[8]) {
   mat3 rest = 0.5 * turnLessIdentity(turn);
-  vec3 moved[8];
   moved[0] = vec3(0.0);
-  moved[1] = -shear * (x[1] - rest[0]);
-  moved[2] = -shear * (x[2] - rest[1]);
-  moved[4] = -shear * (x[4] - rest[2]);
-  moved[3] = -shear * (2.0 / 3.0) * x[3];
-  moved[5] = -shear * (2.0 / 3.0) * x[5];
-  moved[6] = -shear * (2.0 / 3.0) * x[6];
-  moved[7] = -shear * (1.0 / 3.0) * x[7];
-  keepVolume(x, compliance, moved);
+  moved[1] = -shear * (c[1] - rest[0]);
+  moved[2] = -shear * (c[2] - rest[1]);
+  moved[3] = -shear * (2.0 / 3.0) * c[3];
+  moved[4] = -shear * (c[4] - rest[2]);
+  moved[5] = -shear * (2.0 / 3.0) * c[5];
+  moved[6] = -shear * (2.0 / 3.0) * c[6];
+  moved[7] = -shear * (1.0 / 3.0) * c[7];
+}
+
+// How a cell's corners, shifted by `x` from rest, are moved by its shear and its volume; follows its
+// rotation. `lightness` is a corner's inverse mass. The step of one constraint with its multiplier from
+// 0: Macklin et al. 2016, Eq. 18.
+void relaxCell(inout vec3 x[8], float lightness[8], inout vec4 turn, float shear, float compliance) {
+  vec3 c[8] = x;
+  toModes(c);
+  mat3 f = 2.0 * mat3(c[1], c[2], c[4]);
+  turn = nearerTurn(nearerTurn(turn, f), f);
+  vec3 moved[8];
+  shearBack(c, turn, shear, moved);
   toCorners(moved);
-  x = moved;
+  vec3 gradient[8];
+  float excess = volumeAndGradient(c, gradient);
+  toCorners(gradient);
+  float square = 0.0;
+  for (uint i = 0u; i < 8u; ++i) square += 0.125 * lightness[i] * dot(gradient[i], gradient[i]);
+  float multiplier = excess / (square + compliance);
+  for (uint i = 0u; i < 8u; ++i) x[i] += lightness[i] * (moved[i] - multiplier * gradient[i]);
 }
 
 #endif

@@ -17,26 +17,31 @@ using glm::vec4;
 
 /// What 16 KiB of shared memory hold, the least that every device has.
 OPALINE_SOFT_CONSTANT maxSoftNodes = 1360u;
-OPALINE_SOFT_CONSTANT softGroupSize = 128u;
-OPALINE_SOFT_CONSTANT noSoftSlot = 0xffffffffu;
+OPALINE_SOFT_CONSTANT softGroupSize = 64u;
 
-/// A corner of cells. Corner i of a cell lies towards +x, +y, +z by its bits 0, 1, 2.
+/// A corner of a cell is its node and, in bits 16 and above, how many cells are around that: its mass
+/// in eighths of a cell's; 0: it is held.
+OPALINE_SOFT_CONSTANT softMassShift = 16u;
+
+/// Cells that have no corner in common are of one colour.
+OPALINE_SOFT_CONSTANT softColours = 8u;
+
+/// A corner of cells, at rest.
 struct SoftNode {
-  uint slots[8];  // 8 · cell + corner of the cells around it, then noSoftSlot
-  float x;        // at rest
+  float x;
   float y;
   float z;
-  float share;  // 1 / number of cells around it; 0: it is held
+  uint held;  // 1: it stands still
 };
 
-/// How a node moves: how far it is from its rest, and how far it went in the last substep.
+/// How far a node is from its rest, and how far it will be in a substep that nothing disturbs.
 struct SoftMotion {
   float shiftX;
   float shiftY;
   float shiftZ;
-  float stepX;
-  float stepY;
-  float stepZ;
+  float aheadX;
+  float aheadY;
+  float aheadZ;
 };
 
 /// What a call of step does.
@@ -44,17 +49,17 @@ struct SoftStep {
   vec4 grab;             // xyz: a place to take hold of; w: 1 / radius, 0: none is taken
   vec4 goal;             // xyz: how far the hold is to go; w: part of the way in a substep
   float shear;           // 8 μ h² / (ρ a²)
-  float compliance;      // of a cell's volume, less what one iteration makes up for
+  float compliance;      // of a cell's volume, less what one iteration makes up for; ρ a² / (h² Pa)
   float anchor;          // (ω h)² of the pull to rest
   float grip;            // (ω h)² of the hold
   float damping;         // what is left of a velocity after a substep
   float reach;           // farthest that a held node is asked to be from its rest
   float stillStep;       // of all nodes in a substep, where nothing moves any more
   float stillShift;      // of all nodes, where all are taken to be at rest
-  uint cellCount;
   uint nodeCount;
   uint substeps;
   uint holds;  // 1: something is held
+  uint firstOfColour[softColours + 1u];  // cell
 };
 
 /// What comes back of a step.
@@ -66,12 +71,11 @@ struct SoftReport {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(SoftNode) == 48);
-static_assert(offsetof(SoftNode, x) == 32);
+static_assert(sizeof(SoftNode) == 16);
 static_assert(sizeof(SoftMotion) == 24);
-static_assert(sizeof(SoftStep) == 80);
+static_assert(sizeof(SoftStep) == 112);
 static_assert(offsetof(SoftStep, shear) == 32);
-static_assert(offsetof(SoftStep, cellCount) == 64);
+static_assert(offsetof(SoftStep, nodeCount) == 64);
 static_assert(sizeof(SoftReport) == 16);
 static_assert(offsetof(SoftReport, still) == 12);
 }  // namespace opaline::shared

@@ -5,7 +5,7 @@
 #include "lib/linear.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Rest { float rest[]; };  // three a vertex, mm
-layout(std430, set = 0, binding = 1) readonly buffer Grid { float grid[]; };
+layout(set = 0, binding = 1) uniform samplerBuffer grid;
 layout(std430, set = 0, binding = 2) writeonly buffer Positions { float positions[]; };
 
 layout(push_constant) uniform Push {
@@ -26,10 +26,9 @@ void main() {
     vec3 shift = vec3(0.0);
     for (uint z = 0u; z < 3u; ++z)
       for (uint y = 0u; y < 3u; ++y) {
-        uint row = 3u * (first.x + size.x * (first.y + y + size.y * (first.z + z)));
+        int row = int(first.x + size.x * (first.y + y + size.y * (first.z + z)));
         vec3 sum = vec3(0.0);
-        for (uint x = 0u; x < 3u; ++x)
-          sum += weights[x].x * vec3(grid[row + 3u * x], grid[row + 3u * x + 1u], grid[row + 3u * x + 2u]);
+        for (int x = 0; x < 3; ++x) sum += weights[x].x * texelFetch(grid, row + x).xyz;
         shift += weights[y].y * weights[z].z * sum;
       }
     at += origin.w * shift;

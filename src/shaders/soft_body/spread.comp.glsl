@@ -12,7 +12,7 @@ struct Part {
 layout(std430, set = 0, binding = 0) readonly buffer Motions { SoftMotion motions[]; };
 layout(std430, set = 0, binding = 1) readonly buffer FirstPart { uint firstPart[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Parts { Part parts[]; };
-layout(std430, set = 0, binding = 3) writeonly buffer Grid { float grid[]; };  // three a place, cells
+layout(std430, set = 0, binding = 3) writeonly buffer Grid { vec4 grid[]; };  // xyz: cells
 
 layout(push_constant) uniform Push { uint count; };
 
@@ -24,5 +24,5 @@ void main() {
     SoftMotion motion = motions[parts[i].node];
     shift += parts[i].weight * vec3(motion.shiftX, motion.shiftY, motion.shiftZ);
   }
-  for (uint axis = 0u; axis < 3u; ++axis) grid[3u * g + axis] = shift[axis];
+  grid[g] = vec4(shift, 0.0);
 }
