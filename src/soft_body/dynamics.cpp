@@ -22,7 +22,7 @@ constexpr double leastSubstepsPerSecond = 400;
 // By the frequency of the swing.
 constexpr double anchorFrequency = 0.15;
 constexpr double gripFrequency = 10;
-constexpr double mostGrip = 0.05;
+constexpr double mostGrip = 0.25;
 
 constexpr double followSeconds = 0.03;
 
@@ -32,10 +32,10 @@ double squared(double x) {
 
 }  // namespace
 
-Dynamics makeDynamics(const Cage& cage, const Character& character) {
-  assert(character.swingHz > 0 && character.settleSeconds > 0);
+Dynamics makeDynamics(const Cage& cage, double swingHz, double settleSeconds) {
+  assert(swingHz > 0 && settleSeconds > 0);
   // Waves of shear pass the height in a quarter of a period.
-  const double waveSpeed = 4 * cage.heightCells * character.swingHz;  // cells / s
+  const double waveSpeed = 4 * cage.heightCells * swingHz;  // cells / s
   const double mostWaveNumber = 1 / (lambdaOverMu * (gradient2AtRest + leastCompliance));
   const double substepsPerSecond =
       std::max(leastSubstepsPerSecond, std::ceil(waveSpeed / std::sqrt(mostWaveNumber)));
@@ -47,13 +47,13 @@ Dynamics makeDynamics(const Cage& cage, const Character& character) {
   // XPBD's compliance α / h² is 1 / (k h²); one iteration from no multiplier makes the constraint
   // softer, as if |∂C|² were added to it (Macklin et al. 2016, Eq. 18), which is known beforehand.
   dynamics.compliance = 1 / (lambdaOverMu * dynamics.waveNumber) - gradient2AtRest;
-  const double swing = 2 * std::numbers::pi * character.swingHz * h;
+  const double swing = 2 * std::numbers::pi * swingHz * h;
   dynamics.anchor = squared(anchorFrequency * swing);
   dynamics.grip = std::min(squared(gripFrequency * swing), mostGrip);
   dynamics.follow = -std::expm1(-h / followSeconds);
   // A swing falls to a twentieth; damping by mass takes half as much from its height as from
   // velocities.
-  dynamics.damping = std::exp(-2 * std::log(20.0) * h / character.settleSeconds);
+  dynamics.damping = std::exp(-2 * std::log(20.0) * h / settleSeconds);
   return dynamics;
 }
 

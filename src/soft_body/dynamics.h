@@ -4,12 +4,6 @@
 
 namespace opaline::soft_body {
 
-/// What a body is like, as SoftBodyOptions has it.
-struct Character {
-  double swingHz = 2.5;
-  double settleSeconds = 1.5;
-};
-
 /// λ / μ of Lamé: Poisson's ratio is 3/7.
 inline constexpr double lambdaOverMu = 6;
 
@@ -17,16 +11,18 @@ inline constexpr double lambdaOverMu = 6;
 struct Dynamics {
   double substepSeconds = 0;  ///< h
   double waveNumber = 0;      ///< μ h² / (ρ a²)
-  double shear = 0;           ///< part of its way that a cell's shear goes back in a substep
-  double compliance = 0;      ///< of its volume, in cells; see makeDynamics
+  double shear = 0;           ///< as shared::SoftStep has it
+  double compliance = 0;      ///< as shared::SoftStep has it
   double anchor = 0;          ///< (ω h)² of the pull to rest
   double grip = 0;            ///< (ω h)² of the hold
   double follow = 0;          ///< part of its way that the hold goes to where it is pulled
   double damping = 1;         ///< what is left of a velocity
 };
 
-/// A body as stiff as a column of its height must be to sway in shear at that frequency, and the
-/// longest substep at which one iteration has its forces exact.
-Dynamics makeDynamics(const Cage& cage, const Character& character);
+/// A body as stiff as a column of its height must be to sway in shear at that frequency, and a swing
+/// that falls to a twentieth in that time. The substep is the longest at which one iteration has the
+/// forces of cells inside the body exact; at the surface, where there is less mass, a cell's volume is
+/// softer.
+Dynamics makeDynamics(const Cage& cage, double swingHz, double settleSeconds);
 
 }  // namespace opaline::soft_body
