@@ -5,7 +5,7 @@
 namespace opaline::soft_body {
 
 /// λ / μ of Lamé: Poisson's ratio is 3/7.
-inline constexpr double lambdaOverMu = 6;
+inline constexpr double lambdaOverMu = 12;
 
 /// The constants of a substep. h is its length, a the edge of a cell, ρ the density.
 struct Dynamics {

@@ -53,7 +53,8 @@ Box boxOf(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles
   return box;
 }
 
-// As many cubes as the box needs, a little larger than it, so that no point lies on their border.
+// As many cubes as the box needs, a little larger than it on its longest side, so that no point lies
+// on their border.
 Voxels emptyVoxels(const Box& box, std::uint32_t cells) {
   const double longest = std::max({box.extent(0), box.extent(1), box.extent(2)});
   if (!(longest > 0))
@@ -62,9 +63,9 @@ Voxels emptyVoxels(const Box& box, std::uint32_t cells) {
   Voxels voxels;
   voxels.cellMm = longest / (cells - 2 * slack);
   for (const std::uint32_t axis : axes) {
-    const double needed = box.extent(axis) / voxels.cellMm + 2 * slack;
-    voxels.counts[axis] = std::clamp(static_cast<std::uint32_t>(std::ceil(needed - 1e-9)), 1U, cells);
-    const double spare = voxels.counts[axis] - box.extent(axis) / voxels.cellMm;
+    const double needed = box.extent(axis) / voxels.cellMm;
+    voxels.counts[axis] = std::max(static_cast<std::uint32_t>(std::ceil(needed - 2 * slack)), 1U);
+    const double spare = voxels.counts[axis] - needed;
     voxels.originMm[axis] = box.low[axis] - voxels.cellMm * (axis == 1 ? slack : spare / 2);
   }
   voxels.filled.assign(std::size_t{voxels.counts[0]} * voxels.counts[1] * voxels.counts[2], false);

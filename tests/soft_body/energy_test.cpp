@@ -23,7 +23,6 @@ TEST_P(SoftBodyEnergyTest, NeverGrowsAfterRelease) {
   SoftBodyOptions options;
   options.settleSeconds = 60;
   SoftBodyMotion body(device(), mesh.positionsMm, mesh.triangles, options);
-  EXPECT_EQ(energyOf(body), 0);
   body.grab({0, 39, 0}, 4);
   body.pull({22, 55, 10});
   for (int i = 0; i < 20; ++i) body.step(0.1);

@@ -58,15 +58,22 @@ mat3 turnLessIdentity(vec4 q) {
                     vec3(q.x * q.z + q.w * q.y, q.y * q.z - q.w * q.x, -d.x - d.y));
 }
 
-// Nearer to the rotation in F = 1 + f, from one that is near (Müller et al. 2016, Eq. 7); never a
-// reflection, so that a cell that was turned inside out finds back.
+// Nearer to the rotation in F = 1 + f, from one that is near: a step of Newton's for the largest
+// tr RᵀF, and where that is not the way to it, the shorter one of Müller et al. 2016, Eq. 7. Never a
+// reflection, so that a cell that was turned inside out finds back. A rotation that lags behind would
+// brake every turn.
 vec4 nearerTurn(vec4 q, mat3 f) {
   mat3 r = turnLessIdentity(q);
   mat3 turn = r + mat3(1.0);
   mat3 map = f + mat3(1.0);
   vec3 axis = cross(turn[0], map[0]) + cross(turn[1], map[1]) + cross(turn[2], map[2]);
   float size = dot(turn[0], map[0]) + dot(turn[1], map[1]) + dot(turn[2], map[2]);
-  vec3 h = axis * (0.5 / (abs(size) + 1e-6));
+  mat3 stretch = transpose(turn) * map;
+  mat3 slope = mat3(size) - 0.5 * (stretch + transpose(stretch));
+  float volume = determinant(slope);
+  bool upwards = size > 0.0 && volume > 0.02 * size * size * size;
+  vec3 way = upwards ? turn * (inverse(slope) * (axis * turn)) : axis / (abs(size) + 1e-6);
+  vec3 h = 0.5 * way;
   return normalize(vec4(q.xyz + q.w * h + cross(h, q.xyz), q.w - dot(h, q.xyz)));
 }
 
