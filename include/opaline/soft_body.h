@@ -12,13 +12,13 @@ class Renderer;
 
 /// What a soft body is like.
 struct SoftBodyOptions {
-  int cells = 12;  ///< of its cage along the longest side, in [2, 16]; fewer where the cage would
+  int cells = 10;  ///< of its cage along the longest side, in [2, 16]; fewer where the cage would
                    ///< have more than 1360 corners
   float swingHz = 2.5F;        ///< as stiff as a column of its height that sways in shear that often,
                                ///< Hz, in [0.25, 8]; slender bodies swing slower
   float settleSeconds = 1.5F;  ///< until a swing has fallen to a twentieth, s, in [0.1, 60]
   float heldFraction = 0.06F;  ///< of its height, from below, that stands still, in [0, 0.9]
-  float reach = 0.6F;  ///< farthest that a place is asked to be from where it rests, in diagonals of
+  float reach = 0.5F;  ///< farthest that a place is asked to be from where it rests, in diagonals of
                        ///< the body's box, in [0.01, 2]
 };
 

@@ -22,6 +22,13 @@ constexpr double farCells = 1e6;
 constexpr double stillShift = 1e-4;
 constexpr double stillSpeed = 1e-3;
 
+// A body that stands still that far from its rest, diagonals, for so many periods of its swing, is led
+// home with a force that grows over as many.
+constexpr double strayShift = 5e-3;
+constexpr double strayPeriods = 1;
+constexpr double homePeriods = 4;
+constexpr double homeMost = 0.05;
+
 void requireWithin(double value, double least, double most, const char* name) {
   if (!(value >= least && value <= most))
     throw UsageError(
@@ -80,7 +87,9 @@ SoftBodyMotion::SoftBodyMotion(gpu::Device& device, std::span<const Vec3> restMm
                                   static_cast<double>(options.settleSeconds))),
       state_(passes::SoftBodyPass::makeState(device, cage_, restMm)),
       diagonalCells_(diagonalOf(restMm) / cage_.cellMm),
-      reachCells_(static_cast<double>(options.reach) * diagonalCells_) {}
+      reachCells_(static_cast<double>(options.reach) * diagonalCells_),
+      stillSeconds_(1 / static_cast<double>(options.swingHz)),
+      neededSeconds_(stillSeconds_) {}
 
 void SoftBodyMotion::grab(const Vec3& pointMm, float radiusMm) {
   requireFinite(pointMm, "the place at which a soft body is grabbed");
@@ -118,6 +127,11 @@ void SoftBodyMotion::release() {
   disturb();
 }
 
+void SoftBodyMotion::disturb() {
+  disturbed_ = steps_ + 1;
+  stillSeconds_ = 0;
+}
+
 void SoftBodyMotion::step(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0)
     throw UsageError(
@@ -153,6 +167,11 @@ shared::SoftStep SoftBodyMotion::makeStep(std::uint32_t substeps) const {
   step.stillStep =
       static_cast<float>(stillSpeed * diagonalCells_ * dynamics_.substepSeconds);
   step.stillShift = static_cast<float>(stillShift * diagonalCells_);
+  const double period = neededSeconds_ / dynamics_.substepSeconds;
+  step.strayShift = static_cast<float>(strayShift * diagonalCells_);
+  step.strayFrom = static_cast<float>(strayPeriods * period);
+  step.homePerSubstep = static_cast<float>(1 / (homePeriods * period));
+  step.homeMost = static_cast<float>(homeMost);
   step.substeps = substeps;
   step.holds = holds_ ? 1 : 0;
   return step;
@@ -168,16 +187,16 @@ void SoftBodyMotion::record(std::uint32_t substeps) {
   slot.commands.use(slot.report, gpu::Access::HostRead);
   slot.commands.submit();
   slot.number = ++steps_;
+  slot.seconds = substeps * dynamics_.substepSeconds;
   taking_ = false;
 }
 
 // Of the step that the slot was used for last, which is done.
 void SoftBodyMotion::readReport(const Slot& slot) {
-  if (slot.number == 0) return;
+  if (slot.number == 0 || slot.number < disturbed_) return;
   shared::SoftReport report{};
   std::memcpy(&report, slot.report.mappedAs<shared::SoftReport>().data(), sizeof(report));
-  reported_ = slot.number;
-  still_ = report.still != 0;
+  stillSeconds_ = report.still != 0 ? stillSeconds_ + slot.seconds : 0;
 }
 
 }  // namespace opaline

@@ -26,7 +26,7 @@ class SoftBodyMotion {
   void pull(const Vec3& toMm);
   void release();
   void step(double seconds);
-  bool moves() const { return !still_ || disturbed_ > reported_; }
+  bool moves() const { return stillSeconds_ < neededSeconds_; }
 
   const soft_body::Cage& cage() const { return cage_; }
   const soft_body::Dynamics& dynamics() const { return dynamics_; }
@@ -40,9 +40,10 @@ class SoftBodyMotion {
     gpu::CommandList commands;
     gpu::Buffer report;
     std::uint64_t number = 0;  // of the step that fills it; 0: none does
+    double seconds = 0;        // that it makes up for
   };
 
-  void disturb() { disturbed_ = steps_ + 1; }
+  void disturb();
   shared::SoftStep makeStep(std::uint32_t substeps) const;
   void record(std::uint32_t substeps);
   void readReport(const Slot& slot);
@@ -62,8 +63,10 @@ class SoftBodyMotion {
   double waiting_ = 0;            // seconds that no substep has gone through
   std::uint64_t steps_ = 0;       // handed to the device
   std::uint64_t disturbed_ = 0;   // the first step that the last grab, pull or release is in
-  std::uint64_t reported_ = 0;    // the last step that is known to be done
-  bool still_ = true;             // after that one
+  // How long nothing has moved, as far as is known, and how long it has to be: at the turn of a swing
+  // nothing moves either.
+  double stillSeconds_ = 0;
+  double neededSeconds_ = 0;
 };
 
 }  // namespace opaline

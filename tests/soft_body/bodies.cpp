@@ -120,8 +120,10 @@ bool isFinite(const Field& field) {
   });
 }
 
-Mesh bar() {
-  return box({0, 6, 0}, {1.5F, 6, 1.5F}, 12);
+Mesh bar(int thicknessMm, int heightMm) {
+  const float half = 0.5F * static_cast<float>(thicknessMm);
+  const float middle = 0.5F * static_cast<float>(heightMm);
+  return box({0, middle, 0}, {half, middle, half}, heightMm);
 }
 
 double energyOf(SoftBodyMotion& body) {

@@ -31,8 +31,8 @@ double farthest(const Field& a, const Field& b);
 
 bool isFinite(const Field& field);
 
-/// A bar that stands on y = 0, 3 × 12 × 3 cells of 1 mm.
-Mesh bar();
+/// A square bar that stands on y = 0, whole mm thick and high.
+Mesh bar(int thicknessMm, int heightMm);
 
 /// By the formulas of continuum mechanics, in double precision: kinetic energy, that of the material,
 /// μ |F - R|² + ½ λ (J - 1)² with R the rotation in the mean of F and J the mean of det F in a cell,

@@ -49,6 +49,32 @@ TEST_F(SoftBodyTest, StandsStillUntilItIsTouched) {
   EXPECT_EQ(farthest(positionsOf(body), bearAtRest()), 0);
 }
 
+// At the turn of a swing all stands still for a moment.
+TEST_F(SoftBodyTest, MovesUntilTheSwingIsOver) {
+  for (const bool holds : {false, true}) {
+    const Mesh mesh = bar(3, 12);
+    SoftBodyOptions options;
+    options.settleSeconds = 3;
+    SoftBodyMotion body = make(mesh, options);
+    body.grab({0, 12, 0}, 2);
+    body.pull({2, 12, 0});
+    run(body, 10, 4);
+    if (holds)
+      body.pull({1, 12, 0});
+    else
+      body.release();
+    std::vector<Field> film;
+    while (body.moves() && film.size() < 10'000) {
+      body.step(0.005);
+      film.push_back(positionsOf(body));
+    }
+    EXPECT_GT(film.size(), 200U);
+    const Field last = film.back();
+    for (int i = 0; i < 100; ++i) body.step(0.1);
+    EXPECT_EQ(farthest(positionsOf(body), last), 0);
+  }
+}
+
 class SoftBodyAtRate : public SoftBodyTest, public testing::WithParamInterface<double> {};
 
 // Hard: towards a place 0.6 diagonals away, four directions in turn.

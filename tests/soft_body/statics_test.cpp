@@ -54,8 +54,10 @@ double tensionAbove(SoftBodyMotion& body, const Field& shift, double reachCells,
 
 // ε = F / (E A) in the middle of a bar that is held at its foot and pulled at its top.
 TEST_F(SoftBodyStaticsTest, ABarStretchesByHooke) {
-  const Mesh mesh = bar();
-  SoftBodyMotion body(device(), mesh.positionsMm, mesh.triangles, {});
+  const Mesh mesh = bar(3, 12);
+  SoftBodyOptions options;
+  options.cells = 12;
+  SoftBodyMotion body(device(), mesh.positionsMm, mesh.triangles, options);
   const soft_body::Cage& cage = body.cage();
   ASSERT_EQ(cage.counts, (std::array<std::uint32_t, 3>{3, 12, 3}));
   constexpr double goalMm = 0.4;
@@ -66,7 +68,7 @@ TEST_F(SoftBodyStaticsTest, ABarStretchesByHooke) {
   const Field shift = nodesOf(body).shift;
   const double strain = (meanAt(cage, shift, 8, 1) - meanAt(cage, shift, 4, 1)) / 4;
   EXPECT_GT(strain, 0.005);
-  const double reach = 0.6 * std::hypot(3.0, 12.0, 3.0) / cage.cellMm;
+  const double reach = static_cast<double>(SoftBodyOptions{}.reach) * std::hypot(3.0, 12.0, 3.0) / cage.cellMm;
   const double tension = tensionAbove(body, shift, reach, goalMm / cage.cellMm, 6.5);
   constexpr double area = 9;
   const double young = tension / (area * strain) / body.dynamics().waveNumber;
@@ -77,15 +79,16 @@ TEST_F(SoftBodyStaticsTest, ABarStretchesByHooke) {
 
 // T = 4 L √(ρ / E), by times at which the top of a bar that was stretched passes its rest.
 TEST_F(SoftBodyStaticsTest, ABarSwingsAlongItselfInTheTimeOfAWave) {
-  const Mesh mesh = bar();
+  const Mesh mesh = bar(2, 16);
   SoftBodyOptions options;
+  options.cells = 16;
   options.settleSeconds = 20;
   SoftBodyMotion body(device(), mesh.positionsMm, mesh.triangles, options);
   const soft_body::Cage& cage = body.cage();
   std::vector<shared::SoftMotion> motions;
   for (const auto& node : cage.nodes) {
     shared::SoftMotion motion{};
-    motion.shiftY = static_cast<float>(0.02 * std::sin(std::numbers::pi / 24 * node[1]));
+    motion.shiftY = static_cast<float>(0.02 * std::sin(std::numbers::pi / 32 * node[1]));
     motion.aheadY = motion.shiftY;
     motions.push_back(motion);
   }
@@ -97,7 +100,7 @@ TEST_F(SoftBodyStaticsTest, ABarSwingsAlongItselfInTheTimeOfAWave) {
   const double h = body.dynamics().substepSeconds;
   for (int i = 1; i < 1000 && passed.size() < 5; ++i) {
     body.step(h * 1.0001);
-    const double top = meanAt(cage, nodesOf(body).shift, 12, 1);
+    const double top = meanAt(cage, nodesOf(body).shift, 16, 1);
     if ((top > 0) != (before > 0)) passed.push_back(i - top / (top - before));
     before = top;
   }
@@ -105,7 +108,7 @@ TEST_F(SoftBodyStaticsTest, ABarSwingsAlongItselfInTheTimeOfAWave) {
   const double period = (passed[4] - passed[0]) / 2;  // substeps
   const auto expected = [&](double lambda) {
     const double elastic =
-        2 * std::numbers::pi / (4 * 12) * std::sqrt(youngOverMu(lambda) * body.dynamics().waveNumber);
+        2 * std::numbers::pi / (4 * 16) * std::sqrt(youngOverMu(lambda) * body.dynamics().waveNumber);
     return 2 * std::numbers::pi / std::sqrt(elastic * elastic + body.dynamics().anchor);
   };
   EXPECT_GT(period, 0.97 * expected(soft_body::lambdaOverMu));

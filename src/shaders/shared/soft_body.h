@@ -56,6 +56,10 @@ struct SoftStep {
   float reach;           // farthest that a held node is asked to be from its rest
   float stillStep;       // of all nodes in a substep, where nothing moves any more
   float stillShift;      // of all nodes, where all are taken to be at rest
+  float strayShift;      // of any node, that is no rest if the body stands still there
+  float strayFrom;       // substeps that it stands still there before it is led home
+  float homePerSubstep;  // part of the pull home that comes with every substep
+  float homeMost;        // (ω h)² of all of it
   uint nodeCount;
   uint substeps;
   uint holds;  // 1: something is held
@@ -67,16 +71,18 @@ struct SoftReport {
   float holdX;  // how far the hold has gone
   float holdY;
   float holdZ;
-  uint still;  // 1: nothing moves
+  uint still;     // 1: nothing moves
+  float strayed;  // substeps in which the body stood still away from its rest, or was led home
+  float unused[3];
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(SoftNode) == 16);
 static_assert(sizeof(SoftMotion) == 24);
-static_assert(sizeof(SoftStep) == 112);
+static_assert(sizeof(SoftStep) == 128);
 static_assert(offsetof(SoftStep, shear) == 32);
-static_assert(offsetof(SoftStep, nodeCount) == 64);
-static_assert(sizeof(SoftReport) == 16);
+static_assert(offsetof(SoftStep, nodeCount) == 80);
+static_assert(sizeof(SoftReport) == 32);
 static_assert(offsetof(SoftReport, still) == 12);
 }  // namespace opaline::shared
 #endif

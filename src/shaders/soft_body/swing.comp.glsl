@@ -71,19 +71,22 @@ void relax(uint c) {
 }
 
 // The end of a substep, and the way to the next without forces.
-void advance(uint n, vec3 hold) {
+void advance(uint n, vec3 hold, float anchor) {
   vec3 place = placeOf(n);
-  vec3 shift = place - now.anchor * place;
+  vec3 shift = place - anchor * place;
+  float kept = now.damping;
   if (now.holds != 0u) {
     vec4 grip = grips[n];
     if (grip.w > 0.0) shift += now.grip * grip.w * (wanted(grip, hold) - place);
+    kept *= 1.0 - min(2.0 * sqrt(now.grip), 1.0) * grip.w;  // a hold does not swing by itself
   }
-  setPlace(n, shift + now.damping * (shift - shiftOf(n)));
+  setPlace(n, shift + kept * (shift - shiftOf(n)));
   setShift(n, shift);
 }
 
-// Ends the swing where nobody would see it go on, so that it ends at all.
-void settle(uint lane, vec3 hold) {
+// Ends the swing where nobody would see it go on, so that it ends at all, and knows when the body has
+// come to stand in another shape than its own, as one that was pushed through itself may.
+void settle(uint lane, vec3 hold, float strayed) {
   for (uint n = lane; n < now.nodeCount; n += softGroupSize) {
     vec3 shift = shiftOf(n);
     vec3 went = placeOf(n) - shift;
@@ -91,7 +94,10 @@ void settle(uint lane, vec3 hold) {
     atomicMax(largestShift2, floatBitsToUint(dot(shift, shift)));
   }
   barrier();
-  bool still = uintBitsToFloat(largestStep2) < now.stillStep * now.stillStep;
+  bool slow = uintBitsToFloat(largestStep2) < now.stillStep * now.stillStep;
+  bool stray = slow && uintBitsToFloat(largestShift2) > now.strayShift * now.strayShift;
+  if (stray || strayed > now.strayFrom) strayed += float(now.substeps);
+  bool still = slow;
   if (now.holds != 0u) {
     still = still && distance(hold, now.goal.xyz) < now.stillShift;
   } else {
@@ -105,12 +111,16 @@ void settle(uint lane, vec3 hold) {
         turns[c] = vec4(0.0, 0.0, 0.0, 1.0);
     }
   }
-  if (lane == 0u) report = SoftReport(hold.x, hold.y, hold.z, still ? 1u : 0u);
+  if (now.holds != 0u || still) strayed = 0.0;
+  if (lane == 0u)
+    report = SoftReport(hold.x, hold.y, hold.z, still ? 1u : 0u, strayed, float[3](0.0, 0.0, 0.0));
 }
 
 void main() {
   uint lane = gl_LocalInvocationIndex;
   vec3 hold = vec3(report.holdX, report.holdY, report.holdZ);
+  float strayed = now.holds != 0u ? 0.0 : report.strayed;
+  float anchor = now.anchor + now.homeMost * clamp((strayed - now.strayFrom) * now.homePerSubstep, 0.0, 1.0);
   largestStep2 = 0u;
   largestShift2 = 0u;
   for (uint n = lane; n < now.nodeCount; n += softGroupSize)
@@ -137,12 +147,12 @@ void main() {
     hold += now.goal.w * (now.goal.xyz - hold);
     uint node = lane;
     do {
-      if (node < now.nodeCount) advance(node, hold);
+      if (node < now.nodeCount) advance(node, hold, anchor);
       node += softGroupSize;
     } while (node - lane < now.nodeCount);
     barrier();
   } while (++substep < now.substeps);
-  settle(lane, hold);
+  settle(lane, hold, strayed);
   for (uint n = lane; n < now.nodeCount; n += softGroupSize) {
     vec3 ahead = placeOf(n);
     motions[n].aheadX = ahead.x;
