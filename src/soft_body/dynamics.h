@@ -4,7 +4,7 @@
 
 namespace opaline::soft_body {
 
-/// λ / μ of Lamé: Poisson's ratio is 3/7.
+/// λ / μ of Lamé: Poisson's ratio is 6/13.
 inline constexpr double lambdaOverMu = 12;
 
 /// The constants of a substep. h is its length, a the edge of a cell, ρ the density.

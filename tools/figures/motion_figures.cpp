@@ -71,32 +71,30 @@ void deformers(Studio& studio, const char* name) {
   publish(studio, name, sheet(panels, 5, 0, dark));
 }
 
-// Pulled at an ear, pulled harder, pressed into the belly, and let go: what comes after 0.1 and 0.2 s.
+// Pulled at an ear, and after it is let go; then pressed into the belly.
 void poke(Studio& studio, const char* name) {
   Scene scene = bear("gummy-red", 50);
   scene.camera = defaultCamera(scene, {0.25F, 0.12F, 1}, 40);
+  scene.camera.targetMm[0] += 5;
+  scene.camera.positionMm[0] += 5;
   scene.lighting = stageLight();
   studio.renderer.setScene(scene);
   const Mesh& mesh = scene.objects[0].mesh;
   SoftBody body(studio.renderer, 0, mesh.positionsMm, mesh.triangles);
   std::vector<core::Image8> panels;
   const auto show = [&](double seconds) {
-    constexpr double longest = 0.1;
-    for (double left = seconds; left > 0; left -= longest) body.step(std::min(left, longest));
+    for (double left = seconds; left > 0; left -= SoftBody::maxStepSeconds)
+      body.step(std::min(left, SoftBody::maxStepSeconds));
     panels.push_back(photograph(studio, objectSpace(), {0.3F, 336, 384}));
   };
-  const Vec3 ear{7.5F, 36, 0};
-  const Vec3 belly{0, 16, 10};
-  body.grab(ear, 4);
-  body.pull({16, 44, 6});
-  show(2);
-  body.pull({32, 36, 10});
+  show(0);
+  body.grab({7.5F, 36, 0}, 4);
+  body.pull({26, 37, 8});
   show(2);
   body.release();
-  show(0.1);
-  show(0.1);
-  show(4);
-  body.grab(belly, 4);
+  for (int i = 0; i < 3; ++i) show(0.1);
+  for (int i = 0; i < 20; ++i) body.step(SoftBody::maxStepSeconds);
+  body.grab({0, 16, 10}, 4);
   body.pull({0, 14, -2});
   show(2);
   publish(studio, name, sheet(panels, 6, 0, dark));
