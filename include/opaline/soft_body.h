@@ -14,12 +14,12 @@ class Renderer;
 struct SoftBodyOptions {
   int cells = 10;  ///< of its cage along the longest side, in [2, 16]; fewer where the cage would
                    ///< have more than 1360 corners
-  float swingHz = 2.5F;        ///< as stiff as a column of its height that sways in shear that often,
-                               ///< Hz, in [0.25, 8]; slender bodies swing slower
+  float swingHz = 2.5F;  ///< as stiff as a column of its height that sways in shear that often,
+                         ///< Hz, in [0.25, 8]; slender bodies swing slower
   float settleSeconds = 1.5F;  ///< until a swing has fallen to a twentieth, s, in [0.1, 60]
   float heldFraction = 0.06F;  ///< of its height, from below, that stands still, in [0, 0.9]
-  float reach = 0.5F;  ///< farthest that a place is asked to be from where it rests, in diagonals of
-                       ///< the body's box, in [0.01, 2]
+  float reach = 0.5F;  ///< farthest that a place is asked to be from where it rests, in diagonals
+                       ///< of the body's box, in [0.01, 2]
 };
 
 /// A body that gives way like jelly where it is grabbed and pulled, and swings back: extended
@@ -33,10 +33,10 @@ struct SoftBodyOptions {
 class SoftBody {
  public:
   /// The object with that index in the renderer's scene; `restMm`: where its vertices are at rest,
-  /// mm, one for each. A mesh that is not closed is a shell as thick as a cell. Throws UsageError for
-  /// an object that does not exist, positions that do not fit it, are not finite or are all one
-  /// point, triangles that are missing or name vertices that do not exist, and options out of range;
-  /// Error when no scene is set or the device fails.
+  /// mm, one for each. A mesh that is not closed is a shell as thick as a cell. Throws UsageError
+  /// for an object that does not exist, positions that do not fit it, are not finite or are all one
+  /// point, triangles that are missing or name vertices that do not exist, and options out of
+  /// range; Error when no scene is set or the device fails.
   SoftBody(Renderer& renderer, std::size_t object, std::span<const Vec3> restMm,
            std::span<const Triangle> triangles, const SoftBodyOptions& options = {});
   /// Gives the object back to its mesh or rig. Waits for the device.
@@ -52,8 +52,9 @@ class SoftBody {
   /// negative.
   void grab(const Vec3& pointMm, float radiusMm);
 
-  /// Pulls what is held so that the point it was grabbed at comes to `toMm`, softly and never farther
-  /// than the reach. Does nothing where nothing is held. Throws UsageError unless it is finite.
+  /// Pulls what is held so that the point it was grabbed at comes to `toMm`, softly and never
+  /// farther than the reach. Does nothing where nothing is held. Throws UsageError unless it is
+  /// finite.
   void pull(const Vec3& toMm);
 
   /// Lets go of what is held. The body swings back.
@@ -61,9 +62,9 @@ class SoftBody {
 
   /// Moves on in time and hands the next frame the new positions. Returns while the device works;
   /// allocates nothing, and waits only for the last step but one. Of more than maxStepSeconds the
-  /// rest is lost, so that a pause does not hold up the frame after it. Throws UsageError unless the
-  /// time is finite and not negative, or when the renderer's scene has been set anew; Error when the
-  /// device fails.
+  /// rest is lost, so that a pause does not hold up the frame after it. Throws UsageError unless
+  /// the time is finite and not negative, or when the renderer's scene has been set anew; Error
+  /// when the device fails.
   void step(double seconds);
 
   /// The longest time that one step makes up for.

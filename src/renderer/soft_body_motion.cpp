@@ -22,8 +22,8 @@ constexpr double farCells = 1e6;
 constexpr double stillShift = 1e-4;
 constexpr double stillSpeed = 1e-3;
 
-// A body that stands still that far from its rest, diagonals, for so many periods of its swing, is led
-// home with a force that grows over as many.
+// A body that stands still that far from its rest, diagonals, for so many periods of its swing, is
+// led home with a force that grows over as many.
 constexpr double strayShift = 5e-3;
 constexpr double strayPeriods = 1;
 constexpr double homePeriods = 4;
@@ -51,11 +51,10 @@ void requireFinite(const Vec3& p, const char* what) {
 double diagonalOf(std::span<const Vec3> positionsMm) {
   double square = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [low, high] = std::minmax_element(
-        positionsMm.begin(), positionsMm.end(),
-        [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
-    const double extent =
-        static_cast<double>((*high)[axis]) - static_cast<double>((*low)[axis]);
+    const auto [low, high] =
+        std::minmax_element(positionsMm.begin(), positionsMm.end(),
+                            [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
+    const double extent = static_cast<double>((*high)[axis]) - static_cast<double>((*low)[axis]);
     square += extent * extent;
   }
   return std::sqrt(square);
@@ -82,9 +81,8 @@ SoftBodyMotion::SoftBodyMotion(gpu::Device& device, std::span<const Vec3> restMm
     : pass_(device),
       slots_{Slot(device), Slot(device)},
       cage_(cageOf(restMm, triangles, options)),
-      dynamics_(
-          soft_body::makeDynamics(cage_, static_cast<double>(options.swingHz),
-                                  static_cast<double>(options.settleSeconds))),
+      dynamics_(soft_body::makeDynamics(cage_, static_cast<double>(options.swingHz),
+                                        static_cast<double>(options.settleSeconds))),
       state_(passes::SoftBodyPass::makeState(device, cage_, restMm)),
       diagonalCells_(diagonalOf(restMm) / cage_.cellMm),
       reachCells_(static_cast<double>(options.reach) * diagonalCells_),
@@ -134,8 +132,7 @@ void SoftBodyMotion::disturb() {
 
 void SoftBodyMotion::step(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0)
-    throw UsageError(
-        fmt::format("a soft body moves on by a time of 0 s or more, not {}", seconds));
+    throw UsageError(fmt::format("a soft body moves on by a time of 0 s or more, not {}", seconds));
   if (!moves()) {
     waiting_ = 0;
     return;
@@ -164,8 +161,7 @@ shared::SoftStep SoftBodyMotion::makeStep(std::uint32_t substeps) const {
   step.grip = static_cast<float>(dynamics_.grip);
   step.damping = static_cast<float>(dynamics_.damping);
   step.reach = static_cast<float>(reachCells_);
-  step.stillStep =
-      static_cast<float>(stillSpeed * diagonalCells_ * dynamics_.substepSeconds);
+  step.stillStep = static_cast<float>(stillSpeed * diagonalCells_ * dynamics_.substepSeconds);
   step.stillShift = static_cast<float>(stillShift * diagonalCells_);
   const double period = neededSeconds_ / dynamics_.substepSeconds;
   step.strayShift = static_cast<float>(strayShift * diagonalCells_);

@@ -60,11 +60,11 @@ class SoftBodyMotion {
   std::array<double, 3> goal_{};  // cells, from where it was grabbed
   bool taking_ = false;           // the next step takes hold
   bool holds_ = false;
-  double waiting_ = 0;            // seconds that no substep has gone through
-  std::uint64_t steps_ = 0;       // handed to the device
-  std::uint64_t disturbed_ = 0;   // the first step that the last grab, pull or release is in
-  // How long nothing has moved, as far as is known, and how long it has to be: at the turn of a swing
-  // nothing moves either.
+  double waiting_ = 0;           // seconds that no substep has gone through
+  std::uint64_t steps_ = 0;      // handed to the device
+  std::uint64_t disturbed_ = 0;  // the first step that the last grab, pull or release is in
+  // How long nothing has moved, as far as is known, and how long it has to be: at the turn of a
+  // swing nothing moves either.
   double stillSeconds_ = 0;
   double neededSeconds_ = 0;
 };

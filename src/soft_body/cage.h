@@ -18,7 +18,7 @@ struct Cage {
   double heightCells = 1;                           ///< of the body, at least 1
   std::vector<std::array<std::uint32_t, 8>> cells;  ///< nodes; corner i lies towards +x, +y, +z by
                                                     ///< its bits 0, 1, 2
-  std::array<std::uint32_t, 9> firstOfColour{};     ///< cell; those of a colour have no node in common
+  std::array<std::uint32_t, 9> firstOfColour{};  ///< cell; those of a colour have no node in common
   std::vector<std::array<std::uint32_t, 3>> nodes;  ///< place in cells from the origin
   std::vector<bool> held;                           ///< by node
 };

@@ -19,10 +19,10 @@ struct Dynamics {
   double damping = 1;         ///< what is left of a velocity
 };
 
-/// A body as stiff as a column of its height must be to sway in shear at that frequency, and a swing
-/// that falls to a twentieth in that time. The substep is the longest at which one iteration has the
-/// forces of cells inside the body exact; at the surface, where there is less mass, a cell's volume is
-/// softer.
+/// A body as stiff as a column of its height must be to sway in shear at that frequency, and a
+/// swing that falls to a twentieth in that time. The substep is the longest at which one iteration
+/// has the forces of cells inside the body exact; at the surface, where there is less mass, a
+/// cell's volume is softer.
 Dynamics makeDynamics(const Cage& cage, double swingHz, double settleSeconds);
 
 }  // namespace opaline::soft_body

@@ -57,8 +57,8 @@ std::vector<Neighbour> neighboursOf(const Lookup& lookup, int x, int y, int z) {
         const std::uint32_t node = lookup.at(x + i, y + j, z + k);
         if (node == none) continue;
         touches = touches || (std::abs(i) <= 1 && std::abs(j) <= 1 && std::abs(k) <= 1);
-        all.push_back({node, {1, static_cast<double>(i), static_cast<double>(j),
-                              static_cast<double>(k)},
+        all.push_back({node,
+                       {1, static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)},
                        std::exp(-static_cast<double>(i * i + j * j + k * k))});
       }
   if (!touches) all.clear();

@@ -17,13 +17,14 @@ struct SpreadPart {
 /// A full grid of places around a cage, one cell beyond it on every side, x fastest, and how what
 /// is known at the cage's nodes is carried to them. Places far from the cage get nothing.
 struct Spread {
-  std::array<std::uint32_t, 3> size{};   ///< places; the first lies one cell before the cage's origin
+  std::array<std::uint32_t, 3>
+      size{};  ///< places; the first lies one cell before the cage's origin
   std::vector<std::uint32_t> firstPart;  ///< one a place and one more
   std::vector<SpreadPart> parts;
 };
 
-/// At nodes of the cage what they have; next to it by moving least squares of first order (Lancaster
-/// and Šalkauskas 1981), so that a body's outermost parts go on as its inside does.
+/// At nodes of the cage what they have; next to it by moving least squares of first order
+/// (Lancaster and Šalkauskas 1981), so that a body's outermost parts go on as its inside does.
 Spread makeSpread(const Cage& cage);
 
 }  // namespace opaline::soft_body

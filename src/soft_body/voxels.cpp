@@ -41,9 +41,8 @@ Box boxOf(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles
         throw UsageError(fmt::format("a soft body's triangle has a vertex {}, but there are {}", v,
                                      positionsMm.size()));
       if (!isUsable(positionsMm[v]))
-        throw UsageError(
-            fmt::format("the position of a soft body's vertex {} is not finite, or beyond 1e18 mm",
-                        v));
+        throw UsageError(fmt::format(
+            "the position of a soft body's vertex {} is not finite, or beyond 1e18 mm", v));
       const Point p = toPoint(positionsMm[v]);
       for (const std::uint32_t axis : axes) {
         box.low[axis] = std::min(box.low[axis], p[axis]);
@@ -53,8 +52,8 @@ Box boxOf(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles
   return box;
 }
 
-// As many cubes as the box needs, a little larger than it on its longest side, so that no point lies
-// on their border.
+// As many cubes as the box needs, a little larger than it on its longest side, so that no point
+// lies on their border.
 Voxels emptyVoxels(const Box& box, std::uint32_t cells) {
   const double longest = std::max({box.extent(0), box.extent(1), box.extent(2)});
   if (!(longest > 0))
@@ -123,7 +122,8 @@ void fillInside(Voxels& voxels) {
         if (here[axis] == (up ? wide[axis] - 1 : 0)) continue;
         std::array<std::uint32_t, 3> next = here;
         next[axis] = up ? here[axis] + 1 : here[axis] - 1;
-        const std::size_t place = next[0] * strides[0] + next[1] * strides[1] + next[2] * strides[2];
+        const std::size_t place =
+            next[0] * strides[0] + next[1] * strides[1] + next[2] * strides[2];
         if (outside[place] || isFilled(next)) continue;
         outside[place] = true;
         open.push_back(next);
@@ -143,8 +143,8 @@ Voxels makeVoxels(std::span<const Vec3> positionsMm, std::span<const Triangle> t
   if (triangles.empty()) throw UsageError("a soft body needs triangles, but there are none");
   Voxels voxels = emptyVoxels(boxOf(positionsMm, triangles), cells);
   for (const Triangle& t : triangles)
-    fillTriangle(toPoint(positionsMm[t[0]]), toPoint(positionsMm[t[1]]),
-                 toPoint(positionsMm[t[2]]), voxels);
+    fillTriangle(toPoint(positionsMm[t[0]]), toPoint(positionsMm[t[1]]), toPoint(positionsMm[t[2]]),
+                 voxels);
   fillInside(voxels);
   return voxels;
 }

@@ -68,8 +68,8 @@ double square(const std::array<double, 3>& v) {
 
 NodeState nodesOf(SoftBodyMotion& body) {
   NodeState nodes;
-  for (const shared::SoftMotion& m : gpu::readAs<shared::SoftMotion>(
-           *gpu::sharedDevice().device, body.state().motions)) {
+  for (const shared::SoftMotion& m :
+       gpu::readAs<shared::SoftMotion>(*gpu::sharedDevice().device, body.state().motions)) {
     nodes.shift.push_back(toArray(m.shiftX, m.shiftY, m.shiftZ));
     nodes.step.push_back(toArray(m.aheadX, m.aheadY, m.aheadZ));
     // It goes ahead with what the damping leaves of its velocity.
@@ -132,8 +132,8 @@ double energyOf(SoftBodyMotion& body) {
   const std::vector<double> masses = massesOf(cage);
   double energy = 0;
   for (std::size_t n = 0; n < cage.nodes.size(); ++n)
-    energy += masses[n] / 16 *
-              (square(nodes.step[n]) + body.dynamics().anchor * square(nodes.shift[n]));
+    energy +=
+        masses[n] / 16 * (square(nodes.step[n]) + body.dynamics().anchor * square(nodes.shift[n]));
   for (const auto& cell : cage.cells) {
     Corners x;
     for (unsigned i = 0; i < 8; ++i)

@@ -34,9 +34,9 @@ bool isFinite(const Field& field);
 /// A square bar that stands on y = 0, whole mm thick and high.
 Mesh bar(int thicknessMm, int heightMm);
 
-/// By the formulas of continuum mechanics, in double precision: kinetic energy, that of the material,
-/// μ |F - R|² + ½ λ (J - 1)² with R the rotation in the mean of F and J the mean of det F in a cell,
-/// and that of the pull to rest; all in (mass of a cell) · (cell / substep)².
+/// By the formulas of continuum mechanics, in double precision: kinetic energy, that of the
+/// material, μ |F - R|² + ½ λ (J - 1)² with R the rotation in the mean of F and J the mean of det F
+/// in a cell, and that of the pull to rest; all in (mass of a cell) · (cell / substep)².
 double energyOf(SoftBodyMotion& body);
 
 }  // namespace opaline::test

@@ -34,8 +34,8 @@ TEST(CageTest, ABoxIsFilled) {
 }
 
 TEST(CageTest, ABallIsSolidAndItsCornersOfTheBoxAreEmpty) {
-  const soft_body::Voxels voxels = soft_body::makeVoxels(
-      sphere({0, 0, 0}, 5).positionsMm, sphere({0, 0, 0}, 5).triangles, 10);
+  const soft_body::Voxels voxels =
+      soft_body::makeVoxels(sphere({0, 0, 0}, 5).positionsMm, sphere({0, 0, 0}, 5).triangles, 10);
   const auto filled = std::count(voxels.filled.begin(), voxels.filled.end(), true);
   // Its volume is 524 cells, and its surface meets cubes at most √3 cells beyond and within it.
   EXPECT_GT(filled, 524);
@@ -65,8 +65,7 @@ TEST(CageTest, CellsOfAColourHaveNoNodeInCommon) {
     std::set<std::uint32_t> nodes;
     for (std::uint32_t c = cage.firstOfColour[colour]; c < cage.firstOfColour[colour + 1]; ++c)
       nodes.insert(cage.cells[c].begin(), cage.cells[c].end());
-    EXPECT_EQ(nodes.size(),
-              8 * (cage.firstOfColour[colour + 1] - cage.firstOfColour[colour]));
+    EXPECT_EQ(nodes.size(), 8 * (cage.firstOfColour[colour + 1] - cage.firstOfColour[colour]));
   }
 }
 
@@ -83,7 +82,9 @@ TEST(CageTest, TheLowestPartIsHeld) {
 TEST(SpreadTest, CarriesOnAffineMaps) {
   const soft_body::Cage cage = cageOf(sphere({0, 0, 0}, 5), 10);
   const soft_body::Spread spread = soft_body::makeSpread(cage);
-  const auto field = [](double x, double y, double z) { return 0.3 + 0.1 * x - 0.2 * y + 0.05 * z; };
+  const auto field = [](double x, double y, double z) {
+    return 0.3 + 0.1 * x - 0.2 * y + 0.05 * z;
+  };
   int carried = 0;
   std::size_t place = 0;
   for (std::uint32_t z = 0; z < spread.size[2]; ++z)

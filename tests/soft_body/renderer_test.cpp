@@ -25,9 +25,7 @@ class SoftBodyInRendererTest : public RendererTest {
   }
   const Mesh& mesh() const { return scene_.objects[0].mesh; }
   SoftBody make() const { return {renderer(), 0, mesh().positionsMm, mesh().triangles}; }
-  static std::vector<float> places() {
-    return render(smallOptions(), {Aov::Position}).at(0).rgba;
-  }
+  static std::vector<float> places() { return render(smallOptions(), {Aov::Position}).at(0).rgba; }
 
   Scene scene_;
 };

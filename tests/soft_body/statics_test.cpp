@@ -24,7 +24,8 @@ double youngOverMu(double lambda) {
 }
 
 // Mean of a component of the nodes at a height.
-double meanAt(const soft_body::Cage& cage, const Field& field, std::uint32_t height, unsigned axis) {
+double meanAt(const soft_body::Cage& cage, const Field& field, std::uint32_t height,
+              unsigned axis) {
   double sum = 0;
   int count = 0;
   for (std::size_t n = 0; n < cage.nodes.size(); ++n)
@@ -68,7 +69,8 @@ TEST_F(SoftBodyStaticsTest, ABarStretchesByHooke) {
   const Field shift = nodesOf(body).shift;
   const double strain = (meanAt(cage, shift, 8, 1) - meanAt(cage, shift, 4, 1)) / 4;
   EXPECT_GT(strain, 0.005);
-  const double reach = static_cast<double>(SoftBodyOptions{}.reach) * std::hypot(3.0, 12.0, 3.0) / cage.cellMm;
+  const double reach =
+      static_cast<double>(SoftBodyOptions{}.reach) * std::hypot(3.0, 12.0, 3.0) / cage.cellMm;
   const double tension = tensionAbove(body, shift, reach, goalMm / cage.cellMm, 6.5);
   constexpr double area = 9;
   const double young = tension / (area * strain) / body.dynamics().waveNumber;
@@ -77,9 +79,10 @@ TEST_F(SoftBodyStaticsTest, ABarStretchesByHooke) {
   EXPECT_GT(young, 0.99 * youngOverMu(soft_body::lambdaOverMu / 3));
 }
 
-// T = 4 L √(ρ / E), by times at which the top of a bar that was stretched passes its rest. In a substep
-// every second layer of cells is relaxed after its neighbours, which has stretched it by half of what
-// each of them gave way, so that on the mean the bar pulls back by E h² / (ρ a²) more than E says.
+// T = 4 L √(ρ / E), by times at which the top of a bar that was stretched passes its rest. In a
+// substep every second layer of cells is relaxed after its neighbours, which has stretched it by
+// half of what each of them gave way, so that on the mean the bar pulls back by E h² / (ρ a²) more
+// than E says.
 TEST_F(SoftBodyStaticsTest, ABarSwingsAlongItselfInTheTimeOfAWave) {
   const Mesh mesh = bar(2, 16);
   SoftBodyOptions options;

@@ -81,12 +81,12 @@ SoftBodyState SoftBodyPass::makeState(gpu::Device& device, const soft_body::Cage
   const std::size_t nodes = state.nodeCount;
   state.cells = makeTable(device, "cells of a soft body", cornersOf(cage));
   state.nodes = makeTable(device, "nodes of a soft body", nodesOf(cage));
-  state.motions = makeTable(device, "motion of a soft body", std::vector<shared::SoftMotion>(nodes));
+  state.motions =
+      makeTable(device, "motion of a soft body", std::vector<shared::SoftMotion>(nodes));
   state.turns =
       makeTable(device, "turns of a soft body", std::vector<shared::vec4>(cells, {0, 0, 0, 1}));
   state.grips = makeTable(device, "grips of a soft body", std::vector<shared::vec4>(nodes));
-  state.report =
-      makeTable(device, "report of a soft body", std::vector<shared::SoftReport>(1));
+  state.report = makeTable(device, "report of a soft body", std::vector<shared::SoftReport>(1));
   const soft_body::Spread spread = soft_body::makeSpread(cage);
   const std::size_t places = spread.firstPart.size() - 1;
   state.firstPart = makeTable(device, "first parts of a soft body", spread.firstPart);

@@ -27,10 +27,10 @@ struct SoftBodyState {
   gpu::Buffer report;     ///< shared::SoftReport
   gpu::Buffer firstPart;  ///< soft_body::Spread
   gpu::Buffer parts;
-  gpu::Buffer grid;       ///< vec4 a place: xyz cells; texels too
-  gpu::Buffer rest;       ///< three floats a vertex, mm
-  gpu::Buffer positions;  ///< three floats a vertex, mm
-  std::array<float, 4> origin{};         ///< of the grid, mm; edge of a cell, mm
+  gpu::Buffer grid;                     ///< vec4 a place: xyz cells; texels too
+  gpu::Buffer rest;                     ///< three floats a vertex, mm
+  gpu::Buffer positions;                ///< three floats a vertex, mm
+  std::array<float, 4> origin{};        ///< of the grid, mm; edge of a cell, mm
   std::array<std::uint32_t, 4> size{};  ///< of the grid; number of vertices
   std::array<std::uint32_t, shared::softColours + 1> firstOfColour{};  ///< cell
   std::uint32_t nodeCount = 0;

@@ -1,5 +1,5 @@
-// A soft body's cage in storage buffers. Included by C++ and GLSL. Lengths are in cells, places from
-// the cage's origin.
+// A soft body's cage in storage buffers. Included by C++ and GLSL. Lengths are in cells, places
+// from the cage's origin.
 #ifndef OPALINE_SHARED_SOFT_BODY_H
 #define OPALINE_SHARED_SOFT_BODY_H
 
@@ -19,8 +19,8 @@ using glm::vec4;
 OPALINE_SOFT_CONSTANT maxSoftNodes = 1360u;
 OPALINE_SOFT_CONSTANT softGroupSize = 64u;
 
-/// A corner of a cell is its node and, in bits 16 and above, how many cells are around that: its mass
-/// in eighths of a cell's; 0: it is held.
+/// A corner of a cell is its node and, in bits 16 and above, how many cells are around that: its
+/// mass in eighths of a cell's; 0: it is held.
 OPALINE_SOFT_CONSTANT softMassShift = 16u;
 
 /// Cells that have no corner in common are of one colour.
@@ -46,23 +46,23 @@ struct SoftMotion {
 
 /// What a call of step does.
 struct SoftStep {
-  vec4 grab;             // xyz: a place to take hold of; w: 1 / radius, 0: none is taken
-  vec4 goal;             // xyz: how far the hold is to go; w: part of the way in a substep
-  float shear;           // 8 μ h² / (ρ a²)
-  float compliance;      // of a cell's volume, less what one iteration makes up for; ρ a² / (h² Pa)
-  float anchor;          // (ω h)² of the pull to rest
-  float grip;            // (ω h)² of the hold
-  float damping;         // what is left of a velocity after a substep
-  float reach;           // farthest that a held node is asked to be from its rest
-  float stillStep;       // of all nodes in a substep, where nothing moves any more
-  float stillShift;      // of all nodes, where all are taken to be at rest
-  float strayShift;      // of any node, that is no rest if the body stands still there
-  float strayFrom;       // substeps that it stands still there before it is led home
+  vec4 grab;         // xyz: a place to take hold of; w: 1 / radius, 0: none is taken
+  vec4 goal;         // xyz: how far the hold is to go; w: part of the way in a substep
+  float shear;       // 8 μ h² / (ρ a²)
+  float compliance;  // of a cell's volume, less what one iteration makes up for; ρ a² / (h² Pa)
+  float anchor;      // (ω h)² of the pull to rest
+  float grip;        // (ω h)² of the hold
+  float damping;     // what is left of a velocity after a substep
+  float reach;       // farthest that a held node is asked to be from its rest
+  float stillStep;   // of all nodes in a substep, where nothing moves any more
+  float stillShift;  // of all nodes, where all are taken to be at rest
+  float strayShift;  // of any node, that is no rest if the body stands still there
+  float strayFrom;   // substeps that it stands still there before it is led home
   float homePerSubstep;  // part of the pull home that comes with every substep
   float homeMost;        // (ω h)² of all of it
   uint nodeCount;
   uint substeps;
-  uint holds;  // 1: something is held
+  uint holds;                            // 1: something is held
   uint firstOfColour[softColours + 1u];  // cell
 };
 
