@@ -46,8 +46,8 @@ void run(int count, char** values) {
   if (arguments.json) return fmt::print("{}\n", json{{"rows", rows}}.dump(2));
   fmt::print("{}, {} vertices\n", scene.name, mesh.positionsMm.size());
   for (const json& row : rows)
-    fmt::print("  {:>4} steps a second{:>9.3f} ms a step\n",
-               row["frames_per_second"].get<double>(), row["step_ms"].get<double>());
+    fmt::print("  {:>4} steps a second{:>9.3f} ms a step\n", row["frames_per_second"].get<double>(),
+               row["step_ms"].get<double>());
 }
 
 }  // namespace
