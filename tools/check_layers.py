@@ -33,6 +33,8 @@ ALLOWED = {
                      "soft_body", "gpu", "passes", "shaders"),
     "reference": ("opaline", "core", "bssrdf", "environment"),
     "apps": ("opaline", "core", "compare", "bssrdf", "scene", "deform", "atlas", "reference"),
+    "apps/opaline/viewer": ("opaline", "core", "compare", "bssrdf", "scene", "deform", "reference",
+                            "shaders/shaders.h"),  # that header is of its own shaders
     "bench": ("*",),
     "tools/figures": ("*",),
     "python": ("opaline",),

@@ -26,6 +26,9 @@ struct LoadedScene {
 class SceneOptions {
  public:
   void addTo(CommandLine& line);
+  /// Another file instead, of which everything else is as it says.
+  void setFile(const std::filesystem::path& file) { *this = {}, file_ = file; }
+  void setDiagonalMm(float diagonalMm) { diagonalMm_ = diagonalMm; }
   /// Whether any of them was given.
   bool any() const;
   /// The file's name without folder and extension, or that of the built-in scene.

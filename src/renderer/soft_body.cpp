@@ -18,7 +18,7 @@ class SoftBody::Implementation {
         scene_(renderer.sceneNumber()),
         object_(object),
         motion_(renderer.device(), fitting(renderer, object, restMm), triangles, options) {
-    renderer_.replacePositions(object_, {.buffer = motion_.state().positions.handle()});
+    replacePositions();
   }
 
   // Frames that read the positions may still be under way.
@@ -32,7 +32,7 @@ class SoftBody::Implementation {
   void step(double seconds) {
     if (renderer_.sceneNumber() != scene_)
       throw UsageError("the scene has been set anew since this soft body was made of its object");
-    motion_.step(seconds);
+    if (motion_.step(seconds)) replacePositions();
   }
 
   SoftBodyMotion& motion() { return motion_; }
@@ -45,6 +45,11 @@ class SoftBody::Implementation {
       throw UsageError(fmt::format("object {} has {} vertices, but its soft body {} positions",
                                    object, vertices, restMm.size()));
     return restMm;
+  }
+
+  void replacePositions() {
+    renderer_.replacePositions(
+        object_, DevicePositions{.buffer = motion_.state().positions.handle(), .live = false});
   }
 
   Renderer& renderer_;

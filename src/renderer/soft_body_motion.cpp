@@ -130,18 +130,19 @@ void SoftBodyMotion::disturb() {
   stillSeconds_ = 0;
 }
 
-void SoftBodyMotion::step(double seconds) {
+bool SoftBodyMotion::step(double seconds) {
   if (!std::isfinite(seconds) || seconds < 0)
     throw UsageError(fmt::format("a soft body moves on by a time of 0 s or more, not {}", seconds));
   if (!moves()) {
     waiting_ = 0;
-    return;
+    return false;
   }
   waiting_ += std::min(seconds, SoftBody::maxStepSeconds);
   const double substeps = std::floor(waiting_ / dynamics_.substepSeconds);
-  if (substeps < 1) return;
+  if (substeps < 1) return false;
   waiting_ -= substeps * dynamics_.substepSeconds;
   record(static_cast<std::uint32_t>(substeps));
+  return true;
 }
 
 shared::SoftStep SoftBodyMotion::makeStep(std::uint32_t substeps) const {

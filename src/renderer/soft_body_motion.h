@@ -25,7 +25,8 @@ class SoftBodyMotion {
   void grab(const Vec3& pointMm, float radiusMm);
   void pull(const Vec3& toMm);
   void release();
-  void step(double seconds);
+  /// Whether there is something new.
+  bool step(double seconds);
   bool moves() const { return stillSeconds_ < neededSeconds_; }
 
   const soft_body::Cage& cage() const { return cage_; }

@@ -78,6 +78,28 @@ TEST_F(SoftBodyInRendererTest, FramesUnderWayStayAsTheyWere) {
   EXPECT_EQ(film(true), film(false));
 }
 
+// Light that a frame found serves the next while the body stands still, and never when it moves.
+TEST_F(SoftBodyInRendererTest, LightIsFoundAnewWhileItMoves) {
+  RenderOptions options = smallOptions();
+  const auto frame = [&](bool reuse) {
+    options.reuseLight = reuse;
+    return render(options, {Aov::Radiance, Aov::Position});
+  };
+  SoftBody body = make();
+  frame(true);
+  for (int i = 0; i < 3; ++i) {
+    if (i == 1) {
+      body.grab({0, 5, 0}, 1);
+      body.pull({4, 6, 0});
+    }
+    body.step(0.1);
+    const std::vector<Image> reused = frame(true);
+    const std::vector<Image> fresh = frame(false);
+    EXPECT_EQ(reused.at(0).rgba, fresh.at(0).rgba);
+    EXPECT_EQ(reused.at(1).rgba, fresh.at(1).rgba);
+  }
+}
+
 TEST_F(SoftBodyInRendererTest, KnowsItsSceneAndObject) {
   EXPECT_THROW(SoftBody(renderer(), 1, mesh().positionsMm, mesh().triangles), UsageError);
   const std::vector<Vec3> few(mesh().positionsMm.begin(), mesh().positionsMm.end() - 1);

@@ -23,7 +23,7 @@ class BeamPass {
     SceneTables& tables;
     Surfels& surfels;
     RayHierarchy& rays;
-    float openingAngle = 0.25F;  ///< of nodes: taken from further than their radius over this
+    float openingAngle;  ///< of nodes: taken from further than their radius over this
   };
   /// All lights and what comes from everywhere.
   void recordLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters) const;

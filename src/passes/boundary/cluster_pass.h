@@ -23,7 +23,7 @@ class ClusterPass {
   /// For set-up, not for frames.
   static Clusters makeClusters(gpu::Device& device, const surfels::Clusters& made,
                                const surfels::Surface& surface, const surfels::Surfels& surfels,
-                               const std::vector<bool>& triangleHasInside, std::uint32_t lights);
+                               const std::vector<bool>& triangleHasInside);
 
   struct Inputs {
     FrameView& frame;
@@ -32,7 +32,7 @@ class ClusterPass {
     ShadowMaps& shadows;
     Surfels& surfels;
     RayHierarchy& rays;
-    float openingAngle = 0.25F;  ///< of nodes: taken from further than their radius over this
+    float openingAngle;  ///< of nodes: taken from further than their radius over this
   };
   /// Rays outwards only where `looksAround`: else each sees all of the sky and nothing else.
   void record(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,

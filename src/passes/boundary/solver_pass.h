@@ -26,7 +26,7 @@ class SolverPass {
   struct Order {
     std::uint32_t solution = 0;  ///< which of the solver's states tells how it went
     std::uint32_t steps = 8;     ///< at most, up to shared::maxSolverSteps
-    float openingAngle = 0.25F;  ///< of nodes: taken from further than their radius over this
+    float openingAngle;          ///< of nodes: taken from further than their radius over this
     float tolerance = 0.01F;     ///< of the residual, relative to the sources
   };
   /// From clusters.sources to clusters.fluences.
