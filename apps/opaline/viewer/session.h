@@ -48,16 +48,18 @@ struct Session {
   SceneOptions source;  ///< what was asked to be opened
   std::string name;
   Scene scene;
-  scene::SceneFileSettings settings;      ///< of the scene file, if it was one
-  float diagonalMm = 0;                   ///< as loaded
-  std::optional<float> wantedDiagonalMm;  ///< another, to be loaded
-  std::vector<std::string> notes;         ///< of loading
+  scene::SceneFileSettings settings;       ///< of the scene file, if it was one
+  float diagonalMm = 0;                    ///< as loaded
+  std::optional<float> wantedDiagonalMm;   ///< another, to be loaded
+  std::optional<float> draggedDiagonalMm;  ///< another, while its slider is being dragged
+  std::vector<std::string> notes;          ///< of loading
 
   RenderOptions options;
   core::ToneOptions tone;
   Playback playback;
-  bool divided = false;  ///< the paper's method on the left of the divider
-  float divider = 0.5F;  ///< in [0, 1]
+  bool quickWhileMoving = true;  ///< half-spaces where the transport is too slow to move with
+  bool divided = false;          ///< the paper's method on the left of the divider
+  float divider = 0.5F;          ///< in [0, 1]
   Aov aov = Aov::Radiance;
   Shown shown = Shown::Picture;
   bool scaleBar = true;

@@ -1,5 +1,7 @@
 #include "viewer/stage.h"
 
+#include <algorithm>
+
 namespace opaline::app::viewer {
 
 void Stage::setScene(const Scene& scene) {
@@ -11,7 +13,10 @@ void Stage::setScene(const Scene& scene) {
   hasScene_ = true;
 }
 
-void Stage::handOver(Session& session) {
+// Whether light changes, not only the camera.
+bool Stage::handOver(Session& session) {
+  Edits others = session.edits;
+  others.camera = false;
   const Scene& scene = session.scene;
   if (session.edits.camera) renderer_.setCamera(scene.camera);
   if (session.edits.lighting) renderer_.setLighting(scene.lighting);
@@ -21,13 +26,19 @@ void Stage::handOver(Session& session) {
   }
   session.edits = {};
   session.edits.medium.assign(scene.objects.size(), false);
+  return others.any();
 }
 
 void Stage::collect() {
   const bool own = waiting_.front();
   waiting_.erase(waiting_.begin());
   renderer_.collect(own ? frame_ : other_);
-  if (own) ++framesFinished_;
+  if (!own) return;
+  ++framesFinished_;
+  const auto solves = [](const PassTime& pass) { return pass.name == "solve"; };
+  if (std::any_of(frame_.passes.begin(), frame_.passes.end(), solves)) {
+    transportMs_ = frame_.milliseconds;
+  }
 }
 
 void Stage::submit(const RenderOptions& options, const std::vector<Aov>& aovs, DeviceImage& to,
@@ -37,13 +48,18 @@ void Stage::submit(const RenderOptions& options, const std::vector<Aov>& aovs, D
   waiting_.push_back(own);
 }
 
-void Stage::draw(Session& session, int width, int height) {
-  handOver(session);
+void Stage::draw(Session& session, int width, int height, bool moving) {
+  constexpr double slowMs = 150;
+  const bool lightChanges = handOver(session);
   RenderOptions options = session.options;
   options.width = width;
   options.height = height;
   options.reuseLight = true;
   options.patient = false;
+  preview_ = moving && lightChanges && session.quickWhileMoving && transportMs_ > slowMs &&
+             options.transport == Transport::Boundary;
+  if (moving) options.antialias = 1;
+  if (preview_) options.transport = Transport::BetterDipole;
   aovs_.clear();
   if (session.aov != Aov::Radiance) aovs_.push_back(session.aov);
   if (session.divided) {

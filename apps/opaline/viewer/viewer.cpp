@@ -297,23 +297,26 @@ void Viewer::drawInterface() {
     if (session_.divided) drawDivider(session_, area_);
     if (keys_) drawKeys(area_);
   }
-  if (!message_.empty()) drawCaption(message_.c_str(), area_);
+  if (!message_.empty()) {
+    drawCaption(message_.c_str(), area_);
+  } else if (stage_.isPreview()) {
+    drawCaption("better-dipole while it moves", area_);
+  }
   interface_.end();
   if (options_.controls) writeControls();
 }
 
 void Viewer::drawPicture() {
   if (!stage_.hasScene() || area_.empty()) return;
-  const bool moving = session_.playback.playing || session_.playback.turntable || input_.dragging();
+  const bool sliding = ImGui::IsAnyItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  const bool moving = session_.playback.playing || session_.playback.turntable ||
+                      input_.dragging() || sliding;
   const bool resized = area_.width != drawn_.width || area_.height != drawn_.height;
   // What was drawn for speed is drawn well once nothing moves.
   if (!session_.edits.any() && !resized && !(rough_ && !moving)) return;
   rough_ = moving;
   drawn_ = area_;
-  RenderOptions& options = session_.options;
-  const int samples = std::exchange(options.antialias, moving ? 1 : options.antialias);
-  stage_.draw(session_, area_.width, area_.height);
-  options.antialias = samples;
+  stage_.draw(session_, area_.width, area_.height, moving);
   awake_ = std::max(awake_, 1);
   if (!moving) stage_.finish();
 }

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bssrdf/media.h"
@@ -86,17 +88,14 @@ bool drawCoefficients(const char* name, std::array<double, 3>& perMm, float low,
 
 // Taken up when the mouse lets go: every size is another scene.
 void drawSize(Session& session) {
-  static float wantedMm = 0;
-  static bool dragged = false;
-  if (!dragged) wantedMm = session.diagonalMm;
-  if (controls::slider("size", wantedMm, 1, 10'000, "%.1f mm",
+  float mm = session.draggedDiagonalMm.value_or(session.diagonalMm);
+  if (controls::slider("size", mm, 1, 10'000, "%.1f mm",
                        "Diagonal of the model's box. Light reaches equally far into a small body "
                        "and a large one of one medium: size decides how translucent it looks.")) {
-    dragged = true;
+    session.draggedDiagonalMm = mm;
   }
-  if (!ImGui::IsItemDeactivatedAfterEdit()) return;
-  dragged = false;
-  session.wantedDiagonalMm = wantedMm;
+  if (!session.draggedDiagonalMm || ImGui::IsItemActive()) return;
+  session.wantedDiagonalMm = std::exchange(session.draggedDiagonalMm, std::nullopt);
 }
 
 void showLengths(const Medium& medium) {

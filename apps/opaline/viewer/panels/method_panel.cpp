@@ -58,7 +58,12 @@ void drawMethodPanel(Session& session) {
     changed |= controls::slider("tolerance", options.tolerance, 1e-4F, 1, "%.4f",
                                 "What a group of sources may be off, relative to the exitance.");
   }
-  if (options.transport == Transport::Boundary) changed |= drawBoundary(options);
+  if (options.transport == Transport::Boundary) {
+    changed |= drawBoundary(options);
+    controls::checkbox("quick while moving", session.quickWhileMoving,
+                       "better-dipole stands in while light, medium or body move, where this "
+                       "device needs more than 150 ms for boundary transport.");
+  }
   if (options.sum == Sum::Pattern) changed |= drawPattern(options.pattern);
   if (controls::button("Gong et al. 2008", "The paper's method: dipole, pattern, fragment.")) {
     options = paperOptions(options);
