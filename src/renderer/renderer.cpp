@@ -308,6 +308,7 @@ class Renderer::Implementation {
       divider_.forget();
       uploaded_ = makeSceneResources(device_, scene(), merged_, needs, log_);
       media_ = changes_.media;
+      noteDivision();
     } else {
       followMedia(options.patient);
     }
@@ -317,14 +318,15 @@ class Renderer::Implementation {
 
   // Brings the scene on the device in step with its media.
   void followMedia(bool patient) {
-    if (media_ != changes_.media) takeMedia(scene(), *uploaded_);
+    if (media_ != changes_.media) {
+      takeMedia(scene(), *uploaded_);
+      noteDivision();
+    }
     media_ = changes_.media;
-    if (!uploaded_->needs.maxSurfels) return;
-    const DivisionOrder wanted = orderFor(device_, scene(), *uploaded_);
-    if (uploaded_->divided == wanted) return;
-    divider_.want(wanted, merged_);
+    if (!provisional()) return;
+    divider_.want(wanted_, merged_);
     const std::optional<Division> division = divider_.take(patient);
-    if (!division || !(division->order == wanted)) return;
+    if (!division || !(division->order == wanted_)) return;
     device_.waitIdle();
     takeDivision(device_, *division, *uploaded_);
     litSurfels_ = nullptr;
@@ -332,9 +334,10 @@ class Renderer::Implementation {
     media_ = changes_.media;
   }
 
-  bool provisional() {
-    return uploaded_->needs.maxSurfels &&
-           !(uploaded_->divided == orderFor(device_, scene(), *uploaded_));
+  bool provisional() { return uploaded_->needs.maxSurfels && !(uploaded_->divided == wanted_); }
+
+  void noteDivision() {
+    if (uploaded_->needs.maxSurfels) wanted_ = orderFor(device_, scene(), *uploaded_);
   }
 
   void forgetFrames() {
@@ -419,6 +422,7 @@ class Renderer::Implementation {
   std::optional<SceneMotion> motion_;
   std::optional<SceneResources> uploaded_;
   std::uint64_t media_ = 0;  // changes_.media that uploaded_ is of
+  DivisionOrder wanted_;     // for these media
   BackgroundDivider divider_;
   PreparedFrames prepared_;
   PreparedFrame* current_ = nullptr;           // of the frame submitted last

@@ -309,8 +309,8 @@ void Viewer::drawInterface() {
 void Viewer::drawPicture() {
   if (!stage_.hasScene() || area_.empty()) return;
   const bool sliding = ImGui::IsAnyItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
-  const bool moving = session_.playback.playing || session_.playback.turntable ||
-                      input_.dragging() || sliding;
+  const bool moving =
+      session_.playback.playing || session_.playback.turntable || input_.dragging() || sliding;
   const bool resized = area_.width != drawn_.width || area_.height != drawn_.height;
   // What was drawn for speed is drawn well once nothing moves.
   if (!session_.edits.any() && !resized && !(rough_ && !moving)) return;
