@@ -147,6 +147,11 @@ struct DeviceImage;
 struct DevicePositions;
 struct VulkanDevice;
 
+class SoftBody;
+namespace gpu {
+class Device;
+}
+
 /// Which device to use.
 struct RendererOptions {
   std::string device;       ///< index or part of a name; empty: the best there is
@@ -225,6 +230,11 @@ class Renderer {
   std::size_t validationMessages() const;
 
  private:
+  friend class SoftBody;
+  gpu::Device& device();
+  std::uint64_t sceneNumber() const;  // how often one was set
+  std::size_t vertexCount(std::size_t object) const;
+
   class Implementation;
   std::unique_ptr<Implementation> implementation_;
 };

@@ -26,6 +26,8 @@ struct DevicePositions {
   VkBuffer buffer = VK_NULL_HANDLE;
   VkDeviceSize offsetBytes = 0;    ///< multiple of 4
   std::uint32_t strideBytes = 12;  ///< from one position to the next, multiple of 4, at least 12
+  bool live = true;                ///< may change at any time; false: only before another call of
+                     ///< Renderer::replacePositions, so that RenderOptions::reuseLight still works
 };
 
 /// Radiance times coverage in RGB, coverage in alpha, linear, top row first; to be sampled by

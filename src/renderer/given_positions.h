@@ -43,6 +43,7 @@ class GivenPositions {
     gpu::Buffer buffer;    // Device: borrowed
     std::uint32_t offset = 0;
     std::uint32_t stride = 3;  // floats
+    bool live = true;
   };
 
   Given& at(std::size_t object);

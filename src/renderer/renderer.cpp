@@ -103,6 +103,7 @@ class Renderer::Implementation {
   void setScene(const Scene& scene) {
     validate(scene);
     device_.waitIdle();
+    ++sceneNumber_;
     waiting_ = 0;
     forgetFrames();
     divider_.forget();
@@ -203,6 +204,18 @@ class Renderer::Implementation {
 
   std::size_t validationMessages() const { return device_.validationMessages(); }
 
+  gpu::Device& device() { return device_; }
+
+  std::uint64_t sceneNumber() const { return sceneNumber_; }
+
+  std::size_t vertexCount(std::size_t object) const {
+    if (!scene_) throw Error("no scene is set; call setScene first");
+    if (object >= scene_->objects.size())
+      throw UsageError(
+          fmt::format("there is no object {}: the scene has {}", object, scene_->objects.size()));
+    return scene_->objects[object].mesh.positionsMm.size();
+  }
+
  private:
   void requireClip(int clip) const {
     const auto clips = static_cast<int>(scene_->clips.size());
@@ -295,6 +308,7 @@ class Renderer::Implementation {
       divider_.forget();
       uploaded_ = makeSceneResources(device_, scene(), merged_, needs, log_);
       media_ = changes_.media;
+      noteDivision();
     } else {
       followMedia(options.patient);
     }
@@ -304,14 +318,15 @@ class Renderer::Implementation {
 
   // Brings the scene on the device in step with its media.
   void followMedia(bool patient) {
-    if (media_ != changes_.media) takeMedia(scene(), *uploaded_);
+    if (media_ != changes_.media) {
+      takeMedia(scene(), *uploaded_);
+      noteDivision();
+    }
     media_ = changes_.media;
-    if (!uploaded_->needs.maxSurfels) return;
-    const DivisionOrder wanted = orderFor(device_, scene(), *uploaded_);
-    if (uploaded_->divided == wanted) return;
-    divider_.want(wanted, merged_);
+    if (!provisional()) return;
+    divider_.want(wanted_, merged_);
     const std::optional<Division> division = divider_.take(patient);
-    if (!division || !(division->order == wanted)) return;
+    if (!division || !(division->order == wanted_)) return;
     device_.waitIdle();
     takeDivision(device_, *division, *uploaded_);
     litSurfels_ = nullptr;
@@ -319,9 +334,10 @@ class Renderer::Implementation {
     media_ = changes_.media;
   }
 
-  bool provisional() {
-    return uploaded_->needs.maxSurfels &&
-           !(uploaded_->divided == orderFor(device_, scene(), *uploaded_));
+  bool provisional() { return uploaded_->needs.maxSurfels && !(uploaded_->divided == wanted_); }
+
+  void noteDivision() {
+    if (uploaded_->needs.maxSurfels) wanted_ = orderFor(device_, scene(), *uploaded_);
   }
 
   void forgetFrames() {
@@ -399,12 +415,14 @@ class Renderer::Implementation {
   std::size_t next_ = 0;     // slot of the next frame
   std::size_t waiting_ = 0;  // frames submitted and not collected
   gpu::UploadRing frameData_;
+  std::uint64_t sceneNumber_ = 0;
   std::unique_ptr<Scene> scene_;
   SceneChanges changes_;
   scene::MergedMesh merged_;
   std::optional<SceneMotion> motion_;
   std::optional<SceneResources> uploaded_;
   std::uint64_t media_ = 0;  // changes_.media that uploaded_ is of
+  DivisionOrder wanted_;     // for these media
   BackgroundDivider divider_;
   PreparedFrames prepared_;
   PreparedFrame* current_ = nullptr;           // of the frame submitted last
@@ -489,6 +507,18 @@ VulkanDevice Renderer::vulkanDevice() const {
 
 std::size_t Renderer::validationMessages() const {
   return implementation_->validationMessages();
+}
+
+gpu::Device& Renderer::device() {
+  return implementation_->device();
+}
+
+std::uint64_t Renderer::sceneNumber() const {
+  return implementation_->sceneNumber();
+}
+
+std::size_t Renderer::vertexCount(std::size_t object) const {
+  return implementation_->vertexCount(object);
 }
 
 std::vector<DeviceDescription> listDevices() {
