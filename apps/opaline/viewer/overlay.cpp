@@ -109,6 +109,7 @@ void drawKeys(const Area& area) {
                             Key{"wheel, right drag", "nearer, further"},
                             Key{"F", "see all of the scene"},
                             Key{"T", "turntable"},
+                            Key{"Ctrl drag", "pull at the body; B: without Ctrl"},
                             Key{"space", "play, pause"},
                             Key{"left, right", "a frame back, a frame on"},
                             Key{"C", "compare with the paper's method"},

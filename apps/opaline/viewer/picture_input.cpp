@@ -30,7 +30,7 @@ void step(Session& session, double seconds) {
 }  // namespace
 
 PictureInput::Drag PictureInput::begin(Session& session, const Projection& projection,
-                                       const Area& area) {
+                                       const Area& area, Poke& poke) {
   const ImGuiIO& io = ImGui::GetIO();
   const glm::vec2 mouse(io.MousePos.x, io.MousePos.y);
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) return Drag::Dolly;
@@ -48,16 +48,21 @@ PictureInput::Drag PictureInput::begin(Session& session, const Projection& proje
       return Drag::Light;
     }
   }
+  if ((session.poke || io.KeyCtrl) && poke.grab(session, projection.through(mouse))) {
+    return Drag::Poke;
+  }
   return io.KeyShift ? Drag::Pan : Drag::Orbit;
 }
 
-void PictureInput::go(Session& session, const Projection& projection, const Area& area) {
+void PictureInput::go(Session& session, const Projection& projection, const Area& area,
+                      Poke& poke) {
   const ImGuiIO& io = ImGui::GetIO();
   if (drag_ == Drag::Divider) {
     session.divider = std::clamp(
         (io.MousePos.x - static_cast<float>(area.x)) / static_cast<float>(area.width), 0.0F, 1.0F);
     return;
   }
+  if (drag_ == Drag::Poke) return poke.pull(projection, {io.MousePos.x, io.MousePos.y});
   if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
   const auto height = static_cast<float>(area.height);
   const float right = io.MouseDelta.x / height;
@@ -85,17 +90,18 @@ void PictureInput::go(Session& session, const Projection& projection, const Area
   session.edits.camera = true;
 }
 
-void PictureInput::useMouse(Session& session, const Area& area) {
+void PictureInput::useMouse(Session& session, const Area& area, Poke& poke) {
   const ImGuiIO& io = ImGui::GetIO();
   const Projection projection(session.scene.camera, area);
   const bool over =
       !io.WantCaptureMouse && ImGui::IsMousePosValid() && area.holds(io.MousePos.x, io.MousePos.y);
   if (!anyDown()) {
+    if (drag_ == Drag::Poke) poke.release();
     drag_ = Drag::None;
     handles_.release();
   }
-  if (drag_ == Drag::None && over) drag_ = begin(session, projection, area);
-  if (drag_ != Drag::None) go(session, projection, area);
+  if (drag_ == Drag::None && over) drag_ = begin(session, projection, area, poke);
+  if (drag_ != Drag::None) go(session, projection, area, poke);
   if (over && io.MouseWheel != 0) {
     dolly(session.scene.camera, std::exp(-0.12F * io.MouseWheel), session.diagonalMm);
     session.edits.camera = true;
@@ -125,6 +131,9 @@ void PictureInput::useKey(const KeyPress& press, Session& session, const Area& a
     case GLFW_KEY_C:
       session.divided = !session.divided;
       session.edits.picture = true;
+      return;
+    case GLFW_KEY_B:
+      session.poke = !session.poke;
       return;
     case GLFW_KEY_H:
       session.gizmos = session.scaleBar = !session.gizmos;

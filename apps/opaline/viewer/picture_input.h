@@ -2,6 +2,7 @@
 
 #include "viewer/light_handles.h"
 #include "viewer/picture_painter.h"
+#include "viewer/poke.h"
 #include "viewer/projection.h"
 #include "viewer/session.h"
 #include "viewer/window.h"
@@ -12,7 +13,7 @@ namespace opaline::app::viewer {
 class PictureInput {
  public:
   /// Mouse over the picture's area.
-  void useMouse(Session& session, const Area& area);
+  void useMouse(Session& session, const Area& area, Poke& poke);
   /// Keys of camera, playback and view.
   static void useKey(const KeyPress& press, Session& session, const Area& area);
 
@@ -21,10 +22,10 @@ class PictureInput {
   const LightHandles& handles() const { return handles_; }
 
  private:
-  enum class Drag { None, Orbit, Pan, Dolly, Light, Divider };
+  enum class Drag { None, Orbit, Pan, Dolly, Light, Divider, Poke };
 
-  Drag begin(Session& session, const Projection& projection, const Area& area);
-  void go(Session& session, const Projection& projection, const Area& area);
+  Drag begin(Session& session, const Projection& projection, const Area& area, Poke& poke);
+  void go(Session& session, const Projection& projection, const Area& area, Poke& poke);
 
   Drag drag_ = Drag::None;
   LightHandles handles_;

@@ -11,6 +11,7 @@
 #include "opaline/scene.h"
 #include "scene/scene_source.h"
 #include "scene_options.h"
+#include "truth_job.h"
 
 namespace opaline::app::viewer {
 
@@ -32,6 +33,9 @@ struct Edits {
 
 /// What the picture area shows.
 enum class Shown { Picture, Truth, HeatMap };
+
+/// What is to be written.
+enum class Save { Nothing, Picture, Exr, Scene, Film, NoFilm };
 
 /// How the animation runs.
 struct Playback {
@@ -63,6 +67,11 @@ struct Session {
   float divider = 0.5F;          ///< in [0, 1]
   Aov aov = Aov::Radiance;
   Shown shown = Shown::Picture;
+  std::optional<TruthOrder::Method> wantedTruth;
+  bool cancelTruth = false;
+  Save wanted = Save::Nothing;
+  std::string saveName;  ///< without its ending
+  bool poke = false;     ///< the mouse pulls at bodies instead of turning the camera
   bool scaleBar = true;
   bool gizmos = true;
 

@@ -10,7 +10,6 @@
 #include <GLFW/glfw3.h>
 
 #include "core/file.h"
-#include "core/image_file.h"
 #include "json.h"
 #include "motion_options.h"
 #include "opaline/error.h"
@@ -97,7 +96,10 @@ Viewer::Viewer(const ViewerOptions& options)
       painter_(renderer_.vulkanDevice(), presenter_.renderPass()),
       stage_(renderer_),
       variable_(renderer_.vulkanDevice()),
-      loader_([] { Window::wake(); }) {
+      loader_([] { Window::wake(); }),
+      poke_(renderer_),
+      saver_(renderer_),
+      truth_(renderer_.vulkanDevice()) {
   session_.gizmos = state_.handles;
   session_.scaleBar = state_.scaleBar;
   panels_ = state_.panels;
@@ -192,6 +194,9 @@ void Viewer::takeLoaded() {
     }
     made.edits.medium.assign(made.scene.objects.size(), false);
     made.edits.picture = true;
+    poke_.end();
+    saver_.cancelFilm();
+    made.saveName = made.name;
     stage_.setScene(made.scene);
     session_ = std::move(made);
     history_.clear();
@@ -204,12 +209,14 @@ void Viewer::takeLoaded() {
 }
 
 void Viewer::sleepUntilNeeded() {
-  const bool moving = session_.playback.playing || session_.playback.turntable;
+  const bool moving =
+      session_.playback.playing || session_.playback.turntable || saver_.filming() || poke_.moves();
   if (moving || session_.edits.any() || awake_ > 0) {
     Window::poll();
     awake_ = std::max(0, awake_ - 1);
   } else {
-    Window::wait();
+    constexpr double betweenLooks = 0.25;
+    Window::wait(truth_.running() ? betweenLooks : 0);
     awake_ = framesAfterEvent;
     last_ = Clock::now();                    // what slept did not play
     if (options_.controls) writeControls();  // whoever drives the window sees that it is awake
@@ -236,6 +243,7 @@ void Viewer::advance(double seconds) {
     orbit(session_.scene.camera, radiansPerSecond * static_cast<float>(seconds), 0);
     session_.edits.camera = true;
   }
+  if (poke_.step(seconds)) session_.edits.picture = true;
 }
 
 void Viewer::layOut() {
@@ -257,16 +265,15 @@ void Viewer::drawPanels() {
   ImGui::SameLine();
   ImGui::TextDisabled("? lists the keys");
   for (const std::string& note : session_.notes) ImGui::TextWrapped("%s", note.c_str());
-  if (controls::button("save picture", "What is seen, as .png into the working folder. Key: P.")) {
-    savePicture();
-  }
   drawMediumPanel(session_);
   if (session_.wantedDiagonalMm) resize(*std::exchange(session_.wantedDiagonalMm, std::nullopt));
   drawLightPanel(session_);
   drawMethodPanel(session_);
   drawMotionPanel(session_);
+  drawTruthPanel(session_, truth_);
   drawViewPanel(session_);
   drawTimePanel(session_, history_);
+  drawSavePanel(session_, saver_);
   ImGui::End();
 }
 
@@ -282,7 +289,8 @@ void Viewer::useKeys() {
     }
     if (!press.control && !press.repeated) {
       if (press.key == GLFW_KEY_TAB) panels_ = !panels_;
-      if (press.key == GLFW_KEY_P) savePicture();
+      if (press.key == GLFW_KEY_P) session_.wanted = Save::Picture;
+      if (press.key == GLFW_KEY_S) session_.wanted = Save::Scene;
     }
     PictureInput::useKey(press, session_, area_);
   }
@@ -294,7 +302,7 @@ void Viewer::drawInterface() {
   layOut();
   if (stage_.hasScene()) {
     useKeys();
-    input_.useMouse(session_, area_);
+    input_.useMouse(session_, area_, poke_);
     if (panels_) drawPanels();
     const Projection projection(session_.scene.camera, area_);
     if (session_.aov < Aov::DsmPosition) {
@@ -343,22 +351,31 @@ void Viewer::takeFinished() {
   variableShown_ = session_.aov;
 }
 
+// Picture, variable, truth or heat map.
+void Viewer::drawShown(VkCommandBuffer commands) {
+  const core::ToneOptions plain{0, core::ToneCurve::None, session_.tone.background};
+  const auto draw = [&](const DeviceImage& image, const core::ToneOptions& tone) {
+    const Area place =
+        fitted(area_, static_cast<int>(image.extent.width), static_cast<int>(image.extent.height));
+    painter_.draw(commands, image, place, place, tone);
+  };
+  if (session_.shown != Shown::Picture && truth_.hasPicture()) {
+    if (session_.shown == Shown::Truth) return draw(truth_.truth(), session_.tone);
+    return draw(truth_.heatMap(), plain);
+  }
+  const bool variable = session_.aov != Aov::Radiance && variableShown_ == session_.aov;
+  if (variable && !variable_.empty()) {
+    return draw(variable_.shown(), isLight(session_.aov) ? session_.tone : plain);
+  }
+  painter_.draw(commands, stage_.picture(), area_, area_, session_.tone);
+}
+
 void Viewer::present() {
   const std::optional<VkCommandBuffer> commands = presenter_.begin();
   if (!commands) return;
   if (stage_.hasScene() && !area_.empty()) {
-    const bool variable = session_.aov != Aov::Radiance && variableShown_ == session_.aov;
-    if (variable && !variable_.empty()) {
-      core::ToneOptions tone = session_.tone;
-      if (!isLight(session_.aov)) tone = {0, core::ToneCurve::None, tone.background};
-      const VkExtent2D extent = variable_.shown().extent;
-      const Area place =
-          fitted(area_, static_cast<int>(extent.width), static_cast<int>(extent.height));
-      painter_.draw(*commands, variable_.shown(), place, place, tone);
-    } else {
-      painter_.draw(*commands, stage_.picture(), area_, area_, session_.tone);
-    }
-    if (stage_.paper()) {
+    drawShown(*commands);
+    if (stage_.paper() && session_.shown == Shown::Picture) {
       Area left = area_;
       left.width = static_cast<int>(session_.divider * static_cast<float>(area_.width));
       painter_.draw(*commands, *stage_.paper(), area_, left, session_.tone);
@@ -368,24 +385,56 @@ void Viewer::present() {
   presenter_.end();
 }
 
-void Viewer::savePicture() {
+void Viewer::save() {
+  const Save wanted = std::exchange(session_.wanted, Save::Nothing);
+  if (wanted == Save::Nothing && !saver_.filming()) return;
+  const auto named = [&](const char* ending) {
+    return std::filesystem::path(session_.saveName + ending);
+  };
+  failed_ = false;
   try {
     stage_.finish();
-    RenderOptions options = session_.options;
-    options.width = area_.width;
-    options.height = area_.height;
-    const RenderResult result = renderer_.render(options);
-    std::filesystem::path file = session_.name + ".png";
-    for (int i = 1; std::filesystem::exists(file); ++i) {
-      file = fmt::format("{}_{}.png", session_.name, i);
+    if (wanted == Save::Picture) {
+      message_ = saver_.savePicture(session_, named(".png"), area_.width, area_.height);
+    } else if (wanted == Save::Exr) {
+      message_ = saver_.savePicture(session_, named(".exr"), area_.width, area_.height);
+    } else if (wanted == Save::Scene) {
+      message_ = Saver::saveScene(session_, named(".toml"), area_.width, area_.height);
+    } else if (wanted == Save::Film) {
+      poke_.end();
+      session_.playback.playing = false;
+      saver_.startFilm(session_, named(".mp4"), area_.width, area_.height);
+    } else if (wanted == Save::NoFilm) {
+      saver_.cancelFilm();
+      message_ = "the film was stopped";
     }
-    core::writePng(file, core::toneMap(result.images.front(), session_.tone));
-    message_ = fmt::format("saved {}", file.string());
-    failed_ = false;
+    if (saver_.filming()) {
+      const std::optional<std::string> done = saver_.step();
+      message_ = done.value_or(fmt::format("filming, {:.0f} %", 100 * saver_.progress()));
+      if (done) session_.edits.picture = true;
+    }
   } catch (const std::exception& error) {
     message_ = error.what();
     failed_ = true;
   }
+  awake_ = std::max(awake_, framesAfterEvent);
+}
+
+void Viewer::followTruth() {
+  if (std::exchange(session_.cancelTruth, false)) truth_.cancel();
+  if (session_.wantedTruth && stage_.hasScene() && !area_.empty()) {
+    stage_.finish();
+    poke_.end();
+    try {
+      truth_.start(session_, renderer_, *session_.wantedTruth, area_.width, area_.height);
+    } catch (const Error& error) {
+      message_ = error.what();
+      failed_ = true;
+    }
+    session_.edits.picture = true;
+  }
+  session_.wantedTruth.reset();
+  if (truth_.update()) awake_ = std::max(awake_, framesAfterEvent);
 }
 
 void Viewer::writeControls() const {
@@ -397,7 +446,11 @@ void Viewer::writeControls() const {
                   {"controls", std::move(places)},
                   {"message", message_},
                   {"frames", stage_.framesFinished()},
-                  {"idle", awake_ == 0 && !session_.edits.any() && !loader_.busy()}};
+                  {"idle", awake_ == 0 && !session_.edits.any() && !loader_.busy() &&
+                               !saver_.filming() && !poke_.moves()},
+                  {"truth", truth_.running()      ? truth_.progress()
+                            : truth_.hasPicture() ? 1
+                                                  : 0}};
   core::writeWhole(*options_.controls, toText(json));
 }
 
@@ -411,6 +464,8 @@ void Viewer::run() {
     advance(std::min(std::chrono::duration<double>(now - last_).count(), 0.1));
     last_ = now;
     drawInterface();
+    save();
+    followTruth();
     drawPicture();
     takeFinished();
     present();

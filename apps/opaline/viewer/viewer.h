@@ -12,10 +12,13 @@
 #include "viewer/loader.h"
 #include "viewer/picture_input.h"
 #include "viewer/picture_painter.h"
+#include "viewer/poke.h"
 #include "viewer/presenter.h"
+#include "viewer/saver.h"
 #include "viewer/session.h"
 #include "viewer/stage.h"
 #include "viewer/timing_history.h"
+#include "viewer/truth_view.h"
 #include "viewer/user_interface.h"
 #include "viewer/viewer_state.h"
 #include "viewer/window.h"
@@ -62,8 +65,10 @@ class Viewer {
   void drawInterface();
   void drawPicture();
   void takeFinished();
+  void drawShown(VkCommandBuffer commands);
   void present();
-  void savePicture();
+  void save();
+  void followTruth();
   void writeControls() const;
 
   ViewerOptions options_;
@@ -80,6 +85,9 @@ class Viewer {
   bool resizing_ = false;  // what is being loaded is the same model at another size
   Session session_;
   PictureInput input_;
+  Poke poke_;
+  Saver saver_;
+  TruthView truth_;
   TimingHistory history_;
 
   Area area_;   // of the picture

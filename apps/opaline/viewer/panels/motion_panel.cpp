@@ -114,6 +114,9 @@ void drawMotionPanel(Session& session) {
     session.options.seconds = static_cast<double>(seconds);
     session.edits.picture = true;
   }
+  controls::checkbox("poke", session.poke,
+                     "The mouse pulls at the body like at jelly; beside it the camera turns. With "
+                     "Ctrl the mouse always does. Key: B. Macklin et al. 2016.");
   controls::slider("speed", playback.speed, 0.05F, 4, "%.2f x", "Of the playback.");
   drawClips(session);
   if (drawDeformers(session.scene.deformers)) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "viewer/saver.h"
 #include "viewer/session.h"
 #include "viewer/timing_history.h"
+#include "viewer/truth_view.h"
 
 namespace opaline::app::viewer {
 
@@ -12,7 +14,9 @@ void drawMediumPanel(Session& session);
 void drawLightPanel(Session& session);
 void drawMethodPanel(Session& session);
 void drawMotionPanel(Session& session);
+void drawTruthPanel(Session& session, const TruthView& truth);
 void drawViewPanel(Session& session);
 void drawTimePanel(const Session& session, const TimingHistory& history);
+void drawSavePanel(Session& session, const Saver& saver);
 
 }  // namespace opaline::app::viewer

@@ -1,0 +1,143 @@
+#include "viewer/poke.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "deform/deformed_mesh.h"
+#include "viewer/vectors.h"
+
+namespace opaline::app::viewer {
+
+namespace {
+
+// The vertices of an object as the session shows it, with or without the scene's deformers.
+std::vector<Vec3> verticesOf(Session& session, std::size_t object, bool deformed) {
+  Scene& scene = session.scene;
+  std::vector<Deformer> deformers;
+  if (!deformed) deformers = std::exchange(scene.deformers, {});
+  const deform::DeformedMesh mesh =
+      deform::deformedMesh(scene, object, session.options.clip, session.options.seconds);
+  if (!deformed) scene.deformers = std::move(deformers);
+  std::vector<Vec3> vertices;
+  vertices.reserve(mesh.positionsMm.size());
+  for (const scene::Double3& place : mesh.positionsMm) vertices.push_back(scene::toFloat(place));
+  return vertices;
+}
+
+struct Hit {
+  float distanceMm = std::numeric_limits<float>::infinity();
+  std::size_t object = 0;
+  std::size_t triangle = 0;
+  float u = 0;
+  float v = 0;
+};
+
+// Möller and Trumbore 1997.
+void meet(const Ray& ray, const std::array<glm::vec3, 3>& corners, Hit& nearest, std::size_t object,
+          std::size_t triangle) {
+  const glm::vec3 ab = corners[1] - corners[0];
+  const glm::vec3 ac = corners[2] - corners[0];
+  const glm::vec3 p = glm::cross(ray.direction, ac);
+  const float determinant = glm::dot(ab, p);
+  if (!(std::abs(determinant) > 0)) return;
+  const glm::vec3 offset = ray.origin - corners[0];
+  const float u = glm::dot(offset, p) / determinant;
+  const glm::vec3 q = glm::cross(offset, ab);
+  const float v = glm::dot(ray.direction, q) / determinant;
+  const float t = glm::dot(ac, q) / determinant;
+  if (u < 0 || v < 0 || u + v > 1 || !(t > 0) || t >= nearest.distanceMm) return;
+  nearest = {t, object, triangle, u, v};
+}
+
+std::array<glm::vec3, 3> cornersOf(const std::vector<Vec3>& vertices, const Triangle& triangle) {
+  return {toGlm(vertices[triangle[0]]), toGlm(vertices[triangle[1]]), toGlm(vertices[triangle[2]])};
+}
+
+glm::vec3 within(const std::array<glm::vec3, 3>& corners, float u, float v) {
+  return (1 - u - v) * corners[0] + u * corners[1] + v * corners[2];
+}
+
+// Right-handed: along the first edge, across it, outwards.
+glm::mat3 frameOf(const std::array<glm::vec3, 3>& corners) {
+  const glm::vec3 along = glm::normalize(corners[1] - corners[0]);
+  const glm::vec3 out = glm::normalize(glm::cross(along, corners[2] - corners[0]));
+  return {along, glm::cross(out, along), out};
+}
+
+bool finite(const glm::mat3& matrix) {
+  const auto* values = &matrix[0][0];
+  return std::all_of(values, values + 9, [](float value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+bool Poke::grab(Session& session, const Ray& ray) {
+  const std::vector<Object>& objects = session.scene.objects;
+  Hit hit;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::vector<Vec3> vertices = verticesOf(session, i, true);
+    const std::vector<Triangle>& triangles = objects[i].mesh.triangles;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      meet(ray, cornersOf(vertices, triangles[t]), hit, i, t);
+    }
+  }
+  if (!std::isfinite(hit.distanceMm)) return false;
+  const std::vector<Triangle>& triangles = objects[hit.object].mesh.triangles;
+  const std::array<glm::vec3, 3> seen =
+      cornersOf(verticesOf(session, hit.object, true), triangles[hit.triangle]);
+  const std::vector<Vec3> restVertices = verticesOf(session, hit.object, false);
+  const std::array<glm::vec3, 3> rest = cornersOf(restVertices, triangles[hit.triangle]);
+  seen_ = within(seen, hit.u, hit.v);
+  rest_ = within(rest, hit.u, hit.v);
+  back_ = frameOf(rest) * glm::transpose(frameOf(seen));
+  if (!finite(back_)) back_ = glm::mat3(1);
+  if (!body_ || object_ != hit.object) {
+    body_.reset();
+    body_.emplace(renderer_, hit.object, restVertices, triangles);
+    object_ = hit.object;
+  }
+  if (!session.scene.clips.empty() && session.options.clip >= 0) session.playback.playing = false;
+  constexpr float radiusInDiagonals = 0.08F;
+  body_->grab(fromGlm(rest_), radiusInDiagonals * session.diagonalMm);
+  held_ = true;
+  return true;
+}
+
+void Poke::pull(const Projection& projection, const glm::vec2& pixel) {
+  if (!held_) return;
+  const Ray ray = projection.through(pixel);
+  const glm::vec3& ahead = projection.view().ahead;
+  const float along = glm::dot(ray.direction, ahead);
+  const float depth = glm::dot(seen_ - ray.origin, ahead);
+  if (!(along > 0) || !(depth > 0)) return;
+  const glm::vec3 to = ray.origin + depth / along * ray.direction;
+  const glm::vec3 wanted = rest_ + back_ * (to - seen_);
+  if (std::isfinite(wanted.x) && std::isfinite(wanted.y) && std::isfinite(wanted.z)) {
+    body_->pull(fromGlm(wanted));
+  }
+}
+
+void Poke::release() {
+  if (!held_) return;
+  body_->release();
+  held_ = false;
+}
+
+bool Poke::step(double seconds) {
+  if (!body_) return false;
+  if (!moves()) {
+    end();
+    return true;
+  }
+  body_->step(seconds);
+  return true;
+}
+
+void Poke::end() {
+  held_ = false;
+  body_.reset();
+}
+
+}  // namespace opaline::app::viewer

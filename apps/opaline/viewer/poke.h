@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "opaline/renderer.h"
+#include "opaline/soft_body.h"
+#include "viewer/projection.h"
+#include "viewer/session.h"
+
+namespace opaline::app::viewer {
+
+/// Lets one body at a time be pulled by the mouse. The body rests where its rig had it when it was
+/// taken hold of; the scene's deformers go on on top of it.
+class Poke {
+ public:
+  explicit Poke(Renderer& renderer) : renderer_(renderer) {}
+
+  /// Takes hold of the body that the ray meets; false where it meets none. Clips stop: the body is
+  /// the hand's now.
+  bool grab(Session& session, const Ray& ray);
+  /// The place that is held follows the pixel, in a plane parallel to the picture.
+  void pull(const Projection& projection, const glm::vec2& pixel);
+  void release();
+
+  /// Moves the body on, and gives it back to its rig when it has come to rest. True where the
+  /// picture changes.
+  bool step(double seconds);
+  /// Gives it back at once.
+  void end();
+  bool moves() const { return body_ && (held_ || body_->moves()); }
+
+ private:
+  Renderer& renderer_;
+  std::optional<SoftBody> body_;
+  std::size_t object_ = 0;
+  bool held_ = false;
+  glm::vec3 seen_{};   // place that is held, where the picture shows it
+  glm::vec3 rest_{};   // the same before the scene's deformers
+  glm::mat3 back_{1};  // directions there, from those of the picture
+};
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,60 @@
+#include "viewer/truth_view.h"
+
+#include <utility>
+
+#include "compare/heatmap.h"
+#include "core/tone.h"
+
+namespace opaline::app::viewer {
+
+namespace {
+
+constexpr int blockEdge = 8;
+
+// As it is shown with tone curve None and exposure 0.
+Image linear(const core::Image8& encoded) {
+  Image image(encoded.width, encoded.height);
+  for (std::size_t i = 0; i < encoded.rgba.size(); ++i) {
+    const float value = static_cast<float>(encoded.rgba[i]) / 255;
+    image.rgba[i] = i % 4 == 3 ? value : core::decodeSrgb(value);
+  }
+  return image;
+}
+
+}  // namespace
+
+void TruthView::start(const Session& session, Renderer& renderer, TruthOrder::Method method,
+                      int width, int height) {
+  cancel();
+  RenderOptions options = session.options;
+  options.width = width;
+  options.height = height;
+  options.specular = false;
+  picture_ = std::move(renderer.render(options).images.front());
+  TruthOrder order;
+  order.method = method;
+  // A core stays for the window.
+  order.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()) + 1) / 2;
+  job_ = std::make_unique<TruthJob>(session.scene, options, order);
+}
+
+void TruthView::cancel() {
+  job_.reset();
+}
+
+bool TruthView::update() {
+  if (!job_) return false;
+  std::shared_ptr<const TruthPicture> latest = job_->picture();
+  if (!latest || latest == latest_) return false;
+  latest_ = std::move(latest);
+  truth_.set(latest_->image);
+  const compare::Selection common = compare::commonPixels(picture_, latest_->image);
+  figures_ = compare::figuresOver(picture_, latest_->image, common);
+  blocks_ = compare::blockFiguresOver(picture_, latest_->image, common, blockEdge);
+  const compare::Plane errors =
+      compare::relativeBlockErrors(picture_, latest_->image, common, blockEdge);
+  heatMap_.set(linear(compare::drawHeatmap(errors, common, compare::heatmapTop(errors, common))));
+  return true;
+}
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "compare/figures.h"
+#include "opaline/image.h"
+#include "opaline/renderer.h"
+#include "truth_job.h"
+#include "viewer/host_picture.h"
+#include "viewer/session.h"
+
+namespace opaline::app::viewer {
+
+/// The truth of what the window shows, computed in the background, beside the picture it is the
+/// truth of, and how far they are apart.
+class TruthView {
+ public:
+  explicit TruthView(const VulkanDevice& device) : truth_(device), heatMap_(device) {}
+
+  /// Of the session as it is now. The picture it is compared with is rendered at once, without
+  /// reflections, by `renderer`, where no frame is under way.
+  void start(const Session& session, Renderer& renderer, TruthOrder::Method method, int width,
+             int height);
+  void cancel();
+  bool running() const { return job_ && job_->state() == TruthJob::State::Running; }
+  double progress() const { return job_ ? job_->progress() : 0; }
+
+  /// Takes up what has come since; true where there is something new to see.
+  bool update();
+
+  bool hasPicture() const { return !truth_.empty(); }
+  const DeviceImage& truth() const { return truth_.shown(); }
+  const DeviceImage& heatMap() const { return heatMap_.shown(); }
+  const std::optional<compare::Figures>& figures() const { return figures_; }
+  const std::optional<compare::BlockFigures>& blocks() const { return blocks_; }
+  const std::shared_ptr<const TruthPicture>& latest() const { return latest_; }
+  std::string error() const { return job_ ? job_->error() : std::string(); }
+
+ private:
+  std::unique_ptr<TruthJob> job_;
+  Image picture_;  // that the truth is held against
+  std::shared_ptr<const TruthPicture> latest_;
+  HostPicture truth_;
+  HostPicture heatMap_;
+  std::optional<compare::Figures> figures_;
+  std::optional<compare::BlockFigures> blocks_;
+};
+
+}  // namespace opaline::app::viewer
