@@ -31,8 +31,9 @@ struct DevicePositions {
 };
 
 /// Radiance times coverage in RGB, coverage in alpha, linear, top row first; to be sampled by
-/// shaders on the renderer's queue. The next frame waits for shaders that read it, and overwrites
-/// it; it lives until the renderer makes a frame of another size or method, or another scene.
+/// shaders on the renderer's queue. The next frame, from whichever call, waits for shaders that
+/// read it, and overwrites it; it lives until the renderer makes a frame of another size or method,
+/// or another scene.
 struct DeviceImage {
   VkImage image = VK_NULL_HANDLE;
   VkImageView view = VK_NULL_HANDLE;

@@ -233,7 +233,6 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
     }
   }
   if (plan.centre) context.seeSurface({0, 0}, scene);
-  if (plan.shown) commands.use(resources.radiance, gpu::Access::Sampled);
 }
 
 }  // namespace opaline

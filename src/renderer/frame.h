@@ -65,8 +65,7 @@ struct FramePlan {
   float roughness = 0.25F;
   int clip = 0;
   double seconds = 0;
-  bool shown = false;  ///< leave the radiance for others to sample
-  bool light = true;   ///< else the resources hold what this frame's light does, from before
+  bool light = true;  ///< else the resources hold what this frame's light does, from before
 };
 
 /// The image that a frame leaves the exitance of visible pixels in.

@@ -139,7 +139,7 @@ class Renderer::Implementation {
   DeviceImage submitOnDevice(const RenderOptions& options, const std::vector<Aov>& aovs) {
     FramePlan plan = makePlan(options, aovs);
     plan.samples = options.antialias;
-    plan.shown = true;
+    shown_ = true;
     submit(options, aovs, plan);
     const gpu::GpuImage& radiance = current_->resources.radiance;
     return {radiance.handle(), radiance.view(), radiance.options().format,
@@ -288,6 +288,8 @@ class Renderer::Implementation {
     slot.readback.record(slot.commands, site_, resources);
     slot.readback.recordSolutions(slot.commands, boundary ? options.bounces + 1 : 0,
                                   uploaded_->solver);
+    // Whoever shows pictures may sample this frame's too.
+    if (shown_) slot.commands.use(resources.radiance, gpu::Access::Sampled);
     slot.provisional = provisional();
     slot.commands.submit();
     next_ = (next_ + 1) % slots_.size();
@@ -431,6 +433,7 @@ class Renderer::Implementation {
     double seconds = -1;
     int clip = 0;
   } pose_;              // of the frame submitted last
+  bool shown_ = false;  // pictures are left for others to sample
   RenderOptions last_;  // of the frame submitted last
   Site site_ = Site::Fragment;
   FrameTimes times_;

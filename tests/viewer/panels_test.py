@@ -126,6 +126,55 @@ class Panels(WindowTest):
         window.xdotool("key", "space")
         window.settle()
 
+    def test_poke(self):
+        """Pulled it gives way; let go it comes back to the very picture."""
+        window = self.window
+        window.key("h")
+        before = window.picture()
+        x, y = window.middle()
+        window.move((x, y))
+        window.xdotool("keydown", "ctrl", "mousedown", 1)
+        for step in range(1, 9):
+            window.move((x + 15 * step, y - 5 * step))
+        frames = window.state()["frames"]
+        window.wait_for(lambda: window.state()["frames"] > frames + 5, "it does not move")
+        pulled = window.picture()
+        window.xdotool("mouseup", 1, "keyup", "ctrl")
+        self.assertGreater(difference(before, pulled), 1)
+        window.settle()
+        self.assertLess(difference(before, window.picture()), .05)
+
+    def test_truth(self):
+        window = self.window
+        window.only("Truth")
+        window.click("Truth/dipole's integral")
+        window.wait_for(lambda: window.state()["truth"] == 1, "no truth")
+        picture = window.picture()
+        window.choose("Truth/shown", "truth")
+        self.assertLess(difference(picture, window.picture()), 12, "the truth of the same scene, without reflections")
+        truth = window.picture()
+        window.choose("Truth/shown", "heat map")
+        self.assertGreater(difference(truth, window.picture()), 5)
+        window.choose("Truth/shown", "picture")
+        self.assertEqual(difference(picture, window.picture()), 0)
+
+    def test_truth_that_is_cancelled(self):
+        window = self.window
+        window.only("Truth")
+        window.click("Truth/path tracing")
+        window.click("Truth/cancel")
+        self.assertNotIn("Truth/cancel", window.state()["controls"])
+
+    def test_film(self):
+        window = self.window
+        window.only("Motion")
+        window.click("Motion/add a deformation")
+        window.only("Save")
+        window.move(window.place("Save/film"))
+        window.click("Save/film")
+        window.wait_for(lambda: window.state()["message"] == "saved cube.mp4", "no film")
+        self.assertGreater((self.folder / "cube.mp4").stat().st_size, 1000)
+
     def test_view(self):
         window = self.window
         window.only("View")

@@ -54,9 +54,45 @@ class Picture(WindowTest):
         window.key("h")
         window.drag((100, 100), (180, 60))
         shown = window.picture()
-        window.click("save picture")
+        window.only("Save")
+        window.click("Save/picture")
+        self.assertEqual(window.state()["message"], "saved cube.png")
+        (self.folder / "cube.png").unlink()
+        window.key("p")
+        self.assertEqual(window.state()["message"], "saved cube.png")
         self.same(shown, read_png((self.folder / "cube.png").read_bytes()).rows)
         window.close()
+
+    def test_a_saved_scene_is_drawn_the_same(self):
+        """Camera, medium, light, size, motion, method and look as they were left by hand."""
+        window = self.view("cube.obj", "--transport", "dipole", "--size", "800x760")
+        window.drag((100, 100), (180, 60))
+        window.click("Medium/gummy-orange")
+        size = window.place("Medium/size")
+        window.drag((size[0] - 30, size[1]), (size[0] - 40, size[1]))
+        window.only("Light")
+        window.click("Light/directional 1")
+        turn = window.place("Light/turn")
+        window.drag(turn, (turn[0] + 30, turn[1]))
+        window.click("Light/add point")
+        window.only("Motion")
+        window.click("Motion/add a deformation")
+        time = window.place("Motion/time")
+        window.drag(time, (time[0] + 25, time[1]))
+        window.only("Method")
+        window.choose("Method/transport", "better-dipole")
+        window.key("o")
+        window.key("h")
+        window.only("Save")
+        window.click("Save/scene")
+        self.assertEqual(window.state()["message"], "saved cube.toml")
+        # The message stands in the corner of the picture.
+        shown = window.picture()[40:]
+        self.same(shown, self.rendered(window, "cube.toml")[40:])
+        window.close()
+        again = self.view("cube.toml", "--size", "800x760")
+        self.same(again.picture()[40:], shown)
+        again.close()
 
 
 if __name__ == "__main__":
