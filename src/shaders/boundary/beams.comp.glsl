@@ -29,6 +29,7 @@ layout(push_constant) uniform Push {
   uint beam;  // a light, or the number of lights for what comes from everywhere
   uint piecesPerSurfel;
   uint nodeCount;  // of all surfels' trees
+  uint mirrors;    // 1: what the surface does not let in goes on
 };
 
 const float leastShare = 0.005;      // of light that is followed further
@@ -203,9 +204,11 @@ void main() {
     firstSegment(body, i, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
                  body.medium.extinction.rgb);
     reflections(body, i, cluster, entry.start.xyz, direction, hit);
-    goesOn = mirroredOf(body, entry, from, power);
-    atomicMax(peak, floatBitsToUint(largestOf(goesOn.power.rgb)));
+    if (mirrors != 0u) {
+      goesOn = mirroredOf(body, entry, from, power);
+      atomicMax(peak, floatBitsToUint(largestOf(goesOn.power.rgb)));
+    }
   }
-  mirrored[i] = goesOn;
+  if (mirrors != 0u) mirrored[i] = goesOn;
   strengths[i] = vec4(power, float(pointCount[0]) + 64.0 * float(pointCount[1]));
 }

@@ -29,7 +29,7 @@ layout(push_constant) uniform Push {
 // diffusion from the first is too rough. Not where the body is thinner, or clusters are larger, than
 // some mean free paths: light that leaves after one collision does so within a cluster's size there.
 vec3 shareOfSecond(BoundaryMedium medium, float thickness, float edge) {
-  vec3 dark = 1.0 - smoothstep(0.96, 0.99, medium.albedo.rgb);
+  vec3 dark = 1.0 - smoothstep(albedoFollowed, albedoNotFollowed, medium.albedo.rgb);
   vec3 thick = smoothstep(0.3, 1.2, thickness * medium.extinction.rgb);
   return dark * thick * (1.0 - smoothstep(1.5, 3.0, edge * medium.extinction.rgb));
 }

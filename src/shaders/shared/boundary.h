@@ -10,8 +10,10 @@ namespace opaline::shared {
 using uint = std::uint32_t;  // NOLINT(readability-identifier-naming): GLSL's word
 using glm::vec4;
 #define OPALINE_BOUNDARY_CONSTANT constexpr std::uint32_t
+#define OPALINE_BOUNDARY_NUMBER constexpr float
 #else
 #define OPALINE_BOUNDARY_CONSTANT const uint
+#define OPALINE_BOUNDARY_NUMBER const float
 #endif
 
 /// Which surfels a cluster is of, the same in every frame.
@@ -54,6 +56,11 @@ OPALINE_BOUNDARY_CONSTANT directionsOfPoint = 4u;
 OPALINE_BOUNDARY_CONSTANT maxSecondPoints =
     directionsOfPoint * pointsOfFirstSegment + pointsOfReflection * maxReflections;
 OPALINE_BOUNDARY_CONSTANT maxPoints = maxFirstPoints + maxSecondPoints;
+
+/// Up to the first of these albedos all light is followed to its second collision, from the other
+/// on none is.
+OPALINE_BOUNDARY_NUMBER albedoFollowed = 0.96f;
+OPALINE_BOUNDARY_NUMBER albedoNotFollowed = 0.99f;
 
 /// One of them: a place and a share of the light for each channel.
 struct BeamPoint {
