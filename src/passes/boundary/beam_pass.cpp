@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "gpu/device.h"
-#include "passes/boundary/pipelines.h"
+#include "passes/mechanics.h"
 #include "shaders/shaders.h"
 
 namespace opaline::passes {
@@ -21,9 +21,8 @@ struct BeamChoice {
   std::uint32_t mirrors;
 };
 
-struct NodeRange {
-  std::uint32_t first;
-  std::uint32_t count;
+struct PointNodes {
+  NodeRange range;
   std::uint32_t scattersOnce;
 };
 
@@ -49,7 +48,7 @@ gpu::Pipeline makeNodes(gpu::Device& device, bool leaves) {
           gpu::ComputePipelineOptions{.name = leaves ? "leaves of points" : "nodes of points",
                                       .shader = shaders::boundary_beam_nodes_comp,
                                       .bindings = slots(9, {2}),
-                                      .pushConstantBytes = sizeof(NodeRange),
+                                      .pushConstantBytes = sizeof(PointNodes),
                                       .specialization = {leaves ? 1U : 0U}}};
 }
 
@@ -213,19 +212,16 @@ void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters
 
 void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
                         Beams& beams, bool scattersOnce) const {
-  for (std::size_t height = 0; height + 1 < clusters.firstOfHeight.size(); ++height) {
+  forEachHeight(clusters.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
     commands.bind(height == 0 ? leaves_ : nodes_);
     commands.bindResources({Binding::read(0, tables.objects), Binding::read(1, tables.media),
                             Binding::texels(2, beams.points), Binding::read(3, beams.strengths),
                             Binding::read(4, clusters.links), Binding::read(5, clusters.byHeight),
                             Binding::read(6, clusters.ranges), Binding::read(7, clusters.clusters),
                             Binding::write(8, clusters.beamNodes)});
-    const std::uint32_t first = clusters.firstOfHeight[height];
-    const NodeRange range{first, clusters.firstOfHeight[height + 1] - first,
-                          scattersOnce ? 1U : 0U};
-    commands.pushConstants(range);
+    commands.pushConstants(PointNodes{range, scattersOnce ? 1U : 0U});
     commands.dispatchLinear(range.count);
-  }
+  });
 }
 
 }  // namespace opaline::passes

@@ -11,6 +11,7 @@
 #include "lib/fresnel.glsl"
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
+#include "lib/point_counts.glsl"
 #include "lib/rays.glsl"
 #include "lib/unit.glsl"
 
@@ -181,7 +182,7 @@ void main() {
   ObjectData itsBody = objects[ranges[i].object];
   MediumData medium = media[itsBody.table.x];
   Body body = Body(medium.inside, medium.boundary.x, itsBody.tree.x, itsBody.tree.y,
-                   cluster.along.w, 1e-4 * cluster.normal.w);
+                   cluster.along.w, rayStartOf(cluster));
   Entry entry = entries[beam * clusterCount + i];
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   bool everywhere = beam == frame.counts.x;
@@ -210,5 +211,5 @@ void main() {
     }
   }
   if (mirrors != 0u) mirrored[i] = goesOn;
-  strengths[i] = vec4(power, float(pointCount[0]) + 64.0 * float(pointCount[1]));
+  strengths[i] = vec4(power, packPointCounts(pointCount[0], pointCount[1]));
 }

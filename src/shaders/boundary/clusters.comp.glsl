@@ -98,7 +98,7 @@ Entry entryOf(uint first, uint end, Cluster cluster, MediumData medium, uint lig
     least = dot(offset, offset);
     start = middleOf(shape);
   }
-  return Entry(vec4(sum / max(cluster.centroidArea.w, 1e-30), 0.0), vec4(place, 0.0),
+  return Entry(vec4(sum / cluster.centroidArea.w, 0.0), vec4(place, 0.0),
                vec4(unitOr(normal, cluster.normal.xyz), 0.0), vec4(start, 0.0));
 }
 

@@ -3,6 +3,7 @@
 // BINDING_EXITANCES and BINDING_MEANS.
 #ifndef OPALINE_LIB_CARRY
 #define OPALINE_LIB_CARRY
+#include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
 
@@ -10,9 +11,6 @@ layout(std430, set = 0, binding = BINDING_CLUSTERS) readonly buffer Clusters { C
 layout(set = 0, binding = BINDING_CLUSTER_NODES) uniform samplerBuffer clusterNodes;
 layout(std430, set = 0, binding = BINDING_EXITANCES) readonly buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = BINDING_MEANS) readonly buffer Means { vec4 means[]; };
-
-const float pi = 3.14159265358979;
-const uint noNode = 0xffffffffu;
 
 // Of clusters that face away from a place; above 0, so that every place has some.
 const float leastFacing = 1e-4;
