@@ -93,6 +93,8 @@ struct ClusterNode {
                 // distance, mm²; z: no cluster is felt further from it by the interpolation, mm;
                 // w: a, mm²
   vec4 vectorArea;  // mm²; w: the object's index
+  vec4 moment;  // Σ A δ with the offset δ from the centroid, mm³; xx yy zz xy, see lib/moment.glsl
+  vec4 momentRest;  // xz yz
 };
 
 /// Fluence φ over what is below a node, for each channel: Σ φ (A + a δ / 2AD), with the offset δ
@@ -136,7 +138,7 @@ static_assert(sizeof(Entry) == 64);
 static_assert(sizeof(BeamPoint) == 48);
 static_assert(sizeof(Meeting) == 8);
 static_assert(sizeof(Mirrored) == 32);
-static_assert(sizeof(ClusterNode) == 48);
+static_assert(sizeof(ClusterNode) == 80);
 static_assert(sizeof(DensityNode) == 48);
 static_assert(sizeof(BeamNode) == 64);
 static_assert(sizeof(SolverState) == 1600);
