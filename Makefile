@@ -56,6 +56,7 @@ test: build check
 bench: build
 	$(BUILD)/bin/opaline_frame_bench
 	$(BUILD)/bin/opaline_motion_bench
+	$(BUILD)/bin/opaline_soft_body_bench
 
 bench-gpu: build
 	$(PYTHON) tools/bench_gpu.py $(BUILD)/bin build --device "$(DEVICE)"

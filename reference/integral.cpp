@@ -26,8 +26,10 @@ double areaOf(const Body& body) {
 
 /// The borders of shadows are followed down to a size that makes their share of the error about the
 /// tolerance: with patches of h across a border, B beside it is off by about h/30 mean free paths.
-PatchOptions patchOptions(double diagonalMm, double depthMm, double tolerance) {
+PatchOptions patchOptions(double diagonalMm, double depthMm, const IntegralOptions& integral) {
+  const double tolerance = integral.tolerance;
   PatchOptions options;
+  options.stop = integral.stop;
   options.tolerance = 0.25 * tolerance;
   options.largestMm = std::max(depthMm, diagonalMm / 100);
   options.smallestMm =
@@ -216,9 +218,9 @@ Integral::Integral(const Geometry& geometry, const Irradiance& irradiance,
                                         Kernel(profiles[2])};
     const double depth =
         std::min({kernels[0].depthMm(), kernels[1].depthMm(), kernels[2].depthMm()});
-    SourceTree tree(
-        makeBoundedPatches(geometry, irradiance, body,
-                           patchOptions(geometry.box().diagonalMm(), depth, options.tolerance)));
+    SourceTree tree(makeBoundedPatches(geometry, irradiance, body,
+                                       patchOptions(geometry.box().diagonalMm(), depth, options)),
+                    options.stop);
     Colour negligible{};
     const double area = areaOf(scene.bodies[body]);
     for (std::size_t c = 0; c < 3 && !tree.isEmpty() && area > 0; ++c) {

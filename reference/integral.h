@@ -7,6 +7,7 @@
 #include "reference/exitance.h"
 #include "reference/geometry.h"
 #include "reference/irradiance.h"
+#include "reference/run_control.h"
 #include "reference/source_tree.h"
 
 namespace opaline::reference {
@@ -14,13 +15,14 @@ namespace opaline::reference {
 struct IntegralOptions {
   Transport transport = Transport::Dipole;
   double tolerance = 1e-3;  ///< of B, relative, in [1e-7, 0.5]
+  std::stop_token stop;     ///< ends what takes long in making an Integral
 };
 
 /// The exact surface integral B(x_o) = ∫ E(x_i) R_d(|x_i - x_o|) dA over the body that x_o is on
 /// (Jensen et al. 2001, Eq. 4; d'Eon 2012).
 class Integral {
  public:
-  /// Finds E all over the surface. Throws UsageError for options out of range.
+  /// Finds E all over the surface. Throws UsageError for options out of range, and Stopped.
   Integral(const Geometry& geometry, const Irradiance& irradiance, const IntegralOptions& options);
 
   /// B at a point of the surface. May be called from several threads at once. The error is a bound

@@ -311,6 +311,7 @@ std::optional<Patches> makePatches(const Geometry& geometry, const Irradiance& i
   tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t block) {
     const std::size_t last = std::min((block + 1) * blockSize, triangles);
     for (std::size_t i = block * blockSize; i < last && count <= options.most; ++i) {
+      throwIfStopped(options.stop);
       const std::size_t before = blocks[block].size();
       Divider(geometry, irradiance, options, body, static_cast<std::uint32_t>(i))
           .divide(blocks[block]);

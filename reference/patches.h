@@ -8,6 +8,7 @@
 
 #include "reference/irradiance.h"
 #include "reference/moments.h"
+#include "reference/run_control.h"
 
 namespace opaline::reference {
 
@@ -65,10 +66,12 @@ struct PatchOptions {
   double largestMm = 0;     ///< edge above which samples could miss a shadow
   double smallestMm = 0;    ///< edge below which a border of shadow is not followed any further
   std::size_t most = std::numeric_limits<std::size_t>::max();  ///< patches
+  std::stop_token stop;
 };
 
 /// Divides a body's surface into patches, in the order of its triangles, whatever the number of
-/// threads. Patches without light are left out. Nothing when there would be too many.
+/// threads. Patches without light are left out. Nothing when there would be too many. Throws
+/// Stopped.
 std::optional<Patches> makePatches(const Geometry& geometry, const Irradiance& irradiance,
                                    std::uint32_t body, const PatchOptions& options);
 

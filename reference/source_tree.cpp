@@ -33,7 +33,8 @@ std::uint32_t* halve(std::uint32_t* begin, std::uint32_t* end,
 
 }  // namespace
 
-SourceTree::SourceTree(Patches patches) : patches_(std::move(patches.patches)) {
+SourceTree::SourceTree(Patches patches, std::stop_token stop)
+    : patches_(std::move(patches.patches)), stop_(std::move(stop)) {
   if (patches_.empty()) return;
   std::vector<std::uint32_t> order(patches_.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -44,6 +45,7 @@ SourceTree::SourceTree(Patches patches) : patches_(std::move(patches.patches)) {
 
 void SourceTree::build(std::uint32_t node, std::uint32_t* begin, std::uint32_t* end,
                        const std::vector<Moments>& moments) {
+  throwIfStopped(stop_);
   if (end - begin == 1) {
     nodes_[node] = {moments[*begin], *begin, 0};
     return;

@@ -5,13 +5,15 @@
 
 #include "reference/moments.h"
 #include "reference/patches.h"
+#include "reference/run_control.h"
 
 namespace opaline::reference {
 
 /// A hierarchy over the patches of one body: four children a node, of about as many patches each.
 class SourceTree {
  public:
-  explicit SourceTree(Patches patches);
+  /// Throws Stopped.
+  explicit SourceTree(Patches patches, std::stop_token stop = {});
 
   struct Node {
     Moments moments;
@@ -30,6 +32,7 @@ class SourceTree {
 
   std::vector<Patch> patches_;
   std::vector<Node> nodes_;
+  std::stop_token stop_;
 };
 
 }  // namespace opaline::reference

@@ -14,7 +14,7 @@ glibc='^(linux-vdso|ld-linux-x86-64|libc|libm|libdl|libpthread|librt|libresolv)\
 fallback='^(libstdc\+\+|libgcc_s|libz)\.so'
 # Libraries of headers only, compiled into the program.
 compiled_in=(libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libtinygltf-dev libtinyobjloader-dev
-  libstb-dev libeigen3-dev libglm-dev libfmt-dev)
+  libstb-dev libeigen3-dev libglm-dev libfmt-dev libimgui-dev)
 
 if ! command -v dpkg-query >/dev/null; then
   echo "package.sh: licences are collected from Debian's packages; run this on Debian or Ubuntu" >&2

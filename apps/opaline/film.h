@@ -25,13 +25,12 @@ struct FilmOrder {
   std::function<void(Renderer& renderer, int frame)> place;
 };
 
-/// EXR as it is, or PNG after the tone curve.
-void writePicture(const std::filesystem::path& file, const Image& image,
-                  const core::ToneOptions& tone);
-
 /// Throws Error now, before hours of work, when the output could not be written or ffmpeg is not
 /// there.
 void requireFilmWritable(const std::filesystem::path& output, const FrameRange& frames);
+
+/// Whether the file of that frame need not be made.
+bool isThere(const FilmOrder& order, int frame);
 
 /// All files the order is about.
 std::vector<std::string> outputsOf(const FilmOrder& order);

@@ -24,6 +24,7 @@ struct Command {
 
 constexpr std::array commands{
     Command{"render", "a still as PNG or EXR, or a film; needs no window", runRender},
+    Command{"view", "a window on a scene: light, medium, motion, method by hand", runView},
     Command{"compare", "error figures between two images, and a heat map", runCompare},
     Command{"reference", "the same still on the CPU, exactly: what render is judged by",
             runReference},

@@ -13,6 +13,7 @@
 #include "opaline/error.h"
 #include "paths.h"
 #include "progress.h"
+#include "truth.h"
 #include "values.h"
 
 namespace opaline::app {
@@ -22,8 +23,6 @@ namespace {
 namespace rf = opaline::reference;
 using Clock = std::chrono::steady_clock;
 
-/// Where no limit is given.
-constexpr double defaultError = 0.02;
 constexpr double secondsBetweenCheckpoints = 30;
 /// A closed mesh loses particles only where rounding lets one through an edge: some in a million.
 constexpr double mostLost = 1e-3;
@@ -32,19 +31,6 @@ constexpr std::size_t longestCheckpointBytes = std::size_t{4} << 30U;
 constexpr std::array orders{std::pair{"unscattered", rf::Order::Unscattered},
                             std::pair{"single", rf::Order::Single},
                             std::pair{"multiple", rf::Order::Multiple}};
-
-/// How much of the way to the nearest limit is done, in [0, 1].
-double shareDone(const rf::PathLimits& limits, std::uint64_t particles, double seconds,
-                 double error) {
-  double share = 0;
-  if (limits.particles)
-    share =
-        std::max(share, static_cast<double>(particles) / static_cast<double>(*limits.particles));
-  if (limits.seconds) share = std::max(share, seconds / *limits.seconds);
-  // Errors fall with the root of the work.
-  if (limits.error) share = std::max(share, (*limits.error / error) * (*limits.error / error));
-  return std::min(share, 1.0);
-}
 
 }  // namespace
 
@@ -102,12 +88,6 @@ void PathMethod::check(const std::filesystem::path& output,
   }
 }
 
-rf::PathLimits PathMethod::limits() const {
-  rf::PathLimits limits = limits_;
-  if (!limits.particles && !limits.seconds && !limits.error) limits.error = defaultError;
-  return limits;
-}
-
 void PathMethod::resume(rf::PathTracer& tracer) const {
   std::error_code ignored;
   if (!checkpoint_ || !std::filesystem::exists(*checkpoint_, ignored)) return;
@@ -121,7 +101,7 @@ void PathMethod::resume(rf::PathTracer& tracer) const {
 
 double PathMethod::run(rf::PathTracer& tracer, const rf::BlockError& error, bool quiet) const {
   constexpr std::size_t steps = 1000;
-  const rf::PathLimits ends = limits();
+  const rf::PathLimits ends = orUsual(limits_);
   Progress progress(steps, quiet, "step");
   const auto before =
       static_cast<std::size_t>(steps * shareDone(ends, tracer.particles(), 0, error()));
@@ -175,10 +155,7 @@ rf::Picture PathMethod::make(const rf::Geometry& geometry, const rf::Irradiance&
                     "--path finds holds for closed bodies only",
                     100 * lost));
   }
-  const rf::LeavingLight light{
-      [&](const rf::SurfacePoint& point) { return tracer.exitance(point); },
-      rf::exitFactors(geometry.scene(), Transport::BetterDipole)};
-  return rf::makePicture(geometry, irradiance, light, picture);
+  return pathTruth(tracer, geometry, irradiance, picture);
 }
 
 }  // namespace opaline::app

@@ -36,7 +36,6 @@ class PathMethod {
                           const LogCallback& log, Json& report) const;
 
  private:
-  reference::PathLimits limits() const;
   void resume(reference::PathTracer& tracer) const;
   double run(reference::PathTracer& tracer, const reference::BlockError& error, bool quiet) const;
 

@@ -91,6 +91,8 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
   setFromName(options.transport, settings.transport, transports());
   setFromName(options.sum, settings.sum, sums());
   setFromName(options.site, settings.site, sites());
+  setFrom(options.tolerance, settings.tolerance);
+  setFrom(options.maxSources, settings.maxSources);
   setFrom(options.bounces, settings.bounces);
   setFrom(options.boundarySurfels, settings.boundarySurfels);
   setFrom(options.pattern.nearRings, settings.nearRings);
@@ -102,6 +104,46 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
   setFrom(options.roughness, settings.roughness);
   setFrom(options.antialias, settings.antialias);
   return options;
+}
+
+scene::SceneFileSettings settingsOf(const RenderOptions& options, const core::ToneOptions& tone,
+                                    const Scene& scene) {
+  scene::SceneFileSettings settings;
+  settings.width = options.width;
+  settings.height = options.height;
+  settings.transport = nameOf(options.transport, transports());
+  settings.sum = nameOf(options.sum, sums());
+  settings.site = nameOf(options.site, sites());
+  settings.tolerance = options.tolerance;
+  settings.maxSources = options.maxSources;
+  settings.bounces = options.bounces;
+  settings.boundarySurfels = options.boundarySurfels;
+  settings.nearRings = options.pattern.nearRings;
+  settings.nearSpacing = options.pattern.nearSpacing;
+  settings.farDistance = options.pattern.farDistance;
+  settings.dsmSize = options.dsmSize;
+  settings.shadowSize = options.shadowSize;
+  settings.specular = options.specular;
+  settings.roughness = options.roughness;
+  settings.antialias = options.antialias;
+  settings.exposureStops = tone.exposureStops;
+  settings.tone = nameOf(tone.curve, toneCurves());
+  settings.background = tone.background;
+  settings.seconds = options.seconds;
+  if (options.clip < 0) {
+    settings.clip = "none";
+  } else if (const auto clip = static_cast<std::size_t>(options.clip); clip < scene.clips.size()) {
+    settings.clip = scene.clips[clip].name;
+  }
+  return settings;
+}
+
+core::ToneOptions toneOf(const scene::SceneFileSettings& settings) {
+  core::ToneOptions tone;
+  setFrom(tone.exposureStops, settings.exposureStops);
+  setFromName(tone.curve, settings.tone, toneCurves());
+  tone.background = settings.background;
+  return tone;
 }
 
 void MethodOptions::addTo(CommandLine& line) {
@@ -196,22 +238,8 @@ void MethodOptions::requireUse(const RenderOptions& options, Aov aov) const {
       "dsm-* make");
 }
 
-void PictureOptions::addTo(CommandLine& line, const Kinds& kinds) {
+void LookOptions::addTo(CommandLine& line) {
   const RenderOptions defaults;
-  line.value("-o,--output", "FILE",
-             kinds.films ? ".png, .exr (linear), frame_%04d.png, film.mp4" : ".png, .exr (linear)",
-             [this, films = kinds.films](const Given& given) {
-               file_ = films ? readOutput(given, {".png", ".exr", ".mp4"})
-                             : readOutput(given, {".png", ".exr"});
-             });
-  line.value("--size", "WxH",
-             fmt::format("pixels, each 1 to 16384 [{}x{}]", defaults.width, defaults.height),
-             [this](const Given& given) { size_ = readSize(given, 16384); });
-  line.value(
-      "--aov", "NAME",
-      fmt::format("write instead, EXR: radiance exitance irradiance position normal depth object{}",
-                  kinds.sourceMap ? " evaluations dsm-*" : ""),
-      [this](const Given& given) { aov_ = readChoice(given, aovs()); });
   line.value("--antialias", "N",
              fmt::format("samples a pixel: 1, 2, 4 or 8 [{}; AOVs 1]", defaults.antialias),
              [this](const Given& given) {
@@ -234,30 +262,61 @@ void PictureOptions::addTo(CommandLine& line, const Kinds& kinds) {
              });
 }
 
+void LookOptions::applyTo(RenderOptions& options) const {
+  if (noSpecular_ && roughness_) {
+    throw UsageError("--roughness and --no-specular exclude each other");
+  }
+  setFrom(options.antialias, antialias_);
+  options.specular = options.specular && !noSpecular_;
+  setFrom(options.roughness, roughness_);
+}
+
+core::ToneOptions LookOptions::tone(const scene::SceneFileSettings& settings) const {
+  core::ToneOptions options = toneOf(settings);
+  setFrom(options.exposureStops, exposureStops_);
+  setFrom(options.curve, curve_);
+  if (background_) options.background = background_;
+  return options;
+}
+
+void PictureOptions::addTo(CommandLine& line, const Kinds& kinds) {
+  const RenderOptions defaults;
+  line.value("-o,--output", "FILE",
+             kinds.films ? ".png, .exr (linear), frame_%04d.png, film.mp4" : ".png, .exr (linear)",
+             [this, films = kinds.films](const Given& given) {
+               file_ = films ? readOutput(given, {".png", ".exr", ".mp4"})
+                             : readOutput(given, {".png", ".exr"});
+             });
+  line.value("--size", "WxH",
+             fmt::format("pixels, each 1 to 16384 [{}x{}]", defaults.width, defaults.height),
+             [this](const Given& given) { size_ = readSize(given, 16384); });
+  line.value(
+      "--aov", "NAME",
+      fmt::format("write instead, EXR: radiance exitance irradiance position normal depth object{}",
+                  kinds.sourceMap ? " evaluations dsm-*" : ""),
+      [this](const Given& given) { aov_ = readChoice(given, aovs()); });
+  look_.addTo(line);
+}
+
 void PictureOptions::applyTo(RenderOptions& options) const {
   const bool picture = aov() == Aov::Radiance;
   if (aov_ && !isExr()) {
     throw UsageError("--aov writes figures, not colours: the name after -o must end in .exr");
   }
-  if (isExr() && (exposureStops_ || curve_ || background_)) {
+  if (isExr() && look_.asksForTone()) {
     throw UsageError(
         "--exposure, --tone and --background belong to PNG pictures and films; an EXR file keeps "
         "linear radiance");
   }
-  if (!picture && antialias_ && *antialias_ != 1) {
+  if (!picture && look_.antialias().value_or(1) != 1) {
     throw UsageError("--antialias belongs to radiance; other AOVs are sampled once a pixel");
-  }
-  if (noSpecular_ && roughness_) {
-    throw UsageError("--roughness and --no-specular exclude each other");
   }
   if (size_) {
     options.width = (*size_)[0];
     options.height = (*size_)[1];
   }
-  setFrom(options.antialias, antialias_);
+  look_.applyTo(options);
   if (!picture) options.antialias = 1;
-  options.specular = options.specular && !noSpecular_;
-  setFrom(options.roughness, roughness_);
 }
 
 void PictureOptions::requireNameOfStill() const {
@@ -296,16 +355,6 @@ void PictureOptions::requireNameFor(bool frames, bool resume) const {
 
 std::filesystem::path PictureOptions::file(const std::string& sceneName, bool frames) const {
   return file_.value_or(sceneName + (frames ? "_%04d" : "") + (isExr() ? ".exr" : ".png"));
-}
-
-core::ToneOptions PictureOptions::tone(const scene::SceneFileSettings& settings) const {
-  core::ToneOptions options;
-  setFrom(options.exposureStops, settings.exposureStops);
-  setFromName(options.curve, settings.tone, toneCurves());
-  setFrom(options.exposureStops, exposureStops_);
-  setFrom(options.curve, curve_);
-  options.background = background_;
-  return options;
 }
 
 }  // namespace opaline::app

@@ -21,6 +21,14 @@ const Choices<core::ToneCurve>& toneCurves();
 /// The [render] table of a scene file over the defaults.
 RenderOptions optionsOf(const scene::SceneFileSettings& settings);
 
+/// The [render] table of a file that shows what is on the screen: everything, whether or not it is
+/// the default, but the device.
+scene::SceneFileSettings settingsOf(const RenderOptions& options, const core::ToneOptions& tone,
+                                    const Scene& scene);
+
+/// How a scene file wants its pictures shown.
+core::ToneOptions toneOf(const scene::SceneFileSettings& settings);
+
 /// --transport, --sum, --site, --method and what shapes each of them.
 class MethodOptions {
  public:
@@ -47,6 +55,29 @@ class MethodOptions {
   std::optional<int> shadowSize_;
 };
 
+/// How a picture looks: --antialias, --no-specular, --roughness, --exposure, --tone, --background.
+class LookOptions {
+ public:
+  void addTo(CommandLine& line);
+  /// Throws UsageError for a mixture that contradicts itself.
+  void applyTo(RenderOptions& options) const;
+  std::optional<int> antialias() const { return antialias_; }
+  /// Whether a value was given that only matters to the reflection on the surface.
+  bool asksForReflection() const { return roughness_.has_value(); }
+  /// Whether a value was given that only matters to colours of eight bits.
+  bool asksForTone() const { return exposureStops_ || curve_ || background_; }
+  /// What was asked for, else what the scene file says.
+  core::ToneOptions tone(const scene::SceneFileSettings& settings) const;
+
+ private:
+  std::optional<int> antialias_;
+  bool noSpecular_ = false;
+  std::optional<float> roughness_;
+  std::optional<float> exposureStops_;
+  std::optional<core::ToneCurve> curve_;
+  std::optional<Rgb> background_;
+};
+
 /// What is written and how it looks.
 class PictureOptions {
  public:
@@ -63,7 +94,7 @@ class PictureOptions {
   /// False for what lies in the diffusion source map.
   bool seenByCamera() const { return aov() < Aov::DsmPosition; }
   /// Whether a value was given that only matters to the reflection on the surface.
-  bool asksForReflection() const { return roughness_.has_value(); }
+  bool asksForReflection() const { return look_.asksForReflection(); }
   bool isExr() const;
   /// Throws UsageError unless -o suits a film, or a still.
   void requireNameFor(bool frames, bool resume) const;
@@ -73,16 +104,13 @@ class PictureOptions {
   std::filesystem::path file(const std::string& sceneName, bool frames) const;
   bool hasFile() const { return file_.has_value(); }
   /// What was asked for, else what the scene file says.
-  core::ToneOptions tone(const scene::SceneFileSettings& settings) const;
+  core::ToneOptions tone(const scene::SceneFileSettings& settings) const {
+    return look_.tone(settings);
+  }
 
  private:
   std::optional<std::array<int, 2>> size_;
-  std::optional<int> antialias_;
-  bool noSpecular_ = false;
-  std::optional<float> roughness_;
-  std::optional<float> exposureStops_;
-  std::optional<core::ToneCurve> curve_;
-  std::optional<Rgb> background_;
+  LookOptions look_;
   std::optional<Aov> aov_;
   std::optional<std::filesystem::path> file_;
 };

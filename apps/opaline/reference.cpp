@@ -11,7 +11,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "core/file.h"
-#include "film.h"
+#include "film_output.h"
 #include "json.h"
 #include "motion_options.h"
 #include "opaline/error.h"
@@ -25,6 +25,7 @@
 #include "reference_scene.h"
 #include "scene_options.h"
 #include "sequence_frames.h"
+#include "truth.h"
 #include "values.h"
 
 namespace opaline::app {
@@ -127,8 +128,7 @@ struct ReferenceCommand {
 
   RenderOptions options(const scene::SceneFileSettings& settings) const {
     RenderOptions options = optionsOf(settings);
-    // There is an integral of half-spaces alone.
-    if (options.transport == Transport::Boundary) options.transport = Transport::Dipole;
+    options.transport = transportOfIntegral(options.transport);
     if (transport) options.transport = *transport;
     picture.applyTo(options);
     return options;
@@ -157,16 +157,14 @@ struct Job {
 };
 
 /// Positions of a still of a row of files.
-std::optional<std::vector<Vec3>> positionsOf(const std::optional<MeshSequence>& sequence,
-                                             double seconds) {
-  if (!sequence) return std::nullopt;
-  std::vector<Vec3> positionsMm;
-  sequence->read(numberAt(*sequence, seconds), positionsMm);
+GivenPositions positionsOf(const std::optional<MeshSequence>& sequence, double seconds) {
+  GivenPositions positionsMm;
+  if (sequence) sequence->read(numberAt(*sequence, seconds), positionsMm[0]);
   return positionsMm;
 }
 
 Job prepare(const ReferenceCommand& command, std::filesystem::path output, const LogCallback& log) {
-  auto [scene, settings, sequence] = command.scene.load(log);
+  auto [scene, settings, sequence, source] = command.scene.load(log);
   RenderOptions options = command.options(settings);
   rf::requireSound(command.pictureOptions(options));
   command.lights.applyTo(scene);
@@ -196,24 +194,17 @@ struct Made {
 Made makeIntegral(const ReferenceCommand& command, const Job& job) {
   const rf::Geometry geometry(job.scene);
   const rf::Irradiance irradiance(geometry);
-  std::optional<rf::Integral> integral;
-  if (rf::showsExitance(command.picture.aov())) {
-    integral.emplace(geometry, irradiance,
-                     rf::IntegralOptions{job.options.transport, command.toleranceOf()});
-  }
-  const rf::LeavingLight light{[&](const rf::SurfacePoint& point) { return integral->at(point); },
-                               rf::exitFactors(job.scene, job.options.transport)};
   std::optional<Progress> progress;
-  rf::Picture picture =
-      rf::makePicture(geometry, irradiance, light, command.pictureOptions(job.options),
-                      [&](std::size_t done, std::size_t total) {
-                        if (!progress) progress.emplace(total, command.quiet, "pixel");
-                        progress->show(done, 0);
-                      });
-  return {std::move(picture),
+  IntegralTruth truth =
+      integralTruth(geometry, irradiance, {job.options.transport, command.toleranceOf()},
+                    command.pictureOptions(job.options), [&](std::size_t done, std::size_t total) {
+                      if (!progress) progress.emplace(total, command.quiet, "pixel");
+                      progress->show(done, 0);
+                    });
+  return {std::move(truth.picture),
           {{"transport", nameOf(job.options.transport, transports())},
            {"tolerance", command.toleranceOf()},
-           {"patches", integral ? integral->patchCount() : 0}}};
+           {"patches", truth.patches}}};
 }
 
 Made makePath(const ReferenceCommand& command, const Job& job, const LogCallback& log) {

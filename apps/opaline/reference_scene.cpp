@@ -1,8 +1,11 @@
 #include "reference_scene.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "deform/deformed_mesh.h"
+#include "opaline/error.h"
 #include "scene/normals.h"
 
 namespace opaline::app {
@@ -10,15 +13,16 @@ namespace opaline::app {
 namespace {
 
 deform::DeformedMesh meshAt(const Scene& scene, std::size_t object, const deform::Pose& pose,
-                            double seconds, const std::optional<std::vector<Vec3>>& positionsMm) {
+                            double seconds, const GivenPositions& positionsMm) {
   const Bounds box = boundsOf(scene);
-  if (!positionsMm || object != 0) {
+  const auto given = positionsMm.find(object);
+  if (given == positionsMm.end()) {
     return deform::deformedMesh(scene, object, pose, box, seconds);
   }
   Scene moved;
   moved.objects.push_back(scene.objects[object]);
   moved.objects[0].rig.reset();
-  moved.objects[0].mesh.positionsMm = *positionsMm;
+  moved.objects[0].mesh.positionsMm = given->second;
   moved.deformers = scene.deformers;
   deform::DeformedMesh mesh = deform::deformedMesh(moved, 0, pose, box, seconds);
   const Mesh& rest = scene.objects[object].mesh;
@@ -29,7 +33,14 @@ deform::DeformedMesh meshAt(const Scene& scene, std::size_t object, const deform
 }  // namespace
 
 reference::Scene referenceScene(const Scene& scene, int clip, double seconds,
-                                const std::optional<std::vector<Vec3>>& positionsMm) {
+                                const GivenPositions& positionsMm) {
+  for (const auto& [object, positions] : positionsMm) {
+    if (object >= scene.objects.size() ||
+        positions.size() != scene.objects[object].mesh.positionsMm.size()) {
+      throw UsageError(
+          fmt::format("the {} positions given do not fit object {}", positions.size(), object));
+    }
+  }
   deform::Pose pose = deform::makePose(scene);
   deform::poseAt(scene, clip, seconds, pose);
   reference::Scene result;

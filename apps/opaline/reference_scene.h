@@ -1,6 +1,7 @@
 #pragma once
 
-#include <optional>
+#include <cstddef>
+#include <map>
 #include <vector>
 
 #include "opaline/scene.h"
@@ -8,9 +9,12 @@
 
 namespace opaline::app {
 
-/// The scene as it is at that time of a clip (-1: none). `positionsMm`, one per vertex of the first
-/// object, stand for where its mesh or rig puts them; the scene's deformers still apply.
+/// By object: one position for each of its vertices, instead of where its mesh or rig puts them.
+using GivenPositions = std::map<std::size_t, std::vector<Vec3>>;
+
+/// The scene as it is at that time of a clip (-1: none). The scene's deformers apply to given
+/// positions too. Throws UsageError unless they fit their object.
 reference::Scene referenceScene(const Scene& scene, int clip, double seconds,
-                                const std::optional<std::vector<Vec3>>& positionsMm = {});
+                                const GivenPositions& positionsMm = {});
 
 }  // namespace opaline::app

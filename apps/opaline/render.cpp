@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "core/file.h"
 #include "film.h"
+#include "film_output.h"
 #include "json.h"
 #include "motion_options.h"
 #include "opaline/error.h"
@@ -103,7 +104,7 @@ struct Job {
 };
 
 Job prepare(const RenderCommand& command, std::filesystem::path output, const LogCallback& log) {
-  auto [scene, settings, sequence] = command.scene.load(log);
+  auto [scene, settings, sequence, source] = command.scene.load(log);
   RenderOptions options = command.options(settings);
   command.lights.applyTo(scene);
   command.camera.applyTo(scene);

@@ -131,14 +131,20 @@ LoadedScene SceneOptions::load(const LogCallback& log) const {
   options.medium = medium_.medium();
   options.morphTo = morphTo_;
   options.log = log;
-  if (!file_) return {builtIn_ == "teapot" ? builtInTeapot(options) : builtInBear(options), {}, {}};
+  if (!file_) {
+    const bool teapot = builtIn_ == "teapot";
+    return {teapot ? builtInTeapot(options) : builtInBear(options),
+            {},
+            {},
+            scene::sourceOf(teapot ? "builtin:teapot" : "builtin:bear", options)};
+  }
   if (MeshSequence::isPattern(*file_)) {
     MeshSequence sequence(*file_, options);
     Scene first = sequence.scene();
-    return {std::move(first), {}, std::move(sequence)};
+    return {std::move(first), {}, std::move(sequence), scene::sourceOf(*file_, options)};
   }
-  auto [scene, settings] = scene::loadSceneFile(*file_, options);
-  return {std::move(scene), std::move(settings), {}};
+  auto [scene, settings, source] = scene::loadSceneFile(*file_, options);
+  return {std::move(scene), std::move(settings), {}, std::move(source)};
 }
 
 void LightOptions::addTo(CommandLine& line) {
@@ -185,6 +191,15 @@ void LightOptions::applyTo(Scene& scene) const {
   lighting.ambient = ambient_;
   if (environment_) lighting.environment = core::readHdrImage(*environment_);
   scene.lighting = std::move(lighting);
+}
+
+void LightOptions::applyTo(LoadedScene& loaded) const {
+  if (!any_) return;
+  applyTo(loaded.scene);
+  loaded.source.environment.reset();
+  if (environment_) {
+    loaded.source.environment = scene::EnvironmentFile{std::filesystem::absolute(*environment_)};
+  }
 }
 
 void CameraOptions::addTo(CommandLine& line) {

@@ -20,12 +20,16 @@ struct LoadedScene {
   scene::SceneFileSettings settings;
   /// Where SCENE stands for numbered files; `scene` is the first of them.
   std::optional<MeshSequence> sequence;
+  scene::SceneSource source;
 };
 
 /// SCENE or --builtin, its size and its medium.
 class SceneOptions {
  public:
   void addTo(CommandLine& line);
+  /// Another file instead, of which everything else is as it says.
+  void setFile(const std::filesystem::path& file) { *this = {}, file_ = file; }
+  void setDiagonalMm(float diagonalMm) { diagonalMm_ = diagonalMm; }
   /// Whether any of them was given.
   bool any() const;
   /// The file's name without folder and extension, or that of the built-in scene.
@@ -48,6 +52,7 @@ class LightOptions {
   bool any() const { return any_; }
   /// As soon as one was given, only what was given shines.
   void applyTo(Scene& scene) const;
+  void applyTo(LoadedScene& loaded) const;
 
  private:
   bool any_ = false;

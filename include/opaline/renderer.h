@@ -82,7 +82,11 @@ struct RenderOptions {
   int antialias = 4;        ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
   int frames = 1;           ///< how often render() renders the picture, for timing; ≥ 1
   double seconds = 0;       ///< time of clip and deformers, ≥ 0
-  int clip = 0;  ///< which of the scene's clips plays; -1: none, nodes as the file has them
+  int clip = 0;         ///< which of the scene's clips plays; -1: none, nodes as the file has them
+  bool patient = true;  ///< wait until the surface is divided anew for media that changed; else
+                        ///< go on with how it was while that is done by another thread
+  bool reuseLight = false;  ///< where nothing but the camera changed since a frame of this size and
+                            ///< method, take its light: the same picture, sooner
 };
 
 /// GPU time of one pass.
@@ -134,17 +138,29 @@ struct Frame {
   double milliseconds = 0;    ///< GPU time
   std::vector<PassTime> passes;
   std::vector<Solution> solutions;  ///< of Transport::Boundary, one and one a bounce
+  bool provisional = false;         ///< the surface was still divided for other media: see
+                                    ///< RenderOptions::patient
 };
 
 // For callers who work with the renderer's Vulkan device; see opaline/vulkan.h.
+struct DeviceImage;
 struct DevicePositions;
 struct VulkanDevice;
+
+class SoftBody;
+namespace gpu {
+class Device;
+}
 
 /// Which device to use.
 struct RendererOptions {
   std::string device;       ///< index or part of a name; empty: the best there is
   bool validation = false;  ///< run Vulkan's validation layer; its messages go to the log
   LogCallback log;
+  /// Vulkan extensions that the caller works with beside the renderer, for example those of
+  /// windows.
+  std::vector<std::string> instanceExtensions;
+  std::vector<std::string> deviceExtensions;
 };
 
 /// All Vulkan devices of this machine, in the order of their index; empty when there is none.
@@ -175,12 +191,25 @@ class Renderer {
   /// options but seconds and clip changed, it allocates nothing.
   void submit(const RenderOptions& options, const std::vector<Aov>& aovs = {Aov::Radiance});
 
+  /// submit() for callers who show the picture: its radiance stays on the device, where it can be
+  /// sampled as soon as the call returns by what is submitted after. `aovs` come back by collect().
+  DeviceImage submitOnDevice(const RenderOptions& options, const std::vector<Aov>& aovs = {});
+
   /// Waits for the oldest frame that was submitted and not collected. Throws UsageError when there
   /// is none.
   void collect(Frame& frame);
 
   /// What there is to say of the frames collected since the last setScene().
   RenderReport report() const;
+
+  /// Edits of the scene that was set, from the next submitted frame on. Only what a change concerns
+  /// is made again: nothing for a camera, for deformers and for a light that moves or changes its
+  /// power, tables for ambient light, the division into surfels for a medium, and never the mesh or
+  /// its atlas. Throw Error or UsageError for what setScene() would refuse.
+  void setCamera(const Camera& camera);
+  void setLighting(const Lighting& lighting);
+  void setMedium(std::size_t object, const Medium& medium);
+  void setDeformers(const std::vector<Deformer>& deformers);
 
   /// From the next submitted frame on the object's vertices lie where the caller says instead of
   /// where its mesh or rig puts them; normals follow; the scene's deformers still apply. The values
@@ -201,6 +230,11 @@ class Renderer {
   std::size_t validationMessages() const;
 
  private:
+  friend class SoftBody;
+  gpu::Device& device();
+  std::uint64_t sceneNumber() const;  // how often one was set
+  std::size_t vertexCount(std::size_t object) const;
+
   class Implementation;
   std::unique_ptr<Implementation> implementation_;
 };

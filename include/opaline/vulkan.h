@@ -26,6 +26,19 @@ struct DevicePositions {
   VkBuffer buffer = VK_NULL_HANDLE;
   VkDeviceSize offsetBytes = 0;    ///< multiple of 4
   std::uint32_t strideBytes = 12;  ///< from one position to the next, multiple of 4, at least 12
+  bool live = true;                ///< may change at any time; false: only before another call of
+                     ///< Renderer::replacePositions, so that RenderOptions::reuseLight still works
+};
+
+/// Radiance times coverage in RGB, coverage in alpha, linear, top row first; to be sampled by
+/// shaders on the renderer's queue. The next frame waits for shaders that read it, and overwrites
+/// it; it lives until the renderer makes a frame of another size or method, or another scene.
+struct DeviceImage {
+  VkImage image = VK_NULL_HANDLE;
+  VkImageView view = VK_NULL_HANDLE;
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  VkExtent2D extent{};
 };
 
 }  // namespace opaline

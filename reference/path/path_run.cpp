@@ -1,8 +1,12 @@
 #include "reference/path/path_run.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace opaline::reference {
 
@@ -11,34 +15,46 @@ namespace {
 constexpr int blockEdge = 8;
 constexpr double pixelsOfBlock = blockEdge * blockEdge;
 constexpr std::uint64_t firstBatch = 4096;
-constexpr double secondsOfBatch = 2;
 
 }  // namespace
 
-BlockError::BlockError(const PathTracer& tracer, const Geometry& geometry, const CameraRays& rays,
-                       int width, int height)
-    : tracer_(tracer) {
-  for (int top = 0; top < height; top += blockEdge) {
-    for (int left = 0; left < width; left += blockEdge) {
-      std::vector<Share> shares;
-      for (int y = top; y < std::min(top + blockEdge, height); ++y) {
-        for (int x = left; x < std::min(left + blockEdge, width); ++x) {
-          const Ray ray = rays.through(x, y);
-          const auto hit = geometry.closestHit(ray.origin, ray.direction);
-          if (!hit) continue;
-          const std::size_t cell = tracer.cells().at(hit->point);
-          const auto known = std::find_if(shares.begin(), shares.end(),
-                                          [&](const Share& share) { return share.cell == cell; });
-          if (known == shares.end()) {
-            shares.push_back({cell, 1});
-          } else {
-            known->pixels += 1;
-          }
-        }
+BlockError::Block BlockError::blockAt(int left, int top, int right, int bottom,
+                                      const PathTracer& tracer, const Geometry& geometry,
+                                      const CameraRays& rays) {
+  Block shares;
+  for (int y = top; y < bottom; ++y) {
+    for (int x = left; x < right; ++x) {
+      const Ray ray = rays.through(x, y);
+      const auto hit = geometry.closestHit(ray.origin, ray.direction);
+      if (!hit) continue;
+      const std::size_t cell = tracer.cells().at(hit->point);
+      const auto known = std::find_if(shares.begin(), shares.end(),
+                                      [&](const Share& share) { return share.cell == cell; });
+      if (known == shares.end()) {
+        shares.push_back({cell, 1});
+      } else {
+        known->pixels += 1;
       }
-      if (!shares.empty()) blocks_.push_back(std::move(shares));
     }
   }
+  return shares;
+}
+
+BlockError::BlockError(const PathTracer& tracer, const Geometry& geometry, const CameraRays& rays,
+                       int width, int height, const std::stop_token& stop)
+    : tracer_(tracer) {
+  std::vector<std::vector<Block>> rows(
+      static_cast<std::size_t>((height + blockEdge - 1) / blockEdge));
+  tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t row) {
+    throwIfStopped(stop);
+    const int top = static_cast<int>(row) * blockEdge;
+    for (int left = 0; left < width; left += blockEdge) {
+      Block block = blockAt(left, top, std::min(left + blockEdge, width),
+                            std::min(top + blockEdge, height), tracer, geometry, rays);
+      if (!block.empty()) rows[row].push_back(std::move(block));
+    }
+  });
+  for (std::vector<Block>& row : rows) std::ranges::move(row, std::back_inserter(blocks_));
 }
 
 double BlockError::operator()() const {
@@ -78,8 +94,8 @@ double runPaths(PathTracer& tracer, const BlockError& error, const PathLimits& l
     const auto begin = Clock::now();
     tracer.run(std::min(batch, left));
     const double took = since(begin);
-    if (took < secondsOfBatch / 2) batch *= 2;
-    if (took > secondsOfBatch && batch > firstBatch) batch /= 2;
+    if (took < limits.secondsOfBatch / 2) batch *= 2;
+    if (took > limits.secondsOfBatch && batch > firstBatch) batch /= 2;
     reached = error();
     if (progress) progress(tracer.particles(), since(start), reached);
   }

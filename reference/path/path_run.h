@@ -8,6 +8,7 @@
 
 #include "reference/camera_rays.h"
 #include "reference/path/path_tracer.h"
+#include "reference/run_control.h"
 
 namespace opaline::reference {
 
@@ -17,14 +18,16 @@ struct PathLimits {
   std::optional<std::uint64_t> particles;  ///< of each channel
   std::optional<double> seconds;
   std::optional<double> error;  ///< of BlockError
+  double secondsOfBatch = 2;    ///< that batches grow to
 };
 
 /// Standard error of a picture of exitance: rms over its blocks of 8×8 pixels, relative to the mean
 /// block on the object, all channels together.
 class BlockError {
  public:
+  /// Throws Stopped.
   BlockError(const PathTracer& tracer, const Geometry& geometry, const CameraRays& rays, int width,
-             int height);
+             int height, const std::stop_token& stop = {});
 
   double operator()() const;
 
@@ -33,8 +36,13 @@ class BlockError {
     std::size_t cell = 0;
     double pixels = 0;
   };
+  using Block = std::vector<Share>;
+
+  static Block blockAt(int left, int top, int right, int bottom, const PathTracer& tracer,
+                       const Geometry& geometry, const CameraRays& rays);
+
   const PathTracer& tracer_;
-  std::vector<std::vector<Share>> blocks_;  ///< that show some of the object
+  std::vector<Block> blocks_;  ///< that show some of the object
 };
 
 /// Called after every batch.

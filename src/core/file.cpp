@@ -189,19 +189,43 @@ void requireWritable(const fs::path& target) {
   const TemporaryFile probe(checkedTarget(target));
 }
 
+struct WholeFile::State {
+  explicit State(const fs::path& wanted)
+      : target(wanted), real(checkedTarget(wanted)), file(real) {}
+
+  fs::path target;  ///< as it was given, for messages
+  fs::path real;
+  TemporaryFile file;
+};
+
+WholeFile::WholeFile(const fs::path& target) : state_(std::make_unique<State>(target)) {}
+
+WholeFile::~WholeFile() = default;
+
+const fs::path& WholeFile::temporary() const {
+  return state_->file.path();
+}
+
+void WholeFile::keep() {
+  std::error_code error;
+  if (!fs::is_regular_file(temporary(), error)) fail("nothing was written");
+  state_->file.renameTo(state_->real);
+}
+
+void WholeFile::fail(std::string_view reason) const {
+  failToWrite(state_->target, reason);
+}
+
 void writeWhole(const fs::path& target, const std::function<void(const fs::path&)>& write) {
-  const fs::path real = checkedTarget(target);
-  TemporaryFile temporary(real);
+  WholeFile file(target);
   try {
-    write(temporary.path());
+    write(file.temporary());
   } catch (const Error&) {
     throw;
   } catch (const std::exception& failure) {
-    failToWrite(target, failure.what());
+    file.fail(failure.what());
   }
-  std::error_code error;
-  if (!fs::is_regular_file(temporary.path(), error)) failToWrite(target, "nothing was written");
-  temporary.renameTo(real);
+  file.keep();
 }
 
 void writeWhole(const fs::path& target, std::string_view contents) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,27 @@ void writeWhole(const std::filesystem::path& target,
 
 /// The same for text or bytes that stand ready.
 void writeWhole(const std::filesystem::path& target, std::string_view contents);
+
+/// A file that takes its time: it is written under another name beside the target, and takes its
+/// place when it is kept. Otherwise nothing is left behind, and what stood there before stays.
+class WholeFile {
+ public:
+  /// Throws Error, naming the target, where it cannot be written.
+  explicit WholeFile(const std::filesystem::path& target);
+  ~WholeFile();
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+
+  const std::filesystem::path& temporary() const;
+  /// Throws Error, naming the target.
+  void keep();
+  /// Throws the Error that it could not be written.
+  [[noreturn]] void fail(std::string_view reason) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// Throws Error now, before hours of work, when `target` could not be written: its folder does not
 /// exist, it is a folder, or there is no permission.

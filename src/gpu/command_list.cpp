@@ -90,7 +90,9 @@ void CommandList::begin() {
 
 void CommandList::submit() {
   assert(recording_ && !inPass_ && !rendering_);
-  check(vkEndCommandBuffer(commands_), fmt::format("record \"{}\"", name_));
+  // Its name only where it fails: frames allocate nothing.
+  const VkResult recorded = vkEndCommandBuffer(commands_);
+  if (recorded < 0) check(recorded, fmt::format("record \"{}\"", name_));
   recording_ = false;
   check(vkResetFences(device_.handle(), 1, &fence_), "reset a fence");
   VkCommandBufferSubmitInfo commands{};

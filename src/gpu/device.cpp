@@ -62,7 +62,8 @@ std::vector<DeviceInfo> Device::list() {
 }
 
 Device::Device(const DeviceOptions& options)
-    : instance_(std::make_unique<Instance>(options.validation, options.log)) {
+    : instance_(
+          std::make_unique<Instance>(options.validation, options.log, options.instanceExtensions)) {
   const std::vector<VkPhysicalDevice> devices = instance_->physicalDevices();
   const std::vector<DeviceInfo> infos = describeAll(devices);
   const std::size_t chosen = choose(infos, options.selector);
@@ -84,13 +85,13 @@ Device::Device(const DeviceOptions& options)
   largestAllocationBytes_ = maintenance.maxMemoryAllocationSize;
   vkGetPhysicalDeviceMemoryProperties(physical_, &memoryProperties_);
 
-  createDevice();
+  createDevice(options.deviceExtensions);
   loadFunctions();
   vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
   setName(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<std::uint64_t>(queue_), "queue");
 }
 
-void Device::createDevice() {
+void Device::createDevice(const std::vector<std::string>& wanted) {
   Features features;
   features.base.features.imageCubeArray = VK_TRUE;
   features.base.features.independentBlend = VK_TRUE;
@@ -107,14 +108,15 @@ void Device::createDevice() {
   queue.queueFamilyIndex = queueFamily_;
   queue.queueCount = 1;
   queue.pQueuePriorities = &priority;
-  const char* const extension = VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME;
+  std::vector<const char*> extensions{VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+  for (const std::string& name : wanted) extensions.push_back(name.c_str());
   VkDeviceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
   info.pNext = &features.base;
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
-  info.enabledExtensionCount = 1;
-  info.ppEnabledExtensionNames = &extension;
+  info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
   check(vkCreateDevice(physical_, &info, nullptr, &device_),
         fmt::format("open the device {}", info_.name));
 }

@@ -31,6 +31,8 @@ struct DeviceOptions {
   std::string selector;     ///< index or part of a name (any case); empty: the best there is
   bool validation = false;  ///< load the validation layer, messages go to `log`
   LogCallback log;
+  std::vector<std::string> instanceExtensions;  ///< beside those that Opaline needs itself
+  std::vector<std::string> deviceExtensions;    ///< the same of the device
 };
 
 /// One Vulkan 1.3 device with one queue that does graphics, compute and transfer. Counts the memory
@@ -80,7 +82,7 @@ class Device {
   PFN_vkCmdPushDescriptorSetKHR pushDescriptorSet() const { return pushDescriptorSet_; }
 
  private:
-  void createDevice();
+  void createDevice(const std::vector<std::string>& wanted);
   void loadFunctions();
 
   std::unique_ptr<Instance> instance_;

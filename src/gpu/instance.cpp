@@ -62,8 +62,9 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(Instance* instance) {
 
 }  // namespace
 
-Instance::Instance(bool validation, LogCallback log) : log_(std::move(log)) {
-  create(validation);
+Instance::Instance(bool validation, LogCallback log, const std::vector<std::string>& extensions)
+    : log_(std::move(log)) {
+  create(validation, extensions);
   if (!validation) return;
   const auto createMessenger = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
       vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
@@ -75,7 +76,7 @@ Instance::Instance(bool validation, LogCallback log) : log_(std::move(log)) {
   }
 }
 
-void Instance::create(bool validation) {
+void Instance::create(bool validation, const std::vector<std::string>& wanted) {
   std::uint32_t version = 0;
   check(vkEnumerateInstanceVersion(&version), "say its version");
   if (version < VK_API_VERSION_1_3) {
@@ -95,7 +96,9 @@ void Instance::create(bool validation) {
   application.pEngineName = "Opaline";
   application.apiVersion = VK_API_VERSION_1_3;
 
-  const char* const extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+  std::vector<const char*> extensions;
+  if (debugUtils_) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+  for (const std::string& name : wanted) extensions.push_back(name.c_str());
   const VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(this);
   VkInstanceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
@@ -103,8 +106,8 @@ void Instance::create(bool validation) {
   info.pApplicationInfo = &application;
   info.enabledLayerCount = validation ? 1 : 0;
   info.ppEnabledLayerNames = &validationLayer;
-  info.enabledExtensionCount = debugUtils_ ? 1 : 0;
-  info.ppEnabledExtensionNames = &extension;
+  info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
   const VkResult result = vkCreateInstance(&info, nullptr, &instance_);
   if (result == VK_ERROR_INCOMPATIBLE_DRIVER) throw Error(noDeviceMessage);
   check(result, "start");

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "opaline/log.h"
@@ -13,8 +14,10 @@ namespace opaline::gpu {
 /// The connection to the Vulkan loader, with the validation layer where asked for.
 class Instance {
  public:
-  /// Throws Error when there is no driver, or no validation layer although it was asked for.
-  explicit Instance(bool validation = false, LogCallback log = {});
+  /// With these extensions beside its own. Throws Error when there is no driver, or no validation
+  /// layer or extension although it was asked for.
+  explicit Instance(bool validation = false, LogCallback log = {},
+                    const std::vector<std::string>& extensions = {});
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
@@ -29,7 +32,7 @@ class Instance {
   void report(VkDebugUtilsMessageSeverityFlagBitsEXT severity, const char* message);
 
  private:
-  void create(bool validation);
+  void create(bool validation, const std::vector<std::string>& wanted);
 
   LogCallback log_;
   VkInstance instance_ = VK_NULL_HANDLE;

@@ -144,7 +144,7 @@ struct Clusters {
   gpu::Buffer nodes;                         ///< shared::ClusterNode
   gpu::Buffer entries;                       ///< shared::Entry a cluster for each light, then
                                              ///< for what comes from everywhere
-  std::uint32_t lights = 0;
+  std::uint32_t lights = 0;                  ///< of the frame
   gpu::Buffer meetings;            ///< shared::Meeting, of the rays outwards of each cluster
   std::uint32_t raysOutwards = 0;  ///< of each cluster
   Beams fromLight;                 ///< of one light after the other

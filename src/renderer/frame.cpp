@@ -46,8 +46,11 @@ struct FrameContext {
   passes::DeformedMesh& mesh;
   FrameResources& resources;
 
-  void deform(SceneMotion& motion, const FrameUpload& upload) const {
+  void deform(SceneMotion& motion) const {
     motion.record(commands, passes.deform, plan.clip, plan.seconds, mesh);
+  }
+
+  void fit(const FrameUpload& upload) const {
     passes.fit.record(commands, upload.buffer, upload.offset, mesh, resources.view);
   }
 
@@ -211,10 +214,13 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   assert(plan.site != Site::Auto || plan.sum != Sum::Pattern);
   assert(plan.map || plan.sum != Sum::Pattern);
   const FrameContext context{commands, passes, plan, scene.mesh, resources};
-  context.deform(motion, upload);
-  context.gather(scene.surfels);
-  if (plan.transport == Transport::Boundary) context.solveBoundary(scene);
-  context.scatterAtVertices(scene);
+  if (plan.light) context.deform(motion);
+  context.fit(upload);
+  if (plan.light) {
+    context.gather(scene.surfels);
+    if (plan.transport == Transport::Boundary) context.solveBoundary(scene);
+    context.scatterAtVertices(scene);
+  }
 
   if (plan.samples > 0) {
     const VkExtent2D extent = resources.radiance.extent();
@@ -228,6 +234,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
     }
   }
   if (plan.centre) context.seeSurface({0, 0}, scene);
+  if (plan.shown) commands.use(resources.radiance, gpu::Access::Sampled);
 }
 
 }  // namespace opaline

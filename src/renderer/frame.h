@@ -16,13 +16,13 @@
 #include "passes/gather/fit_pass.h"
 #include "passes/gather/shadow_pass.h"
 #include "passes/gather/surfel_pass.h"
-#include "passes/products.h"
 #include "passes/scatter/nearby_pass.h"
 #include "passes/scatter/pattern_pass.h"
 #include "passes/scatter/surface_pass.h"
 #include "passes/scatter/surfel_sum_pass.h"
 #include "passes/shade/environment_pass.h"
 #include "passes/shade/shade_pass.h"
+#include "renderer/frame_resources.h"
 #include "renderer/scene_motion.h"
 #include "renderer/scene_resources.h"
 
@@ -50,18 +50,6 @@ struct Passes {
   passes::ShadePass shade;
 };
 
-/// What the passes of a frame read and write; depends on scene and options, not on the frame.
-struct FrameResources {
-  passes::SceneTables tables;
-  passes::FrameView view;
-  passes::ShadowMaps shadows;
-  passes::DiffusionSources sources;  ///< where the plan asks for the map
-  passes::VisibleSurface surface;
-  passes::Exitance exitance;
-  gpu::GpuImage environmentCube;
-  gpu::GpuImage radiance;
-};
-
 /// What a frame is to do.
 struct FramePlan {
   Transport transport = Transport::Dipole;
@@ -77,6 +65,8 @@ struct FramePlan {
   float roughness = 0.25F;
   int clip = 0;
   double seconds = 0;
+  bool shown = false;  ///< leave the radiance for others to sample
+  bool light = true;   ///< else the resources hold what this frame's light does, from before
 };
 
 /// The image that a frame leaves the exitance of visible pixels in.
@@ -88,8 +78,9 @@ struct FrameUpload {
   std::size_t offset;  ///< of a shared::FrameData, see passes::FitPass
 };
 
-/// Records one frame: the surface where it is at that time, shadows, gathering, then for every
-/// antialiasing sample the visible surface, scattering and shading.
+/// Records one frame: the surface where it is at that time, shadows, gathering, scattering at
+/// vertices, all of which a plan without `light` leaves out, then for every antialiasing sample the
+/// visible surface, scattering at fragments and shading.
 void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
                  const FrameUpload& upload, SceneMotion& motion, SceneResources& scene,
                  FrameResources& resources);

@@ -97,10 +97,17 @@ void GivenPositions::give(gpu::Device& device, std::size_t object, const DeviceP
   given.buffer = gpu::Buffer::borrowed(positions.buffer, bytes);
   given.offset = static_cast<std::uint32_t>(positions.offsetBytes / 4);
   given.stride = positions.strideBytes / 4;
+  given.live = positions.live;
 }
 
 void GivenPositions::restore(std::size_t object) {
   at(object).source = Source::Pose;
+}
+
+bool GivenPositions::readsDevice() const {
+  return std::any_of(objects_.begin(), objects_.end(), [](const Given& given) {
+    return given.source == Source::Device && given.live;
+  });
 }
 
 void GivenPositions::record(gpu::CommandList& commands, const passes::DeformPass& pass,

@@ -29,6 +29,8 @@ class GivenPositions {
   void restore(std::size_t object);
 
   bool isGiven(std::size_t object) const { return objects_[object].source != Source::Pose; }
+  /// Whether any are in a buffer of the device, where they may change from frame to frame.
+  bool readsDevice() const;
 
   /// Copies what is new to where the deform pass reads it.
   void record(gpu::CommandList& commands, const passes::DeformPass& pass, passes::Motion& motion);
@@ -41,6 +43,7 @@ class GivenPositions {
     gpu::Buffer buffer;    // Device: borrowed
     std::uint32_t offset = 0;
     std::uint32_t stride = 3;  // floats
+    bool live = true;
   };
 
   Given& at(std::size_t object);

@@ -12,6 +12,10 @@ constexpr std::uint32_t viewsOfPoint = 6;
 
 }  // namespace
 
+std::uint32_t lightCount(const Lighting& lighting) {
+  return static_cast<std::uint32_t>(lighting.directional.size() + lighting.points.size());
+}
+
 std::uint32_t shadowViewCount(const Lighting& lighting) {
   return static_cast<std::uint32_t>(lighting.directional.size() +
                                     viewsOfPoint * lighting.points.size());

@@ -8,6 +8,8 @@
 namespace opaline {
 
 /// Number of shadow maps that the lights need: 1 for a directional light, 6 for a point light.
+std::uint32_t lightCount(const Lighting& lighting);
+
 std::uint32_t shadowViewCount(const Lighting& lighting);
 
 /// Fills in the frame's lights and which shadow views are theirs; passes::FitPass does the rest.

@@ -14,14 +14,14 @@
 #include "gpu/transfer.h"
 #include "opaline/error.h"
 #include "opaline/vulkan.h"
+#include "renderer/background_divider.h"
 #include "renderer/camera_view.h"
 #include "renderer/frame.h"
 #include "renderer/light_views.h"
-#include "renderer/pattern_layout.h"
+#include "renderer/prepared_frames.h"
 #include "renderer/readback.h"
 #include "renderer/scene_motion.h"
 #include "renderer/scene_resources.h"
-#include "renderer/scene_tables.h"
 #include "renderer/timing.h"
 #include "renderer/validate.h"
 
@@ -48,25 +48,18 @@ bool needsMap(const RenderOptions& options, const std::vector<Aov>& aovs) {
          std::any_of(aovs.begin(), aovs.end(), [](Aov aov) { return showsMap(aov); });
 }
 
-FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs, Site site,
-                   bool skyIsDark, const SceneResources& resources) {
-  // Where nothing has an inside, boundary transport is what it falls back to.
-  const bool halfSpaces = options.transport == Transport::Boundary && !resources.hasInside();
-  return {.transport = halfSpaces ? Transport::BetterDipole : options.transport,
-          .sum = options.sum,
-          .site = site,
-          .tolerance = options.tolerance,
-          .bounces = options.bounces,
-          .skyIsDark = skyIsDark,
-          .map = needsMap(options, aovs),
-          .samples = std::find(aovs.begin(), aovs.end(), Aov::Radiance) != aovs.end()
-                         ? options.antialias
-                         : 0,
-          .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),
-          .specular = options.specular,
-          .roughness = options.roughness,
-          .clip = options.clip,
-          .seconds = options.seconds};
+bool same(const std::optional<Image>& a, const std::optional<Image>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->width == b->width && a->height == b->height && a->rgba == b->rgba;
+}
+
+// Whether light found for one frame is that of another: all but the camera and what is made of it.
+bool holds(const PreparedFrame::Lit& lit, const PreparedFrame::Lit& now) {
+  const RenderOptions& a = lit.options;
+  const RenderOptions& b = now.options;
+  return lit.changes == now.changes && lit.site == now.site && lit.map >= now.map &&
+         a.transport == b.transport && a.sum == b.sum && a.tolerance == b.tolerance &&
+         a.bounces == b.bounces;
 }
 
 // Every pass of a frame: deform, normals, fit, shadow, map, neighbours, surfels, tree; of boundary
@@ -83,6 +76,7 @@ struct FrameSlot {
 
   gpu::CommandList commands;
   Readback readback;
+  bool provisional = false;  // see Frame
 };
 
 }  // namespace
@@ -90,11 +84,16 @@ struct FrameSlot {
 class Renderer::Implementation {
  public:
   explicit Implementation(const RendererOptions& options)
-      : device_({.selector = options.device, .validation = options.validation, .log = options.log}),
+      : device_({.selector = options.device,
+                 .validation = options.validation,
+                 .log = options.log,
+                 .instanceExtensions = options.instanceExtensions,
+                 .deviceExtensions = options.deviceExtensions}),
         log_(options.log),
         passes_(device_),
         slots_{FrameSlot(device_), FrameSlot(device_)},
-        frameData_(device_, "frame data", sizeof(shared::FrameData), framesInFlight, 0) {}
+        frameData_(device_, "frame data", sizeof(shared::FrameData), framesInFlight, 0),
+        prepared_(device_, passes_) {}
 
   // Frames may still be under way.
   ~Implementation() { device_.waitIdle(); }
@@ -104,13 +103,15 @@ class Renderer::Implementation {
   void setScene(const Scene& scene) {
     validate(scene);
     device_.waitIdle();
+    ++sceneNumber_;
     waiting_ = 0;
-    resources_.reset();
+    forgetFrames();
+    divider_.forget();
     motion_.reset();
     uploaded_.reset();
     times_.clear();
     scene_.reset();
-    scene_ = std::make_unique<const Scene>(scene);
+    scene_ = std::make_unique<Scene>(scene);
     try {
       merged_ = scene::mergedMesh(*scene_);
       motion_.emplace(device_, *scene_, merged_);
@@ -132,32 +133,17 @@ class Renderer::Implementation {
   }
 
   void submit(const RenderOptions& options, const std::vector<Aov>& aovs) {
-    validate(options);
-    if (!scene_) throw Error("no scene is set; call setScene first");
-    requireClip(options.clip);
-    if (waiting_ >= framesInFlight)
-      throw UsageError(fmt::format(
-          "{} frames are under way, which is all there may be; collect one first", waiting_));
-    prepare(options, aovs);
-    last_ = options;
-    site_ = chooseSite(options, *uploaded_);
-    const CameraView camera = makeCameraView(
-        scene_->camera, static_cast<float>(options.width) / static_cast<float>(options.height));
-    frameData_.nextFrame();
-    const FrameUpload upload{frameData_.buffer(), frameData_.push(makeFrameData(camera, options))};
+    submit(options, aovs, makePlan(options, aovs));
+  }
 
-    FrameSlot& slot = slots_[next_];
-    slot.readback.prepare(device_, aovs, site_, camera, *resources_);
-    slot.commands.begin();
-    recordFrame(slot.commands, passes_, makePlan(options, aovs, site_, skyIsDark(), *uploaded_),
-                upload, *motion_, *uploaded_, *resources_);
-    slot.readback.record(slot.commands, site_, *resources_);
-    const bool boundary = options.transport == Transport::Boundary && uploaded_->hasInside();
-    slot.readback.recordSolutions(slot.commands, boundary ? options.bounces + 1 : 0,
-                                  uploaded_->solver);
-    slot.commands.submit();
-    next_ = (next_ + 1) % slots_.size();
-    ++waiting_;
+  DeviceImage submitOnDevice(const RenderOptions& options, const std::vector<Aov>& aovs) {
+    FramePlan plan = makePlan(options, aovs);
+    plan.samples = options.antialias;
+    plan.shown = true;
+    submit(options, aovs, plan);
+    const gpu::GpuImage& radiance = current_->resources.radiance;
+    return {radiance.handle(), radiance.view(), radiance.options().format,
+            gpu::scopeOf(gpu::Access::Sampled).layout, radiance.extent()};
   }
 
   void collect(Frame& frame) {
@@ -166,16 +152,50 @@ class Renderer::Implementation {
   }
 
   RenderReport report() const {
-    if (!uploaded_ || !resources_) throw UsageError("there is no report before the first frame");
+    if (!uploaded_ || current_ == nullptr)
+      throw UsageError("there is no report before the first frame");
     return makeReport(times_);
   }
 
   template <typename Positions>
   void replacePositions(std::size_t object, const Positions& positions) {
     motion().given().give(device_, object, positions, motion().tables());
+    ++changes_.pose;
   }
 
-  void restorePositions(std::size_t object) { motion().given().restore(object); }
+  void restorePositions(std::size_t object) {
+    motion().given().restore(object);
+    ++changes_.pose;
+  }
+
+  void setCamera(const Camera& camera) {
+    validate(camera);
+    scene().camera = camera;
+  }
+
+  void setLighting(const Lighting& lighting) {
+    validate(lighting);
+    Lighting& present = scene().lighting;
+    ++changes_.lights;
+    if (lighting.ambient != present.ambient || !same(lighting.environment, present.environment))
+      ++changes_.sky;
+    present = lighting;
+  }
+
+  void setMedium(std::size_t object, const Medium& medium) {
+    validate(medium);
+    if (object >= scene().objects.size())
+      throw UsageError(
+          fmt::format("there is no object {}: the scene has {}", object, scene_->objects.size()));
+    scene().objects[object].medium = medium;
+    ++changes_.media;
+  }
+
+  void setDeformers(const std::vector<Deformer>& deformers) {
+    validate(deformers);
+    scene().deformers = deformers;
+    ++changes_.pose;
+  }
 
   VulkanDevice vulkanDevice() const {
     return {device_.instance(), device_.physical(), device_.handle(), device_.queueFamily(),
@@ -183,6 +203,18 @@ class Renderer::Implementation {
   }
 
   std::size_t validationMessages() const { return device_.validationMessages(); }
+
+  gpu::Device& device() { return device_; }
+
+  std::uint64_t sceneNumber() const { return sceneNumber_; }
+
+  std::size_t vertexCount(std::size_t object) const {
+    if (!scene_) throw Error("no scene is set; call setScene first");
+    if (object >= scene_->objects.size())
+      throw UsageError(
+          fmt::format("there is no object {}: the scene has {}", object, scene_->objects.size()));
+    return scene_->objects[object].mesh.positionsMm.size();
+  }
 
  private:
   void requireClip(int clip) const {
@@ -198,6 +230,7 @@ class Renderer::Implementation {
     slot.commands.wait();
     slot.readback.finish(frame.images);
     slot.readback.finishSolutions(frame.solutions);
+    frame.provisional = slot.provisional;
     solutions_ = frame.solutions;
     const std::vector<gpu::PassTiming>& timings = slot.commands.timings();
     frame.milliseconds = slot.commands.frameMilliseconds();
@@ -209,24 +242,125 @@ class Renderer::Implementation {
     times.add(frame.milliseconds, timings);
   }
 
+  FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs) const {
+    return {.transport = options.transport,
+            .sum = options.sum,
+            .tolerance = options.tolerance,
+            .bounces = options.bounces,
+            .map = needsMap(options, aovs),
+            .samples = std::find(aovs.begin(), aovs.end(), Aov::Radiance) != aovs.end()
+                           ? options.antialias
+                           : 0,
+            .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),
+            .specular = options.specular,
+            .roughness = options.roughness,
+            .clip = options.clip,
+            .seconds = options.seconds};
+  }
+
+  void submit(const RenderOptions& options, const std::vector<Aov>& aovs, FramePlan plan) {
+    validate(options);
+    scene();
+    requireClip(options.clip);
+    if (waiting_ >= framesInFlight)
+      throw UsageError(fmt::format(
+          "{} frames are under way, which is all there may be; collect one first", waiting_));
+    prepare(options, plan.map);
+    last_ = options;
+    site_ = chooseSite(options, *uploaded_);
+    plan.site = site_;
+    plan.skyIsDark = skyIsDark();
+    // Where nothing has an inside, boundary transport is what it falls back to.
+    const bool boundary = plan.transport == Transport::Boundary && uploaded_->hasInside();
+    if (plan.transport == Transport::Boundary && !boundary)
+      plan.transport = Transport::BetterDipole;
+    noteLight(options, plan);
+    const CameraView camera = makeCameraView(
+        scene_->camera, static_cast<float>(options.width) / static_cast<float>(options.height));
+    frameData_.nextFrame();
+    const FrameUpload upload{frameData_.buffer(), frameData_.push(makeFrameData(camera, options))};
+
+    FrameResources& resources = current_->resources;
+    FrameSlot& slot = slots_[next_];
+    slot.readback.prepare(device_, aovs, site_, camera, resources);
+    slot.commands.begin();
+    recordFrame(slot.commands, passes_, plan, upload, *motion_, *uploaded_, resources);
+    slot.readback.record(slot.commands, site_, resources);
+    slot.readback.recordSolutions(slot.commands, boundary ? options.bounces + 1 : 0,
+                                  uploaded_->solver);
+    slot.provisional = provisional();
+    slot.commands.submit();
+    next_ = (next_ + 1) % slots_.size();
+    ++waiting_;
+  }
+
   // Makes what depends on the scene and the options, where it is not there yet. What one sum needs
   // is kept for when it is asked for again.
-  void prepare(const RenderOptions& options, const std::vector<Aov>& aovs) {
+  void prepare(const RenderOptions& options, bool map) {
     SceneNeeds needs = uploaded_ ? uploaded_->needs : SceneNeeds{};
-    if (needsMap(options, aovs)) needs.mapSize = options.dsmSize;
+    if (map) needs.mapSize = options.dsmSize;
     if (options.sum != Sum::Pattern) needs.maxSurfels = options.maxSources;
     if (options.transport == Transport::Boundary) needs.maxClusters = options.boundarySurfels;
-    const bool isUploaded = uploaded_ && uploaded_->needs == needs;
-    if (isUploaded && resources_ && sameTables(prepared_, options)) return;
-    device_.waitIdle();
-    resources_.reset();
-    if (!isUploaded) {
+    if (!uploaded_ || uploaded_->needs != needs) {
+      device_.waitIdle();
+      forgetFrames();
       uploaded_.reset();
-      uploaded_ = makeSceneResources(device_, *scene_, merged_, needs, log_);
+      divider_.forget();
+      uploaded_ = makeSceneResources(device_, scene(), merged_, needs, log_);
+      media_ = changes_.media;
+      noteDivision();
+    } else {
+      followMedia(options.patient);
     }
-    prepared_ = options;
-    if (needs.mapSize) prepared_.dsmSize = *needs.mapSize;  // kept, if no map is asked for now
-    resources_ = makeFrameResources(prepared_);
+    if (uploaded_->needs.maxClusters) uploaded_->clusters.lights = lightCount(scene_->lighting);
+    current_ = &prepared_.of(options, *uploaded_, scene_->lighting, changes_);
+  }
+
+  // Brings the scene on the device in step with its media.
+  void followMedia(bool patient) {
+    if (media_ != changes_.media) {
+      takeMedia(scene(), *uploaded_);
+      noteDivision();
+    }
+    media_ = changes_.media;
+    if (!provisional()) return;
+    divider_.want(wanted_, merged_);
+    const std::optional<Division> division = divider_.take(patient);
+    if (!division || !(division->order == wanted_)) return;
+    device_.waitIdle();
+    takeDivision(device_, *division, *uploaded_);
+    litSurfels_ = nullptr;
+    ++changes_.media;  // tables name where surfels lie
+    media_ = changes_.media;
+  }
+
+  bool provisional() { return uploaded_->needs.maxSurfels && !(uploaded_->divided == wanted_); }
+
+  void noteDivision() {
+    if (uploaded_->needs.maxSurfels) wanted_ = orderFor(device_, scene(), *uploaded_);
+  }
+
+  void forgetFrames() {
+    current_ = nullptr;
+    litSurfels_ = nullptr;
+    prepared_.clear();
+  }
+
+  // Whether the frame's light has to be found, or is there from before.
+  void noteLight(const RenderOptions& options, FramePlan& plan) {
+    if (motion_->given().readsDevice() || options.seconds != pose_.seconds ||
+        options.clip != pose_.clip)
+      ++changes_.pose;
+    pose_ = {options.seconds, options.clip};
+    const PreparedFrame::Lit now{options, changes_, plan.site, plan.map};
+    // Surfels and what boundary transport makes of them belong to the last frame that lit them.
+    const bool ofSurfels = options.sum != Sum::Pattern && plan.site != Site::Vertex;
+    const bool there =
+        !(ofSurfels || plan.transport == Transport::Boundary) || litSurfels_ == current_;
+    plan.light = !(options.reuseLight && there && current_->lit && holds(*current_->lit, now));
+    if (!plan.light) return;
+    current_->lit = now;
+    if (options.sum != Sum::Pattern) litSurfels_ = current_;
   }
 
   bool skyIsDark() const {
@@ -234,47 +368,14 @@ class Renderer::Implementation {
     return !lighting.environment && lighting.ambient == Rgb{0, 0, 0};
   }
 
-  static bool sameTables(const RenderOptions& a, const RenderOptions& b) {
-    return a.width == b.width && a.height == b.height && a.transport == b.transport &&
-           a.pattern.nearRings == b.pattern.nearRings &&
-           a.pattern.nearSpacing == b.pattern.nearSpacing &&
-           a.pattern.farDistance == b.pattern.farDistance && a.shadowSize == b.shadowSize &&
-           a.roughness == b.roughness;
+  Scene& scene() {
+    if (!scene_) throw Error("no scene is set; call setScene first");
+    return *scene_;
   }
 
   SceneMotion& motion() {
-    if (!motion_) throw Error("no scene is set; call setScene first");
+    scene();
     return *motion_;
-  }
-
-  FrameResources makeFrameResources(const RenderOptions& options) {
-    const auto width = static_cast<std::uint32_t>(options.width);
-    const auto height = static_cast<std::uint32_t>(options.height);
-    FrameResources made;
-    made.view = passes::FitPass::makeView(device_);
-    made.view.shadowViews = shadowViewCount(scene_->lighting);
-    std::optional<PatternLayout> pattern;
-    if (uploaded_->needs.mapSize) {
-      pattern = layOutPattern(*uploaded_, options);
-      made.sources =
-          passes_.map.prepare(device_, uploaded_->mesh,
-                              static_cast<std::uint32_t>(*uploaded_->needs.mapSize), pattern->maps);
-    } else {
-      made.sources.charts =
-          gpu::makeBuffer(device_, "no charts", {}, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    }
-    made.tables = makeSceneTables(device_, *uploaded_, pattern, scene_->lighting, options);
-    made.shadows = passes::ShadowPass::makeMaps(
-        device_, static_cast<std::uint32_t>(options.shadowSize), made.view.shadowViews);
-    made.surface = passes::SurfacePass::makeSurface(device_, width, height);
-    made.exitance =
-        passes::SurfacePass::makeExitance(device_, width, height, uploaded_->mesh.vertexCount);
-    made.radiance = passes::ShadePass::makeRadiance(device_, width, height);
-    const std::optional<Image>& environment = scene_->lighting.environment;
-    made.environmentCube =
-        environment ? passes_.environment.makeCube(device_, *environment, options.roughness)
-                    : passes::EnvironmentPass::makeBlack(device_);
-    return made;
   }
 
   shared::FrameData makeFrameData(const CameraView& camera, const RenderOptions& options) const {
@@ -296,7 +397,7 @@ class Renderer::Implementation {
             .site = site_,
             .triangles = uploaded_->triangles,
             .vertices = uploaded_->mesh.vertexCount,
-            .sources = last_.sum == Sum::Pattern ? resources_->sources.sourceCount
+            .sources = last_.sum == Sum::Pattern ? current_->resources.sources.sourceCount
                                                  : uploaded_->surfels.count,
             .boundarySurfels = last_.transport == Transport::Boundary && uploaded_->hasInside()
                                    ? uploaded_->clusters.count
@@ -314,13 +415,23 @@ class Renderer::Implementation {
   std::size_t next_ = 0;     // slot of the next frame
   std::size_t waiting_ = 0;  // frames submitted and not collected
   gpu::UploadRing frameData_;
-  std::unique_ptr<const Scene> scene_;
+  std::uint64_t sceneNumber_ = 0;
+  std::unique_ptr<Scene> scene_;
+  SceneChanges changes_;
   scene::MergedMesh merged_;
   std::optional<SceneMotion> motion_;
   std::optional<SceneResources> uploaded_;
-  std::optional<FrameResources> resources_;
-  RenderOptions prepared_;  // what resources_ were made for
-  RenderOptions last_;      // of the frame submitted last
+  std::uint64_t media_ = 0;  // changes_.media that uploaded_ is of
+  DivisionOrder wanted_;     // for these media
+  BackgroundDivider divider_;
+  PreparedFrames prepared_;
+  PreparedFrame* current_ = nullptr;           // of the frame submitted last
+  const PreparedFrame* litSurfels_ = nullptr;  // whose light the surfels hold
+  struct {
+    double seconds = -1;
+    int clip = 0;
+  } pose_;              // of the frame submitted last
+  RenderOptions last_;  // of the frame submitted last
   Site site_ = Site::Fragment;
   FrameTimes times_;
   std::vector<Solution> solutions_;  // of the frame collected last
@@ -350,8 +461,28 @@ void Renderer::submit(const RenderOptions& options, const std::vector<Aov>& aovs
   implementation_->submit(options, aovs);
 }
 
+DeviceImage Renderer::submitOnDevice(const RenderOptions& options, const std::vector<Aov>& aovs) {
+  return implementation_->submitOnDevice(options, aovs);
+}
+
 void Renderer::collect(Frame& frame) {
   implementation_->collect(frame);
+}
+
+void Renderer::setCamera(const Camera& camera) {
+  implementation_->setCamera(camera);
+}
+
+void Renderer::setLighting(const Lighting& lighting) {
+  implementation_->setLighting(lighting);
+}
+
+void Renderer::setMedium(std::size_t object, const Medium& medium) {
+  implementation_->setMedium(object, medium);
+}
+
+void Renderer::setDeformers(const std::vector<Deformer>& deformers) {
+  implementation_->setDeformers(deformers);
 }
 
 RenderReport Renderer::report() const {
@@ -376,6 +507,18 @@ VulkanDevice Renderer::vulkanDevice() const {
 
 std::size_t Renderer::validationMessages() const {
   return implementation_->validationMessages();
+}
+
+gpu::Device& Renderer::device() {
+  return implementation_->device();
+}
+
+std::uint64_t Renderer::sceneNumber() const {
+  return implementation_->sceneNumber();
+}
+
+std::size_t Renderer::vertexCount(std::size_t object) const {
+  return implementation_->vertexCount(object);
 }
 
 std::vector<DeviceDescription> listDevices() {

@@ -73,8 +73,7 @@ SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const scene::M
   frame_.counts = {static_cast<std::uint32_t>(merged.positionsMm.size()), 0,
                    motion_.hasDeltas ? 1 : 0, motion_.hasInfluences ? 1 : 0};
   frame_.middle = {middle, 0};
-  if (!(high.y > low.y)) return;  // nothing to twist or bend
-  frame_.counts.y = static_cast<std::uint32_t>(scene.deformers.size());
+  hasHeight_ = high.y > low.y;
   for (shared::DeformerData& data : frame_.deformers) {
     data.box = {middle.x, low.y, middle.z, high.y - low.y};
     data.amount = {0, 0, glm::length(high - low), 0};
@@ -82,6 +81,7 @@ SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const scene::M
 }
 
 void SceneMotion::fillFrame(double seconds) {
+  frame_.counts.y = hasHeight_ ? static_cast<std::uint32_t>(scene_.deformers.size()) : 0;
   for (std::uint32_t i = 0; i < frame_.counts.y; ++i) {
     shared::DeformerData& data = frame_.deformers[i];
     const Deformer& deformer = scene_.deformers[i];

@@ -16,7 +16,8 @@
 namespace opaline {
 
 /// How a scene on the device moves: evaluates the pose of its nodes for every frame, which is all
-/// the host does of it, and has the device do the rest. The scene outlives it.
+/// the host does of it, and has the device do the rest. The scene outlives it; its deformers may
+/// change.
 class SceneMotion {
  public:
   SceneMotion(gpu::Device& device, const Scene& scene, const scene::MergedMesh& merged);
@@ -40,6 +41,7 @@ class SceneMotion {
   deform::Pose pose_;
   std::vector<scene::Matrix4> joints_;  // of one object
   std::vector<bool> restMirrors_;       // by object
+  bool hasHeight_ = false;              // else there is nothing to twist or bend
   // What goes to the device for a frame.
   shared::DeformFrame frame_{};
   std::vector<float> weights_;

@@ -10,7 +10,6 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "bssrdf/profile.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "passes/boundary/cluster_pass.h"
@@ -20,7 +19,6 @@
 #include "scene/insides.h"
 #include "shaders/shared/mesh.h"
 #include "shaders/shared/surfels.h"
-#include "surfels/clusters.h"
 #include "surfels/surfels.h"
 
 namespace opaline {
@@ -89,11 +87,18 @@ bool same(const Medium& a, const Medium& b) {
 }
 
 void listMedia(const Scene& scene, SceneResources& resources) {
+  resources.media.clear();
+  resources.mediumOfObject.clear();
   for (const Object& object : scene.objects) {
     auto found = std::find_if(resources.media.begin(), resources.media.end(),
                               [&](const Medium& medium) { return same(medium, object.medium); });
     if (found == resources.media.end()) found = resources.media.insert(found, object.medium);
     resources.mediumOfObject.push_back(static_cast<std::uint32_t>(found - resources.media.begin()));
+  }
+}
+
+void measure(const Scene& scene, SceneResources& resources) {
+  for (const Object& object : scene.objects) {
     resources.meanEdgeOfObjectMm.push_back(meanEdgeMm(object.mesh));
     resources.areaOfObjectMm2.push_back(areaMm2(object.mesh));
   }
@@ -122,26 +127,22 @@ void makeMesh(gpu::Device& device, SceneResources& resources) {
   mesh.indexCount = static_cast<std::uint32_t>(3 * triangles.size());
 }
 
-// Size of surfels in mean free paths, with some room for surfaces that stretch.
-constexpr double sizeInFreePaths = 0.65;
-
 // Spacing of sources in mean free paths from which on sums over them want what NearbyPass adds. A
 // lattice of that spacing is off by about 2 e^{-2π / this}.
 constexpr double coarseInFreePaths = 0.8;
 
-SurfelsOfObject surfelsOf(const surfels::Surfels& made, const SceneResources& resources,
-                          std::size_t object) {
-  const std::uint32_t first = made.firstOfObject[object];
-  const std::uint32_t count = made.firstOfObject[object + 1] - first;
-  const double sources = std::max(1.0, static_cast<double>(shared::sourcesPerSurfel) * count);
-  const double spacingMm = std::sqrt(resources.areaOfObjectMm2[object] / sources);
-  const Medium& medium = resources.media[resources.mediumOfObject[object]];
-  return {.first = first,
-          .count = count,
-          .root = made.tree.rootOfObject[object],
-          .endNode = made.tree.rootOfObject[object + 1],
-          .sourceSpacingMm = spacingMm,
-          .coarse = spacingMm > coarseInFreePaths * shortestMeanFreePathMm(medium)};
+// Where a medium's light is summed over surfels of another's size, they may be coarse.
+void noteSpacing(SceneResources& resources) {
+  resources.surfels.coarse = false;
+  for (std::size_t i = 0; i < resources.objects; ++i) {
+    SurfelsOfObject& object = resources.surfelsOfObject[i];
+    const double sources =
+        std::max(1.0, static_cast<double>(shared::sourcesPerSurfel) * object.count);
+    object.sourceSpacingMm = std::sqrt(resources.areaOfObjectMm2[i] / sources);
+    const Medium& medium = resources.media[resources.mediumOfObject[i]];
+    object.coarse = object.sourceSpacingMm > coarseInFreePaths * shortestMeanFreePathMm(medium);
+    resources.surfels.coarse = resources.surfels.coarse || object.coarse;
+  }
 }
 
 // As many surfels as asked for, or as many as the device reads the sources of from one buffer.
@@ -152,75 +153,36 @@ std::size_t budgetOf(const gpu::Device& device, int maxSurfels) {
   return std::min(static_cast<std::size_t>(maxSurfels), range / bytes);
 }
 
-// Largest edge of clusters, in mean free paths of the channel where they are longest: on larger
-// ones light that enters lies too near the surface for them.
-constexpr double clusterInFreePaths = 4;
-
-double longestMeanFreePathMm(const Medium& medium) {
-  double longest = 0;
-  for (int channel = 0; channel < 3; ++channel)
-    longest = std::max(longest, bssrdf::coefficients(medium, channel).meanFreePathMm);
-  return longest;
-}
-
-void cluster(gpu::Device& device, const Scene& scene, const surfels::Surface& surface,
-             const surfels::Surfels& surfels, SceneResources& resources, const LogCallback& log) {
-  std::vector<double> largestMm;
-  for (const Object& object : scene.objects)
-    largestMm.push_back(clusterInFreePaths * longestMeanFreePathMm(object.medium));
-  const surfels::Clusters made = surfels::makeClusters(
-      surface, surfels, largestMm, static_cast<std::size_t>(*resources.needs.maxClusters));
-  std::vector<bool> triangleHasInside;
-  for (std::size_t i = 0; i < resources.objects; ++i) {
-    SurfelsOfObject& object = resources.surfelsOfObject[i];
-    object.clusterRoot = made.tree.rootOfObject[i];
-    object.clusterEndNode = made.tree.rootOfObject[i + 1];
-    const Object& given = scene.objects[i];
+void findInsides(const Scene& scene, SceneResources& resources, const LogCallback& log) {
+  for (const Object& object : scene.objects) {
     const std::vector<bool> inside =
-        scene::trianglesWithInside(given.mesh.positionsMm, given.mesh.triangles);
-    triangleHasInside.insert(triangleHasInside.end(), inside.begin(), inside.end());
-    object.hasInside = std::find(inside.begin(), inside.end(), true) != inside.end();
+        scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
+    resources.triangleHasInside.insert(resources.triangleHasInside.end(), inside.begin(),
+                                       inside.end());
+    const bool any = std::find(inside.begin(), inside.end(), true) != inside.end();
     const bool open = std::find(inside.begin(), inside.end(), false) != inside.end();
+    resources.objectHasInside.push_back(any);
     if (open && log)
       log(LogLevel::Note,
           fmt::format("{} '{}' is open and has no inside for boundary transport: light scatters "
                       "there as in a half-space, by better-dipole",
-                      object.hasInside ? "a part of object" : "object", given.name));
+                      any ? "a part of object" : "object", object.name));
   }
-  const std::size_t lights = scene.lighting.directional.size() + scene.lighting.points.size();
-  resources.clusters = passes::ClusterPass::makeClusters(
-      device, made, surface, surfels, triangleHasInside, static_cast<std::uint32_t>(lights));
-  resources.rays = passes::RayPass::makeHierarchy(device, resources.surfels);
-  resources.solver = passes::SolverPass::makeSolver(device, resources.clusters, maxBounces + 1);
 }
 
-void divide(gpu::Device& device, const Scene& scene, SceneResources& resources,
-            const LogCallback& log) {
-  const scene::MergedMesh& merged = *resources.merged;
-  const surfels::Surface surface{merged.positionsMm, merged.triangles, merged.objectOfTriangle};
-  std::vector<double> wantedMm;
-  for (const Object& object : scene.objects)
-    wantedMm.push_back(sizeInFreePaths * shortestMeanFreePathMm(object.medium));
-  const std::size_t budget = budgetOf(device, *resources.needs.maxSurfels);
-  const surfels::Surfels made = surfels::makeSurfels(surface, wantedMm, budget);
-  double coarsest = 1;
+void takeClusters(gpu::Device& device, const surfels::Surface& surface, const Division& division,
+                  SceneResources& resources) {
+  const surfels::Clusters& made = *division.clusters;
   for (std::size_t i = 0; i < resources.objects; ++i) {
-    resources.surfelsOfObject.push_back(surfelsOf(made, resources, i));
-    coarsest = std::max(coarsest, made.spacingOfObjectMm[i] / wantedMm[i]);
+    SurfelsOfObject& object = resources.surfelsOfObject[i];
+    object.clusterRoot = made.tree.rootOfObject[i];
+    object.clusterEndNode = made.tree.rootOfObject[i + 1];
+    object.hasInside = resources.objectHasInside[i];
   }
-  resources.surfels = passes::SurfelPass::makeSurfels(device, made, surface);
-  resources.surfels.coarse =
-      std::any_of(resources.surfelsOfObject.begin(), resources.surfelsOfObject.end(),
-                  [](const SurfelsOfObject& surfels) { return surfels.coarse; });
-  if (resources.needs.maxClusters) cluster(device, scene, surface, made, resources, log);
-  if (coarsest <= 1 || !log) return;
-  const bool asked = budget == static_cast<std::size_t>(*resources.needs.maxSurfels);
-  log(LogLevel::Note,
-      fmt::format(
-          "the budget of {} surfels leaves them {:.1f} times as large as the medium asks "
-          "for; {}",
-          budget, coarsest,
-          asked ? "raise --max-sources for more accuracy" : "this device has no room for more"));
+  resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, division.surfels,
+                                                         resources.triangleHasInside);
+  resources.rays = passes::RayPass::makeHierarchy(device, resources.surfels);
+  resources.solver = passes::SolverPass::makeSolver(device, resources.clusters, maxBounces + 1);
 }
 
 }  // namespace
@@ -241,13 +203,6 @@ bool SceneResources::hasInside() const {
                      [](const SurfelsOfObject& object) { return object.hasInside; });
 }
 
-double shortestMeanFreePathMm(const Medium& medium) {
-  double shortest = bssrdf::coefficients(medium, 0).meanFreePathMm;
-  for (int channel = 1; channel < 3; ++channel)
-    shortest = std::min(shortest, bssrdf::coefficients(medium, channel).meanFreePathMm);
-  return shortest;
-}
-
 SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
                                   const scene::MergedMesh& merged, const SceneNeeds& needs,
                                   const LogCallback& log) {
@@ -257,10 +212,50 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   resources.objects = static_cast<std::uint32_t>(scene.objects.size());
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
   listMedia(scene, resources);
+  measure(scene, resources);
   if (needs.mapSize) resources.atlas = atlas::makeAtlas(surfaceOf(merged), {*needs.mapSize});
   makeMesh(device, resources);
-  if (needs.maxSurfels) divide(device, scene, resources, log);
+  if (needs.maxClusters) findInsides(scene, resources, log);
+  if (needs.maxSurfels) {
+    const Division division = divide(merged, orderFor(device, scene, resources));
+    noteCoarseness(division,
+                   division.order.maxSurfels == static_cast<std::size_t>(*needs.maxSurfels), log);
+    takeDivision(device, division, resources);
+  }
   return resources;
+}
+
+void takeMedia(const Scene& scene, SceneResources& resources) {
+  listMedia(scene, resources);
+  if (resources.needs.maxSurfels) noteSpacing(resources);
+}
+
+DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
+                       const SceneResources& resources) {
+  return divisionFor(scene, budgetOf(device, *resources.needs.maxSurfels),
+                     resources.needs.maxClusters);
+}
+
+void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources) {
+  const scene::MergedMesh& merged = *resources.merged;
+  const surfels::Surface surface{merged.positionsMm, merged.triangles, merged.objectOfTriangle};
+  resources.divided = division.order;
+  resources.surfels = {};  // before memory for the next is taken
+  resources.rays = {};
+  resources.clusters = {};
+  resources.solver = {};
+  resources.surfelsOfObject.assign(resources.objects, {});
+  const surfels::Surfels& made = division.surfels;
+  for (std::size_t i = 0; i < resources.objects; ++i) {
+    SurfelsOfObject& object = resources.surfelsOfObject[i];
+    object.first = made.firstOfObject[i];
+    object.count = made.firstOfObject[i + 1] - object.first;
+    object.root = made.tree.rootOfObject[i];
+    object.endNode = made.tree.rootOfObject[i + 1];
+  }
+  resources.surfels = passes::SurfelPass::makeSurfels(device, made, surface);
+  noteSpacing(resources);
+  if (division.clusters) takeClusters(device, surface, division, resources);
 }
 
 }  // namespace opaline

@@ -8,6 +8,7 @@
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "passes/products.h"
+#include "renderer/division.h"
 #include "scene/merged_mesh.h"
 
 namespace opaline::gpu {
@@ -62,6 +63,9 @@ struct SceneResources {
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<double> meanEdgeOfObjectMm;
   std::vector<double> areaOfObjectMm2;
+  std::vector<bool> triangleHasInside;  ///< of all objects; these two where clusters are needed
+  std::vector<bool> objectHasInside;    ///< in some part
+  DivisionOrder divided;                ///< that the surfels were made for
 
   /// Whether any object has, so that boundary transport is of use.
   bool hasInside() const;
@@ -72,11 +76,18 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
                                   const scene::MergedMesh& merged, const SceneNeeds& needs,
                                   const LogCallback& log = {});
 
+/// Takes up what the scene's media have become; the surface stays divided as it is.
+void takeMedia(const Scene& scene, SceneResources& resources);
+
+/// How finely the surface should be divided for them.
+DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
+                       const SceneResources& resources);
+
+/// Divides the surface anew. No frame is under way.
+void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources);
+
 /// Whether light is summed well enough at an object's vertices (Gong et al. 2008): edges are no
 /// longer than a mean free path.
 bool wantsVertices(const SceneResources& resources, std::size_t object);
-
-/// Shortest mean free path of the three channels, mm.
-double shortestMeanFreePathMm(const Medium& medium);
 
 }  // namespace opaline

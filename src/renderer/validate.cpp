@@ -43,47 +43,12 @@ void validateMesh(const Object& object) {
                                 object.name, index, mesh.positionsMm.size()));
 }
 
-void validateMedium(const Medium& medium) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double s = medium.sigmaSPrimePerMm[c];
-    const double a = medium.sigmaAPerMm[c];
-    if (!(s > 0) || !(a >= 0) || !std::isfinite(s) || !std::isfinite(a))
-      throw Error(fmt::format(
-          "medium '{}' must have scattering above 0 and absorption of at least 0 per mm in every "
-          "channel, but has {} and {}",
-          medium.name, s, a));
-  }
-  if (!(medium.eta >= 1.01 && medium.eta <= 3))
-    throw Error(
-        fmt::format("the index of refraction of medium '{}' is {}, but must be from 1.01 to 3",
-                    medium.name, medium.eta));
-}
-
 bool isDirection(const Vec3& v) {
   return finite(v) && (v[0] != 0 || v[1] != 0 || v[2] != 0);
 }
 
 bool isPower(const Rgb& rgb) {
   return finite(rgb) && std::all_of(rgb.begin(), rgb.end(), [](float v) { return v >= 0; });
-}
-
-void validateLighting(const Lighting& lighting) {
-  if (lighting.directional.size() + lighting.points.size() > shared::maxLights ||
-      shadowViewCount(lighting) > shared::maxShadowViews)
-    throw Error(
-        fmt::format("the scene has {} directional and {} point lights, but there may be {} lights "
-                    "in all, and at "
-                    "most {} point lights",
-                    lighting.directional.size(), lighting.points.size(), shared::maxLights,
-                    shared::maxShadowViews / 6));
-  for (const DirectionalLight& light : lighting.directional)
-    if (!isDirection(light.directionToLight) || !isPower(light.irradiance))
-      throw Error(
-          "a directional light needs a direction other than 0,0,0 and an irradiance of at least 0");
-  for (const PointLight& light : lighting.points)
-    if (!finite(light.positionMm) || !isPower(light.intensity))
-      throw Error("a point light needs a finite position and an intensity of at least 0");
-  if (!isPower(lighting.ambient)) throw Error("ambient radiance must be finite and at least 0");
 }
 
 }  // namespace
@@ -112,21 +77,59 @@ void validate(const RenderOptions& options) {
         "the number of antialiasing samples is {}, but must be 1, 2, 4 or 8", options.antialias));
 }
 
-void validate(const Scene& scene) {
-  std::size_t triangles = 0;
-  for (const Object& object : scene.objects) {
-    validateMesh(object);
-    validateMedium(object.medium);
-    triangles += object.mesh.triangles.size();
+void validate(const Medium& medium) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double s = medium.sigmaSPrimePerMm[c];
+    const double a = medium.sigmaAPerMm[c];
+    if (!(s > 0) || !(a >= 0) || !std::isfinite(s) || !std::isfinite(a))
+      throw Error(fmt::format(
+          "medium '{}' must have scattering above 0 and absorption of at least 0 per mm in every "
+          "channel, but has {} and {}",
+          medium.name, s, a));
   }
-  if (triangles == 0) throw Error(fmt::format("scene '{}' has no triangles", scene.name));
-  validateMotion(scene);
-  validateLighting(scene.lighting);
-  const Camera& camera = scene.camera;
+  if (!(medium.eta >= 1.01 && medium.eta <= 3))
+    throw Error(
+        fmt::format("the index of refraction of medium '{}' is {}, but must be from 1.01 to 3",
+                    medium.name, medium.eta));
+}
+
+void validate(const Lighting& lighting) {
+  if (lighting.directional.size() + lighting.points.size() > shared::maxLights ||
+      shadowViewCount(lighting) > shared::maxShadowViews)
+    throw Error(
+        fmt::format("the scene has {} directional and {} point lights, but there may be {} lights "
+                    "in all, and at "
+                    "most {} point lights",
+                    lighting.directional.size(), lighting.points.size(), shared::maxLights,
+                    shared::maxShadowViews / 6));
+  for (const DirectionalLight& light : lighting.directional)
+    if (!isDirection(light.directionToLight) || !isPower(light.irradiance))
+      throw Error(
+          "a directional light needs a direction other than 0,0,0 and an irradiance of at least 0");
+  for (const PointLight& light : lighting.points)
+    if (!finite(light.positionMm) || !isPower(light.intensity))
+      throw Error("a point light needs a finite position and an intensity of at least 0");
+  if (!isPower(lighting.ambient)) throw Error("ambient radiance must be finite and at least 0");
+}
+
+void validate(const Camera& camera) {
   if (!finite(camera.positionMm) || !finite(camera.targetMm) || !finite(camera.up) ||
       camera.positionMm == camera.targetMm)
     throw Error("the camera needs a finite position that differs from its target");
   requireWithin("the field of view in degrees", camera.verticalFovDegrees, 1.0F, 170.0F);
+}
+
+void validate(const Scene& scene) {
+  std::size_t triangles = 0;
+  for (const Object& object : scene.objects) {
+    validateMesh(object);
+    validate(object.medium);
+    triangles += object.mesh.triangles.size();
+  }
+  if (triangles == 0) throw Error(fmt::format("scene '{}' has no triangles", scene.name));
+  validateMotion(scene);
+  validate(scene.lighting);
+  validate(scene.camera);
 }
 
 }  // namespace opaline

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 
@@ -11,6 +13,12 @@ void validate(const RenderOptions& options);
 /// Throws Error for a scene that cannot be rendered: no triangles, indices out of range, numbers
 /// that are not finite, media out of range, more lights than there may be.
 void validate(const Scene& scene);
+
+/// The same of its parts.
+void validate(const Camera& camera);
+void validate(const Lighting& lighting);
+void validate(const Medium& medium);
+void validate(const std::vector<Deformer>& deformers);
 
 /// The part of it that speaks of nodes, clips, rigs and deformers.
 void validateMotion(const Scene& scene);

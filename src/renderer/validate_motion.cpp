@@ -116,12 +116,16 @@ void validateMotion(const Scene& scene) {
   }
   for (const Object& object : scene.objects)
     if (object.rig) validateRig(scene, object, *object.rig);
-  for (const Deformer& deformer : scene.deformers)
+  validate(scene.deformers);
+}
+
+void validate(const std::vector<Deformer>& deformers) {
+  for (const Deformer& deformer : deformers)
     if (const std::string complaint = scene::complaintAbout(deformer); !complaint.empty())
       throw UsageError(complaint);
-  if (scene.deformers.size() > shared::maxDeformers)
-    throw UsageError(fmt::format("there are {} deformers, but there may be {}",
-                                 scene.deformers.size(), shared::maxDeformers));
+  if (deformers.size() > shared::maxDeformers)
+    throw UsageError(fmt::format("there are {} deformers, but there may be {}", deformers.size(),
+                                 shared::maxDeformers));
 }
 
 }  // namespace opaline

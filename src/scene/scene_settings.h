@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "opaline/scene.h"
+#include "scene/scene_source.h"
 
 namespace opaline::scene {
 
@@ -17,6 +18,8 @@ struct SceneFileSettings {
   std::optional<std::string> transport;  ///< boundary, better-dipole, dipole
   std::optional<std::string> sum;        ///< tree, all, pattern
   std::optional<std::string> site;       ///< auto, vertex, fragment
+  std::optional<float> tolerance;        ///< tolerance, of sum tree
+  std::optional<int> maxSources;         ///< max_sources, surfels at most
   std::optional<int> bounces;            ///< bounces, of transport boundary
   std::optional<int> boundarySurfels;    ///< boundary_surfels, at most
   std::optional<int> nearRings;          ///< near_rings
@@ -29,18 +32,22 @@ struct SceneFileSettings {
   std::optional<int> antialias;          ///< antialias
   std::optional<float> exposureStops;    ///< exposure
   std::optional<std::string> tone;       ///< neutral, none
+  std::optional<Rgb> background;         ///< background, linear, in [0, 1]
   std::optional<std::string> device;     ///< device
   std::optional<double> seconds;         ///< seconds, the time to show, ≥ 0
-  std::optional<std::string> clip;       ///< clip, by name
+  std::optional<std::string> clip;       ///< clip, by name, or none
+
+  bool operator==(const SceneFileSettings&) const = default;
 };
 
 struct LoadedScene {
   Scene scene;
   SceneFileSettings settings;
+  SceneSource source;
 };
 
-/// Reads a .toml scene: loadScene() without losing the settings. For any other file the settings
-/// are empty.
+/// Reads a .toml scene: loadScene() without losing the settings and where all of it came from. For
+/// any other file the settings are empty.
 LoadedScene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options = {});
 
 }  // namespace opaline::scene

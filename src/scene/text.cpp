@@ -67,6 +67,15 @@ std::string cleanText(std::string_view text, std::size_t longest) {
   return clean;
 }
 
+bool isUtf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t size = characterLength(text);
+    if (size == 0) return false;
+    text.remove_prefix(size);
+  }
+  return true;
+}
+
 std::optional<std::string_view> nearest(std::string_view word,
                                         std::span<const std::string_view> candidates) {
   word = word.substr(0, 64);

@@ -100,6 +100,8 @@ std::optional<Vec3> TomlTable::direction(std::string_view key) const {
   const Double3 v{(*values)[0], (*values)[1], (*values)[2]};
   const double size = length(v);
   if (!(size > 1e-30)) fail(key, "must not be zero");
+  // What was rounded to float at unit length comes back as it was.
+  if (std::abs(size - 1) < 1e-6) return toFloat(v);
   return toFloat((1 / size) * v);
 }
 

@@ -37,7 +37,7 @@ class TomlTable {
   /// As many finite numbers as are asked for.
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count) const;
   std::optional<Vec3> vector(std::string_view key) const;
-  /// A vector that is not zero, at unit length.
+  /// A vector that is not zero, at unit length to the rounding of float.
   std::optional<Vec3> direction(std::string_view key) const;
   /// Three numbers of at least 0, or one for all three.
   std::optional<Rgb> color(std::string_view key) const;

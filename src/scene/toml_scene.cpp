@@ -7,36 +7,34 @@
 
 #include "bssrdf/media.h"
 #include "core/file.h"
-#include "core/image_file.h"
 #include "opaline/error.h"
 #include "scene/deformer_check.h"
+#include "scene/environment_file.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
-#include "scene/matrix.h"
 #include "scene/morph_to.h"
+#include "scene/placement.h"
 #include "scene/raw_scene.h"
 #include "scene/scene_settings.h"
 #include "scene/text.h"
+#include "scene/toml_keys.h"
 #include "scene/toml_reader.h"
 #include "scene/toml_settings.h"
+#include "scene/vector_math.h"
 
 namespace opaline::scene {
 
 namespace {
-
-using Keys = std::string_view;
-
-constexpr std::array<Keys, 11> rootKeys{"model",   "diagonal_mm", "medium",      "media",
-                                        "objects", "lights",      "environment", "camera",
-                                        "render",  "morph_to",    "deform"};
 
 /// A .toml scene being put together; lengths in millimetres.
 struct Assembly {
   const std::filesystem::path& file;
   const LoadOptions& options;
   RawScene scene{};
+  SceneSource source{};
   std::vector<Repair> repairs{};
   std::map<std::string, Medium, std::less<>> media{};
+  double modelDiagonalMm = 0;  ///< before its objects are placed
   Vec3 centre{};
   /// How far a built-in scene's own camera stands from its target.
   std::optional<double> builtInDistanceDiagonals{};
@@ -105,8 +103,12 @@ void loadModelOf(const TomlTable& root, Assembly& to) {
   const auto diagonal = root.number("diagonal_mm", 1e-6, 1e9);
   std::optional<std::filesystem::path> morphTo = to.options.morphTo;
   if (const auto name = root.text("morph_to"); name && !morphTo) morphTo = beside(to.file, *name);
+  to.source.diagonalMm = diagonal;
+  to.source.morphTo = morphTo;
+  to.source.model = *model;
   LoadOptions builtInOptions;
   builtInOptions.log = to.options.log;
+  if (diagonal) builtInOptions.diagonalMm = static_cast<float>(*diagonal);
   builtInOptions.morphTo = morphTo;
   if (*model == "builtin:bear") {
     takeBuiltIn(builtInBear(builtInOptions), to);
@@ -121,18 +123,19 @@ void loadModelOf(const TomlTable& root, Assembly& to) {
     RawScene raw = loadModel(path, to.options.log);
     if (morphTo) addMorph(raw, path, *morphTo, to.options.log);
     to.scene = inMillimetres(std::move(raw), path, noteUnit, to.options.log, to.repairs);
+    to.source.model = path;
+    if (diagonal) {
+      scaleBy(to.scene, *diagonal / diagonalOf(boundsOf(to.scene)), to.file.string());
+    }
   }
-  if (diagonal) {
-    scaleBy(to.scene, *diagonal / diagonalOf(boundsOf(to.scene)), to.file.string());
-  }
+  to.modelDiagonalMm = diagonalOf(boundsOf(to.scene));
 }
 
 void readMedia(const TomlTable& root, Assembly& to) {
-  constexpr std::array<Keys, 4> keys{"measured", "sigma_s_per_mm", "sigma_a_per_mm", "eta"};
   const auto media = root.table("media");
   if (!media) return;
   for (const auto& [name, table] : media->subtables()) {
-    table.requireKeys(keys);
+    table.requireKeys(keys::medium);
     Medium medium;
     const auto scattering = table.numbers("sigma_s_per_mm", 3);
     const auto absorption = table.numbers("sigma_a_per_mm", 3);
@@ -165,60 +168,7 @@ Medium mediumNamed(const TomlTable& table, std::string_view key, const std::stri
   return *known;
 }
 
-Matrix4 transformOf(const TomlTable& table) {
-  const bool parts =
-      table.has("translation_mm") || table.has("rotation_degrees") || table.has("scale");
-  if (const auto rows = table.numbers("transform", 16)) {
-    if (parts)
-      table.fail("transform", "cannot stand beside translation_mm, rotation_degrees, scale");
-    std::array<double, 16> columns{};
-    for (std::size_t r = 0; r < 4; ++r) {
-      for (std::size_t c = 0; c < 4; ++c) columns[4 * c + r] = (*rows)[4 * r + c];
-    }
-    if ((*rows)[12] != 0 || (*rows)[13] != 0 || (*rows)[14] != 0 || (*rows)[15] != 1) {
-      table.fail("transform", "must end in the row 0, 0, 0, 1");
-    }
-    return matrixFromColumns(columns);
-  }
-  const auto translation = table.vector("translation_mm").value_or(Vec3{0, 0, 0});
-  const auto degrees = table.vector("rotation_degrees").value_or(Vec3{0, 0, 0});
-  const auto scale = table.has("scale") ? table.number("scale", 1e-6, 1e6).value_or(1) : 1.0;
-  // About x first, then y, then z, all fixed axes.
-  Matrix4 matrix = matrixFromParts({0, 0, 0}, {0, 0, 0, 1}, {scale, scale, scale});
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double half = double{degrees[axis]} * std::acos(-1.0) / 360;
-    std::array<double, 4> rotation{0, 0, 0, std::cos(half)};
-    rotation[axis] = std::sin(half);
-    matrix = matrixFromParts({0, 0, 0}, rotation, {1, 1, 1}) * matrix;
-  }
-  matrix.column[3] = toDouble(translation);
-  return matrix;
-}
-
-void place(RawObject& object, const Matrix4& matrix, const TomlTable& table) {
-  RawMesh& mesh = object.mesh;
-  if (std::abs(matrix.determinant()) < 1e-30) table.fail("", "has a transform that flattens");
-  for (Vec3& p : mesh.positions) {
-    p = toFloat(matrix.point(toDouble(p)));
-    if (!isFinite(p)) table.fail("", "has a transform that leaves the range of a float");
-  }
-  for (Vec3& n : mesh.normals) {
-    const Double3 mapped = matrix.normal(toDouble(n));
-    n = toFloat((1 / length(mapped)) * mapped);
-  }
-  if (matrix.determinant() < 0) {
-    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
-  }
-  if (!object.rig) return;
-  object.rig->toScene = affineFrom(matrix * matrixFrom(object.rig->toScene));
-  if (!isFinite(object.rig->toScene)) {
-    table.fail("", "has a transform that leaves the range of a float");
-  }
-}
-
 void readObjects(const TomlTable& root, Assembly& to) {
-  constexpr std::array<Keys, 5> keys{"medium", "transform", "translation_mm", "rotation_degrees",
-                                     "scale"};
   if (const auto medium = root.text("medium")) {
     for (RawObject& object : to.scene.objects) {
       object.medium = mediumNamed(root, "medium", *medium, to);
@@ -230,25 +180,25 @@ void readObjects(const TomlTable& root, Assembly& to) {
   for (const RawObject& object : to.scene.objects) names.emplace_back(object.name);
   const auto tables = objects->subtables();
   for (const auto& [name, table] : tables) {
-    table.requireKeys(keys);
+    table.requireKeys(keys::object);
     if (std::find(names.begin(), names.end(), name) == names.end()) {
       table.fail("", fmt::format("names no object of the model; the nearest is '{}'",
                                  nearest(name, names).value_or("")));
     }
     const auto medium = table.text("medium");
-    const Matrix4 matrix = transformOf(table);
+    const std::optional<Placement> placement = readPlacement(table);
+    if (placement) to.source.placements.emplace(name, *placement);
     for (RawObject& object : to.scene.objects) {
       if (object.name != name) continue;
       if (medium) object.medium = mediumNamed(table, "medium", *medium, to);
-      place(object, matrix, table);
+      if (placement) place(object, *placement, table);
     }
   }
 }
 
 void readDeformers(const TomlTable& root, Assembly& to) {
-  constexpr std::array<Keys, 3> keys{"kind", "amount", "period_seconds"};
   for (const TomlTable& table : root.tables("deform")) {
-    table.requireKeys(keys);
+    table.requireKeys(keys::deform);
     const auto kind = table.choice("kind", deformerNames);
     if (!kind) table.fail("", "has no 'kind': twist, bend, squash or wobble");
     const auto amount = table.number("amount", -100, 100);
@@ -264,15 +214,15 @@ void readDeformers(const TomlTable& root, Assembly& to) {
   }
 }
 
-Vec3 fromCentre(const Assembly& of, const Vec3& offset) {
-  return toFloat(toDouble(of.centre) + toDouble(offset));
+/// A place that is given from the centre. In double precision every place can be given.
+std::optional<Vec3> placeFrom(const TomlTable& table, std::string_view key, const Assembly& of) {
+  const auto offset = table.numbers(key, 3);
+  if (!offset) return std::nullopt;
+  return toFloat(toDouble(of.centre) + Double3{(*offset)[0], (*offset)[1], (*offset)[2]});
 }
 
 void readLight(const TomlTable& table, Assembly& to) {
-  constexpr std::array<Keys, 3> directionalKeys{"type", "direction_to_light", "irradiance"};
-  constexpr std::array<Keys, 3> pointKeys{"type", "position_mm", "intensity"};
-  constexpr std::array<Keys, 2> ambientKeys{"type", "radiance"};
-  constexpr std::array<Keys, 3> types{"directional", "point", "ambient"};
+  constexpr keys::Keys<3> types{"directional", "point", "ambient"};
   const auto type = table.choice("type", types);
   const auto need = [&](auto value, std::string_view key) {
     if (!value) table.fail("", fmt::format("of type '{}' has no '{}'", *type, key));
@@ -281,23 +231,22 @@ void readLight(const TomlTable& table, Assembly& to) {
   if (!type) table.fail("", "has no 'type': directional, point or ambient");
   Lighting& lighting = to.scene.lighting;
   if (*type == "directional") {
-    table.requireKeys(directionalKeys);
+    table.requireKeys(keys::directional);
     lighting.directional.push_back(
         {need(table.direction("direction_to_light"), "direction_to_light"),
          table.color("irradiance").value_or(Rgb{1, 1, 1})});
   } else if (*type == "point") {
-    table.requireKeys(pointKeys);
-    lighting.points.push_back({fromCentre(to, need(table.vector("position_mm"), "position_mm")),
+    table.requireKeys(keys::point);
+    lighting.points.push_back({need(placeFrom(table, "position_mm", to), "position_mm"),
                                need(table.color("intensity"), "intensity")});
   } else {
-    table.requireKeys(ambientKeys);
+    table.requireKeys(keys::ambient);
     const Rgb radiance = need(table.color("radiance"), "radiance");
     for (std::size_t c = 0; c < 3; ++c) lighting.ambient[c] += radiance[c];
   }
 }
 
 void readLighting(const TomlTable& root, Assembly& to) {
-  constexpr std::array<Keys, 2> keys{"file", "intensity"};
   const std::vector<TomlTable> lights = root.tables("lights");
   const auto environment = root.table("environment");
   if (root.has("lights") || environment) {
@@ -306,17 +255,14 @@ void readLighting(const TomlTable& root, Assembly& to) {
   }
   for (const TomlTable& light : lights) readLight(light, to);
   if (!environment) return;
-  environment->requireKeys(keys);
+  environment->requireKeys(keys::environment);
   const auto file = environment->text("file");
   if (!file) environment->fail("", "has no 'file'");
-  const auto factor = static_cast<float>(environment->number("intensity", 0, 1e6).value_or(1));
-  Image image = core::readHdrImage(beside(to.file, *file));
-  for (std::size_t i = 0; i < image.rgba.size(); ++i) {
-    if (i % 4 == 3) continue;
-    image.rgba[i] *= factor;
-    if (!std::isfinite(image.rgba[i])) environment->fail("intensity", "makes a pixel infinite");
-  }
-  to.scene.lighting.environment = std::move(image);
+  EnvironmentFile from{beside(to.file, *file)};
+  from.intensity = static_cast<float>(environment->number("intensity", 0, 1e6).value_or(1));
+  from.rotationDegrees = environment->number("rotation_degrees", -1e6, 1e6).value_or(0);
+  to.scene.lighting.environment = readEnvironment(from);
+  to.source.environment = std::move(from);
 }
 
 /// The camera that a built-in scene brings, for what has become of its model.
@@ -330,13 +276,12 @@ void frameBuiltIn(Assembly& to) {
 }
 
 void readCamera(const TomlTable& root, Assembly& to) {
-  constexpr std::array<Keys, 4> keys{"direction", "position_mm", "target_mm", "fov_degrees"};
   const auto table = root.table("camera");
   if (!table) return;
-  table->requireKeys(keys);
+  table->requireKeys(keys::camera);
   const auto direction = table->direction("direction");
-  const auto position = table->vector("position_mm");
-  const auto target = table->vector("target_mm");
+  const auto position = placeFrom(*table, "position_mm", to);
+  const auto target = placeFrom(*table, "target_mm", to);
   if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
   const bool placed = direction || position || target;
   const std::optional<Camera> own = to.scene.camera;
@@ -350,13 +295,17 @@ void readCamera(const TomlTable& root, Assembly& to) {
     camera.targetMm = own->targetMm;
     camera.positionMm = toFloat(toDouble(own->targetMm) + distanceMm(*own) * toDouble(*direction));
   }
-  if (position) camera.positionMm = fromCentre(to, *position);
-  if (target) camera.targetMm = fromCentre(to, *target);
+  if (position) camera.positionMm = *position;
+  if (target) camera.targetMm = *target;
   const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
   if (!(length(view) > 0)) table->fail("", "looks at where it is");
   if (placed) {
     const bool alongUp = std::abs(view[1]) > 0.999 * length(view);
     camera.up = alongUp ? Vec3{0, 0, view[1] < 0 ? -1.0F : 1.0F} : Vec3{0, 1, 0};
+  }
+  if (const auto up = table->vector("up")) {
+    if (*up == Vec3{}) table->fail("up", "must not be zero");
+    camera.up = *up;
   }
   camera.verticalFovDegrees = static_cast<float>(
       table->number("fov_degrees", 1, 170).value_or(double{camera.verticalFovDegrees}));
@@ -367,7 +316,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   requireSensible(options);
   const toml::table parsed = parse(file);
   const TomlTable root(file, parsed, "the scene");
-  root.requireKeys(rootKeys);
+  root.requireKeys(keys::root);
   LoadedScene loaded;
   loaded.settings = readSettings(root);
   Assembly assembly{file, options};
@@ -380,6 +329,11 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   readLighting(root, assembly);
   frameBuiltIn(assembly);
   readCamera(root, assembly);
+  if (options.diagonalMm) {
+    const double factor = double{*options.diagonalMm} / diagonalOf(boundsOf(assembly.scene));
+    rescale(assembly.source, factor, assembly.modelDiagonalMm);
+  }
+  loaded.source = withAbsolutePaths(std::move(assembly.source));
   loaded.scene = finished(std::move(assembly.scene), file, std::move(assembly.repairs), options);
   requireClip(root, loaded);
   return loaded;
@@ -389,7 +343,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
 
 LoadedScene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options) {
   if (file.extension() != ".toml" && file.extension() != ".TOML") {
-    return {loadScene(file, options), {}};
+    return {loadScene(file, options), {}, sourceOf(file, options)};
   }
   return loadToml(file, options);
 }

@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "scene/text.h"
+#include "scene/toml_keys.h"
 
 namespace opaline::scene {
 
 namespace {
-
-using Keys = std::string_view;
 
 std::optional<float> asFloat(std::optional<double> value) {
   return value ? std::optional(static_cast<float>(*value)) : std::nullopt;
@@ -54,23 +53,20 @@ void readSize(const TomlTable& table, SceneFileSettings& settings) {
 }  // namespace
 
 SceneFileSettings readSettings(const TomlTable& root) {
-  constexpr std::array<Keys, 19> keys{
-      "size",       "transport",    "sum",          "site",     "bounces",     "boundary_surfels",
-      "near_rings", "near_spacing", "far_distance", "dsm_size", "shadow_size", "specular",
-      "roughness",  "antialias",    "exposure",     "tone",     "device",      "seconds",
-      "clip"};
-  constexpr std::array<Keys, 3> transports{"dipole", "better-dipole", "boundary"};
-  constexpr std::array<Keys, 3> sums{"pattern", "tree", "all"};
-  constexpr std::array<Keys, 3> sites{"auto", "vertex", "fragment"};
-  constexpr std::array<Keys, 2> tones{"neutral", "none"};
+  constexpr keys::Keys<3> transports{"dipole", "better-dipole", "boundary"};
+  constexpr keys::Keys<3> sums{"pattern", "tree", "all"};
+  constexpr keys::Keys<3> sites{"auto", "vertex", "fragment"};
+  constexpr keys::Keys<2> tones{"neutral", "none"};
   SceneFileSettings settings;
   const auto table = root.table("render");
   if (!table) return settings;
-  table->requireKeys(keys);
+  table->requireKeys(keys::render);
   readSize(*table, settings);
   settings.transport = table->choice("transport", transports);
   settings.sum = table->choice("sum", sums);
   settings.site = table->choice("site", sites);
+  settings.tolerance = asFloat(table->number("tolerance", 1e-4, 1));
+  settings.maxSources = table->integer("max_sources", 1024, 1 << 22);
   settings.bounces = table->integer("bounces", 0, 8);
   settings.boundarySurfels = table->integer("boundary_surfels", 64, 1 << 18);
   settings.nearRings = table->integer("near_rings", 0, 15);
@@ -86,6 +82,10 @@ SceneFileSettings readSettings(const TomlTable& root) {
   }
   settings.exposureStops = asFloat(table->number("exposure", -32, 32));
   settings.tone = table->choice("tone", tones);
+  settings.background = table->color("background");
+  if (settings.background && std::ranges::max(*settings.background) > 1) {
+    table->fail("background", "must be in [0, 1]");
+  }
   settings.device = table->text("device");
   settings.seconds = table->number("seconds", 0, 1e6);
   settings.clip = table->text("clip");
@@ -95,13 +95,14 @@ SceneFileSettings readSettings(const TomlTable& root) {
 void requireClip(const TomlTable& root, const LoadedScene& loaded) {
   const std::optional<std::string>& wanted = loaded.settings.clip;
   if (!wanted) return;
-  std::vector<std::string_view> names;
+  std::vector<std::string_view> names{"none"};
   for (const Clip& clip : loaded.scene.clips) names.emplace_back(clip.name);
   if (std::find(names.begin(), names.end(), *wanted) != names.end()) return;
-  const auto known = nearest(*wanted, names);
-  root.table("render")->fail(
-      "clip", known ? fmt::format("names no clip of the model; the nearest is '{}'", *known)
-                    : "names a clip, but the model has none");
+  root.table("render")->fail("clip",
+                             loaded.scene.clips.empty()
+                                 ? "names a clip, but the model has none"
+                                 : fmt::format("names no clip of the model; the nearest is '{}'",
+                                               nearest(*wanted, names).value_or("")));
 }
 
 }  // namespace opaline::scene

@@ -301,6 +301,22 @@ class SceneFiles(Render):
         self.assertEqual(len(report["solutions"]), 4)
         self.assertLessEqual(report["boundary_surfels"], 64)
 
+    def test_what_a_picture_depends_on_can_stand_in_the_file(self):
+        said = ("--transport", "dipole", "--size", "24x16", "--diagonal-mm", 30)
+        options = {"--background": ("1,0.5,0", "background = [1, 0.5, 0]"),
+                   "--max-sources": ("1024", "max_sources = 1024"),
+                   "--tolerance": ("1", "tolerance = 1")}
+        self.succeed("render", "cube.obj", *said, "-o", "plain.png")
+        for option, (value, key) in options.items():
+            self.write("scene.toml", 'model = "cube.obj"\ndiagonal_mm = 30\n[render]\ntransport = "dipole"\n'
+                       f"size = [24, 16]\n{key}\n")
+            self.succeed("render", "cube.obj", *said, option, value, "-o", "option.png")
+            self.succeed("render", "scene.toml", "-o", "file.png")
+            found = (self.folder / "file.png").read_bytes()
+            self.assertEqual(found, (self.folder / "option.png").read_bytes(), option)
+            self.assertNotEqual(found, (self.folder / "plain.png").read_bytes(), option)
+            self.succeed("render", "scene.toml", option, value, "-o", "both.png")
+
 
 if __name__ == "__main__":
     unittest.main()

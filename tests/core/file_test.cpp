@@ -60,6 +60,29 @@ TEST(WriteWhole, ReplacesAndLeavesNothingElse) {
   EXPECT_EQ(folder.fileCount(), 1U);
 }
 
+TEST(WholeFile, TakesItsPlaceOnlyWhenItIsKept) {
+  const TemporaryFolder folder;
+  writeBytes(folder / "a.mp4", "old");
+  {
+    const WholeFile file(folder / "a.mp4");
+    writeBytes(file.temporary(), "new");
+    EXPECT_EQ(readBytes(folder / "a.mp4"), "old");
+  }
+  EXPECT_EQ(readBytes(folder / "a.mp4"), "old");
+  EXPECT_EQ(folder.fileCount(), 1U);
+  {
+    WholeFile file(folder / "a.mp4");
+    writeBytes(file.temporary(), "new");
+    file.keep();
+    EXPECT_EQ(readBytes(folder / "a.mp4"), "new");
+    EXPECT_THAT(messageOf([&] { file.fail("the encoder died"); }),
+                testing::AllOf(HasSubstr("a.mp4"), HasSubstr("the encoder died")));
+  }
+  EXPECT_EQ(readBytes(folder / "a.mp4"), "new");
+  EXPECT_EQ(folder.fileCount(), 1U);
+  EXPECT_THAT(messageOf([&] { const WholeFile file(folder / "none/a"); }), HasSubstr("folder"));
+}
+
 TEST(WriteWhole, KeepsTheExtensionOfTheTemporaryName) {
   const TemporaryFolder folder;
   fs::path seen;

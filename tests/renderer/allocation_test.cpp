@@ -9,6 +9,7 @@
 
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "opaline/soft_body.h"
 #include "renderer/shapes.h"
 
 namespace {
@@ -140,6 +141,22 @@ TEST(AllocationTest, GivenPositionsAllocateNothing) {
   const RenderOptions options = tinyOptions();
   const auto give = [&] { renderer.replacePositions(0, scene.objects[0].mesh.positionsMm); };
   EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {Aov::Radiance}, give), 0U);
+}
+
+TEST(AllocationTest, SoftBodiesAllocateNothing) {
+  Renderer renderer;
+  const Scene scene = moving();
+  renderer.setScene(scene);
+  const Mesh& mesh = scene.objects[0].mesh;
+  SoftBody body(renderer, 0, mesh.positionsMm, mesh.triangles);
+  body.grab({0, 5, 0}, 1);
+  float x = 0;
+  const auto pull = [&] {
+    body.pull({x += 0.2F, 5, 0});
+    body.step(0.02);
+  };
+  EXPECT_EQ(allocationsOfSteadyFrames(renderer, tinyOptions(), {Aov::Radiance}, pull), 0U);
+  EXPECT_TRUE(body.moves());
 }
 
 TEST(AllocationTest, TheCounterCounts) {

@@ -52,6 +52,7 @@ TEST_F(Toml, EverythingThatCanBeSaid) {
   core::writeExr(folder / "sky.exr", [] {
     Image sky(4, 2);
     for (float& value : sky.rgba) value = 0.5F;
+    sky.pixel(1, 0)[0] = 3;
     return sky;
   }());
   const scene::LoadedScene loaded = load(model + R"(
@@ -79,15 +80,19 @@ radiance = 0.25
 [environment]
 file = "sky.exr"
 intensity = 4
+rotation_degrees = 90
 [camera]
 position_mm = [0, 0, 50]
 target_mm = [0, 5, 0]
+up = [0, 0.5, 2]
 fov_degrees = 45
 [render]
 size = [640, 480]
 transport = "better-dipole"
 sum = "all"
 site = "vertex"
+tolerance = 0.02
+max_sources = 5000
 bounces = 5
 boundary_surfels = 6000
 near_rings = 3
@@ -100,6 +105,7 @@ roughness = 0.5
 antialias = 8
 exposure = -1.5
 tone = "none"
+background = [0, 0.25, 1]
 device = "llvmpipe"
 )");
   const Scene& scene = loaded.scene;
@@ -119,16 +125,20 @@ device = "llvmpipe"
   EXPECT_NEAR(scene.lighting.points[0].positionMm[1], 25, 1e-4);
   EXPECT_EQ(scene.lighting.ambient[1], 0.25F);
   ASSERT_TRUE(scene.lighting.environment);
-  EXPECT_FLOAT_EQ(scene.lighting.environment->rgba[0], 2.0F);
+  EXPECT_FLOAT_EQ(scene.lighting.environment->pixel(0, 0)[0], 12);  // a quarter to the left
+  EXPECT_FLOAT_EQ(scene.lighting.environment->pixel(1, 0)[0], 2);
   EXPECT_NEAR(scene.camera.positionMm[2], 155, 1e-4);
   EXPECT_NEAR(scene.camera.targetMm[1], 10, 1e-4);
   EXPECT_EQ(scene.camera.verticalFovDegrees, 45);
+  EXPECT_EQ(scene.camera.up, (Vec3{0, 0.5F, 2}));
   const scene::SceneFileSettings& s = loaded.settings;
   EXPECT_EQ(s.width, 640);
   EXPECT_EQ(s.height, 480);
   EXPECT_EQ(s.transport, "better-dipole");
   EXPECT_EQ(s.sum, "all");
   EXPECT_EQ(s.site, "vertex");
+  EXPECT_EQ(s.tolerance, 0.02F);
+  EXPECT_EQ(s.maxSources, 5000);
   EXPECT_EQ(s.bounces, 5);
   EXPECT_EQ(s.boundarySurfels, 6000);
   EXPECT_EQ(s.nearRings, 3);
@@ -141,6 +151,7 @@ device = "llvmpipe"
   EXPECT_EQ(s.antialias, 8);
   EXPECT_EQ(s.exposureStops, -1.5F);
   EXPECT_EQ(s.tone, "none");
+  EXPECT_EQ(s.background, (Rgb{0, 0.25F, 1}));
   EXPECT_EQ(s.device, "llvmpipe");
 }
 
@@ -198,6 +209,7 @@ clip = "morph"
   EXPECT_THAT(errorOf(model + "morph_to = 'other.ply'\n[render]\nclip = 'murph'"),
               HasSubstr("'morph'"));
   EXPECT_THAT(errorOf(model + "[render]\nclip = 'morph'"), HasSubstr("has none"));
+  EXPECT_EQ(load(model + "[render]\nclip = 'none'").settings.clip, "none");
   EXPECT_THAT(errorOf(model + "[render]\nseconds = -1"), HasSubstr("seconds"));
   EXPECT_THROW(load("model = 'builtin:teapot'\nmorph_to = 'other.ply'"), UsageError);
 }
@@ -315,6 +327,8 @@ TEST_F(Toml, WrongValuesNameKeyAndLine) {
        "zero"},
       {"model = 'cube.ply'\n[camera]\nposition_mm = [0,0,0]\n", "looks"},
       {"model = 'cube.ply'\n[camera]\nfov_degrees = 0\n", "[1, 170]"},
+      {"model = 'cube.ply'\n[camera]\nup = [0, 0, 0]\n", "'up'"},
+      {"model = 'cube.ply'\n[render]\nbackground = [0, 2, 0]\n", "'background'"},
       {"model = 'cube.ply\n", "line 1"},
       {"model = '\xFF'\n", "line 1"},
       {"model = 'a.toml'\n", "another .toml"},

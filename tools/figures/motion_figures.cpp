@@ -1,10 +1,12 @@
 // Figure 9 of Gong et al. 2008, and motion that it does not show.
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
 #include "figures.h"
+#include "opaline/soft_body.h"
 
 namespace opaline::figures {
 
@@ -69,11 +71,41 @@ void deformers(Studio& studio, const char* name) {
   publish(studio, name, sheet(panels, 5, 0, dark));
 }
 
+// Pulled at an ear, and after it is let go; then pressed into the belly.
+void poke(Studio& studio, const char* name) {
+  Scene scene = bear("gummy-red", 50);
+  scene.camera = defaultCamera(scene, {0.25F, 0.12F, 1}, 40);
+  scene.camera.targetMm[0] += 5;
+  scene.camera.positionMm[0] += 5;
+  scene.lighting = stageLight();
+  studio.renderer.setScene(scene);
+  const Mesh& mesh = scene.objects[0].mesh;
+  SoftBody body(studio.renderer, 0, mesh.positionsMm, mesh.triangles);
+  std::vector<core::Image8> panels;
+  const auto show = [&](double seconds) {
+    for (double left = seconds; left > 0; left -= SoftBody::maxStepSeconds)
+      body.step(std::min(left, SoftBody::maxStepSeconds));
+    panels.push_back(photograph(studio, objectSpace(), {0.3F, 336, 384}));
+  };
+  show(0);
+  body.grab({7.5F, 36, 0}, 4);
+  body.pull({26, 37, 8});
+  show(2);
+  body.release();
+  for (int i = 0; i < 3; ++i) show(0.1);
+  for (int i = 0; i < 20; ++i) body.step(SoftBody::maxStepSeconds);
+  body.grab({0, 16, 10}, 4);
+  body.pull({0, 14, -2});
+  show(2);
+  publish(studio, name, sheet(panels, 6, 0, dark));
+}
+
 }  // namespace
 
 std::span<const Figure> motionFigures() {
   static constexpr std::array all{Figure{"figure_9", morph}, Figure{"wobble", wobble},
-                                  Figure{"walk", walk}, Figure{"deformers", deformers}};
+                                  Figure{"walk", walk}, Figure{"deformers", deformers},
+                                  Figure{"poke", poke}};
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include "passes/mechanics.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/boundary.h"
+#include "shaders/shared/frame.h"
 
 namespace opaline::passes {
 
@@ -122,13 +123,11 @@ ClusterPass::ClusterPass(gpu::Device& device)
 
 Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters& made,
                                    const surfels::Surface& surface, const surfels::Surfels& surfels,
-                                   const std::vector<bool>& triangleHasInside,
-                                   std::uint32_t lights) {
+                                   const std::vector<bool>& triangleHasInside) {
   const std::size_t count = made.count();
   const std::size_t nodes = made.tree.links.size();
   Clusters clusters;
   clusters.count = made.count();
-  clusters.lights = lights;
   clusters.raysOutwards = raysOutwards;
   clusters.surfelNodes = static_cast<std::uint32_t>(surfels.tree.links.size());
   clusters.firstOfHeight = made.tree.firstOfHeight;
@@ -140,8 +139,8 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters&
   clusters.byHeight = gpu::makeBuffer(device, "clusters by height", made.tree.byHeight, storage);
   clusters.clusters = makeRoom<shared::Cluster>(device, "clusters", count);
   clusters.nodes = makeRoom<shared::ClusterNode>(device, "tree of clusters", nodes);
-  clusters.entries =
-      makeRoom<shared::Entry>(device, "light that enters", count * (lights + std::size_t{1}));
+  clusters.entries = makeRoom<shared::Entry>(device, "light that enters",
+                                             count * (shared::maxLights + std::size_t{1}));
   clusters.meetings = makeRoom<shared::Meeting>(device, "meetings", count * raysOutwards);
   clusters.fromLight =
       makeBeams(device, "points from a light", "strengths from a light", clusters.count);

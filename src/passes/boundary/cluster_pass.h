@@ -23,7 +23,7 @@ class ClusterPass {
   /// For set-up, not for frames.
   static Clusters makeClusters(gpu::Device& device, const surfels::Clusters& made,
                                const surfels::Surface& surface, const surfels::Surfels& surfels,
-                               const std::vector<bool>& triangleHasInside, std::uint32_t lights);
+                               const std::vector<bool>& triangleHasInside);
 
   struct Inputs {
     FrameView& frame;

@@ -1,0 +1,142 @@
+#include "viewer/overlay.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "medium_options.h"
+
+namespace opaline::app::viewer {
+
+namespace {
+
+constexpr ImU32 ink = IM_COL32(235, 235, 235, 230);
+constexpr ImU32 shadow = IM_COL32(0, 0, 0, 170);
+constexpr std::array<ImU32, 3> channelInk{IM_COL32(235, 96, 84, 255), IM_COL32(110, 200, 96, 255),
+                                          IM_COL32(96, 140, 245, 255)};
+
+void write(ImDrawList& list, const ImVec2& place, ImU32 color, const std::string& text) {
+  list.AddText({place.x + 1, place.y + 1}, shadow, text.c_str());
+  list.AddText(place, color, text.c_str());
+}
+
+// 1, 2 or 5 times a power of ten, at most `limit`.
+double roundBelow(double limit) {
+  const double power = std::pow(10, std::floor(std::log10(limit)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * power <= limit) return step * power;
+  }
+  return power;
+}
+
+std::string inMm(double mm) {
+  return mm < 0.01 ? fmt::format("{:.2g} um", 1000 * mm) : fmt::format("{:.3g} mm", mm);
+}
+
+void drawBar(ImDrawList& list, const ImVec2& from, float pixels, ImU32 color, float thick) {
+  list.AddRectFilled({from.x - 1, from.y - thick / 2 - 1},
+                     {from.x + pixels + 1, from.y + thick / 2 + 1}, shadow);
+  list.AddRectFilled({from.x, from.y - thick / 2}, {from.x + pixels, from.y + thick / 2}, color);
+}
+
+}  // namespace
+
+void drawScaleBar(const Session& session, const Projection& projection, const Area& area) {
+  if (session.scene.objects.empty()) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const double pixelMm = static_cast<double>(projection.pixelMm(projection.view().distanceMm));
+  if (!(pixelMm > 0) || !std::isfinite(pixelMm)) return;
+  const double room = 0.3 * area.width;
+  const double lengthMm = roundBelow(room * pixelMm);
+  const float line = 1.15F * ImGui::GetFontSize();
+  const float left = static_cast<float>(area.x) + line;
+  float y = static_cast<float>(area.y + area.height) - 3.4F * line;
+
+  const MediumLengths lengths = lengthsOf(session.scene.objects[session.object].medium);
+  drawBar(list, {left, y}, static_cast<float>(lengthMm / pixelMm), ink, 3);
+  write(list, {left + static_cast<float>(lengthMm / pixelMm) + 8, y - 0.5F * ImGui::GetFontSize()},
+        ink,
+        fmt::format("{} of {} across", inMm(lengthMm),
+                    inMm(static_cast<double>(session.diagonalMm))));
+  const auto rows = [&](const char* name, const std::array<double, 3>& mm) {
+    y += line;
+    float widest = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!std::isfinite(mm[c])) continue;
+      const auto pixels = static_cast<float>(std::min(mm[c] / pixelMm, room));
+      drawBar(list, {left, y + 4 * (static_cast<float>(c) - 1)}, std::max(pixels, 1.0F),
+              channelInk[c], 2);
+      widest = std::max(widest, pixels);
+    }
+    write(list, {left + widest + 8, y - 0.5F * ImGui::GetFontSize()}, ink, name);
+  };
+  rows("mean free path", lengths.meanFreePathMm);
+  rows("diffusion length", lengths.diffusionMm);
+}
+
+void drawDivider(const Session& session, const Area& area) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float x = static_cast<float>(area.x) + session.divider * static_cast<float>(area.width);
+  const auto top = static_cast<float>(area.y);
+  const auto bottom = static_cast<float>(area.y + area.height);
+  list.AddLine({x, top}, {x, bottom}, ink, 2);
+  list.AddCircleFilled({x, 0.5F * (top + bottom)}, 0.5F * ImGui::GetFontSize(), ink);
+  const std::string left = "Gong et al. 2008";
+  const ImVec2 size = ImGui::CalcTextSize(left.c_str());
+  const float y = bottom - 1.5F * ImGui::GetFontSize();
+  write(list, {x - size.x - 10, y}, ink, left);
+  write(list, {x + 10, y}, ink, "Opaline");
+}
+
+void drawCaption(const char* text, const Area& area) {
+  write(*ImGui::GetBackgroundDrawList(),
+        {static_cast<float>(area.x) + ImGui::GetFontSize(),
+         static_cast<float>(area.y) + 0.7F * ImGui::GetFontSize()},
+        ink, text);
+}
+
+void drawKeys(const Area& area) {
+  struct Key {
+    const char* key;
+    const char* does;
+  };
+  constexpr std::array keys{Key{"drag", "turn about the scene; a light by its handle"},
+                            Key{"shift drag, middle drag", "move along the picture"},
+                            Key{"wheel, right drag", "nearer, further"},
+                            Key{"F", "see all of the scene"},
+                            Key{"T", "turntable"},
+                            Key{"space", "play, pause"},
+                            Key{"left, right", "a frame back, a frame on"},
+                            Key{"C", "compare with the paper's method"},
+                            Key{"H", "handles of lights, scale bar"},
+                            Key{"Tab", "hide the panels"},
+                            Key{"S", "save the scene, as .toml"},
+                            Key{"P", "save the picture"},
+                            Key{"O, X", "exposure up, down by half a stop"},
+                            Key{"?", "these keys"},
+                            Key{"Ctrl Q", "leave"}};
+  ImGui::SetNextWindowPos({static_cast<float>(area.x) + 0.5F * static_cast<float>(area.width),
+                           static_cast<float>(area.y) + 0.5F * static_cast<float>(area.height)},
+                          ImGuiCond_Always, {0.5F, 0.5F});
+  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration |
+                                     ImGuiWindowFlags_AlwaysAutoResize |
+                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+  ImGui::Begin("keys", nullptr, flags);
+  if (ImGui::BeginTable("list", 2, ImGuiTableFlags_SizingFixedFit)) {
+    for (const Key& key : keys) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(key.key);
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(key.does);
+    }
+    ImGui::EndTable();
+  }
+  ImGui::End();
+}
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "viewer/picture_painter.h"
+#include "viewer/projection.h"
+#include "viewer/session.h"
+
+namespace opaline::app::viewer {
+
+// What stands over the picture.
+
+/// Millimetres at the depth of the camera's target, and beneath, in red, green and blue, how far
+/// light travels in the medium before it is deflected and before it fades.
+void drawScaleBar(const Session& session, const Projection& projection, const Area& area);
+
+void drawDivider(const Session& session, const Area& area);
+
+/// The window's keys, over everything, until the next key or click.
+void drawKeys(const Area& area);
+
+/// A line at the top left: what is loaded, or what is being done.
+void drawCaption(const char* text, const Area& area);
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bssrdf/media.h"
+#include "bssrdf/profile.h"
+#include "core/tone.h"
+#include "medium_options.h"
+#include "viewer/controls.h"
+#include "viewer/panels/panels.h"
+
+namespace opaline::app::viewer {
+
+namespace {
+
+struct Chip {
+  Medium medium;
+  ImVec4 color;  ///< what a thick piece of it reflects of white light, sRGB
+};
+
+ImVec4 colorOf(const Medium& medium) {
+  const std::array<bssrdf::Profile, 3> profiles =
+      bssrdf::makeProfiles(bssrdf::Model::BetterDipole, medium);
+  std::array<float, 3> encoded{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    encoded[c] = core::encodeSrgb(
+        std::clamp(static_cast<float>(profiles[c].totalReflectance()), 0.0F, 1.0F));
+  }
+  return {encoded[0], encoded[1], encoded[2], 1};
+}
+
+const std::vector<Chip>& chips() {
+  static const std::vector<Chip> made = [] {
+    std::vector<Chip> list;
+    for (const Medium& medium : bssrdf::artisticMedia()) list.push_back({medium, colorOf(medium)});
+    for (const auto& row : bssrdf::measuredMedia()) {
+      list.push_back({row.medium, colorOf(row.medium)});
+    }
+    return list;
+  }();
+  return made;
+}
+
+bool drawChips(Medium& medium) {
+  bool chosen = false;
+  const float edge = 1.35F * ImGui::GetFontSize();
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  for (const Chip& chip : chips()) {
+    ImGui::PushID(chip.medium.name.c_str());
+    if (ImGui::ColorButton(chip.medium.name.c_str(), chip.color,
+                           ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
+                           {edge, edge})) {
+      medium = chip.medium;
+      chosen = true;
+    }
+    controls::note(chip.medium.name.c_str());
+    controls::tip(chip.medium.name.c_str());
+    ImGui::PopID();
+    const float next = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + edge;
+    if (&chip != &chips().back() && next < right) ImGui::SameLine();
+  }
+  return chosen;
+}
+
+bool drawCoefficients(const char* name, std::array<double, 3>& perMm, float low, float high,
+                      const char* about) {
+  constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
+  bool changed = false;
+  ImGui::TextUnformatted(name);
+  controls::tip(about);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::string label = fmt::format("{}##{}", channels[c], name);
+    auto value = static_cast<float>(perMm[c]);
+    if (controls::slider(label.c_str(), value, low, high, "%.4g /mm", about)) {
+      perMm[c] = static_cast<double>(value);
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+// Taken up when the mouse lets go: every size is another scene.
+void drawSize(Session& session) {
+  float mm = session.draggedDiagonalMm.value_or(session.diagonalMm);
+  if (controls::slider("size", mm, 1, 10'000, "%.1f mm",
+                       "Diagonal of the model's box. Light reaches equally far into a small body "
+                       "and a large one of one medium: size decides how translucent it looks.")) {
+    session.draggedDiagonalMm = mm;
+  }
+  if (!session.draggedDiagonalMm || ImGui::IsItemActive()) return;
+  session.wantedDiagonalMm = std::exchange(session.draggedDiagonalMm, std::nullopt);
+}
+
+void showLengths(const Medium& medium) {
+  const MediumLengths lengths = lengthsOf(medium);
+  if (!ImGui::BeginTable("lengths", 4, ImGuiTableFlags_SizingStretchProp)) return;
+  const auto row = [](const char* name, const std::array<double, 3>& mm) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(name);
+    for (const double value : mm) {
+      ImGui::TableNextColumn();
+      if (std::isfinite(value)) {
+        ImGui::Text("%.3g", value);
+      } else {
+        ImGui::TextUnformatted("endless");
+      }
+    }
+  };
+  row("mean free path, mm", lengths.meanFreePathMm);
+  row("diffusion length, mm", lengths.diffusionMm);
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void drawMediumPanel(Session& session) {
+  if (!controls::section("Medium", true) || session.scene.objects.empty()) return;
+  std::vector<std::string> names;
+  for (const Object& object : session.scene.objects) names.push_back(object.name);
+  if (names.size() > 1) {
+    auto index = static_cast<int>(session.object);
+    if (controls::choice("object", index, names, "Whose medium the rest of this panel is of.")) {
+      session.object = static_cast<std::size_t>(index);
+    }
+  }
+  Medium& medium = session.scene.objects[session.object].medium;
+  ImGui::Text("%s", medium.name.c_str());
+  bool changed = drawChips(medium);
+  const bool edited =
+      drawCoefficients("scattering", medium.sigmaSPrimePerMm, 1e-3F, 1e2F,
+                       "Reduced scattering coefficient: how often light is deflected within a "
+                       "millimetre. More is more opaque. Jensen et al. 2001, Figure 5.") |
+      drawCoefficients("absorption", medium.sigmaAPerMm, 1e-5F, 1e1F,
+                       "Absorption coefficient: how much of the light dies within a millimetre. "
+                       "More is darker, and more saturated where it differs between channels.");
+  auto eta = static_cast<float>(medium.eta);
+  const bool bent = controls::slider("index of refraction", eta, 1.01F, 2.5F, "%.3f",
+                                     "Of the body relative to what surrounds it: 1.3 is water, "
+                                     "1.5 glass. More keeps more light inside.");
+  if (bent) medium.eta = static_cast<double>(eta);
+  if (edited || bent) medium.name = "custom";
+  changed = changed || edited || bent;
+  if (changed) session.edits.medium[session.object] = true;
+  drawSize(session);
+  showLengths(medium);
+}
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "viewer/controls.h"
+#include "viewer/panels/panels.h"
+
+namespace opaline::app::viewer {
+
+namespace {
+
+constexpr std::size_t mostDeformers = 8;
+
+const Choices<DeformerKind>& kinds() {
+  static const Choices<DeformerKind> table{{"twist", DeformerKind::Twist},
+                                           {"bend", DeformerKind::Bend},
+                                           {"squash", DeformerKind::Squash},
+                                           {"wobble", DeformerKind::Wobble}};
+  return table;
+}
+
+struct Limits {
+  float low;
+  float high;
+  const char* format;
+};
+
+Limits limitsOf(DeformerKind kind) {
+  switch (kind) {
+    case DeformerKind::Twist:
+      return {-10, 10, "%.2f rad"};
+    case DeformerKind::Bend:
+      return {-3.1F, 3.1F, "%.2f rad"};
+    case DeformerKind::Squash:
+      return {-0.9F, 0.9F, "%.2f"};
+    case DeformerKind::Wobble:
+      break;
+  }
+  return {-0.5F, 0.5F, "%.3f"};
+}
+
+bool drawDeformer(Deformer& deformer) {
+  bool changed = controls::choice("kind", deformer.kind, kinds(),
+                                  "What becomes of the whole scene, about its vertical axis.");
+  const Limits limits = limitsOf(deformer.kind);
+  if (changed) deformer.amount = std::clamp(deformer.amount, limits.low, limits.high);
+  changed |= controls::slider("amount", deformer.amount, limits.low, limits.high, limits.format,
+                              "How much: an angle, or a part of the size.");
+  bool swings = deformer.periodSeconds > 0;
+  if (controls::checkbox("swings", swings, "To and fro, instead of standing still.")) {
+    deformer.periodSeconds = swings ? 2.0F : 0;
+    changed = true;
+  }
+  if (swings) {
+    changed |=
+        controls::slider("period", deformer.periodSeconds, 0.1F, 20, "%.2f s", "Of one swing.");
+  }
+  return changed;
+}
+
+bool drawDeformers(std::vector<Deformer>& deformers) {
+  bool changed = false;
+  for (std::size_t i = 0; i < deformers.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::Separator();
+    changed |= drawDeformer(deformers[i]);
+    const bool gone = controls::button("remove", "Takes this deformation away.");
+    ImGui::PopID();
+    if (!gone) continue;
+    deformers.erase(deformers.begin() + static_cast<std::ptrdiff_t>(i));
+    return true;
+  }
+  if (deformers.size() < mostDeformers &&
+      controls::button("add a deformation", "Twist, bend, squash or wobble the whole scene.")) {
+    deformers.push_back({DeformerKind::Wobble, 0.05F, 2});
+    changed = true;
+  }
+  return changed;
+}
+
+void drawClips(Session& session) {
+  std::vector<std::string> names{"none"};
+  for (const Clip& clip : session.scene.clips) {
+    names.push_back(clip.name.empty() ? fmt::format("clip {}", names.size()) : clip.name);
+  }
+  int chosen = session.options.clip + 1;
+  if (names.size() > 1 && controls::choice("clip", chosen, names, "Which animation plays.")) {
+    session.options.clip = chosen - 1;
+    session.playback.lengthSeconds = lengthOfMotion(session.scene, session.options.clip);
+    session.edits.picture = true;
+  }
+}
+
+}  // namespace
+
+void drawMotionPanel(Session& session) {
+  if (!controls::section("Motion", false)) return;
+  Playback& playback = session.playback;
+  if (controls::button(playback.playing ? "pause" : "play", "Key: space.")) {
+    playback.playing = !playback.playing;
+  }
+  ImGui::SameLine();
+  controls::checkbox("loop", playback.loop, "Begins anew at the end.");
+  ImGui::SameLine();
+  controls::checkbox("turntable", playback.turntable, "Turns the camera about the scene. Key: T.");
+  auto seconds = static_cast<float>(session.options.seconds);
+  if (controls::slider("time", seconds, 0, playback.lengthSeconds, "%.3f s",
+                       "The moment that is shown.")) {
+    session.options.seconds = static_cast<double>(seconds);
+    session.edits.picture = true;
+  }
+  controls::slider("speed", playback.speed, 0.05F, 4, "%.2f x", "Of the playback.");
+  drawClips(session);
+  if (drawDeformers(session.scene.deformers)) {
+    session.edits.deformers = true;
+    playback.lengthSeconds = lengthOfMotion(session.scene, session.options.clip);
+  }
+}
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,59 @@
+#include <imgui.h>
+
+#include "picture_options.h"
+#include "viewer/controls.h"
+#include "viewer/panels/panels.h"
+
+namespace opaline::app::viewer {
+
+namespace {
+
+const Choices<Aov>& shownVariables() {
+  static const Choices<Aov> table{{"radiance", Aov::Radiance},
+                                  {"exitance", Aov::Exitance},
+                                  {"irradiance", Aov::Irradiance},
+                                  {"position", Aov::Position},
+                                  {"normal", Aov::Normal},
+                                  {"depth", Aov::Depth},
+                                  {"evaluations", Aov::Evaluations},
+                                  {"object", Aov::Object},
+                                  {"map: position", Aov::DsmPosition},
+                                  {"map: normal", Aov::DsmNormal},
+                                  {"map: irradiance", Aov::DsmIrradiance},
+                                  {"map: area", Aov::DsmArea}};
+  return table;
+}
+
+}  // namespace
+
+void drawViewPanel(Session& session) {
+  if (!controls::section("View", false)) return;
+  bool changed = controls::choice("variable", session.aov, shownVariables(),
+                                  "What is drawn: light towards the camera, what leaves or enters "
+                                  "the surface, its shape, or the diffusion source map with the "
+                                  "atlas it lies on.");
+  RenderOptions& options = session.options;
+  changed |= controls::slider("exposure", session.tone.exposureStops, -8, 8, "%.2f stops",
+                              "Twice the light for every stop.");
+  changed |= controls::choice("tone", session.tone.curve, toneCurves(),
+                              "Neutral bends only what is brighter than white (Khronos 2024).");
+  static const Choices<int> samples{{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}};
+  changed |= controls::choice("samples a pixel", options.antialias, samples,
+                              "Of the picture at rest; 1 while it moves.");
+  changed |= controls::checkbox("reflection on the surface", options.specular,
+                                "GGX reflection of lights and environment (Walter et al. 2007).");
+  if (options.specular) {
+    changed |=
+        controls::slider("roughness", options.roughness, 0.05F, 1, "%.2f", "Of that reflection.");
+  }
+  controls::checkbox("scale bar", session.scaleBar,
+                     "Millimetres in the picture, beside how far light travels in the medium.");
+  float fov = session.scene.camera.verticalFovDegrees;
+  if (controls::slider("field of view", fov, 5, 100, "%.1f deg", "Of the camera, vertical.")) {
+    session.scene.camera.verticalFovDegrees = fov;
+    session.edits.camera = true;
+  }
+  if (changed) session.edits.picture = true;
+}
+
+}  // namespace opaline::app::viewer

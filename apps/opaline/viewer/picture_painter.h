@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include "core/tone.h"
+#include "opaline/vulkan.h"
+
+namespace opaline::app::viewer {
+
+/// Pixels of the window, from its top left corner.
+struct Area {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  bool empty() const { return width <= 0 || height <= 0; }
+  bool holds(float px, float py) const {
+    return px >= static_cast<float>(x) && py >= static_cast<float>(y) &&
+           px < static_cast<float>(x + width) && py < static_cast<float>(y + height);
+  }
+};
+
+/// Draws pictures of light into the window: exposure, tone curve and sRGB as core::toneMap.
+class PicturePainter {
+ public:
+  PicturePainter(const VulkanDevice& device, VkRenderPass renderPass);
+  ~PicturePainter();
+  PicturePainter(const PicturePainter&) = delete;
+  PicturePainter& operator=(const PicturePainter&) = delete;
+
+  /// `picture` fills `place`, of which only `visible` is drawn; both lie within the window. Tone
+  /// without a background means black.
+  void draw(VkCommandBuffer commands, const DeviceImage& picture, const Area& place,
+            const Area& visible, const core::ToneOptions& tone) const;
+
+ private:
+  void makeLayout();
+  void makePipeline(VkRenderPass renderPass);
+
+  VulkanDevice device_;
+  PFN_vkCmdPushDescriptorSetKHR pushDescriptorSet_ = nullptr;
+  VkSampler sampler_ = VK_NULL_HANDLE;
+  VkDescriptorSetLayout sets_ = VK_NULL_HANDLE;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
+}  // namespace opaline::app::viewer

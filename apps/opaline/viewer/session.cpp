@@ -1,0 +1,29 @@
+#include "viewer/session.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace opaline::app::viewer {
+
+RenderOptions paperOptions(const RenderOptions& options) {
+  RenderOptions paper = options;
+  paper.transport = Transport::Dipole;
+  paper.sum = Sum::Pattern;
+  paper.site = Site::Fragment;
+  return paper;
+}
+
+float lengthOfMotion(const Scene& scene, int clip) {
+  constexpr float usual = 4;
+  if (clip >= 0 && static_cast<std::size_t>(clip) < scene.clips.size()) {
+    const float seconds = scene.clips[static_cast<std::size_t>(clip)].seconds;
+    if (seconds > 0) return seconds;
+  }
+  float longest = 0;
+  for (const Deformer& deformer : scene.deformers) {
+    longest = std::max(longest, deformer.periodSeconds);
+  }
+  return longest > 0 ? longest : usual;
+}
+
+}  // namespace opaline::app::viewer

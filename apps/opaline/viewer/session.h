@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/tone.h"
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "scene/scene_source.h"
+#include "scene_options.h"
+
+namespace opaline::app::viewer {
+
+/// What an edit concerns, so that nothing else is done again.
+struct Edits {
+  bool camera = false;
+  bool lighting = false;
+  bool deformers = false;
+  bool picture = false;      ///< options, time: whatever needs a new picture and nothing else
+  std::vector<bool> medium;  ///< by object
+
+  bool any() const {
+    for (const bool edited : medium) {
+      if (edited) return true;
+    }
+    return camera || lighting || deformers || picture;
+  }
+};
+
+/// What the picture area shows.
+enum class Shown { Picture, Truth, HeatMap };
+
+/// How the animation runs.
+struct Playback {
+  bool playing = false;
+  bool loop = true;
+  bool turntable = false;
+  float speed = 1;
+  float lengthSeconds = 4;  ///< after which it begins anew
+};
+
+/// Everything that can be changed in the window, as plain data. Panels change it and note what they
+/// did in `edits`; nothing here draws or renders.
+struct Session {
+  SceneOptions asked;  ///< what was asked to be opened
+  std::string name;
+  Scene scene;
+  scene::SceneSource source;               ///< the files that it was made of
+  std::optional<Image> environment;        ///< as the source's file has it, not turned
+  float diagonalMm = 0;                    ///< as loaded
+  std::optional<float> wantedDiagonalMm;   ///< another, to be loaded
+  std::optional<float> draggedDiagonalMm;  ///< another, while its slider is being dragged
+  std::vector<std::string> notes;          ///< of loading
+
+  RenderOptions options;
+  core::ToneOptions tone;
+  Playback playback;
+  bool quickWhileMoving = true;  ///< half-spaces where the transport is too slow to move with
+  bool divided = false;          ///< the paper's method on the left of the divider
+  float divider = 0.5F;          ///< in [0, 1]
+  Aov aov = Aov::Radiance;
+  Shown shown = Shown::Picture;
+  bool scaleBar = true;
+  bool gizmos = true;
+
+  std::optional<RenderReport> report;  ///< of the last picture
+
+  std::size_t object = 0;  ///< whose medium is edited
+  int light = -1;          ///< that is selected: directional lights first, then points
+  Edits edits;
+};
+
+/// The method of Gong et al. 2008 for the same picture.
+RenderOptions paperOptions(const RenderOptions& options);
+
+/// Seconds after which all clips and swinging deformers have come round, or a few.
+float lengthOfMotion(const Scene& scene, int clip);
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "opaline/renderer.h"
+
+namespace opaline::app::viewer {
+
+/// GPU times of the passes of the last frames.
+class TimingHistory {
+ public:
+  static constexpr std::size_t kept = 120;
+
+  void add(const Frame& frame);
+  void clear();
+
+  std::size_t frames() const { return count_; }
+  /// In the order they first ran.
+  const std::vector<std::string>& passes() const { return names_; }
+  /// Of a frame, 0 the oldest: milliseconds of every pass, 0 where it did not run.
+  std::span<const double> milliseconds(std::size_t frame) const;
+  double largestTotal() const;
+  /// Of one pass over the frames that are kept.
+  double median(std::size_t pass) const;
+  double medianTotal() const;
+
+ private:
+  std::vector<std::string> names_;
+  std::array<std::vector<double>, kept> rows_;
+  std::size_t next_ = 0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace opaline::app::viewer

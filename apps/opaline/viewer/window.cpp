@@ -1,0 +1,152 @@
+#include "viewer/window.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+// After vulkan.h, so that it declares what it has for Vulkan.
+#include <GLFW/glfw3.h>
+
+#include "opaline/error.h"
+
+namespace opaline::app::viewer {
+
+namespace {
+
+std::string lastError() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text != nullptr ? text : "no reason was given";
+}
+
+Window& windowOf(GLFWwindow* handle) {
+  return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+}
+
+}  // namespace
+
+Window::Window(int width, int height, const char* title) {
+  if (glfwInit() == GLFW_FALSE) {
+    throw Error(fmt::format(
+        "view found no display to open a window on ({}); opaline render makes pictures without one",
+        lastError()));
+  }
+  if (glfwVulkanSupported() == GLFW_FALSE) {
+    glfwTerminate();
+    throw Error("view found no Vulkan driver that draws into windows; install one, or use render");
+  }
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  window_ = glfwCreateWindow(width, height, title, nullptr, nullptr);
+  if (window_ == nullptr) {
+    const std::string reason = lastError();
+    glfwTerminate();
+    throw Error(
+        fmt::format("view could not open a window: {}; opaline render works without one", reason));
+  }
+  glfwSetWindowSizeLimits(window_, 320, 240, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
+    Window& window = windowOf(handle);
+    for (int i = 0; i < count; ++i) window.dropped_.emplace_back(paths[i]);
+  });
+  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int mods) {
+    if (action == GLFW_RELEASE) return;
+    windowOf(handle).keys_.push_back(
+        {key, 0, (mods & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT});
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned int typed) {
+    windowOf(handle).keys_.push_back({0, typed, false, false});
+  });
+  glfwSetWindowRefreshCallback(window_,
+                               [](GLFWwindow* handle) { windowOf(handle).refresh_ = true; });
+  glfwSetFramebufferSizeCallback(
+      window_, [](GLFWwindow* handle, int, int) { windowOf(handle).refresh_ = true; });
+}
+
+Window::~Window() {
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+std::vector<std::string> Window::instanceExtensions() {
+  std::uint32_t count = 0;
+  const char** names = glfwGetRequiredInstanceExtensions(&count);
+  if (names == nullptr) {
+    throw Error(
+        fmt::format("view cannot draw into windows with this Vulkan driver: {}", lastError()));
+  }
+  return {names, names + count};
+}
+
+std::vector<std::string> Window::deviceExtensions() {
+  return {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
+}
+
+VkSurfaceKHR Window::makeSurface(VkInstance instance) const {
+  VkSurfaceKHR surface = VK_NULL_HANDLE;
+  if (glfwCreateWindowSurface(instance, window_, nullptr, &surface) != VK_SUCCESS) {
+    throw Error(fmt::format("view could not draw into its window: {}", lastError()));
+  }
+  return surface;
+}
+
+std::array<int, 2> Window::size() const {
+  std::array<int, 2> size{};
+  if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE) {
+    glfwGetWindowSize(window_, size.data(), size.data() + 1);
+  }
+  return size;
+}
+
+VkExtent2D Window::pixels() const {
+  int width = 0;
+  int height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+}
+
+float Window::scale() const {
+  float x = 1;
+  float y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return x > 0 ? x : 1;
+}
+
+bool Window::wantsToClose() const {
+  return glfwWindowShouldClose(window_) != GLFW_FALSE;
+}
+
+void Window::setTitle(const std::string& title) {
+  glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::poll() {
+  glfwPollEvents();
+}
+
+void Window::wait(double seconds) {
+  if (seconds > 0) {
+    glfwWaitEventsTimeout(seconds);
+  } else {
+    glfwWaitEvents();
+  }
+}
+
+void Window::wake() {
+  glfwPostEmptyEvent();
+}
+
+std::vector<std::filesystem::path> Window::takeDropped() {
+  return std::exchange(dropped_, {});
+}
+
+std::vector<KeyPress> Window::takeKeys() {
+  return std::exchange(keys_, {});
+}
+
+bool Window::takeRefresh() {
+  return std::exchange(refresh_, false);
+}
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "opaline/types.h"
+#include "passes/products.h"
+#include "shaders/shared/soft_body.h"
+#include "soft_body/cage.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// A soft body on the device: its cage, how that moves, and where it takes the body's vertices.
+struct SoftBodyState {
+  gpu::Buffer cells;      ///< eight corners each, see shared::softMassShift
+  gpu::Buffer nodes;      ///< shared::SoftNode
+  gpu::Buffer motions;    ///< shared::SoftMotion, one a node
+  gpu::Buffer turns;      ///< vec4 a cell: its rotation as a quaternion
+  gpu::Buffer grips;      ///< vec4 a node: how it was shifted when it was taken hold of; how firmly
+  gpu::Buffer report;     ///< shared::SoftReport
+  gpu::Buffer firstPart;  ///< soft_body::Spread
+  gpu::Buffer parts;
+  gpu::Buffer grid;                     ///< vec4 a place: xyz cells; texels too
+  gpu::Buffer rest;                     ///< three floats a vertex, mm
+  gpu::Buffer positions;                ///< three floats a vertex, mm
+  std::array<float, 4> origin{};        ///< of the grid, mm; edge of a cell, mm
+  std::array<std::uint32_t, 4> size{};  ///< of the grid; number of vertices
+  std::array<std::uint32_t, shared::softColours + 1> firstOfColour{};  ///< cell
+  std::uint32_t nodeCount = 0;
+};
+
+/// Swings a soft body's cage and moves its vertices along.
+class SoftBodyPass {
+ public:
+  explicit SoftBodyPass(gpu::Device& device);
+
+  /// At rest. There are at most shared::maxSoftNodes nodes, and positions.
+  static SoftBodyState makeState(gpu::Device& device, const soft_body::Cage& cage,
+                                 std::span<const Vec3> restMm);
+
+  /// Moves the cage on in time. What is the cage's in `step` is filled in.
+  void swing(gpu::CommandList& commands, shared::SoftStep step, SoftBodyState& state) const;
+
+  /// Moves the vertices to where the cage is, for shaders to read.
+  void embed(gpu::CommandList& commands, SoftBodyState& state) const;
+
+ private:
+  gpu::Pipeline swing_;
+  gpu::Pipeline spread_;
+  gpu::Pipeline embed_;
+};
+
+}  // namespace opaline::passes

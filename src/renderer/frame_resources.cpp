@@ -1,0 +1,67 @@
+#include "renderer/frame_resources.h"
+
+#include <cstdint>
+#include <optional>
+
+#include "gpu/device.h"
+#include "gpu/transfer.h"
+#include "renderer/frame.h"
+#include "renderer/light_views.h"
+#include "renderer/pattern_layout.h"
+#include "renderer/scene_tables.h"
+
+namespace opaline {
+
+namespace {
+
+std::optional<PatternLayout> patternOf(const SceneResources& scene, const RenderOptions& options) {
+  if (!scene.needs.mapSize) return std::nullopt;
+  return layOutPattern(scene, options);
+}
+
+}  // namespace
+
+FrameResources makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
+                                  const Lighting& lighting, const RenderOptions& options) {
+  const auto width = static_cast<std::uint32_t>(options.width);
+  const auto height = static_cast<std::uint32_t>(options.height);
+  FrameResources made;
+  made.view = passes::FitPass::makeView(device);
+  const std::optional<PatternLayout> pattern = patternOf(scene, options);
+  if (pattern) {
+    made.sources = passes.map.prepare(
+        device, scene.mesh, static_cast<std::uint32_t>(*scene.needs.mapSize), pattern->maps);
+  } else {
+    made.sources.charts =
+        gpu::makeBuffer(device, "no charts", {}, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  }
+  made.tables = makeSceneTables(device, scene, pattern, lighting, options);
+  made.surface = passes::SurfacePass::makeSurface(device, width, height);
+  made.exitance = passes::SurfacePass::makeExitance(device, width, height, scene.mesh.vertexCount);
+  made.radiance = passes::ShadePass::makeRadiance(device, width, height);
+  remakeShadows(device, lighting, options, made);
+  remakeEnvironment(device, passes, lighting, options, made);
+  return made;
+}
+
+void remakeTables(gpu::Device& device, const SceneResources& scene, const Lighting& lighting,
+                  const RenderOptions& options, FrameResources& resources) {
+  resources.tables = makeSceneTables(device, scene, patternOf(scene, options), lighting, options);
+}
+
+void remakeEnvironment(gpu::Device& device, const Passes& passes, const Lighting& lighting,
+                       const RenderOptions& options, FrameResources& resources) {
+  resources.environmentCube =
+      lighting.environment
+          ? passes.environment.makeCube(device, *lighting.environment, options.roughness)
+          : passes::EnvironmentPass::makeBlack(device);
+}
+
+void remakeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,
+                   FrameResources& resources) {
+  resources.view.shadowViews = shadowViewCount(lighting);
+  resources.shadows = passes::ShadowPass::makeMaps(
+      device, static_cast<std::uint32_t>(options.shadowSize), resources.view.shadowViews);
+}
+
+}  // namespace opaline

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "gpu/image.h"
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "passes/products.h"
+#include "renderer/scene_resources.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline {
+
+struct Passes;
+
+/// What the passes of a frame read and write; depends on scene and options, not on the frame.
+struct FrameResources {
+  passes::SceneTables tables;
+  passes::FrameView view;
+  passes::ShadowMaps shadows;
+  passes::DiffusionSources sources;  ///< where the plan asks for the map
+  passes::VisibleSurface surface;
+  passes::Exitance exitance;
+  gpu::GpuImage environmentCube;
+  gpu::GpuImage radiance;
+};
+
+/// Everything, for these options.
+FrameResources makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
+                                  const Lighting& lighting, const RenderOptions& options);
+
+/// Makes again what depends on media and on light from all around.
+void remakeTables(gpu::Device& device, const SceneResources& scene, const Lighting& lighting,
+                  const RenderOptions& options, FrameResources& resources);
+
+/// Makes again what depends on the environment as the surface reflects it.
+void remakeEnvironment(gpu::Device& device, const Passes& passes, const Lighting& lighting,
+                       const RenderOptions& options, FrameResources& resources);
+
+/// Makes again what depends on how many lights there are of which kind.
+void remakeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,
+                   FrameResources& resources);
+
+}  // namespace opaline

@@ -1,0 +1,76 @@
+#include "renderer/prepared_frames.h"
+
+#include <algorithm>
+
+#include "gpu/device.h"
+#include "renderer/frame.h"
+#include "renderer/light_views.h"
+
+namespace opaline {
+
+namespace {
+
+bool sameResources(const RenderOptions& a, const RenderOptions& b) {
+  return a.width == b.width && a.height == b.height && a.transport == b.transport &&
+         a.pattern.nearRings == b.pattern.nearRings &&
+         a.pattern.nearSpacing == b.pattern.nearSpacing &&
+         a.pattern.farDistance == b.pattern.farDistance && a.shadowSize == b.shadowSize &&
+         a.roughness == b.roughness;
+}
+
+// The map's size is the scene's where the options ask for none.
+RenderOptions optionsFor(const RenderOptions& options, const SceneResources& scene) {
+  RenderOptions made = options;
+  made.dsmSize = scene.needs.mapSize.value_or(options.dsmSize);
+  return made;
+}
+
+}  // namespace
+
+PreparedFrames::PreparedFrames(gpu::Device& device, const Passes& passes)
+    : device_(device), passes_(passes) {}
+
+PreparedFrame& PreparedFrames::of(const RenderOptions& options, SceneResources& scene,
+                                  const Lighting& lighting, const SceneChanges& changes) {
+  const auto fits = [&](const Slot& slot) {
+    return slot.frame && sameResources(slot.frame->options, options);
+  };
+  auto found = std::find_if(slots_.begin(), slots_.end(), fits);
+  if (found == slots_.end()) {
+    found = std::min_element(slots_.begin(), slots_.end(),
+                             [](const Slot& a, const Slot& b) { return a.lastUse < b.lastUse; });
+    device_.waitIdle();
+    found->frame.reset();  // before memory for the next is taken
+    const RenderOptions made = optionsFor(options, scene);
+    found->frame = PreparedFrame{
+        made, changes, makeFrameResources(device_, passes_, scene, lighting, made), std::nullopt};
+  }
+  found->lastUse = ++uses_;
+  renew(*found->frame, scene, lighting, changes);
+  return *found->frame;
+}
+
+void PreparedFrames::renew(PreparedFrame& frame, SceneResources& scene, const Lighting& lighting,
+                           const SceneChanges& changes) {
+  const bool media = frame.changes.media != changes.media;
+  const bool sky = frame.changes.sky != changes.sky;
+  const bool views = frame.resources.view.shadowViews != shadowViewCount(lighting);
+  if (media || sky || views) device_.waitIdle();
+  if (media && scene.needs.mapSize) {
+    // The neighbourhoods of the map's charts reach as far as the media's patterns.
+    const RenderOptions options = frame.options;
+    frame.resources = {};
+    frame.resources = makeFrameResources(device_, passes_, scene, lighting, options);
+  } else {
+    if (media || sky) remakeTables(device_, scene, lighting, frame.options, frame.resources);
+    if (sky) remakeEnvironment(device_, passes_, lighting, frame.options, frame.resources);
+    if (views) remakeShadows(device_, lighting, frame.options, frame.resources);
+  }
+  frame.changes = changes;
+}
+
+void PreparedFrames::clear() {
+  for (Slot& slot : slots_) slot = {};
+}
+
+}  // namespace opaline

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "renderer/frame_resources.h"
+#include "renderer/scene_resources.h"
+
+namespace opaline {
+
+/// Counts that rise when something of a scene changes.
+struct SceneChanges {
+  std::uint64_t media = 0;
+  std::uint64_t sky = 0;     ///< ambient light, environment
+  std::uint64_t lights = 0;  ///< any light
+  std::uint64_t pose = 0;    ///< where the vertices lie
+
+  bool operator==(const SceneChanges&) const = default;
+};
+
+/// Resources for one kind of frame: of one size and method.
+struct PreparedFrame {
+  RenderOptions options;  ///< they were made for
+  SceneChanges changes;   ///< up to which they were made
+  FrameResources resources;
+  /// The frame whose light they hold.
+  struct Lit {
+    RenderOptions options;
+    SceneChanges changes;
+    Site site = Site::Vertex;
+    bool map = false;
+  };
+  std::optional<Lit> lit;
+};
+
+/// Keeps the resources of two kinds of frame, so that two pictures may take turns, and makes again
+/// only what a change concerns.
+class PreparedFrames {
+ public:
+  PreparedFrames(gpu::Device& device, const Passes& passes);
+
+  /// Waits for the device where anything has to be made.
+  PreparedFrame& of(const RenderOptions& options, SceneResources& scene, const Lighting& lighting,
+                    const SceneChanges& changes);
+  void clear();
+
+ private:
+  struct Slot {
+    std::optional<PreparedFrame> frame;
+    std::uint64_t lastUse = 0;
+  };
+  void renew(PreparedFrame& frame, SceneResources& scene, const Lighting& lighting,
+             const SceneChanges& changes);
+
+  gpu::Device& device_;
+  const Passes& passes_;
+  std::array<Slot, 2> slots_;
+  std::uint64_t uses_ = 0;
+};
+
+}  // namespace opaline

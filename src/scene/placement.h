@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "scene/raw_scene.h"
+#include "scene/scene_source.h"
+#include "scene/toml_reader.h"
+
+namespace opaline::scene {
+
+/// What an object's table says of its place; nothing where it says nothing.
+std::optional<Placement> readPlacement(const TomlTable& table);
+
+/// Throws Error, naming `table`, for a placement that flattens or leaves the range of a float.
+void place(RawObject& object, const Placement& placement, const TomlTable& table);
+
+}  // namespace opaline::scene

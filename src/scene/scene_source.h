@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "opaline/scene.h"
+#include "opaline/types.h"
+
+namespace opaline::scene {
+
+/// Where an object stands, seen from its model: a matrix, or else scaled, turned about x, then y,
+/// then z, all fixed axes, and moved.
+struct Placement {
+  std::optional<std::array<double, 16>> rows;  ///< affine, row by row, lengths in mm
+  Vec3 translationMm{};
+  Vec3 rotationDegrees{};
+  double scale = 1;
+};
+
+/// A latitude-longitude picture that lights a scene.
+struct EnvironmentFile {
+  std::filesystem::path file;
+  float intensity = 1;         ///< what its radiance is multiplied with, in [0, 1e6]
+  double rotationDegrees = 0;  ///< about +y, counter-clockwise seen from above; in [-1e6, 1e6]
+};
+
+/// The files a scene was made of and what was done to them. Paths are absolute.
+struct SceneSource {
+  std::filesystem::path model;  ///< or builtin:bear, builtin:teapot
+  std::optional<double> diagonalMm;
+  std::optional<std::filesystem::path> morphTo;
+  std::map<std::string, Placement> placements;  ///< by the object's name; others stand as they are
+  std::optional<EnvironmentFile> environment;
+
+  bool isBuiltIn() const { return model.string().starts_with("builtin:"); }
+};
+
+/// Of a scene that is loaded from a model's file with these options, or is built in.
+SceneSource sourceOf(const std::filesystem::path& model, const LoadOptions& options);
+
+/// The same for whichever folder is the current one later.
+SceneSource withAbsolutePaths(SceneSource source);
+
+/// What would have made the scene times `factor` in the first place, to rounding: with that size
+/// of its model, and its objects as much farther apart.
+void rescale(SceneSource& source, double factor, double modelDiagonalMm);
+
+}  // namespace opaline::scene

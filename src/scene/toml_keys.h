@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace opaline::scene::keys {
+
+// All that a .toml scene may say, table by table. The loader refuses every other key, and what it
+// reads the writer can write.
+
+template <std::size_t count>
+using Keys = std::array<std::string_view, count>;
+
+inline constexpr Keys<11> root{"model",   "diagonal_mm", "medium",      "media",
+                               "objects", "lights",      "environment", "camera",
+                               "render",  "morph_to",    "deform"};
+inline constexpr Keys<4> medium{"measured", "sigma_s_per_mm", "sigma_a_per_mm", "eta"};
+inline constexpr Keys<5> object{"medium", "transform", "translation_mm", "rotation_degrees",
+                                "scale"};
+inline constexpr Keys<3> deform{"kind", "amount", "period_seconds"};
+inline constexpr Keys<3> directional{"type", "direction_to_light", "irradiance"};
+inline constexpr Keys<3> point{"type", "position_mm", "intensity"};
+inline constexpr Keys<2> ambient{"type", "radiance"};
+inline constexpr Keys<3> environment{"file", "intensity", "rotation_degrees"};
+inline constexpr Keys<5> camera{"direction", "position_mm", "target_mm", "up", "fov_degrees"};
+inline constexpr Keys<22> render{
+    "size",        "transport",        "sum",        "site",         "tolerance",    "max_sources",
+    "bounces",     "boundary_surfels", "near_rings", "near_spacing", "far_distance", "dsm_size",
+    "shadow_size", "specular",         "roughness",  "antialias",    "exposure",     "tone",
+    "background",  "device",           "seconds",    "clip"};
+
+}  // namespace opaline::scene::keys

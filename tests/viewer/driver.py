@@ -1,0 +1,173 @@
+"""Opens the window on a display of its own and uses mouse and keys on it."""
+
+import json
+import os
+import pathlib
+import subprocess
+import time
+
+from images import read_png
+from program import PROGRAM, ProgramTest
+
+# Waiting for the program, on machines of any speed.
+LONGEST_SECONDS = 240
+
+
+def start_display(test, size="1400x900"):
+    """A display; its name."""
+    read, write = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{size}x24", "-nolisten", "tcp"],
+                              pass_fds=[write], stderr=subprocess.DEVNULL)
+    os.close(write)
+    test.addCleanup(server.wait)
+    test.addCleanup(server.kill)
+    with os.fdopen(read) as pipe:
+        return ":" + pipe.readline().strip()
+
+
+class Window:
+    """`opaline view` with the validation layer on, whose messages make it fail in the end."""
+
+    def __init__(self, test, display, *arguments, folder=None):
+        self.test = test
+        self.folder = folder or test.folder
+        self.places = test.folder / "controls.json"
+        self.places.unlink(missing_ok=True)
+        self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(test.config))
+        self.errors = open(test.folder / "errors.txt", "w+", encoding="utf-8")
+        test.addCleanup(self.errors.close)
+        self.process = subprocess.Popen(
+            [PROGRAM, "view", "--validation", "--controls", str(self.places), *map(str, arguments)],
+            cwd=self.folder, env=self.environment, stderr=self.errors)
+        test.addCleanup(self.process.wait)
+        test.addCleanup(self.process.kill)
+
+    def wait_for(self, what, why):
+        deadline = time.monotonic() + LONGEST_SECONDS
+        while not what():
+            self.test.assertIsNone(self.process.poll(), f"it ended: {self.said()}")
+            self.test.assertLess(time.monotonic(), deadline, why)
+            time.sleep(.05)
+
+    def said(self):
+        self.errors.seek(0)
+        return self.errors.read()
+
+    def state(self):
+        return json.loads(self.places.read_bytes())
+
+    def open(self):
+        """Until the first picture stands."""
+        self.wait_for(lambda: self.places.exists() and self.state()["frames"] > 0, "no picture came")
+        self.settle()
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--pid", str(self.process.pid)], check=False,
+                               env=self.environment, capture_output=True, text=True).stdout.split()
+        if not found:
+            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Opaline"], check=True,
+                                   env=self.environment, capture_output=True, text=True).stdout.split()
+        self.handle = found[-1]
+        self.xdotool("windowfocus", "--sync", self.handle)
+        return self
+
+    def settle(self):
+        """Until nothing moves any more: seen idle for a while, not just between two events."""
+        since = None
+
+        def idle():
+            nonlocal since
+            if not self.state()["idle"]:
+                since = None
+                return False
+            since = since or time.monotonic()
+            return time.monotonic() - since > .4
+        self.wait_for(idle, "it never came to rest")
+
+    def xdotool(self, *arguments):
+        subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True,
+                       stdout=subprocess.DEVNULL)
+
+    def move(self, place):
+        self.xdotool("mousemove", "--window", self.handle, round(place[0]), round(place[1]))
+
+    def place(self, control):
+        x, y, width, height = self.state()["controls"][control]
+        return x + width / 2, y + height / 2
+
+    def middle(self):
+        x, y, width, height = self.state()["picture"]
+        return x + width / 2, y + height / 2
+
+    def click(self, control):
+        """A control by its name, or a place. The mouse rests before it presses, as a hand does."""
+        self.move(self.place(control) if isinstance(control, str) else control)
+        time.sleep(.15)
+        self.xdotool("mousedown", 1)
+        time.sleep(.1)
+        self.xdotool("mouseup", 1)
+        self.settle()
+
+    def drag(self, begin, end, button=1, steps=5):
+        self.move(begin)
+        time.sleep(.15)
+        self.xdotool("mousedown", button)
+        for step in range(1, steps + 1):
+            self.move([a + (b - a) * step / steps for a, b in zip(begin, end)])
+            time.sleep(.05)
+        self.xdotool("mouseup", button)
+        self.settle()
+
+    def key(self, name):
+        self.xdotool("key", name)
+        time.sleep(.1)
+        self.settle()
+
+    def choose(self, control, entry):
+        self.click(control)
+        self.click(f"{control}/{entry}")
+
+    def only(self, section):
+        """That section open and no other."""
+        for name in ("Medium", "Light", "Method", "Motion", "View", "Time"):
+            controls = self.state()["controls"]
+            is_open = any(known.startswith(name + "/") for known in controls)
+            if is_open != (name == section):
+                self.click(name)
+
+    def screenshot(self, name="screen.png"):
+        """All of the display, as rows of pixels."""
+        path = self.test.folder / name
+        subprocess.run(["import", "-window", "root", "-depth", "8", "-define", "png:color-type=2", str(path)],
+                       env=self.environment, check=True)
+        return read_png(path.read_bytes())
+
+    def picture(self):
+        """What the screen shows in the picture's area."""
+        x, y, width, height = self.state()["picture"]
+        return [row[x:x + width] for row in self.screenshot().rows[y:y + height]]
+
+    def close(self):
+        """By its own key; a message of the validation layer is a failure."""
+        self.xdotool("key", "ctrl+q")
+        self.test.assertEqual(self.process.wait(LONGEST_SECONDS), 0, self.said())
+        self.test.assertNotIn("alidation", self.said())
+
+
+class WindowTest(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.config = self.folder / "config"
+        self.config.mkdir()
+        self.display = start_display(self)
+
+    def view(self, *arguments, **keywords):
+        return Window(self, self.display, *arguments, **keywords).open()
+
+    def resident_megabytes(self, window):
+        for line in pathlib.Path(f"/proc/{window.process.pid}/status").read_text(encoding="utf-8").splitlines():
+            if line.startswith("VmRSS:"):
+                return int(line.split()[1]) / 1024
+        raise AssertionError("no VmRSS")
+
+    def cpu_seconds(self, window):
+        fields = pathlib.Path(f"/proc/{window.process.pid}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")

@@ -1,0 +1,105 @@
+"""The window itself: opening, sizes, closing, and what it costs while nothing happens."""
+
+import os
+import subprocess
+import time
+import unittest
+
+from driver import LONGEST_SECONDS, Window, WindowTest
+from program import CUBE_OBJ, PROGRAM
+
+QUICK = ("--transport", "dipole", "--size", "480x320")
+
+
+class Opening(WindowTest):
+    def test_without_a_display(self):
+        environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        self.refused(1, "view", says=("display", "render"), env=environment)
+
+    def test_the_working_folder_stays_as_it_is(self):
+        work = self.folder / "work"
+        work.mkdir()
+        window = self.view("--builtin", "teapot", *QUICK, folder=work)
+        window.key("f")
+        window.close()
+        self.assertEqual(list(work.iterdir()), [])
+        self.assertEqual([path.name for path in (self.config / "opaline").iterdir()], ["view.json"])
+
+    def test_it_is_found_as_it_was_left(self):
+        window = self.view("--builtin", "teapot", *QUICK)
+        window.click("Medium")
+        window.key("h")
+        window.close()
+        again = self.view("--builtin", "teapot", "--transport", "dipole")
+        self.assertFalse(any(name.startswith("Medium/") for name in again.state()["controls"]))
+        x, y, width, height = again.state()["picture"]
+        self.assertEqual(height, 320)
+        again.close()
+
+    def test_a_state_that_makes_no_sense(self):
+        (self.config / "opaline").mkdir()
+        for text in ("", "{", '{"size": [-5, 1e99]}', "[]", '"' + "x" * 100000 + '"'):
+            (self.config / "opaline" / "view.json").write_text(text, encoding="utf-8")
+            self.view("--builtin", "teapot", *QUICK).close()
+
+    def test_closed_while_it_loads(self):
+        window = Window(self, self.display, *QUICK)
+        window.wait_for(window.places.exists, "no window came")
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Opaline"], env=window.environment,
+                               capture_output=True, text=True, check=True).stdout.split()
+        window.xdotool("windowfocus", found[-1])
+        window.xdotool("key", "ctrl+q")
+        self.assertEqual(window.process.wait(LONGEST_SECONDS), 0, window.said())
+
+    def test_a_file_that_is_not_there(self):
+        window = Window(self, self.display, "nothing.ply", *QUICK)
+        window.wait_for(lambda: window.places.exists() and "nothing.ply" in window.state()["message"], "no message")
+        window.process.terminate()
+
+    def test_wrong_arguments(self):
+        self.refused(2, "view", "--medium", "granite", says="granite")
+        self.refused(2, "view", "--transport", "boundary", "--sum", "pattern", says="boundary")
+
+
+class Sizes(WindowTest):
+    def test_every_size_is_drawn(self):
+        self.write("cube.obj", CUBE_OBJ)
+        window = self.view("cube.obj", "--transport", "dipole", "--shadow-size", 256, "--size", "640x400")
+        for width, height in ((900, 700), (333, 777), (320, 240), (1200, 300)):
+            window.xdotool("windowsize", "--sync", window.handle, width, height)
+            window.wait_for(lambda size=(width, height): self.area(window)[3] == size[1], "no new size")
+            window.settle()
+            shown = window.picture()
+            self.assertEqual(len(shown), height)
+            self.assertGreater(len({pixel for row in shown for pixel in row}), 50, "a picture is there")
+        window.close()
+
+    def test_out_of_sight_and_back(self):
+        window = self.view("--builtin", "teapot", *QUICK)
+        window.xdotool("windowunmap", "--sync", window.handle)
+        time.sleep(.5)
+        window.xdotool("windowmap", "--sync", window.handle)
+        window.settle()
+        window.xdotool("windowfocus", window.handle)
+        window.close()
+
+    @staticmethod
+    def area(window):
+        return window.state()["picture"]
+
+
+class Rest(WindowTest):
+    def test_nothing_moving_costs_nothing(self):
+        window = self.view("--builtin", "teapot", *QUICK)
+        window.settle()
+        frames = window.state()["frames"]
+        before, begin = self.cpu_seconds(window), time.monotonic()
+        time.sleep(5)
+        share = (self.cpu_seconds(window) - before) / (time.monotonic() - begin)
+        self.assertLess(share, .02)
+        self.assertEqual(window.state()["frames"], frames)
+        window.close()
+
+
+if __name__ == "__main__":
+    unittest.main()
