@@ -108,7 +108,7 @@ class TreeBuilder {
       return;
     }
     for (const std::span<TreeItem> half : halve(items)) {
-      if (half.size() <= maxSurfelsOfLeaf * itemsPerSurfel_) {
+      if (half.size() <= std::size_t{maxSurfelsOfLeaf} * itemsPerSurfel_) {
         add(half);
         continue;
       }
