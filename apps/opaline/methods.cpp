@@ -21,7 +21,9 @@ namespace {
 namespace rf = opaline::reference;
 
 constexpr int blockEdge = 8;
-constexpr std::array transportsMeasured{Transport::Dipole, Transport::BetterDipole};
+/// Half-spaces, which have an exact integral.
+constexpr std::array profilesMeasured{Transport::Dipole, Transport::BetterDipole};
+constexpr std::array sitesMeasured{Site::Vertex, Site::Fragment};
 
 RenderOptions optionsFor(const MethodsOrder& order, Transport transport, Sum sum, Site site) {
   RenderOptions options;
@@ -59,8 +61,9 @@ std::optional<double> blockErrorAgainst(const Image& found, const std::optional<
   return figures ? std::optional(figures->relRmse) : std::nullopt;
 }
 
+/// `exact` is nullptr where no integral is stood for.
 MethodRow measure(Renderer& renderer, const MethodsOrder& order, const RenderOptions& wanted,
-                  const Image& exact, DeviceDescription& device) {
+                  const Image* exact, DeviceDescription& device) {
   RenderOptions options = wanted;
   options.frames = order.frames + 1;  // the first does not count
   MethodRow row;
@@ -73,7 +76,7 @@ MethodRow measure(Renderer& renderer, const MethodsOrder& order, const RenderOpt
   options.frames = 1;
   const std::vector<Image> found =
       renderer.render(options, {Aov::Exitance, Aov::Evaluations}).images;
-  row.integralError = errorAgainst(found[0], exact);
+  if (exact != nullptr) row.integralError = errorAgainst(found[0], *exact);
   row.truthError = blockErrorAgainst(found[0], order.truth);
   if (options.sum != Sum::Pattern) row.evaluations = meanOverCovered(found[1]);
   return row;
@@ -118,7 +121,7 @@ Methods measureMethods(const MethodsOrder& order) {
   methods.edgePixels = order.edgePixels;
   const rf::Scene scene = referenceScene(order.scene, 0, 0);
   const rf::Geometry geometry(scene);
-  for (const Transport transport : transportsMeasured) {
+  for (const Transport transport : profilesMeasured) {
     const std::string name = nameOf(transport, transports());
     if (statusColumns() > 0) showStatus(fmt::format("integrating the {}", name));
     // Blocks need all pixels.
@@ -126,15 +129,22 @@ Methods measureMethods(const MethodsOrder& order) {
     if (order.truth) requireSameView(*order.truth, exact);
     for (const Sum sum : {Sum::Pattern, Sum::Tree, Sum::All}) {
       if (sum == Sum::All && !order.all) continue;
-      for (const Site site : {Site::Vertex, Site::Fragment}) {
+      for (const Site site : sitesMeasured) {
         if (statusColumns() > 0) showStatus(fmt::format("measuring the {}", name));
         methods.rows.push_back(measure(renderer, order, optionsFor(order, transport, sum, site),
-                                       exact, methods.device));
+                                       &exact, methods.device));
       }
     }
     MethodRow integral{transport, "integral", "exact", {}, {}, {}, {}};
     integral.truthError = blockErrorAgainst(exact, order.truth);
     methods.rows.push_back(integral);
+  }
+  for (const Site site : sitesMeasured) {
+    const RenderOptions options = optionsFor(order, Transport::Boundary, Sum::Tree, site);
+    // Without an inside it is the better dipole, which is there.
+    if (renderer.render(options, {Aov::Exitance}).report.boundarySurfels == 0) break;
+    if (statusColumns() > 0) showStatus("measuring boundary transport");
+    methods.rows.push_back(measure(renderer, order, options, nullptr, methods.device));
   }
   clearStatus();
   return methods;

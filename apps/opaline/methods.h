@@ -31,7 +31,7 @@ struct MethodRow {
   std::string sum;   ///< pattern, tree, all or integral
   std::string site;  ///< vertex, fragment or exact
   std::optional<double> frameMilliseconds;
-  std::optional<double> integralError;  ///< rms over the mean, pixels
+  std::optional<double> integralError;  ///< rms over the mean, pixels; none of Transport::Boundary
   std::optional<double> truthError;     ///< the same, blocks of 8×8 pixels
   std::optional<double> evaluations;    ///< of the profile by the sum, mean over covered pixels
 };

@@ -27,9 +27,21 @@ struct Decades {
 };
 
 /// Colour for the transport, shape for the site, full against the integral and open against truth.
+SvgColour colourFor(Transport transport) {
+  switch (transport) {
+    case Transport::Dipole:
+      return SvgColour::Blue;
+    case Transport::BetterDipole:
+      return SvgColour::Red;
+    case Transport::Boundary:
+      break;
+  }
+  return SvgColour::Green;
+}
+
 SvgMark markFor(const MethodRow& row, bool full) {
-  return {row.transport == Transport::Dipole ? SvgColour::Blue : SvgColour::Red,
-          row.site == "vertex" ? SvgShape::Diamond : SvgShape::Disc, full};
+  return {colourFor(row.transport), row.site == "vertex" ? SvgShape::Diamond : SvgShape::Disc,
+          full};
 }
 
 class Plot {
@@ -88,6 +100,7 @@ class Plot {
     };
     entry("dipole", {SvgColour::Blue});
     entry("better-dipole", {SvgColour::Red});
+    entry("boundary", {SvgColour::Green});
     entry("at fragments", {SvgColour::Grey, SvgShape::Disc});
     entry("at vertices", {SvgColour::Grey, SvgShape::Diamond});
     entry("to the integral", {SvgColour::Grey, SvgShape::Disc, true});

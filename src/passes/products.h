@@ -54,6 +54,7 @@ struct SceneTables {
   gpu::Buffer pattern;            ///< maxPatternEntries shared::PatternEntry for each medium
   std::size_t patternStride = 0;  ///< bytes from one medium's to the next
   std::uint32_t mediumCount = 0;
+  bool followsLight = false;   ///< to its second collision in any medium; see shared/boundary.h
   gpu::Buffer specularAlbedo;  ///< float, see MediumData::tables.w
   gpu::GpuImage ambientCubes;  ///< E_amb by normal, one cube for each index of refraction
 };

@@ -87,7 +87,8 @@ struct FrameContext {
       if (again)
         passes.beams.recordReentry(commands, inputs, clusters, bounce == 1);
       else
-        passes.beams.recordLights(commands, inputs, clusters);
+        passes.beams.recordLights(commands, inputs,
+                                  {.sky = !plan.skyIsDark, .bounces = plan.bounces > 0}, clusters);
       const float tolerance = (again ? residualOfBounce : residualOfLight) * plan.tolerance;
       passes.solver.record(commands,
                            {.solution = static_cast<std::uint32_t>(bounce),

@@ -12,6 +12,7 @@
 #include "passes/gather/ambient_cube.h"
 #include "passes/shade/specular_albedo.h"
 #include "shaders/profile_packing.h"
+#include "shaders/shared/boundary.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/medium.h"
 
@@ -49,6 +50,12 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
   inside.extinction.w = static_cast<float>(bssrdf::meanTransmittance(eta));
   inside.albedo.w = static_cast<float>(std::sqrt(1 - 1 / (eta * eta)));
   return inside;
+}
+
+bool followsLight(const shared::MediumData& medium) {
+  for (int c = 0; c < 3; ++c)
+    if (medium.inside.albedo[c] < shared::albedoNotFollowed) return true;
+  return false;
 }
 
 // Entries from one medium's pattern to the next: a multiple of every device's alignment of uniform
@@ -156,6 +163,7 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
       gpu::makeBuffer(device, "pattern", builder.pattern(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   tables.patternStride = patternStride * sizeof(shared::PatternEntry);
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
+  tables.followsLight = std::any_of(builder.media().begin(), builder.media().end(), followsLight);
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
   tables.ambientCubes = passes::makeAmbientCubes(device, ambientRadiance(lighting), builder.etas());
   return tables;

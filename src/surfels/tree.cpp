@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace opaline::surfels {
@@ -13,22 +14,34 @@ float coordinate(const TreeItem& item, std::size_t axis) {
   return axis < 3 ? item.placeMm[axis] : item.facingMm[axis - 3];
 }
 
+struct Range {
+  float low;
+  float high;
+};
+
+Range rangeOf(std::span<const TreeItem> items, std::size_t axis) {
+  const auto [low, high] =
+      std::minmax_element(items.begin(), items.end(), [axis](const TreeItem& a, const TreeItem& b) {
+        return coordinate(a, axis) < coordinate(b, axis);
+      });
+  return {coordinate(*low, axis), coordinate(*high, axis)};
+}
+
 std::size_t longestAxis(std::span<const TreeItem> items) {
   constexpr std::size_t axes = 6;
   std::size_t longest = 0;
   float length = -1;
   for (std::size_t axis = 0; axis < axes; ++axis) {
-    const auto [low, high] = std::minmax_element(items.begin(), items.end(),
-                                                 [axis](const TreeItem& a, const TreeItem& b) {
-                                                   return coordinate(a, axis) < coordinate(b, axis);
-                                                 });
-    const float range = coordinate(*high, axis) - coordinate(*low, axis);
-    if (range <= length) continue;
+    const auto [low, high] = rangeOf(items, axis);
+    if (high - low <= length) continue;
     longest = axis;
-    length = range;
+    length = high - low;
   }
   return longest;
 }
+
+// See maxSurfelsOfLeaf.
+constexpr std::size_t leastSurfelsOfLeaf = 2;
 
 class TreeBuilder {
  public:
@@ -48,11 +61,31 @@ class TreeBuilder {
  private:
   std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(tree_.links.size()); }
 
-  // Moves what lies low along the longest axis to the front, as many whole surfels as behind it.
-  std::array<std::span<TreeItem>, 2> halve(std::span<TreeItem> items) const {
+  // Those that lie low along an axis: half of all places. But facings are cut in the middle of
+  // their range, and places too where there is a gap: at the median the larger of two sides would
+  // keep some of the other.
+  std::size_t surfelsInFront(std::span<const TreeItem> items, std::size_t axis) const {
     const std::size_t surfels = items.size() / itemsPerSurfel_;
-    const std::size_t front = surfels / 2 * itemsPerSurfel_;
+    if (surfels < 2 * leastSurfelsOfLeaf) return surfels / 2;
+    const auto [low, high] = rangeOf(items, axis);
+    const float middle = (low + high) / 2;
+    const float gap = (high - low) / 8;
+    std::size_t lower = 0;
+    std::size_t inGap = 0;
+    for (const TreeItem& item : items) {
+      const float at = coordinate(item, axis);
+      if (at < middle) ++lower;
+      if (std::abs(at - middle) < gap) ++inGap;
+    }
+    if (axis < 3 && inGap > 0) return surfels / 2;
+    const std::size_t nearest = (lower + itemsPerSurfel_ / 2) / itemsPerSurfel_;
+    return std::clamp(nearest, leastSurfelsOfLeaf, surfels - leastSurfelsOfLeaf);
+  }
+
+  // Moves what lies low along the longest axis to the front, whole surfels.
+  std::array<std::span<TreeItem>, 2> halve(std::span<TreeItem> items) const {
     const std::size_t axis = longestAxis(items);
+    const std::size_t front = surfelsInFront(items, axis) * itemsPerSurfel_;
     // The index decides between equal places: one order on every machine.
     std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(front), items.end(),
                      [axis](const TreeItem& a, const TreeItem& b) {
@@ -75,7 +108,7 @@ class TreeBuilder {
       return;
     }
     for (const std::span<TreeItem> half : halve(items)) {
-      if (surfels <= 2 * maxSurfelsOfLeaf) {
+      if (half.size() <= std::size_t{maxSurfelsOfLeaf} * itemsPerSurfel_) {
         add(half);
         continue;
       }

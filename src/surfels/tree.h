@@ -48,8 +48,9 @@ struct TreeItem {
 };
 
 /// Orders the items of each object so that any few neighbours in the order are neighbours in space,
-/// every `itemsPerSurfel` of them one surfel, and makes their tree: halves at the median along the
-/// longest axis of places and facings. Every object's number of items is a multiple of
+/// every `itemsPerSurfel` of them one surfel, and makes their tree: halves along the longest axis
+/// of places and facings, those at the median but in gaps, these in the middle, so that
+/// sides come apart as a whole. Every object's number of items is a multiple of
 /// itemsPerSurfel.
 Tree makeTree(std::span<const std::span<TreeItem>> itemsOfObject, std::uint32_t itemsPerSurfel);
 

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "icosphere.h"
+
 namespace opaline::test::boundary {
 
 using namespace reference;
@@ -18,47 +20,9 @@ struct Surface {
   std::vector<Triangle> triangles;
 };
 
-Surface divided(const Surface& surface) {
-  Surface finer{surface.positionsMm, {}};
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-    const auto [found, isNew] = middles.try_emplace(
-        std::minmax(a, b), static_cast<std::uint32_t>(finer.positionsMm.size()));
-    if (isNew) {
-      const Vector sum = finer.positionsMm[a] + finer.positionsMm[b];
-      finer.positionsMm.push_back(unitOr(sum, sum));
-    }
-    return found->second;
-  };
-  for (const Triangle& t : surface.triangles) {
-    const std::uint32_t a = middle(t[0], t[1]);
-    const std::uint32_t b = middle(t[1], t[2]);
-    const std::uint32_t c = middle(t[2], t[0]);
-    finer.triangles.insert(finer.triangles.end(),
-                           {{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}});
-  }
-  return finer;
-}
-
 Surface unitSphere(int divisions) {
-  const double g = std::numbers::phi;
-  Surface s{{{-1, g, 0},
-             {1, g, 0},
-             {-1, -g, 0},
-             {1, -g, 0},
-             {0, -1, g},
-             {0, 1, g},
-             {0, -1, -g},
-             {0, 1, -g},
-             {g, 0, -1},
-             {g, 0, 1},
-             {-g, 0, -1},
-             {-g, 0, 1}},
-            {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-             {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-             {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
-  for (Vector& p : s.positionsMm) p = unitOr(p, p);
-  for (int k = 0; k < divisions; ++k) s = divided(s);
+  const Icosphere sphere = icosphere(divisions);
+  Surface s{sphere.directions, sphere.triangles};
   double area = 0;
   for (const Triangle& t : s.triangles) {
     const Vector& a = s.positionsMm[t[0]];

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "boundary/bodies.h"
@@ -90,6 +91,50 @@ TEST(DenseBoundary, SecondCollisionsAndExitsShareTheFirst) {
   for (const SingleExit& exit : singleExits(geometry, first, clusters, medium, 16))
     after += exit.share;
   EXPECT_NEAR(after / before, 1, 0.01);
+}
+
+/// Fluence at one place inside of a point of light of power 1 at another: Green's identity once
+/// more, with what is known on the surface by then.
+double fluenceInside(const Clusters& clusters, const DenseBoundary& equation, const Vector& of,
+                     const Vector& at) {
+  using namespace reference;
+  const Diffusion& medium = equation.medium();
+  const double sigma = medium.attenuationPerMm;
+  const auto unbounded = [&](double r) {
+    return std::exp(-sigma * r) / (4 * std::numbers::pi * medium.diffusionMm * r);
+  };
+  std::vector<double> entering(clusters.count(), 0);
+  entering[0] = 1 / clusters.list[0].areaMm2;
+  const std::vector<double> fluence =
+      equation.solve({{.placeMm = of, .weight = 1}}, entering).fluence;
+  double sum = unbounded(length(of - at));
+  for (std::size_t j = 0; j < clusters.count(); ++j) {
+    const Cluster& cluster = clusters.list[j];
+    const Vector offset = cluster.centroidMm - at;
+    const double r = length(offset);
+    sum -= fluence[j] * (cluster.areaMm2 * unbounded(r) / (2 * medium.boundary) -
+                         (1 + sigma * r) * std::exp(-sigma * r) * coverage(cluster, offset));
+  }
+  return sum;
+}
+
+// Diffusion with Robin's condition is its own adjoint: light goes from here to there as from there
+// to here, though neither the sums nor their matrix are symmetric. Between a place below the
+// outside of a ball and one beside its hollow.
+TEST(DenseBoundary, LightGoesThereAsBack) {
+  const ClusteredBody body = hollowSphere(6, 3, 3);
+  const reference::Geometry geometry(body.scene);
+  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const std::vector<double> inside = insideOf(clusters);
+  const Vector outside{0, 1, 5};
+  const Vector beside{3.8, 0, -0.5};
+  for (const double sigmaAPerMm : {1e-6, 0.01, 0.1}) {
+    const DenseBoundary equation(clusters, {2, sigmaAPerMm, 1.3}, inside);
+    const double there = fluenceInside(clusters, equation, outside, beside);
+    const double back = fluenceInside(clusters, equation, beside, outside);
+    EXPECT_GT(there, 0);
+    EXPECT_NEAR(back / there, 1, 0.015) << sigmaAPerMm;
+  }
 }
 
 // On a sphere chords r have the area 2π r dr, and (x_j - x_i)·n_j = r²/(2R): both integrals are

@@ -62,10 +62,13 @@ class Methods(ProgramTest):
         rows = run.json()["rows"]
         self.assertEqual([(row["transport"], row["sum"], row["site"]) for row in rows],
                          [(transport, *way) for transport in ("dipole", "better-dipole")
-                          for way in (*self.WAYS, ("all", "vertex"), ("all", "fragment"), ("integral", "exact"))])
+                          for way in (*self.WAYS, ("all", "vertex"), ("all", "fragment"), ("integral", "exact"))]
+                         + [("boundary", "tree", site) for site in ("vertex", "fragment")])
         for row in rows:
             self.assertGreater(row["truth_block_rel_rmse"], 0)
-            if row["sum"] in ("tree", "all") and row["site"] == "fragment":
+            if row["transport"] == "boundary":
+                self.assertIsNone(row["integral_rel_rmse"])
+            elif row["sum"] in ("tree", "all") and row["site"] == "fragment":
                 self.assertLess(row["integral_rel_rmse"], .05)
             if row["sum"] in ("pattern", "integral"):
                 self.assertIsNone(row["evaluations"])
@@ -80,7 +83,7 @@ class Methods(ProgramTest):
                      and row["transport"] == sum_of_all["transport"])
             self.assertLess(tree["evaluations"], sum_of_all["evaluations"] / 2)
         plot = (self.folder / "plot.svg").read_text()
-        for part in ("<svg", "better-dipole", ">pattern<", ">tree<", ">all<"):
+        for part in ("<svg", "better-dipole", "boundary", ">pattern<", ">tree<", ">all<"):
             self.assertIn(part, plot)
 
     def test_the_sum_of_all_is_asked_for(self):
@@ -89,8 +92,14 @@ class Methods(ProgramTest):
         lines = run.out.splitlines()
         self.assertEqual([tuple(line.split()[:3]) for line in lines[2:]],
                          [(transport, *way) for transport in ("dipole", "better-dipole")
-                          for way in (*self.WAYS, ("integral", "exact"))])
+                          for way in (*self.WAYS, ("integral", "exact"))]
+                         + [("boundary", "tree", site) for site in ("vertex", "fragment")])
         self.assertIn("evaluations", lines[1])
+
+    def test_what_is_open_has_no_row_of_boundary_transport(self):
+        self.write("t.ply", tetrahedron(1).replace("face 4", "face 3").removesuffix("3 1 2 3\n"))
+        run = self.succeed("bench", "methods", "t.ply", "--size", 8, "--frames", 1, "--json")
+        self.assertEqual({row["transport"] for row in run.json()["rows"]}, {"dipole", "better-dipole"})
 
     def test_refusals(self):
         self.refused(2, "bench", "methods", "--models", "here", says="--models")

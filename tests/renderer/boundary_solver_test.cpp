@@ -70,6 +70,18 @@ TEST_F(BoundarySolverTest, ErrorFallsWithTheTolerance) {
   }
 }
 
+// Nodes that hold both sides of a plate have areas that cancel, but not their moments.
+TEST_F(BoundarySolverTest, NodesOfBothSidesOfAPlateCount) {
+  Scene plate = sceneOf(box({0, 0, 0}, {10, 10, 0.5F}, 20), skin(), {0, 0, -40}, 6);
+  plate.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+  renderer().setScene(plate);
+  RenderOptions options = boundaryOptions(24);
+  const Image usual = render(options, {Aov::Exitance})[0];
+  options.tolerance = 3e-4F;
+  const Image fine = render(options, {Aov::Exitance})[0];
+  EXPECT_LT(errorsOf(usual, fine).rms, 0.015);
+}
+
 TEST_F(BoundarySolverTest, NoMoreUnknownsThanAllowed) {
   renderer().setScene(litBowl(marble()));
   RenderOptions options = boundaryOptions(40);

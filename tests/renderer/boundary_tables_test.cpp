@@ -182,11 +182,9 @@ TEST_P(BoundarySlabTest, LightAlongTheNormal) {
   }
   for (std::size_t c = 0; c < 3; ++c) {
     const auto& [reflected, transmitted] = slab.normal[c];
-    // For marble 5 % is wanted; where clusters are several mean free paths wide it is not reached,
-    // as docs/accuracy.md says.
     EXPECT_LT((std::abs(found[0][c] - reflected) + std::abs(found[1][c] - transmitted)) /
                   (reflected + transmitted),
-              std::max(slab.most, 0.08))
+              slab.most)
         << slab.thicknessMm[c] << " mm: " << found[0][c] << " and " << found[1][c] << " for "
         << reflected << " and " << transmitted;
   }
@@ -216,6 +214,7 @@ struct HalfSpaceCase {
   std::array<double, 3> normal;
   std::array<double, 3> diffuse;
   int maxSources;  ///< under the light along the normal
+  double most;     ///< for skin more than the 2 % wanted, as docs/accuracy.md says
 };
 
 // A slab six diffusion lengths thick: what gets through is below .001.
@@ -225,13 +224,15 @@ TEST_F(RendererTest, BoundaryOfALargeThickSlabIsThatOfAHalfSpace) {
                                              {marbleRed, marbleBlue, marbleBlue},
                                              {0.8048, 0.7305, 0.7305},
                                              {0.7656, 0.6971, 0.6971},
-                                             RenderOptions{}.maxSources},
+                                             RenderOptions{}.maxSources,
+                                             0.02},
                                             {"skin1",
                                              1.3,
                                              {skinRed, skinRed, skinRed},
                                              {0.4308, 0.4308, 0.4308},
                                              {0.4290, 0.4290, 0.4290},
-                                             32'768}}};
+                                             32'768,
+                                             0.04}}};
   constexpr float thicknessMm = 10;
   for (const HalfSpaceCase& half : cases) {
     Medium medium{half.name, {}, {}, half.eta};
@@ -250,10 +251,8 @@ TEST_F(RendererTest, BoundaryOfALargeThickSlabIsThatOfAHalfSpace) {
     scene.lighting.ambient = {unitFlux, unitFlux, unitFlux};
     const std::array<double, 3> diffuse = middleOf(scene, 5);
     for (std::size_t c = 0; c < 3; ++c) {
-      // 2 % is wanted; clusters nine mean free paths wide do not reach it, as docs/accuracy.md
-      // says.
-      EXPECT_NEAR(normal[c] / half.normal[c], 1, 0.08) << half.name << " " << c;
-      EXPECT_NEAR(diffuse[c] / half.diffuse[c], 1, 0.08) << half.name << " " << c;
+      EXPECT_NEAR(normal[c] / half.normal[c], 1, half.most) << half.name << " " << c;
+      EXPECT_NEAR(diffuse[c] / half.diffuse[c], 1, half.most) << half.name << " " << c;
     }
   }
 }

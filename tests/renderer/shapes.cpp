@@ -1,60 +1,12 @@
 #include "renderer/shapes.h"
 
-#include <map>
 #include <numbers>
-#include <utility>
+
+#include "icosphere.h"
 
 namespace opaline::test {
 
 namespace {
-
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-/// Directions and triangles of a finer and finer sphere.
-struct Ball {
-  std::vector<Vector> directions;
-  std::vector<Triangle> triangles;
-
-  void halve() {
-    std::map<Edge, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [place, isNew] =
-          middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(directions.size()));
-      if (isNew) directions.push_back(unit(directions[a] + directions[b]));
-      return place->second;
-    };
-    std::vector<Triangle> finer;
-    for (const auto& [a, b, c] : triangles) {
-      const std::uint32_t ab = middle(a, b);
-      const std::uint32_t bc = middle(b, c);
-      const std::uint32_t ca = middle(c, a);
-      for (const Triangle& t : {Triangle{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}})
-        finer.push_back(t);
-    }
-    triangles = std::move(finer);
-  }
-};
-
-Ball icosahedron() {
-  constexpr double g = std::numbers::phi;
-  Ball ball{{{-1, g, 0},
-             {1, g, 0},
-             {-1, -g, 0},
-             {1, -g, 0},
-             {0, -1, g},
-             {0, 1, g},
-             {0, -1, -g},
-             {0, 1, -g},
-             {g, 0, -1},
-             {g, 0, 1},
-             {-g, 0, -1},
-             {-g, 0, 1}},
-            {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-             {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-             {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
-  for (Vector& v : ball.directions) v = unit(v);
-  return ball;
-}
 
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -63,8 +15,7 @@ Vector cross(const Vector& a, const Vector& b) {
 }  // namespace
 
 Mesh sphere(const Vec3& centreMm, float radiusMm, int levels) {
-  Ball ball = icosahedron();
-  for (int i = 0; i < levels; ++i) ball.halve();
+  const Icosphere ball = icosphere(levels);
   Mesh mesh;
   mesh.triangles = ball.triangles;
   for (const Vector& direction : ball.directions) {

@@ -228,6 +228,25 @@ TEST(Clusters, OfALeafAreAQuarterOfUsual) {
   }
 }
 
+// Where clusters are of several leaves, however those are counted: a cluster of both sides would be
+// a place inside.
+TEST(Clusters, NoneHoldsBothSidesOfASlab) {
+  constexpr double edge = 8;
+  for (const double thick : {0.05, 0.3, 3.0})
+    for (const std::size_t maxSurfels : {33'000U, 100'000U}) {
+      const Body body =
+          box(static_cast<float>(edge), static_cast<float>(thick), static_cast<float>(edge));
+      const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), maxSurfels);
+      const Clusters made = clustersOf(body.surface(), surfels, 4000);
+      int inside = 0;
+      for (const Patch& patch : patchesOf(body, surfels, made)) {
+        const auto [low, high] = std::minmax(patch.middle[0], patch.middle[2]);
+        if (low > 1 && high < edge - 1 && std::abs(patch.normal[1]) < 0.999) ++inside;
+      }
+      EXPECT_EQ(inside, 0) << thick << " mm, " << maxSurfels << " surfels at most";
+    }
+}
+
 // From usual at the thick end to the thickness at the thin one.
 TEST(Clusters, OfAWedgeFollowItsThickness) {
   constexpr double length = 8;

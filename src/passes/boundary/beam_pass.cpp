@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "gpu/device.h"
-#include "passes/boundary/pipelines.h"
+#include "passes/mechanics.h"
 #include "shaders/shaders.h"
 
 namespace opaline::passes {
@@ -18,11 +18,11 @@ struct BeamChoice {
   std::uint32_t beam;
   std::uint32_t piecesPerSurfel;
   std::uint32_t surfelNodes;
+  std::uint32_t mirrors;
 };
 
-struct NodeRange {
-  std::uint32_t first;
-  std::uint32_t count;
+struct PointNodes {
+  NodeRange range;
   std::uint32_t scattersOnce;
 };
 
@@ -48,7 +48,7 @@ gpu::Pipeline makeNodes(gpu::Device& device, bool leaves) {
           gpu::ComputePipelineOptions{.name = leaves ? "leaves of points" : "nodes of points",
                                       .shader = shaders::boundary_beam_nodes_comp,
                                       .bindings = slots(9, {2}),
-                                      .pushConstantBytes = sizeof(NodeRange),
+                                      .pushConstantBytes = sizeof(PointNodes),
                                       .specialization = {leaves ? 1U : 0U}}};
 }
 
@@ -105,21 +105,36 @@ BeamPass::BeamPass(gpu::Device& device)
                                             .bindings = slots(6),
                                             .pushConstantBytes = sizeof(ExitanceConstants)}) {}
 
-void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs,
+void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                             Clusters& clusters) const {
-  commands.fill(clusters.sums, 0);
-  commands.fill(clusters.arrived, 0);
-  for (std::uint32_t beam = 0; beam <= clusters.lights; ++beam) {
-    Beams& beams = beam < clusters.lights ? clusters.fromLight : clusters.fromEverywhere;
+  if (wanted.bounces) {
+    commands.fill(clusters.sums, 0);
+    commands.fill(clusters.arrived, 0);
+  }
+  for (std::uint32_t light = 0; light < clusters.lights; ++light) {
     commands.beginPass("rays");
-    commands.fill(clusters.peak, 0);
-    trace(commands, inputs, clusters, beam, beams);
-    if (beam < clusters.lights) bringMirrored(commands, clusters);
+    if (wanted.bounces) commands.fill(clusters.peak, 0);
+    trace(commands, inputs, {light, wanted.bounces}, clusters, clusters.fromLight);
+    if (wanted.bounces) bringMirrored(commands, clusters);
     commands.endPass();
     commands.beginPass("sources");
-    spread(commands, inputs, clusters, beams, beam > 0);
+    spread(commands, inputs, clusters, clusters.fromLight, light > 0);
     commands.endPass();
   }
+  if (wanted.sky || wanted.bounces) {
+    commands.beginPass("rays");
+    trace(commands, inputs, {clusters.lights, false}, clusters, clusters.fromEverywhere);
+    commands.endPass();
+  }
+  if (!wanted.sky && clusters.lights > 0) return;
+  commands.beginPass("sources");
+  if (wanted.sky) {
+    spread(commands, inputs, clusters, clusters.fromEverywhere, clusters.lights > 0);
+  } else {
+    commands.fill(clusters.sources, 0);
+    commands.fill(clusters.latest, 0);
+  }
+  commands.endPass();
 }
 
 void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
@@ -149,8 +164,8 @@ void BeamPass::recordExitance(gpu::CommandList& commands, SceneTables& tables, C
   commands.endPass();
 }
 
-void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
-                     std::uint32_t beam, Beams& beams) const {
+void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam,
+                     Clusters& clusters, Beams& beams) const {
   commands.bind(trace_);
   commands.bindResources(
       {Binding::uniform(0, inputs.frame.data), Binding::read(1, inputs.tables.objects),
@@ -160,8 +175,8 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, Clusters&
        Binding::write(8, beams.points), Binding::write(9, beams.strengths),
        Binding::read(10, clusters.clusterOfSurfel), Binding::write(11, clusters.mirrored),
        Binding::write(12, clusters.peak)});
-  commands.pushConstants(
-      BeamChoice{clusters.count, beam, inputs.surfels.piecesPerSurfel, clusters.surfelNodes});
+  commands.pushConstants(BeamChoice{clusters.count, beam.index, inputs.surfels.piecesPerSurfel,
+                                    clusters.surfelNodes, beam.mirrors ? 1U : 0U});
   commands.dispatchLinear(clusters.count);
 }
 
@@ -179,6 +194,10 @@ void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters
                       Beams& beams, bool adds) const {
   SceneTables& tables = inputs.tables;
   for (const bool scattersOnce : {false, true}) {
+    if (scattersOnce && !tables.followsLight) {
+      if (!adds) commands.fill(clusters.latest, 0);
+      return;
+    }
     fitNodes(commands, tables, clusters, beams, scattersOnce);
     commands.bind(scattersOnce ? single_ : source_);
     commands.bindResources({Binding::read(0, tables.objects), Binding::read(1, tables.media),
@@ -193,19 +212,16 @@ void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters
 
 void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
                         Beams& beams, bool scattersOnce) const {
-  for (std::size_t height = 0; height + 1 < clusters.firstOfHeight.size(); ++height) {
+  forEachHeight(clusters.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
     commands.bind(height == 0 ? leaves_ : nodes_);
     commands.bindResources({Binding::read(0, tables.objects), Binding::read(1, tables.media),
                             Binding::texels(2, beams.points), Binding::read(3, beams.strengths),
                             Binding::read(4, clusters.links), Binding::read(5, clusters.byHeight),
                             Binding::read(6, clusters.ranges), Binding::read(7, clusters.clusters),
                             Binding::write(8, clusters.beamNodes)});
-    const std::uint32_t first = clusters.firstOfHeight[height];
-    const NodeRange range{first, clusters.firstOfHeight[height + 1] - first,
-                          scattersOnce ? 1U : 0U};
-    commands.pushConstants(range);
+    commands.pushConstants(PointNodes{range, scattersOnce ? 1U : 0U});
     commands.dispatchLinear(range.count);
-  }
+  });
 }
 
 }  // namespace opaline::passes

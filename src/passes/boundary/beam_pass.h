@@ -25,8 +25,13 @@ class BeamPass {
     RayHierarchy& rays;
     float openingAngle;  ///< of nodes: taken from further than their radius over this
   };
+  struct Wanted {
+    bool sky;      ///< light from everywhere is not dark
+    bool bounces;  ///< recordReentry follows
+  };
   /// All lights and what comes from everywhere.
-  void recordLights(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters) const;
+  void recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
+                    Clusters& clusters) const;
   /// Light that just left, `latest`, where it enters again.
   void recordReentry(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                      bool isFirst) const;
@@ -35,8 +40,12 @@ class BeamPass {
                       bool adds) const;
 
  private:
-  void trace(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
-             std::uint32_t beam, Beams& beams) const;
+  struct Beam {
+    std::uint32_t index;  ///< of a light, or the number of lights
+    bool mirrors;         ///< what the surface does not let in goes on
+  };
+  void trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam, Clusters& clusters,
+             Beams& beams) const;
   void bringMirrored(gpu::CommandList& commands, Clusters& clusters) const;
   void spread(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters, Beams& beams,
               bool adds) const;

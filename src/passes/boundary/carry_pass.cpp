@@ -1,7 +1,7 @@
 #include "passes/boundary/carry_pass.h"
 
 #include "gpu/device.h"
-#include "passes/boundary/pipelines.h"
+#include "passes/mechanics.h"
 #include "shaders/shaders.h"
 
 namespace opaline::passes {

@@ -7,7 +7,7 @@
 
 #include "gpu/device.h"
 #include "gpu/transfer.h"
-#include "passes/boundary/pipelines.h"
+#include "passes/mechanics.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/boundary.h"
 #include "shaders/shared/frame.h"
@@ -27,11 +27,6 @@ constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 struct ClusterCounts {
   std::uint32_t clusters;
   std::uint32_t piecesPerSurfel;
-};
-
-struct NodeRange {
-  std::uint32_t first;
-  std::uint32_t count;
 };
 
 struct EncloseConstants {
@@ -123,7 +118,7 @@ ClusterPass::ClusterPass(gpu::Device& device)
                                                    .pushConstantBytes = sizeof(EncloseConstants)}),
       survey_(device, gpu::ComputePipelineOptions{.name = "rays of clusters",
                                                   .shader = shaders::boundary_survey_comp,
-                                                  .bindings = slots(9, {2, 3}),
+                                                  .bindings = slots(8, {2, 3}),
                                                   .pushConstantBytes = sizeof(SurveyCounts)}) {}
 
 Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters& made,
@@ -195,14 +190,13 @@ void ClusterPass::gather(gpu::CommandList& commands, const Inputs& inputs,
 
 void ClusterPass::fitNodes(gpu::CommandList& commands, Clusters& clusters) const {
   commands.bind(nodes_);
-  for (std::size_t height = 1; height + 1 < clusters.firstOfHeight.size(); ++height) {
-    const std::uint32_t first = clusters.firstOfHeight[height];
-    const NodeRange range{first, clusters.firstOfHeight[height + 1] - first};
+  forEachHeight(clusters.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
+    if (height == 0) return;  // clusters, which are there
     commands.bindResources({Binding::read(0, clusters.links), Binding::read(1, clusters.byHeight),
                             Binding::write(2, clusters.nodes)});
     commands.pushConstants(range);
     commands.dispatchLinear(range.count);
-  }
+  });
 }
 
 void ClusterPass::enclose(gpu::CommandList& commands, const Inputs& inputs,
@@ -223,8 +217,7 @@ void ClusterPass::survey(gpu::CommandList& commands, const Inputs& inputs, bool 
       {Binding::read(0, inputs.tables.objects), Binding::read(1, inputs.tables.media),
        Binding::texels(2, inputs.rays.corners), Binding::texels(3, inputs.rays.boxes),
        Binding::read(4, clusters.ranges), Binding::write(5, clusters.clusters),
-       Binding::read(6, clusters.clusterOfSurfel), Binding::read(7, inputs.surfels.pieces),
-       Binding::write(8, clusters.meetings)});
+       Binding::read(6, clusters.clusterOfSurfel), Binding::write(7, clusters.meetings)});
   commands.pushConstants(SurveyCounts{clusters.count, inputs.surfels.piecesPerSurfel,
                                       looksAround ? clusters.raysOutwards : 0,
                                       clusters.surfelNodes});

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "gpu/device.h"
-#include "passes/boundary/pipelines.h"
+#include "passes/mechanics.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/boundary.h"
 
@@ -131,7 +131,7 @@ void SolverPass::orthogonalise(gpu::CommandList& commands, const Order& order, s
 void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                           SceneTables& tables, Clusters& clusters, Solver& solver) const {
   const std::uint32_t firstFluence = (step - 1) * clusters.count;
-  for (std::size_t height = 0; height + 1 < clusters.firstOfHeight.size(); ++height) {
+  forEachHeight(clusters.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
     commands.bind(height == 0 ? leaves_ : nodes_);
     commands.bindResources({Binding::read(0, clusters.links), Binding::read(1, clusters.byHeight),
                             Binding::write(2, solver.densities),
@@ -139,12 +139,10 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                             Binding::read(5, solver.basis), Binding::read(6, solver.states),
                             Binding::read(7, tables.objects), Binding::read(8, tables.media),
                             Binding::read(9, clusters.nodes)});
-    const std::uint32_t first = clusters.firstOfHeight[height];
-    const std::uint32_t count = clusters.firstOfHeight[height + 1] - first;
     commands.pushConstants(
-        DensityRange{height == 0 ? firstFluence : first, count, step, order.solution});
-    commands.dispatchLinear(count);
-  }
+        DensityRange{height == 0 ? firstFluence : range.first, range.count, step, order.solution});
+    commands.dispatchLinear(range.count);
+  });
   commands.bind(product_);
   commands.bindResources({Binding::read(0, tables.objects), Binding::read(1, tables.media),
                           Binding::read(2, clusters.ranges), Binding::read(3, clusters.clusters),

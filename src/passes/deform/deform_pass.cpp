@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "gpu/device.h"
+#include "passes/mechanics.h"
 #include "shaders/shaders.h"
 
 namespace opaline::passes {
@@ -10,19 +11,11 @@ namespace opaline::passes {
 namespace {
 
 using gpu::Binding;
-using gpu::BindingType;
 
-std::vector<gpu::BindingSlot> storageSlots(std::uint32_t first, std::uint32_t end) {
-  std::vector<gpu::BindingSlot> slots;
-  for (std::uint32_t slot = first; slot < end; ++slot)
-    slots.push_back({slot, BindingType::StorageBuffer});
-  return slots;
-}
-
-std::vector<gpu::BindingSlot> uniformAndStorageSlots(std::uint32_t end) {
-  std::vector<gpu::BindingSlot> slots = storageSlots(1, end);
-  slots.push_back({0, BindingType::UniformBuffer});
-  return slots;
+std::vector<gpu::BindingSlot> uniformAndStorageSlots(std::uint32_t count) {
+  std::vector<gpu::BindingSlot> made = slots(count);
+  made.front().type = gpu::BindingType::UniformBuffer;
+  return made;
 }
 
 struct ReplaceConstants {
@@ -37,14 +30,14 @@ struct ReplaceConstants {
 DeformPass::DeformPass(gpu::Device& device)
     : replace_(device, gpu::ComputePipelineOptions{.name = "given positions",
                                                    .shader = shaders::deform_replace_comp,
-                                                   .bindings = storageSlots(0, 2),
+                                                   .bindings = slots(2),
                                                    .pushConstantBytes = sizeof(ReplaceConstants)}),
       vertices_(device, gpu::ComputePipelineOptions{.name = "deform vertices",
                                                     .shader = shaders::deform_vertices_comp,
                                                     .bindings = uniformAndStorageSlots(13)}),
       normals_(device, gpu::ComputePipelineOptions{.name = "deform normals",
                                                    .shader = shaders::deform_normals_comp,
-                                                   .bindings = storageSlots(0, 6),
+                                                   .bindings = slots(6),
                                                    .pushConstantBytes = sizeof(std::uint32_t)}) {}
 
 void DeformPass::replace(gpu::CommandList& commands, gpu::Buffer& given, std::uint32_t offset,

@@ -1,6 +1,7 @@
 #include "passes/gather/fit_pass.h"
 
 #include "gpu/device.h"
+#include "passes/mechanics.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/frame.h"
 
@@ -10,8 +11,7 @@ FitPass::FitPass(gpu::Device& device)
     : pipeline_(device, gpu::ComputePipelineOptions{
                             .name = "fit",
                             .shader = shaders::gather_fit_comp,
-                            .bindings = {{0, gpu::BindingType::StorageBuffer},
-                                         {1, gpu::BindingType::StorageBuffer}},
+                            .bindings = slots(2),
                         }) {}
 
 FrameView FitPass::makeView(gpu::Device& device) {

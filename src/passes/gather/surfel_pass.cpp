@@ -1,12 +1,12 @@
 #include "passes/gather/surfel_pass.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <vector>
 
 #include "gpu/device.h"
 #include "gpu/transfer.h"
+#include "passes/mechanics.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/mesh.h"
 #include "shaders/shared/surfels.h"
@@ -27,11 +27,6 @@ constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 struct SurfelCounts {
   std::uint32_t surfels;
   std::uint32_t piecesPerSurfel;
-};
-
-struct NodeRange {
-  std::uint32_t first;
-  std::uint32_t count;
 };
 
 std::vector<shared::SurfelPiece> packPieces(const surfels::Surfels& made,
@@ -69,14 +64,6 @@ std::vector<std::uint32_t> inOrder(std::uint32_t count) {
   return order;
 }
 
-template <typename T>
-gpu::Buffer makeRoom(gpu::Device& device, const char* name, std::size_t count) {
-  return {device,
-          {.name = name,
-           .bytes = std::max<std::size_t>(count, 1) * sizeof(T),
-           .usage = storage | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT}};
-}
-
 }  // namespace
 
 SurfelPass::SurfelPass(gpu::Device& device)
@@ -103,20 +90,13 @@ SurfelPass::SurfelPass(gpu::Device& device)
               gpu::ComputePipelineOptions{
                   .name = "leaves of the tree",
                   .shader = shaders::gather_tree_leaves_comp,
-                  .bindings = {{0, BindingType::StorageBuffer},
-                               {1, BindingType::StorageBuffer},
-                               {2, BindingType::StorageBuffer},
-                               {3, BindingType::StorageBuffer},
-                               {4, BindingType::StorageBuffer}},
+                  .bindings = slots(5),
                   .pushConstantBytes = sizeof(NodeRange),
               }),
       nodes_(device, gpu::ComputePipelineOptions{
                          .name = "nodes of the tree",
                          .shader = shaders::gather_tree_nodes_comp,
-                         .bindings = {{0, BindingType::StorageBuffer},
-                                      {1, BindingType::StorageBuffer},
-                                      {2, BindingType::StorageBuffer},
-                                      {3, BindingType::StorageBuffer}},
+                         .bindings = slots(4),
                          .pushConstantBytes = sizeof(NodeRange),
                      }) {}
 
@@ -165,23 +145,18 @@ void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfel
 }
 
 void SurfelPass::fitTree(gpu::CommandList& commands, Surfels& surfels) const {
-  const auto range = [&](std::size_t height) {
-    const std::uint32_t first = surfels.firstOfHeight[height];
-    return NodeRange{first, surfels.firstOfHeight[height + 1] - first};
-  };
-  commands.bind(leaves_);
-  commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
-                          Binding::read(2, surfels.sources), Binding::write(3, surfels.nodes),
-                          Binding::write(4, surfels.boxes)});
-  commands.pushConstants(range(0));
-  commands.dispatchLinear(range(0).count);
-  commands.bind(nodes_);
-  for (std::size_t height = 1; height + 1 < surfels.firstOfHeight.size(); ++height) {
-    commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
-                            Binding::write(2, surfels.nodes), Binding::write(3, surfels.boxes)});
-    commands.pushConstants(range(height));
-    commands.dispatchLinear(range(height).count);
-  }
+  forEachHeight(surfels.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
+    commands.bind(height == 0 ? leaves_ : nodes_);
+    if (height == 0)
+      commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
+                              Binding::read(2, surfels.sources), Binding::write(3, surfels.nodes),
+                              Binding::write(4, surfels.boxes)});
+    else
+      commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
+                              Binding::write(2, surfels.nodes), Binding::write(3, surfels.boxes)});
+    commands.pushConstants(range);
+    commands.dispatchLinear(range.count);
+  });
 }
 
 }  // namespace opaline::passes

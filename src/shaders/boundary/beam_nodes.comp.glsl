@@ -54,7 +54,7 @@ mat3 meansOf(mat3 weighted, vec3 power, vec3 otherwise) {
 void gatherLeaf(uint i) {
   Cluster cluster = clusters[i];
   vec4 strength = strengths[i];
-  uvec2 counts = pointCountsOf(strength);
+  uvec2 counts = unpackPointCounts(strength.w);
   BoundaryMedium medium = media[objects[ranges[i].object].table.x].inside;
   vec3 shares[2] = vec3[2](shareOfFirst(cluster), shareOfSecond(cluster, medium));
   if (scattersOnce != 0u) shares = vec3[2](cluster.second.rgb, vec3(0.0));

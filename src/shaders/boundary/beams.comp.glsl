@@ -11,6 +11,7 @@
 #include "lib/fresnel.glsl"
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
+#include "lib/point_counts.glsl"
 #include "lib/rays.glsl"
 #include "lib/unit.glsl"
 
@@ -29,6 +30,7 @@ layout(push_constant) uniform Push {
   uint beam;  // a light, or the number of lights for what comes from everywhere
   uint piecesPerSurfel;
   uint nodeCount;  // of all surfels' trees
+  uint mirrors;    // 1: what the surface does not let in goes on
 };
 
 const float leastShare = 0.005;      // of light that is followed further
@@ -180,7 +182,7 @@ void main() {
   ObjectData itsBody = objects[ranges[i].object];
   MediumData medium = media[itsBody.table.x];
   Body body = Body(medium.inside, medium.boundary.x, itsBody.tree.x, itsBody.tree.y,
-                   cluster.along.w, 1e-4 * cluster.normal.w);
+                   cluster.along.w, rayStartOf(cluster));
   Entry entry = entries[beam * clusterCount + i];
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   bool everywhere = beam == frame.counts.x;
@@ -203,9 +205,11 @@ void main() {
     firstSegment(body, i, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
                  body.medium.extinction.rgb);
     reflections(body, i, cluster, entry.start.xyz, direction, hit);
-    goesOn = mirroredOf(body, entry, from, power);
-    atomicMax(peak, floatBitsToUint(largestOf(goesOn.power.rgb)));
+    if (mirrors != 0u) {
+      goesOn = mirroredOf(body, entry, from, power);
+      atomicMax(peak, floatBitsToUint(largestOf(goesOn.power.rgb)));
+    }
   }
-  mirrored[i] = goesOn;
-  strengths[i] = vec4(power, float(pointCount[0]) + 64.0 * float(pointCount[1]));
+  if (mirrors != 0u) mirrored[i] = goesOn;
+  strengths[i] = vec4(power, packPointCounts(pointCount[0], pointCount[1]));
 }

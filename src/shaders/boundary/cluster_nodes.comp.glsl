@@ -2,6 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"
+#include "lib/moment.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
 
@@ -34,6 +35,7 @@ void main() {
   float radius = 0.0;
   float reach = 0.0;
   float square = 0.0;
+  Moment moment = Moment(vec4(0.0), vec2(0.0));
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
     vec3 offset = nodes[child].centroidLink.xyz - middle;
     vec4 spread = nodes[child].spread;
@@ -41,8 +43,12 @@ void main() {
     radius = max(radius, away + spread.x);
     reach = max(reach, away + spread.z);
     square += spread.w * (spread.y + away * away);
+    Moment shifted = momentOfArea(nodes[child].vectorArea.xyz, offset);
+    moment.first += nodes[child].moment + shifted.first;
+    moment.rest += nodes[child].momentRest.xy + shifted.rest;
   }
   if (area > 0.0) square /= area;
   nodes[node] = ClusterNode(vec4(middle, uintBitsToFloat(link)), vec4(radius, square, reach, area),
-                            vec4(vectorArea, nodes[node + 1u].vectorArea.w));
+                            vec4(vectorArea, nodes[node + 1u].vectorArea.w), moment.first,
+                            vec4(moment.rest, 0.0, 0.0));
 }

@@ -9,6 +9,7 @@
 #include "lib/boundary.glsl"
 #include "lib/irradiance.glsl"
 #include "lib/linear.glsl"
+#include "lib/moment.glsl"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
@@ -98,7 +99,7 @@ Entry entryOf(uint first, uint end, Cluster cluster, MediumData medium, uint lig
     least = dot(offset, offset);
     start = middleOf(shape);
   }
-  return Entry(vec4(sum / max(cluster.centroidArea.w, 1e-30), 0.0), vec4(place, 0.0),
+  return Entry(vec4(sum / cluster.centroidArea.w, 0.0), vec4(place, 0.0),
                vec4(unitOr(normal, cluster.normal.xyz), 0.0), vec4(start, 0.0));
 }
 
@@ -129,6 +130,7 @@ void main() {
   float radius = 0.0;
   float least = 3e38;
   uint nearest = first;
+  Moment moment = Moment(vec4(0.0), vec2(0.0));
   for (uint k = first; k < end; ++k) {
     PieceShape shape = shapeOf(pieces[k]);
     for (int c = 0; c < 3; ++c) {
@@ -138,6 +140,9 @@ void main() {
       square += shape.area / 3.0 * dot(between, between);
     }
     vec3 offset = middleOf(shape) - middle;
+    Moment shifted = momentOfArea(shape.vectorArea, offset);
+    moment.first += shifted.first;
+    moment.rest += shifted.rest;
     float squared = dot(offset, offset) + (dot(shape.vectorArea, normal) > 0.0 ? 0.0 : 1e30);
     if (shape.area > 0.0 && squared < least) {
       least = squared;
@@ -157,10 +162,12 @@ void main() {
     cluster.vectorArea = vec4(0.0);
     area = 0.0;
     vectorArea = vec3(0.0);
+    moment = Moment(vec4(0.0), vec2(0.0));
   }
   clusters[i] = cluster;
   nodes[range.node] = ClusterNode(vec4(middle, uintBitsToFloat(leafBit | setBit | i)),
-                                  vec4(radius, square, reach, area), vec4(vectorArea, float(range.object)));
+                                  vec4(radius, square, reach, area), vec4(vectorArea, float(range.object)),
+                                  moment.first, vec4(moment.rest, 0.0, 0.0));
 
   for (uint beam = 0u; beam <= frame.counts.x; ++beam)
     entries[beam * clusterCount + i] =

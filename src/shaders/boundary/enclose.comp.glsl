@@ -1,16 +1,17 @@
 // The share of the solid angle that the body fills around each cluster: c_i = Σ (x_j - x_i)·A_j /
-// (4π r³), over the same nodes as the product takes.
+// (4π r³), over the same nodes as the product takes, with their first moments.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
+#define BINDING_CLUSTER_NODES 4
 #include "lib/boundary.glsl"
+#include "lib/cluster_node.glsl"
 #include "lib/linear.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 3) buffer Clusters { Cluster clusters[]; };
-layout(set = 0, binding = 4) uniform samplerBuffer nodes;  // ClusterNode
 
 const float leastShare = 0.05;
 
@@ -32,16 +33,22 @@ void main() {
     uint at = subgroupMin(next);
     if (at == noNode) break;
     if (next == at) {
-      vec4 centroidLink = texelFetch(nodes, 3 * int(at));
+      vec4 centroidLink = centroidLinkOf(at);
       uint link = floatBitsToUint(centroidLink.w);
       vec3 offset = centroidLink.xyz - place;
       float squared = dot(offset, offset);
       bool taken = isLeaf(link) ||
-                   isFar(squared, texelFetch(nodes, 3 * int(at) + 1).x, sigma, openingAngle);
+                   isFar(squared, spreadOf(at).x, sigma, openingAngle);
       if (taken && at != range.node && squared > 0.0) {
         float over = inversesqrt(squared);
-        float fills = over * over * over * dot(offset, texelFetch(nodes, 3 * int(at) + 2).xyz);
-        if (isLeaf(link)) fills *= coverageOfDisc(squared, texelFetch(nodes, 3 * int(at) + 1).w);
+        float over3 = over * over * over;
+        float fills = over3 * dot(offset, vectorAreaOf(at));
+        if (isLeaf(link)) {
+          fills *= coverageOfDisc(squared, spreadOf(at).w);
+        } else {
+          Moment moment = momentOf(at);
+          fills += over3 * (traceOf(moment) - 3.0 * over * over * alongTwice(moment, offset));
+        }
         share += fills;
       }
       next = taken ? afterNode(at, link) : at + 1u;

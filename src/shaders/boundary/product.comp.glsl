@@ -6,12 +6,13 @@
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
+#define BINDING_CLUSTER_NODES 4
 #include "lib/boundary.glsl"
+#include "lib/cluster_node.glsl"
 #include "lib/linear.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Clusters { Cluster clusters[]; };
-layout(set = 0, binding = 4) uniform samplerBuffer nodes;      // ClusterNode
 layout(set = 0, binding = 5) uniform samplerBuffer densities;  // DensityNode
 layout(std430, set = 0, binding = 6) readonly buffer Fluences { vec4 fluences[]; };
 layout(std430, set = 0, binding = 7) writeonly buffer Products { vec4 products[]; };
@@ -44,8 +45,8 @@ void main() {
     uint at = subgroupMin(next);
     if (at == noNode) break;
     if (next == at) {
-      vec4 centroidLink = texelFetch(nodes, 3 * int(at));
-      vec4 spread = texelFetch(nodes, 3 * int(at) + 1);
+      vec4 centroidLink = centroidLinkOf(at);
+      vec4 spread = spreadOf(at);
       uint link = floatBitsToUint(centroidLink.w);
       vec3 offset = centroidLink.xyz - place;
       float squared = dot(offset, offset);
@@ -66,6 +67,15 @@ void main() {
         vec3 along = vec3(dot(offset, red.xyz), dot(offset, green.xyz), dot(offset, blue.xyz));
         sum += single * (weightS * second * vec3(red.w, green.w, blue.w)) -
                e * (1.0 + x) * (over * over * fills) * along;
+        if (!isLeaf(link)) {
+          // The moment of the double layer: both sides of a sheet, whose areas cancel.
+          Moment moment = momentOf(at);
+          vec3 mean = vec3(red.w, green.w, blue.w) / max(spread.w, 1e-30);
+          float over2 = over * over;
+          sum += mean * e * over2 *
+                 ((3.0 + x * (3.0 + x)) * (over2 * alongTwice(moment, offset)) -
+                  (1.0 + x) * traceOf(moment));
+        }
       }
       next = taken ? afterNode(at, link) : at + 1u;
       if (next >= body.clusters.y) next = noNode;

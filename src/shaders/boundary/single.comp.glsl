@@ -3,30 +3,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#define BINDING_OBJECTS 0
-#define BINDING_MEDIA 1
-#define BINDING_POINTS 2
-#define BINDING_STRENGTHS 3
-#define BINDING_BEAM_NODES 4
-#include "lib/beam_walk.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/linear.glsl"
-
-layout(std430, set = 0, binding = 5) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(std430, set = 0, binding = 6) readonly buffer Clusters { Cluster clusters[]; };
-layout(std430, set = 0, binding = 7) buffer Exitances { vec4 exitances[]; };
-
-layout(push_constant) uniform Push {
-  uint clusterCount;
-  float openingAngle;
-  uint adds;  // 1: to what other light gave
-};
+#include "lib/beam_walk.glsl"
 
 const float furthestFreePaths = 12.0;
 
-uint receiver;
-Cluster its;
-BoundaryMedium medium;
 float eta;
 
 float leaving(float cosine) {
@@ -69,7 +51,7 @@ float fromDisc(vec3 place, float extinction) {
 
 vec3 fromPoints(uint cluster) {
   vec4 strength = strengths[cluster];
-  uint count = pointCountsOf(strength).x;
+  uint count = unpackPointCounts(strength.w).x;
   vec3 extinction = medium.extinction.rgb;
   vec3 sum = vec3(0.0);
   for (uint p = 0u; p < count; ++p) {
@@ -84,17 +66,8 @@ vec3 fromPoints(uint cluster) {
 }
 
 void main() {
-  uint i = linearIndex();
-  bool inside = i < clusterCount;
-  receiver = inside ? i : 0u;
-  its = clusters[receiver];
-  ObjectData body = objects[ranges[receiver].object];
-  medium = media[body.table.x].inside;
+  receive();
   eta = media[body.table.x].boundary.x;
-  vec3 sum = beamSum(its.centroidArea.xyz, inside ? body.clusters.x : noNode, body.clusters.y, 0.0,
-                     furthestFreePaths / leastOf(medium.extinction.rgb), openingAngle);
-  if (!inside) return;
-  if (ranges[i].hasInside == 0u) sum = vec3(0.0);
-  sum *= medium.albedo.rgb / (4.0 * pi);
-  exitances[i] = vec4(adds != 0u ? exitances[i].rgb + sum : sum, 0.0);
+  vec3 sum = beamSum(0.0, furthestFreePaths / leastOf(medium.extinction.rgb));
+  putSum(sum * (medium.albedo.rgb / (4.0 * pi)));
 }

@@ -2,6 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"
+#include "lib/over_or_0.glsl"
 #include "shared/boundary.h"
 
 layout(std430, set = 0, binding = 0) buffer Fluences { vec4 fluences[]; };
@@ -12,10 +13,6 @@ layout(push_constant) uniform Push {
   uint clusterCount;
   uint solution;
 };
-
-vec3 overOr0(vec3 a, vec3 b) {
-  return mix(a / b, vec3(0.0), lessThanEqual(abs(b), vec3(1e-30)));
-}
 
 void main() {
   uint i = linearIndex();

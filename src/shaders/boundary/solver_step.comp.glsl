@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"
 #include "lib/group_sum.glsl"
+#include "lib/over_or_0.glsl"
 #include "shared/boundary.h"
 
 layout(std430, set = 0, binding = 0) readonly buffer Products { vec4 products[]; };
@@ -28,10 +29,6 @@ vec3 total(uint k) {
   for (uint g = gl_LocalInvocationIndex; g < groups; g += 64u)
     sum += sums[g * (maxSolverSteps + 1u) + k].rgb;
   return groupSum(sum);
-}
-
-vec3 overOr0(vec3 a, vec3 b) {
-  return mix(a / b, vec3(0.0), lessThanEqual(abs(b), vec3(1e-30)));
 }
 
 void start(uint i) {

@@ -3,27 +3,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#define BINDING_OBJECTS 0
-#define BINDING_MEDIA 1
-#define BINDING_POINTS 2
-#define BINDING_STRENGTHS 3
-#define BINDING_BEAM_NODES 4
-#include "lib/beam_walk.glsl"
 #include "lib/linear.glsl"
-
-layout(std430, set = 0, binding = 5) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(std430, set = 0, binding = 6) readonly buffer Clusters { Cluster clusters[]; };
-layout(std430, set = 0, binding = 7) buffer Sources { vec4 sources[]; };
-
-layout(push_constant) uniform Push {
-  uint clusterCount;
-  float openingAngle;
-  uint adds;  // 1: to what other light gave
-};
-
-uint receiver;
-Cluster its;
-BoundaryMedium medium;
+#include "lib/beam_walk.glsl"
 
 // e^{-σr} / r about a smoothed distance.
 vec3 kernel(vec3 squared) {
@@ -54,7 +35,7 @@ vec3 fromDisc(BeamPoint point) {
 
 vec3 fromPoints(uint cluster) {
   vec4 strength = strengths[cluster];
-  uvec2 counts = pointCountsOf(strength);
+  uvec2 counts = unpackPointCounts(strength.w);
   vec3 place = its.centroidArea.xyz;
   vec3 first = vec3(0.0);
   uint at = cluster * maxPoints;
@@ -80,16 +61,7 @@ vec3 fromPoints(uint cluster) {
 }
 
 void main() {
-  uint i = linearIndex();
-  bool inside = i < clusterCount;
-  receiver = inside ? i : 0u;
-  its = clusters[receiver];
-  ObjectData body = objects[ranges[receiver].object];
-  medium = media[body.table.x].inside;
-  vec3 sum = beamSum(its.centroidArea.xyz, inside ? body.clusters.x : noNode, body.clusters.y,
-                     leastOf(medium.sigma.rgb), 1e18, openingAngle);
-  if (!inside) return;
-  if (ranges[i].hasInside == 0u) sum = vec3(0.0);
-  sum /= 4.0 * pi * medium.diffusion.rgb;
-  sources[i] = vec4(adds != 0u ? sources[i].rgb + sum : sum, 0.0);
+  receive();
+  vec3 sum = beamSum(leastOf(medium.sigma.rgb), 1e18);
+  putSum(sum / (4.0 * pi * medium.diffusion.rgb));
 }

@@ -15,8 +15,7 @@
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 5) buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 6) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
-layout(std430, set = 0, binding = 7) readonly buffer Pieces { SurfelPiece pieces[]; };
-layout(std430, set = 0, binding = 8) writeonly buffer Meetings { Meeting meetings[]; };
+layout(std430, set = 0, binding = 7) writeonly buffer Meetings { Meeting meetings[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -29,7 +28,7 @@ layout(push_constant) uniform Push {
 // diffusion from the first is too rough. Not where the body is thinner, or clusters are larger, than
 // some mean free paths: light that leaves after one collision does so within a cluster's size there.
 vec3 shareOfSecond(BoundaryMedium medium, float thickness, float edge) {
-  vec3 dark = 1.0 - smoothstep(0.96, 0.99, medium.albedo.rgb);
+  vec3 dark = 1.0 - smoothstep(albedoFollowed, albedoNotFollowed, medium.albedo.rgb);
   vec3 thick = smoothstep(0.3, 1.2, thickness * medium.extinction.rgb);
   return dark * thick * (1.0 - smoothstep(1.5, 3.0, edge * medium.extinction.rgb));
 }
@@ -70,7 +69,7 @@ void lookAround(uint i, inout Cluster cluster, ClusterRange range) {
   MediumData own = media[objects[range.object].table.x];
   uint first = range.firstSurfel * piecesPerSurfel;
   uint count = range.endSurfel * piecesPerSurfel - first;
-  float least = 1e-4 * cluster.normal.w;
+  float least = rayStartOf(cluster);
   float side = cluster.along.w;
   float sky = 0.0;
   float all = 0.0;
@@ -87,7 +86,7 @@ void lookAround(uint i, inout Cluster cluster, ClusterRange range) {
     if (hit.piece == noPiece) {
       sky += entering;
     } else {
-      MediumData other = media[objects[pieces[hit.piece].object].table.x];
+      MediumData other = media[objects[objectOfPiece(hit.piece)].table.x];
       uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
       float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
       if (cosine > 0.0)
@@ -106,7 +105,7 @@ void main() {
   ClusterRange range = ranges[i];
   ObjectData body = objects[range.object];
   RayHit through = nearestExit(cluster.start.xyz, -cluster.facet.xyz, cluster.along.w,
-                               1e-4 * cluster.normal.w, 3e38, body.tree.x, body.tree.y);
+                               rayStartOf(cluster), 3e38, body.tree.x, body.tree.y);
   float thickness = through.piece == noPiece ? 1e18 : through.distance;
   if (raysOutwards > 0u) lookAround(i, cluster, range);
   clusters[i].start.w = thickness;

@@ -3,21 +3,11 @@
 #ifndef OPALINE_LIB_BEAM
 #define OPALINE_LIB_BEAM
 #include "lib/boundary.glsl"
+#include "lib/point_counts.glsl"
 
 layout(set = 0, binding = BINDING_POINTS) uniform samplerBuffer points;  // BeamPoint
 // Power that entered through each cluster; w: numbers of its points as packPointCounts has them.
 layout(std430, set = 0, binding = BINDING_STRENGTHS) readonly buffer Strengths { vec4 strengths[]; };
-
-const float secondCountsFrom = 64.0;
-
-float packPointCounts(uint first, uint second) {
-  return float(first) + secondCountsFrom * float(second);
-}
-
-uvec2 pointCountsOf(vec4 strength) {
-  float second = floor(strength.w / secondCountsFrom);
-  return uvec2(uint(strength.w - secondCountsFrom * second), uint(second));
-}
 
 BeamPoint readPoint(uint index) {
   return BeamPoint(texelFetch(points, 3 * int(index)), texelFetch(points, 3 * int(index) + 1),

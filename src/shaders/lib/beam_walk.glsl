@@ -1,12 +1,31 @@
-// The way through the tree of clusters with the points of light below them. Needs, before it,
-// BINDING_BEAM_NODES and what lib/beam.glsl needs, and, after it, two functions:
+// Sums, at every cluster, over the points of light below all others: bindings and the way through
+// the tree. Needs, before it, lib/linear.glsl and, after it, two functions of `its`, the cluster that
+// receives:
 //   vec3 fromNode(BeamNode node, vec3 squared)  light of all below a node
 //   vec3 fromPoints(uint cluster)               light of a cluster's points, one by one
 #ifndef OPALINE_LIB_BEAM_WALK
 #define OPALINE_LIB_BEAM_WALK
+#define BINDING_OBJECTS 0
+#define BINDING_MEDIA 1
+#define BINDING_POINTS 2
+#define BINDING_STRENGTHS 3
 #include "lib/beam.glsl"
 
-layout(set = 0, binding = BINDING_BEAM_NODES) uniform samplerBuffer beamNodes;  // BeamNode
+layout(set = 0, binding = 4) uniform samplerBuffer beamNodes;  // BeamNode
+layout(std430, set = 0, binding = 5) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 6) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 7) buffer Sums { vec4 sums[]; };
+
+layout(push_constant) uniform Push {
+  uint clusterCount;
+  float openingAngle;
+  uint adds;  // 1: to what other light gave
+};
+
+uint receiver;
+Cluster its;
+ObjectData body;
+BoundaryMedium medium;
 
 BeamNode readBeamNode(uint index) {
   int first = 4 * int(index);
@@ -17,10 +36,20 @@ BeamNode readBeamNode(uint index) {
 vec3 fromNode(BeamNode node, vec3 squared);
 vec3 fromPoints(uint cluster);
 
+// To be called first: those of the last group that are too many stand for the first cluster.
+void receive() {
+  uint i = linearIndex();
+  receiver = i < clusterCount ? i : 0u;
+  its = clusters[receiver];
+  body = objects[ranges[receiver].object];
+  medium = media[body.table.x].inside;
+}
+
 // `reachMm` is where no light of any comes from further; the invocations of a subgroup go in step.
-vec3 beamSum(vec3 place, uint root, uint end, float sigma, float reachMm, float openingAngle) {
+vec3 beamSum(float sigma, float reachMm) {
+  vec3 place = its.centroidArea.xyz;
   vec3 sum = vec3(0.0);
-  uint next = root;
+  uint next = linearIndex() < clusterCount ? body.clusters.x : noNode;
   while (true) {
     uint at = subgroupMin(next);
     if (at == noNode) break;
@@ -40,10 +69,17 @@ vec3 beamSum(vec3 place, uint root, uint end, float sigma, float reachMm, float 
         taken = true;
       }
       next = taken ? afterNode(at, link) : at + 1u;
-      if (next >= end) next = noNode;
+      if (next >= body.clusters.y) next = noNode;
     }
   }
   return sum;
+}
+
+void putSum(vec3 sum) {
+  uint i = linearIndex();
+  if (i >= clusterCount) return;
+  if (ranges[i].hasInside == 0u) sum = vec3(0.0);
+  sums[i] = vec4(adds != 0u ? sums[i].rgb + sum : sum, 0.0);
 }
 
 #endif

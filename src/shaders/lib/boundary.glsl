@@ -1,6 +1,7 @@
 // What the shaders of boundary transport share. Needs, before it, BINDING_OBJECTS and BINDING_MEDIA.
 #ifndef OPALINE_LIB_BOUNDARY
 #define OPALINE_LIB_BOUNDARY
+#include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
 #include "shared/frame.h"
@@ -8,9 +9,6 @@
 
 layout(std430, set = 0, binding = BINDING_OBJECTS) readonly buffer Objects { ObjectData objects[]; };
 layout(std430, set = 0, binding = BINDING_MEDIA) readonly buffer Media { MediumData media[]; };
-
-const float pi = 3.14159265358979;
-const uint noNode = 0xffffffffu;
 
 // Whether a node may be taken for what is below it: from further than its radius over the opening
 // angle. Where light falls off within the node, that is felt to be larger; twice
@@ -27,6 +25,11 @@ float coverageOfDisc(float squaredMm2, float areaMm2) {
   // 2x² (1 - x/√(1+x²)) without its cancellation.
   float root = sqrt(1.0 + x2);
   return 2.0 * x2 / (root * (root + sqrt(x2)));
+}
+
+// Rays start that far from where they leave a cluster's surface, mm.
+float rayStartOf(Cluster cluster) {
+  return 1e-4 * cluster.normal.w;
 }
 
 float leastOf(vec3 v) {

@@ -3,16 +3,14 @@
 // BINDING_EXITANCES and BINDING_MEANS.
 #ifndef OPALINE_LIB_CARRY
 #define OPALINE_LIB_CARRY
+#include "lib/cluster_node.glsl"
+#include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
 
 layout(std430, set = 0, binding = BINDING_CLUSTERS) readonly buffer Clusters { Cluster clusters[]; };
-layout(set = 0, binding = BINDING_CLUSTER_NODES) uniform samplerBuffer clusterNodes;
 layout(std430, set = 0, binding = BINDING_EXITANCES) readonly buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = BINDING_MEANS) readonly buffer Means { vec4 means[]; };
-
-const float pi = 3.14159265358979;
-const uint noNode = 0xffffffffu;
 
 // Of clusters that face away from a place; above 0, so that every place has some.
 const float leastFacing = 1e-4;
@@ -20,9 +18,6 @@ const float leastFacing = 1e-4;
 // Clusters that many mean free paths wide resolve nothing of what a half-space has between them; the
 // smaller they are, the less of its detail is wanted.
 const float coarseInFreePaths = 4.0;
-
-// From clusters that wide on nothing is wanted of them: to the medium the surface is a half-space.
-const vec2 farTooCoarse = vec2(6.0, 12.0);
 
 // The exitance at a place, where the half-space has that one, by the clusters around: their weights
 // fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. The
@@ -38,9 +33,9 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, vec3 extinction, uint ro
     uint at = subgroupMin(next);
     if (at == noNode) break;
     if (next == at) {
-      vec4 centroidLink = texelFetch(clusterNodes, 3 * int(at));
+      vec4 centroidLink = centroidLinkOf(at);
       uint link = floatBitsToUint(centroidLink.w);
-      float reach = texelFetch(clusterNodes, 3 * int(at) + 1).z;
+      float reach = spreadOf(at).z;
       vec3 offset = centroidLink.xyz - place;
       float left = 1.0 - dot(offset, offset) / max(reach * reach, 1e-30);
       bool opened = left > 0.0;
@@ -65,8 +60,7 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, vec3 extinction, uint ro
   vec3 detail = clamp(freePaths / coarseInFreePaths, 0.0, 1.0);
   detail *= min(exitance / max(mean, vec3(1e-30)), vec3(1.0));
   vec3 better = max(exitance + detail * (halfSpace - mean), vec3(0.0));
-  vec3 asHalfSpace = smoothstep(farTooCoarse.x, farTooCoarse.y, freePaths);
-  return mix(halfSpace, better, inside / all * (1.0 - asHalfSpace));
+  return mix(halfSpace, better, inside / all);
 }
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef OPALINE_LIB_GGX
 #define OPALINE_LIB_GGX
 
-const float pi = 3.14159265358979;
+#include "lib/pi.glsl"
 
 float ggxDistribution(float alpha, float cosineHalf) {
   float a2 = alpha * alpha;

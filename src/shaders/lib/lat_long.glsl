@@ -2,10 +2,11 @@
 // towards +x.
 #ifndef OPALINE_LIB_LAT_LONG
 #define OPALINE_LIB_LAT_LONG
+#include "lib/pi.glsl"
 
 vec2 latLongCoordinates(vec3 direction) {
-  return vec2(0.5 + atan(direction.x, -direction.z) / 6.28318530717959,
-              acos(clamp(direction.y, -1.0, 1.0)) / 3.14159265358979);
+  return vec2(0.5 + atan(direction.x, -direction.z) / (2.0 * pi),
+              acos(clamp(direction.y, -1.0, 1.0)) / pi);
 }
 
 #endif

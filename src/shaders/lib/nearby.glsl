@@ -5,6 +5,7 @@
 #ifndef OPALINE_LIB_NEARBY
 #define OPALINE_LIB_NEARBY
 #include "lib/surfel_sum.glsl"
+#include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
 
 layout(set = 0, binding = BINDING_NODES) uniform samplerBuffer nodes;  // TreeNode
@@ -47,7 +48,7 @@ vec3 missingNearby(vec3 position, vec3 normal, ObjectData body) {
     }
     node = apart ? afterNode(node, link) : node + 1u;
   }
-  float present = min(area / (wholeDisc * 3.14159265 * reach * reach), 1.0);
+  float present = min(area / (wholeDisc * pi * reach * reach), 1.0);
   return body.nearby.yzw * present - summed;
 }
 

@@ -3,6 +3,9 @@
 #define OPALINE_LIB_TREE_NODE
 #include "shared/surfels.h"
 
+// Where a walk through the tree has nothing more to do.
+const uint noNode = 0xffffffffu;
+
 bool isLeaf(uint link) {
   return (link & leafBit) != 0u;
 }

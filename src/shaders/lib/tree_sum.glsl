@@ -12,8 +12,6 @@
 
 layout(set = 0, binding = BINDING_NODES) uniform samplerBuffer nodes;  // TreeNode
 
-const uint noNode = 0xffffffffu;
-
 // A node is opened nearer than this many of its radii, squared: there the series would not converge.
 const float nearestInRadii2 = 2.0;
 

@@ -10,8 +10,10 @@ namespace opaline::shared {
 using uint = std::uint32_t;  // NOLINT(readability-identifier-naming): GLSL's word
 using glm::vec4;
 #define OPALINE_BOUNDARY_CONSTANT constexpr std::uint32_t
+#define OPALINE_BOUNDARY_NUMBER constexpr float
 #else
 #define OPALINE_BOUNDARY_CONSTANT const uint
+#define OPALINE_BOUNDARY_NUMBER const float
 #endif
 
 /// Which surfels a cluster is of, the same in every frame.
@@ -55,6 +57,11 @@ OPALINE_BOUNDARY_CONSTANT maxSecondPoints =
     directionsOfPoint * pointsOfFirstSegment + pointsOfReflection * maxReflections;
 OPALINE_BOUNDARY_CONSTANT maxPoints = maxFirstPoints + maxSecondPoints;
 
+/// Up to the first of these albedos all light is followed to its second collision, from the other
+/// on none is.
+OPALINE_BOUNDARY_NUMBER albedoFollowed = 0.96f;
+OPALINE_BOUNDARY_NUMBER albedoNotFollowed = 0.99f;
+
 /// One of them: a place and a share of the light for each channel.
 struct BeamPoint {
   vec4 red;  // mm; share
@@ -86,6 +93,8 @@ struct ClusterNode {
                 // distance, mm²; z: no cluster is felt further from it by the interpolation, mm;
                 // w: a, mm²
   vec4 vectorArea;  // mm²; w: the object's index
+  vec4 moment;  // Σ A δ with the offset δ from the centroid, mm³; xx yy zz xy, see lib/moment.glsl
+  vec4 momentRest;  // xz yz
 };
 
 /// Fluence φ over what is below a node, for each channel: Σ φ (A + a δ / 2AD), with the offset δ
@@ -129,7 +138,7 @@ static_assert(sizeof(Entry) == 64);
 static_assert(sizeof(BeamPoint) == 48);
 static_assert(sizeof(Meeting) == 8);
 static_assert(sizeof(Mirrored) == 32);
-static_assert(sizeof(ClusterNode) == 48);
+static_assert(sizeof(ClusterNode) == 80);
 static_assert(sizeof(DensityNode) == 48);
 static_assert(sizeof(BeamNode) == 64);
 static_assert(sizeof(SolverState) == 1600);

@@ -4,13 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "gpu/buffer.h"
 #include "gpu/pipeline.h"
 
+/// What passes are put together from.
 namespace opaline::passes {
 
 /// Slots 0 to `count` - 1: storage buffers but for those listed, which are texel buffers.
@@ -24,13 +23,27 @@ inline std::vector<gpu::BindingSlot> slots(std::uint32_t count,
   return made;
 }
 
-/// Room for `count` of T that shaders write, and read as storage or texels.
+/// Room for `count` of T that shaders write, and read as storage or texels; for one at least.
 template <typename T>
 gpu::Buffer makeRoom(gpu::Device& device, const char* name, std::size_t count) {
   return {device,
           {.name = name,
            .bytes = std::max<std::size_t>(count, 1) * sizeof(T),
            .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT}};
+}
+
+/// A tree's nodes of one height, as its list by height has them.
+struct NodeRange {
+  std::uint32_t first;
+  std::uint32_t count;
+};
+
+/// Calls `record(height, range)` from the leaves, which are of height 0, to the roots.
+template <typename Record>
+void forEachHeight(const std::vector<std::uint32_t>& firstOfHeight, const Record& record) {
+  for (std::size_t height = 0; height + 1 < firstOfHeight.size(); ++height)
+    record(height,
+           NodeRange{firstOfHeight[height], firstOfHeight[height + 1] - firstOfHeight[height]});
 }
 
 }  // namespace opaline::passes
