@@ -10,9 +10,10 @@ namespace opaline {
 
 namespace {
 
+// Of one method, too: each keeps its picture while another one's is made.
 bool sameResources(const RenderOptions& a, const RenderOptions& b) {
   return a.width == b.width && a.height == b.height && a.transport == b.transport &&
-         a.pattern.nearRings == b.pattern.nearRings &&
+         a.sum == b.sum && a.site == b.site && a.pattern.nearRings == b.pattern.nearRings &&
          a.pattern.nearSpacing == b.pattern.nearSpacing &&
          a.pattern.farDistance == b.pattern.farDistance && a.shadowSize == b.shadowSize &&
          a.roughness == b.roughness;

@@ -215,6 +215,25 @@ TEST_F(EditErrorsTest, RefusedEditsChangeNothing) {
   expectSame(render(options, asked()), before);
 }
 
+TEST_F(EditErrorsTest, EveryMethodKeepsItsPicture) {
+  renderer().setScene(wobblyBall());
+  Frame frame;
+  std::vector<VkImage> images;
+  for (const Sum sum : {Sum::Tree, Sum::Pattern, Sum::Tree}) {
+    RenderOptions options = smallOptions();
+    options.sum = sum;
+    renderer().submitOnDevice(options);  // makes what is missing
+    renderer().collect(frame);
+  }
+  for (const Sum sum : {Sum::Tree, Sum::Pattern}) {
+    RenderOptions options = smallOptions();
+    options.sum = sum;
+    images.push_back(renderer().submitOnDevice(options).image);
+    renderer().collect(frame);
+  }
+  EXPECT_NE(images[0], images[1]);
+}
+
 TEST_F(EditErrorsTest, PictureStaysOnTheDevice) {
   RenderOptions options = smallOptions();
   options.width = 40;

@@ -6,7 +6,6 @@ import pathlib
 import subprocess
 import time
 
-from images import read_png
 from program import PROGRAM, ProgramTest
 
 # Waiting for the program, on machines of any speed.
@@ -23,6 +22,42 @@ def start_display(test, size="1400x900"):
     test.addCleanup(server.kill)
     with os.fdopen(read) as pipe:
         return ":" + pipe.readline().strip()
+
+
+class Shot:
+    """A picture in bytes, R G B, rows from the top."""
+
+    def __init__(self, width, height, data):
+        assert len(data) == 3 * width * height, (len(data), width, height)
+        self.width, self.height, self.data = width, height, data
+
+    @staticmethod
+    def of(picture):
+        """A picture as read_png has it, opaque."""
+        return Shot(picture.width, picture.height, bytes(value for row in picture.rows for pixel in row for value in pixel[:3]))
+
+    def part(self, left=0, top=0, right=None, bottom=None):
+        right, bottom = right or self.width, bottom or self.height
+        rows = [self.data[3 * (y * self.width + left):3 * (y * self.width + right)] for y in range(top, bottom)]
+        return Shot(right - left, bottom - top, b"".join(rows))
+
+    def pixels(self):
+        return zip(self.data[0::3], self.data[1::3], self.data[2::3])
+
+    def colors(self):
+        return len(set(self.pixels()))
+
+    def brightness(self):
+        return sum(self.data) / len(self.data)
+
+    def worst(self, other):
+        assert (self.width, self.height) == (other.width, other.height)
+        return max(abs(a - b) for a, b in zip(self.data, other.data))
+
+    def difference(self, other):
+        """Mean over pixels and channels, in steps of 255."""
+        assert (self.width, self.height) == (other.width, other.height)
+        return sum(abs(a - b) for a, b in zip(self.data, other.data)) / len(self.data)
 
 
 class Window:
@@ -133,17 +168,12 @@ class Window:
             if is_open != (name == section):
                 self.click(name)
 
-    def screenshot(self, name="screen.png"):
-        """All of the display, as rows of pixels."""
-        path = self.test.folder / name
-        subprocess.run(["import", "-window", "root", "-depth", "8", "-define", "png:color-type=2", str(path)],
-                       env=self.environment, check=True)
-        return read_png(path.read_bytes())
-
     def picture(self):
         """What the screen shows in the picture's area."""
         x, y, width, height = self.state()["picture"]
-        return [row[x:x + width] for row in self.screenshot().rows[y:y + height]]
+        data = subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+{x}+{y}", "-depth", "8", "rgb:-"],
+                              env=self.environment, check=True, capture_output=True).stdout
+        return Shot(width, height, data)
 
     def close(self):
         """By its own key; a message of the validation layer is a failure."""

@@ -3,62 +3,52 @@
 import unittest
 
 from driver import WindowTest
-from program import CUBE_OBJ
-
-
-def difference(a, b):
-    """Mean over pixels and channels, in steps of 255."""
-    total = sum(abs(x - y) for row, other in zip(a, b) for p, q in zip(row, other) for x, y in zip(p[:3], q[:3]))
-    return total / (3 * len(a) * len(a[0]))
-
-
-def brightness(picture):
-    return sum(sum(pixel[:3]) for row in picture for pixel in row) / (3 * len(picture) * len(picture[0]))
 
 
 class Panels(WindowTest):
-    def setUp(self):
-        super().setUp()
-        self.write("cube.obj", CUBE_OBJ)
-        self.window = self.view("cube.obj", "--transport", "dipole", "--shadow-size", "256", "--size", "1000x760")
-
-    def tearDown(self):
+    def test_every_panel(self):
+        """In one window, one after the other, as they stand after each other."""
+        self.window = self.view("--builtin", "teapot", "--transport", "dipole", "--shadow-size", "256", "--size", "960x680")
+        for part in (self.handles, self.camera, self.keys, self.divider, self.method, self.time, self.motion, self.playback,
+                     self.poke, self.show, self.truth, self.truth_that_is_cancelled, self.film, self.medium, self.light):
+            with self.subTest(part.__name__):
+                part()
         self.window.close()
 
     def changes(self, act):
         before = self.window.picture()
         act()
-        return difference(before, self.window.picture())
+        return before.difference(self.window.picture())
 
-    def test_medium(self):
+    def medium(self):
         window = self.window
         self.assertGreater(self.changes(lambda: window.click("Medium/jade")), .5)
         place = window.place("Medium/red##absorption")
         before = window.picture()
         window.drag(place, (place[0] + 60, place[1]))
-        self.assertGreater(difference(before, window.picture()), .2)
+        self.assertGreater(before.difference(window.picture()), .2)
         size = window.place("Medium/size")
         before = window.picture()
         window.drag((size[0] - 30, size[1]), (size[0] - 70, size[1]))
-        self.assertGreater(difference(before, window.picture()), .5, "a small body is another")
+        self.assertGreater(before.difference(window.picture()), .5, "a small body is another")
 
-    def test_light(self):
+    def light(self):
         window = self.window
         window.only("Light")
         window.click("Light/directional 1")
         before = window.picture()
         place = window.place("Light/turn")
         window.drag(place, (place[0] + 40, place[1]))
-        self.assertGreater(difference(before, window.picture()), .5)
-        before = brightness(window.picture())
+        self.assertGreater(before.difference(window.picture()), .5)
+        before = window.picture().brightness()
         window.click("Light/delete")
-        self.assertLess(brightness(window.picture()), before - 1)
+        self.assertLess(window.picture().brightness(), before - 1)
         self.assertNotIn("Light/directional 2", window.state()["controls"])
         window.click("Light/add point")
         self.assertIn("Light/point 1", window.state()["controls"])
         self.assertIn("Light/intensity", window.state()["controls"])
 
-    def test_handles(self):
+    def handles(self):
         """A light's handle is dragged; the camera stays."""
         window = self.window
         window.only("Light")
@@ -67,17 +57,19 @@ class Panels(WindowTest):
         fill = self.find_handle(before)
         window.drag(fill, (x + width * .5, y + height * .9))
         after = window.picture()
-        self.assertGreater(difference(before, after), .5)
+        self.assertGreater(before.difference(after), .5)
         self.assertIn("Light/delete", window.state()["controls"], "the light is selected")
+        window.key("h")
 
     def find_handle(self, picture):
         """The disc of the second light, before the body: cool white, far from the body at the left."""
-        hits = [(x, y) for y, row in enumerate(picture) for x, pixel in enumerate(row[:len(row) // 2])
+        left = picture.part(right=picture.width // 2)
+        hits = [(i % left.width, i // left.width) for i, pixel in enumerate(left.pixels())
                 if pixel[2] > 250 and pixel[0] > 200 and pixel[2] > pixel[0]]
         self.assertTrue(hits)
         return (sum(x for x, _ in hits) / len(hits), sum(y for _, y in hits) / len(hits))
 
-    def test_method(self):
+    def method(self):
         window = self.window
         window.only("Method")
         self.assertGreater(self.changes(lambda: window.choose("Method/transport", "better-dipole")), .05)
@@ -87,24 +79,23 @@ class Panels(WindowTest):
         self.assertIn("Method/bounces", window.state()["controls"])
         self.assertNotIn("Method/near rings", window.state()["controls"], "the pattern is not for boundary transport")
 
-    def test_divider(self):
+    def divider(self):
         window = self.window
         window.only("Method")
-        window.key("h")
         own = window.picture()
         window.click("Method/compare with the paper")
         x, y, width, height = window.state()["picture"]
         right = window.picture()
-        half = slice(width // 2 + 60, width)
-        top = slice(0, height - 60)
-        self.assertEqual([row[half] for row in own[top]], [row[half] for row in right[top]])
-        self.assertGreater(difference([row[:width // 2 - 20] for row in own[top]],
-                                      [row[:width // 2 - 20] for row in right[top]]), .01)
-        window.drag((x + width / 2, y + height / 4), (x + width - 4, y + height / 4))
-        paper = window.picture()
-        self.assertGreater(difference([row[half] for row in own[top]], [row[half] for row in paper[top]]), .01)
+        middle, bottom = width // 2, height - 60
+        self.assertEqual(own.part(left=middle + 60, bottom=bottom).data, right.part(left=middle + 60, bottom=bottom).data)
+        left = own.part(right=middle - 20, bottom=bottom)
+        self.assertGreater(left.difference(right.part(right=middle - 20, bottom=bottom)), .01)
+        window.drag((x + middle, y + height / 4), (x + width - 4, y + height / 4))
+        paper = window.picture().part(left=middle + 60, right=width - 20, bottom=bottom)
+        self.assertGreater(paper.difference(own.part(left=middle + 60, right=width - 20, bottom=bottom)), .01)
+        window.key("c")
 
-    def test_motion(self):
+    def motion(self):
         window = self.window
         window.only("Motion")
         window.click("Motion/add a deformation")
@@ -112,11 +103,11 @@ class Panels(WindowTest):
         place = window.place("Motion/amount")
         window.drag(place, (place[0] + 50, place[1]))
         window.drag(window.place("Motion/time"), (window.place("Motion/time")[0] + 30, place[1]))
-        self.assertGreater(difference(before, window.picture()), .2)
+        self.assertGreater(before.difference(window.picture()), .2)
         window.click("Motion/remove")
         self.assertNotIn("Motion/amount", window.state()["controls"])
 
-    def test_playback(self):
+    def playback(self):
         window = self.window
         window.only("Motion")
         window.click("Motion/add a deformation")
@@ -125,11 +116,11 @@ class Panels(WindowTest):
         window.wait_for(lambda: window.state()["frames"] > frames + 5, "it does not play")
         window.xdotool("key", "space")
         window.settle()
+        window.click("Motion/remove")
 
-    def test_poke(self):
+    def poke(self):
         """Pulled it gives way; let go it comes back to the very picture."""
         window = self.window
-        window.key("h")
         before = window.picture()
         x, y = window.middle()
         window.move((x, y))
@@ -140,74 +131,73 @@ class Panels(WindowTest):
         window.wait_for(lambda: window.state()["frames"] > frames + 5, "it does not move")
         pulled = window.picture()
         window.xdotool("mouseup", 1, "keyup", "ctrl")
-        self.assertGreater(difference(before, pulled), 1)
+        self.assertGreater(before.difference(pulled), 1)
         window.settle()
-        self.assertLess(difference(before, window.picture()), .05)
+        self.assertLess(before.difference(window.picture()), .05)
 
-    def test_truth(self):
+    def truth(self):
         window = self.window
         window.only("Truth")
         window.click("Truth/dipole's integral")
         window.wait_for(lambda: window.state()["truth"] == 1, "no truth")
         picture = window.picture()
         window.choose("Truth/shown", "truth")
-        self.assertLess(difference(picture, window.picture()), 12, "the truth of the same scene, without reflections")
+        self.assertLess(picture.difference(window.picture()), 12, "the truth of the same scene, without reflections")
         truth = window.picture()
         window.choose("Truth/shown", "heat map")
-        self.assertGreater(difference(truth, window.picture()), 5)
+        self.assertGreater(truth.difference(window.picture()), 5)
         window.choose("Truth/shown", "picture")
-        self.assertEqual(difference(picture, window.picture()), 0)
+        self.assertEqual(picture.difference(window.picture()), 0)
 
-    def test_truth_that_is_cancelled(self):
+    def truth_that_is_cancelled(self):
         window = self.window
         window.only("Truth")
         window.click("Truth/path tracing")
         window.click("Truth/cancel")
         self.assertNotIn("Truth/cancel", window.state()["controls"])
 
-    def test_film(self):
+    def film(self):
         window = self.window
         window.only("Motion")
         window.click("Motion/add a deformation")
         window.only("Save")
         window.move(window.place("Save/film"))
         window.click("Save/film")
-        window.wait_for(lambda: window.state()["message"] == "saved cube.mp4", "no film")
-        self.assertGreater((self.folder / "cube.mp4").stat().st_size, 1000)
+        window.wait_for(lambda: window.state()["message"] == "saved teapot.mp4", "no film")
+        self.assertGreater((self.folder / "teapot.mp4").stat().st_size, 1000)
 
-    def test_view(self):
+    def show(self):
         window = self.window
         window.only("View")
-        before = brightness(window.picture())
+        before = window.picture().brightness()
         window.key("o")
         window.key("o")
-        self.assertGreater(brightness(window.picture()), before + 1)
+        self.assertGreater(window.picture().brightness(), before + 1)
         for variable in ("exitance", "irradiance", "position", "normal", "depth", "evaluations", "object", "map: position",
                          "map: normal", "map: irradiance", "map: area"):
             with self.subTest(variable):
                 self.assertGreater(self.changes(lambda v=variable: window.choose("View/variable", v)), .05)
 
-    def test_time(self):
+    def time(self):
         window = self.window
         window.only("Time")
         self.assertIn("Time/stacks", window.state()["controls"])
 
-    def test_camera(self):
+    def camera(self):
         window = self.window
-        window.key("h")
         before = window.picture()
         x, y = window.middle()
         window.drag((x, y), (x + 120, y))
         turned = window.picture()
-        self.assertGreater(difference(before, turned), 1)
+        self.assertGreater(before.difference(turned), 1)
         window.drag((x, y), (x - 120, y))
-        self.assertLess(difference(before, window.picture()), .2, "and back")
+        self.assertLess(before.difference(window.picture()), .2, "and back")
         window.xdotool("click", "--repeat", 3, 4)
         window.settle()
-        self.assertGreater(difference(before, window.picture()), 1)
+        self.assertGreater(before.difference(window.picture()), 1)
         window.key("f")
 
-    def test_keys(self):
+    def keys(self):
         window = self.window
         self.assertGreater(self.changes(lambda: window.key("question")), .5)
         self.assertGreater(self.changes(lambda: window.key("Escape")), .5)

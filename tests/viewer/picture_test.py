@@ -2,7 +2,7 @@
 
 import unittest
 
-from driver import WindowTest
+from driver import Shot, WindowTest
 from images import read_png
 from program import CUBE_OBJ
 
@@ -18,18 +18,15 @@ class Picture(WindowTest):
     def rendered(self, window, *arguments):
         _, _, width, height = window.state()["picture"]
         self.succeed("render", *arguments, "--size", f"{width}x{height}", "--quiet", "-o", "rendered.png")
-        return read_png((self.folder / "rendered.png").read_bytes()).rows
+        return Shot.of(read_png((self.folder / "rendered.png").read_bytes()))
 
     def same(self, shown, rendered):
         """Two roundings of one value: at most a step apart."""
-        self.assertEqual((len(shown), len(shown[0])), (len(rendered), len(rendered[0])))
-        worst = max(abs(a - b) for row, other in zip(shown, rendered) for p, q in zip(row, other)
-                    for a, b in zip(p[:3], q[:3]))
-        self.assertLessEqual(worst, 1)
-        self.assertGreater(len({pixel for row in shown for pixel in row}), 100, "there is something to see")
+        self.assertLessEqual(shown.worst(rendered), 1)
+        self.assertGreater(shown.colors(), 100, "there is something to see")
 
     def check(self, *arguments):
-        window = self.view(*arguments, "--size", "800x500")
+        window = self.view(*arguments, "--size", "700x400")
         window.key("h")
         self.same(window.picture(), self.rendered(window, *arguments, *BACKGROUND))
         return window
@@ -60,12 +57,12 @@ class Picture(WindowTest):
         (self.folder / "cube.png").unlink()
         window.key("p")
         self.assertEqual(window.state()["message"], "saved cube.png")
-        self.same(shown, read_png((self.folder / "cube.png").read_bytes()).rows)
+        self.same(shown, Shot.of(read_png((self.folder / "cube.png").read_bytes())))
         window.close()
 
     def test_a_saved_scene_is_drawn_the_same(self):
         """Camera, medium, light, size, motion, method and look as they were left by hand."""
-        window = self.view("cube.obj", "--transport", "dipole", "--size", "800x760")
+        window = self.view("cube.obj", "--transport", "dipole", "--size", "760x700")
         window.drag((100, 100), (180, 60))
         window.click("Medium/gummy-orange")
         size = window.place("Medium/size")
@@ -87,11 +84,11 @@ class Picture(WindowTest):
         window.click("Save/scene")
         self.assertEqual(window.state()["message"], "saved cube.toml")
         # The message stands in the corner of the picture.
-        shown = window.picture()[40:]
-        self.same(shown, self.rendered(window, "cube.toml")[40:])
+        shown = window.picture().part(top=40)
+        self.same(shown, self.rendered(window, "cube.toml").part(top=40))
         window.close()
-        again = self.view("cube.toml", "--size", "800x760")
-        self.same(again.picture()[40:], shown)
+        again = self.view("cube.toml", "--size", "760x700")
+        self.same(again.picture().part(top=40), shown)
         again.close()
 
 

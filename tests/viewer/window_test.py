@@ -70,8 +70,8 @@ class Sizes(WindowTest):
             window.wait_for(lambda size=(width, height): self.area(window)[3] == size[1], "no new size")
             window.settle()
             shown = window.picture()
-            self.assertEqual(len(shown), height)
-            self.assertGreater(len({pixel for row in shown for pixel in row}), 50, "a picture is there")
+            self.assertEqual(shown.height, height)
+            self.assertGreater(shown.colors(), 50, "a picture is there")
         window.close()
 
     def test_out_of_sight_and_back(self):

@@ -1,11 +1,15 @@
 // Figure 9 of Gong et al. 2008, and motion that it does not show.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "figures.h"
+#include "film_encoder.h"
 #include "opaline/soft_body.h"
 
 namespace opaline::figures {
@@ -72,12 +76,17 @@ void deformers(Studio& studio, const char* name) {
 }
 
 // Pulled at an ear, and after it is let go; then pressed into the belly.
-void poke(Studio& studio, const char* name) {
+Scene bearToPoke() {
   Scene scene = bear("gummy-red", 50);
   scene.camera = defaultCamera(scene, {0.25F, 0.12F, 1}, 40);
   scene.camera.targetMm[0] += 5;
   scene.camera.positionMm[0] += 5;
   scene.lighting = stageLight();
+  return scene;
+}
+
+void poke(Studio& studio, const char* name) {
+  const Scene scene = bearToPoke();
   studio.renderer.setScene(scene);
   const Mesh& mesh = scene.objects[0].mesh;
   SoftBody body(studio.renderer, 0, mesh.positionsMm, mesh.triangles);
@@ -100,12 +109,60 @@ void poke(Studio& studio, const char* name) {
   publish(studio, name, sheet(panels, 6, 0, dark));
 }
 
+// What a hand does to the bear: from one second to another it holds what is at a place, and leads
+// it to another, or lets go.
+struct Hold {
+  double from;
+  double until;
+  Vec3 place;
+  Vec3 to;
+};
+
+constexpr std::array holds{Hold{0.3, 1.6, {7.5F, 36, 0}, {25, 38, 8}},
+                           Hold{3.2, 4.0, {0, 16, 10}, {0, 14, -2}},
+                           Hold{5.2, 6.2, {0, 44, 4}, {-14, 30, 12}}};
+
+void pokeFilm(Studio& studio, const char* name) {
+  const Scene scene = bearToPoke();
+  studio.renderer.setScene(scene);
+  const Mesh& mesh = scene.objects[0].mesh;
+  SoftBody body(studio.renderer, 0, mesh.positionsMm, mesh.triangles);
+  constexpr int framesPerSecond = 30;
+  constexpr int width = 320;
+  constexpr int height = 384;
+  constexpr int frames = 8 * framesPerSecond;
+  const std::filesystem::path file = studio.output / fmt::format("{}.mp4", name);
+  app::FilmEncoder film(file, width, height, framesPerSecond);
+  const Hold* held = nullptr;
+  for (int frame = 0; frame < frames; ++frame) {
+    const double now = static_cast<double>(frame) / framesPerSecond;
+    const auto found = std::find_if(holds.begin(), holds.end(), [&](const Hold& hold) {
+      return now >= hold.from && now < hold.until;
+    });
+    const Hold* hold = found == holds.end() ? nullptr : &*found;
+    if (hold != held && hold == nullptr) body.release();
+    if (hold != held && hold != nullptr) body.grab(hold->place, 4);
+    held = hold;
+    if (held != nullptr) {
+      const auto share = static_cast<float>(std::min(1.0, 2.5 * (now - held->from)));
+      Vec3 to{};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        to[axis] = std::lerp(held->place[axis], held->to[axis], share);
+      body.pull(to);
+    }
+    body.step(1.0 / framesPerSecond);
+    film.add(photograph(studio, objectSpace(), {0.3F, width, height}));
+  }
+  film.finish();
+  fmt::print("{}\n", file.string());
+}
+
 }  // namespace
 
 std::span<const Figure> motionFigures() {
   static constexpr std::array all{Figure{"figure_9", morph}, Figure{"wobble", wobble},
-                                  Figure{"walk", walk}, Figure{"deformers", deformers},
-                                  Figure{"poke", poke}};
+                                  Figure{"walk", walk},      Figure{"deformers", deformers},
+                                  Figure{"poke", poke},      Figure{"poke_film", pokeFilm}};
   return all;
 }
 

@@ -53,6 +53,7 @@ class Stage {
   Frame frame_;
   Frame other_;                // of the paper's method
   std::vector<bool> waiting_;  // frames under way, oldest first: whether of the own method
+  RenderOptions drawn_;        // of the session's own method, last
   bool preview_ = false;
   double transportMs_ = 0;  // of the last frame that found the light by the session's transport
   std::size_t framesFinished_ = 0;
