@@ -46,6 +46,10 @@ enum class Aov {
   Depth,          ///< distance along the viewing axis, mm, in R, G and B
   Evaluations,    ///< of the profile for a pixel or interpolated from vertices, in R, G and B
   Object,         ///< index of the object, from 0, in R, G and B
+  Surfels,        ///< index of the surfel seen there, in R; of its cluster of boundary transport, in
+                  ///< G, -1 where light is not carried by any; in B, of the node of the tree that
+                  ///< holds it, RenderOptions::treeLevel below its object's root. From 0, through
+                  ///< all objects. Not for Sum::Pattern
   DsmPosition,    ///< the diffusion source map: mm
   DsmNormal,      ///< the diffusion source map: unit
   DsmIrradiance,  ///< the diffusion source map: E
@@ -79,6 +83,8 @@ struct RenderOptions {
   int shadowSize = 1024;    ///< edge of each shadow map, texels, in [64, 8192]
   bool specular = true;     ///< GGX reflection of lights and environment on top
   float roughness = 0.25F;  ///< of that reflection, GGX α = roughness², in [0.05, 1]
+  int treeLevel = 64;       ///< of the nodes in Aov::Surfels: 0 for the objects' roots, leaves where
+                            ///< these come first; in [0, 64]
   int antialias = 4;        ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
   int frames = 1;           ///< how often render() renders the picture, for timing; ≥ 1
   double seconds = 0;       ///< time of clip and deformers, ≥ 0
