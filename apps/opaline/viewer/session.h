@@ -11,6 +11,7 @@
 #include "opaline/scene.h"
 #include "scene/scene_source.h"
 #include "scene_options.h"
+#include "viewer/variable_display.h"
 
 namespace opaline::app::viewer {
 
@@ -62,6 +63,8 @@ struct Session {
   bool divided = false;          ///< the paper's method on the left of the divider
   float divider = 0.5F;          ///< in [0, 1]
   Aov aov = Aov::Radiance;
+  SurfelIndex surfelIndex = SurfelIndex::Surfel;  ///< of Aov::Surfels, what is shown
+  int treeLevel = 4;                              ///< of the nodes
   Shown shown = Shown::Picture;
   bool scaleBar = true;
   bool gizmos = true;

@@ -67,6 +67,8 @@ void takeEdits(const Session& edited, Session& loaded) {
   loaded.divided = edited.divided;
   loaded.divider = edited.divider;
   loaded.aov = edited.aov;
+  loaded.surfelIndex = edited.surfelIndex;
+  loaded.treeLevel = edited.treeLevel;
   loaded.object = edited.object;
 }
 
@@ -339,7 +341,8 @@ void Viewer::takeFinished() {
   awake_ = std::max(awake_, 1);
   if (session_.aov == Aov::Radiance || stage_.lastFrame().images.empty()) return;
   const Image& image = stage_.lastFrame().images.front();
-  variable_.set(isLight(session_.aov) ? image : asColors(image, session_.aov));
+  variable_.set(isLight(session_.aov) ? image
+                                      : asColors(image, session_.aov, session_.surfelIndex));
   variableShown_ = session_.aov;
 }
 

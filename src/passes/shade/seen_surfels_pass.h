@@ -24,8 +24,8 @@ class SeenSurfelsPass {
     SceneTables& tables;
     VisibleSurface& surface;
     Surfels& surfels;
-    RayHierarchy& rays;         ///< of this frame
-    Clusters* clusters;         ///< none where light is not carried by them
+    RayHierarchy& rays;           ///< of this frame
+    Clusters* clusters;           ///< none where light is not carried by them
     std::uint32_t treeLevel = 0;  ///< of the nodes
   };
   void record(gpu::CommandList& commands, const Inputs& inputs, SeenSurfels& seen) const;
