@@ -133,10 +133,28 @@ class Panels(WindowTest):
         window.key("o")
         window.key("o")
         self.assertGreater(brightness(window.picture()), before + 1)
-        for variable in ("exitance", "irradiance", "position", "normal", "depth", "evaluations", "object", "map: position",
-                         "map: normal", "map: irradiance", "map: area"):
+        for variable in ("exitance", "irradiance", "position", "normal", "depth", "evaluations", "object", "surfels",
+                         "tree levels", "map: position", "map: normal", "map: irradiance", "map: area"):
             with self.subTest(variable):
                 self.assertGreater(self.changes(lambda v=variable: window.choose("View/variable", v)), .05)
+
+    def test_surfels(self):
+        window = self.window
+        window.only("View")
+        self.assertNotIn("View/level", window.state()["controls"])
+        window.choose("View/variable", "tree levels")
+        place = window.place("View/level")
+        self.assertGreater(self.changes(lambda: window.drag(place, (place[0] + 60, place[1]))), .5)
+        window.only("Method")
+        window.choose("Method/transport", "boundary")
+        window.only("View")
+        self.assertGreater(self.changes(lambda: window.choose("View/variable", "boundary surfels")), .5)
+        window.only("Method")
+        window.choose("Method/sum", "pattern")
+        window.only("View")
+        window.click("View/variable")
+        self.assertIn("View/variable/object", window.state()["controls"])
+        self.assertNotIn("View/variable/surfels", window.state()["controls"], "the pattern has none")
 
     def test_time(self):
         window = self.window
