@@ -153,6 +153,7 @@ void requireSound(const PictureOptions& options) {
   if (options.aov == Aov::Evaluations) {
     throw UsageError("the reference has no sums whose evaluations it could count");
   }
+  if (options.aov == Aov::Surfels) throw UsageError("the reference has no surfels to show");
   if (!options.region) return;
   const Region& region = *options.region;
   if (region.x < 0 || region.y < 0 || region.width < 1 || region.height < 1 ||

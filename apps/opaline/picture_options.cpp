@@ -11,18 +11,14 @@ namespace opaline::app {
 namespace {
 
 const Choices<Aov>& aovs() {
-  static const Choices<Aov> table{{"radiance", Aov::Radiance},
-                                  {"exitance", Aov::Exitance},
-                                  {"irradiance", Aov::Irradiance},
-                                  {"position", Aov::Position},
-                                  {"normal", Aov::Normal},
-                                  {"depth", Aov::Depth},
-                                  {"object", Aov::Object},
-                                  {"evaluations", Aov::Evaluations},
-                                  {"dsm-position", Aov::DsmPosition},
-                                  {"dsm-normal", Aov::DsmNormal},
-                                  {"dsm-irradiance", Aov::DsmIrradiance},
-                                  {"dsm-area", Aov::DsmArea}};
+  static const Choices<Aov> table{
+      {"radiance", Aov::Radiance},     {"exitance", Aov::Exitance},
+      {"irradiance", Aov::Irradiance}, {"position", Aov::Position},
+      {"normal", Aov::Normal},         {"depth", Aov::Depth},
+      {"object", Aov::Object},         {"evaluations", Aov::Evaluations},
+      {"surfels", Aov::Surfels},       {"dsm-position", Aov::DsmPosition},
+      {"dsm-normal", Aov::DsmNormal},  {"dsm-irradiance", Aov::DsmIrradiance},
+      {"dsm-area", Aov::DsmArea}};
   return table;
 }
 
@@ -232,6 +228,10 @@ void MethodOptions::applyTo(RenderOptions& options,
 }
 
 void MethodOptions::requireUse(const RenderOptions& options, Aov aov) const {
+  if (aov == Aov::Surfels && options.sum == Sum::Pattern) {
+    throw UsageError(
+        "--aov surfels shows what --sum tree and --sum all sum over; the pattern has none");
+  }
   if (!dsmSize_ || options.sum == Sum::Pattern || showsMap(aov)) return;
   throw UsageError(
       "--dsm-size is of the diffusion source map, which only --sum pattern and --aov irradiance or "
@@ -290,12 +290,22 @@ void PictureOptions::addTo(CommandLine& line, const Kinds& kinds) {
   line.value("--size", "WxH",
              fmt::format("pixels, each 1 to 16384 [{}x{}]", defaults.width, defaults.height),
              [this](const Given& given) { size_ = readSize(given, 16384); });
-  line.value(
-      "--aov", "NAME",
-      fmt::format("write instead, EXR: radiance exitance irradiance position normal depth object{}",
-                  kinds.sourceMap ? " evaluations dsm-*" : ""),
-      [this](const Given& given) { aov_ = readChoice(given, aovs()); });
+  line.value("--aov", "NAME",
+             fmt::format("EXR of radiance exitance irradiance position normal depth object{}",
+                         kinds.sourceMap ? " evaluations surfels[:N] dsm-*" : ""),
+             [this](const Given& given) { takeAov(given); });
   look_.addTo(line);
+}
+
+void PictureOptions::takeAov(const Given& given) {
+  const std::string withLevel = "surfels:";
+  treeLevel_.reset();
+  if (given.text.rfind(withLevel, 0) != 0) {
+    aov_ = readChoice(given, aovs());
+    return;
+  }
+  aov_ = Aov::Surfels;
+  treeLevel_ = readInteger(Given{given.option, given.text.substr(withLevel.size())}, 0, 64);
 }
 
 void PictureOptions::applyTo(RenderOptions& options) const {
@@ -315,6 +325,7 @@ void PictureOptions::applyTo(RenderOptions& options) const {
     options.width = (*size_)[0];
     options.height = (*size_)[1];
   }
+  setFrom(options.treeLevel, treeLevel_);
   look_.applyTo(options);
   if (!picture) options.antialias = 1;
 }

@@ -36,7 +36,8 @@ class MethodOptions {
   /// Onto what `settings` made of the defaults. Throws UsageError for a mixture that contradicts
   /// itself.
   void applyTo(RenderOptions& options, const scene::SceneFileSettings& settings) const;
-  /// Throws UsageError for what only the diffusion source map has a use for, where none is made.
+  /// Throws UsageError for what only the diffusion source map has a use for, where none is made,
+  /// and for a variable that the method does not have.
   void requireUse(const RenderOptions& options, Aov aov) const;
 
  private:
@@ -109,9 +110,12 @@ class PictureOptions {
   }
 
  private:
+  void takeAov(const Given& given);
+
   std::optional<std::array<int, 2>> size_;
   LookOptions look_;
   std::optional<Aov> aov_;
+  std::optional<int> treeLevel_;
   std::optional<std::filesystem::path> file_;
 };
 

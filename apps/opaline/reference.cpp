@@ -118,6 +118,9 @@ struct ReferenceCommand {
       throw UsageError(
           "--aov evaluations: that is the work of the sums of render; the reference has none");
     }
+    if (picture.aov() == Aov::Surfels) {
+      throw UsageError("--aov surfels: the reference works without surfels; render shows them");
+    }
     if (picture.asksForReflection()) {
       throw UsageError(
           "--roughness: the reference leaves out the reflection on the surface; compare it with "

@@ -8,6 +8,7 @@
 
 #include "command_line.h"
 #include "commands.h"
+#include "json.h"
 #include "motion_options.h"
 #include "opaline/error.h"
 #include "output.h"
@@ -32,6 +33,7 @@ struct ViewCommand {
   std::string device;
   std::optional<std::filesystem::path> controls;
   bool validation = false;
+  bool json = false;
 
   void addTo(CommandLine& line) {
     line.section("Scene");
@@ -51,6 +53,7 @@ struct ViewCommand {
     line.value("--device", "NAME|INDEX", "as opaline info lists them [the best]",
                [this](const Given& given) { device = given.text; });
     line.flag("--validation", "run Vulkan's validation layer, fail on messages", validation);
+    line.flag("--json", "what the last picture was, when the window is closed", json);
     line.value("--controls", "FILE.json", "keep there where each control stands, to drive it",
                [this](const Given& given) { controls = readOutput(given, {".json"}); });
   }
@@ -117,6 +120,7 @@ void runView(const Arguments& arguments) {
   options.controls = command.controls;
   viewer::Viewer viewer(options);
   viewer.run();
+  if (command.json) printOut(toText(viewer.report()));
   if (viewer.validationMessages() > 0) {
     throw Error(fmt::format("--validation: the validation layer had {} messages",
                             viewer.validationMessages()));

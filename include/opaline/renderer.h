@@ -38,16 +38,20 @@ enum class Site {
 
 /// The arbitrary output variables. All but Radiance are sampled once, at the pixel's centre.
 enum class Aov {
-  Radiance,       ///< leaving towards the camera
-  Exitance,       ///< B
-  Irradiance,     ///< E, that has entered the surface, by the diffusion source map
-  Position,       ///< mm
-  Normal,         ///< unit
-  Depth,          ///< distance along the viewing axis, mm, in R, G and B
-  Evaluations,    ///< of the profile for a pixel or interpolated from vertices, in R, G and B
-  Object,         ///< index of the object, from 0, in R, G and B
-  DsmPosition,    ///< the diffusion source map: mm
-  DsmNormal,      ///< the diffusion source map: unit
+  Radiance,     ///< leaving towards the camera
+  Exitance,     ///< B
+  Irradiance,   ///< E, that has entered the surface, by the diffusion source map
+  Position,     ///< mm
+  Normal,       ///< unit
+  Depth,        ///< distance along the viewing axis, mm, in R, G and B
+  Evaluations,  ///< of the profile for a pixel or interpolated from vertices, in R, G and B
+  Object,       ///< index of the object, from 0, in R, G and B
+  Surfels,      ///< index of the surfel seen there, in R; of its cluster of boundary transport, in
+                ///< G, -1 where light is not carried by any; in B, of the node of the tree that
+                ///< holds it, RenderOptions::treeLevel below its object's root. From 0, through
+                ///< all objects. Not for Sum::Pattern
+  DsmPosition,  ///< the diffusion source map: mm
+  DsmNormal,    ///< the diffusion source map: unit
   DsmIrradiance,  ///< the diffusion source map: E
   DsmArea,        ///< the diffusion source map: area of a texel on the surface, mm², in R, G and B
 };
@@ -79,9 +83,11 @@ struct RenderOptions {
   int shadowSize = 1024;    ///< edge of each shadow map, texels, in [64, 8192]
   bool specular = true;     ///< GGX reflection of lights and environment on top
   float roughness = 0.25F;  ///< of that reflection, GGX α = roughness², in [0.05, 1]
-  int antialias = 4;        ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
-  int frames = 1;           ///< how often render() renders the picture, for timing; ≥ 1
-  double seconds = 0;       ///< time of clip and deformers, ≥ 0
+  int treeLevel = 64;   ///< of the nodes in Aov::Surfels: 0 for the objects' roots, leaves where
+                        ///< these come first; in [0, 64]
+  int antialias = 4;    ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
+  int frames = 1;       ///< how often render() renders the picture, for timing; ≥ 1
+  double seconds = 0;   ///< time of clip and deformers, ≥ 0
   int clip = 0;         ///< which of the scene's clips plays; -1: none, nodes as the file has them
   bool patient = true;  ///< wait until the surface is divided anew for media that changed; else
                         ///< go on with how it was while that is done by another thread

@@ -186,6 +186,11 @@ struct Exitance {
   gpu::Buffer vertices;
 };
 
+/// Which surfels the camera sees.
+struct SeenSurfels {
+  gpu::GpuImage image;  ///< surfel; cluster, or -1; node of the tree; 1. All -1 where none is.
+};
+
 inline Places verticesOf(DeformedMesh& mesh, Surfels& surfels, Exitance& exitance) {
   return {mesh.positions,      mesh.normals,      mesh.vertexCorners,
           surfels.vertexOrder, exitance.vertices, mesh.vertexCount};

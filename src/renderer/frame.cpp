@@ -175,6 +175,16 @@ struct FrameContext {
     if (plan.site != Site::Vertex) scatterAtFragments(scene);
   }
 
+  void findSurfels(SceneResources& scene) const {
+    // Boundary transport has made the rays' boxes, in this frame or in that whose light it takes.
+    if (!boundary()) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+    passes.seenSurfels.record(
+        commands,
+        {resources.tables, resources.surface, scene.surfels, scene.rays,
+         boundary() ? &scene.clusters : nullptr, static_cast<std::uint32_t>(plan.treeLevel)},
+        resources.seenSurfels);
+  }
+
   void shade(std::uint32_t sample, std::uint32_t samples) const {
     passes.shade.record(commands,
                         {resources.view, resources.tables, resources.shadows, resources.surface,
@@ -206,13 +216,15 @@ Passes::Passes(gpu::Device& device)
       solver(device),
       carry(device),
       environment(device),
-      shade(device) {}
+      shade(device),
+      seenSurfels(device) {}
 
 void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
                  const FrameUpload& upload, SceneMotion& motion, SceneResources& scene,
                  FrameResources& resources) {
   assert(plan.site != Site::Auto || plan.sum != Sum::Pattern);
   assert(plan.map || plan.sum != Sum::Pattern);
+  assert(!plan.seenSurfels || (plan.centre && plan.sum != Sum::Pattern));
   const FrameContext context{commands, passes, plan, scene.mesh, resources};
   if (plan.light) context.deform(motion);
   context.fit(upload);
@@ -234,6 +246,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
     }
   }
   if (plan.centre) context.seeSurface({0, 0}, scene);
+  if (plan.seenSurfels) context.findSurfels(scene);
 }
 
 }  // namespace opaline

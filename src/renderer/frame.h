@@ -21,6 +21,7 @@
 #include "passes/scatter/surface_pass.h"
 #include "passes/scatter/surfel_sum_pass.h"
 #include "passes/shade/environment_pass.h"
+#include "passes/shade/seen_surfels_pass.h"
 #include "passes/shade/shade_pass.h"
 #include "renderer/frame_resources.h"
 #include "renderer/scene_motion.h"
@@ -48,6 +49,7 @@ struct Passes {
   passes::CarryPass carry;
   passes::EnvironmentPass environment;
   passes::ShadePass shade;
+  passes::SeenSurfelsPass seenSurfels;
 };
 
 /// What a frame is to do.
@@ -61,6 +63,8 @@ struct FramePlan {
   bool map = false;            ///< draw the diffusion source map, whoever wants it
   int samples = 4;             ///< of radiance, 0 for none
   bool centre = false;         ///< leave the visible surface and exitance of the pixels' centres
+  bool seenSurfels = false;    ///< find the surfels at the pixels' centres, not for Sum::Pattern
+  int treeLevel = 0;           ///< of the nodes that hold them
   bool specular = true;
   float roughness = 0.25F;
   int clip = 0;

@@ -24,6 +24,7 @@ struct FrameResources {
   passes::Exitance exitance;
   gpu::GpuImage environmentCube;
   gpu::GpuImage radiance;
+  passes::SeenSurfels seenSurfels;  ///< empty until a plan asks for them
 };
 
 /// Everything, for these options.

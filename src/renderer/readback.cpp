@@ -36,6 +36,8 @@ std::array<gpu::GpuImage*, 3> imagesOf(Aov aov, Site site, FrameResources& resou
       return {position, nullptr, nullptr};
     case Aov::Normal:
       return {position, &resources.surface.normal, nullptr};
+    case Aov::Surfels:
+      return {position, &resources.seenSurfels.image, nullptr};
     case Aov::DsmPosition:
     case Aov::DsmArea:
       return {coverage, &resources.sources.positionArea, nullptr};
@@ -118,6 +120,7 @@ bool needsCentre(Aov aov) {
     case Aov::Normal:
     case Aov::Depth:
     case Aov::Object:
+    case Aov::Surfels:
       return true;
     default:
       return false;
@@ -184,6 +187,7 @@ void Readback::make(const Entry& entry, Image& image) const {
     case Aov::Radiance:
       return makeRadiance(image, visible);
     case Aov::Exitance:
+    case Aov::Surfels:
       return fill(image, seen, floats);
     case Aov::Evaluations:
       return fill(image, seen,

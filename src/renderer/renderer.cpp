@@ -66,9 +66,10 @@ bool holds(const PreparedFrame::Lit& lit, const PreparedFrame::Lit& now) {
 // transport the rays' boxes, clusters, their rays, rays and sources of every light, sources of
 // every bounce, as many solutions, means and what is carried to vertices; estimate, scatter and
 // nearby at the vertices and at the surfels; and surface, scatter, nearby, carry and shade for each
-// look, of which there are as many as antialiasing samples and one at the pixels' centres.
+// look, of which there are as many as antialiasing samples and one at the pixels' centres; and the
+// surfels seen there.
 constexpr std::uint32_t maxPassesOfFrame =
-    8 + (3 + 2 * (shared::maxLights + 1) + 3 * (maxBounces + 1) + 2) + 2 * 3 + 5 * (8 + 1);
+    8 + (3 + 2 * (shared::maxLights + 1) + 3 * (maxBounces + 1) + 2) + 2 * 3 + 5 * (8 + 1) + 1;
 
 // One of the frames that may be under way.
 struct FrameSlot {
@@ -252,6 +253,8 @@ class Renderer::Implementation {
                            ? options.antialias
                            : 0,
             .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),
+            .seenSurfels = std::find(aovs.begin(), aovs.end(), Aov::Surfels) != aovs.end(),
+            .treeLevel = options.treeLevel,
             .specular = options.specular,
             .roughness = options.roughness,
             .clip = options.clip,
@@ -260,12 +263,14 @@ class Renderer::Implementation {
 
   void submit(const RenderOptions& options, const std::vector<Aov>& aovs, FramePlan plan) {
     validate(options);
+    validate(options, aovs);
     scene();
     requireClip(options.clip);
     if (waiting_ >= framesInFlight)
       throw UsageError(fmt::format(
           "{} frames are under way, which is all there may be; collect one first", waiting_));
     prepare(options, plan.map);
+    if (plan.seenSurfels) prepareSeenSurfels();
     last_ = options;
     site_ = chooseSite(options, *uploaded_);
     plan.site = site_;
@@ -316,6 +321,15 @@ class Renderer::Implementation {
     }
     if (uploaded_->needs.maxClusters) uploaded_->clusters.lights = lightCount(scene_->lighting);
     current_ = &prepared_.of(options, *uploaded_, scene_->lighting, changes_);
+  }
+
+  // Most frames are not asked which surfels they show.
+  void prepareSeenSurfels() {
+    if (!uploaded_->rays.boxes)
+      uploaded_->rays = passes::RayPass::makeHierarchy(device_, uploaded_->surfels);
+    FrameResources& resources = current_->resources;
+    if (!resources.seenSurfels.image)
+      resources.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, resources.surface);
   }
 
   // Brings the scene on the device in step with its media.

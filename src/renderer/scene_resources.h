@@ -53,8 +53,8 @@ struct SceneResources {
   passes::DeformedMesh mesh;
   atlas::Atlas atlas;         ///< empty where no map is needed
   passes::Surfels surfels;    ///< empty where none are needed
-  passes::RayHierarchy rays;  ///< these three where clusters are needed
-  passes::Clusters clusters;
+  passes::RayHierarchy rays;  ///< where clusters are needed, or surfels have been asked for
+  passes::Clusters clusters;  ///< these two where clusters are needed
   passes::Solver solver;
   std::vector<SurfelsOfObject> surfelsOfObject;  ///< one an object, where there are surfels
   std::uint32_t objects = 0;

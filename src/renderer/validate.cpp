@@ -67,6 +67,7 @@ void validate(const RenderOptions& options) {
   requireWithin("the far distance", options.pattern.farDistance, 1e-3F, 1000.0F);
   requireWithin("the size of the diffusion source map", options.dsmSize, 64, 4096);
   requireWithin("the size of the shadow maps", options.shadowSize, 64, 8192);
+  requireWithin("the level of the tree", options.treeLevel, 0, 64);
   requireWithin("the roughness", options.roughness, 0.05F, 1.0F);
   requireWithin("the number of frames", options.frames, 1, 1'000'000);
   requireWithin("the time in seconds", options.seconds, 0.0, 1e9);
@@ -75,6 +76,12 @@ void validate(const RenderOptions& options) {
       options.antialias != 8)
     throw UsageError(fmt::format(
         "the number of antialiasing samples is {}, but must be 1, 2, 4 or 8", options.antialias));
+}
+
+void validate(const RenderOptions& options, const std::vector<Aov>& aovs) {
+  if (options.sum == Sum::Pattern &&
+      std::find(aovs.begin(), aovs.end(), Aov::Surfels) != aovs.end())
+    throw UsageError("the pattern has no surfels to show; the sums tree and all have");
 }
 
 void validate(const Medium& medium) {

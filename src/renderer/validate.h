@@ -10,6 +10,9 @@ namespace opaline {
 /// Throws UsageError that names the option, its value and its range.
 void validate(const RenderOptions& options);
 
+/// The same for a variable that no frame with these options has.
+void validate(const RenderOptions& options, const std::vector<Aov>& aovs);
+
 /// Throws Error for a scene that cannot be rendered: no triangles, indices out of range, numbers
 /// that are not finite, media out of range, more lights than there may be.
 void validate(const Scene& scene);

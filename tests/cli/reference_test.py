@@ -176,6 +176,7 @@ class Refusals(Reference):
             (("--integral", "--roughness", ".3"), ("--roughness", "--no-specular")),
             (("--integral", "--aov", "dsm-area"), ("dsm-*", "render")),
             (("--integral", "--aov", "evaluations"), ("evaluations", "render")),
+            (("--integral", "--aov", "surfels:2"), ("surfels", "render")),
             (("--integral", "--sum", "all"), "no option --sum"),
             (("--integral", "--tolerance", "0"), "from 1e-07 to 0.5"),
             (("--integral", "--every", "0"), "from 1 to 16384"),

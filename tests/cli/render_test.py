@@ -161,6 +161,22 @@ class Geometry(Render):
         self.near(self.exr("--aov", "depth").centre(), (distance,) * 3 + (1,), 1e-4)
         self.near(self.exr("--aov", "object").centre(), (0, 0, 0, 1), 1e-6)
 
+    def test_surfels(self):
+        whole = self.exr("--aov", "surfels", "--validation")
+        self.assertEqual({(pixel[1] >= 0, pixel[3]) for pixel in whole.covered()}, {(True, 1)})
+        surfels = {pixel[0] for pixel in whole.covered()}
+        self.assertTrue(all(index >= 0 and index == int(index) for index in surfels))
+        # The front is a sixth of the surface.
+        report = self.succeed("render", *CUBE, "--aov", "surfels:0", "--json", "-o", "root.exr").json()
+        self.assertLessEqual(len(surfels), report["sources"] / 5)
+        self.assertLess(max(surfels), report["sources"])
+        self.assertLess(max(pixel[1] for pixel in whole.covered()), report["boundary_surfels"])
+        root = read_exr((self.folder / "root.exr").read_bytes())
+        self.assertEqual({pixel[2] for pixel in root.covered()}, {0})
+        self.assertGreater(len({pixel[2] for pixel in self.exr("--aov", "surfels:2").covered()}), 2)
+        half_space = self.exr("--aov", "surfels", "--transport", "dipole")
+        self.assertEqual([(pixel[0], -1) for pixel in whole.covered()], [pixel[:2] for pixel in half_space.covered()])
+
     def test_camera(self):
         self.near(self.exr("--aov", "normal", "--camera-direction", "-5,0,0").centre(), (-1, 0, 0, 1), 1e-4)
         wide = len(self.exr("--aov", "normal", "--fov-degrees", "60").covered())

@@ -146,6 +146,7 @@ TEST_F(PictureTest, OptionsOutOfRangeAreRefused) {
   refused([](PictureOptions& o) { o.every = 0; });
   refused([](PictureOptions& o) { o.aov = Aov::DsmArea; });
   refused([](PictureOptions& o) { o.aov = Aov::Evaluations; });
+  refused([](PictureOptions& o) { o.aov = Aov::Surfels; });
   refused([](PictureOptions& o) { o.region = reference::Region{0, 0, 25, 1}; });
   refused([](PictureOptions& o) { o.region = reference::Region{5, 5, 1, 2147483647}; });
   refused([](PictureOptions& o) { o.region = reference::Region{-1, 0, 3, 3}; });

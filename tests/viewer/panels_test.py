@@ -3,6 +3,7 @@
 import unittest
 
 from driver import WindowTest
+from program import CUBE_OBJ
 
 
 class Panels(WindowTest):
@@ -10,7 +11,7 @@ class Panels(WindowTest):
         """In one window, one after the other, as they stand after each other."""
         self.window = self.view("--builtin", "teapot", "--transport", "dipole", "--shadow-size", "256", "--size", "960x680")
         for part in (self.handles, self.camera, self.keys, self.divider, self.method, self.time, self.motion, self.playback,
-                     self.poke, self.show, self.truth, self.truth_that_is_cancelled, self.film, self.medium, self.light):
+                     self.poke, self.show, self.film, self.medium, self.light):
             with self.subTest(part.__name__):
                 part()
         self.window.close()
@@ -135,27 +136,6 @@ class Panels(WindowTest):
         window.settle()
         self.assertLess(before.difference(window.picture()), .05)
 
-    def truth(self):
-        window = self.window
-        window.only("Truth")
-        window.click("Truth/dipole's integral")
-        window.wait_for(lambda: window.state()["truth"] == 1, "no truth")
-        picture = window.picture()
-        window.choose("Truth/shown", "truth")
-        self.assertLess(picture.difference(window.picture()), 12, "the truth of the same scene, without reflections")
-        truth = window.picture()
-        window.choose("Truth/shown", "heat map")
-        self.assertGreater(truth.difference(window.picture()), 5)
-        window.choose("Truth/shown", "picture")
-        self.assertEqual(picture.difference(window.picture()), 0)
-
-    def truth_that_is_cancelled(self):
-        window = self.window
-        window.only("Truth")
-        window.click("Truth/path tracing")
-        window.click("Truth/cancel")
-        self.assertNotIn("Truth/cancel", window.state()["controls"])
-
     def film(self):
         window = self.window
         window.only("Motion")
@@ -174,7 +154,7 @@ class Panels(WindowTest):
         window.key("o")
         self.assertGreater(window.picture().brightness(), before + 1)
         for variable in ("exitance", "irradiance", "position", "normal", "depth", "evaluations", "object", "map: position",
-                         "map: normal", "map: irradiance", "map: area"):
+                         "map: normal", "map: irradiance", "map: area", "surfels", "tree levels"):
             with self.subTest(variable):
                 self.assertGreater(self.changes(lambda v=variable: window.choose("View/variable", v)), .05)
 
@@ -205,6 +185,35 @@ class Panels(WindowTest):
         window.key("Tab")
         self.assertGreater(window.state()["picture"][2], width)
         window.key("Tab")
+
+
+class Truth(WindowTest):
+    def setUp(self):
+        super().setUp()
+        self.write("cube.obj", CUBE_OBJ)
+
+    def test_truth(self):
+        window = self.view("cube.obj", "--transport", "dipole", "--antialias", "1", "--shadow-size", "256", "--size", "360x300")
+        window.only("Truth")
+        window.click("Truth/dipole's integral")
+        window.wait_for(lambda: window.state()["truth"] == 1, "no truth")
+        picture = window.picture()
+        window.choose("Truth/shown", "truth")
+        self.assertLess(picture.difference(window.picture()), 12, "the truth of the same scene, without reflections")
+        truth = window.picture()
+        window.choose("Truth/shown", "heat map")
+        self.assertGreater(truth.difference(window.picture()), 5)
+        window.choose("Truth/shown", "picture")
+        self.assertEqual(picture.difference(window.picture()), 0)
+        window.close()
+
+    def test_truth_that_is_cancelled(self):
+        window = self.view("cube.obj", "--transport", "dipole", "--antialias", "1", "--shadow-size", "256", "--size", "360x300")
+        window.only("Truth")
+        window.click("Truth/path tracing")
+        window.click("Truth/cancel")
+        self.assertNotIn("Truth/cancel", window.state()["controls"])
+        window.close()
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@
 #include "scene/scene_source.h"
 #include "scene_options.h"
 #include "truth_job.h"
+#include "viewer/variable_display.h"
 
 namespace opaline::app::viewer {
 
@@ -66,6 +67,8 @@ struct Session {
   bool divided = false;          ///< the paper's method on the left of the divider
   float divider = 0.5F;          ///< in [0, 1]
   Aov aov = Aov::Radiance;
+  SurfelIndex surfelIndex = SurfelIndex::Surfel;  ///< of Aov::Surfels, what is shown
+  int treeLevel = 4;                              ///< of the nodes
   Shown shown = Shown::Picture;
   std::optional<TruthOrder::Method> wantedTruth;
   bool cancelTruth = false;

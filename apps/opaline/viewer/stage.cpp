@@ -66,6 +66,7 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   options.height = height;
   options.reuseLight = true;
   options.patient = false;
+  options.treeLevel = session.treeLevel;
   preview_ = moving && lightChanges && session.quickWhileMoving && transportMs_ > slowMs &&
              options.transport == Transport::Boundary;
   if (moving) options.antialias = 1;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace opaline::app::viewer {
@@ -37,14 +38,33 @@ Range rangeOf(const Image& values) {
   return range;
 }
 
-// Neighbouring indices apart, by the golden angle.
-Color colorOfIndex(float index) {
-  const float hue = 6 * (0.381966F * index - std::floor(0.381966F * index));
+// The part of a turn in sixths.
+Color colorOfHue(float turn) {
+  const float hue = 6 * turn;
   Color color{};
   for (std::size_t c = 0; c < 3; ++c) {
     const float along = std::fmod(hue + 4 * static_cast<float>(c) + 1, 6.0F);
     color[c] = 0.15F + 0.7F * std::clamp(std::min(along, 4 - along), 0.0F, 1.0F);
   }
+  return color;
+}
+
+// Neighbouring indices apart, by the golden angle.
+Color colorOfIndex(float index) {
+  return colorOfHue(0.381966F * index - std::floor(0.381966F * index));
+}
+
+// Of many indices, whose neighbours on the surface may be any step apart: by chance, with brighter
+// and darker ones among them. Grey where there is none.
+Color colorOfAny(float index) {
+  if (index < 0) return {0.5F, 0.5F, 0.5F};
+  // The finalizer of MurmurHash3 (Appleby 2011).
+  auto bits = static_cast<std::uint32_t>(index) + 1;
+  bits = (bits ^ (bits >> 16U)) * 0x85ebca6bU;
+  bits = (bits ^ (bits >> 13U)) * 0xc2b2ae35U;
+  bits ^= bits >> 16U;
+  Color color = colorOfHue(static_cast<float>(bits & 0xffffU) / 65536.0F);
+  for (float& value : color) value *= 0.55F + 0.45F * static_cast<float>(bits >> 16U) / 65535.0F;
   return color;
 }
 
@@ -55,12 +75,14 @@ bool isLight(Aov aov) {
          aov == Aov::DsmIrradiance;
 }
 
-Image asColors(const Image& values, Aov aov) {
+Image asColors(const Image& values, Aov aov, SurfelIndex surfelIndex) {
   Image colors = values;
+  const auto index = static_cast<std::size_t>(surfelIndex);
   const Range range = rangeOf(values);
   for (std::size_t i = 0; i < colors.rgba.size(); i += 4) {
     if (!(colors.rgba[i + 3] > 0)) continue;
-    const Color indexed = colorOfIndex(colors.rgba[i]);
+    const Color indexed =
+        aov == Aov::Surfels ? colorOfAny(values.rgba[i + index]) : colorOfIndex(values.rgba[i]);
     for (std::size_t c = 0; c < 3; ++c) {
       float& value = colors.rgba[i + c];
       switch (aov) {
@@ -69,6 +91,7 @@ Image asColors(const Image& values, Aov aov) {
           value = 0.5F + 0.5F * value;
           break;
         case Aov::Object:
+        case Aov::Surfels:
           value = indexed[c];
           break;
         default:

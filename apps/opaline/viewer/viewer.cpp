@@ -16,6 +16,7 @@
 #include "output.h"
 #include "paths.h"
 #include "picture_options.h"
+#include "render_report.h"
 #include "scene/environment_file.h"
 #include "viewer/controls.h"
 #include "viewer/orbit.h"
@@ -66,6 +67,8 @@ void takeEdits(const Session& edited, Session& loaded) {
   loaded.divided = edited.divided;
   loaded.divider = edited.divider;
   loaded.aov = edited.aov;
+  loaded.surfelIndex = edited.surfelIndex;
+  loaded.treeLevel = edited.treeLevel;
   loaded.object = edited.object;
 }
 
@@ -347,7 +350,8 @@ void Viewer::takeFinished() {
   awake_ = std::max(awake_, 1);
   if (session_.aov == Aov::Radiance || stage_.lastFrame().images.empty()) return;
   const Image& image = stage_.lastFrame().images.front();
-  variable_.set(isLight(session_.aov) ? image : asColors(image, session_.aov));
+  variable_.set(isLight(session_.aov) ? image
+                                      : asColors(image, session_.aov, session_.surfelIndex));
   variableShown_ = session_.aov;
 }
 
@@ -452,6 +456,11 @@ void Viewer::writeControls() const {
                             : truth_.hasPicture() ? 1
                                                   : 0}};
   core::writeWhole(*options_.controls, toText(json));
+}
+
+Json Viewer::report() const {
+  if (!session_.report) return nullptr;
+  return renderReportJson(*session_.report, session_.options, {});
 }
 
 void Viewer::run() {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "json.h"
 #include "opaline/renderer.h"
 #include "viewer/host_picture.h"
 #include "viewer/loader.h"
@@ -47,6 +48,8 @@ class Viewer {
   /// Until the window is closed. Throws Error where the device fails.
   void run();
 
+  /// Of the last picture, as render reports it; null where there was none.
+  Json report() const;
   std::size_t validationMessages() const { return renderer_.validationMessages(); }
 
  private:

@@ -72,6 +72,11 @@ void drawMethodPanel(Session& session) {
   changed |= controls::checkbox("compare with the paper", session.divided,
                                 "The paper's method on the left of a divider that is dragged "
                                 "across the picture.");
+  // What the view shows goes with what there is to show.
+  const bool shown = session.surfelIndex == SurfelIndex::Cluster
+                         ? options.transport == Transport::Boundary
+                         : options.sum != Sum::Pattern;
+  if (session.aov == Aov::Surfels && !shown) session.aov = Aov::Radiance;
   if (changed) session.edits.picture = true;
 }
 

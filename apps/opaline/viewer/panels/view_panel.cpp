@@ -8,30 +8,61 @@ namespace opaline::app::viewer {
 
 namespace {
 
-const Choices<Aov>& shownVariables() {
-  static const Choices<Aov> table{{"radiance", Aov::Radiance},
-                                  {"exitance", Aov::Exitance},
-                                  {"irradiance", Aov::Irradiance},
-                                  {"position", Aov::Position},
-                                  {"normal", Aov::Normal},
-                                  {"depth", Aov::Depth},
-                                  {"evaluations", Aov::Evaluations},
-                                  {"object", Aov::Object},
-                                  {"map: position", Aov::DsmPosition},
-                                  {"map: normal", Aov::DsmNormal},
-                                  {"map: irradiance", Aov::DsmIrradiance},
-                                  {"map: area", Aov::DsmArea}};
+struct Variable {
+  Aov aov = Aov::Radiance;
+  SurfelIndex surfelIndex = SurfelIndex::Surfel;
+
+  bool operator==(const Variable&) const = default;
+};
+
+// Groups have up to four members: of a million surfels the leaves are there.
+constexpr int deepestLevel = 10;
+
+Choices<Variable> shownVariables(const RenderOptions& options) {
+  Choices<Variable> table{{"radiance", {Aov::Radiance}},       {"exitance", {Aov::Exitance}},
+                          {"irradiance", {Aov::Irradiance}},   {"position", {Aov::Position}},
+                          {"normal", {Aov::Normal}},           {"depth", {Aov::Depth}},
+                          {"evaluations", {Aov::Evaluations}}, {"object", {Aov::Object}}};
+  if (options.sum != Sum::Pattern) {
+    table.push_back({"surfels", {Aov::Surfels}});
+    table.push_back({"tree levels", {Aov::Surfels, SurfelIndex::Node}});
+  }
+  if (options.transport == Transport::Boundary) {
+    table.push_back({"boundary surfels", {Aov::Surfels, SurfelIndex::Cluster}});
+  }
+  for (const auto& [name, aov] : Choices<Aov>{{"map: position", Aov::DsmPosition},
+                                              {"map: normal", Aov::DsmNormal},
+                                              {"map: irradiance", Aov::DsmIrradiance},
+                                              {"map: area", Aov::DsmArea}}) {
+    table.push_back({name, {aov}});
+  }
   return table;
+}
+
+bool chooseVariable(Session& session) {
+  Variable shown{session.aov};
+  if (session.aov == Aov::Surfels) shown.surfelIndex = session.surfelIndex;
+  bool changed = controls::choice("variable", shown, shownVariables(session.options),
+                                  "What is drawn: light towards the camera, what leaves or enters "
+                                  "the surface, its shape, the surfels it is cut into, or the "
+                                  "diffusion source map with the atlas it lies on.");
+  if (changed) {
+    session.aov = shown.aov;
+    session.surfelIndex = shown.surfelIndex;
+  }
+  if (shown == Variable{Aov::Surfels, SurfelIndex::Node}) {
+    changed |= controls::integer("level", session.treeLevel, 0, deepestLevel,
+                                 "Of the groups of surfels that the sum takes as one: whole "
+                                 "objects at 0, a few surfels at the deepest.");
+  }
+  return changed;
 }
 
 }  // namespace
 
 void drawViewPanel(Session& session) {
   if (!controls::section("View", false)) return;
-  bool changed = controls::choice("variable", session.aov, shownVariables(),
-                                  "What is drawn: light towards the camera, what leaves or enters "
-                                  "the surface, its shape, or the diffusion source map with the "
-                                  "atlas it lies on.");
+  bool changed = chooseVariable(session);
   RenderOptions& options = session.options;
   changed |= controls::slider("exposure", session.tone.exposureStops, -8, 8, "%.2f stops",
                               "Twice the light for every stop.");

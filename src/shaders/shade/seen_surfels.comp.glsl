@@ -1,0 +1,110 @@
+// Which surfel lies at every visible pixel, and what of the trees holds it.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define BINDING_PIECE_CORNERS 3
+#define BINDING_RAY_BOXES 4
+#include "lib/rays.glsl"
+#include "lib/tile.glsl"
+#include "shared/frame.h"
+
+layout(set = 0, binding = 0) uniform sampler2D surfacePosition;
+layout(set = 0, binding = 1, rgba32f) uniform writeonly image2D seen;  // passes::SeenSurfels
+layout(std430, set = 0, binding = 2) readonly buffer Objects { ObjectData objects[]; };
+layout(std430, set = 0, binding = 5) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
+
+layout(push_constant) uniform Push {
+  uint treeLevel;
+  uint hasClusters;
+};
+
+struct Nearest {
+  float square;  // of its distance, mm²; at first, of what is near enough
+  uint piece;    // or noPiece
+  uint leaf;     // the node that holds it
+  uint pieces;   // a surfel
+};
+
+float squareOf(vec3 v) {
+  return dot(v, v);
+}
+
+float squareToEdge(vec3 fromA, vec3 edge) {
+  return squareOf(fromA - clamp(dot(fromA, edge) / dot(edge, edge), 0.0, 1.0) * edge);
+}
+
+float squareToPiece(vec3 place, vec3 a, vec3 b, vec3 c) {
+  vec3 normal = cross(b - a, c - a);
+  vec3 sides = vec3(dot(cross(b - a, place - a), normal), dot(cross(c - b, place - b), normal),
+                    dot(cross(a - c, place - c), normal));
+  if (all(greaterThanEqual(sides, vec3(0.0)))) {
+    float above = dot(normalize(normal), place - a);
+    return above * above;
+  }
+  return min(min(squareToEdge(place - a, b - a), squareToEdge(place - b, c - b)),
+             squareToEdge(place - c, a - c));
+}
+
+void meetLeaf(vec3 place, uint node, uint link, uint pieces, inout Nearest nearest) {
+  uint first = firstSurfelOf(link) * pieces;
+  uint end = first + surfelCountOf(link) * pieces;
+  for (uint piece = first; piece < end; ++piece) {
+    int at = 3 * int(piece);
+    vec4 c = texelFetch(pieceCorners, at + 2);
+    if (c.w < 0.0) continue;  // fills a surfel, or has no area
+    float square = squareToPiece(place, texelFetch(pieceCorners, at).xyz,
+                                 texelFetch(pieceCorners, at + 1).xyz, c.xyz);
+    if (square < nearest.square) nearest = Nearest(square, piece, node, pieces);
+  }
+}
+
+Nearest nearestPiece(vec3 place, uint firstNode, uint endNode, float within) {
+  Nearest nearest = Nearest(within * within, noPiece, firstNode, 1u);
+  uint node = firstNode;
+  while (node < endNode) {
+    vec4 low = texelFetch(rayBoxes, 2 * int(node));
+    vec4 high = texelFetch(rayBoxes, 2 * int(node) + 1);
+    uint link = floatBitsToUint(low.w);
+    bool near = squareOf(place - clamp(place, low.xyz, high.xyz)) < nearest.square;
+    if (near && isLeaf(link)) meetLeaf(place, node, link, uint(high.w), nearest);
+    node = near ? node + 1u : afterNode(node, link);
+  }
+  return nearest;
+}
+
+uint afterNode(uint node) {
+  return afterNode(node, floatBitsToUint(texelFetch(rayBoxes, 2 * int(node)).w));
+}
+
+// The node on the way from the root to a leaf that lies so many levels below the root.
+uint nodeAtLevel(uint root, uint leaf, uint level) {
+  uint node = root;
+  for (uint i = 0u; i < level && node != leaf; ++i) {
+    node += 1u;
+    for (uint after = afterNode(node); after <= leaf; after = afterNode(node)) node = after;
+  }
+  return node;
+}
+
+void main() {
+  ivec2 pixel = pixelOfInvocation();
+  if (any(greaterThanEqual(pixel, imageSize(seen)))) return;
+  vec4 surface = texelFetch(surfacePosition, pixel, 0);
+  vec4 found = vec4(-1.0);
+  if (surface.w > 0.0) {
+    uvec4 tree = objects[uint(surface.w) - 1u].tree;
+    vec3 low = texelFetch(rayBoxes, 2 * int(tree.x)).xyz;
+    float across = length(texelFetch(rayBoxes, 2 * int(tree.x) + 1).xyz - low);
+    // The place lies on its piece but for rounding, so look there first, and further off after.
+    Nearest nearest;
+    nearest.piece = noPiece;
+    for (float part = 1.0 / 65536.0; part < 16.0 && nearest.piece == noPiece; part *= 64.0)
+      nearest = nearestPiece(surface.xyz, tree.x, tree.y, part * across);
+    if (nearest.piece != noPiece) {
+      uint surfel = nearest.piece / nearest.pieces;
+      float cluster = hasClusters != 0u ? float(clusterOfSurfel[surfel]) : -1.0;
+      uint node = nodeAtLevel(tree.x, nearest.leaf, treeLevel);
+      found = vec4(float(surfel), cluster, float(node), 1.0);
+    }
+  }
+  imageStore(seen, pixel, found);
+}
