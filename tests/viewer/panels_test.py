@@ -9,7 +9,8 @@ from program import CUBE_OBJ
 class Panels(WindowTest):
     def test_every_panel(self):
         """In one window, one after the other, as they stand after each other."""
-        self.window = self.view("--builtin", "teapot", "--transport", "dipole", "--shadow-size", "256", "--size", "960x680")
+        self.window = self.view("--builtin", "teapot", "--medium", "gummy-red", "--transport", "dipole", "--shadow-size", "256", "--size",
+                                "760x600")
         for part in (self.handles, self.camera, self.keys, self.divider, self.method, self.time, self.motion, self.playback,
                      self.poke, self.show, self.film, self.medium, self.light):
             with self.subTest(part.__name__):
@@ -23,6 +24,7 @@ class Panels(WindowTest):
 
     def medium(self):
         window = self.window
+        window.only("Medium")
         self.assertGreater(self.changes(lambda: window.click("Medium/jade")), .5)
         place = window.place("Medium/red##absorption")
         before = window.picture()
@@ -157,6 +159,7 @@ class Panels(WindowTest):
                          "map: normal", "map: irradiance", "map: area", "surfels", "tree levels"):
             with self.subTest(variable):
                 self.assertGreater(self.changes(lambda v=variable: window.choose("View/variable", v)), .05)
+        window.choose("View/variable", "radiance")
 
     def time(self):
         window = self.window
@@ -193,13 +196,14 @@ class Truth(WindowTest):
         self.write("cube.obj", CUBE_OBJ)
 
     def test_truth(self):
-        window = self.view("cube.obj", "--transport", "dipole", "--antialias", "1", "--shadow-size", "256", "--size", "360x300")
+        window = self.view("cube.obj", "--transport", "dipole", "--no-specular", "--antialias", "1", "--shadow-size",
+                           "256", "--size", "360x400")
         window.only("Truth")
         window.click("Truth/dipole's integral")
         window.wait_for(lambda: window.state()["truth"] == 1, "no truth")
         picture = window.picture()
         window.choose("Truth/shown", "truth")
-        self.assertLess(picture.difference(window.picture()), 12, "the truth of the same scene, without reflections")
+        self.assertLess(picture.difference(window.picture()), 1.5)
         truth = window.picture()
         window.choose("Truth/shown", "heat map")
         self.assertGreater(truth.difference(window.picture()), 5)
@@ -208,7 +212,8 @@ class Truth(WindowTest):
         window.close()
 
     def test_truth_that_is_cancelled(self):
-        window = self.view("cube.obj", "--transport", "dipole", "--antialias", "1", "--shadow-size", "256", "--size", "360x300")
+        window = self.view("cube.obj", "--transport", "dipole", "--no-specular", "--antialias", "1", "--shadow-size",
+                           "256", "--size", "360x400")
         window.only("Truth")
         window.click("Truth/path tracing")
         window.click("Truth/cancel")
