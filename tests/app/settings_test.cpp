@@ -24,8 +24,8 @@ RenderOptions understood(const scene::SceneFileSettings& settings, const Scene& 
 void expectSame(const RenderOptions& a, const RenderOptions& b) {
   // As many names as there are options, so that a new one does not compile before it is here.
   const auto& [width, height, transport, sum, site, tolerance, maxSources, boundarySurfels, bounces,
-               pattern, dsmSize, shadowSize, specular, roughness, antialias, frames, seconds,
-               clip] = b;
+               pattern, dsmSize, shadowSize, specular, roughness, treeLevel, antialias, frames,
+               seconds, clip, patient, reuseLight] = b;
   const auto& [nearRings, nearSpacing, farDistance] = pattern;
   EXPECT_EQ(a.width, width);
   EXPECT_EQ(a.height, height);
@@ -46,7 +46,10 @@ void expectSame(const RenderOptions& a, const RenderOptions& b) {
   EXPECT_EQ(a.antialias, antialias);
   EXPECT_EQ(a.seconds, seconds);
   EXPECT_EQ(a.clip, clip);
-  static_cast<void>(frames);  // how often a picture is made for its time
+  static_cast<void>(frames);      // how often a picture is made for its time
+  static_cast<void>(treeLevel);   // of a variable, not of the picture
+  static_cast<void>(patient);     // how a program that waits for the picture gets it
+  static_cast<void>(reuseLight);  // the same picture, sooner
 }
 
 TEST(Settings, OptionsComeBack) {
