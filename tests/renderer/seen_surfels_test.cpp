@@ -226,12 +226,14 @@ TEST_F(SeenSurfelsTest, NodesHoldTheSurfelAndWhatIsBelowThem) {
       }
       const bool leaf = surfels::linkOf(tree, node).leaf;
       EXPECT_TRUE(leaf || level < 64);
-      if (!leaf) {
-        // Halves of halves: from one level to the next a fourth of the surfels, but for one or two.
+      if (level == 0) {
         const auto object = static_cast<std::size_t>(images[2].rgba[i]);
-        const double all = division.surfels.firstOfObject[object + 1] -
-                           static_cast<double>(division.surfels.firstOfObject[object]);
-        EXPECT_NEAR(range.end - range.first, all / std::pow(4.0, level), 2);
+        EXPECT_EQ(range.first, division.surfels.firstOfObject[object]);
+        EXPECT_EQ(range.end, division.surfels.firstOfObject[object + 1]);
+      } else {
+        // A level down there is less, but where it was a leaf already.
+        const SurfelRange parent = rangeOf(tree, static_cast<std::uint32_t>(above->rgba[i + 2]));
+        EXPECT_TRUE(leaf || range.end - range.first < parent.end - parent.first);
       }
     });
     EXPECT_GE(kinds.size(), kindsAbove);
