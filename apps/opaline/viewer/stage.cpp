@@ -45,9 +45,9 @@ void Stage::collect() {
   renderer_.collect(own ? frame_ : other_);
   if (!own) return;
   ++framesFinished_;
-  const auto solves = [](const PassTime& pass) { return pass.name == "solve"; };
-  if (std::any_of(frame_.passes.begin(), frame_.passes.end(), solves)) {
-    transportMs_ = frame_.milliseconds;
+  const auto lights = [](const PassTime& pass) { return pass.name == "shadow"; };
+  if (resting_ && std::any_of(frame_.passes.begin(), frame_.passes.end(), lights)) {
+    restMs_ = frame_.milliseconds;
   }
 }
 
@@ -67,9 +67,12 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   options.reuseLight = true;
   options.patient = false;
   options.treeLevel = session.treeLevel;
-  preview_ = moving && lightChanges && session.quickWhileMoving && transportMs_ > slowMs &&
-             options.transport == Transport::Boundary;
+  resting_ = !moving;
+  const bool quick = moving && session.quickWhileMoving && !session.divided && restMs_ > slowMs;
+  preview_ = quick && lightChanges && options.transport == Transport::Boundary;
   if (moving) options.antialias = 1;
+  // Light at vertices stays while the camera moves.
+  if (quick && options.sum != Sum::Pattern) options.site = Site::Vertex;
   if (preview_) options.transport = Transport::BetterDipole;
   aovs_.clear();
   if (session.aov != Aov::Radiance) aovs_.push_back(session.aov);

@@ -55,7 +55,8 @@ class Stage {
   std::vector<bool> waiting_;  // frames under way, oldest first: whether of the own method
   RenderOptions drawn_;        // of the session's own method, last
   bool preview_ = false;
-  double transportMs_ = 0;  // of the last frame that found the light by the session's transport
+  bool resting_ = true;  // the frame drawn last was not in motion
+  double restMs_ = 0;    // of the last one at rest that found its light
   std::size_t framesFinished_ = 0;
   std::vector<Aov> aovs_;
 };
