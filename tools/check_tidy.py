@@ -1,17 +1,25 @@
 #!/usr/bin/env python3
-"""clang-tidy on every file of the product, in parallel. What was clean and has not changed since, with
-all the headers it includes, is not read again. Usage: check_tidy.py BUILD_FOLDER"""
+"""clang-tidy on every source file of the product, in parallel. Most of its time goes into reading headers,
+so files with the same compiler flags are read many at once, as one translation unit. Two files may give the
+same name to different things: those that do not compile together are read apart. What was clean and has not
+changed since, with all the headers it includes, is not read again.
+Usage: check_tidy.py BUILD_FOLDER"""
 
 import concurrent.futures
 import hashlib
+import itertools
 import json
 import os
 import pathlib
+import re
+import shlex
 import subprocess
 import sys
 
 import clang_tools
 from repository import ROOT, finish
+
+FILES_AT_ONCE = 24
 
 
 def our_dependencies(build):
@@ -37,26 +45,63 @@ def fingerprint(salt, command, files):
     return digest.hexdigest()
 
 
-def units(build, salt):
-    """(source, fingerprint or None) of every translation unit that is ours."""
+class Source:
+    """A file to read: its compiler flags, and the mark it leaves when clean (None: always read)."""
+
+    def __init__(self, path, flags, mark):
+        self.path, self.flags, self.mark = path, flags, mark
+
+
+def sources(build, salt):
+    """Every source file that is ours, once."""
     dependencies = our_dependencies(build)
+    seen = set()
     for entry in json.loads((build / "compile_commands.json").read_text()):
-        source = pathlib.Path(entry["directory"], entry["file"]).resolve()
-        if not source.is_relative_to(ROOT) or source.is_relative_to(build):
+        path = pathlib.Path(entry["directory"], entry["file"]).resolve()
+        if not path.is_relative_to(ROOT) or path.is_relative_to(build) or path in seen:
             continue
-        if source.is_relative_to(ROOT / "tests"):  # reading the test library takes longer than all else
+        if path.is_relative_to(ROOT / "tests"):  # reading the test library takes longer than all else
             continue
-        files = dependencies.get(entry["output"]) if "output" in entry else None
-        if files is None:
-            name = next((part for part in entry["command"].split() if part.endswith(".o")), "")
-            files = dependencies.get(name)
-        known = files is not None and source in files and all(path.is_file() for path in files)
-        yield source, fingerprint(salt, entry["command"], files) if known else None
+        seen.add(path)
+        words = shlex.split(entry["command"])
+        at = words.index("-o")
+        files = dependencies.get(words[at + 1])
+        known = files is not None and path in files and all(file.is_file() for file in files)
+        mark = build / "tidy" / fingerprint(salt, entry["command"], files) if known else None
+        yield Source(path, tuple(words[1:at]), mark)
 
 
-def tidy(program, build, source):
-    result = subprocess.run([program, "-p", build, "--quiet", "--extra-arg=-Wno-unknown-warning-option", source], capture_output=True, text=True)
-    return result.returncode == 0, result.stdout.strip() or result.stderr.strip()
+def batches(waiting):
+    by_flags = sorted(waiting, key=lambda source: (source.flags, source.path))
+    for _, group in itertools.groupby(by_flags, key=lambda source: source.flags):
+        group = list(group)
+        count = -(-len(group) // FILES_AT_ONCE)
+        yield from (group[len(group) * i // count:len(group) * (i + 1) // count] for i in range(count))
+
+
+def tidy(program, build, batch):
+    """What clang-tidy finds in these files, as one text; empty where all is well."""
+    if len(batch) == 1:
+        unit = batch[0].path
+    else:
+        names = "".join(f'#include "{source.path}"\n' for source in batch)
+        unit = build / "tidy" / f"{hashlib.sha256(names.encode()).hexdigest()[:16]}.cpp"
+        unit.write_text(names)
+    command = [program, f"--config-file={ROOT / '.clang-tidy'}", "--quiet", unit, "--", *batch[0].flags,
+               "-Wno-unknown-warning-option", "-Wno-shadow"]  # of another file's name; the compiler looks file by file
+    result = subprocess.run(command, capture_output=True, text=True)
+    if result.returncode == 0:
+        for source in batch:
+            if source.mark is not None:
+                source.mark.touch()
+        return ""
+    if len(batch) > 1 and "clang-diagnostic-error" in result.stdout:
+        wrong = set(re.findall(r"^(.+?):\d+:\d+: error: ", result.stdout, re.MULTILINE))
+        apart = [source for source in batch if str(source.path) in wrong]
+        apart = apart if 0 < len(apart) < len(batch) else batch[:len(batch) // 2]
+        parts = apart, [source for source in batch if source not in apart]
+        return "\n".join(filter(None, (tidy(program, build, part) for part in parts)))
+    return result.stdout.strip() or result.stderr.strip()
 
 
 def main():
@@ -65,21 +110,17 @@ def main():
     if program is None:
         return
     salt = (ROOT / ".clang-tidy").read_bytes() + clang_tools.VERSION.encode()
-    clean = build / "tidy"
-    clean.mkdir(exist_ok=True)
-    waiting = [(source, key) for source, key in units(build, salt)
-               if key is None or not (clean / key).exists()]
-    findings = []
+    (build / "tidy").mkdir(exist_ok=True)
+    waiting = [source for source in sources(build, salt) if source.mark is None or not source.mark.exists()]
+    findings, done = [], 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        running = {pool.submit(tidy, program, build, source): (source, key) for source, key in waiting}
-        for done, future in enumerate(concurrent.futures.as_completed(running), start=1):
-            source, key = running[future]
-            good, text = future.result()
-            if good and key is not None:
-                (clean / key).touch()
-            elif not good:
-                findings.append(text)
-            print(f"clang-tidy [{done}/{len(waiting)}] {source.relative_to(ROOT)}", flush=True)
+        running = {pool.submit(tidy, program, build, batch): batch for batch in batches(waiting)}
+        for future in concurrent.futures.as_completed(running):
+            batch = running[future]
+            done += len(batch)
+            if future.result():
+                findings.append(future.result())
+            print(f"clang-tidy [{done}/{len(waiting)}] {batch[-1].path.relative_to(ROOT)}", flush=True)
     finish("clang-tidy", findings)
 
 

@@ -110,9 +110,7 @@ Viewer::Viewer(const ViewerOptions& options)
   open(options_.source);
 }
 
-Viewer::~Viewer() {
-  keepState();
-}
+Viewer::~Viewer() = default;
 
 void Viewer::keepState() {
   const auto [width, height] = window_.size();
@@ -481,6 +479,7 @@ void Viewer::run() {
   }
   stage_.finish();
   presenter_.waitIdle();
+  keepState();
 }
 
 }  // namespace opaline::app::viewer

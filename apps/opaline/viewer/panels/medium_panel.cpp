@@ -134,10 +134,11 @@ void drawMediumPanel(Session& session) {
   Medium& medium = session.scene.objects[session.object].medium;
   ImGui::Text("%s", medium.name.c_str());
   bool changed = drawChips(medium);
-  const bool edited =
+  const bool scatters =
       drawCoefficients("scattering", medium.sigmaSPrimePerMm, 1e-3F, 1e2F,
                        "Reduced scattering coefficient: how often light is deflected within a "
-                       "millimetre. More is more opaque. Jensen et al. 2001, Figure 5.") |
+                       "millimetre. More is more opaque. Jensen et al. 2001, Figure 5.");
+  const bool absorbs =
       drawCoefficients("absorption", medium.sigmaAPerMm, 1e-5F, 1e1F,
                        "Absorption coefficient: how much of the light dies within a millimetre. "
                        "More is darker, and more saturated where it differs between channels.");
@@ -146,8 +147,9 @@ void drawMediumPanel(Session& session) {
                                      "Of the body relative to what surrounds it: 1.3 is water, "
                                      "1.5 glass. More keeps more light inside.");
   if (bent) medium.eta = static_cast<double>(eta);
-  if (edited || bent) medium.name = "custom";
-  changed = changed || edited || bent;
+  const bool edited = scatters || absorbs || bent;
+  if (edited) medium.name = "custom";
+  changed = changed || edited;
   if (changed) session.edits.medium[session.object] = true;
   drawSize(session);
   showLengths(medium);
