@@ -51,7 +51,7 @@ check:
 
 test: build check
 	$(PYTHON) tools/check_tidy.py $(BUILD)
-	ctest --preset release -j 2
+	ctest --preset release -j 3
 
 bench: build
 	$(BUILD)/bin/opaline_frame_bench

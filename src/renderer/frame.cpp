@@ -55,11 +55,12 @@ struct FrameContext {
   }
 
   void gather(passes::Surfels& surfels) const {
+    if (!plan.scatter && !plan.map) return;
     passes.shadow.record(commands, resources.view, mesh, resources.shadows);
     if (plan.map)
       passes.map.record(commands, {resources.view, mesh, resources.tables, resources.shadows},
                         resources.sources);
-    if (plan.sum != Sum::Pattern)
+    if (plan.sum != Sum::Pattern && plan.scatter)
       passes.surfels.record(commands, {resources.view, mesh, resources.tables, resources.shadows},
                             surfels);
   }
@@ -172,7 +173,7 @@ struct FrameContext {
         commands,
         {resources.view, mesh, resources.sources.charts, jitter, resources.exitance.vertices},
         resources.surface);
-    if (plan.site != Site::Vertex) scatterAtFragments(scene);
+    if (plan.scatter && plan.site != Site::Vertex) scatterAtFragments(scene);
   }
 
   void findSurfels(SceneResources& scene) const {
@@ -224,12 +225,15 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
                  FrameResources& resources) {
   assert(plan.site != Site::Auto || plan.sum != Sum::Pattern);
   assert(plan.map || plan.sum != Sum::Pattern);
-  assert(!plan.seenSurfels || (plan.centre && plan.sum != Sum::Pattern));
+  assert(!plan.seenSurfels || (plan.centre && plan.sum != Sum::Pattern && plan.scatter));
+  assert(plan.samples == 0 || plan.scatter);
   const FrameContext context{commands, passes, plan, scene.mesh, resources};
   if (plan.light) context.deform(motion);
   context.fit(upload);
   if (plan.light) {
     context.gather(scene.surfels);
+  }
+  if (plan.light && plan.scatter) {
     if (plan.transport == Transport::Boundary) context.solveBoundary(scene);
     context.scatterAtVertices(scene);
   }

@@ -60,6 +60,7 @@ struct FramePlan {
   float tolerance = 0.01F;     ///< of Sum::Tree, and of the solver of Transport::Boundary
   int bounces = 2;             ///< of Transport::Boundary
   bool skyIsDark = false;      ///< no light but that of lights
+  bool scatter = true;         ///< find the exitance; what is seen without light needs none
   bool map = false;            ///< draw the diffusion source map, whoever wants it
   int samples = 4;             ///< of radiance, 0 for none
   bool centre = false;         ///< leave the visible surface and exitance of the pixels' centres
@@ -83,7 +84,8 @@ struct FrameUpload {
 
 /// Records one frame: the surface where it is at that time, shadows, gathering, scattering at
 /// vertices, all of which a plan without `light` leaves out, then for every antialiasing sample the
-/// visible surface, scattering at fragments and shading.
+/// visible surface, scattering at fragments and shading. A plan that does not `scatter` leaves the
+/// exitance as it was.
 void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
                  const FrameUpload& upload, SceneMotion& motion, SceneResources& scene,
                  FrameResources& resources);

@@ -127,6 +127,18 @@ bool needsCentre(Aov aov) {
   }
 }
 
+bool needsScattering(Aov aov) {
+  switch (aov) {
+    case Aov::Radiance:
+    case Aov::Exitance:
+    case Aov::Evaluations:
+    case Aov::Surfels:
+      return true;
+    default:
+      return false;
+  }
+}
+
 void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site site,
                        const CameraView& camera, FrameResources& resources) {
   if (!states_)

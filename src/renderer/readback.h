@@ -15,6 +15,9 @@ namespace opaline {
 /// Whether a variable is read off the pixels' centres.
 bool needsCentre(Aov aov);
 
+/// Whether a variable tells of light that was scattered, or of what scatters it.
+bool needsScattering(Aov aov);
+
 /// Brings output variables of a frame to the host: copies at the frame's end what they are made
 /// from, and makes pictures of it when the frame has finished. Reused for the same variables it
 /// allocates nothing.

@@ -248,6 +248,7 @@ class Renderer::Implementation {
             .sum = options.sum,
             .tolerance = options.tolerance,
             .bounces = options.bounces,
+            .scatter = std::any_of(aovs.begin(), aovs.end(), needsScattering),
             .map = needsMap(options, aovs),
             .samples = std::find(aovs.begin(), aovs.end(), Aov::Radiance) != aovs.end()
                            ? options.antialias
@@ -291,7 +292,7 @@ class Renderer::Implementation {
     slot.commands.begin();
     recordFrame(slot.commands, passes_, plan, upload, *motion_, *uploaded_, resources);
     slot.readback.record(slot.commands, site_, resources);
-    slot.readback.recordSolutions(slot.commands, boundary ? options.bounces + 1 : 0,
+    slot.readback.recordSolutions(slot.commands, boundary && plan.scatter ? options.bounces + 1 : 0,
                                   uploaded_->solver);
     // Whoever shows pictures may sample this frame's too.
     if (shown_) slot.commands.use(resources.radiance, gpu::Access::Sampled);
@@ -374,7 +375,7 @@ class Renderer::Implementation {
     const bool there =
         !(ofSurfels || plan.transport == Transport::Boundary) || litSurfels_ == current_;
     plan.light = !(options.reuseLight && there && current_->lit && holds(*current_->lit, now));
-    if (!plan.light) return;
+    if (!plan.light || !plan.scatter) return;
     current_->lit = now;
     if (options.sum != Sum::Pattern) litSurfels_ = current_;
   }

@@ -18,7 +18,8 @@ import unittest
 from images import read_exr, read_png
 from program import PROGRAM, ProgramTest
 
-MODEL = ("--builtin", "teapot", "--shadow-size", 64)
+# Films are of any transport; this one is quick.
+MODEL = ("--builtin", "teapot", "--shadow-size", 64, "--transport", "dipole")
 MOTION = ("--deform", "wobble:0.1:0.7", "--deform", "twist:0.5:1.5")
 TEAPOT = (*MODEL, "--fov-degrees", 50, "--size", "24x16")
 MOVING = (*TEAPOT, *MOTION)
@@ -155,7 +156,7 @@ def dented(height):
 
 class Sequence(Film):
     HEIGHTS = (.34, .45, .6, .5)
-    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--fov-degrees", 50)
+    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--fov-degrees", 50, "--transport", "dipole")
 
     def setUp(self):
         super().setUp()

@@ -11,7 +11,7 @@ import unittest
 from images import read_exr, read_png
 from program import ProgramTest
 
-ENDLESS = ("render", "--builtin", "teapot", "--shadow-size", 64, "--deform", "wobble:0.1", "--frames",
+ENDLESS = ("render", "--builtin", "teapot", "--shadow-size", 64, "--transport", "dipole", "--deform", "wobble:0.1", "--frames",
            "0:999999", "--quiet")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -41,7 +41,8 @@ class Interrupt(ProgramTest):
 
     def test_in_the_middle_of_writing(self):
         for _ in range(3):
-            self.interrupted(signal.SIGINT, lambda: self.some(".opaline-*"), "-o", "f%d.exr", size="800x600")
+            self.interrupted(signal.SIGINT, lambda: self.some(".opaline-*"), "--aov", "position", "-o", "f%d.exr",
+                             size="800x600")
             self.assertFalse(self.some(".*"), self.listing())
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")

@@ -76,7 +76,7 @@ class Outputs(Render):
 
     def test_how_the_body_was_solved_is_reported(self):
         for asked, bounces in (((), 2), (("--bounces", 0), 0), (("--transport", "boundary", "--bounces", 1), 1)):
-            report = self.succeed("render", *CUBE, *asked, "--json", "-o", "a.png").json()
+            report = self.succeed("render", *CUBE, "--max-sources", 8192, *asked, "--json", "-o", "a.png").json()
             self.assertEqual((report["transport"], report["sum"]), ("boundary", "tree"))
             self.assertTrue(0 < report["boundary_surfels"] <= report["sources"])
             # One of the light from outside, and one a bounce of it.
@@ -115,15 +115,16 @@ class Outputs(Render):
                     asked = {"transport": transport, "sum": total, "site": site}
                     options = [part for name, value in asked.items() for part in (f"--{name}", value)]
                     # All surfels with all take long where there are many.
-                    few = ("--max-sources", 1024) if total == "all" else ()
+                    few = () if total == "pattern" else ("--max-sources", 1024)
                     report = self.succeed("render", *CUBE, *options, *few, "--json", "-o", "a.png").json()
                     self.assertEqual({name: report[name] for name in asked}, asked)
 
     def test_site_auto_looks_at_the_edges(self):
         # The cube's edges of 17 mm are longer than any mean free path of marble, the bear's are not
         # longer than one of 100 mm.
-        self.assertEqual(self.succeed("render", *CUBE, "--json").json()["site"], "fragment")
-        bear = self.succeed("render", "--size", "16x16", "--sigma-s", ".01,.01,.01",
+        few = ("--max-sources", 1024)
+        self.assertEqual(self.succeed("render", *CUBE, *few, "--json").json()["site"], "fragment")
+        bear = self.succeed("render", "--size", "16x16", *few, "--sigma-s", ".01,.01,.01",
                             "--sigma-a", "0,0,0", "--json").json()
         self.assertEqual(bear["site"], "vertex")
 
@@ -136,7 +137,7 @@ class Outputs(Render):
         devices = self.succeed("info", "cube.obj", "--json").json()["devices"]
         name = devices[0]["name"]
         for asked in ("0", name, name.upper()):
-            report = self.succeed("render", *CUBE, "--device", asked, "--json").json()
+            report = self.succeed("render", *CUBE, "--transport", "dipole", "--device", asked, "--json").json()
             self.assertEqual(report["device"]["name"], name)
         self.refused(2, "render", *CUBE, "--device", "nosuchdevice", says="nosuchdevice")
         self.refused(2, "render", *CUBE, "--device", "99", says="99")
@@ -204,7 +205,7 @@ class Geometry(Render):
         self.write("plate.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
                    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
                    "0 0 0\n0 4 0\n0 4 3\n0 0 3\n4 0 1 2 3\n")
-        plate = ("plate.ply", "--diagonal-mm", 50, "--size", "30x30")
+        plate = ("plate.ply", "--diagonal-mm", 50, "--size", "30x30", "--transport", "dipole")
         # Half height 20 mm at 70 - 15 mm: 2 atan(20 / 55) = 39.97 degrees.
         self.assertIn("--fov-degrees 40", self.succeed("render", *plate).err)
         # From the side all corners are 70 mm away: 2 atan(20 / 70) = 31.9 degrees.
@@ -212,8 +213,8 @@ class Geometry(Render):
         for fits in (("--fov-degrees", 40), ("--fov-degrees", 20), ("--quiet",), ("--aov", "dsm-area")):
             self.assertNotIn("does not fit", self.succeed("render", *plate, *fits).err, fits)
         # A cube's front is 1.4 - .289 diagonals away: 2 atan(.289 / 1.111) = 29.1 degrees.
-        self.assertNotIn("does not fit", self.succeed("render", "cube.obj", *plate[3:]).err)
-        narrow = (*plate[:3], "--size", "10x30", "--camera-direction", "1,0,0")
+        self.assertNotIn("does not fit", self.succeed("render", "cube.obj", *plate[1:]).err)
+        narrow = (*plate[:3], *plate[5:], "--size", "10x30", "--camera-direction", "1,0,0")
         # Half width 15 mm in a third of the height, 70 mm away: 2 atan(3 * 15 / 70) = 65.5 degrees.
         self.assertIn("--fov-degrees 66", self.succeed("render", *narrow).err)
 
@@ -227,6 +228,11 @@ class Geometry(Render):
 
 
 class Light(Render):
+    """Under any transport; this one is quick."""
+
+    def exr(self, *arguments):
+        return super().exr("--transport", "dipole", *arguments)
+
     def test_directional(self):
         light = ("--directional", "0,0,5:1,2,3", "--aov", "irradiance")
         self.near(self.exr(*light).centre()[:3], (ENTERING, 2 * ENTERING, 3 * ENTERING), 2e-3)
@@ -265,6 +271,12 @@ class Light(Render):
 
 class Look(Render):
     LIGHT = ("--directional", "0,0,1:.4,.4,.4", "--no-specular")
+
+    def exr(self, *arguments):
+        return super().exr("--transport", "dipole", *arguments)
+
+    def png(self, *arguments):
+        return super().png("--transport", "dipole", *arguments)
 
     def linear(self, *arguments):
         """The centre of a PNG, decoded (IEC 61966-2-1)."""
@@ -306,10 +318,10 @@ class SceneFiles(Render):
         report = self.succeed("render", "scene.toml", "--json", "--size", "20x10", "--site", "fragment").json()
         self.assertEqual((report["size"], report["transport"], report["site"]),
                          ([20, 10], "better-dipole", "fragment"))
-        self.write("scene.toml", 'model = "cube.obj"\n[render]\nsize = "36x24"\ndsm_size = 64\n')
+        self.write("scene.toml", 'model = "cube.obj"\n[render]\nsize = "36x24"\nmax_sources = 4096\n')
         self.assertEqual(self.succeed("render", "scene.toml", "--json").json()["size"], [36, 24])
         self.write("scene.toml", 'model = "cube.obj"\n[render]\nsize = [8, 8]\ntransport = "boundary"\nsum = "tree"\n'
-                   'bounces = 1\nboundary_surfels = 200\n')
+                   'bounces = 1\nboundary_surfels = 200\nmax_sources = 4096\n')
         report = self.succeed("render", "scene.toml", "--json").json()
         self.assertEqual((report["transport"], report["sum"], len(report["solutions"])), ("boundary", "tree", 2))
         self.assertLessEqual(report["boundary_surfels"], 200)

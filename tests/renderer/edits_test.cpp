@@ -155,6 +155,35 @@ TEST_P(EditTest, ReusedLightIsTheSameLight) {
   expectSame(again.images, render(scene, optionsOf(GetParam()), asked()));
 }
 
+// What shows no light waits for none, is the same beside a picture, and does not pass for one.
+TEST_P(EditTest, VariablesWithoutLightFindNone) {
+  RenderOptions options = optionsOf(GetParam());
+  options.reuseLight = true;
+  const std::vector<Aov> plain{Aov::Position, Aov::Depth, Aov::DsmArea};
+  const auto plainAndLit = [&] {
+    std::vector<Aov> all = plain;
+    all.push_back(Aov::Radiance);
+    return all;
+  }();
+  Scene scene = wobblyBall();
+  scene.deformers.push_back({DeformerKind::Wobble, 0.1F, 1});
+  renderer().setScene(scene);
+  options.seconds = 0.3;
+  const std::vector<Image> lit = render(options, plainAndLit);
+  options.seconds = 0.1;
+  EXPECT_NE(render(options, plain)[0].rgba, lit[0].rgba);
+  options.seconds = 0.3;
+  const RenderResult alone = renderer().render(options, plain);
+  for (const PassTime& pass : alone.report.passes) {
+    EXPECT_NE(pass.name, "solve");
+    EXPECT_NE(pass.name, "scatter");
+    EXPECT_NE(pass.name, "tree");
+  }
+  EXPECT_TRUE(alone.report.solutions.empty());
+  expectSame(alone.images, {lit.begin(), lit.end() - 1});
+  expectSame(render(options, plainAndLit), lit);
+}
+
 // Two methods that take turns, as on the two sides of a divider, at times that differ.
 TEST_P(EditTest, MethodsTakeTurns) {
   const RenderOptions paper = optionsOf(methods[2]);

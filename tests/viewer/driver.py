@@ -158,6 +158,7 @@ class Window:
 
     def choose(self, control, entry):
         self.click(control)
+        self.wait_for(lambda: f"{control}/{entry}" in self.state()["controls"], f"{control} has no {entry}")
         self.click(f"{control}/{entry}")
 
     def only(self, section):
