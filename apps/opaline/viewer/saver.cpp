@@ -12,17 +12,6 @@
 
 namespace opaline::app::viewer {
 
-namespace {
-
-RenderOptions sized(const RenderOptions& options, int width, int height) {
-  RenderOptions sized = options;
-  sized.width = width;
-  sized.height = height;
-  return sized;
-}
-
-}  // namespace
-
 std::string Saver::savePicture(const Session& session, const std::filesystem::path& file, int width,
                                int height) {
   const std::string extension = extensionOf(file);

@@ -52,8 +52,13 @@ Window::Window(int width, int height, const char* title) {
   });
   glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int mods) {
     if (action == GLFW_RELEASE) return;
-    windowOf(handle).keys_.push_back(
-        {key, 0, (mods & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT});
+    Window& window = windowOf(handle);
+    window.keys_.push_back({key, 0, (mods & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT});
+    window.pressed_ = window.pressed_ || action == GLFW_PRESS;
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int, int action, int) {
+    Window& window = windowOf(handle);
+    window.pressed_ = window.pressed_ || action == GLFW_PRESS;
   });
   glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned int typed) {
     windowOf(handle).keys_.push_back({0, typed, false, false});
@@ -117,6 +122,10 @@ bool Window::wantsToClose() const {
   return glfwWindowShouldClose(window_) != GLFW_FALSE;
 }
 
+void Window::close() {
+  glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
 void Window::setTitle(const std::string& title) {
   glfwSetWindowTitle(window_, title.c_str());
 }
@@ -143,6 +152,10 @@ std::vector<std::filesystem::path> Window::takeDropped() {
 
 std::vector<KeyPress> Window::takeKeys() {
   return std::exchange(keys_, {});
+}
+
+bool Window::takePress() {
+  return std::exchange(pressed_, false);
 }
 
 bool Window::takeRefresh() {
