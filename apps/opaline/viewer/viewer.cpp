@@ -232,40 +232,21 @@ std::vector<Caption> Viewer::captions() const {
 void Viewer::save() {
   const Save wanted = std::exchange(session_.wanted, Save::Nothing);
   if (wanted == Save::Nothing && !saver_.filming()) return;
+  if (wanted == Save::Film) {
+    poke_.end();
+    session_.playback.playing = false;
+  }
   try {
     stage_.finish();
-    write(wanted);
+    const Area& area = dashboard_.area();
+    if (const auto done = saver_.save(wanted, session_, area.width, area.height)) say(*done);
     if (!saver_.filming()) return;
-    if (const std::optional<std::string> done = saver_.step()) {
+    if (const auto done = saver_.step()) {
       say(*done);
       session_.edits.picture = true;
     }
   } catch (const std::exception& error) {
     say(error.what(), true);
-  }
-}
-
-void Viewer::write(Save wanted) {
-  const auto [x, y, width, height] = dashboard_.area();
-  const auto named = [&](const char* ending) {
-    return std::filesystem::path(session_.saveName + ending);
-  };
-  switch (wanted) {
-    case Save::Picture:
-      return say(saver_.savePicture(session_, named(".png"), width, height));
-    case Save::Exr:
-      return say(saver_.savePicture(session_, named(".exr"), width, height));
-    case Save::Scene:
-      return say(Saver::saveScene(session_, named(".toml"), width, height));
-    case Save::Film:
-      poke_.end();
-      session_.playback.playing = false;
-      return saver_.startFilm(session_, named(".mp4"), width, height);
-    case Save::NoFilm:
-      saver_.cancelFilm();
-      return say("the film was stopped");
-    case Save::Nothing:
-      return;
   }
 }
 

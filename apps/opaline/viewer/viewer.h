@@ -72,7 +72,6 @@ class Viewer {
   void present();
   std::vector<Caption> captions() const;
   void save();
-  void write(Save wanted);
   void followTruth();
   void writeControls() const;
 
