@@ -10,7 +10,6 @@
 #include "core/file.h"
 #include "json.h"
 #include "opaline/error.h"
-#include "output.h"
 #include "render_report.h"
 #include "viewer/controls.h"
 #include "viewer/orbit.h"

@@ -50,23 +50,31 @@ Window::Window(int width, int height, const char* title) {
     Window& window = windowOf(handle);
     for (int i = 0; i < count; ++i) window.dropped_.emplace_back(paths[i]);
   });
+  takeInput();
+  glfwSetWindowRefreshCallback(window_,
+                               [](GLFWwindow* handle) { windowOf(handle).refresh_ = true; });
+  glfwSetFramebufferSizeCallback(
+      window_, [](GLFWwindow* handle, int, int) { windowOf(handle).refresh_ = true; });
+}
+
+void Window::takeInput() {
   glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int mods) {
+    Window& window = windowOf(handle);
+    window.refresh_ = true;
     if (action == GLFW_RELEASE) return;
-    Window& window = windowOf(handle);
     window.keys_.push_back({key, 0, (mods & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT});
-    window.pressed_ = window.pressed_ || action == GLFW_PRESS;
-  });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int, int action, int) {
-    Window& window = windowOf(handle);
     window.pressed_ = window.pressed_ || action == GLFW_PRESS;
   });
   glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned int typed) {
     windowOf(handle).keys_.push_back({0, typed, false, false});
   });
-  glfwSetWindowRefreshCallback(window_,
-                               [](GLFWwindow* handle) { windowOf(handle).refresh_ = true; });
-  glfwSetFramebufferSizeCallback(
-      window_, [](GLFWwindow* handle, int, int) { windowOf(handle).refresh_ = true; });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int, int action, int) {
+    Window& window = windowOf(handle);
+    window.refresh_ = true;
+    window.pressed_ = window.pressed_ || action == GLFW_PRESS;
+  });
+  glfwSetScrollCallback(
+      window_, [](GLFWwindow* handle, double, double) { windowOf(handle).refresh_ = true; });
 }
 
 Window::~Window() {

@@ -57,10 +57,13 @@ class Window {
   std::vector<KeyPress> takeKeys();
   /// Whether a key or a button of the mouse went down since the last call.
   bool takePress();
-  /// Whether the desktop asked for the window to be drawn again, or changed its size.
+  /// Whether the window is to be drawn again: the desktop asked for it, or changed its size, or a
+  /// key, a button or the wheel was used.
   bool takeRefresh();
 
  private:
+  void takeInput();
+
   GLFWwindow* window_ = nullptr;
   std::vector<std::filesystem::path> dropped_;
   std::vector<KeyPress> keys_;
