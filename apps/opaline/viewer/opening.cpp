@@ -67,6 +67,8 @@ Session resized(const Session& edited, Loader::Result result) {
   scene.nodes = std::move(loaded.nodes);
   scene.clips = std::move(loaded.clips);
   scene.repairs = std::move(loaded.repairs);
+  // The file may have changed meanwhile.
+  if (made.object >= scene.objects.size()) made.object = 0;
   const float factor = made.diagonalMm / edited.diagonalMm;
   for (PointLight& light : scene.lighting.points) light = scaled(light, factor);
   for (std::size_t axis = 0; axis < 3; ++axis) {
