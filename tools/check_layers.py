@@ -34,7 +34,8 @@ ALLOWED = {
     "reference": ("opaline", "core", "bssrdf", "environment"),
     "apps": ("opaline", "core", "compare", "bssrdf", "scene", "deform", "atlas", "reference"),
     "apps/opaline/viewer": ("opaline", "core", "compare", "bssrdf", "scene", "deform", "reference",
-                            "shaders/shaders.h"),  # that header is of its own shaders
+                            "shaders/shaders.h",         # of its own shaders
+                            "shaders/shared/frame.h"),  # how many lights it may offer
     "bench": ("*",),
     "tools/figures": ("*",),
     "python": ("opaline",),

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "command_line.h"
 #include "commands.h"
@@ -109,8 +110,9 @@ void runView(const Arguments& arguments) {
   const LogCallback log = noteTaker(false);
   viewer::ViewerOptions options;
   options.source = command.scene;
-  options.prepare = [&](LoadedScene& loaded, viewer::Session& session) {
-    command.prepare(loaded, session);
+  // What was asked for is about the first scene; the next ones are as their files say.
+  options.prepare = [next = command](LoadedScene& loaded, viewer::Session& session) mutable {
+    std::exchange(next, {}).prepare(loaded, session);
   };
   options.renderer.device = command.device;
   options.renderer.validation = command.validation;

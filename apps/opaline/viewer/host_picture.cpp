@@ -6,6 +6,7 @@
 
 #include "opaline/error.h"
 #include "viewer/vulkan_check.h"
+#include "viewer/vulkan_objects.h"
 
 namespace opaline::app::viewer {
 
@@ -94,13 +95,7 @@ void HostPicture::makeImage(VkExtent2D extent) {
   vkGetImageMemoryRequirements(device_.device, shown_.image, &needs);
   memory_ = allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
   check(vkBindImageMemory(device_.device, shown_.image, memory_, 0), attempt);
-  VkImageViewCreateInfo view{};
-  view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-  view.image = shown_.image;
-  view.viewType = VK_IMAGE_VIEW_TYPE_2D;
-  view.format = format;
-  view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-  check(vkCreateImageView(device_.device, &view, nullptr, &shown_.view), attempt);
+  shown_.view = makeView(device_.device, shown_.image, format, attempt);
   shown_.format = format;
   shown_.layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
   shown_.extent = extent;
@@ -123,37 +118,16 @@ void HostPicture::upload(const void* texels, std::size_t bytes) {
   check(vkMapMemory(device_.device, memory, 0, VK_WHOLE_SIZE, 0, &mapped), attempt);
   std::memcpy(mapped, texels, bytes);
 
-  VkCommandPoolCreateInfo poolInfo{};
-  poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-  poolInfo.queueFamilyIndex = device_.queueFamily;
-  VkCommandPool pool = VK_NULL_HANDLE;
-  check(vkCreateCommandPool(device_.device, &poolInfo, nullptr, &pool), attempt);
-  VkCommandBufferAllocateInfo allocateInfo{};
-  allocateInfo.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-  allocateInfo.commandPool = pool;
-  allocateInfo.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-  allocateInfo.commandBufferCount = 1;
-  VkCommandBuffer commands = VK_NULL_HANDLE;
-  check(vkAllocateCommandBuffers(device_.device, &allocateInfo, &commands), attempt);
-  VkCommandBufferBeginInfo begin{};
-  begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  check(vkBeginCommandBuffer(commands, &begin), attempt);
-  order(commands, shown_.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
-  VkBufferImageCopy copy{};
-  copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-  copy.imageExtent = {shown_.extent.width, shown_.extent.height, 1};
-  vkCmdCopyBufferToImage(commands, buffer, shown_.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
-                         &copy);
-  order(commands, shown_.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, shown_.layout);
-  check(vkEndCommandBuffer(commands), attempt);
-  VkSubmitInfo submit{};
-  submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
-  submit.commandBufferCount = 1;
-  submit.pCommandBuffers = &commands;
-  check(vkQueueSubmit(device_.queue, 1, &submit, VK_NULL_HANDLE), attempt);
-  check(vkQueueWaitIdle(device_.queue), attempt);
-  vkDestroyCommandPool(device_.device, pool, nullptr);
+  const auto copy = [&](VkCommandBuffer commands) {
+    order(commands, shown_.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    VkBufferImageCopy all{};
+    all.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    all.imageExtent = {shown_.extent.width, shown_.extent.height, 1};
+    vkCmdCopyBufferToImage(commands, buffer, shown_.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+                           &all);
+    order(commands, shown_.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, shown_.layout);
+  };
+  runOnce(device_, copy, attempt);
   vkDestroyBuffer(device_.device, buffer, nullptr);
   vkFreeMemory(device_.device, memory, nullptr);
 }

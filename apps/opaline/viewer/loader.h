@@ -32,6 +32,8 @@ class Loader {
   /// Waits for the scene that is being loaded, if any, and forgets it.
   void start(const SceneOptions& source);
   bool busy() const { return thread_.joinable(); }
+  /// Of what is being loaded.
+  std::string name() const { return result_.source.name(); }
   /// The result, once.
   std::optional<Result> take();
 

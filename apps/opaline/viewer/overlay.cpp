@@ -15,13 +15,19 @@ namespace opaline::app::viewer {
 namespace {
 
 constexpr ImU32 ink = IM_COL32(235, 235, 235, 230);
+constexpr ImU32 warning = IM_COL32(255, 138, 101, 255);
 constexpr ImU32 shadow = IM_COL32(0, 0, 0, 170);
 constexpr std::array<ImU32, 3> channelInk{IM_COL32(235, 96, 84, 255), IM_COL32(110, 200, 96, 255),
                                           IM_COL32(96, 140, 245, 255)};
 
-void write(ImDrawList& list, const ImVec2& place, ImU32 color, const std::string& text) {
-  list.AddText({place.x + 1, place.y + 1}, shadow, text.c_str());
-  list.AddText(place, color, text.c_str());
+// Lines no longer than `width`, where that is given.
+void write(ImDrawList& list, const ImVec2& place, ImU32 color, const std::string& text,
+           float width = 0) {
+  const auto add = [&](const ImVec2& at, ImU32 tint) {
+    list.AddText(nullptr, 0, at, tint, text.c_str(), nullptr, width);
+  };
+  add({place.x + 1, place.y + 1}, shadow);
+  add(place, color);
 }
 
 // 1, 2 or 5 times a power of ten, at most `limit`.
@@ -92,11 +98,16 @@ void drawDivider(const Session& session, const Area& area) {
   write(list, {x + 10, y}, ink, "Opaline");
 }
 
-void drawCaption(const char* text, const Area& area) {
-  write(*ImGui::GetBackgroundDrawList(),
-        {static_cast<float>(area.x) + ImGui::GetFontSize(),
-         static_cast<float>(area.y) + 0.7F * ImGui::GetFontSize()},
-        ink, text);
+void drawCaptions(const std::vector<Caption>& captions, const Area& area) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float margin = ImGui::GetFontSize();
+  const float width = std::max(static_cast<float>(area.width) - 2 * margin, margin);
+  float y = static_cast<float>(area.y) + 0.7F * margin;
+  for (const Caption& caption : captions) {
+    write(list, {static_cast<float>(area.x) + margin, y}, caption.isError ? warning : ink,
+          caption.text, width);
+    y += ImGui::CalcTextSize(caption.text.c_str(), nullptr, false, width).y + 0.2F * margin;
+  }
 }
 
 void drawKeys(const Area& area) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "viewer/picture_painter.h"
 #include "viewer/projection.h"
 #include "viewer/session.h"
@@ -17,7 +20,13 @@ void drawDivider(const Session& session, const Area& area);
 /// The window's keys, over everything, until the next key or click.
 void drawKeys(const Area& area);
 
-/// A line at the top left: what is loaded, or what is being done.
-void drawCaption(const char* text, const Area& area);
+/// What the window has to say.
+struct Caption {
+  std::string text;
+  bool isError = false;
+};
+
+/// At the top left, one below the other; an error in a colour of its own.
+void drawCaptions(const std::vector<Caption>& captions, const Area& area);
 
 }  // namespace opaline::app::viewer

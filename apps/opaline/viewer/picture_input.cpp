@@ -100,8 +100,12 @@ void PictureInput::useMouse(Session& session, const Area& area, Poke& poke) {
     drag_ = Drag::None;
     handles_.release();
   }
-  if (drag_ == Drag::None && over) drag_ = begin(session, projection, area, poke);
-  if (drag_ != Drag::None) go(session, projection, area, poke);
+  // How the mouse came to where it was pressed is no part of the drag.
+  if (drag_ != Drag::None) {
+    go(session, projection, area, poke);
+  } else if (over) {
+    drag_ = begin(session, projection, area, poke);
+  }
   if (over && io.MouseWheel != 0) {
     dolly(session.scene.camera, std::exp(-0.12F * io.MouseWheel), session.diagonalMm);
     session.edits.camera = true;

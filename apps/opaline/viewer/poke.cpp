@@ -30,6 +30,7 @@ struct Hit {
   float distanceMm = std::numeric_limits<float>::infinity();
   std::size_t object = 0;
   std::size_t triangle = 0;
+  std::array<glm::vec3, 3> corners{};  // of the triangle
   float u = 0;
   float v = 0;
 };
@@ -48,7 +49,7 @@ void meet(const Ray& ray, const std::array<glm::vec3, 3>& corners, Hit& nearest,
   const float v = glm::dot(ray.direction, q) / determinant;
   const float t = glm::dot(ac, q) / determinant;
   if (u < 0 || v < 0 || u + v > 1 || !(t > 0) || t >= nearest.distanceMm) return;
-  nearest = {t, object, triangle, u, v};
+  nearest = {t, object, triangle, corners, u, v};
 }
 
 std::array<glm::vec3, 3> cornersOf(const std::vector<Vec3>& vertices, const Triangle& triangle) {
@@ -85,13 +86,11 @@ bool Poke::grab(Session& session, const Ray& ray) {
   }
   if (!std::isfinite(hit.distanceMm)) return false;
   const std::vector<Triangle>& triangles = objects[hit.object].mesh.triangles;
-  const std::array<glm::vec3, 3> seen =
-      cornersOf(verticesOf(session, hit.object, true), triangles[hit.triangle]);
   const std::vector<Vec3> restVertices = verticesOf(session, hit.object, false);
   const std::array<glm::vec3, 3> rest = cornersOf(restVertices, triangles[hit.triangle]);
-  seen_ = within(seen, hit.u, hit.v);
+  seen_ = within(hit.corners, hit.u, hit.v);
   rest_ = within(rest, hit.u, hit.v);
-  back_ = frameOf(rest) * glm::transpose(frameOf(seen));
+  back_ = frameOf(rest) * glm::transpose(frameOf(hit.corners));
   if (!finite(back_)) back_ = glm::mat3(1);
   if (!body_ || object_ != hit.object) {
     body_.reset();

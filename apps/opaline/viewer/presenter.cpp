@@ -4,6 +4,7 @@
 
 #include "opaline/error.h"
 #include "viewer/vulkan_check.h"
+#include "viewer/vulkan_objects.h"
 
 namespace opaline::app::viewer {
 
@@ -99,27 +100,17 @@ void Presenter::makeRenderPass() {
 }
 
 void Presenter::makeSlots() {
-  VkCommandPoolCreateInfo pool{};
-  pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-  pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-  pool.queueFamilyIndex = device_.queueFamily;
-  check(vkCreateCommandPool(device_.device, &pool, nullptr, &pool_), "prepare its drawing");
+  constexpr const char* attempt = "prepare its drawing";
+  pool_ = makeCommandPool(device_, VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT, attempt);
   for (Slot& slot : slots_) {
-    VkCommandBufferAllocateInfo commands{};
-    commands.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-    commands.commandPool = pool_;
-    commands.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-    commands.commandBufferCount = 1;
-    check(vkAllocateCommandBuffers(device_.device, &commands, &slot.commands),
-          "prepare its drawing");
+    slot.commands = makeCommands(device_.device, pool_, attempt);
     VkFenceCreateInfo fence{};
     fence.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
     fence.flags = VK_FENCE_CREATE_SIGNALED_BIT;
-    check(vkCreateFence(device_.device, &fence, nullptr, &slot.done), "prepare its drawing");
+    check(vkCreateFence(device_.device, &fence, nullptr, &slot.done), attempt);
     VkSemaphoreCreateInfo semaphore{};
     semaphore.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
-    check(vkCreateSemaphore(device_.device, &semaphore, nullptr, &slot.acquired),
-          "prepare its drawing");
+    check(vkCreateSemaphore(device_.device, &semaphore, nullptr, &slot.acquired), attempt);
   }
 }
 
@@ -165,15 +156,10 @@ bool Presenter::makeSwapchain() {
 }
 
 void Presenter::makeImages() {
+  constexpr const char* attempt = "take its new size";
   for (const VkImage image : listOf<VkImage>(vkGetSwapchainImagesKHR, device_.device, swapchain_)) {
     Image made;
-    VkImageViewCreateInfo view{};
-    view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-    view.image = image;
-    view.viewType = VK_IMAGE_VIEW_TYPE_2D;
-    view.format = format_.format;
-    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    check(vkCreateImageView(device_.device, &view, nullptr, &made.view), "take its new size");
+    made.view = makeView(device_.device, image, format_.format, attempt);
     VkFramebufferCreateInfo framebuffer{};
     framebuffer.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
     framebuffer.renderPass = renderPass_;
@@ -182,12 +168,10 @@ void Presenter::makeImages() {
     framebuffer.width = extent_.width;
     framebuffer.height = extent_.height;
     framebuffer.layers = 1;
-    check(vkCreateFramebuffer(device_.device, &framebuffer, nullptr, &made.framebuffer),
-          "take its new size");
+    check(vkCreateFramebuffer(device_.device, &framebuffer, nullptr, &made.framebuffer), attempt);
     VkSemaphoreCreateInfo semaphore{};
     semaphore.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
-    check(vkCreateSemaphore(device_.device, &semaphore, nullptr, &made.rendered),
-          "take its new size");
+    check(vkCreateSemaphore(device_.device, &semaphore, nullptr, &made.rendered), attempt);
     images_.push_back(made);
   }
 }
@@ -225,10 +209,7 @@ std::optional<VkCommandBuffer> Presenter::begin() {
   // A second try where the size changed under our hands; then the next frame tries again.
   if (!acquire() && !acquire()) return std::nullopt;
   check(vkResetFences(device_.device, 1, &slot.done), "begin a picture");
-  VkCommandBufferBeginInfo begin{};
-  begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  check(vkBeginCommandBuffer(slot.commands, &begin), "begin a picture");
+  beginCommands(slot.commands, "begin a picture");
   const VkClearValue clear{};
   VkRenderPassBeginInfo pass{};
   pass.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;

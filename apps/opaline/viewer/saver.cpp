@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "opaline/error.h"
-#include "paths.h"
 #include "picture_options.h"
 #include "scene/scene_writer.h"
 
@@ -14,32 +12,49 @@ namespace opaline::app::viewer {
 
 namespace {
 
-RenderOptions sized(const RenderOptions& options, int width, int height) {
-  RenderOptions sized = options;
-  sized.width = width;
-  sized.height = height;
-  return sized;
+std::string saved(const std::filesystem::path& file) {
+  return fmt::format("saved {}", file.string());
+}
+
+// Which `opaline render` draws as the picture.
+std::string saveScene(const Session& session, const std::filesystem::path& file, int width,
+                      int height) {
+  const scene::SceneFileSettings settings =
+      settingsOf(sized(session.options, width, height), session.tone, session.scene);
+  scene::writeScene(file, scene::describe(session.scene, session.source, settings));
+  return saved(file);
 }
 
 }  // namespace
 
-std::string Saver::savePicture(const Session& session, const std::filesystem::path& file, int width,
-                               int height) {
-  const std::string extension = extensionOf(file);
-  if (extension != ".png" && extension != ".exr") {
-    throw Error(fmt::format("{}: a picture is a .png or .exr", file.string()));
+std::optional<std::string> Saver::save(Save wanted, const Session& session, int width, int height) {
+  const auto named = [&](const char* ending) {
+    return std::filesystem::path(session.saveName + ending);
+  };
+  switch (wanted) {
+    case Save::Picture:
+      return savePicture(session, named(".png"), width, height);
+    case Save::Exr:
+      return savePicture(session, named(".exr"), width, height);
+    case Save::Scene:
+      return saveScene(session, named(".toml"), width, height);
+    case Save::Film:
+      startFilm(session, named(".mp4"), width, height);
+      return std::nullopt;
+    case Save::NoFilm:
+      cancelFilm();
+      return "the film was stopped";
+    case Save::Nothing:
+      break;
   }
-  const RenderResult result = renderer_.render(sized(session.options, width, height));
-  writePicture(file, result.images.front(), session.tone);
-  return fmt::format("saved {}", file.string());
+  return std::nullopt;
 }
 
-std::string Saver::saveScene(const Session& session, const std::filesystem::path& file, int width,
-                             int height) {
-  const scene::SceneFileSettings settings =
-      settingsOf(sized(session.options, width, height), session.tone, session.scene);
-  scene::writeScene(file, scene::describe(session.scene, session.source, settings));
-  return fmt::format("saved {}", file.string());
+std::string Saver::savePicture(const Session& session, const std::filesystem::path& file, int width,
+                               int height) {
+  const RenderResult result = renderer_.render(sized(session.options, width, height));
+  writePicture(file, result.images.front(), session.tone);
+  return saved(file);
 }
 
 void Saver::startFilm(const Session& session, const std::filesystem::path& file, int width,
@@ -68,7 +83,7 @@ std::optional<std::string> Saver::step() {
   }
   if (!film_->isDone()) return std::nullopt;
   film_.reset();
-  return fmt::format("saved {}", filmFile_.string());
+  return saved(filmFile_);
 }
 
 }  // namespace opaline::app::viewer

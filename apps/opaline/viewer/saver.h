@@ -10,21 +10,16 @@
 
 namespace opaline::app::viewer {
 
-/// Writes what the window shows: picture, scene, film. Each throws Error where that fails, and
-/// returns a sentence that says what was done.
+/// Writes what the window shows: picture, scene, film. Its functions throw Error where that fails,
+/// and return a sentence where something was done.
 class Saver {
  public:
   explicit Saver(Renderer& renderer) : renderer_(renderer) {}
 
-  /// .png or .exr, of that many pixels. No frame may be under way.
-  std::string savePicture(const Session& session, const std::filesystem::path& file, int width,
-                          int height);
-  /// .toml, which `opaline render` draws as the picture.
-  static std::string saveScene(const Session& session, const std::filesystem::path& file, int width,
-                               int height);
+  /// Of that many pixels, under the session's name for it, no frame being under way. Where a film
+  /// is wanted, from now on step() makes it: the motion once, at 30 frames a second.
+  std::optional<std::string> save(Save wanted, const Session& session, int width, int height);
 
-  /// From now on step() makes a film of the clip, at 30 frames a second.
-  void startFilm(const Session& session, const std::filesystem::path& file, int width, int height);
   bool filming() const { return film_.has_value(); }
   /// In [0, 1].
   double progress() const { return film_ ? film_->progress().share() : 0; }
@@ -33,6 +28,10 @@ class Saver {
   void cancelFilm() { film_.reset(); }
 
  private:
+  std::string savePicture(const Session& session, const std::filesystem::path& file, int width,
+                          int height);
+  void startFilm(const Session& session, const std::filesystem::path& file, int width, int height);
+
   Renderer& renderer_;
   std::optional<FilmJob> film_;
   std::filesystem::path filmFile_;

@@ -5,6 +5,13 @@
 
 namespace opaline::app::viewer {
 
+RenderOptions sized(const RenderOptions& options, int width, int height) {
+  RenderOptions sized = options;
+  sized.width = width;
+  sized.height = height;
+  return sized;
+}
+
 RenderOptions paperOptions(const RenderOptions& options) {
   RenderOptions paper = options;
   paper.transport = Transport::Dipole;

@@ -85,6 +85,9 @@ struct Session {
   Edits edits;
 };
 
+/// The same picture of that many pixels.
+RenderOptions sized(const RenderOptions& options, int width, int height);
+
 /// The method of Gong et al. 2008 for the same picture.
 RenderOptions paperOptions(const RenderOptions& options);
 

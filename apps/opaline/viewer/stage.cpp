@@ -61,9 +61,7 @@ void Stage::submit(const RenderOptions& options, const std::vector<Aov>& aovs, D
 void Stage::draw(Session& session, int width, int height, bool moving) {
   constexpr double slowMs = 150;
   const bool lightChanges = handOver(session);
-  RenderOptions options = session.options;
-  options.width = width;
-  options.height = height;
+  RenderOptions options = sized(session.options, width, height);
   options.reuseLight = true;
   options.patient = false;
   options.treeLevel = session.treeLevel;

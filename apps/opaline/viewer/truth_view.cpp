@@ -26,9 +26,7 @@ Image linear(const core::Image8& encoded) {
 void TruthView::start(const Session& session, Renderer& renderer, TruthOrder::Method method,
                       int width, int height) {
   cancel();
-  RenderOptions options = session.options;
-  options.width = width;
-  options.height = height;
+  RenderOptions options = sized(session.options, width, height);
   options.specular = false;
   picture_ = std::move(renderer.render(options).images.front());
   TruthOrder order;

@@ -10,6 +10,7 @@
 #include <backends/imgui_impl_vulkan.h>
 
 #include "viewer/vulkan_check.h"
+#include "viewer/vulkan_objects.h"
 
 namespace opaline::app::viewer {
 
@@ -70,7 +71,6 @@ UserInterface::UserInterface(const VulkanDevice& device, const Presenter& presen
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // ViewerState keeps what is to be kept
-  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   chooseColors();
   ImGui::GetStyle().ScaleAllSizes(window.scale());
@@ -110,31 +110,7 @@ void UserInterface::makeFonts(float scale) const {
 }
 
 void UserInterface::uploadFonts() const {
-  VkCommandPoolCreateInfo poolInfo{};
-  poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-  poolInfo.queueFamilyIndex = device_.queueFamily;
-  VkCommandPool pool = VK_NULL_HANDLE;
-  check(vkCreateCommandPool(device_.device, &poolInfo, nullptr, &pool), "prepare its controls");
-  VkCommandBufferAllocateInfo allocate{};
-  allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-  allocate.commandPool = pool;
-  allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-  allocate.commandBufferCount = 1;
-  VkCommandBuffer commands = VK_NULL_HANDLE;
-  check(vkAllocateCommandBuffers(device_.device, &allocate, &commands), "prepare its controls");
-  VkCommandBufferBeginInfo begin{};
-  begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  check(vkBeginCommandBuffer(commands, &begin), "prepare its controls");
-  ImGui_ImplVulkan_CreateFontsTexture(commands);
-  check(vkEndCommandBuffer(commands), "prepare its controls");
-  VkSubmitInfo submit{};
-  submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
-  submit.commandBufferCount = 1;
-  submit.pCommandBuffers = &commands;
-  check(vkQueueSubmit(device_.queue, 1, &submit, VK_NULL_HANDLE), "prepare its controls");
-  check(vkQueueWaitIdle(device_.queue), "prepare its controls");
-  vkDestroyCommandPool(device_.device, pool, nullptr);
+  runOnce(device_, ImGui_ImplVulkan_CreateFontsTexture, "prepare its controls");
   ImGui_ImplVulkan_DestroyFontUploadObjects();
 }
 

@@ -3,16 +3,18 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "json.h"
 #include "opaline/renderer.h"
-#include "viewer/host_picture.h"
+#include "viewer/dashboard.h"
 #include "viewer/loader.h"
+#include "viewer/opening.h"
+#include "viewer/overlay.h"
 #include "viewer/picture_input.h"
-#include "viewer/picture_painter.h"
+#include "viewer/picture_view.h"
 #include "viewer/poke.h"
 #include "viewer/presenter.h"
 #include "viewer/saver.h"
@@ -29,8 +31,7 @@ namespace opaline::app::viewer {
 /// What a window begins with.
 struct ViewerOptions {
   SceneOptions source;
-  /// Brings what else was asked for on the command line into what was loaded. May throw.
-  std::function<void(LoadedScene&, Session&)> prepare;
+  Prepare prepare;  ///< of every scene that is opened
   RendererOptions renderer;
   std::optional<std::array<int, 2>> size;  ///< of the window; else as it was left
   std::filesystem::path configFolder;      ///< where the window's state is kept; empty: nowhere
@@ -58,18 +59,18 @@ class Viewer {
   void takeLoaded();
   void openDropped();
   void open(const SceneOptions& asked);
+  void say(std::string text, bool isError = false);
   void resize(float diagonalMm);
   void keepState();
+  bool movesItself() const;
+  bool moves() const;
   void sleepUntilNeeded();
   void advance(double seconds);
-  void layOut();
-  void drawPanels();
-  void useKeys();
   void drawInterface();
   void drawPicture();
   void takeFinished();
-  void drawShown(VkCommandBuffer commands);
   void present();
+  std::vector<Caption> captions() const;
   void save();
   void followTruth();
   void writeControls() const;
@@ -80,10 +81,9 @@ class Viewer {
   Renderer renderer_;
   Presenter presenter_;
   UserInterface interface_;
-  PicturePainter painter_;
+  PictureView view_;
+  Dashboard dashboard_;
   Stage stage_;
-  HostPicture variable_;  // that is shown instead of radiance
-  Aov variableShown_ = Aov::Radiance;
   Loader loader_;
   bool resizing_ = false;  // what is being loaded is the same model at another size
   Session session_;
@@ -93,16 +93,12 @@ class Viewer {
   TruthView truth_;
   TimingHistory history_;
 
-  Area area_;   // of the picture
-  Area drawn_;  // that the last picture was drawn for
-  bool panels_ = true;
-  bool keys_ = false;
+  Area drawn_;                   // that the last picture was drawn for
   bool rough_ = false;           // the last picture was drawn for speed
   int awake_ = 0;                // frames of the interface to draw before sleeping
   std::size_t framesTaken_ = 0;  // of the stage's, into history_
   Clock::time_point last_ = Clock::now();
-  std::string message_;
-  bool failed_ = false;  // message_ is an error
+  std::optional<Caption> notice_;  // until the next key or press of the mouse
 };
 
 }  // namespace opaline::app::viewer

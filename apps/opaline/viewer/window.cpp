@@ -50,18 +50,31 @@ Window::Window(int width, int height, const char* title) {
     Window& window = windowOf(handle);
     for (int i = 0; i < count; ++i) window.dropped_.emplace_back(paths[i]);
   });
-  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int mods) {
-    if (action == GLFW_RELEASE) return;
-    windowOf(handle).keys_.push_back(
-        {key, 0, (mods & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT});
-  });
-  glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned int typed) {
-    windowOf(handle).keys_.push_back({0, typed, false, false});
-  });
+  takeInput();
   glfwSetWindowRefreshCallback(window_,
                                [](GLFWwindow* handle) { windowOf(handle).refresh_ = true; });
   glfwSetFramebufferSizeCallback(
       window_, [](GLFWwindow* handle, int, int) { windowOf(handle).refresh_ = true; });
+}
+
+void Window::takeInput() {
+  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int mods) {
+    Window& window = windowOf(handle);
+    window.refresh_ = true;
+    if (action == GLFW_RELEASE) return;
+    window.keys_.push_back({key, 0, (mods & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT});
+    window.pressed_ = window.pressed_ || action == GLFW_PRESS;
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned int typed) {
+    windowOf(handle).keys_.push_back({0, typed, false, false});
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int, int action, int) {
+    Window& window = windowOf(handle);
+    window.refresh_ = true;
+    window.pressed_ = window.pressed_ || action == GLFW_PRESS;
+  });
+  glfwSetScrollCallback(
+      window_, [](GLFWwindow* handle, double, double) { windowOf(handle).refresh_ = true; });
 }
 
 Window::~Window() {
@@ -117,6 +130,10 @@ bool Window::wantsToClose() const {
   return glfwWindowShouldClose(window_) != GLFW_FALSE;
 }
 
+void Window::close() {
+  glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
 void Window::setTitle(const std::string& title) {
   glfwSetWindowTitle(window_, title.c_str());
 }
@@ -143,6 +160,10 @@ std::vector<std::filesystem::path> Window::takeDropped() {
 
 std::vector<KeyPress> Window::takeKeys() {
   return std::exchange(keys_, {});
+}
+
+bool Window::takePress() {
+  return std::exchange(pressed_, false);
 }
 
 bool Window::takeRefresh() {

@@ -41,6 +41,7 @@ class Window {
   /// How much larger the desktop wants text and controls than usual.
   float scale() const;
   bool wantsToClose() const;
+  void close();
   void setTitle(const std::string& title);
 
   /// Takes what happened since the last call without waiting.
@@ -54,13 +55,19 @@ class Window {
   std::vector<std::filesystem::path> takeDropped();
   /// The keys that were pressed since the last call.
   std::vector<KeyPress> takeKeys();
-  /// Whether the desktop asked for the window to be drawn again, or changed its size.
+  /// Whether a key or a button of the mouse went down since the last call.
+  bool takePress();
+  /// Whether the window is to be drawn again: the desktop asked for it, or changed its size, or a
+  /// key, a button or the wheel was used.
   bool takeRefresh();
 
  private:
+  void takeInput();
+
   GLFWwindow* window_ = nullptr;
   std::vector<std::filesystem::path> dropped_;
   std::vector<KeyPress> keys_;
+  bool pressed_ = false;
   bool refresh_ = true;
 };
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "scene/environment_file.h"
+#include "shaders/shared/frame.h"
 #include "viewer/controls.h"
 #include "viewer/panels/panels.h"
 
@@ -14,9 +15,14 @@ namespace opaline::app::viewer {
 
 namespace {
 
-constexpr std::size_t mostLights = 16;
-constexpr std::size_t mostPoints = 8;
 constexpr float toDegrees = 180 / std::numbers::pi_v<float>;
+
+// Whether the renderer takes the scene with so many lights. A point light has a shadow view for
+// each side of a cube about it.
+bool within(std::size_t directional, std::size_t points) {
+  return directional + points <= shared::maxLights &&
+         directional + 6 * points <= shared::maxShadowViews;
+}
 
 // A direction as turn about the vertical, from +z towards +x, and height above the horizon.
 bool drawDirection(Vec3& direction) {
@@ -70,19 +76,23 @@ bool drawList(Lighting& lighting, int& chosen) {
   }
   chosen = std::min(chosen, index - 1);
   bool changed = false;
-  const bool room = static_cast<std::size_t>(index) < mostLights;
-  if (controls::button("add directional", "A light from infinitely far away.") && room) {
+  const std::size_t directional = lighting.directional.size();
+  const std::size_t points = lighting.points.size();
+  ImGui::BeginDisabled(!within(directional + 1, points));
+  if (controls::button("add directional", "A light from infinitely far away.")) {
     lighting.directional.push_back({{0.37F, 0.48F, -0.795F}, {3, 3, 3}});
-    chosen = static_cast<int>(lighting.directional.size()) - 1;
+    chosen = static_cast<int>(directional);
     changed = true;
   }
+  ImGui::EndDisabled();
   ImGui::SameLine();
-  if (controls::button("add point", "A light from one place.") && room &&
-      lighting.points.size() < mostPoints) {
+  ImGui::BeginDisabled(!within(directional, points + 1));
+  if (controls::button("add point", "A light from one place.")) {
     lighting.points.emplace_back();
     chosen = index;
     changed = true;
   }
+  ImGui::EndDisabled();
   return changed;
 }
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "viewer/light_handles.h"
+#include "viewer/picture_painter.h"
+#include "viewer/saver.h"
+#include "viewer/session.h"
+#include "viewer/timing_history.h"
+#include "viewer/truth_view.h"
+#include "viewer/window.h"
+
+namespace opaline::app::viewer {
+
+/// What stands beside the picture and over it, and the keys of the window, by Dear ImGui.
+class Dashboard {
+ public:
+  explicit Dashboard(bool panels) : panels_(panels) {}
+
+  /// Whether the panels are to be seen.
+  bool panels() const { return panels_; }
+  /// What they leave to the picture.
+  const Area& area() const { return area_; }
+
+  /// First in a frame: where everything stands.
+  void layOut();
+  /// The keys that were pressed; those of a scene only where there is one. While a name or a number
+  /// is being typed, no key but that which closes the window.
+  void useKeys(const std::vector<KeyPress>& presses, Window& window, Session& session,
+               bool hasScene);
+  void drawPanels(Session& session, const TruthView& truth, const TimingHistory& history,
+                  const Saver& saver) const;
+  /// Scale bar, handles and divider.
+  void drawOverPicture(const Session& session, const LightHandles& handles) const;
+  /// The list of keys, while it was asked for.
+  void drawKeyList() const;
+
+ private:
+  Area area_;  // of the picture
+  bool panels_;
+  bool keyList_ = false;
+};
+
+}  // namespace opaline::app::viewer

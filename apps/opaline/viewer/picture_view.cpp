@@ -1,0 +1,57 @@
+#include "viewer/picture_view.h"
+
+#include <algorithm>
+
+#include "viewer/variable_display.h"
+
+namespace opaline::app::viewer {
+
+namespace {
+
+// The largest area of a picture's shape within another.
+Area fitted(const Area& area, int width, int height) {
+  const double scale =
+      std::min(static_cast<double>(area.width) / width, static_cast<double>(area.height) / height);
+  const int w = std::max(1, static_cast<int>(scale * width));
+  const int h = std::max(1, static_cast<int>(scale * height));
+  return {area.x + (area.width - w) / 2, area.y + (area.height - h) / 2, w, h};
+}
+
+}  // namespace
+
+void PictureView::take(const Frame& frame, const Session& session) {
+  if (session.aov == Aov::Radiance || frame.images.empty()) return;
+  const Image& image = frame.images.front();
+  variable_.set(isLight(session.aov) ? image : asColors(image, session.aov, session.surfelIndex));
+  variableShown_ = session.aov;
+}
+
+void PictureView::drawShown(VkCommandBuffer commands, const Session& session, const Stage& stage,
+                            const TruthView& truth, const Area& area) const {
+  const core::ToneOptions plain{0, core::ToneCurve::None, session.tone.background};
+  const auto draw = [&](const DeviceImage& image, const core::ToneOptions& tone) {
+    const Area place =
+        fitted(area, static_cast<int>(image.extent.width), static_cast<int>(image.extent.height));
+    painter_.draw(commands, image, place, place, tone);
+  };
+  if (session.shown != Shown::Picture && truth.hasPicture()) {
+    if (session.shown == Shown::Truth) return draw(truth.truth(), session.tone);
+    return draw(truth.heatMap(), plain);
+  }
+  const bool variable = session.aov != Aov::Radiance && variableShown_ == session.aov;
+  if (variable && !variable_.empty()) {
+    return draw(variable_.shown(), isLight(session.aov) ? session.tone : plain);
+  }
+  painter_.draw(commands, stage.picture(), area, area, session.tone);
+}
+
+void PictureView::draw(VkCommandBuffer commands, const Session& session, const Stage& stage,
+                       const TruthView& truth, const Area& area) const {
+  drawShown(commands, session, stage, truth, area);
+  if (!stage.paper() || session.shown != Shown::Picture) return;
+  Area left = area;
+  left.width = static_cast<int>(session.divider * static_cast<float>(area.width));
+  painter_.draw(commands, *stage.paper(), area, left, session.tone);
+}
+
+}  // namespace opaline::app::viewer
