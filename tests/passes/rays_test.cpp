@@ -183,7 +183,7 @@ TEST_F(RaysTest, MeetsTheTwistedBear) {
 }
 
 TEST_F(RaysTest, MeetsTheBunny) {
-  const std::optional<fs::path> file = sharedModel("bunny_closed.ply");
+  const std::optional<fs::path> file = opaline::test::sharedModel("bunny_closed.ply");
   if (!file) GTEST_SKIP() << "OPALINE_MODELS has no bunny_closed.ply";
   LoadOptions load;
   load.diagonalMm = 50.0F;

@@ -30,6 +30,9 @@ constexpr int blockEdge = 8;
 constexpr double blocksOfPicture = (edge / blockEdge) * (edge / blockEdge);
 constexpr const char* bunny = "bunny_closed.ply";
 
+using Colour = std::array<double, 3>;
+using Place = std::pair<int, int>;
+
 /// What path tracing says; both are the same where there is one run only.
 struct Truth {
   std::map<Place, std::array<Colour, 2>> blocks;
