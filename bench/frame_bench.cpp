@@ -92,17 +92,6 @@ struct Way {
   }
 };
 
-double meanOverCovered(const Image& image) {
-  double sum = 0;
-  std::size_t covered = 0;
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    if (image.rgba[i + 3] <= 0) continue;
-    sum += double{image.rgba[i]};
-    ++covered;
-  }
-  return covered > 0 ? sum / static_cast<double>(covered) : 0;
-}
-
 const char* nameOf(Site site) {
   switch (site) {
     case Site::Vertex:
@@ -143,7 +132,7 @@ Json describe(Way& way, const Image& finest, const Yardsticks& yardsticks) {
   way.options.seconds = 0;
   const std::vector<Image> found =
       way.renderer.render(way.options, {Aov::Exitance, Aov::Evaluations}).images;
-  if (way.options.sum != Sum::Pattern) result["evaluations"] = meanOverCovered(found[1]);
+  if (way.options.sum != Sum::Pattern) result["evaluations"] = compare::meanOverCovered(found[1]);
   // Another transport is no approximation of the dipole's.
   if (way.options.transport != Transport::Dipole) return result;
   const auto figures =

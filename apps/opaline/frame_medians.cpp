@@ -34,15 +34,4 @@ void renderFrame(Renderer& renderer, const RenderOptions& options, const std::ve
   renderer.collect(done);
 }
 
-double meanOverCovered(const Image& image) {
-  double sum = 0;
-  std::size_t covered = 0;
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    if (image.rgba[i + 3] <= 0) continue;
-    sum += double{image.rgba[i]};
-    ++covered;
-  }
-  return covered > 0 ? sum / static_cast<double>(covered) : 0;
-}
-
 }  // namespace opaline::app

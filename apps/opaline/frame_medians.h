@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "opaline/image.h"
 #include "opaline/renderer.h"
 
 namespace opaline::app {
@@ -32,8 +31,5 @@ class FrameMedians {
 /// Renders a frame and waits for it.
 void renderFrame(Renderer& renderer, const RenderOptions& options, const std::vector<Aov>& aovs,
                  Frame& done);
-
-/// Mean over the pixels that an image covers, of its first channel; 0 where it covers none.
-double meanOverCovered(const Image& image);
 
 }  // namespace opaline::app

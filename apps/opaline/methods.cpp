@@ -78,7 +78,7 @@ MethodRow measure(Renderer& renderer, const MethodsOrder& order, const RenderOpt
       renderer.render(options, {Aov::Exitance, Aov::Evaluations}).images;
   if (exact != nullptr) row.integralError = errorAgainst(found[0], *exact);
   row.truthError = blockErrorAgainst(found[0], order.truth);
-  if (options.sum != Sum::Pattern) row.evaluations = meanOverCovered(found[1]);
+  if (options.sum != Sum::Pattern) row.evaluations = compare::meanOverCovered(found[1]);
   return row;
 }
 

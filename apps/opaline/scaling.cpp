@@ -70,7 +70,7 @@ void measureInTurns(std::vector<Way>& ways, int frames, const std::string& statu
   for (Way& way : ways) {
     way.options.seconds = 0;
     renderFrame(*way.renderer, way.options, {Aov::Evaluations}, done);
-    way.row.evaluations = meanOverCovered(done.images[0]);
+    way.row.evaluations = compare::meanOverCovered(done.images[0]);
     way.row.surfels = way.renderer->report().sources;
     way.row.gatherMilliseconds = way.medians.passMilliseconds({"gather", "tree"});
     way.row.scatterMilliseconds = way.medians.passMilliseconds({"estimate", "scatter"});

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -189,7 +190,8 @@ void LightOptions::applyTo(Scene& scene) const {
     lighting.points.push_back(light);
   }
   lighting.ambient = ambient_;
-  if (environment_) lighting.environment = core::readHdrImage(*environment_);
+  if (environment_)
+    lighting.environment = std::make_shared<const Image>(core::readHdrImage(*environment_));
   scene.lighting = std::move(lighting);
 }
 

@@ -211,7 +211,8 @@ class Renderer {
   /// Edits of the scene that was set, from the next submitted frame on. Only what a change concerns
   /// is made again: nothing for a camera, for deformers and for a light that moves or changes its
   /// power, tables for ambient light, the division into surfels for a medium, and never the mesh or
-  /// its atlas. Throw Error or UsageError for what setScene() would refuse.
+  /// its atlas. An environment has changed when it is another object. Throw Error or UsageError for
+  /// what setScene() would refuse.
   void setCamera(const Camera& camera);
   void setLighting(const Lighting& lighting);
   void setMedium(std::size_t object, const Medium& medium);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,9 +49,10 @@ struct PointLight {
 struct Lighting {
   std::vector<DirectionalLight> directional;
   std::vector<PointLight> points;
-  Rgb ambient{};                     ///< radiance, the same from everywhere
-  std::optional<Image> environment;  ///< radiance, latitude-longitude, top row is +y, centre column
-                                     ///< looks to -z, u grows towards +x
+  Rgb ambient{};  ///< radiance, the same from everywhere
+  /// Radiance, latitude-longitude, top row is +y, centre column looks to -z, u grows towards +x;
+  /// none: no environment. Shared by copies and never changed: another picture is another object.
+  std::shared_ptr<const Image> environment;
 };
 
 /// A pinhole camera.

@@ -31,9 +31,10 @@ struct DevicePositions {
 };
 
 /// Radiance times coverage in RGB, coverage in alpha, linear, top row first; to be sampled by
-/// shaders on the renderer's queue. The next frame, from whichever call, waits for shaders that
-/// read it, and overwrites it; it lives until the renderer makes a frame of another size or method,
-/// or another scene.
+/// shaders on the renderer's queue. The next frame of its kind, from whichever call, waits for
+/// shaders that read it, and overwrites it; frames of another size, transport, sum, site, pattern,
+/// roughness or shadow size are of another kind. It lives until the renderer has made frames of two
+/// kinds besides, whatever the scene: two pictures may be shown side by side.
 struct DeviceImage {
   VkImage image = VK_NULL_HANDLE;
   VkImageView view = VK_NULL_HANDLE;

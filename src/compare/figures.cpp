@@ -263,4 +263,15 @@ double meanOver(const Plane& plane, const Selection& selection) {
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
+double meanOverCovered(const Image& image) {
+  double sum = 0;
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i + 3] <= 0) continue;
+    sum += double{image.rgba[i]};
+    ++covered;
+  }
+  return covered > 0 ? sum / static_cast<double>(covered) : 0;
+}
+
 }  // namespace opaline::compare

@@ -67,4 +67,7 @@ Plane relativeBlockErrors(const Image& a, const Image& b, const Selection& selec
 
 double meanOver(const Plane& plane, const Selection& selection);
 
+/// Of an image's first channel, over the pixels it covers; 0 where it covers none.
+double meanOverCovered(const Image& image);
+
 }  // namespace opaline::compare

@@ -23,6 +23,7 @@
 #include "passes/shade/environment_pass.h"
 #include "passes/shade/seen_surfels_pass.h"
 #include "passes/shade/shade_pass.h"
+#include "renderer/frame_plan.h"
 #include "renderer/frame_resources.h"
 #include "renderer/scene_motion.h"
 #include "renderer/scene_resources.h"
@@ -50,27 +51,6 @@ struct Passes {
   passes::EnvironmentPass environment;
   passes::ShadePass shade;
   passes::SeenSurfelsPass seenSurfels;
-};
-
-/// What a frame is to do.
-struct FramePlan {
-  Transport transport = Transport::Dipole;
-  Sum sum = Sum::Tree;
-  Site site = Site::Fragment;  ///< Auto: as each object has it, not for Sum::Pattern
-  float tolerance = 0.01F;     ///< of Sum::Tree, and of the solver of Transport::Boundary
-  int bounces = 2;             ///< of Transport::Boundary
-  bool skyIsDark = false;      ///< no light but that of lights
-  bool scatter = true;         ///< find the exitance; what is seen without light needs none
-  bool map = false;            ///< draw the diffusion source map, whoever wants it
-  int samples = 4;             ///< of radiance, 0 for none
-  bool centre = false;         ///< leave the visible surface and exitance of the pixels' centres
-  bool seenSurfels = false;    ///< find the surfels at the pixels' centres, not for Sum::Pattern
-  int treeLevel = 0;           ///< of the nodes that hold them
-  bool specular = true;
-  float roughness = 0.25F;
-  int clip = 0;
-  double seconds = 0;
-  bool light = true;  ///< else the resources hold what this frame's light does, from before
 };
 
 /// The image that a frame leaves the exitance of visible pixels in.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "gpu/device.h"
 #include "gpu/transfer.h"
@@ -21,11 +22,11 @@ std::optional<PatternLayout> patternOf(const SceneResources& scene, const Render
 
 }  // namespace
 
-FrameResources makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
-                                  const Lighting& lighting, const RenderOptions& options) {
+void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
+                        const Lighting& lighting, const RenderOptions& options,
+                        FrameResources& made) {
   const auto width = static_cast<std::uint32_t>(options.width);
   const auto height = static_cast<std::uint32_t>(options.height);
-  FrameResources made;
   made.view = passes::FitPass::makeView(device);
   const std::optional<PatternLayout> pattern = patternOf(scene, options);
   if (pattern) {
@@ -38,10 +39,15 @@ FrameResources makeFrameResources(gpu::Device& device, const Passes& passes, Sce
   made.tables = makeSceneTables(device, scene, pattern, lighting, options);
   made.surface = passes::SurfacePass::makeSurface(device, width, height);
   made.exitance = passes::SurfacePass::makeExitance(device, width, height, scene.mesh.vertexCount);
-  made.radiance = passes::ShadePass::makeRadiance(device, width, height);
+  if (!made.radiance) made.radiance = passes::ShadePass::makeRadiance(device, width, height);
   remakeShadows(device, lighting, options, made);
   remakeEnvironment(device, passes, lighting, options, made);
-  return made;
+}
+
+void keepOnlyPicture(FrameResources& resources) {
+  gpu::GpuImage radiance = std::move(resources.radiance);
+  resources = {};
+  resources.radiance = std::move(radiance);
 }
 
 void remakeTables(gpu::Device& device, const SceneResources& scene, const Lighting& lighting,

@@ -23,13 +23,17 @@ struct FrameResources {
   passes::VisibleSurface surface;
   passes::Exitance exitance;
   gpu::GpuImage environmentCube;
-  gpu::GpuImage radiance;
+  gpu::GpuImage radiance;           ///< the picture
   passes::SeenSurfels seenSurfels;  ///< empty until a plan asks for them
 };
 
-/// Everything, for these options.
-FrameResources makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
-                                  const Lighting& lighting, const RenderOptions& options);
+/// Makes everything for these options; of the picture, what is there stays.
+void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
+                        const Lighting& lighting, const RenderOptions& options,
+                        FrameResources& resources);
+
+/// Drops everything but the picture.
+void keepOnlyPicture(FrameResources& resources);
 
 /// Makes again what depends on media and on light from all around.
 void remakeTables(gpu::Device& device, const SceneResources& scene, const Lighting& lighting,

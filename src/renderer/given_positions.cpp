@@ -9,6 +9,7 @@
 #include "gpu/device.h"
 #include "opaline/error.h"
 #include "opaline/renderer.h"
+#include "renderer/validate.h"
 
 namespace opaline {
 
@@ -31,9 +32,7 @@ GivenPositions::GivenPositions(std::vector<ObjectRange> ranges)
 }
 
 GivenPositions::Given& GivenPositions::at(std::size_t object) {
-  if (object >= objects_.size())
-    throw UsageError(
-        fmt::format("there is no object {}: the scene has {}", object, objects_.size()));
+  requireObject(object, objects_.size());
   return objects_[object];
 }
 

@@ -19,13 +19,6 @@ bool sameResources(const RenderOptions& a, const RenderOptions& b) {
          a.roughness == b.roughness;
 }
 
-// The map's size is the scene's where the options ask for none.
-RenderOptions optionsFor(const RenderOptions& options, const SceneResources& scene) {
-  RenderOptions made = options;
-  made.dsmSize = scene.needs.mapSize.value_or(options.dsmSize);
-  return made;
-}
-
 }  // namespace
 
 PreparedFrames::PreparedFrames(gpu::Device& device, const Passes& passes)
@@ -42,13 +35,26 @@ PreparedFrame& PreparedFrames::of(const RenderOptions& options, SceneResources& 
                              [](const Slot& a, const Slot& b) { return a.lastUse < b.lastUse; });
     device_.waitIdle();
     found->frame.reset();  // before memory for the next is taken
-    const RenderOptions made = optionsFor(options, scene);
-    found->frame = PreparedFrame{
-        made, changes, makeFrameResources(device_, passes_, scene, lighting, made), std::nullopt};
+    found->frame.emplace().options = options;
   }
   found->lastUse = ++uses_;
-  renew(*found->frame, scene, lighting, changes);
-  return *found->frame;
+  PreparedFrame& frame = *found->frame;
+  if (frame.whole)
+    renew(frame, scene, lighting, changes);
+  else
+    make(frame, scene, lighting);
+  frame.changes = changes;
+  return frame;
+}
+
+void PreparedFrames::make(PreparedFrame& frame, SceneResources& scene, const Lighting& lighting) {
+  keepOnlyPicture(frame.resources);
+  frame.whole = false;
+  frame.lit.reset();
+  // The map's size is the scene's where the options ask for none.
+  frame.options.dsmSize = scene.needs.mapSize.value_or(frame.options.dsmSize);
+  makeFrameResources(device_, passes_, scene, lighting, frame.options, frame.resources);
+  frame.whole = true;
 }
 
 void PreparedFrames::renew(PreparedFrame& frame, SceneResources& scene, const Lighting& lighting,
@@ -57,21 +63,20 @@ void PreparedFrames::renew(PreparedFrame& frame, SceneResources& scene, const Li
   const bool sky = frame.changes.sky != changes.sky;
   const bool views = frame.resources.view.shadowViews != shadowViewCount(lighting);
   if (media || sky || views) device_.waitIdle();
-  if (media && scene.needs.mapSize) {
-    // The neighbourhoods of the map's charts reach as far as the media's patterns.
-    const RenderOptions options = frame.options;
-    frame.resources = {};
-    frame.resources = makeFrameResources(device_, passes_, scene, lighting, options);
-  } else {
-    if (media || sky) remakeTables(device_, scene, lighting, frame.options, frame.resources);
-    if (sky) remakeEnvironment(device_, passes_, lighting, frame.options, frame.resources);
-    if (views) remakeShadows(device_, lighting, frame.options, frame.resources);
-  }
-  frame.changes = changes;
+  // The neighbourhoods of the map's charts reach as far as the media's patterns.
+  if (media && scene.needs.mapSize) return make(frame, scene, lighting);
+  if (media || sky) remakeTables(device_, scene, lighting, frame.options, frame.resources);
+  if (sky) remakeEnvironment(device_, passes_, lighting, frame.options, frame.resources);
+  if (views) remakeShadows(device_, lighting, frame.options, frame.resources);
 }
 
 void PreparedFrames::clear() {
-  for (Slot& slot : slots_) slot = {};
+  for (Slot& slot : slots_) {
+    if (!slot.frame) continue;
+    keepOnlyPicture(slot.frame->resources);
+    slot.frame->whole = false;
+    slot.frame->lit.reset();
+  }
 }
 
 }  // namespace opaline

@@ -7,24 +7,16 @@
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "renderer/frame_resources.h"
+#include "renderer/scene_changes.h"
 #include "renderer/scene_resources.h"
 
 namespace opaline {
-
-/// Counts that rise when something of a scene changes.
-struct SceneChanges {
-  std::uint64_t media = 0;
-  std::uint64_t sky = 0;     ///< ambient light, environment
-  std::uint64_t lights = 0;  ///< any light
-  std::uint64_t pose = 0;    ///< where the vertices lie
-
-  bool operator==(const SceneChanges&) const = default;
-};
 
 /// Resources for one kind of frame: of one size and method.
 struct PreparedFrame {
   RenderOptions options;  ///< they were made for
   SceneChanges changes;   ///< up to which they were made
+  bool whole = false;     ///< else of the resources there is only the picture
   FrameResources resources;
   /// The frame whose light they hold.
   struct Lit {
@@ -37,7 +29,8 @@ struct PreparedFrame {
 };
 
 /// Keeps the resources of two kinds of frame, so that two pictures may take turns, and makes again
-/// only what a change concerns.
+/// only what a change concerns. A picture stays until a frame of a third kind takes its place:
+/// others may show it while what was made for it is made anew.
 class PreparedFrames {
  public:
   PreparedFrames(gpu::Device& device, const Passes& passes);
@@ -45,6 +38,7 @@ class PreparedFrames {
   /// Waits for the device where anything has to be made.
   PreparedFrame& of(const RenderOptions& options, SceneResources& scene, const Lighting& lighting,
                     const SceneChanges& changes);
+  /// Drops all but the pictures. The device is idle.
   void clear();
 
  private:
@@ -52,6 +46,7 @@ class PreparedFrames {
     std::optional<PreparedFrame> frame;
     std::uint64_t lastUse = 0;
   };
+  void make(PreparedFrame& frame, SceneResources& scene, const Lighting& lighting);
   void renew(PreparedFrame& frame, SceneResources& scene, const Lighting& lighting,
              const SceneChanges& changes);
 

@@ -1,11 +1,8 @@
 #include "opaline/renderer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <memory>
-#include <optional>
+#include <utility>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -14,14 +11,14 @@
 #include "gpu/transfer.h"
 #include "opaline/error.h"
 #include "opaline/vulkan.h"
-#include "renderer/background_divider.h"
 #include "renderer/camera_view.h"
+#include "renderer/edited_scene.h"
 #include "renderer/frame.h"
+#include "renderer/frame_plan.h"
+#include "renderer/frame_queue.h"
+#include "renderer/light_reuse.h"
 #include "renderer/light_views.h"
-#include "renderer/prepared_frames.h"
-#include "renderer/readback.h"
-#include "renderer/scene_motion.h"
-#include "renderer/scene_resources.h"
+#include "renderer/prepared_scene.h"
 #include "renderer/timing.h"
 #include "renderer/validate.h"
 
@@ -33,52 +30,17 @@ DeviceDescription describe(const gpu::DeviceInfo& info) {
   return {info.name, gpu::toString(info.type), info.driver};
 }
 
-// What is asked for, or where all objects agree, that; Auto where they do not.
-Site chooseSite(const RenderOptions& options, const SceneResources& resources) {
-  if (options.site != Site::Auto) return options.site;
-  std::size_t atVertices = 0;
-  for (std::size_t i = 0; i < resources.objects; ++i)
-    if (wantsVertices(resources, i)) ++atVertices;
-  if (atVertices == resources.objects) return Site::Vertex;
-  return atVertices == 0 || options.sum == Sum::Pattern ? Site::Fragment : Site::Auto;
+shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& camera,
+                                int shadowSize) {
+  shared::FrameData frame{};
+  frame.worldToClip = camera.worldToClip;
+  frame.cameraPosition = {camera.position, 1};
+  frame.cameraAxis = {camera.axis, 0};
+  fillLights(lighting, static_cast<std::uint32_t>(shadowSize), frame);
+  frame.counts.z = lighting.environment ? 1 : 0;
+  frame.ambient = {glm::make_vec3(lighting.ambient.data()), 0};
+  return frame;
 }
-
-bool needsMap(const RenderOptions& options, const std::vector<Aov>& aovs) {
-  return options.sum == Sum::Pattern ||
-         std::any_of(aovs.begin(), aovs.end(), [](Aov aov) { return showsMap(aov); });
-}
-
-bool same(const std::optional<Image>& a, const std::optional<Image>& b) {
-  if (!a || !b) return a.has_value() == b.has_value();
-  return a->width == b->width && a->height == b->height && a->rgba == b->rgba;
-}
-
-// Whether light found for one frame is that of another: all but the camera and what is made of it.
-bool holds(const PreparedFrame::Lit& lit, const PreparedFrame::Lit& now) {
-  const RenderOptions& a = lit.options;
-  const RenderOptions& b = now.options;
-  return lit.changes == now.changes && lit.site == now.site && lit.map >= now.map &&
-         a.transport == b.transport && a.sum == b.sum && a.tolerance == b.tolerance &&
-         a.bounces == b.bounces;
-}
-
-// Every pass of a frame: deform, normals, fit, shadow, map, neighbours, surfels, tree; of boundary
-// transport the rays' boxes, clusters, their rays, rays and sources of every light, sources of
-// every bounce, as many solutions, means and what is carried to vertices; estimate, scatter and
-// nearby at the vertices and at the surfels; and surface, scatter, nearby, carry and shade for each
-// look, of which there are as many as antialiasing samples and one at the pixels' centres; and the
-// surfels seen there.
-constexpr std::uint32_t maxPassesOfFrame =
-    8 + (3 + 2 * (shared::maxLights + 1) + 3 * (maxBounces + 1) + 2) + 2 * 3 + 5 * (8 + 1) + 1;
-
-// One of the frames that may be under way.
-struct FrameSlot {
-  explicit FrameSlot(gpu::Device& device) : commands(device, "frame", maxPassesOfFrame) {}
-
-  gpu::CommandList commands;
-  Readback readback;
-  bool provisional = false;  // see Frame
-};
 
 }  // namespace
 
@@ -90,11 +52,10 @@ class Renderer::Implementation {
                  .log = options.log,
                  .instanceExtensions = options.instanceExtensions,
                  .deviceExtensions = options.deviceExtensions}),
-        log_(options.log),
         passes_(device_),
-        slots_{FrameSlot(device_), FrameSlot(device_)},
+        queue_(device_),
         frameData_(device_, "frame data", sizeof(shared::FrameData), framesInFlight, 0),
-        prepared_(device_, passes_) {}
+        prepared_(device_, passes_, options.log) {}
 
   // Frames may still be under way.
   ~Implementation() { device_.waitIdle(); }
@@ -104,321 +65,107 @@ class Renderer::Implementation {
   void setScene(const Scene& scene) {
     validate(scene);
     device_.waitIdle();
-    ++sceneNumber_;
-    waiting_ = 0;
-    forgetFrames();
-    divider_.forget();
-    motion_.reset();
-    uploaded_.reset();
+    queue_.clear();
+    prepared_.clear();
     times_.clear();
-    scene_.reset();
-    scene_ = std::make_unique<Scene>(scene);
-    try {
-      merged_ = scene::mergedMesh(*scene_);
-      motion_.emplace(device_, *scene_, merged_);
-    } catch (...) {
-      scene_.reset();  // half a scene is none
-      throw;
-    }
+    edited_.set(device_, scene);
   }
 
   RenderResult render(const RenderOptions& options, const std::vector<Aov>& aovs) {
-    if (waiting_ > 0)
+    if (!queue_.isEmpty())
       throw UsageError("frames wait to be collected; collect them before calling render");
     FrameTimes times;
     for (int i = 0; i < std::max(options.frames, 1); ++i) {
       submit(options, aovs);
-      finishOldest(frame_, times);
+      collect(frame_, times);
     }
     return {std::move(frame_.images), makeReport(times)};
   }
 
   void submit(const RenderOptions& options, const std::vector<Aov>& aovs) {
-    submit(options, aovs, makePlan(options, aovs));
+    submit(options, aovs, planFor(options, aovs, false));
   }
 
   DeviceImage submitOnDevice(const RenderOptions& options, const std::vector<Aov>& aovs) {
-    FramePlan plan = makePlan(options, aovs);
-    plan.samples = options.antialias;
     shown_ = true;
-    submit(options, aovs, plan);
-    const gpu::GpuImage& radiance = current_->resources.radiance;
+    submit(options, aovs, planFor(options, aovs, true));
+    const gpu::GpuImage& radiance = prepared_.frame()->resources.radiance;
     return {radiance.handle(), radiance.view(), radiance.options().format,
             gpu::scopeOf(gpu::Access::Sampled).layout, radiance.extent()};
   }
 
-  void collect(Frame& frame) {
-    if (waiting_ == 0) throw UsageError("no frame is under way; submit one first");
-    finishOldest(frame, times_);
-  }
+  void collect(Frame& frame) { collect(frame, times_); }
 
   RenderReport report() const {
-    if (!uploaded_ || current_ == nullptr)
-      throw UsageError("there is no report before the first frame");
+    if (prepared_.frame() == nullptr) throw UsageError("there is no report before the first frame");
     return makeReport(times_);
   }
 
-  template <typename Positions>
-  void replacePositions(std::size_t object, const Positions& positions) {
-    motion().given().give(device_, object, positions, motion().tables());
-    ++changes_.pose;
-  }
-
-  void restorePositions(std::size_t object) {
-    motion().given().restore(object);
-    ++changes_.pose;
-  }
-
-  void setCamera(const Camera& camera) {
-    validate(camera);
-    scene().camera = camera;
-  }
-
-  void setLighting(const Lighting& lighting) {
-    validate(lighting);
-    Lighting& present = scene().lighting;
-    ++changes_.lights;
-    if (lighting.ambient != present.ambient || !same(lighting.environment, present.environment))
-      ++changes_.sky;
-    present = lighting;
-  }
-
-  void setMedium(std::size_t object, const Medium& medium) {
-    validate(medium);
-    if (object >= scene().objects.size())
-      throw UsageError(
-          fmt::format("there is no object {}: the scene has {}", object, scene_->objects.size()));
-    scene().objects[object].medium = medium;
-    ++changes_.media;
-  }
-
-  void setDeformers(const std::vector<Deformer>& deformers) {
-    validate(deformers);
-    scene().deformers = deformers;
-    ++changes_.pose;
-  }
+  EditedScene& edited() { return edited_; }
 
   VulkanDevice vulkanDevice() const {
     return {device_.instance(), device_.physical(), device_.handle(), device_.queueFamily(),
             device_.queue()};
   }
 
-  std::size_t validationMessages() const { return device_.validationMessages(); }
-
   gpu::Device& device() { return device_; }
 
-  std::uint64_t sceneNumber() const { return sceneNumber_; }
-
-  std::size_t vertexCount(std::size_t object) const {
-    if (!scene_) throw Error("no scene is set; call setScene first");
-    if (object >= scene_->objects.size())
-      throw UsageError(
-          fmt::format("there is no object {}: the scene has {}", object, scene_->objects.size()));
-    return scene_->objects[object].mesh.positionsMm.size();
-  }
-
  private:
-  void requireClip(int clip) const {
-    const auto clips = static_cast<int>(scene_->clips.size());
-    if (clip > 0 && clip >= clips)
-      throw UsageError(fmt::format("there is no clip {}: the scene has {}", clip, clips));
-  }
-
-  // Waits for the oldest frame under way and takes its pictures.
-  void finishOldest(Frame& frame, FrameTimes& times) {
-    FrameSlot& slot = slots_[(next_ + slots_.size() - waiting_) % slots_.size()];
-    --waiting_;
-    slot.commands.wait();
-    slot.readback.finish(frame.images);
-    slot.readback.finishSolutions(frame.solutions);
-    frame.provisional = slot.provisional;
+  void collect(Frame& frame, FrameTimes& times) {
+    queue_.collect(frame, times);
     solutions_ = frame.solutions;
-    const std::vector<gpu::PassTiming>& timings = slot.commands.timings();
-    frame.milliseconds = slot.commands.frameMilliseconds();
-    frame.passes.resize(timings.size());
-    for (std::size_t i = 0; i < timings.size(); ++i) {
-      frame.passes[i].name = timings[i].name;
-      frame.passes[i].milliseconds = timings[i].milliseconds;
-    }
-    times.add(frame.milliseconds, timings);
-  }
-
-  FramePlan makePlan(const RenderOptions& options, const std::vector<Aov>& aovs) const {
-    return {.transport = options.transport,
-            .sum = options.sum,
-            .tolerance = options.tolerance,
-            .bounces = options.bounces,
-            .scatter = std::any_of(aovs.begin(), aovs.end(), needsScattering),
-            .map = needsMap(options, aovs),
-            .samples = std::find(aovs.begin(), aovs.end(), Aov::Radiance) != aovs.end()
-                           ? options.antialias
-                           : 0,
-            .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),
-            .seenSurfels = std::find(aovs.begin(), aovs.end(), Aov::Surfels) != aovs.end(),
-            .treeLevel = options.treeLevel,
-            .specular = options.specular,
-            .roughness = options.roughness,
-            .clip = options.clip,
-            .seconds = options.seconds};
   }
 
   void submit(const RenderOptions& options, const std::vector<Aov>& aovs, FramePlan plan) {
     validate(options);
     validate(options, aovs);
-    scene();
-    requireClip(options.clip);
-    if (waiting_ >= framesInFlight)
-      throw UsageError(fmt::format(
-          "{} frames are under way, which is all there may be; collect one first", waiting_));
-    prepare(options, plan.map);
-    if (plan.seenSurfels) prepareSeenSurfels();
-    last_ = options;
-    site_ = chooseSite(options, *uploaded_);
-    plan.site = site_;
-    plan.skyIsDark = skyIsDark();
-    // Where nothing has an inside, boundary transport is what it falls back to.
-    const bool boundary = plan.transport == Transport::Boundary && uploaded_->hasInside();
-    if (plan.transport == Transport::Boundary && !boundary)
-      plan.transport = Transport::BetterDipole;
-    noteLight(options, plan);
-    const CameraView camera = makeCameraView(
-        scene_->camera, static_cast<float>(options.width) / static_cast<float>(options.height));
-    frameData_.nextFrame();
-    const FrameUpload upload{frameData_.buffer(), frameData_.push(makeFrameData(camera, options))};
+    edited_.moveTo(options.clip, options.seconds);
+    queue_.requireRoom();
+    PreparedFrame& frame = prepared_.prepare(options, plan, edited_);
+    fitToScene(prepared_.scene(), edited_.scene().lighting, plan);
+    plan.light = light_.mustFind(options, plan, edited_.changes(), frame);
+    asked_ = options;
+    site_ = plan.site;
+    record(options, aovs, plan, frame.resources);
+    queue_.submit();
+  }
 
-    FrameResources& resources = current_->resources;
-    FrameSlot& slot = slots_[next_];
-    slot.readback.prepare(device_, aovs, site_, camera, resources);
+  void record(const RenderOptions& options, const std::vector<Aov>& aovs, const FramePlan& plan,
+              FrameResources& resources) {
+    const Scene& scene = edited_.scene();
+    const CameraView camera = makeCameraView(
+        scene.camera, static_cast<float>(options.width) / static_cast<float>(options.height));
+    frameData_.nextFrame();
+    const FrameUpload upload{frameData_.buffer(), frameData_.push(makeFrameData(
+                                                      scene.lighting, camera, options.shadowSize))};
+    const bool solves = plan.transport == Transport::Boundary && plan.scatter;
+
+    FrameSlot& slot = queue_.next();
+    slot.provisional = prepared_.isProvisional();
+    slot.readback.prepare(device_, aovs, plan.site, camera, resources);
     slot.commands.begin();
-    recordFrame(slot.commands, passes_, plan, upload, *motion_, *uploaded_, resources);
-    slot.readback.record(slot.commands, site_, resources);
-    slot.readback.recordSolutions(slot.commands, boundary && plan.scatter ? options.bounces + 1 : 0,
-                                  uploaded_->solver);
+    recordFrame(slot.commands, passes_, plan, upload, edited_.motion(), prepared_.scene(),
+                resources);
+    slot.readback.record(slot.commands, plan.site, resources);
+    slot.readback.recordSolutions(slot.commands, solves ? plan.bounces + 1 : 0,
+                                  prepared_.scene().solver);
     // Whoever shows pictures may sample this frame's too.
     if (shown_) slot.commands.use(resources.radiance, gpu::Access::Sampled);
-    slot.provisional = provisional();
-    slot.commands.submit();
-    next_ = (next_ + 1) % slots_.size();
-    ++waiting_;
-  }
-
-  // Makes what depends on the scene and the options, where it is not there yet. What one sum needs
-  // is kept for when it is asked for again.
-  void prepare(const RenderOptions& options, bool map) {
-    SceneNeeds needs = uploaded_ ? uploaded_->needs : SceneNeeds{};
-    if (map) needs.mapSize = options.dsmSize;
-    if (options.sum != Sum::Pattern) needs.maxSurfels = options.maxSources;
-    if (options.transport == Transport::Boundary) needs.maxClusters = options.boundarySurfels;
-    if (!uploaded_ || uploaded_->needs != needs) {
-      device_.waitIdle();
-      forgetFrames();
-      uploaded_.reset();
-      divider_.forget();
-      uploaded_ = makeSceneResources(device_, scene(), merged_, needs, log_);
-      media_ = changes_.media;
-      noteDivision();
-    } else {
-      followMedia(options.patient);
-    }
-    if (uploaded_->needs.maxClusters) uploaded_->clusters.lights = lightCount(scene_->lighting);
-    current_ = &prepared_.of(options, *uploaded_, scene_->lighting, changes_);
-  }
-
-  // Most frames are not asked which surfels they show.
-  void prepareSeenSurfels() {
-    if (!uploaded_->rays.boxes)
-      uploaded_->rays = passes::RayPass::makeHierarchy(device_, uploaded_->surfels);
-    FrameResources& resources = current_->resources;
-    if (!resources.seenSurfels.image)
-      resources.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, resources.surface);
-  }
-
-  // Brings the scene on the device in step with its media.
-  void followMedia(bool patient) {
-    if (media_ != changes_.media) {
-      takeMedia(scene(), *uploaded_);
-      noteDivision();
-    }
-    media_ = changes_.media;
-    if (!provisional()) return;
-    divider_.want(wanted_, merged_);
-    const std::optional<Division> division = divider_.take(patient);
-    if (!division || !(division->order == wanted_)) return;
-    device_.waitIdle();
-    takeDivision(device_, *division, *uploaded_);
-    litSurfels_ = nullptr;
-    ++changes_.media;  // tables name where surfels lie
-    media_ = changes_.media;
-  }
-
-  bool provisional() { return uploaded_->needs.maxSurfels && !(uploaded_->divided == wanted_); }
-
-  void noteDivision() {
-    if (uploaded_->needs.maxSurfels) wanted_ = orderFor(device_, scene(), *uploaded_);
-  }
-
-  void forgetFrames() {
-    current_ = nullptr;
-    litSurfels_ = nullptr;
-    prepared_.clear();
-  }
-
-  // Whether the frame's light has to be found, or is there from before.
-  void noteLight(const RenderOptions& options, FramePlan& plan) {
-    if (motion_->given().readsDevice() || options.seconds != pose_.seconds ||
-        options.clip != pose_.clip)
-      ++changes_.pose;
-    pose_ = {options.seconds, options.clip};
-    const PreparedFrame::Lit now{options, changes_, plan.site, plan.map};
-    // Surfels and what boundary transport makes of them belong to the last frame that lit them.
-    const bool ofSurfels = options.sum != Sum::Pattern && plan.site != Site::Vertex;
-    const bool there =
-        !(ofSurfels || plan.transport == Transport::Boundary) || litSurfels_ == current_;
-    plan.light = !(options.reuseLight && there && current_->lit && holds(*current_->lit, now));
-    if (!plan.light || !plan.scatter) return;
-    current_->lit = now;
-    if (options.sum != Sum::Pattern) litSurfels_ = current_;
-  }
-
-  bool skyIsDark() const {
-    const Lighting& lighting = scene_->lighting;
-    return !lighting.environment && lighting.ambient == Rgb{0, 0, 0};
-  }
-
-  Scene& scene() {
-    if (!scene_) throw Error("no scene is set; call setScene first");
-    return *scene_;
-  }
-
-  SceneMotion& motion() {
-    scene();
-    return *motion_;
-  }
-
-  shared::FrameData makeFrameData(const CameraView& camera, const RenderOptions& options) const {
-    shared::FrameData frame{};
-    frame.worldToClip = camera.worldToClip;
-    frame.cameraPosition = {camera.position, 1};
-    frame.cameraAxis = {camera.axis, 0};
-    fillLights(scene_->lighting, static_cast<std::uint32_t>(options.shadowSize), frame);
-    frame.counts.z = scene_->lighting.environment ? 1 : 0;
-    frame.ambient = {glm::make_vec3(scene_->lighting.ambient.data()), 0};
-    return frame;
   }
 
   RenderReport makeReport(const FrameTimes& times) const {
     constexpr double megabyte = 1e6;
+    const SceneResources& scene = prepared_.scene();
+    const bool solved = asked_.transport == Transport::Boundary && scene.hasInside();
     return {.device = describe(device_.info()),
-            .transport = last_.transport,
-            .sum = last_.sum,
+            .transport = asked_.transport,
+            .sum = asked_.sum,
             .site = site_,
-            .triangles = uploaded_->triangles,
-            .vertices = uploaded_->mesh.vertexCount,
-            .sources = last_.sum == Sum::Pattern ? current_->resources.sources.sourceCount
-                                                 : uploaded_->surfels.count,
-            .boundarySurfels = last_.transport == Transport::Boundary && uploaded_->hasInside()
-                                   ? uploaded_->clusters.count
-                                   : 0,
+            .triangles = scene.triangles,
+            .vertices = scene.mesh.vertexCount,
+            .sources = asked_.sum == Sum::Pattern ? prepared_.frame()->resources.sources.sourceCount
+                                                  : scene.surfels.count,
+            .boundarySurfels = solved ? scene.clusters.count : 0,
             .solutions = solutions_,
             .passes = times.passes(),
             .frameMilliseconds = times.frameMilliseconds(),
@@ -426,30 +173,14 @@ class Renderer::Implementation {
   }
 
   gpu::Device device_;
-  LogCallback log_;
   Passes passes_;
-  std::array<FrameSlot, framesInFlight> slots_;
-  std::size_t next_ = 0;     // slot of the next frame
-  std::size_t waiting_ = 0;  // frames submitted and not collected
+  FrameQueue queue_;
   gpu::UploadRing frameData_;
-  std::uint64_t sceneNumber_ = 0;
-  std::unique_ptr<Scene> scene_;
-  SceneChanges changes_;
-  scene::MergedMesh merged_;
-  std::optional<SceneMotion> motion_;
-  std::optional<SceneResources> uploaded_;
-  std::uint64_t media_ = 0;  // changes_.media that uploaded_ is of
-  DivisionOrder wanted_;     // for these media
-  BackgroundDivider divider_;
-  PreparedFrames prepared_;
-  PreparedFrame* current_ = nullptr;           // of the frame submitted last
-  const PreparedFrame* litSurfels_ = nullptr;  // whose light the surfels hold
-  struct {
-    double seconds = -1;
-    int clip = 0;
-  } pose_;              // of the frame submitted last
-  bool shown_ = false;  // pictures are left for others to sample
-  RenderOptions last_;  // of the frame submitted last
+  EditedScene edited_;
+  PreparedScene prepared_;
+  LightReuse light_;
+  bool shown_ = false;   // pictures are left for others to sample
+  RenderOptions asked_;  // of the frame submitted last
   Site site_ = Site::Fragment;
   FrameTimes times_;
   std::vector<Solution> solutions_;  // of the frame collected last
@@ -488,19 +219,19 @@ void Renderer::collect(Frame& frame) {
 }
 
 void Renderer::setCamera(const Camera& camera) {
-  implementation_->setCamera(camera);
+  implementation_->edited().setCamera(camera);
 }
 
 void Renderer::setLighting(const Lighting& lighting) {
-  implementation_->setLighting(lighting);
+  implementation_->edited().setLighting(lighting);
 }
 
 void Renderer::setMedium(std::size_t object, const Medium& medium) {
-  implementation_->setMedium(object, medium);
+  implementation_->edited().setMedium(object, medium);
 }
 
 void Renderer::setDeformers(const std::vector<Deformer>& deformers) {
-  implementation_->setDeformers(deformers);
+  implementation_->edited().setDeformers(deformers);
 }
 
 RenderReport Renderer::report() const {
@@ -508,15 +239,15 @@ RenderReport Renderer::report() const {
 }
 
 void Renderer::replacePositions(std::size_t object, std::span<const Vec3> positionsMm) {
-  implementation_->replacePositions(object, positionsMm);
+  implementation_->edited().replacePositions(device(), object, positionsMm);
 }
 
 void Renderer::replacePositions(std::size_t object, const DevicePositions& positions) {
-  implementation_->replacePositions(object, positions);
+  implementation_->edited().replacePositions(device(), object, positions);
 }
 
 void Renderer::restorePositions(std::size_t object) {
-  implementation_->restorePositions(object);
+  implementation_->edited().restorePositions(object);
 }
 
 VulkanDevice Renderer::vulkanDevice() const {
@@ -524,7 +255,7 @@ VulkanDevice Renderer::vulkanDevice() const {
 }
 
 std::size_t Renderer::validationMessages() const {
-  return implementation_->validationMessages();
+  return implementation_->device().validationMessages();
 }
 
 gpu::Device& Renderer::device() {
@@ -532,11 +263,11 @@ gpu::Device& Renderer::device() {
 }
 
 std::uint64_t Renderer::sceneNumber() const {
-  return implementation_->sceneNumber();
+  return implementation_->edited().number();
 }
 
 std::size_t Renderer::vertexCount(std::size_t object) const {
-  return implementation_->vertexCount(object);
+  return implementation_->edited().object(object).mesh.positionsMm.size();
 }
 
 std::vector<DeviceDescription> listDevices() {

@@ -53,6 +53,11 @@ bool isPower(const Rgb& rgb) {
 
 }  // namespace
 
+void requireObject(std::size_t object, std::size_t count) {
+  if (object >= count)
+    throw UsageError(fmt::format("there is no object {}: the scene has {}", object, count));
+}
+
 void validate(const RenderOptions& options) {
   if (options.transport == Transport::Boundary && options.sum == Sum::Pattern)
     throw UsageError("boundary transport works with surfels; the pattern needs another transport");

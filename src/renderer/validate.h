@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "opaline/renderer.h"
@@ -22,6 +23,9 @@ void validate(const Camera& camera);
 void validate(const Lighting& lighting);
 void validate(const Medium& medium);
 void validate(const std::vector<Deformer>& deformers);
+
+/// Throws UsageError for an object that a scene with so many does not have.
+void requireObject(std::size_t object, std::size_t count);
 
 /// The part of it that speaks of nodes, clips, rigs and deformers.
 void validateMotion(const Scene& scene);

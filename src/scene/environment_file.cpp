@@ -10,7 +10,7 @@
 
 namespace opaline::scene {
 
-Image readEnvironment(const EnvironmentFile& from) {
+std::shared_ptr<const Image> readEnvironment(const EnvironmentFile& from) {
   Image image = core::readHdrImage(from.file);
   for (std::size_t i = 0; i < image.rgba.size(); ++i) {
     if (i % 4 == 3) continue;
@@ -19,7 +19,7 @@ Image readEnvironment(const EnvironmentFile& from) {
     throw Error(fmt::format("{}: an intensity of {} makes a pixel infinite",
                             cleanText(from.file.string(), 1000), from.intensity));
   }
-  return turned(image, from.rotationDegrees);
+  return std::make_shared<const Image>(turned(image, from.rotationDegrees));
 }
 
 Image turned(const Image& environment, double degrees) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "opaline/image.h"
 #include "scene/scene_source.h"
 
@@ -7,7 +9,7 @@ namespace opaline::scene {
 
 /// The picture as it lights the scene. Throws Error when it cannot be read or its intensity
 /// makes a pixel infinite.
-Image readEnvironment(const EnvironmentFile& from);
+std::shared_ptr<const Image> readEnvironment(const EnvironmentFile& from);
 
 /// A latitude-longitude picture turned about +y, counter-clockwise seen from above: what shone from
 /// +z shines from +x after 90 degrees. Row by row it moves left by degrees/360 of its width; where

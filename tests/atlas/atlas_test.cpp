@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -19,6 +17,7 @@
 #include "atlas/awkward_meshes.h"
 #include "atlas/draw.h"
 #include "builtin/builtin.h"
+#include "shared_files.h"
 
 namespace opaline::atlas {
 namespace {
@@ -302,16 +301,6 @@ TEST(AtlasFigures, Bear) {
   expectFigures("bear", builtin::bearMesh());
 }
 
-std::optional<std::filesystem::path> sharedModel(const std::string& name) {
-  std::vector<std::filesystem::path> folders;
-  if (const char* named = std::getenv("OPALINE_MODELS")) folders.emplace_back(named);
-  folders.emplace_back(std::filesystem::path(OPALINE_SOURCE_DIR) / ".." / "shared" / "models");
-  for (const auto& folder : folders) {
-    if (exists(folder / name)) return folder / name;
-  }
-  return std::nullopt;
-}
-
 /// The plain binary files that the models come in.
 Mesh readPly(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -337,7 +326,7 @@ Mesh readPly(const std::filesystem::path& path) {
 class AtlasFiguresOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(AtlasFiguresOf, Model) {
-  const auto path = sharedModel(std::string(GetParam()) + ".ply");
+  const auto path = test::sharedModel(std::string(GetParam()) + ".ply");
   if (!path) {
     GTEST_SKIP() << GetParam() << ".ply is not here; OPALINE_MODELS names the folder that has it.";
   }

@@ -11,10 +11,11 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "shared_files.h"
 
 namespace opaline::builtin {
 namespace {
@@ -162,16 +163,11 @@ TEST(Teapot, IsOrientedOutwardsWithSmoothNormals) {
 }
 
 TEST(Teapot, IsTheSharedModel) {
-  std::vector<std::filesystem::path> folders;
-  if (const char* named = std::getenv("OPALINE_MODELS")) folders.emplace_back(named);
-  folders.emplace_back(std::filesystem::path(OPALINE_SOURCE_DIR) / ".." / "shared" / "models");
-  std::ifstream file;
-  for (const auto& folder : folders) {
-    if (!file.is_open()) file.open(folder / "teapot.ply", std::ios::binary);
-  }
-  if (!file.is_open()) {
+  const auto path = test::sharedModel("teapot.ply");
+  if (!path) {
     GTEST_SKIP() << "teapot.ply is not here; OPALINE_MODELS names the folder that has it.";
   }
+  std::ifstream file(*path, std::ios::binary);
   for (std::string line; std::getline(file, line) && line != "end_header";) {
   }
   std::vector<Vec3> positions(1177);

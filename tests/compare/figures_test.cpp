@@ -108,6 +108,14 @@ TEST(Figures, TheMeanOfSignedValuesIsThatOfTheirSize) {
   EXPECT_NEAR(figuresOver(a, b, commonPixels(a, b))->channels[0].relRmse, std::sqrt(0.5), 1e-12);
 }
 
+TEST(Figures, TheMeanOverWhatIsCoveredLeavesTheRestOut) {
+  Image image = row({1, 2, 6});
+  EXPECT_EQ(meanOverCovered(image), 3);
+  image.pixel(2, 0)[3] = 0;
+  EXPECT_EQ(meanOverCovered(image), 1.5);
+  EXPECT_EQ(meanOverCovered(Image(2, 2)), 0);
+}
+
 TEST(Figures, AMaskIsWhereItsLargestChannelIsAboveOneHalf) {
   Image mask = row({0.125F, 0.1251F, 0.5F, 1});
   mask.pixel(3, 0)[3] = 0;

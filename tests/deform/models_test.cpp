@@ -2,26 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "deform/deformed_mesh.h"
 #include "opaline/scene.h"
+#include "shared_files.h"
 
 namespace opaline::deform {
 namespace {
 
 using scene::Double3;
-
-std::optional<std::filesystem::path> modelsFolder() {
-  const char* given = std::getenv("OPALINE_MODELS");
-  const std::filesystem::path folder =
-      given != nullptr ? given : std::filesystem::path(OPALINE_SOURCE_DIR) / "../shared/models";
-  return std::filesystem::exists(folder / "README.md") ? std::optional(folder) : std::nullopt;
-}
 
 constexpr const char* missing =
     "the shared models are not here; set OPALINE_MODELS to their folder";
@@ -31,7 +23,7 @@ class AnimatedModels : public testing::TestWithParam<const char*> {};
 /// Two ways to the same place: the loader bakes the file's static pose in its own arithmetic, the
 /// rigs start from the file's vertices.
 TEST_P(AnimatedModels, RestPoseIsTheMesh) {
-  const auto folder = modelsFolder();
+  const auto folder = test::modelsFolder();
   if (!folder) GTEST_SKIP() << missing;
   const Scene scene = loadScene(*folder / "gltf" / GetParam());
   const double tolerance = 2e-6 * double{diagonalMm(scene)};
@@ -121,7 +113,7 @@ const std::vector<Posed> posed{
 class PosedModels : public testing::TestWithParam<Posed> {};
 
 TEST_P(PosedModels, FillTheBoxOfTheSpecification) {
-  const auto folder = modelsFolder();
+  const auto folder = test::modelsFolder();
   if (!folder) GTEST_SKIP() << missing;
   const Posed& of = GetParam();
   const Scene scene = loadScene(*folder / "gltf" / of.file);
@@ -148,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(All, PosedModels, testing::ValuesIn(posed), [](const au
 });
 
 TEST(SharedModels, HaveTheClipsAndJointsOfTheirFiles) {
-  const auto folder = modelsFolder();
+  const auto folder = test::modelsFolder();
   if (!folder) GTEST_SKIP() << missing;
   const Scene fox = loadScene(*folder / "gltf/Fox.glb");
   ASSERT_EQ(fox.clips.size(), 3U);
@@ -173,7 +165,7 @@ TEST(SharedModels, HaveTheClipsAndJointsOfTheirFiles) {
 
 /// The largest heights in bunny_egg_a.ply and bunny_egg_b.ply.
 TEST(SharedModels, BunnyBecomesTheEgg) {
-  const auto folder = modelsFolder();
+  const auto folder = test::modelsFolder();
   if (!folder) GTEST_SKIP() << missing;
   Scene scene = loadScene(*folder / "gltf/BunnyEgg.glb");
   ASSERT_EQ(scene.objects[0].rig->targets.size(), 1U);
@@ -188,7 +180,7 @@ TEST(SharedModels, BunnyBecomesTheEgg) {
 }
 
 TEST(SharedModels, OnePlyMorphsToTheOther) {
-  const auto folder = modelsFolder();
+  const auto folder = test::modelsFolder();
   if (!folder) GTEST_SKIP() << missing;
   LoadOptions options;
   options.morphTo = *folder / "bunny_egg_b.ply";
@@ -208,7 +200,7 @@ TEST(SharedModels, OnePlyMorphsToTheOther) {
 }
 
 TEST(SharedModels, AManOfOneAndAHalfMetresWalksUpright) {
-  const auto folder = modelsFolder();
+  const auto folder = test::modelsFolder();
   if (!folder) GTEST_SKIP() << missing;
   const Scene scene = loadScene(*folder / "gltf/CesiumMan.glb");
   for (double seconds = 0; seconds < 2; seconds += 0.125) {

@@ -14,6 +14,7 @@
 #include "gpu/gpu_fixture.h"
 #include "passes/ray_bodies.h"
 #include "passes/ray_tracer.h"
+#include "shared_files.h"
 
 namespace opaline::passes {
 namespace {
@@ -33,15 +34,6 @@ using opaline::test::unit;
 namespace fs = std::filesystem;
 
 using RaysTest = gpu::GpuTest;
-
-std::optional<fs::path> modelNamed(const char* name) {
-  std::vector<fs::path> folders;
-  if (const char* named = std::getenv("OPALINE_MODELS")) folders.emplace_back(named);
-  folders.emplace_back(fs::path(OPALINE_SOURCE_DIR) / ".." / "shared" / "models");
-  for (const fs::path& folder : folders)
-    if (fs::is_regular_file(folder / name)) return folder / name;
-  return std::nullopt;
-}
 
 class Random {
  public:
@@ -191,7 +183,7 @@ TEST_F(RaysTest, MeetsTheTwistedBear) {
 }
 
 TEST_F(RaysTest, MeetsTheBunny) {
-  const std::optional<fs::path> file = modelNamed("bunny_closed.ply");
+  const std::optional<fs::path> file = opaline::test::sharedModel("bunny_closed.ply");
   if (!file) GTEST_SKIP() << "OPALINE_MODELS has no bunny_closed.ply";
   LoadOptions load;
   load.diagonalMm = 50.0F;

@@ -19,6 +19,7 @@
 #include "reference/path/path_run.h"
 #include "reference/path/path_tracer.h"
 #include "renderer/shapes.h"
+#include "shared_files.h"
 
 namespace opaline::reference {
 namespace {
@@ -32,12 +33,7 @@ int particlesOfTests() {
 
 /// Rows of a table by the names of its columns; empty where the tables are not there.
 std::vector<std::map<std::string, std::string>> readTable(const std::string& name) {
-  const char* models = std::getenv("OPALINE_MODELS");
-  const std::filesystem::path folder =
-      (models != nullptr ? std::filesystem::path(models)
-                         : std::filesystem::path(OPALINE_SOURCE_DIR) / ".." / "shared" / "models") /
-      ".." / "reference";
-  std::ifstream file(folder / name);
+  std::ifstream file(test::referenceTable(name).value_or(""));
   std::vector<std::map<std::string, std::string>> rows;
   std::vector<std::string> columns;
   for (std::string line; std::getline(file, line);) {

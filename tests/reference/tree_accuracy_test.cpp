@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +15,7 @@
 #include "reference/integral.h"
 #include "reference/picture.h"
 #include "renderer/renderer_fixture.h"
+#include "shared_files.h"
 
 namespace opaline {
 namespace {
@@ -41,21 +40,12 @@ struct AccuracyCase {
 constexpr int edge = 1024;
 constexpr int every = 12;
 
-std::optional<fs::path> modelNamed(const char* name) {
-  std::vector<fs::path> folders;
-  if (const char* named = std::getenv("OPALINE_MODELS")) folders.emplace_back(named);
-  folders.emplace_back(fs::path(OPALINE_SOURCE_DIR) / ".." / "shared" / "models");
-  for (const fs::path& folder : folders)
-    if (fs::is_regular_file(folder / name)) return folder / name;
-  return std::nullopt;
-}
-
 Scene sceneOf(const AccuracyCase& accuracy) {
   LoadOptions load;
   load.diagonalMm = accuracy.diagonalMm;
   load.medium = bssrdf::findMedium(accuracy.medium);
   Scene scene =
-      accuracy.model == nullptr ? builtInBear(load) : loadScene(*modelNamed(accuracy.model), load);
+      accuracy.model == nullptr ? builtInBear(load) : loadScene(*sharedModel(accuracy.model), load);
   constexpr auto full = static_cast<float>(std::numbers::pi);
   scene.lighting = {};
   scene.lighting.directional = {{{0.45F, 0.35F, -0.82F}, {full, full, full}}};
@@ -151,7 +141,7 @@ class TreeAccuracyTest : public RendererTestBase<testing::TestWithParam<Accuracy
  protected:
   void SetUp() override {
     RendererTestBase::SetUp();
-    if (GetParam().model != nullptr && !modelNamed(GetParam().model))
+    if (GetParam().model != nullptr && !sharedModel(GetParam().model))
       GTEST_SKIP() << GetParam().model << " is not here; set OPALINE_MODELS to its folder";
   }
 };
@@ -209,7 +199,8 @@ INSTANTIATE_TEST_SUITE_P(
 using TreeAccuracyOfEarsTest = RendererTest;
 
 TEST_F(TreeAccuracyOfEarsTest, AreAsExactAsTheRest) {
-  if (!modelNamed(bunny)) GTEST_SKIP() << bunny << " is not here; set OPALINE_MODELS to its folder";
+  if (!sharedModel(bunny))
+    GTEST_SKIP() << bunny << " is not here; set OPALINE_MODELS to its folder";
   const Comparison comparison({"ears", bunny, "marble", 50, Site::Fragment, 0, 0});
   expectWithin(comparison.figures(comparison.unlitThinnerThan(0.06 * 50)), 0.01, 0.015);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <memory>
 #include <new>
 #include <vector>
 
@@ -134,6 +135,21 @@ TEST(AllocationTest, SteadyFramesAllocateNothing) {
         if (sum == Sum::Pattern) continue;
         EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {Aov::Surfels}, nothing), 0U);
       }
+}
+
+// A light that is dragged makes nothing anew; its environment is shared, not copied.
+TEST(AllocationTest, LightsThatMoveAllocateNothing) {
+  Renderer renderer;
+  Scene scene = moving();
+  scene.lighting.environment = std::make_shared<const Image>(64, 32);
+  renderer.setScene(scene);
+  EXPECT_EQ(scene.lighting.environment.use_count(), 2);
+  const auto drag = [&] {
+    scene.lighting.points[0].positionMm[1] += 1;
+    renderer.setLighting(scene.lighting);
+  };
+  EXPECT_EQ(allocationsOfSteadyFrames(renderer, tinyOptions(), {Aov::Radiance}, drag), 0U);
+  EXPECT_EQ(scene.lighting.environment.use_count(), 2);
 }
 
 TEST(AllocationTest, GivenPositionsAllocateNothing) {

@@ -5,12 +5,10 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -19,6 +17,7 @@
 
 #include "bssrdf/media.h"
 #include "renderer/renderer_fixture.h"
+#include "shared_files.h"
 
 namespace opaline {
 namespace {
@@ -30,16 +29,6 @@ constexpr int edge = 256;
 constexpr int blockEdge = 8;
 constexpr double blocksOfPicture = (edge / blockEdge) * (edge / blockEdge);
 constexpr const char* bunny = "bunny_closed.ply";
-
-/// A file of the folder that the variable names, or else of the one beside the repository.
-std::optional<fs::path> sharedFile(const char* variable, const char* folder, const char* name) {
-  std::vector<fs::path> folders;
-  if (const char* named = std::getenv(variable)) folders.emplace_back(named);
-  folders.emplace_back(fs::path(OPALINE_SOURCE_DIR) / ".." / "shared" / folder);
-  for (const fs::path& place : folders)
-    if (fs::is_regular_file(place / name)) return place / name;
-  return std::nullopt;
-}
 
 using Colour = std::array<double, 3>;
 using Place = std::pair<int, int>;
@@ -133,9 +122,8 @@ Scene sceneOf(const BlocksCase& blocks) {
   LoadOptions load;
   load.diagonalMm = 50.0F;
   load.medium = bssrdf::findMedium(blocks.medium);
-  Scene scene = blocks.model == nullptr
-                    ? builtInBear(load)
-                    : loadScene(*sharedFile("OPALINE_MODELS", "models", blocks.model), load);
+  Scene scene =
+      blocks.model == nullptr ? builtInBear(load) : loadScene(*sharedModel(blocks.model), load);
   constexpr auto full = std::numbers::pi_v<float>;
   scene.lighting = {};
   scene.lighting.directional = {{{0.45F, 0.35F, -0.82F}, {full, full, full}}};
@@ -149,7 +137,7 @@ class BoundaryBlocksTest : public RendererTestBase<testing::TestWithParam<Blocks
   void SetUp() override {
     RendererTestBase::SetUp();
     const char* model = GetParam().model;
-    if (model != nullptr && !sharedFile("OPALINE_MODELS", "models", model))
+    if (model != nullptr && !sharedModel(model))
       GTEST_SKIP() << model << " is not here; set OPALINE_MODELS to its folder";
   }
 
@@ -200,7 +188,7 @@ class BoundaryMilkTest : public BoundaryBlocksTest {};
 
 // By another program's path tracer.
 TEST_P(BoundaryMilkTest, BlocksAreThoseOfThePublishedTable) {
-  const auto table = sharedFile("OPALINE_REFERENCE", "reference", "bunny50_skimmilk_blocks.csv");
+  const auto table = referenceTable("bunny50_skimmilk_blocks.csv");
   if (!table)
     GTEST_SKIP() << "bunny50_skimmilk_blocks.csv is not here; set OPALINE_REFERENCE to its folder";
   constexpr double pixels = blockEdge * blockEdge;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -72,7 +74,9 @@ const std::vector<Edit>& edits() {
          s.lighting.ambient = {0.5F, 0.2F, 0.1F};
        },
        takeLighting},
-      {"environment", [](Scene& s) { s.lighting.environment = gradient(); }, takeLighting},
+      {"environment",
+       [](Scene& s) { s.lighting.environment = std::make_shared<const Image>(gradient()); },
+       takeLighting},
       {"coefficients",
        [](Scene& s) {
          s.objects[0].medium.sigmaAPerMm = {0.3, 0.2, 0.1};
@@ -136,6 +140,20 @@ TEST_P(EditTest, PictureIsThatOfTheEditedScene) {
     EXPECT_NE(edited[0].rgba, before[0].rgba);
     expectSame(edited, render(scene, options, asked()));
   }
+}
+
+TEST_P(EditTest, AnotherEnvironmentOfTheSameSizeIsSeen) {
+  RenderOptions options = optionsOf(GetParam());
+  Scene scene = wobblyBall();
+  scene.lighting.environment = std::make_shared<const Image>(gradient());
+  const std::vector<Image> before = render(scene, options, asked());
+  Image other = gradient();
+  std::reverse(other.rgba.begin(), other.rgba.end());
+  scene.lighting.environment = std::make_shared<const Image>(other);
+  takeLighting(renderer(), scene);
+  const std::vector<Image> edited = render(options, asked());
+  EXPECT_NE(edited[0].rgba, before[0].rgba);
+  expectSame(edited, render(scene, options, asked()));
 }
 
 // Light from before is used, and is right, while only the camera moves.
@@ -261,6 +279,35 @@ TEST_F(EditErrorsTest, EveryMethodKeepsItsPicture) {
     renderer().collect(frame);
   }
   EXPECT_NE(images[0], images[1]);
+}
+
+// While what others need of the scene is made, or another scene is set, that picture stays.
+TEST_F(EditErrorsTest, PictureStaysUntilAThirdKindOfFrame) {
+  const auto submit = [&](const Method& method) {
+    const DeviceImage image = renderer().submitOnDevice(optionsOf(method));
+    Frame frame;
+    renderer().collect(frame);
+    return image.image;
+  };
+  // The validation layer complains of images that are gone.
+  const auto touch = [&](VkImage image) {
+    VkMemoryRequirements requirements{};
+    vkGetImageMemoryRequirements(renderer().vulkanDevice().device, image, &requirements);
+    EXPECT_GT(requirements.size, 0U);
+  };
+  renderer().setScene(wobblyBall());
+  const VkImage tree = submit(methods[1]);
+  const VkImage paper = submit(methods[2]);  // needs a map
+  touch(tree);
+  EXPECT_NE(paper, tree);
+  EXPECT_EQ(submit(methods[1]), tree);
+  renderer().setScene(wobblyBall());
+  touch(tree);
+  touch(paper);
+  EXPECT_EQ(submit(methods[2]), paper);
+  const VkImage boundary = submit(methods[0]);  // needs clusters
+  touch(paper);
+  EXPECT_NE(boundary, paper);
 }
 
 TEST_F(EditErrorsTest, PictureStaysOnTheDevice) {

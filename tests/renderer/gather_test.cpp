@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 
 #include "bssrdf/fresnel.h"
@@ -88,7 +89,7 @@ TEST_F(GatherTest, EnvironmentOfBandsUpToTwoAgreesWithQuadrature) {
     return 2 + 0.9 * d[0] - 0.5 * d[1] + 0.7 * d[2] + 0.6 * d[0] * d[2] + 0.4 * d[1] * d[1];
   };
   Scene scene = ball(5);
-  scene.lighting.environment = environmentOf(radiance);
+  scene.lighting.environment = std::make_shared<const Image>(environmentOf(radiance));
   const auto images = render(scene, smallOptions(), {Aov::DsmPosition, Aov::DsmIrradiance});
   int index = 0;
   forEachCovered(images[0], [&](std::size_t i) {
@@ -112,7 +113,7 @@ TEST_F(GatherTest, SunOfOnePixelStaysFiniteAndRight) {
     for (int x = 0; x < 64; ++x)
       for (int c = 0; c < 4; ++c) environment.pixel(x, y)[c] = 0.5F;
   for (int c = 0; c < 3; ++c) environment.pixel(40, 9)[c] = sun;
-  scene.lighting.environment = environment;
+  scene.lighting.environment = std::make_shared<const Image>(environment);
 
   const double pixelSolidAngle = 2 * pi / 64 * (std::cos(pi * 9 / 32) - std::cos(pi * 10 / 32));
   const double meanRadiance = 0.5 + (static_cast<double>(sun) - 0.5) * pixelSolidAngle / (4 * pi);

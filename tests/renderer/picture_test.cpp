@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 
@@ -184,7 +185,7 @@ TEST_F(PictureTest, UniformEnvironmentIsAmbientLight) {
       environment.pixel(x, y)[2] = 2;
     }
   scene.lighting.ambient = {};
-  scene.lighting.environment = environment;
+  scene.lighting.environment = std::make_shared<const Image>(environment);
   const Image image = render(scene, smallOptions(), {Aov::Radiance})[0];
   for (std::size_t i = 0; i < image.rgba.size(); ++i)
     ASSERT_NEAR(image.rgba[i], ambient.rgba[i], 2e-3F * ambient.rgba[i]);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -13,6 +12,7 @@
 #include "atlas/awkward_meshes.h"
 #include "renderer/renderer_fixture.h"
 #include "renderer/shapes.h"
+#include "shared_files.h"
 
 namespace opaline {
 namespace {
@@ -53,17 +53,13 @@ void expectLightIsSound(const std::string& what) {
 }
 
 std::vector<fs::path> sharedModels() {
-  std::vector<fs::path> folders;
-  if (const char* named = std::getenv("OPALINE_MODELS")) folders.emplace_back(named);
-  folders.emplace_back(fs::path(OPALINE_SOURCE_DIR) / ".." / "shared" / "models");
   std::vector<fs::path> models;
-  for (const fs::path& folder : folders) {
-    if (!models.empty() || !fs::is_directory(folder)) continue;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-      const fs::path kind = entry.path().extension();
-      if (kind == ".ply" || kind == ".obj" || kind == ".glb" || kind == ".gltf")
-        models.push_back(entry.path());
-    }
+  const auto folder = modelsFolder();
+  if (!folder) return models;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(*folder)) {
+    const fs::path kind = entry.path().extension();
+    if (kind == ".ply" || kind == ".obj" || kind == ".glb" || kind == ".gltf")
+      models.push_back(entry.path());
   }
   std::sort(models.begin(), models.end());
   return models;

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -11,18 +10,10 @@
 #include "opaline/scene.h"
 #include "scene/shapes.h"
 #include "scene/topology.h"
+#include "shared_files.h"
 
 namespace opaline {
 namespace {
-
-std::optional<std::filesystem::path> modelsFolder() {
-  const char* named = std::getenv("OPALINE_MODELS");
-  const std::filesystem::path folder =
-      named != nullptr ? std::filesystem::path(named)
-                       : std::filesystem::path(OPALINE_SOURCE_DIR) / "../shared/models";
-  if (!std::filesystem::is_directory(folder)) return std::nullopt;
-  return folder;
-}
 
 struct Expected {
   const char* file;
@@ -61,7 +52,7 @@ const Expected expected[] = {
 class Models : public testing::TestWithParam<Expected> {};
 
 TEST_P(Models, HaveTheCountsOfTheirReadme) {
-  const auto folder = modelsFolder();
+  const auto folder = test::modelsFolder();
   if (!folder) GTEST_SKIP() << "the shared models are not here; set OPALINE_MODELS to their folder";
   const Expected& of = GetParam();
   const Scene loaded = loadScene(*folder / of.file);
@@ -95,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(All, Models, testing::ValuesIn(expected), [](const auto
 });
 
 TEST(SharedModels, TrioHasTheMeasuredMedia) {
-  const auto folder = modelsFolder();
+  const auto folder = test::modelsFolder();
   if (!folder) GTEST_SKIP() << "the shared models are not here; set OPALINE_MODELS to their folder";
   const Scene trio = loadScene(*folder / "gltf/TranslucentTrio.glb");
   ASSERT_EQ(trio.objects.size(), 3U);
@@ -112,7 +103,7 @@ TEST(SharedModels, TrioHasTheMeasuredMedia) {
 }
 
 TEST(SharedModels, TurnedInsideOutAreTurnedBack) {
-  const auto folder = modelsFolder();
+  const auto folder = test::modelsFolder();
   if (!folder) GTEST_SKIP() << "the shared models are not here; set OPALINE_MODELS to their folder";
   const test::TemporaryFolder temporary;
   for (const char* name : {"teapot.obj"}) {

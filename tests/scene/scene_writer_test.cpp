@@ -4,19 +4,16 @@
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
-#include <random>
+#include <memory>
 #include <set>
 #include <string>
 
 #include "bssrdf/media.h"
-#include "core/image_file.h"
 #include "opaline/error.h"
-#include "scene/environment_file.h"
 #include "scene/glb.h"
+#include "scene/random_scene.h"
 #include "scene/scene_settings.h"
 #include "scene/shapes.h"
 #include "scene/toml_keys.h"
@@ -73,57 +70,6 @@ std::string rowOfCubes(const std::vector<std::string>& objects) {
       binary);
 }
 
-/// Numbers that are awkward to print: any mantissa, sizes over many powers of ten.
-class Numbers {
- public:
-  explicit Numbers(unsigned seed) : random_(seed) {}
-
-  double within(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-  float real(double low, double high) { return static_cast<float>(within(low, high)); }
-  float size() { return static_cast<float>(std::pow(10, within(-12, 6))); }
-  Rgb light() { return {size(), size(), below(4) == 0 ? 0 : size()}; }
-  Vec3 place() { return {real(-100, 100), real(-1, 1), real(-1e4, 1e4)}; }
-  Vec3 direction() {
-    const Vec3 v{real(-1, 1), real(-1, 1), real(0.1, 1)};
-    const float length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    return {v[0] / length, v[1] / length, v[2] / length};
-  }
-  int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
-
- private:
-  std::mt19937 random_;
-};
-
-scene::SceneFileSettings randomSettings(Numbers& random) {
-  scene::SceneFileSettings settings;
-  settings.width = 1 + random.below(16384);
-  settings.height = 1 + random.below(16384);
-  settings.transport = random.below(2) == 0 ? "boundary" : "better-dipole";
-  settings.sum = random.below(2) == 0 ? "tree" : "all";
-  settings.site = random.below(2) == 0 ? "vertex" : "auto";
-  settings.tolerance = random.real(1e-4, 1);
-  settings.maxSources = 1024 + random.below(4'000'000);
-  settings.bounces = random.below(9);
-  settings.boundarySurfels = 64 + random.below(200'000);
-  settings.nearRings = random.below(16);
-  settings.nearSpacing = random.real(1e-3, 100);
-  settings.farDistance = random.real(1e-3, 1000);
-  settings.dsmSize = 64 + random.below(4000);
-  settings.shadowSize = 64 + random.below(8000);
-  settings.specular = random.below(2) == 0;
-  settings.roughness = random.real(0.05, 1);
-  settings.antialias = 1 << random.below(4);
-  settings.exposureStops = random.real(-32, 32);
-  settings.tone = "none";
-  settings.background = {{random.real(0, 1), 0, 1}};
-  settings.device = "a \"GPU\"\t№ 1";
-  settings.seconds = random.within(0, 1e6);
-  settings.clip = "none";
-  return settings;
-}
-
 void expectSameMedium(const Medium& a, const Medium& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.sigmaSPrimePerMm, b.sigmaSPrimePerMm);
@@ -143,7 +89,7 @@ void expectSameLighting(const Lighting& a, const Lighting& b) {
     EXPECT_EQ(a.points[i].intensity, b.points[i].intensity);
   }
   EXPECT_EQ(a.ambient, b.ambient);
-  ASSERT_EQ(a.environment.has_value(), b.environment.has_value());
+  ASSERT_EQ(a.environment == nullptr, b.environment == nullptr);
   if (a.environment) {
     EXPECT_EQ(a.environment->rgba, b.environment->rgba);
   }
@@ -193,46 +139,8 @@ class SceneWriter : public testing::Test {
     return test::messageOf([&] { written(loaded); });
   }
 
-  /// Everything that a scene can have, at random.
   scene::LoadedScene random(unsigned seed) {
-    Numbers random(seed);
-    LoadOptions options;
-    if (random.below(2) == 0) options.diagonalMm = random.real(1, 1000);
-    scene::LoadedScene loaded = scene::loadSceneFile(model(), options);
-    Scene& scene = loaded.scene;
-    scene.objects[0].medium = bssrdf::findMedium("ketchup").value();
-    for (std::size_t i = 1; i < scene.objects.size(); ++i) {
-      scene.objects[i].medium = {"soap [" + std::to_string(i) + "] \"x\"",
-                                 {random.within(0, 10), 1.0 / 3, random.within(0, 1e-7)},
-                                 {random.within(0, 10), 0.1, 1e-300},
-                                 random.within(1.01, 3)};
-    }
-    scene.lighting = {};
-    for (int i = random.below(3); i >= 0; --i) {
-      scene.lighting.directional.push_back({random.direction(), random.light()});
-      scene.lighting.points.push_back({random.place(), random.light()});
-    }
-    scene.lighting.points.push_back({{0, 1e-4F, -3e-5F}, {1, 1e20F, 0}});
-    scene.lighting.ambient = random.light();
-    core::writeExr(folder / "sky \"1\".exr", sky());
-    loaded.source.environment = {folder / "sky \"1\".exr", random.real(0, 100),
-                                 random.within(-1e6, 1e6)};
-    scene.lighting.environment = scene::readEnvironment(*loaded.source.environment);
-    scene.camera = {random.place(), random.place(), random.place(), random.real(1, 170)};
-    scene.deformers = {{DeformerKind::Twist, random.real(-100, 100), random.real(0.001, 100)},
-                       {DeformerKind::Wobble, random.real(-1, 1), 0},
-                       {DeformerKind::Squash, -0.0F, 1e6F},
-                       {DeformerKind::Bend, -6.28F, 0.001F}};
-    loaded.settings = randomSettings(random);
-    return loaded;
-  }
-
-  static Image sky() {
-    Image image(8, 4);
-    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
-      image.rgba[i] = i % 4 == 3 ? 1 : static_cast<float>(i * i) / 7;
-    }
-    return image;
+    return test::randomScene(seed, model(), folder / "sky \"1\".exr");
   }
 
   test::TemporaryFolder folder;
@@ -449,7 +357,7 @@ TEST_F(SceneWriter, RefusesWhatNoSceneCanSay) {
   bad.scene.objects[1].medium = bssrdf::findMedium("ketchup").value();
   EXPECT_THAT(complaint(bad), AllOf(HasSubstr("'plain'"), HasSubstr("names of their own")));
   bad = good;
-  bad.scene.lighting.environment = sky();
+  bad.scene.lighting.environment = std::make_shared<const Image>(test::sky());
   EXPECT_THAT(complaint(bad), HasSubstr("environment"));
   bad = good;
   bad.scene.camera.positionMm[0] = NAN;
@@ -482,57 +390,6 @@ TEST_F(SceneWriter, AFileThatCannotBeWrittenStaysAsItWas) {
   loaded.scene.objects[0].medium.eta = NAN;
   EXPECT_NE(complaint(loaded), "");
   EXPECT_EQ(test::readBytes(file()), before);
-}
-
-TEST(EnvironmentFile, TurnsWholeColumnsExactly) {
-  Image image(4, 1);
-  for (int x = 0; x < 4; ++x) image.pixel(x, 0)[0] = static_cast<float>(x);
-  // The columns look to +z/-x, -x/-z, -z/+x and +x/+z; a quarter turn takes -z to -x.
-  const Image quarter = scene::turned(image, 90);
-  for (int x = 0; x < 4; ++x) EXPECT_EQ(quarter.pixel(x, 0)[0], static_cast<float>((x + 1) % 4));
-  for (const double whole : {0.0, 360.0, -720.0}) {
-    EXPECT_EQ(scene::turned(image, whole).rgba, image.rgba);
-  }
-  EXPECT_EQ(scene::turned(image, -270).rgba, quarter.rgba);
-  // Half a column: the mean of neighbours.
-  EXPECT_FLOAT_EQ(scene::turned(image, 45).pixel(3, 0)[0], 1.5F);
-}
-
-// Light from d shines from R d after the turn, R about +y by the right-hand rule.
-TEST(EnvironmentFile, TurnsAboutTheVerticalAxis) {
-  constexpr int width = 256;
-  constexpr int height = 8;
-  using Direction = std::array<double, 3>;
-  const auto direction = [](int x, int y) -> Direction {
-    const double phi = 2 * std::numbers::pi * ((x + 0.5) / width - 0.5);
-    const double theta = std::numbers::pi * (y + 0.5) / height;
-    return {std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
-  };
-  const auto radiance = [](const Direction& d) {
-    return 2 + d[0] + 0.5 * d[2] + 0.3 * d[0] * d[1] - 0.2 * d[1] * d[2];
-  };
-  Image image(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      image.pixel(x, y)[1] = static_cast<float>(radiance(direction(x, y)));
-    }
-  }
-  constexpr double degrees = 37.3;
-  const double angle = degrees * std::numbers::pi / 180;
-  const Image turned = scene::turned(image, degrees);
-  for (int y = 0; y < height; ++y) {
-    double before = 0;
-    double after = 0;
-    for (int x = 0; x < width; ++x) {
-      const Direction d = direction(x, y);
-      const Direction from{std::cos(angle) * d[0] - std::sin(angle) * d[2], d[1],
-                           std::sin(angle) * d[0] + std::cos(angle) * d[2]};
-      EXPECT_NEAR(turned.pixel(x, y)[1], radiance(from), 3e-4);
-      before += double{image.pixel(x, y)[1]};
-      after += double{turned.pixel(x, y)[1]};
-    }
-    EXPECT_NEAR(after, before, 1e-5 * before);
-  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "figures.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "core/image_file.h"
@@ -64,8 +65,8 @@ void buddha(Studio& studio, const char* name) {
   const Exposure exposure{0, 512, 704};
   studio.renderer.setScene(scene);
   const core::Image8 point = photograph(studio, objectSpace(), exposure);
-  scene.lighting.environment =
-      dimmed(core::readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr"), 0.3F);
+  scene.lighting.environment = std::make_shared<const Image>(
+      dimmed(core::readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr"), 0.3F));
   studio.renderer.setScene(scene);
   publish(studio, name,
           sheet({point, photograph(studio, objectSpace(), exposure)}, 2, gapPixels, white));

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,12 +54,12 @@ struct Session {
   SceneOptions asked;  ///< what was asked to be opened
   std::string name;
   Scene scene;
-  scene::SceneSource source;               ///< the files that it was made of
-  std::optional<Image> environment;        ///< as the source's file has it, not turned
-  float diagonalMm = 0;                    ///< as loaded
-  std::optional<float> wantedDiagonalMm;   ///< another, to be loaded
-  std::optional<float> draggedDiagonalMm;  ///< another, while its slider is being dragged
-  std::vector<std::string> notes;          ///< of loading
+  scene::SceneSource source;                 ///< the files that it was made of
+  std::shared_ptr<const Image> environment;  ///< as the source's file has it, not turned
+  float diagonalMm = 0;                      ///< as loaded
+  std::optional<float> wantedDiagonalMm;     ///< another, to be loaded
+  std::optional<float> draggedDiagonalMm;    ///< another, while its slider is being dragged
+  std::vector<std::string> notes;            ///< of loading
 
   RenderOptions options;
   core::ToneOptions tone;

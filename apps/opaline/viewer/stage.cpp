@@ -4,16 +4,6 @@
 
 namespace opaline::app::viewer {
 
-namespace {
-
-bool needsMore(const RenderOptions& before, const RenderOptions& now, bool divided) {
-  return !divided || before.transport != now.transport || before.sum != now.sum ||
-         before.maxSources != now.maxSources || before.boundarySurfels != now.boundarySurfels ||
-         before.dsmSize != now.dsmSize;
-}
-
-}  // namespace
-
 void Stage::setScene(const Scene& scene) {
   finish();
   hasScene_ = false;
@@ -74,11 +64,6 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   if (preview_) options.transport = Transport::BetterDipole;
   aovs_.clear();
   if (session.aov != Aov::Radiance) aovs_.push_back(session.aov);
-  // What a method needs of the scene is made with its first frame, and takes the pictures with it
-  // that there were before: then both are drawn once more.
-  const bool other = session.divided && needsMore(drawn_, options, paper_.has_value());
-  drawn_ = options;
-  if (other) submit(options, {}, picture_, false);
   if (session.divided) {
     if (!paper_) paper_.emplace();
     submit(paperOptions(options), {}, *paper_, false);

@@ -53,7 +53,6 @@ class Stage {
   Frame frame_;
   Frame other_;                // of the paper's method
   std::vector<bool> waiting_;  // frames under way, oldest first: whether of the own method
-  RenderOptions drawn_;        // of the session's own method, last
   bool preview_ = false;
   bool resting_ = true;  // the frame drawn last was not in motion
   double restMs_ = 0;    // of the last one at rest that found its light

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 
 #include "scene/environment_file.h"
@@ -112,7 +113,8 @@ bool turnEnvironment(Session& session) {
     return false;
   }
   file.rotationDegrees = static_cast<double>(degrees);
-  session.scene.lighting.environment = scene::turned(*session.environment, file.rotationDegrees);
+  session.scene.lighting.environment =
+      std::make_shared<const Image>(scene::turned(*session.environment, file.rotationDegrees));
   return true;
 }
 

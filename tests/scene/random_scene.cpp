@@ -1,0 +1,108 @@
+#include "scene/random_scene.h"
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "bssrdf/media.h"
+#include "core/image_file.h"
+#include "scene/environment_file.h"
+
+namespace opaline::test {
+namespace {
+
+/// Numbers that are awkward to print: any mantissa, sizes over many powers of ten.
+class Numbers {
+ public:
+  explicit Numbers(unsigned seed) : random_(seed) {}
+
+  double within(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  float real(double low, double high) { return static_cast<float>(within(low, high)); }
+  float size() { return static_cast<float>(std::pow(10, within(-12, 6))); }
+  Rgb light() { return {size(), size(), below(4) == 0 ? 0 : size()}; }
+  Vec3 place() { return {real(-100, 100), real(-1, 1), real(-1e4, 1e4)}; }
+  Vec3 direction() {
+    const Vec3 v{real(-1, 1), real(-1, 1), real(0.1, 1)};
+    const float length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    return {v[0] / length, v[1] / length, v[2] / length};
+  }
+  int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
+
+ private:
+  std::mt19937 random_;
+};
+
+scene::SceneFileSettings randomSettings(Numbers& random) {
+  scene::SceneFileSettings settings;
+  settings.width = 1 + random.below(16384);
+  settings.height = 1 + random.below(16384);
+  settings.transport = random.below(2) == 0 ? "boundary" : "better-dipole";
+  settings.sum = random.below(2) == 0 ? "tree" : "all";
+  settings.site = random.below(2) == 0 ? "vertex" : "auto";
+  settings.tolerance = random.real(1e-4, 1);
+  settings.maxSources = 1024 + random.below(4'000'000);
+  settings.bounces = random.below(9);
+  settings.boundarySurfels = 64 + random.below(200'000);
+  settings.nearRings = random.below(16);
+  settings.nearSpacing = random.real(1e-3, 100);
+  settings.farDistance = random.real(1e-3, 1000);
+  settings.dsmSize = 64 + random.below(4000);
+  settings.shadowSize = 64 + random.below(8000);
+  settings.specular = random.below(2) == 0;
+  settings.roughness = random.real(0.05, 1);
+  settings.antialias = 1 << random.below(4);
+  settings.exposureStops = random.real(-32, 32);
+  settings.tone = "none";
+  settings.background = {{random.real(0, 1), 0, 1}};
+  settings.device = "a \"GPU\"\t№ 1";
+  settings.seconds = random.within(0, 1e6);
+  settings.clip = "none";
+  return settings;
+}
+
+}  // namespace
+
+Image sky() {
+  Image image(8, 4);
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+    image.rgba[i] = i % 4 == 3 ? 1 : static_cast<float>(i * i) / 7;
+  }
+  return image;
+}
+
+scene::LoadedScene randomScene(unsigned seed, const std::filesystem::path& model,
+                               const std::filesystem::path& skyFile) {
+  Numbers random(seed);
+  LoadOptions options;
+  if (random.below(2) == 0) options.diagonalMm = random.real(1, 1000);
+  scene::LoadedScene loaded = scene::loadSceneFile(model, options);
+  Scene& scene = loaded.scene;
+  scene.objects[0].medium = bssrdf::findMedium("ketchup").value();
+  for (std::size_t i = 1; i < scene.objects.size(); ++i) {
+    scene.objects[i].medium = {"soap [" + std::to_string(i) + "] \"x\"",
+                               {random.within(0, 10), 1.0 / 3, random.within(0, 1e-7)},
+                               {random.within(0, 10), 0.1, 1e-300},
+                               random.within(1.01, 3)};
+  }
+  scene.lighting = {};
+  for (int i = random.below(3); i >= 0; --i) {
+    scene.lighting.directional.push_back({random.direction(), random.light()});
+    scene.lighting.points.push_back({random.place(), random.light()});
+  }
+  scene.lighting.points.push_back({{0, 1e-4F, -3e-5F}, {1, 1e20F, 0}});
+  scene.lighting.ambient = random.light();
+  core::writeExr(skyFile, sky());
+  loaded.source.environment = {skyFile, random.real(0, 100), random.within(-1e6, 1e6)};
+  scene.lighting.environment = scene::readEnvironment(*loaded.source.environment);
+  scene.camera = {random.place(), random.place(), random.place(), random.real(1, 170)};
+  scene.deformers = {{DeformerKind::Twist, random.real(-100, 100), random.real(0.001, 100)},
+                     {DeformerKind::Wobble, random.real(-1, 1), 0},
+                     {DeformerKind::Squash, -0.0F, 1e6F},
+                     {DeformerKind::Bend, -6.28F, 0.001F}};
+  loaded.settings = randomSettings(random);
+  return loaded;
+}
+
+}  // namespace opaline::test

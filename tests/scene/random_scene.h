@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "opaline/image.h"
+#include "scene/scene_settings.h"
+
+namespace opaline::test {
+
+/// A small environment.
+Image sky();
+
+/// The model with everything that a scene can have besides, at random, and awkward to print; its
+/// environment is sky(), written to that file.
+scene::LoadedScene randomScene(unsigned seed, const std::filesystem::path& model,
+                               const std::filesystem::path& skyFile);
+
+}  // namespace opaline::test
