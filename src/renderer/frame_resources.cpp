@@ -20,6 +20,15 @@ std::optional<PatternLayout> patternOf(const SceneResources& scene, const Render
   return layOutPattern(scene, options);
 }
 
+ShCoefficients ambientRadiance(const Lighting& lighting) {
+  ShCoefficients sum = projectUniform(lighting.ambient);
+  if (!lighting.environment) return sum;
+  const ShCoefficients environment = projectEnvironment(*lighting.environment);
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) sum[i][c] += environment[i][c];
+  return sum;
+}
+
 }  // namespace
 
 void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
@@ -36,12 +45,12 @@ void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResource
     made.sources.charts =
         gpu::makeBuffer(device, "no charts", {}, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   }
-  made.tables = makeSceneTables(device, scene, pattern, lighting, options);
+  remakeSky(device, passes, lighting, options, made);
+  made.tables = makeSceneTables(device, scene, pattern, made.ambient, options);
   made.surface = passes::SurfacePass::makeSurface(device, width, height);
   made.exitance = passes::SurfacePass::makeExitance(device, width, height, scene.mesh.vertexCount);
   if (!made.radiance) made.radiance = passes::ShadePass::makeRadiance(device, width, height);
   remakeShadows(device, lighting, options, made);
-  remakeEnvironment(device, passes, lighting, options, made);
 }
 
 void keepOnlyPicture(FrameResources& resources) {
@@ -50,13 +59,15 @@ void keepOnlyPicture(FrameResources& resources) {
   resources.radiance = std::move(radiance);
 }
 
-void remakeTables(gpu::Device& device, const SceneResources& scene, const Lighting& lighting,
-                  const RenderOptions& options, FrameResources& resources) {
-  resources.tables = makeSceneTables(device, scene, patternOf(scene, options), lighting, options);
+void remakeTables(gpu::Device& device, const SceneResources& scene, const RenderOptions& options,
+                  FrameResources& resources) {
+  resources.tables =
+      makeSceneTables(device, scene, patternOf(scene, options), resources.ambient, options);
 }
 
-void remakeEnvironment(gpu::Device& device, const Passes& passes, const Lighting& lighting,
-                       const RenderOptions& options, FrameResources& resources) {
+void remakeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
+               const RenderOptions& options, FrameResources& resources) {
+  resources.ambient = ambientRadiance(lighting);
   resources.environmentCube =
       lighting.environment
           ? passes.environment.makeCube(device, *lighting.environment, options.roughness)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "environment/spherical_harmonics.h"
 #include "gpu/image.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
@@ -22,6 +23,7 @@ struct FrameResources {
   passes::DiffusionSources sources;  ///< where the plan asks for the map
   passes::VisibleSurface surface;
   passes::Exitance exitance;
+  ShCoefficients ambient{};  ///< radiance from all around
   gpu::GpuImage environmentCube;
   gpu::GpuImage radiance;           ///< the picture
   passes::SeenSurfels seenSurfels;  ///< empty until a plan asks for them
@@ -35,13 +37,14 @@ void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResource
 /// Drops everything but the picture.
 void keepOnlyPicture(FrameResources& resources);
 
-/// Makes again what depends on media and on light from all around.
-void remakeTables(gpu::Device& device, const SceneResources& scene, const Lighting& lighting,
-                  const RenderOptions& options, FrameResources& resources);
+/// Makes again what light from all around is, which looks at every pixel of the environment; the
+/// tables depend on it.
+void remakeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
+               const RenderOptions& options, FrameResources& resources);
 
-/// Makes again what depends on the environment as the surface reflects it.
-void remakeEnvironment(gpu::Device& device, const Passes& passes, const Lighting& lighting,
-                       const RenderOptions& options, FrameResources& resources);
+/// Makes again what depends on media and on light from all around.
+void remakeTables(gpu::Device& device, const SceneResources& scene, const RenderOptions& options,
+                  FrameResources& resources);
 
 /// Makes again what depends on how many lights there are of which kind.
 void remakeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,

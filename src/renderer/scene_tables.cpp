@@ -139,20 +139,11 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
   return objects;
 }
 
-ShCoefficients ambientRadiance(const Lighting& lighting) {
-  ShCoefficients sum = projectUniform(lighting.ambient);
-  if (!lighting.environment) return sum;
-  const ShCoefficients environment = projectEnvironment(*lighting.environment);
-  for (std::size_t i = 0; i < sum.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c) sum[i][c] += environment[i][c];
-  return sum;
-}
-
 }  // namespace
 
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
                                     const std::optional<PatternLayout>& pattern,
-                                    const Lighting& lighting, const RenderOptions& options) {
+                                    const ShCoefficients& ambient, const RenderOptions& options) {
   const TableBuilder builder(resources, pattern, options);
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   passes::SceneTables tables;
@@ -165,7 +156,7 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
   tables.followsLight = std::any_of(builder.media().begin(), builder.media().end(), followsLight);
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
-  tables.ambientCubes = passes::makeAmbientCubes(device, ambientRadiance(lighting), builder.etas());
+  tables.ambientCubes = passes::makeAmbientCubes(device, ambient, builder.etas());
   return tables;
 }
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "environment/spherical_harmonics.h"
 #include "opaline/renderer.h"
-#include "opaline/scene.h"
 #include "passes/products.h"
 #include "renderer/pattern_layout.h"
 #include "renderer/scene_resources.h"
@@ -16,9 +16,9 @@ namespace opaline {
 
 /// Puts what the shaders know of bodies, media and ambient light on the device. It depends on the
 /// options' transport, pattern, map size and roughness; for set-up, not for frames. `pattern` is
-/// there where the resources have an atlas.
+/// there where the resources have an atlas; `ambient` is radiance from all around.
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
                                     const std::optional<PatternLayout>& pattern,
-                                    const Lighting& lighting, const RenderOptions& options);
+                                    const ShCoefficients& ambient, const RenderOptions& options);
 
 }  // namespace opaline

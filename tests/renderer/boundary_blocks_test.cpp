@@ -179,7 +179,7 @@ INSTANTIATE_TEST_SUITE_P(
     FromBehind, BoundaryBlocksTest,
     testing::Values(BlocksCase{"bear_gummy", nullptr, "gummy-red", {0.08, 0.10}, {0.08, 0.10}},
                     BlocksCase{"marble", bunny, "marble", {0.05, 0.05}, {0.05, 0.05}},
-                    BlocksCase{"skin1", bunny, "skin1", {0.13, 0.12}, {0.10, 0.10}},
+                    BlocksCase{"skin1", bunny, "skin1", {0.12, 0.11}, {0.10, 0.10}},
                     BlocksCase{
                         "twisted", bunny, "marble", {0.06, 0.06}, {0.06, 0.06}, twistedAndBent}),
     [](const auto& blocks) { return std::string(blocks.param.name); });

@@ -12,7 +12,7 @@ class Panels(WindowTest):
         self.window = self.view("--builtin", "teapot", "--medium", "gummy-red", "--transport", "dipole", "--shadow-size", "256", "--size",
                                 "760x600")
         for part in (self.handles, self.camera, self.keys, self.divider, self.method, self.time, self.motion, self.playback,
-                     self.poke, self.show, self.film, self.medium, self.light):
+                     self.poke, self.show, self.film, self.typing, self.medium, self.light, self.many_lights):
             with self.subTest(part.__name__):
                 part()
         self.window.close()
@@ -147,6 +147,30 @@ class Panels(WindowTest):
         window.click("Save/film")
         window.wait_for(lambda: window.state()["message"] == "saved teapot.mp4", "no film")
         self.assertGreater((self.folder / "teapot.mp4").stat().st_size, 1000)
+
+    def typing(self):
+        """What is typed is a name, and no key of the window."""
+        window = self.window
+        window.only("Save")
+        window.click("Save/name")
+        picture, area = window.picture(), window.state()["picture"]
+        window.xdotool("type", "pshotcf?x 1")
+        window.key("Left")
+        window.settle()
+        self.assertEqual(window.picture().data, picture.data)
+        self.assertEqual(window.state()["picture"], area)
+        self.assertEqual([path.name for path in self.folder.glob("*.toml")], [])
+        window.key("Escape")
+
+    def many_lights(self):
+        """As many as there are shadow maps for, and no more."""
+        window = self.window
+        window.only("Light")
+        for _ in range(9):
+            window.click("Light/add point")
+        lights = [name for name in window.state()["controls"] if name.startswith("Light/point ")]
+        # A map for each of six sides, of 48 in all; one is of the light from afar.
+        self.assertEqual(len(lights), 7)
 
     def show(self):
         window = self.window

@@ -26,7 +26,7 @@ class Picture(WindowTest):
         self.assertGreater(shown.colors(), 100, "there is something to see")
 
     def check(self, *arguments):
-        window = self.view(*arguments, "--size", "700x400")
+        window = self.view(*arguments, "--size", "520x300")
         window.key("h")
         self.same(window.picture(), self.rendered(window, *arguments, *BACKGROUND))
         return window
@@ -47,7 +47,7 @@ class Picture(WindowTest):
                    "--fov-degrees", "40").close()
 
     def test_a_saved_picture_is_the_same(self):
-        window = self.view("cube.obj", "--transport", "dipole", "--size", "640x400")
+        window = self.view("cube.obj", "--transport", "dipole", "--antialias", "1", "--size", "640x400")
         window.key("h")
         window.drag((100, 100), (180, 60))
         shown = window.picture()
@@ -62,7 +62,7 @@ class Picture(WindowTest):
 
     def test_a_saved_scene_is_drawn_the_same(self):
         """Camera, medium, light, size, motion, method and look as they were left by hand."""
-        window = self.view("cube.obj", "--transport", "dipole", "--size", "760x700")
+        window = self.view("cube.obj", "--transport", "dipole", "--antialias", "1", "--size", "760x700")
         window.drag((100, 100), (180, 60))
         window.click("Medium/gummy-orange")
         size = window.place("Medium/size")

@@ -30,7 +30,7 @@ void main() {
   vec4 normal = inside ? texelFetch(surfaceNormal, pixel, 0) : vec4(0.0);
   vec4 known = inside ? imageLoad(exitance, pixel) : vec4(0.0);
   vec3 better = corrected(known.rgb, surface.xyz, normal.w * normal.xyz,
-                          media[body.table.x].inside.extinction.rgb,
+                          media[body.table.x].inside,
                           here ? body.clusters.x : noNode, body.clusters.y);
   if (here) imageStore(exitance, pixel, vec4(better, known.a));
 }

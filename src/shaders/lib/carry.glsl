@@ -7,6 +7,7 @@
 #include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
+#include "shared/medium.h"
 
 layout(std430, set = 0, binding = BINDING_CLUSTERS) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = BINDING_EXITANCES) readonly buffer Exitances { vec4 exitances[]; };
@@ -15,14 +16,15 @@ layout(std430, set = 0, binding = BINDING_MEANS) readonly buffer Means { vec4 me
 // Of clusters that face away from a place; above 0, so that every place has some.
 const float leastFacing = 1e-4;
 
-// Clusters that many mean free paths wide resolve nothing of what a half-space has between them; the
-// smaller they are, the less of its detail is wanted.
+// Clusters that many mean free paths or diffusion lengths wide resolve nothing of what a half-space
+// has between them; the smaller they are, the less of its detail is wanted.
 const float coarseInFreePaths = 4.0;
+const float coarseInDiffusionLengths = 1.0;
 
 // The exitance at a place, where the half-space has that one, by the clusters around: their weights
 // fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. The
 // invocations of a subgroup go in step; those with nothing to do have noNode as root.
-vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, vec3 extinction, uint root, uint end) {
+vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium, uint root, uint end) {
   vec3 exitance = vec3(0.0);
   vec3 mean = vec3(0.0);
   float edge = 0.0;
@@ -56,8 +58,9 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, vec3 extinction, uint ro
   if (inside <= 0.0) return halfSpace;
   exitance /= inside;
   mean /= inside;
-  vec3 freePaths = edge / inside * extinction;
-  vec3 detail = clamp(freePaths / coarseInFreePaths, 0.0, 1.0);
+  vec3 wanted = max(medium.extinction.rgb / coarseInFreePaths,
+                    medium.sigma.rgb / coarseInDiffusionLengths);
+  vec3 detail = clamp(edge / inside * wanted, 0.0, 1.0);
   detail *= min(exitance / max(mean, vec3(1e-30)), vec3(1.0));
   vec3 better = max(exitance + detail * (halfSpace - mean), vec3(0.0));
   return mix(halfSpace, better, inside / all);
