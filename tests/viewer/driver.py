@@ -145,11 +145,23 @@ class Window:
         self.move(begin)
         time.sleep(.15)
         self.xdotool("mousedown", button)
+        self.frames_pass()
         for step in range(1, steps + 1):
             self.move([a + (b - a) * step / steps for a, b in zip(begin, end)])
             time.sleep(.05)
+        self.frames_pass()
         self.xdotool("mouseup", button)
         self.settle()
+
+    def frames_pass(self):
+        """Until the interface was drawn twice: what the mouse does within one frame is one place to it."""
+        deadline = time.monotonic() + 5
+        for _ in range(2):
+            before = self.places.stat().st_mtime_ns
+            while self.places.stat().st_mtime_ns == before and time.monotonic() < deadline:
+                if self.state()["idle"]:
+                    return
+                time.sleep(.02)
 
     def key(self, name):
         self.xdotool("key", name)
