@@ -10,6 +10,9 @@ TRUTHS := $(foreach run,bunny_1 bunny_2 bear_1 bear_2,build/truth/$(run).exr)
 SCENE_bunny := $(MODELS)/bunny_closed.ply --medium marble --diagonal-mm 50 --cell-mm 0.8 --seconds 170
 SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 
+# ccache takes precompiled headers where it knows that no time stamp of theirs matters.
+export CCACHE_SLOPPINESS := pch_defines,time_macros
+
 .PHONY: help demo build test check bench bench-gpu figures accuracy format asan package dependencies
 
 help:
@@ -51,7 +54,7 @@ check:
 
 test: build check
 	$(PYTHON) tools/check_tidy.py $(BUILD)
-	ctest --preset release -j 3
+	$(PYTHON) tools/run_tests.py release --jobs 3
 
 bench: build
 	$(BUILD)/bin/opaline_frame_bench
@@ -79,7 +82,7 @@ format:
 asan: dependencies
 	cmake --preset asan $(LAUNCHER)
 	cmake --build --preset asan
-	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/lsan.supp ctest --preset asan -j 2
+	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/lsan.supp $(PYTHON) tools/run_tests.py asan
 
 package: build
 	scripts/package.sh $(BUILD)

@@ -26,7 +26,6 @@ struct Decades {
   }
 };
 
-/// Colour for the transport, shape for the site, full against the integral and open against truth.
 SvgColour colourFor(Transport transport) {
   switch (transport) {
     case Transport::Dipole:
@@ -39,6 +38,7 @@ SvgColour colourFor(Transport transport) {
   return SvgColour::Green;
 }
 
+/// Colour for the transport, shape for the site, full against the integral and open against truth.
 SvgMark markFor(const MethodRow& row, bool full) {
   return {colourFor(row.transport), row.site == "vertex" ? SvgShape::Diamond : SvgShape::Disc,
           full};

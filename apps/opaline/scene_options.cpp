@@ -4,14 +4,13 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <set>
 #include <utility>
 
-#include "core/image_file.h"
 #include "frame_names.h"
 #include "opaline/error.h"
+#include "scene/environment_file.h"
 #include "values.h"
 
 namespace opaline::app {
@@ -190,8 +189,7 @@ void LightOptions::applyTo(Scene& scene) const {
     lighting.points.push_back(light);
   }
   lighting.ambient = ambient_;
-  if (environment_)
-    lighting.environment = std::make_shared<const Image>(core::readHdrImage(*environment_));
+  if (environment_) lighting.environment = scene::readEnvironment({*environment_});
   scene.lighting = std::move(lighting);
 }
 

@@ -230,9 +230,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   const FrameContext context{commands, passes, plan, scene.mesh, resources};
   if (plan.light) context.deform(motion);
   context.fit(upload);
-  if (plan.light) {
-    context.gather(scene.surfels);
-  }
+  if (plan.light) context.gather(scene.surfels);
   if (plan.light && plan.scatter) {
     if (plan.transport == Transport::Boundary) context.solveBoundary(scene);
     context.scatterAtVertices(scene);

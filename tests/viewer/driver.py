@@ -82,7 +82,7 @@ class Window:
         while not what():
             self.test.assertIsNone(self.process.poll(), f"it ended: {self.said()}")
             self.test.assertLess(time.monotonic(), deadline, why)
-            time.sleep(.05)
+            time.sleep(.02)
 
     def said(self):
         self.errors.seek(0)
@@ -105,7 +105,7 @@ class Window:
         return self
 
     def settle(self):
-        """Until nothing moves any more: seen idle for a while, not just between two events."""
+        """Until nothing moves any more, and for longer than there is between the two of a double click."""
         since = None
 
         def idle():
@@ -114,15 +114,27 @@ class Window:
                 since = None
                 return False
             since = since or time.monotonic()
-            return time.monotonic() - since > .4
+            return time.monotonic() - since > .3
         self.wait_for(idle, "it never came to rest")
 
     def xdotool(self, *arguments):
         subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True,
                        stdout=subprocess.DEVNULL)
 
-    def move(self, place):
+    def use(self, inputs, *arguments):
+        """What xdotool does with keys and buttons, until the interface was drawn with so many inputs more."""
+        before = self.state()["inputs"]
+        self.xdotool(*arguments)
+        self.wait_for(lambda: self.state()["inputs"] >= before + inputs, f"{arguments} never came")
+
+    def point(self, place):
         self.xdotool("mousemove", "--window", self.handle, round(place[0]), round(place[1]))
+
+    def move(self, place):
+        """Until the interface was drawn with the mouse there: what happens within one of its frames is one to it."""
+        self.point(place)
+        there = [round(place[0]), round(place[1])]
+        self.wait_for(lambda: self.state()["mouse"] == there, f"the mouse never came to {there}")
 
     def place(self, control):
         x, y, width, height = self.state()["controls"][control]
@@ -133,39 +145,22 @@ class Window:
         return x + width / 2, y + height / 2
 
     def click(self, control):
-        """A control by its name, or a place. The mouse rests before it presses, as a hand does."""
+        """A control by its name, or a place."""
         self.move(self.place(control) if isinstance(control, str) else control)
-        time.sleep(.15)
-        self.xdotool("mousedown", 1)
-        time.sleep(.1)
-        self.xdotool("mouseup", 1)
+        self.use(1, "mousedown", 1)
+        self.use(1, "mouseup", 1)
         self.settle()
 
     def drag(self, begin, end, button=1, steps=5):
         self.move(begin)
-        time.sleep(.15)
-        self.xdotool("mousedown", button)
-        self.frames_pass()
+        self.use(1, "mousedown", button)
         for step in range(1, steps + 1):
             self.move([a + (b - a) * step / steps for a, b in zip(begin, end)])
-            time.sleep(.05)
-        self.frames_pass()
-        self.xdotool("mouseup", button)
+        self.use(1, "mouseup", button)
         self.settle()
 
-    def frames_pass(self):
-        """Until the interface was drawn twice: what the mouse does within one frame is one place to it."""
-        deadline = time.monotonic() + 5
-        for _ in range(2):
-            before = self.places.stat().st_mtime_ns
-            while self.places.stat().st_mtime_ns == before and time.monotonic() < deadline:
-                if self.state()["idle"]:
-                    return
-                time.sleep(.02)
-
     def key(self, name):
-        self.xdotool("key", name)
-        time.sleep(.1)
+        self.use(2, "key", name)
         self.settle()
 
     def choose(self, control, entry):
@@ -182,7 +177,15 @@ class Window:
                 self.click(name)
 
     def picture(self):
-        """What the screen shows in the picture's area."""
+        """What the screen shows in the picture's area once it shows the same twice: a display takes its time."""
+        before, shown = None, self.shown()
+        while before is None or before.data != shown.data:
+            time.sleep(.1)
+            before, shown = shown, self.shown()
+        return shown
+
+    def shown(self):
+        """What the screen shows there right now."""
         x, y, width, height = self.state()["picture"]
         data = subprocess.run(["import", "-window", "root", "-crop", f"{width}x{height}+{x}+{y}", "-depth", "8", "rgb:-"],
                               env=self.environment, check=True, capture_output=True).stdout

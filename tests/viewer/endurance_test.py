@@ -19,12 +19,12 @@ class Endurance(WindowTest):
             x, y = choice.randrange(640), choice.randrange(480)
             kind = choice.random()
             if kind < .35:
-                window.move((x, y))
+                window.point((x, y))
                 window.xdotool("click", choice.choice((1, 1, 1, 3, 4, 5)))
             elif kind < .65:
-                window.move((x, y))
+                window.point((x, y))
                 window.xdotool("mousedown", 1)
-                window.move((choice.randrange(640), choice.randrange(480)))
+                window.point((choice.randrange(640), choice.randrange(480)))
                 window.xdotool("mouseup", 1)
             elif kind < .97:
                 window.xdotool("key", choice.choice(KEYS))

@@ -115,9 +115,9 @@ class Panels(WindowTest):
         window.only("Motion")
         window.click("Motion/add a deformation")
         frames = window.state()["frames"]
-        window.xdotool("key", "space")
+        window.use(2, "key", "space")
         window.wait_for(lambda: window.state()["frames"] > frames + 5, "it does not play")
-        window.xdotool("key", "space")
+        window.use(2, "key", "space")
         window.settle()
         window.click("Motion/remove")
 
@@ -127,13 +127,13 @@ class Panels(WindowTest):
         before = window.picture()
         x, y = window.middle()
         window.move((x, y))
-        window.xdotool("keydown", "ctrl", "mousedown", 1)
+        window.use(2, "keydown", "ctrl", "mousedown", 1)
+        frames = window.state()["frames"]
         for step in range(1, 9):
             window.move((x + 15 * step, y - 5 * step))
-        frames = window.state()["frames"]
         window.wait_for(lambda: window.state()["frames"] > frames + 5, "it does not move")
-        pulled = window.picture()
-        window.xdotool("mouseup", 1, "keyup", "ctrl")
+        pulled = window.shown()
+        window.use(2, "mouseup", 1, "keyup", "ctrl")
         self.assertGreater(before.difference(pulled), 1)
         window.settle()
         self.assertLess(before.difference(window.picture()), .05)
@@ -143,7 +143,6 @@ class Panels(WindowTest):
         window.only("Motion")
         window.click("Motion/add a deformation")
         window.only("Save")
-        window.move(window.place("Save/film"))
         window.click("Save/film")
         window.wait_for(lambda: window.state()["message"] == "saved teapot.mp4", "no film")
         self.assertGreater((self.folder / "teapot.mp4").stat().st_size, 1000)
@@ -154,7 +153,7 @@ class Panels(WindowTest):
         window.only("Save")
         window.click("Save/name")
         picture, area = window.picture(), window.state()["picture"]
-        window.xdotool("type", "pshotcf?x 1")
+        window.use(22, "type", "pshotcf?x 1")
         window.key("Left")
         window.settle()
         self.assertEqual(window.picture().data, picture.data)
@@ -199,7 +198,7 @@ class Panels(WindowTest):
         self.assertGreater(before.difference(turned), 1)
         window.drag((x, y), (x - 120, y))
         self.assertLess(before.difference(window.picture()), .2, "and back")
-        window.xdotool("click", "--repeat", 3, 4)
+        window.use(3, "click", "--repeat", 3, 4)
         window.settle()
         self.assertGreater(before.difference(window.picture()), 1)
         window.key("f")

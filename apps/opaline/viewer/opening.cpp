@@ -40,7 +40,9 @@ Session opened(Loader::Result result, const Prepare& prepare) {
   made.scene = std::move(loaded.scene);
   made.source = std::move(loaded.source);
   if (const auto& from = made.source.environment) {
-    made.environment = scene::readEnvironment({from->file, from->intensity});
+    made.environment = from->rotationDegrees == 0
+                           ? made.scene.lighting.environment
+                           : scene::readEnvironment({from->file, from->intensity});
   }
   made.diagonalMm = diagonalMm(made.scene);
   made.playback.lengthSeconds = lengthOfMotion(made.scene, made.options.clip);

@@ -125,6 +125,10 @@ bool Viewer::movesItself() const {
   return session_.playback.playing || session_.playback.turntable || poke_.moves();
 }
 
+bool Viewer::isIdle() const {
+  return awake_ == 0 && !movesItself() && !saver_.filming() && !session_.edits.any();
+}
+
 // By itself or by the hand.
 bool Viewer::moves() const {
   const bool sliding = ImGui::IsAnyItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
@@ -132,19 +136,16 @@ bool Viewer::moves() const {
 }
 
 void Viewer::sleepUntilNeeded() {
-  if (movesItself() || saver_.filming() || session_.edits.any() || awake_ > 0) {
-    Window::poll();
-    awake_ = std::max(0, awake_ - 1);
-  } else {
+  if (isIdle()) {
     constexpr double betweenLooks = 0.25;
     Window::wait(truth_.running() ? betweenLooks : 0);
     awake_ = framesAfterEvent;
-    last_ = Clock::now();                    // what slept did not play
-    if (options_.controls) writeControls();  // whoever drives the window sees that it is awake
+    last_ = Clock::now();  // what slept did not play
+  } else {
+    Window::poll();
+    awake_ = std::max(0, awake_ - 1);
   }
   if (window_.takeRefresh()) awake_ = framesAfterEvent;
-  const ImGuiIO& io = ImGui::GetIO();
-  if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) awake_ = framesAfterEvent;
 }
 
 void Viewer::advance(double seconds) {
@@ -168,7 +169,10 @@ void Viewer::advance(double seconds) {
 }
 
 void Viewer::drawInterface() {
+  inputsDrawn_ = window_.inputs();
   interface_.begin();
+  const ImVec2 mouseMoved = ImGui::GetIO().MouseDelta;
+  if (mouseMoved.x != 0 || mouseMoved.y != 0) awake_ = framesAfterEvent;
   controls::beginFrame();
   dashboard_.layOut();
   dashboard_.useKeys(window_.takeKeys(), window_, session_, stage_.hasScene());
@@ -181,7 +185,6 @@ void Viewer::drawInterface() {
   dashboard_.drawKeyList();
   drawCaptions(captions(), dashboard_.area());
   interface_.end();
-  if (options_.controls) writeControls();
 }
 
 void Viewer::drawPicture() {
@@ -273,12 +276,14 @@ void Viewer::writeControls() const {
   }
   const Area& area = dashboard_.area();
   const std::vector<Caption> said = captions();
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
   const Json json{{"picture", {area.x, area.y, area.width, area.height}},
                   {"controls", std::move(places)},
                   {"message", said.empty() ? "" : said.front().text},
                   {"frames", stage_.framesFinished()},
-                  {"idle", awake_ == 0 && !session_.edits.any() && !loader_.busy() &&
-                               !saver_.filming() && !movesItself()},
+                  {"inputs", inputsDrawn_},
+                  {"mouse", {mouse.x, mouse.y}},
+                  {"idle", isIdle() && !loader_.busy()},
                   {"truth", truth_.running()      ? truth_.progress()
                             : truth_.hasPicture() ? 1
                                                   : 0}};
@@ -306,6 +311,7 @@ void Viewer::run() {
     drawPicture();
     takeFinished();
     present();
+    if (options_.controls) writeControls();
   }
   stage_.finish();
   presenter_.waitIdle();

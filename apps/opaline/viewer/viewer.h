@@ -64,6 +64,7 @@ class Viewer {
   void keepState();
   bool movesItself() const;
   bool moves() const;
+  bool isIdle() const;
   void sleepUntilNeeded();
   void advance(double seconds);
   void drawInterface();
@@ -97,6 +98,7 @@ class Viewer {
   bool rough_ = false;           // the last picture was drawn for speed
   int awake_ = 0;                // frames of the interface to draw before sleeping
   std::size_t framesTaken_ = 0;  // of the stage's, into history_
+  std::size_t inputsDrawn_ = 0;  // of the window's, by the interface
   Clock::time_point last_ = Clock::now();
   std::optional<Caption> notice_;  // until the next key or press of the mouse
 };

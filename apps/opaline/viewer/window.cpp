@@ -60,7 +60,7 @@ Window::Window(int width, int height, const char* title) {
 void Window::takeInput() {
   glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int mods) {
     Window& window = windowOf(handle);
-    window.refresh_ = true;
+    window.takeUse();
     if (action == GLFW_RELEASE) return;
     window.keys_.push_back({key, 0, (mods & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT});
     window.pressed_ = window.pressed_ || action == GLFW_PRESS;
@@ -70,11 +70,16 @@ void Window::takeInput() {
   });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int, int action, int) {
     Window& window = windowOf(handle);
-    window.refresh_ = true;
+    window.takeUse();
     window.pressed_ = window.pressed_ || action == GLFW_PRESS;
   });
-  glfwSetScrollCallback(
-      window_, [](GLFWwindow* handle, double, double) { windowOf(handle).refresh_ = true; });
+  glfwSetScrollCallback(window_,
+                        [](GLFWwindow* handle, double, double) { windowOf(handle).takeUse(); });
+}
+
+void Window::takeUse() {
+  refresh_ = true;
+  ++inputs_;
 }
 
 Window::~Window() {

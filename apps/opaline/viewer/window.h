@@ -3,6 +3,7 @@
 #include <vulkan/vulkan.h>
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -60,15 +61,19 @@ class Window {
   /// Whether the window is to be drawn again: the desktop asked for it, or changed its size, or a
   /// key, a button or the wheel was used.
   bool takeRefresh();
+  /// How many keys and buttons went down or up and how often the wheel turned, since it opened.
+  std::size_t inputs() const { return inputs_; }
 
  private:
   void takeInput();
+  void takeUse();
 
   GLFWwindow* window_ = nullptr;
   std::vector<std::filesystem::path> dropped_;
   std::vector<KeyPress> keys_;
   bool pressed_ = false;
   bool refresh_ = true;
+  std::size_t inputs_ = 0;
 };
 
 }  // namespace opaline::app::viewer
