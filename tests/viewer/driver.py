@@ -144,11 +144,14 @@ class Window:
         x, y, width, height = self.state()["picture"]
         return x + width / 2, y + height / 2
 
-    def click(self, control):
+    def press(self, control):
         """A control by its name, or a place."""
         self.move(self.place(control) if isinstance(control, str) else control)
         self.use(1, "mousedown", 1)
         self.use(1, "mouseup", 1)
+
+    def click(self, control):
+        self.press(control)
         self.settle()
 
     def drag(self, begin, end, button=1, steps=5):
