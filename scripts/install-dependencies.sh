@@ -9,7 +9,7 @@ apt_packages=(
   libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers glslc libglfw3-dev libimgui-dev
   libeigen3-dev libglm-dev libtinygltf-dev libtinyobjloader-dev libtomlplusplus-dev nlohmann-json3-dev
   libopenexr-dev libstb-dev libfmt-dev libcli11-dev libembree-dev libtbb-dev libgtest-dev libgmock-dev ffmpeg
-  xvfb xauth xdotool imagemagick
+  xvfb xauth xdotool imagemagick x11-utils
 )
 # The checks of `make test` are written for version 14; see tools/clang_tools.py.
 apt_checkers=(clang-format clang-tidy)
@@ -19,7 +19,7 @@ dnf_packages=(
   vulkan-headers vulkan-loader-devel mesa-vulkan-drivers vulkan-validation-layers glslc glfw-devel imgui-devel
   eigen3-devel glm-devel tinygltf-devel tinyobjloader-devel tomlplusplus-devel json-devel
   openexr-devel stb-devel fmt-devel cli11-devel embree3-devel tbb-devel gtest-devel gmock-devel clang-tools-extra ffmpeg-free
-  xorg-x11-server-Xvfb xauth xdotool ImageMagick
+  xorg-x11-server-Xvfb xauth xdotool xprop ImageMagick
 )
 
 as_root() {

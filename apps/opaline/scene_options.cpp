@@ -202,6 +202,13 @@ void LightOptions::applyTo(LoadedScene& loaded) const {
   }
 }
 
+std::optional<double> fovThatIsNeededDegrees(const Scene& scene, int width, int height) {
+  if (!standsWhereDefaultCameraStands(scene)) return std::nullopt;
+  const double needed = fovOfWholeBoxDegrees(scene, static_cast<double>(width) / height);
+  if (needed <= double{scene.camera.verticalFovDegrees}) return std::nullopt;
+  return needed;
+}
+
 void CameraOptions::addTo(CommandLine& line) {
   line.value("--camera-direction", "X,Y,Z", "from the centre to the camera [0,0,1]",
              [this](const Given& given) { direction_ = readDirection(given); });
@@ -228,10 +235,10 @@ void CameraOptions::applyTo(Scene& scene) const {
 
 std::optional<std::string> CameraOptions::noteOnFraming(const Scene& scene, int width,
                                                         int height) const {
-  if (verticalFovDegrees_ || !standsWhereDefaultCameraStands(scene)) return std::nullopt;
-  const double needed = fovOfWholeBoxDegrees(scene, static_cast<double>(width) / height);
-  if (needed <= double{scene.camera.verticalFovDegrees}) return std::nullopt;
-  const double whole = std::ceil(needed);
+  if (verticalFovDegrees_) return std::nullopt;
+  const std::optional<double> needed = fovThatIsNeededDegrees(scene, width, height);
+  if (!needed) return std::nullopt;
+  const double whole = std::ceil(*needed);
   const std::string cure = whole <= mostFovDegrees
                                ? fmt::format("--fov-degrees {:.0f} shows all of it", whole)
                                : std::string("a wider --size shows more of it");

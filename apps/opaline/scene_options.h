@@ -62,6 +62,10 @@ class LightOptions {
   std::optional<std::filesystem::path> environment_;
 };
 
+/// The vertical field of view that shows all of the scene's box, where the default camera stands
+/// there and cuts some of it off.
+std::optional<double> fovThatIsNeededDegrees(const Scene& scene, int width, int height);
+
 /// --camera-direction, --fov-degrees.
 class CameraOptions {
  public:

@@ -74,6 +74,31 @@ class Sizes(WindowTest):
             self.assertGreater(shown.colors(), 50, "a picture is there")
         window.close()
 
+    def test_all_of_the_body_is_in_a_narrow_window(self):
+        window = self.view("--builtin", "teapot", "--transport", "dipole", "--size", "330x700")
+        window.key("h")
+        shown = window.picture()
+        self.assertGreater(shown.colors(), 50)
+        for x in (0, shown.width - 1):
+            self.assertEqual(shown.part(left=x, right=x + 1, bottom=500).colors(), 1)
+        window.close()
+
+    def test_on_a_desktop_of_fine_pixels(self):
+        """All is twice as large, but only once."""
+        plain = self.view("--builtin", "teapot", *QUICK)
+        x, y, width, height = plain.state()["controls"]["Medium/jade"]
+        plain.close()
+        subprocess.run(["xprop", "-root", "-f", "RESOURCE_MANAGER", "8s", "-set", "RESOURCE_MANAGER", "Xft.dpi:\t192\n"],
+                       env=dict(os.environ, DISPLAY=self.display), check=True)
+        for _ in range(2):
+            window = self.view("--builtin", "teapot", "--transport", "dipole")
+            self.assertEqual(self.area(window)[3], 2 * 320)
+            fine = window.state()["controls"]["Medium/jade"]
+            self.assertAlmostEqual(fine[3], 2 * height, delta=2)
+            self.assertAlmostEqual(fine[1], 2 * y, delta=4)
+            window.click("Medium/jade")
+            window.close()
+
     def test_out_of_sight_and_back(self):
         window = self.view("--builtin", "teapot", *QUICK)
         window.xdotool("windowunmap", "--sync", window.handle)

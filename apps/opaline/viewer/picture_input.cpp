@@ -122,8 +122,7 @@ void PictureInput::useKey(const KeyPress& press, Session& session, const Area& a
   switch (press.key) {
     case GLFW_KEY_F:
       if (area.empty()) return;
-      frame(session.scene.camera, boundsOf(session.scene),
-            static_cast<float>(area.width) / static_cast<float>(area.height));
+      frame(session.scene.camera, boundsOf(session.scene), area.aspect());
       session.edits.camera = true;
       return;
     case GLFW_KEY_T:

@@ -15,6 +15,7 @@ struct Area {
   int height = 0;
 
   bool empty() const { return width <= 0 || height <= 0; }
+  float aspect() const { return static_cast<float>(width) / static_cast<float>(height); }
   bool holds(float px, float py) const {
     return px >= static_cast<float>(x) && py >= static_cast<float>(y) &&
            px < static_cast<float>(x + width) && py < static_cast<float>(y + height);

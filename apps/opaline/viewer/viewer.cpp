@@ -101,12 +101,17 @@ void Viewer::openDropped() {
 }
 
 void Viewer::takeLoaded() {
+  const Area& area = dashboard_.area();
+  if (area.empty()) return;
   std::optional<Loader::Result> result = loader_.take();
   if (!result) return;
   if (!result->loaded) return say(result->error, true);
   try {
     Session made = resizing_ ? resized(session_, std::move(*result))
                              : opened(std::move(*result), options_.prepare);
+    if (!resizing_ && fovThatIsNeededDegrees(made.scene, area.width, area.height)) {
+      frame(made.scene.camera, boundsOf(made.scene), area.aspect());
+    }
     made.gizmos = session_.gizmos;
     made.scaleBar = session_.scaleBar;
     poke_.end();

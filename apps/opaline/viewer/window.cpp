@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 // After vulkan.h, so that it declares what it has for Vulkan.
@@ -110,11 +111,11 @@ VkSurfaceKHR Window::makeSurface(VkInstance instance) const {
 }
 
 std::array<int, 2> Window::size() const {
-  std::array<int, 2> size{};
-  if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_FALSE) {
-    glfwGetWindowSize(window_, size.data(), size.data() + 1);
-  }
-  return size;
+  if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != GLFW_FALSE) return {};
+  const auto unscaled = [this](std::uint32_t pixels) {
+    return static_cast<int>(std::lround(static_cast<float>(pixels) / scale()));
+  };
+  return {unscaled(pixels().width), unscaled(pixels().height)};
 }
 
 VkExtent2D Window::pixels() const {

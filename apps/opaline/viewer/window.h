@@ -37,7 +37,7 @@ class Window {
   VkSurfaceKHR makeSurface(VkInstance instance) const;
 
   GLFWwindow* handle() const { return window_; }
-  std::array<int, 2> size() const;  ///< in the desktop's units
+  std::array<int, 2> size() const;  ///< as asked for, before scale(); 0 while it is minimised
   VkExtent2D pixels() const;        ///< 0 × 0 while it is minimised
   /// How much larger the desktop wants text and controls than usual.
   float scale() const;
