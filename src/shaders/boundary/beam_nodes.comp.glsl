@@ -72,7 +72,7 @@ void gatherLeaf(uint i) {
   }
   mat3 centroids = meansOf(weighted, power, cluster.centroidArea.xyz);
   float radius = 0.0;
-  float square = 0.0;
+  vec3 squares = vec3(0.0);
   for (uint order = 0u; order < 2u; ++order) {
     for (uint p = 0u; p < counts[order]; ++p) {
       BeamPoint point = readPoint(i * maxPoints + order * maxFirstPoints + p);
@@ -81,14 +81,19 @@ void gatherLeaf(uint i) {
       for (int c = 0; c < 3; ++c) {
         vec3 offset = places[c] - centroids[c];
         if (f[c] > 0.0) radius = max(radius, length(offset));
-        square += f[c] * dot(offset, offset);
+        squares[c] += f[c] * dot(offset, offset);
       }
     }
   }
   float all = power.r + power.g + power.b;
-  square = all > 0.0 ? square / all : 0.0;
+  float square = all > 0.0 ? (squares.r + squares.g + squares.b) / all : 0.0;
   // Points of second collisions lie all around and are met by those of the clusters beside.
   float spread = mix(feltInARow, feltAllAround, largestOf(cluster.second.rgb)) * sqrt(square);
+  if (scattersOnce == 0u) {
+    // Red goes several times as far as blue; so each channel is told apart here, where it is known.
+    power += medium.sigma.rgb * medium.sigma.rgb / 6.0 * squares;
+    square = 0.0;
+  }
   put(ranges[i].node, centroids, min(feltOfRadius * radius, spread), square, power);
 }
 
