@@ -39,9 +39,9 @@ const uint meetingsOfPath = 3u;      // reflections on the way to a second colli
 
 // Little light gets far before it collides; but to the other side of a thick part that is all there
 // is. So points lie where light would collide in a medium thinner by these factors, and shares make
-// up for it: three points then sum e^{-t} e^{kt} over free paths t to 1 % for k up to 1/2, where
+// up for it: three points then sum e^{-t} e^{kt} over free paths t within 1 % for k up to 1/2, where
 // quantiles of the light itself are 13 % too low.
-const float thinnerForFirst = 0.4;
+const float thinnerForFirst = 0.5;
 const float thinnerForSecond = 0.7;
 
 struct Body {
