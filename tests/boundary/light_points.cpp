@@ -32,8 +32,8 @@ struct Collision {
   double share;
 };
 
-// Within a length, so many that they count as all: as dense as light would be in a medium three times
-// as thin, since what gets far is little and yet all there is on the other side.
+// Within a length, so many that they count as all: as dense as light would be in a medium three
+// times as thin, since what gets far is little and yet all there is on the other side.
 std::vector<Collision> firstWithin(double lengthMm, double perMm) {
   constexpr int panels = 3;
   const double thinner = perMm / 3;

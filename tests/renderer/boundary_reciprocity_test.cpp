@@ -60,8 +60,8 @@ class BoundaryReciprocityTest : public RendererTestBase<testing::TestWithParam<R
 
 TEST_P(BoundaryReciprocityTest, LampAndEyeMayChangePlaces) {
   const auto& [name, bounces, a, b] = GetParam();
-  // In blue much leaves after one collision: slanting as it entered, and shown as leaving evenly. By
-  // itself that is 8 % off on the bowl, all other light 3 %.
+  // In blue much leaves after one collision: slanting as it entered, and shown as leaving evenly.
+  // By itself that is 8 % off on the bowl, all other light 3 %.
   constexpr std::array<double, 3> most{0.015, 0.025, 0.055};
   const std::array<Mesh, 2> bodies{peanut(20), Bowl{10}.mesh()};
   for (std::size_t body = 0; body < bodies.size(); ++body) {
