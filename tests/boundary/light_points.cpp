@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <span>
+#include <vector>
 
 namespace opaline::test::boundary {
 
@@ -21,11 +21,40 @@ struct Node {
 };
 
 // Gauss and Legendre's, on [0, 1].
-constexpr std::array<Node, 3> ofFirst{
+constexpr std::array<Node, 3> three{
     {{0.112701665379258, 5.0 / 18}, {0.5, 8.0 / 18}, {0.887298334620742, 5.0 / 18}}};
 constexpr std::array<Node, 2> ofOthers{{{0.211324865405187, 0.5}, {0.788675134594813, 0.5}}};
 constexpr double least = 0.005;
 constexpr int mostReflections = 4;
+
+struct Collision {
+  double alongMm;
+  double share;
+};
+
+// Within a length, so many that they count as all: as dense as light would be in a medium three
+// times as thin, since what gets far is little and yet all there is on the other side.
+std::vector<Collision> firstWithin(double lengthMm, double perMm) {
+  constexpr int panels = 3;
+  const double thinner = perMm / 3;
+  const double within = -std::expm1(-thinner * lengthMm);
+  std::vector<Collision> collisions;
+  for (int panel = 0; panel < panels; ++panel)
+    for (const Node& node : three) {
+      const double along = -std::log1p(-(panel + node.place) / panels * within) / thinner;
+      collisions.push_back({along, node.weight / panels * within * perMm / thinner *
+                                       std::exp((thinner - perMm) * along)});
+    }
+  return collisions;
+}
+
+std::vector<Collision> othersWithin(double lengthMm, double perMm) {
+  const double taken = -std::expm1(-perMm * lengthMm);
+  std::vector<Collision> collisions;
+  for (const Node& node : ofOthers)
+    collisions.push_back({-std::log1p(-node.place * taken) / perMm, node.weight * taken});
+  return collisions;
+}
 
 // In the body along a ray from a cluster, mirrored at its walls. Light whose mean slant to the ray
 // has a cosine less than 1 sees lengths longer by that.
@@ -39,13 +68,11 @@ void follow(const Geometry& geometry, const Cluster& cluster, std::uint32_t inde
     const auto hit = geometry.closestHit(from, direction);
     const double lengthMm = hit ? hit->distanceMm : 0;
     const double taken = -std::expm1(-perMm * lengthMm);
-    const std::span<const Node> nodes =
-        segment == 0 ? std::span<const Node>(ofFirst) : std::span<const Node>(ofOthers);
-    for (const Node& node : nodes) {
-      const double along = -std::log1p(-node.place * taken) / perMm;
+    for (const auto& [along, share] :
+         segment == 0 ? firstWithin(lengthMm, perMm) : othersWithin(lengthMm, perMm)) {
       LightPoint point;
       point.placeMm = from.position + along * direction + shift;
-      point.weight = weight * node.weight * taken;
+      point.weight = weight * share;
       point.depthMm = -along * dot(direction, cluster.normal);
       point.cluster = index;
       point.direct = segment == 0;

@@ -51,8 +51,8 @@ void add(inout Squares squares, float weight, vec3 offset) {
   squares.across += weight * offset.xxy * offset.yzz;
 }
 
-void put(uint node, mat3 centroids, float radius, Squares squares, vec3 power) {
-  float square = squares.same.x + squares.same.y + squares.same.z;
+// `square` is of what the power does not have yet.
+void put(uint node, mat3 centroids, float radius, Squares squares, float square, vec3 power) {
   nodes[node] =
       BeamNode(vec4(centroids[0], radius), vec4(centroids[1], uintBitsToFloat(links[node])),
                vec4(centroids[2], square), vec4(power, 0.0), vec4(squares.same, 0.0),
@@ -89,6 +89,7 @@ void gatherLeaf(uint i) {
   mat3 centroids = meansOf(weighted, power, cluster.centroidArea.xyz);
   float radius = 0.0;
   Squares squares = Squares(vec3(0.0), vec3(0.0));
+  vec3 ofChannels = vec3(0.0);
   for (uint order = 0u; order < 2u; ++order) {
     for (uint p = 0u; p < counts[order]; ++p) {
       BeamPoint point = readPoint(i * maxPoints + order * maxFirstPoints + p);
@@ -98,6 +99,7 @@ void gatherLeaf(uint i) {
         vec3 offset = places[c] - centroids[c];
         if (f[c] > 0.0) radius = max(radius, length(offset));
         add(squares, f[c], offset);
+        ofChannels[c] += f[c] * dot(offset, offset);
       }
     }
   }
@@ -108,7 +110,12 @@ void gatherLeaf(uint i) {
                    ? feltOnce
                    : mix(feltInARow, feltAllAround, largestOf(cluster.second.rgb));
   float spread = felt * sqrt(square);
-  put(ranges[i].node, centroids, min(feltOfRadius * radius, spread), squares, power);
+  if (scattersOnce == 0u) {
+    // Red goes several times as far as blue; so each channel is told apart here, where it is known.
+    power += medium.sigma.rgb * medium.sigma.rgb / 6.0 * ofChannels;
+    square = 0.0;
+  }
+  put(ranges[i].node, centroids, min(feltOfRadius * radius, spread), squares, square, power);
 }
 
 void gatherNode(uint node) {
@@ -124,6 +131,7 @@ void gatherNode(uint node) {
   mat3 centroids = meansOf(weighted, power, nodes[node + 1u].redRadius.xyz);
   float felt = scattersOnce != 0u ? feltOnce : feltInARow;
   float felt2 = 0.0;
+  float square = 0.0;
   Squares squares = Squares(vec3(0.0), vec3(0.0));
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
     vec3 f = nodes[child].power.rgb;
@@ -134,6 +142,7 @@ void gatherNode(uint node) {
       felt2 += f[c] * (felt * felt * away2 +
                        nodes[child].redRadius.w * nodes[child].redRadius.w);
       add(squares, f[c], offset);
+      square += f[c] * (away2 + nodes[child].blueSquare.w);
     }
     float all = f.r + f.g + f.b;
     squares.same += all * nodes[child].square.xyz;
@@ -141,7 +150,7 @@ void gatherNode(uint node) {
   }
   float all = max(power.r + power.g + power.b, 1e-30);
   squares = Squares(squares.same / all, squares.across / all);
-  put(node, centroids, sqrt(felt2 / all), squares, power);
+  put(node, centroids, sqrt(felt2 / all), squares, square / all, power);
 }
 
 void main() {

@@ -7,7 +7,7 @@
 #include "lib/linear.glsl"
 #include "lib/beam_walk.glsl"
 
-const float furthestFreePaths = 12.0;
+const float furthestFreePaths = 8.0;
 
 float eta;
 
@@ -15,12 +15,18 @@ float leaving(float cosine) {
   return cosine <= medium.albedo.w ? 0.0 : 1.0 - fresnelReflectance(1.0 / eta, min(cosine, 1.0));
 }
 
+// Places near the surface are smoothed over the cluster, the cosine as well as the distance, and the
+// way is what the depth makes of that cosine: with z² + ρ²/4 for z² in both, all light from a depth z
+// that clusters of a plane receive is ½ ∫ e^{-σ_t'z/μ} (1 - F_in) dμ as it should be, however large
+// they are.
 float fromPlace(vec3 place, float extinction) {
   vec3 offset = its.centroidArea.xyz - place;
-  float squared = dot(offset, offset) + 0.25 * its.normal.w * its.normal.w;
-  float over = inversesqrt(squared);
-  float cosine = dot(offset, its.normal.xyz) * over;
-  return exp(-extinction * squared * over) * over * over * cosine * leaving(cosine);
+  float depth = dot(offset, its.normal.xyz);
+  float smoothing = 0.25 * its.normal.w * its.normal.w;
+  float over = inversesqrt(dot(offset, offset) + smoothing);
+  float cosine = (sqrt(depth * depth + smoothing) + min(depth, 0.0)) * over;
+  if (cosine <= medium.albedo.w) return 0.0;
+  return exp(-extinction * max(depth, 0.0) / cosine) * over * over * cosine * leaving(cosine);
 }
 
 vec3 fromPlaces(BeamPoint point) {

@@ -14,8 +14,8 @@ vec3 kernel(vec3 squared) {
 }
 
 // How much more points give than if all were at their centroid, to second order: ½ Q:∇∇G / G of the
-// kernel G, with their mean squares Q. With q = r̂ᵀQr̂ that is ½ (σ² tr Q/3 + (q - tr Q/3) (σ² + 3σ/r +
-// 3/r²)).
+// kernel G, with their mean squares Q. Of that σ² tr Q/6 is as all directions are alike, but for what
+// the power has of it; the rest is ½ (r̂ᵀQr̂ - tr Q/3) (σ² + 3σ/r + 3/r²).
 vec3 withSpread(BeamNode node, mat3 offsets, vec3 squared) {
   vec3 sigma = medium.sigma.rgb;
   mat3 square = mat3(node.square.x, node.across.xy, node.across.x, node.square.y, node.across.z,
@@ -23,9 +23,9 @@ vec3 withSpread(BeamNode node, mat3 offsets, vec3 squared) {
   vec3 over = 1.0 / squared;
   vec3 along;
   for (int c = 0; c < 3; ++c) along[c] = over[c] * dot(offsets[c], square * offsets[c]);
-  float third = node.blueSquare.w / 3.0;
+  float third = (node.square.x + node.square.y + node.square.z) / 3.0;
   vec3 curvature = sigma * sigma + 3.0 * sigma * sqrt(over) + 3.0 * over;
-  return 1.0 + 0.5 * (sigma * sigma * third + (along - third) * curvature);
+  return 1.0 + sigma * sigma * (node.blueSquare.w / 6.0) + 0.5 * (along - third) * curvature;
 }
 
 vec3 fromNode(BeamNode node) {

@@ -25,12 +25,11 @@ layout(push_constant) uniform Push {
 };
 
 // Part of the light that is followed to its second collision: where little of it scatters again,
-// diffusion from the first is too rough. Not where the body is thinner, or clusters are larger, than
-// some mean free paths: light that leaves after one collision does so within a cluster's size there.
-vec3 shareOfSecond(BoundaryMedium medium, float thickness, float edge) {
+// diffusion from the first is too rough. Not where clusters are larger than some mean free paths:
+// light that leaves after one collision does so within a cluster's size there.
+vec3 shareOfSecond(BoundaryMedium medium, float edge) {
   vec3 dark = 1.0 - smoothstep(albedoFollowed, albedoNotFollowed, medium.albedo.rgb);
-  vec3 thick = smoothstep(0.3, 1.2, thickness * medium.extinction.rgb);
-  return dark * thick * (1.0 - smoothstep(1.5, 3.0, edge * medium.extinction.rgb));
+  return dark * (1.0 - smoothstep(1.5, 3.0, edge * medium.extinction.rgb));
 }
 
 float transmittedInto(float eta, float cosine) {
@@ -111,6 +110,6 @@ void main() {
   clusters[i].start.w = thickness;
   clusters[i].facet.w = cluster.facet.w;
   clusters[i].second = vec4(
-      shareOfSecond(media[body.table.x].inside, thickness, sqrt(cluster.centroidArea.w)),
+      shareOfSecond(media[body.table.x].inside, sqrt(cluster.centroidArea.w)),
       range.hasInside != 0u ? 1.0 : 0.0);
 }

