@@ -36,12 +36,12 @@ build: dependencies
 
 demo: build
 	$(OPALINE) render --medium jade -o bear.png
-	$(OPALINE) render --medium gummy-red --deform wobble:0.05:2 --frames 0:239 --size 256x256 --antialias 2 \
+	$(OPALINE) render --medium gummy-red --deform wobble:0.05:2 --frames 0:119 --size 256x256 --antialias 2 \
 	  --background 0.02,0.02,0.03 -o bear.mp4
 	$(OPALINE) render --aov dsm-irradiance -o bear-light.exr
 	@echo
 	@echo 'bear.png         the built-in bear, of jade, in the light that comes through it'
-	@echo 'bear.mp4         the same bear of red gummy, wobbling for eight seconds'
+	@echo 'bear.mp4         the same bear of red gummy, wobbling for four seconds'
 	@echo 'bear-light.exr   the light that has entered its skin, laid out flat'
 	@echo 'Next: $(OPALINE) render YOUR_MODEL.glb --medium wholemilk --diagonal-mm 50 -o picture.png'
 

@@ -160,7 +160,7 @@ struct Job {
 };
 
 /// Positions of a still of a row of files.
-GivenPositions positionsOf(const std::optional<MeshSequence>& sequence, double seconds) {
+GivenPositions positionsOf(const MeshSequence* sequence, double seconds) {
   GivenPositions positionsMm;
   if (sequence) sequence->read(numberAt(*sequence, seconds), positionsMm[0]);
   return positionsMm;
@@ -182,9 +182,9 @@ Job prepare(const ReferenceCommand& command, std::filesystem::path output, const
         "the reference leaves out the reflection on the surface; compare it with render "
         "--no-specular");
   }
-  return {
-      referenceScene(scene, options.clip, options.seconds, positionsOf(sequence, options.seconds)),
-      std::move(settings), options, std::move(output)};
+  return {referenceScene(scene, options.clip, options.seconds,
+                         positionsOf(sequence.get(), options.seconds)),
+          std::move(settings), options, std::move(output)};
 }
 
 /// What was made.

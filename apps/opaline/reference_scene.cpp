@@ -10,8 +10,6 @@
 
 namespace opaline::app {
 
-namespace {
-
 deform::DeformedMesh meshAt(const Scene& scene, std::size_t object, const deform::Pose& pose,
                             double seconds, const GivenPositions& positionsMm) {
   const Bounds box = boundsOf(scene);
@@ -29,8 +27,6 @@ deform::DeformedMesh meshAt(const Scene& scene, std::size_t object, const deform
   if (!rest.facetted) mesh.normals = scene::smoothNormals(mesh.positionsMm, rest.triangles);
   return mesh;
 }
-
-}  // namespace
 
 reference::Scene referenceScene(const Scene& scene, int clip, double seconds,
                                 const GivenPositions& positionsMm) {

@@ -4,6 +4,8 @@
 #include <map>
 #include <vector>
 
+#include "deform/deformed_mesh.h"
+#include "deform/pose.h"
 #include "opaline/scene.h"
 #include "reference/scene.h"
 
@@ -11,6 +13,10 @@ namespace opaline::app {
 
 /// By object: one position for each of its vertices, instead of where its mesh or rig puts them.
 using GivenPositions = std::map<std::size_t, std::vector<Vec3>>;
+
+/// An object as it is in that pose at that time, under the scene's deformers.
+deform::DeformedMesh meshAt(const Scene& scene, std::size_t object, const deform::Pose& pose,
+                            double seconds, const GivenPositions& positionsMm);
 
 /// The scene as it is at that time of a clip (-1: none). The scene's deformers apply to given
 /// positions too. Throws UsageError unless they fit their object.

@@ -94,7 +94,7 @@ struct Job {
   scene::SceneFileSettings settings;
   RenderOptions options;
   std::filesystem::path output;
-  std::optional<MeshSequence> sequence;
+  std::shared_ptr<const MeshSequence> sequence;
 
   void requireInSequence(const std::optional<FrameRange>& frames) const {
     if (!sequence) return;
@@ -174,10 +174,7 @@ Done renderMissing(const RenderCommand& command, const Job& job, FilmOrder order
   Renderer renderer = makeRenderer(command, job, log);
   std::optional<PositionsAhead> positions;
   if (job.sequence) {
-    positions.emplace(numberOfFrame(*job.sequence, order.frames.last),
-                      [&](int number, std::vector<Vec3>& positionsMm) {
-                        job.sequence->read(number, positionsMm);
-                      });
+    positions.emplace(positionsOf(job.sequence, numberOfFrame(*job.sequence, order.frames.last)));
     order.place = [&](Renderer& target, int frame) {
       target.replacePositions(0, positions->of(numberOfFrame(*job.sequence, frame)));
     };

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -139,12 +140,11 @@ LoadedScene SceneOptions::load(const LogCallback& log) const {
             scene::sourceOf(teapot ? "builtin:teapot" : "builtin:bear", options)};
   }
   if (MeshSequence::isPattern(*file_)) {
-    MeshSequence sequence(*file_, options);
-    Scene first = sequence.scene();
-    return {std::move(first), {}, std::move(sequence), scene::sourceOf(*file_, options)};
+    auto sequence = std::make_shared<const MeshSequence>(*file_, options);
+    return {sequence->scene(), {}, sequence, scene::sourceOf(*file_, options)};
   }
-  auto [scene, settings, source] = scene::loadSceneFile(*file_, options);
-  return {std::move(scene), std::move(settings), {}, std::move(source)};
+  auto [scene, settings, source, sequence] = scene::loadSceneFile(*file_, options);
+  return {std::move(scene), std::move(settings), std::move(sequence), std::move(source)};
 }
 
 void LightOptions::addTo(CommandLine& line) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ struct LoadedScene {
   Scene scene;
   scene::SceneFileSettings settings;
   /// Where SCENE stands for numbered files; `scene` is the first of them.
-  std::optional<MeshSequence> sequence;
+  std::shared_ptr<const MeshSequence> sequence;
   scene::SceneSource source;
 };
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "motion_options.h"
 #include "opaline/error.h"
@@ -18,6 +20,10 @@ namespace {
                                sequence.file(sequence.lastNumber()).string()));
 }
 
+double frameAt(double seconds) {
+  return std::round(seconds * FrameRange{}.perSecond);
+}
+
 }  // namespace
 
 int numberOfFrame(const MeshSequence& sequence, int frame) {
@@ -26,9 +32,29 @@ int numberOfFrame(const MeshSequence& sequence, int frame) {
 }
 
 int numberAt(const MeshSequence& sequence, double seconds) {
-  const double frame = std::round(seconds * FrameRange{}.perSecond);
-  if (frame >= sequence.frameCount()) refuse(sequence, fmt::format("--time {}", seconds));
+  if (frameAt(seconds) >= sequence.frameCount()) {
+    refuse(sequence, fmt::format("--time {}", seconds));
+  }
+  return nearestNumber(sequence, seconds);
+}
+
+int nearestNumber(const MeshSequence& sequence, double seconds) {
+  const double frame = std::min(frameAt(seconds), sequence.frameCount() - 1.0);
   return sequence.firstNumber() + static_cast<int>(frame);
+}
+
+double lastSecond(const MeshSequence& sequence) {
+  return (sequence.frameCount() - 1) / FrameRange{}.perSecond;
+}
+
+double secondsOf(const MeshSequence& sequence) {
+  return sequence.frameCount() / FrameRange{}.perSecond;
+}
+
+PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber) {
+  return {lastNumber, [of = std::move(sequence)](int number, std::vector<Vec3>& positionsMm) {
+            of->read(number, positionsMm);
+          }};
 }
 
 }  // namespace opaline::app

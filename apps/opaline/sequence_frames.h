@@ -1,6 +1,9 @@
 #pragma once
 
+#include <memory>
+
 #include "opaline/sequence.h"
+#include "positions_ahead.h"
 
 namespace opaline::app {
 
@@ -10,5 +13,15 @@ int numberOfFrame(const MeshSequence& sequence, int frame);
 
 /// The same of a still at that time, at the usual speed, as a still has no other.
 int numberAt(const MeshSequence& sequence, double seconds);
+
+/// The same, but the last from the end on.
+int nearestNumber(const MeshSequence& sequence, double seconds);
+
+/// When the last file is shown, and when the next one would be.
+double lastSecond(const MeshSequence& sequence);
+double secondsOf(const MeshSequence& sequence);
+
+/// The files from now on, up to that number.
+PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber);
 
 }  // namespace opaline::app

@@ -16,6 +16,9 @@ class MeshSequence {
   /// smallest number that exists, from 0 to 999999, and those that follow it without a gap; reads
   /// the first. Throws Error when there is none, or when it is not one still object.
   explicit MeshSequence(const std::filesystem::path& pattern, const LoadOptions& options = {});
+  /// What the library itself makes of a scene file that names a sequence.
+  struct State;
+  explicit MeshSequence(State&& state);
   ~MeshSequence();
   MeshSequence(MeshSequence&&) noexcept;
   MeshSequence& operator=(MeshSequence&&) noexcept;
@@ -36,7 +39,6 @@ class MeshSequence {
   void read(int number, std::vector<Vec3>& positionsMm) const;
 
  private:
-  struct State;
   std::unique_ptr<State> state_;
 };
 

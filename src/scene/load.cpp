@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <new>
+#include <utility>
 
 #include "bssrdf/media.h"
 #include "core/file.h"
@@ -72,7 +73,15 @@ RawScene loadModel(const std::filesystem::path& file, const LogCallback& log) {
 
 Scene loadScene(const std::filesystem::path& file, const LoadOptions& options) {
   try {
-    if (scene::lowerExtension(file) == ".toml") return scene::loadSceneFile(file, options).scene;
+    if (scene::lowerExtension(file) == ".toml") {
+      scene::LoadedScene loaded = scene::loadSceneFile(file, options);
+      if (loaded.sequence && options.log) {
+        options.log(LogLevel::Note, fmt::format("{}: its model is the first of {} numbered meshes",
+                                                scene::cleanText(file.string(), 1000),
+                                                loaded.sequence->frameCount()));
+      }
+      return std::move(loaded.scene);
+    }
     scene::requireSensible(options);
     scene::RawScene raw = scene::loadModel(file, options.log);
     if (options.morphTo) scene::addMorph(raw, file, *options.morphTo, options.log);

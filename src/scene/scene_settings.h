@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "opaline/scene.h"
+#include "opaline/sequence.h"
 #include "scene/scene_source.h"
 
 namespace opaline::scene {
@@ -44,6 +46,8 @@ struct LoadedScene {
   Scene scene;
   SceneFileSettings settings;
   SceneSource source;
+  /// Where the model is one; `scene` is its first mesh.
+  std::shared_ptr<const MeshSequence> sequence;
 };
 
 /// Reads a .toml scene: loadScene() without losing the settings and where all of it came from. For

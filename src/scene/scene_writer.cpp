@@ -11,7 +11,6 @@
 #include "bssrdf/media.h"
 #include "core/file.h"
 #include "opaline/error.h"
-#include "opaline/sequence.h"
 #include "scene/deformer_check.h"
 #include "scene/finish.h"
 #include "scene/text.h"
@@ -124,10 +123,6 @@ void addModel(const SceneDescription& scene, const fs::path& file, Text& to) {
   if (source.isBuiltIn()) {
     to.text("model", model);
   } else {
-    if (MeshSequence::isPattern(source.model)) {
-      throw Error(fmt::format("{} stands for many files, but a scene file names one model",
-                              cleanText(model, 1000)));
-    }
     to.text("model", written(source.model, file));
   }
   if (source.diagonalMm) to.number("diagonal_mm", *source.diagonalMm);

@@ -12,10 +12,12 @@
 #include "scene/environment_file.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
+#include "scene/mesh_files.h"
 #include "scene/morph_to.h"
 #include "scene/placement.h"
 #include "scene/raw_scene.h"
 #include "scene/scene_settings.h"
+#include "scene/sequence_state.h"
 #include "scene/text.h"
 #include "scene/toml_keys.h"
 #include "scene/toml_reader.h"
@@ -33,6 +35,7 @@ struct Assembly {
   RawScene scene{};
   SceneSource source{};
   std::vector<Repair> repairs{};
+  std::optional<MeshFiles> meshes{};  ///< where the model is a sequence
   std::map<std::string, Medium, std::less<>> media{};
   double modelDiagonalMm = 0;  ///< before its objects are placed
   Vec3 centre{};
@@ -120,9 +123,12 @@ void loadModelOf(const TomlTable& root, Assembly& to) {
     const std::filesystem::path path = beside(to.file, *model);
     if (path.extension() == ".toml") root.fail("model", "must not be another .toml scene");
     const bool noteUnit = !diagonal && !to.options.diagonalMm;
-    RawScene raw = loadModel(path, to.options.log);
+    if (MeshSequence::isPattern(path)) to.meshes.emplace(path, morphTo);
+    RawScene raw =
+        to.meshes ? to.meshes->loadFirst(to.options.log) : loadModel(path, to.options.log);
     if (morphTo) addMorph(raw, path, *morphTo, to.options.log);
     to.scene = inMillimetres(std::move(raw), path, noteUnit, to.options.log, to.repairs);
+    if (to.meshes) to.meshes->followRepairs(to.scene);
     to.source.model = path;
     if (diagonal) {
       scaleBy(to.scene, *diagonal / diagonalOf(boundsOf(to.scene)), to.file.string());
@@ -335,6 +341,11 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   }
   loaded.source = withAbsolutePaths(std::move(assembly.source));
   loaded.scene = finished(std::move(assembly.scene), file, std::move(assembly.repairs), options);
+  if (assembly.meshes) {
+    assembly.meshes->followPlace(loaded.scene);
+    loaded.sequence = std::make_shared<MeshSequence>(
+        MeshSequence::State{std::move(*assembly.meshes), loaded.scene});
+  }
   requireClip(root, loaded);
   return loaded;
 }

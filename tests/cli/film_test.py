@@ -185,6 +185,14 @@ class Sequence(Film):
         self.succeed(*film, "--resume")
         self.assertEqual([self.bytes_of(f"f{frame}.png") for frame in range(4)], before)
 
+    def test_a_scene_file_names_a_sequence(self):
+        self.write("scene.toml", 'model = "m_%02d.ply"\n')
+        for name in ("m_%02d.ply", "scene.toml"):
+            self.succeed("render", name, *self.OPTIONS, "--frames", "1:2", "-o", name[0] + "%d.png")
+        for frame in (1, 2):
+            self.assertEqual(self.bytes_of(f"m{frame}.png"), self.bytes_of(f"s{frame}.png"))
+        self.refused(2, "render", "scene.toml", *self.OPTIONS, "--time", 1, "-o", "a.png", says="m_10.ply")
+
     def test_names_follow_the_pattern(self):
         self.succeed("render", "m_%02d.ply", *self.OPTIONS, "--frames", "0:0")
         self.succeed("render", "m_%02d.ply", *self.OPTIONS)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bssrdf/media.h"
 #include "renderer/boundary_fixture.h"
 
 namespace opaline {
@@ -92,6 +93,23 @@ TEST_F(BoundarySolverTest, NoMoreUnknownsThanAllowed) {
   EXPECT_GT(few.report.boundarySurfels, 200U);
   EXPECT_GT(usual.report.boundarySurfels, 2 * few.report.boundarySurfels);
   EXPECT_LT(errorsOf(few.images[0], usual.images[0]).rms, 0.1);
+}
+
+// In a body a few mean free paths wide all points of light are near all clusters: there are as many
+// pairs as there may ever be, more than one shader's loop may have rounds on a software device.
+TEST_F(BoundarySolverTest, ManyUnknownsInASmallBodySayWhatFewDo) {
+  Scene bear = backlitBear(8, bssrdf::findMedium("gummy-red").value());
+  bear.lighting = {};
+  bear.lighting.ambient = {1, 1, 1};
+  renderer().setScene(bear);
+  RenderOptions options = boundaryOptions(32);
+  options.maxSources = 65'536;
+  const RenderResult many = renderer().render(options, {Aov::Exitance});
+  options.boundarySurfels = 1024;
+  const RenderResult few = renderer().render(options, {Aov::Exitance});
+  EXPECT_GT(many.report.boundarySurfels, 3000U);
+  EXPECT_LE(few.report.boundarySurfels, 1024U);
+  EXPECT_LT(errorsOf(few.images[0], many.images[0]).rms, 0.04);
 }
 
 TEST_F(BoundarySolverTest, OneSolutionAndOneMoreForEachBounce) {

@@ -7,6 +7,8 @@
 #include "opaline/error.h"
 #include "opaline/scene.h"
 #include "opaline/sequence.h"
+#include "scene/scene_settings.h"
+#include "scene/scene_writer.h"
 #include "scene/shapes.h"
 
 // Files whose positions stand for each other's: morphs and sequences.
@@ -197,6 +199,46 @@ TEST_F(Sequence, FramesThatDoNotFitAreErrors) {
   EXPECT_THAT(errorOf(2), HasSubstr("frame_002.ply"));
   EXPECT_THAT(errorOf(3), HasSubstr("not finite"));
   EXPECT_THAT(errorOf(4), HasSubstr("frame_004.ply"));
+}
+
+TEST_F(Sequence, ASceneFilePlacesEveryMeshAsTheFirst) {
+  write("frame_000.ply", awkwardCube(1));
+  write("frame_001.ply", awkwardCube(3));
+  LoadOptions size;
+  size.diagonalMm = 17;
+  const MeshSequence plain(pattern(), size);
+  test::writeBytes(folder / "a.toml",
+                   "model = \"frame_%03d.ply\"\ndiagonal_mm = 17\n[objects." +
+                       plain.scene().objects[0].name +
+                       "]\nscale = 2\nrotation_degrees = [0, 90, 0]\ntranslation_mm = [1, 2, 3]\n");
+  const scene::LoadedScene loaded = scene::loadSceneFile(folder / "a.toml");
+  test::expectSound(loaded.scene);
+  ASSERT_TRUE(loaded.sequence);
+  EXPECT_FALSE(loaded.scene.objects[0].rig);
+  std::vector<Vec3> given;
+  std::vector<Vec3> placed;
+  loaded.sequence->read(0, placed);
+  EXPECT_EQ(placed, loaded.scene.objects[0].mesh.positionsMm);
+  for (const int number : {0, 1}) {
+    plain.read(number, given);
+    loaded.sequence->read(number, placed);
+    ASSERT_EQ(placed.size(), given.size());
+    for (std::size_t v = 0; v < given.size(); ++v) {
+      // A quarter turn about y takes z to x.
+      const Vec3 wanted{2 * given[v][2] + 1, 2 * given[v][1] + 2, -2 * given[v][0] + 3};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(placed[v][axis], wanted[axis], 1e-4F) << number;
+    }
+  }
+
+  scene::writeScene(folder / "b.toml", scene::describe(loaded.scene, loaded.source, {}));
+  const scene::LoadedScene again = scene::loadSceneFile(folder / "b.toml");
+  ASSERT_TRUE(again.sequence);
+  again.sequence->read(1, given);
+  EXPECT_EQ(given, placed);
+
+  test::writeBytes(folder / "c.toml", "model = \"frame_%03d.ply\"\nmorph_to = \"frame_001.ply\"\n");
+  EXPECT_THROW(scene::loadSceneFile(folder / "c.toml"), UsageError);
 }
 
 TEST_F(Sequence, PatternsHaveExactlyOneNumber) {

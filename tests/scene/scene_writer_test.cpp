@@ -377,9 +377,6 @@ TEST_F(SceneWriter, RefusesWhatNoSceneCanSay) {
   bad = good;
   bad.source.model = folder / "caf\xE9.obj";
   EXPECT_THAT(complaint(bad), HasSubstr("UTF-8"));
-  bad = good;
-  bad.source.model = folder / "frame_%04d.ply";
-  EXPECT_THAT(complaint(bad), HasSubstr("many files"));
   EXPECT_THROW(scene::writeScene(folder / "a.ply", scene::describe(good.scene, good.source, {})),
                UsageError);
 }

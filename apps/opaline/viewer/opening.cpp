@@ -45,8 +45,10 @@ Session opened(Loader::Result result, const Prepare& prepare) {
                            : scene::readEnvironment({from->file, from->intensity});
   }
   made.diagonalMm = diagonalMm(made.scene);
-  made.playback.lengthSeconds = lengthOfMotion(made.scene, made.options.clip);
-  made.playback.playing = moves(made.scene, made.options.clip) && made.options.seconds == 0;
+  made.sequence = std::move(loaded.sequence);
+  made.playback.lengthSeconds = lengthOfMotion(made);
+  made.playback.playing =
+      (made.sequence || moves(made.scene, made.options.clip)) && made.options.seconds == 0;
   made.edits = newScene(made.scene);
   return made;
 }
@@ -58,6 +60,8 @@ Session resized(const Session& edited, Loader::Result result) {
   made.notes = std::move(result.notes);
   made.source = std::move(result.loaded->source);
   made.source.environment = edited.source.environment;
+  made.sequence = std::move(result.loaded->sequence);
+  made.positionsMm.clear();
   made.diagonalMm = diagonalMm(loaded);
   made.report.reset();
 

@@ -5,7 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "deform/deformed_mesh.h"
+#include "deform/pose.h"
+#include "reference_scene.h"
 #include "viewer/vectors.h"
 
 namespace opaline::app::viewer {
@@ -17,8 +18,10 @@ std::vector<Vec3> verticesOf(Session& session, std::size_t object, bool deformed
   Scene& scene = session.scene;
   std::vector<Deformer> deformers;
   if (!deformed) deformers = std::exchange(scene.deformers, {});
+  deform::Pose pose = deform::makePose(scene);
+  deform::poseAt(scene, session.options.clip, session.options.seconds, pose);
   const deform::DeformedMesh mesh =
-      deform::deformedMesh(scene, object, session.options.clip, session.options.seconds);
+      meshAt(scene, object, pose, session.options.seconds, session.positionsMm);
   if (!deformed) scene.deformers = std::move(deformers);
   std::vector<Vec3> vertices;
   vertices.reserve(mesh.positionsMm.size());
@@ -97,7 +100,9 @@ bool Poke::grab(Session& session, const Ray& ray) {
     body_.emplace(renderer_, hit.object, restVertices, triangles);
     object_ = hit.object;
   }
-  if (!session.scene.clips.empty() && session.options.clip >= 0) session.playback.playing = false;
+  const bool plays =
+      session.sequence || (!session.scene.clips.empty() && session.options.clip >= 0);
+  if (plays) session.playback.playing = false;
   constexpr float radiusInDiagonals = 0.08F;
   body_->grab(fromGlm(rest_), radiusInDiagonals * session.diagonalMm);
   held_ = true;

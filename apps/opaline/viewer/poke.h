@@ -33,6 +33,8 @@ class Poke {
   bool step(double seconds);
   /// Gives it back at once.
   void end();
+  /// Whether a body is the hand's, and nobody else's.
+  bool holdsBody() const { return body_.has_value(); }
   bool moves() const { return body_ && (held_ || body_->moves()); }
 
  private:

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "picture_options.h"
 #include "scene/scene_writer.h"
+#include "sequence_frames.h"
 
 namespace opaline::app::viewer {
 
@@ -19,8 +21,12 @@ std::string saved(const std::filesystem::path& file) {
 // Which `opaline render` draws as the picture.
 std::string saveScene(const Session& session, const std::filesystem::path& file, int width,
                       int height) {
-  const scene::SceneFileSettings settings =
+  scene::SceneFileSettings settings =
       settingsOf(sized(session.options, width, height), session.tone, session.scene);
+  // Between the last file and the end, the last is shown; render knows no such time.
+  if (session.sequence && settings.seconds) {
+    settings.seconds = std::min(*settings.seconds, lastSecond(*session.sequence));
+  }
   scene::writeScene(file, scene::describe(session.scene, session.source, settings));
   return saved(file);
 }
@@ -69,6 +75,13 @@ void Saver::startFilm(const Session& session, const std::filesystem::path& file,
   order.output = file;
   order.tone = session.tone;
   order.quiet = true;
+  if (session.sequence) {
+    const auto positions = std::make_shared<PositionsAhead>(
+        positionsOf(session.sequence, numberOfFrame(*session.sequence, order.frames.last)));
+    order.place = [positions, sequence = session.sequence](Renderer& target, int frame) {
+      target.replacePositions(0, positions->of(numberOfFrame(*sequence, frame)));
+    };
+  }
   requireFilmWritable(order.output, order.frames);
   film_.emplace(std::move(order));
   filmFile_ = file;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "sequence_frames.h"
+
 namespace opaline::app::viewer {
 
 RenderOptions sized(const RenderOptions& options, int width, int height) {
@@ -20,8 +22,11 @@ RenderOptions paperOptions(const RenderOptions& options) {
   return paper;
 }
 
-float lengthOfMotion(const Scene& scene, int clip) {
+float lengthOfMotion(const Session& session) {
   constexpr float usual = 4;
+  const Scene& scene = session.scene;
+  const int clip = session.options.clip;
+  if (session.sequence) return static_cast<float>(secondsOf(*session.sequence));
   if (clip >= 0 && static_cast<std::size_t>(clip) < scene.clips.size()) {
     const float seconds = scene.clips[static_cast<std::size_t>(clip)].seconds;
     if (seconds > 0) return seconds;

@@ -10,6 +10,8 @@
 #include "core/tone.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "opaline/sequence.h"
+#include "reference_scene.h"
 #include "scene/scene_source.h"
 #include "scene_options.h"
 #include "truth_job.h"
@@ -54,12 +56,14 @@ struct Session {
   SceneOptions asked;  ///< what was asked to be opened
   std::string name;
   Scene scene;
-  scene::SceneSource source;                 ///< the files that it was made of
-  std::shared_ptr<const Image> environment;  ///< as the source's file has it, not turned
-  float diagonalMm = 0;                      ///< as loaded
-  std::optional<float> wantedDiagonalMm;     ///< another, to be loaded
-  std::optional<float> draggedDiagonalMm;    ///< another, while its slider is being dragged
-  std::vector<std::string> notes;            ///< of loading
+  scene::SceneSource source;                     ///< the files that it was made of
+  std::shared_ptr<const MeshSequence> sequence;  ///< of numbered files, where its model is one
+  GivenPositions positionsMm;                    ///< where these have the body now
+  std::shared_ptr<const Image> environment;      ///< as the source's file has it, not turned
+  float diagonalMm = 0;                          ///< as loaded
+  std::optional<float> wantedDiagonalMm;         ///< another, to be loaded
+  std::optional<float> draggedDiagonalMm;        ///< another, while its slider is being dragged
+  std::vector<std::string> notes;                ///< of loading
 
   RenderOptions options;
   core::ToneOptions tone;
@@ -92,7 +96,7 @@ RenderOptions sized(const RenderOptions& options, int width, int height);
 /// The method of Gong et al. 2008 for the same picture.
 RenderOptions paperOptions(const RenderOptions& options);
 
-/// Seconds after which all clips and swinging deformers have come round, or a few.
-float lengthOfMotion(const Scene& scene, int clip);
+/// Seconds after which numbered files, clips and swinging deformers have come round, or a few.
+float lengthOfMotion(const Session& session);
 
 }  // namespace opaline::app::viewer

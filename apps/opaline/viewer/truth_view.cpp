@@ -33,7 +33,7 @@ void TruthView::start(const Session& session, Renderer& renderer, TruthOrder::Me
   order.method = method;
   // A core stays for the window.
   order.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()) + 1) / 2;
-  job_ = std::make_unique<TruthJob>(session.scene, options, order);
+  job_ = std::make_unique<TruthJob>(session.scene, options, order, session.positionsMm);
 }
 
 void TruthView::cancel() {

@@ -42,6 +42,7 @@ Viewer::Viewer(const ViewerOptions& options)
       stage_(renderer_),
       loader_([] { Window::wake(); }),
       poke_(renderer_),
+      sequence_(renderer_),
       saver_(renderer_),
       truth_(renderer_.vulkanDevice()) {
   session_.gizmos = state_.handles;
@@ -192,6 +193,16 @@ void Viewer::drawInterface() {
   interface_.end();
 }
 
+void Viewer::placeBody() {
+  if (poke_.holdsBody() || saver_.filming()) return sequence_.forget();
+  try {
+    sequence_.place(session_);
+  } catch (const std::exception& error) {
+    session_.playback.playing = false;
+    say(error.what(), true);
+  }
+}
+
 void Viewer::drawPicture() {
   const Area& area = dashboard_.area();
   if (!stage_.hasScene() || area.empty()) return;
@@ -201,6 +212,7 @@ void Viewer::drawPicture() {
   if (!session_.edits.any() && !resized && !(rough_ && !moving)) return;
   rough_ = moving;
   drawn_ = area;
+  placeBody();
   stage_.draw(session_, area.width, area.height, moving);
   awake_ = std::max(awake_, 1);
   if (!moving) stage_.finish();
@@ -263,6 +275,7 @@ void Viewer::followTruth() {
   if (session_.wantedTruth && stage_.hasScene() && !area.empty()) {
     stage_.finish();
     poke_.end();
+    placeBody();
     try {
       truth_.start(session_, renderer_, *session_.wantedTruth, area.width, area.height);
     } catch (const Error& error) {

@@ -18,6 +18,7 @@
 #include "viewer/poke.h"
 #include "viewer/presenter.h"
 #include "viewer/saver.h"
+#include "viewer/sequence_player.h"
 #include "viewer/session.h"
 #include "viewer/stage.h"
 #include "viewer/timing_history.h"
@@ -68,6 +69,7 @@ class Viewer {
   void sleepUntilNeeded();
   void advance(double seconds);
   void drawInterface();
+  void placeBody();
   void drawPicture();
   void takeFinished();
   void present();
@@ -90,6 +92,7 @@ class Viewer {
   Session session_;
   PictureInput input_;
   Poke poke_;
+  SequencePlayer sequence_;
   Saver saver_;
   TruthView truth_;
   TimingHistory history_;

@@ -5,6 +5,7 @@
 #include "gpu/device.h"
 #include "passes/mechanics.h"
 #include "shaders/shaders.h"
+#include "shaders/shared/boundary.h"
 
 namespace opaline::passes {
 
@@ -30,7 +31,13 @@ struct Sum {
   std::uint32_t clusters;
   float openingAngle;
   std::uint32_t adds;
+  std::uint32_t firstNode;
+  std::uint32_t endNode;
 };
+
+// Mesa's software device ends the loops of an invocation after 65,535 rounds in all, without a
+// word. As many nodes as have fewer points, and no dispatch is long.
+constexpr std::uint32_t nodesPerDispatch = 65535 / (shared::maxPoints + 4);
 
 struct ExitanceConstants {
   std::uint32_t clusters;
@@ -205,8 +212,13 @@ void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters
                             Binding::texels(4, clusters.beamNodes),
                             Binding::read(5, clusters.ranges), Binding::read(6, clusters.clusters),
                             Binding::write(7, scattersOnce ? clusters.latest : clusters.sources)});
-    commands.pushConstants(Sum{clusters.count, inputs.openingAngle, adds ? 1U : 0U});
-    commands.dispatchLinear(clusters.count);
+    const std::uint32_t nodes = clusters.firstOfHeight.back();
+    for (std::uint32_t from = 0; from < nodes; from += nodesPerDispatch) {
+      const bool more = adds || from > 0;
+      commands.pushConstants(
+          Sum{clusters.count, inputs.openingAngle, more ? 1U : 0U, from, from + nodesPerDispatch});
+      commands.dispatchLinear(clusters.count);
+    }
   }
 }
 

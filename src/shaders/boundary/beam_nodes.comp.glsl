@@ -24,10 +24,13 @@ layout(push_constant) uniform Push {
   uint scattersOnce;  // 1: sources of light that scatters once
 };
 
-// How large points are felt to be, in roots of their mean square distance; and of the largest.
-const float feltInARow = 2.0;
+// How large points are felt to be by light that scatters once, in roots of their mean square
+// distance: it falls off steeply. Fluence takes their spread into account, so that clusters of points
+// are felt less; but second collisions lie all around and are met by those of the clusters beside.
+const float feltOnce = 1.4;
+const float feltInARow = 1.0;
 const float feltAllAround = 1.0;
-const float feltOfRadius = 0.7;
+const float feltOfRadius = 0.7;  // at most, of the furthest one's distance
 
 mat3 placesOf(BeamPoint point) {
   return mat3(point.red.xyz, point.green.xyz, point.blue.xyz);
@@ -37,10 +40,23 @@ mat3 centroidsOf(BeamNode node) {
   return mat3(node.redRadius.xyz, node.greenLink.xyz, node.blueSquare.xyz);
 }
 
-void put(uint node, mat3 centroids, float radius, float square, vec3 power) {
-  nodes[node] = BeamNode(vec4(centroids[0], radius),
-                         vec4(centroids[1], uintBitsToFloat(links[node])),
-                         vec4(centroids[2], square), vec4(power, 0.0));
+// The squares of an offset in each pair of directions, as a node has them.
+struct Squares {
+  vec3 same;    // xx, yy, zz
+  vec3 across;  // xy, xz, yz
+};
+
+void add(inout Squares squares, float weight, vec3 offset) {
+  squares.same += weight * offset * offset;
+  squares.across += weight * offset.xxy * offset.yzz;
+}
+
+void put(uint node, mat3 centroids, float radius, Squares squares, vec3 power) {
+  float square = squares.same.x + squares.same.y + squares.same.z;
+  nodes[node] =
+      BeamNode(vec4(centroids[0], radius), vec4(centroids[1], uintBitsToFloat(links[node])),
+               vec4(centroids[2], square), vec4(power, 0.0), vec4(squares.same, 0.0),
+               vec4(squares.across, 0.0));
 }
 
 mat3 meansOf(mat3 weighted, vec3 power, vec3 otherwise) {
@@ -72,7 +88,7 @@ void gatherLeaf(uint i) {
   }
   mat3 centroids = meansOf(weighted, power, cluster.centroidArea.xyz);
   float radius = 0.0;
-  vec3 squares = vec3(0.0);
+  Squares squares = Squares(vec3(0.0), vec3(0.0));
   for (uint order = 0u; order < 2u; ++order) {
     for (uint p = 0u; p < counts[order]; ++p) {
       BeamPoint point = readPoint(i * maxPoints + order * maxFirstPoints + p);
@@ -81,20 +97,18 @@ void gatherLeaf(uint i) {
       for (int c = 0; c < 3; ++c) {
         vec3 offset = places[c] - centroids[c];
         if (f[c] > 0.0) radius = max(radius, length(offset));
-        squares[c] += f[c] * dot(offset, offset);
+        add(squares, f[c], offset);
       }
     }
   }
-  float all = power.r + power.g + power.b;
-  float square = all > 0.0 ? (squares.r + squares.g + squares.b) / all : 0.0;
-  // Points of second collisions lie all around and are met by those of the clusters beside.
-  float spread = mix(feltInARow, feltAllAround, largestOf(cluster.second.rgb)) * sqrt(square);
-  if (scattersOnce == 0u) {
-    // Red goes several times as far as blue; so each channel is told apart here, where it is known.
-    power += medium.sigma.rgb * medium.sigma.rgb / 6.0 * squares;
-    square = 0.0;
-  }
-  put(ranges[i].node, centroids, min(feltOfRadius * radius, spread), square, power);
+  float all = max(power.r + power.g + power.b, 1e-30);
+  squares = Squares(squares.same / all, squares.across / all);
+  float square = squares.same.x + squares.same.y + squares.same.z;
+  float felt = scattersOnce != 0u
+                   ? feltOnce
+                   : mix(feltInARow, feltAllAround, largestOf(cluster.second.rgb));
+  float spread = felt * sqrt(square);
+  put(ranges[i].node, centroids, min(feltOfRadius * radius, spread), squares, power);
 }
 
 void gatherNode(uint node) {
@@ -108,21 +122,26 @@ void gatherNode(uint node) {
     for (int c = 0; c < 3; ++c) weighted[c] += f[c] * places[c];
   }
   mat3 centroids = meansOf(weighted, power, nodes[node + 1u].redRadius.xyz);
+  float felt = scattersOnce != 0u ? feltOnce : feltInARow;
   float felt2 = 0.0;
-  float square = 0.0;
+  Squares squares = Squares(vec3(0.0), vec3(0.0));
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
     vec3 f = nodes[child].power.rgb;
     mat3 places = centroidsOf(nodes[child]);
     for (int c = 0; c < 3; ++c) {
       vec3 offset = places[c] - centroids[c];
       float away2 = dot(offset, offset);
-      felt2 += f[c] * (feltInARow * feltInARow * away2 +
+      felt2 += f[c] * (felt * felt * away2 +
                        nodes[child].redRadius.w * nodes[child].redRadius.w);
-      square += f[c] * (away2 + nodes[child].blueSquare.w);
+      add(squares, f[c], offset);
     }
+    float all = f.r + f.g + f.b;
+    squares.same += all * nodes[child].square.xyz;
+    squares.across += all * nodes[child].across.xyz;
   }
   float all = max(power.r + power.g + power.b, 1e-30);
-  put(node, centroids, sqrt(felt2 / all), square / all, power);
+  squares = Squares(squares.same / all, squares.across / all);
+  put(node, centroids, sqrt(felt2 / all), squares, power);
 }
 
 void main() {

@@ -13,9 +13,28 @@ vec3 kernel(vec3 squared) {
   return exp(-medium.sigma.rgb * smoothed * over) * over;
 }
 
-vec3 fromNode(BeamNode node, vec3 squared) {
+// How much more points give than if all were at their centroid, to second order: ½ Q:∇∇G / G of the
+// kernel G, with their mean squares Q. With q = r̂ᵀQr̂ that is ½ (σ² tr Q/3 + (q - tr Q/3) (σ² + 3σ/r +
+// 3/r²)).
+vec3 withSpread(BeamNode node, mat3 offsets, vec3 squared) {
   vec3 sigma = medium.sigma.rgb;
-  return node.power.rgb * kernel(squared) * (1.0 + sigma * sigma * (node.blueSquare.w / 6.0));
+  mat3 square = mat3(node.square.x, node.across.xy, node.across.x, node.square.y, node.across.z,
+                     node.across.yz, node.square.z);
+  vec3 over = 1.0 / squared;
+  vec3 along;
+  for (int c = 0; c < 3; ++c) along[c] = over[c] * dot(offsets[c], square * offsets[c]);
+  float third = node.blueSquare.w / 3.0;
+  vec3 curvature = sigma * sigma + 3.0 * sigma * sqrt(over) + 3.0 * over;
+  return 1.0 + 0.5 * (sigma * sigma * third + (along - third) * curvature);
+}
+
+vec3 fromNode(BeamNode node) {
+  vec3 place = its.centroidArea.xyz;
+  mat3 offsets = mat3(node.redRadius.xyz - place, node.greenLink.xyz - place,
+                      node.blueSquare.xyz - place);
+  vec3 squared =
+      vec3(dot(offsets[0], offsets[0]), dot(offsets[1], offsets[1]), dot(offsets[2], offsets[2]));
+  return node.power.rgb * kernel(squared) * withSpread(node, offsets, squared);
 }
 
 // The cluster's own light, of first collisions on the way in, as from discs at their depths:

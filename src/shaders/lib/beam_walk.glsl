@@ -1,8 +1,8 @@
 // Sums, at every cluster, over the points of light below all others: bindings and the way through
 // the tree. Needs, before it, lib/linear.glsl and, after it, two functions of `its`, the cluster that
 // receives:
-//   vec3 fromNode(BeamNode node, vec3 squared)  light of all below a node
-//   vec3 fromPoints(uint cluster)               light of a cluster's points, one by one
+//   vec3 fromNode(BeamNode node)   light of all below a node
+//   vec3 fromPoints(uint cluster)  light of a cluster's points, one by one
 #ifndef OPALINE_LIB_BEAM_WALK
 #define OPALINE_LIB_BEAM_WALK
 #define BINDING_OBJECTS 0
@@ -19,7 +19,9 @@ layout(std430, set = 0, binding = 7) buffer Sums { vec4 sums[]; };
 layout(push_constant) uniform Push {
   uint clusterCount;
   float openingAngle;
-  uint adds;  // 1: to what other light gave
+  uint adds;  // 1: to what other light and other nodes gave
+  uint firstNode;
+  uint endNode;
 };
 
 uint receiver;
@@ -28,12 +30,13 @@ ObjectData body;
 BoundaryMedium medium;
 
 BeamNode readBeamNode(uint index) {
-  int first = 4 * int(index);
+  int first = 6 * int(index);
   return BeamNode(texelFetch(beamNodes, first), texelFetch(beamNodes, first + 1),
-                  texelFetch(beamNodes, first + 2), texelFetch(beamNodes, first + 3));
+                  texelFetch(beamNodes, first + 2), texelFetch(beamNodes, first + 3),
+                  texelFetch(beamNodes, first + 4), texelFetch(beamNodes, first + 5));
 }
 
-vec3 fromNode(BeamNode node, vec3 squared);
+vec3 fromNode(BeamNode node);
 vec3 fromPoints(uint cluster);
 
 // To be called first: those of the last group that are too many stand for the first cluster.
@@ -45,11 +48,13 @@ void receive() {
   medium = media[body.table.x].inside;
 }
 
-// `reachMm` is where no light of any comes from further; the invocations of a subgroup go in step.
+// Of the nodes of this dispatch. `reachMm` is where no light of any comes from further; the
+// invocations of a subgroup go in step.
 vec3 beamSum(float sigma, float reachMm) {
   vec3 place = its.centroidArea.xyz;
   vec3 sum = vec3(0.0);
-  uint next = linearIndex() < clusterCount ? body.clusters.x : noNode;
+  uint end = min(body.clusters.y, endNode);
+  uint next = linearIndex() < clusterCount && body.clusters.x < end ? body.clusters.x : noNode;
   while (true) {
     uint at = subgroupMin(next);
     if (at == noNode) break;
@@ -59,9 +64,10 @@ vec3 beamSum(float sigma, float reachMm) {
       vec3 squared = squaredDistances(BeamPoint(node.redRadius, node.greenLink, node.blueSquare), place);
       float nearest = leastOf(squared);
       float reached = reachMm + 2.0 * sqrt(node.blueSquare.w);
-      bool taken = node.power.rgb == vec3(0.0) || nearest > reached * reached;
+      bool taken = node.power.rgb == vec3(0.0) || nearest > reached * reached ||
+                   afterNode(at, link) <= firstNode;
       if (!taken && isFar(nearest, node.redRadius.w, sigma, openingAngle)) {
-        sum += fromNode(node, squared);
+        if (at >= firstNode) sum += fromNode(node);
         taken = true;
       }
       if (!taken && isLeaf(link)) {
@@ -69,7 +75,7 @@ vec3 beamSum(float sigma, float reachMm) {
         taken = true;
       }
       next = taken ? afterNode(at, link) : at + 1u;
-      if (next >= body.clusters.y) next = noNode;
+      if (next >= end) next = noNode;
     }
   }
   return sum;

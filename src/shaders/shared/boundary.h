@@ -112,6 +112,8 @@ struct BeamNode {
   vec4 greenLink;
   vec4 blueSquare;  // w: mean square distance, mm²
   vec4 power;       // rgb
+  vec4 square;      // mean square distances along xx, yy, zz, mm²
+  vec4 across;      // along xy, xz, yz
 };
 
 /// Most steps of the solver before it must do with what it has.
@@ -140,7 +142,7 @@ static_assert(sizeof(Meeting) == 8);
 static_assert(sizeof(Mirrored) == 32);
 static_assert(sizeof(ClusterNode) == 80);
 static_assert(sizeof(DensityNode) == 48);
-static_assert(sizeof(BeamNode) == 64);
+static_assert(sizeof(BeamNode) == 96);
 static_assert(sizeof(SolverState) == 1600);
 }  // namespace opaline::shared
 #endif

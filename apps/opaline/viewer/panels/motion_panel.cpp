@@ -91,7 +91,7 @@ void drawClips(Session& session) {
   int chosen = session.options.clip + 1;
   if (names.size() > 1 && controls::choice("clip", chosen, names, "Which animation plays.")) {
     session.options.clip = chosen - 1;
-    session.playback.lengthSeconds = lengthOfMotion(session.scene, session.options.clip);
+    session.playback.lengthSeconds = lengthOfMotion(session);
     session.edits.picture = true;
   }
 }
@@ -121,7 +121,7 @@ void drawMotionPanel(Session& session) {
   drawClips(session);
   if (drawDeformers(session.scene.deformers)) {
     session.edits.deformers = true;
-    playback.lengthSeconds = lengthOfMotion(session.scene, session.options.clip);
+    playback.lengthSeconds = lengthOfMotion(session);
   }
 }
 
