@@ -26,7 +26,8 @@ class Picture(WindowTest):
         self.assertGreater(shown.colors(), 100, "there is something to see")
 
     def check(self, *arguments):
-        window = self.view(*arguments, "--size", "520x300")
+        # Wide enough for all of the body: else the window frames it, and render does not.
+        window = self.view(*arguments, "--size", "860x300")
         window.key("h")
         self.same(window.picture(), self.rendered(window, *arguments, *BACKGROUND))
         return window
