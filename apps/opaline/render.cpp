@@ -19,7 +19,6 @@
 #include "output.h"
 #include "paths.h"
 #include "picture_options.h"
-#include "positions_ahead.h"
 #include "render_report.h"
 #include "scene_options.h"
 #include "sequence_frames.h"
@@ -172,13 +171,7 @@ Done renderMissing(const RenderCommand& command, const Job& job, FilmOrder order
         "it move");
   }
   Renderer renderer = makeRenderer(command, job, log);
-  std::optional<PositionsAhead> positions;
-  if (job.sequence) {
-    positions.emplace(positionsOf(job.sequence, numberOfFrame(*job.sequence, order.frames.last)));
-    order.place = [&](Renderer& target, int frame) {
-      target.replacePositions(0, positions->of(numberOfFrame(*job.sequence, frame)));
-    };
-  }
+  if (job.sequence) order.place = placeBySequence(job.sequence, order.frames.last);
   const std::size_t made = renderFilm(renderer, order);
   const RenderReport report = renderer.report();
   log(LogLevel::Note,

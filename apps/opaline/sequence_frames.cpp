@@ -57,4 +57,13 @@ PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int las
           }};
 }
 
+std::function<void(Renderer& renderer, int frame)> placeBySequence(
+    std::shared_ptr<const MeshSequence> sequence, int lastFrame) {
+  const auto positions =
+      std::make_shared<PositionsAhead>(positionsOf(sequence, numberOfFrame(*sequence, lastFrame)));
+  return [positions, of = std::move(sequence)](Renderer& renderer, int frame) {
+    renderer.replacePositions(0, positions->of(numberOfFrame(*of, frame)));
+  };
+}
+
 }  // namespace opaline::app

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
+#include "opaline/renderer.h"
 #include "opaline/sequence.h"
 #include "positions_ahead.h"
 
@@ -23,5 +25,9 @@ double secondsOf(const MeshSequence& sequence);
 
 /// The files from now on, up to that number.
 PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber);
+
+/// For FilmOrder::place: puts the body where the frame's file has it. Throws as numberOfFrame().
+std::function<void(Renderer& renderer, int frame)> placeBySequence(
+    std::shared_ptr<const MeshSequence> sequence, int lastFrame);
 
 }  // namespace opaline::app

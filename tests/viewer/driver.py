@@ -6,10 +6,14 @@ import pathlib
 import subprocess
 import time
 
+from images import read_png
 from program import PROGRAM, ProgramTest
 
 # Waiting for the program, on machines of any speed.
 LONGEST_SECONDS = 240
+
+# The window's own, where none is asked for.
+BACKGROUND = ("--background", "0.03,0.03,0.035")
 
 
 def start_display(test, size="1400x900"):
@@ -210,6 +214,12 @@ class WindowTest(ProgramTest):
 
     def view(self, *arguments, **keywords):
         return Window(self, self.display, *arguments, **keywords).open()
+
+    def rendered(self, window, *arguments):
+        """What `render` draws of a scene, as large as the window's picture."""
+        _, _, width, height = window.state()["picture"]
+        self.succeed("render", *arguments, "--size", f"{width}x{height}", "--quiet", "-o", "rendered.png")
+        return Shot.of(read_png((self.folder / "rendered.png").read_bytes()))
 
     def resident_megabytes(self, window):
         for line in pathlib.Path(f"/proc/{window.process.pid}/status").read_text(encoding="utf-8").splitlines():

@@ -2,23 +2,15 @@
 
 import unittest
 
-from driver import Shot, WindowTest
+from driver import BACKGROUND, Shot, WindowTest
 from images import read_png
 from program import CUBE_OBJ
-
-# The window's own, where none is asked for.
-BACKGROUND = ("--background", "0.03,0.03,0.035")
 
 
 class Picture(WindowTest):
     def setUp(self):
         super().setUp()
         self.write("cube.obj", CUBE_OBJ)
-
-    def rendered(self, window, *arguments):
-        _, _, width, height = window.state()["picture"]
-        self.succeed("render", *arguments, "--size", f"{width}x{height}", "--quiet", "-o", "rendered.png")
-        return Shot.of(read_png((self.folder / "rendered.png").read_bytes()))
 
     def same(self, shown, rendered):
         """Two roundings of one value: at most a step apart."""

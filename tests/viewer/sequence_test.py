@@ -2,11 +2,9 @@
 
 import unittest
 
-from driver import Shot, WindowTest
-from images import read_png
+from driver import BACKGROUND, WindowTest
 from program import CUBE_OBJ
 
-BACKGROUND = ("--background", "0.03,0.03,0.035")
 PLAIN = ("--transport", "dipole", "--no-specular", "--antialias", "1", "--shadow-size", "256")
 
 
@@ -22,16 +20,11 @@ class Sequence(WindowTest):
         for number, by in ((8, 1), (9, 1.4), (10, .6)):
             self.write(f"m_{number:02}.obj", stretched(by))
 
-    def rendered(self, window, *arguments):
-        _, _, width, height = window.state()["picture"]
-        self.succeed("render", *arguments, *BACKGROUND, "--size", f"{width}x{height}", "--quiet", "-o", "rendered.png")
-        return Shot.of(read_png((self.folder / "rendered.png").read_bytes()))
-
     def test_all_that_a_window_does(self):
         window = self.view("m_%02d.obj", *PLAIN, "--time", 1 / 30, "--size", "900x480")
         window.key("h")
         second = window.picture()
-        self.assertLessEqual(second.worst(self.rendered(window, "m_%02d.obj", *PLAIN, "--time", 1 / 30)), 1)
+        self.assertLessEqual(second.worst(self.rendered(window, "m_%02d.obj", *PLAIN, *BACKGROUND, "--time", 1 / 30)), 1)
 
         window.only("Motion")
         x, y, width, height = window.state()["controls"]["Motion/time"]
@@ -39,7 +32,7 @@ class Sequence(WindowTest):
         window.move((5, 5))
         window.settle()
         third = window.picture()
-        self.assertLessEqual(third.worst(self.rendered(window, "m_%02d.obj", *PLAIN, "--time", 2 / 30)), 1)
+        self.assertLessEqual(third.worst(self.rendered(window, "m_%02d.obj", *PLAIN, *BACKGROUND, "--time", 2 / 30)), 1)
         self.assertGreater(second.difference(third), 1)
 
         middle_x, middle_y = window.middle()

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "picture_options.h"
 #include "scene/scene_writer.h"
@@ -75,13 +74,7 @@ void Saver::startFilm(const Session& session, const std::filesystem::path& file,
   order.output = file;
   order.tone = session.tone;
   order.quiet = true;
-  if (session.sequence) {
-    const auto positions = std::make_shared<PositionsAhead>(
-        positionsOf(session.sequence, numberOfFrame(*session.sequence, order.frames.last)));
-    order.place = [positions, sequence = session.sequence](Renderer& target, int frame) {
-      target.replacePositions(0, positions->of(numberOfFrame(*sequence, frame)));
-    };
-  }
+  if (session.sequence) order.place = placeBySequence(session.sequence, order.frames.last);
   requireFilmWritable(order.output, order.frames);
   film_.emplace(std::move(order));
   filmFile_ = file;

@@ -35,7 +35,7 @@ vec3 fromPlaces(BeamPoint point) {
               fromPlace(point.blue.xyz, extinction.b));
 }
 
-vec3 fromNode(BeamNode node) {
+vec3 fromNode(BeamNode node, vec3 squared) {
   return node.power.rgb * fromPlaces(BeamPoint(node.redRadius, node.greenLink, node.blueSquare));
 }
 

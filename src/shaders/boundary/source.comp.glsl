@@ -28,12 +28,10 @@ vec3 withSpread(BeamNode node, mat3 offsets, vec3 squared) {
   return 1.0 + sigma * sigma * (node.blueSquare.w / 6.0) + 0.5 * (along - third) * curvature;
 }
 
-vec3 fromNode(BeamNode node) {
+vec3 fromNode(BeamNode node, vec3 squared) {
   vec3 place = its.centroidArea.xyz;
   mat3 offsets = mat3(node.redRadius.xyz - place, node.greenLink.xyz - place,
                       node.blueSquare.xyz - place);
-  vec3 squared =
-      vec3(dot(offsets[0], offsets[0]), dot(offsets[1], offsets[1]), dot(offsets[2], offsets[2]));
   return node.power.rgb * kernel(squared) * withSpread(node, offsets, squared);
 }
 

@@ -1,8 +1,8 @@
 // Sums, at every cluster, over the points of light below all others: bindings and the way through
 // the tree. Needs, before it, lib/linear.glsl and, after it, two functions of `its`, the cluster that
 // receives:
-//   vec3 fromNode(BeamNode node)   light of all below a node
-//   vec3 fromPoints(uint cluster)  light of a cluster's points, one by one
+//   vec3 fromNode(BeamNode node, vec3 squared)  light of all below a node
+//   vec3 fromPoints(uint cluster)               light of a cluster's points, one by one
 #ifndef OPALINE_LIB_BEAM_WALK
 #define OPALINE_LIB_BEAM_WALK
 #define BINDING_OBJECTS 0
@@ -36,7 +36,7 @@ BeamNode readBeamNode(uint index) {
                   texelFetch(beamNodes, first + 4), texelFetch(beamNodes, first + 5));
 }
 
-vec3 fromNode(BeamNode node);
+vec3 fromNode(BeamNode node, vec3 squared);
 vec3 fromPoints(uint cluster);
 
 // To be called first: those of the last group that are too many stand for the first cluster.
@@ -67,7 +67,7 @@ vec3 beamSum(float sigma, float reachMm) {
       bool taken = node.power.rgb == vec3(0.0) || nearest > reached * reached ||
                    afterNode(at, link) <= firstNode;
       if (!taken && isFar(nearest, node.redRadius.w, sigma, openingAngle)) {
-        if (at >= firstNode) sum += fromNode(node);
+        if (at >= firstNode) sum += fromNode(node, squared);
         taken = true;
       }
       if (!taken && isLeaf(link)) {
