@@ -54,6 +54,7 @@ check:
 
 test: build check
 	$(PYTHON) tools/check_tidy.py $(BUILD)
+	scripts/fetch-ray-query-device.sh build/ray-query-device
 	$(PYTHON) tools/run_tests.py release --jobs 3
 
 bench: build

@@ -99,7 +99,7 @@ struct Way {
   int frame = 0;
 
   void start(const std::string& device) {
-    renderer = std::make_unique<Renderer>(RendererOptions{device, false, {}});
+    renderer = std::make_unique<Renderer>(RendererOptions{.device = device});
     renderer->setScene(scene);
     positions = scene.objects[0].mesh.positionsMm;
   }

@@ -106,6 +106,7 @@ Json devicesJson() {
   for (const DeviceDescription& device : listDevices()) {
     Json entry{{"index", devices.size()}};
     entry.update(deviceJson(device));
+    entry["ray_queries"] = device.rayQueries;
     devices.push_back(std::move(entry));
   }
   return devices;
@@ -191,9 +192,10 @@ std::string restText(const Json& facts) {
                   atlas["charts"].get<std::size_t>(), 100 * atlas["coverage"].get<double>(),
                   atlas["area_distortion_rms"].get<double>(), atlas["seconds"].get<double>());
   for (const Json& device : facts["devices"]) {
-    text += fmt::format("device {}: {}, {}, {}\n", device["index"].get<std::size_t>(),
+    text += fmt::format("device {}: {}, {}, {}{}\n", device["index"].get<std::size_t>(),
                         device["name"].get<std::string>(), device["type"].get<std::string>(),
-                        device["driver"].get<std::string>());
+                        device["driver"].get<std::string>(),
+                        device["ray_queries"].get<bool>() ? ", ray queries" : "");
   }
   if (facts["devices"].empty()) text += "no Vulkan device\n";
   return text;

@@ -9,6 +9,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "core/file.h"
+#include "device_options.h"
 #include "film.h"
 #include "film_output.h"
 #include "json.h"
@@ -34,10 +35,9 @@ struct RenderCommand {
   MotionOptions motion;
   MethodOptions method;
   PictureOptions picture;
-  std::optional<std::string> device;
+  DeviceOptions device;
   std::optional<std::filesystem::path> report;
   bool resume = false;
-  bool validation = false;
   bool quiet = false;
   bool json = false;
 
@@ -55,14 +55,7 @@ struct RenderCommand {
     line.section("Method");
     method.addTo(line);
     line.section("Run");
-    line.value("--device", "NAME|INDEX", "as opaline info lists them [the best]",
-               [this](const Given& given) {
-                 if (given.text.empty()) {
-                   throw UsageError("--device needs a value, NAME|INDEX");
-                 }
-                 device = given.text;
-               });
-    line.flag("--validation", "run Vulkan's validation layer, fail on messages", validation);
+    device.addTo(line);
     line.value("--report", "FILE.json", "what was done, and how long it took",
                [this](const Given& given) { report = readOutput(given, {".json"}); });
     line.flag("--json", "the same on standard output", json);
@@ -128,8 +121,7 @@ struct Done {
 };
 
 Renderer makeRenderer(const RenderCommand& command, const Job& job, const LogCallback& log) {
-  Renderer renderer(
-      {command.device.value_or(job.settings.device.value_or("")), command.validation, log});
+  Renderer renderer(command.device.rendererOptions(job.settings.device.value_or(""), log));
   renderer.setScene(job.scene);
   return renderer;
 }

@@ -41,7 +41,7 @@ RenderOptions optionsFor(const ScalingOrder& order) {
 }
 
 SharedRenderer rendererFor(const ScalingOrder& order, const Scene& scene, const LogCallback& log) {
-  auto renderer = std::make_shared<Renderer>(RendererOptions{order.device, false, log});
+  auto renderer = std::make_shared<Renderer>(RendererOptions{.device = order.device, .log = log});
   renderer->setScene(scene);
   return renderer;
 }

@@ -9,6 +9,7 @@
 
 #include "command_line.h"
 #include "commands.h"
+#include "device_options.h"
 #include "json.h"
 #include "motion_options.h"
 #include "opaline/error.h"
@@ -31,9 +32,8 @@ struct ViewCommand {
   MethodOptions method;
   LookOptions look;
   std::optional<std::array<int, 2>> size;
-  std::string device;
+  DeviceOptions device;
   std::optional<std::filesystem::path> controls;
-  bool validation = false;
   bool json = false;
 
   void addTo(CommandLine& line) {
@@ -51,9 +51,7 @@ struct ViewCommand {
     line.section("Method");
     method.addTo(line);
     line.section("Run");
-    line.value("--device", "NAME|INDEX", "as opaline info lists them [the best]",
-               [this](const Given& given) { device = given.text; });
-    line.flag("--validation", "run Vulkan's validation layer, fail on messages", validation);
+    device.addTo(line);
     line.flag("--json", "what the last picture was, when the window is closed", json);
     line.value("--controls", "FILE.json", "keep there where each control stands, to drive it",
                [this](const Given& given) { controls = readOutput(given, {".json"}); });
@@ -114,9 +112,7 @@ void runView(const Arguments& arguments) {
   options.prepare = [next = command](LoadedScene& loaded, viewer::Session& session) mutable {
     std::exchange(next, {}).prepare(loaded, session);
   };
-  options.renderer.device = command.device;
-  options.renderer.validation = command.validation;
-  options.renderer.log = log;
+  options.renderer = command.device.rendererOptions("", log);
   options.size = command.size;
   options.configFolder = configFolder();
   options.controls = command.controls;

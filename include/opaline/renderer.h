@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -106,6 +107,7 @@ struct DeviceDescription {
   std::string name;
   std::string type;  ///< discrete, integrated, virtual or software
   std::string driver;
+  bool rayQueries = false;  ///< has VK_KHR_ray_query
 };
 
 /// How the boundary's equation was solved for light that entered, or for a bounce of it.
@@ -167,6 +169,9 @@ struct RendererOptions {
   /// windows.
   std::vector<std::string> instanceExtensions;
   std::vector<std::string> deviceExtensions;
+  /// Rays by VK_KHR_ray_query rather than by compute shaders; pictures differ by roundings. Empty:
+  /// where they are hardware's, that is on every device that has them but software devices.
+  std::optional<bool> rayQueries;
 };
 
 /// All Vulkan devices of this machine, in the order of their index; empty when there is none.

@@ -61,6 +61,17 @@ AccessScope scopeOf(Access access) {
     case Access::TransferWrite:
       return {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true};
+    case Access::RayBuild:
+      return {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
+              VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR |
+                  VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR,
+              VK_IMAGE_LAYOUT_UNDEFINED, true};
+    case Access::RayInput:
+      return {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR, VK_ACCESS_2_SHADER_READ_BIT,
+              VK_IMAGE_LAYOUT_UNDEFINED, false};
+    case Access::RayQuery:
+      return {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+              VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR, VK_IMAGE_LAYOUT_UNDEFINED, false};
     case Access::HostRead:
       return {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT, VK_IMAGE_LAYOUT_GENERAL,
               false};

@@ -19,6 +19,9 @@ enum class Access {
   Index,         ///< index buffer
   TransferRead,
   TransferWrite,
+  RayBuild,  ///< acceleration structure built or refitted, or what building it needs
+  RayInput,  ///< triangles that an acceleration structure is built of
+  RayQuery,  ///< acceleration structure that shaders send rays through
   HostRead,  ///< by the host, once the submission has finished
 };
 

@@ -1,3 +1,4 @@
+#include "gpu/acceleration_structure.h"
 #include "gpu/command_list.h"
 
 namespace opaline::gpu {
@@ -59,6 +60,16 @@ Binding Binding::writeImageLevel(std::uint32_t slot, GpuImage& image, std::uint3
   binding.access = Access::StorageWrite;
   binding.image = &image;
   binding.view = image.levelView(level);
+  return binding;
+}
+
+Binding Binding::rays(std::uint32_t slot, AccelerationStructure& structure) {
+  Binding binding;
+  binding.slot = slot;
+  binding.type = BindingType::AccelerationStructure;
+  binding.access = Access::RayQuery;
+  binding.buffer = &structure.storage();
+  binding.structure = structure.handle();
   return binding;
 }
 

@@ -70,7 +70,8 @@ Buffer::Buffer(Device& device, const BufferOptions& options) : Buffer() {
   VkMemoryRequirements requirements{};
   vkGetBufferMemoryRequirements(device.handle(), buffer_, &requirements);
   const MemoryKind kind = kindOf(options.memory);
-  memory_ = device.allocate(requirements, kind.wanted, kind.preferred, options.name);
+  const bool addressed = (options.usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) != 0;
+  memory_ = device.allocate(requirements, kind.wanted, kind.preferred, options.name, addressed);
   allocatedBytes_ = requirements.size;
   check(vkBindBufferMemory(device.handle(), buffer_, memory_, 0),
         fmt::format("give memory to the buffer \"{}\"", options.name));
@@ -100,6 +101,13 @@ void Buffer::makeTexelView(const std::string& name) {
   check(vkCreateBufferView(device_->handle(), &info, nullptr, &texelView_),
         fmt::format("make texels of the buffer \"{}\"", name));
   device_->setName(VK_OBJECT_TYPE_BUFFER_VIEW, reinterpret_cast<std::uint64_t>(texelView_), name);
+}
+
+VkDeviceAddress Buffer::address() const {
+  VkBufferDeviceAddressInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
+  info.buffer = buffer_;
+  return vkGetBufferDeviceAddress(device_->handle(), &info);
 }
 
 Buffer Buffer::borrowed(VkBuffer buffer, std::size_t bytes) {

@@ -43,6 +43,8 @@ class Buffer {
   VkBuffer handle() const { return buffer_; }
   std::size_t bytes() const { return bytes_; }
   VkBufferView texelView() const { return texelView_; }  ///< of all of it
+  /// Where shaders and builds find it. Needs VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT.
+  VkDeviceAddress address() const;
 
   /// The mapped memory of an Upload or Readback buffer.
   std::span<std::byte> mapped() const { return {mapped_, bytes_}; }

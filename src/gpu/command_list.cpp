@@ -6,6 +6,7 @@
 #include <cassert>
 #include <utility>
 
+#include "gpu/acceleration_structure.h"
 #include "gpu/device.h"
 #include "gpu/vulkan_result.h"
 
@@ -223,6 +224,7 @@ void CommandList::bindResources(std::span<const Binding> bindings) {
   std::array<VkDescriptorBufferInfo, maxSlots> buffers;
   std::array<VkDescriptorImageInfo, maxSlots> images;
   std::array<VkBufferView, maxSlots> texels;
+  std::array<VkWriteDescriptorSetAccelerationStructureKHR, maxSlots> structures;
   for (std::size_t i = 0; i < bindings.size(); ++i) {
     const Binding& binding = bindings[i];
     assert(pipeline_->hasSlot(binding.slot));
@@ -235,6 +237,12 @@ void CommandList::bindResources(std::span<const Binding> bindings) {
     if (binding.type == BindingType::TexelBuffer) {
       texels[i] = binding.buffer->texelView();
       write.pTexelBufferView = &texels[i];
+    } else if (binding.type == BindingType::AccelerationStructure) {
+      structures[i] = {};
+      structures[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR;
+      structures[i].accelerationStructureCount = 1;
+      structures[i].pAccelerationStructures = &binding.structure;
+      write.pNext = &structures[i];
     } else if (binding.buffer != nullptr) {
       buffers[i] = bufferInfoOf(binding, device_.limits());
       write.pBufferInfo = &buffers[i];
@@ -260,6 +268,18 @@ bool CommandList::boundIsCurrent() const {
     return scope.layout == state.layout &&
            (scope.accesses & ~(state.readAccesses | state.writeAccesses)) == 0;
   });
+}
+
+void CommandList::build(AccelerationStructure& structure, Buffer& corners, bool refit) {
+  assert(recording_ && !rendering_);
+  order(corners, scopeOf(Access::RayInput));
+  order(structure.storage_, scopeOf(Access::RayBuild));
+  order(structure.scratch_, scopeOf(Access::RayBuild));
+  flushBarriers();
+  structure.recordTriangles(commands_, refit);
+  order(structure.storage_, scopeOf(Access::RayBuild));
+  flushBarriers();
+  structure.recordBodies(commands_);
 }
 
 void CommandList::pushConstants(const void* data, std::uint32_t bytes) {

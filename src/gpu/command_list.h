@@ -18,6 +18,7 @@
 
 namespace opaline::gpu {
 
+class AccelerationStructure;
 class Device;
 
 /// A resource at a binding of the bound pipeline. Binding it is also what orders it: the command
@@ -32,6 +33,7 @@ struct Binding {
   static Binding sampled(std::uint32_t slot, GpuImage& image, const Sampler& sampler);
   static Binding writeImage(std::uint32_t slot, GpuImage& image);  ///< level 0, all layers
   static Binding writeImageLevel(std::uint32_t slot, GpuImage& image, std::uint32_t level);
+  static Binding rays(std::uint32_t slot, AccelerationStructure& structure);
 
   std::uint32_t slot = 0;
   BindingType type = BindingType::StorageBuffer;
@@ -42,6 +44,7 @@ struct Binding {
   GpuImage* image = nullptr;
   VkImageView view = VK_NULL_HANDLE;
   VkSampler sampler = VK_NULL_HANDLE;
+  VkAccelerationStructureKHR structure = VK_NULL_HANDLE;
 };
 
 struct ColorTarget {
@@ -129,6 +132,10 @@ class CommandList {
   void copyFromImage(GpuImage& from, Buffer& to, std::uint32_t layer = 0, std::uint32_t level = 0,
                      std::size_t toOffset = 0);
   void fill(Buffer& buffer, std::uint32_t value);
+
+  /// Of the triangles as they lie in `corners`, the buffer that it was made of. A refit is faster
+  /// than building anew, and rays take longer the further triangles have moved apart since then.
+  void build(AccelerationStructure& structure, Buffer& corners, bool refit);
 
   /// Orders an access that no other call speaks of, such as Index or HostRead.
   void use(Buffer& buffer, Access access);

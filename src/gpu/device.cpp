@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <type_traits>
 
 #include "gpu/device_choice.h"
 #include "gpu/instance.h"
@@ -21,6 +22,18 @@ std::vector<DeviceInfo> describeAll(const std::vector<VkPhysicalDevice>& devices
     infos.push_back(describe(device, static_cast<std::uint32_t>(infos.size())));
   }
   return infos;
+}
+
+// A software device has no hardware for rays: compute shaders, which know what they are looking
+// for, are faster there.
+bool usesRayQueries(const DeviceInfo& info, std::optional<bool> wanted) {
+  if (wanted == true && !info.rayQueries) {
+    throw UsageError(
+        fmt::format("the Vulkan device {} has no ray queries (VK_KHR_ray_query); update its driver "
+                    "or leave rays to compute shaders",
+                    info.name));
+  }
+  return wanted.value_or(info.rayQueries && info.type != DeviceType::Software);
 }
 
 /// Kinds of memory that only special features or attachments may use.
@@ -85,14 +98,22 @@ Device::Device(const DeviceOptions& options)
   largestAllocationBytes_ = maintenance.maxMemoryAllocationSize;
   vkGetPhysicalDeviceMemoryProperties(physical_, &memoryProperties_);
 
-  createDevice(options.deviceExtensions);
+  const bool rayQueries = usesRayQueries(info_, options.rayQueries);
+  createDevice(options.deviceExtensions, rayQueries);
   loadFunctions();
+  if (rayQueries) loadRayFunctions();
   vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
   setName(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<std::uint64_t>(queue_), "queue");
 }
 
-void Device::createDevice(const std::vector<std::string>& wanted) {
+void Device::createDevice(const std::vector<std::string>& wanted, bool rayQueries) {
   Features features;
+  if (rayQueries) {
+    features.chainRayQueries();
+    features.addresses.bufferDeviceAddress = VK_TRUE;
+    features.structures.accelerationStructure = VK_TRUE;
+    features.rayQueries.rayQuery = VK_TRUE;
+  }
   features.base.features.imageCubeArray = VK_TRUE;
   features.base.features.independentBlend = VK_TRUE;
   features.vulkan13.dynamicRendering = VK_TRUE;
@@ -109,6 +130,7 @@ void Device::createDevice(const std::vector<std::string>& wanted) {
   queue.queueCount = 1;
   queue.pQueuePriorities = &priority;
   std::vector<const char*> extensions{VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+  if (rayQueries) extensions.insert(extensions.end(), rayExtensions.begin(), rayExtensions.end());
   for (const std::string& name : wanted) extensions.push_back(name.c_str());
   VkDeviceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
@@ -135,6 +157,26 @@ void Device::loadFunctions() {
       vkGetInstanceProcAddr(instance, "vkCmdEndDebugUtilsLabelEXT"));
 }
 
+void Device::loadRayFunctions() {
+  const auto load = [&](auto& function, const char* name) {
+    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
+        vkGetDeviceProcAddr(device_, name));
+    assert(function != nullptr);
+  };
+  load(rays_.create, "vkCreateAccelerationStructureKHR");
+  load(rays_.destroy, "vkDestroyAccelerationStructureKHR");
+  load(rays_.buildSizes, "vkGetAccelerationStructureBuildSizesKHR");
+  load(rays_.address, "vkGetAccelerationStructureDeviceAddressKHR");
+  load(rays_.build, "vkCmdBuildAccelerationStructuresKHR");
+  VkPhysicalDeviceAccelerationStructurePropertiesKHR structures{};
+  structures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR;
+  VkPhysicalDeviceProperties2 properties{};
+  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+  properties.pNext = &structures;
+  vkGetPhysicalDeviceProperties2(physical_, &properties);
+  rays_.scratchAlignment = structures.minAccelerationStructureScratchOffsetAlignment;
+}
+
 Device::~Device() {
   vkDeviceWaitIdle(device_);
   vkDestroyDevice(device_, nullptr);
@@ -154,7 +196,7 @@ void Device::waitIdle() const {
 
 VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements,
                                 VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred,
-                                const std::string& name) {
+                                const std::string& name, bool addressed) {
   if (requirements.size > largestAllocationBytes_) {
     throw outOfMemory(name, requirements.size, info_.name);
   }
@@ -166,7 +208,11 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements,
       if ((type.propertyFlags & flags) != flags) continue;
       if ((type.propertyFlags & specialMemory) != 0) continue;
       if (requirements.size > memoryProperties_.memoryHeaps[type.heapIndex].size) continue;
+      VkMemoryAllocateFlagsInfo address{};
+      address.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO;
+      address.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
       VkMemoryAllocateInfo info{};
+      if (addressed) info.pNext = &address;
       info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
       info.allocationSize = requirements.size;
       info.memoryTypeIndex = i;

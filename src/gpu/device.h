@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct DeviceInfo {
   std::string name;
   std::string driver;  ///< name and version
   DeviceType type = DeviceType::Software;
-  std::string missing;  ///< what Opaline needs and the device lacks; empty: it will do
+  bool rayQueries = false;  ///< has VK_KHR_ray_query
+  std::string missing;      ///< what Opaline needs and the device lacks; empty: it will do
 };
 
 struct DeviceOptions {
@@ -33,6 +35,17 @@ struct DeviceOptions {
   LogCallback log;
   std::vector<std::string> instanceExtensions;  ///< beside those that Opaline needs itself
   std::vector<std::string> deviceExtensions;    ///< the same of the device
+  std::optional<bool> rayQueries;               ///< use them; empty: where they are hardware's
+};
+
+/// For AccelerationStructure: what the device has for it.
+struct RayFunctions {
+  PFN_vkCreateAccelerationStructureKHR create = nullptr;
+  PFN_vkDestroyAccelerationStructureKHR destroy = nullptr;
+  PFN_vkGetAccelerationStructureBuildSizesKHR buildSizes = nullptr;
+  PFN_vkGetAccelerationStructureDeviceAddressKHR address = nullptr;
+  PFN_vkCmdBuildAccelerationStructuresKHR build = nullptr;
+  VkDeviceSize scratchAlignment = 0;
 };
 
 /// One Vulkan 1.3 device with one queue that does graphics, compute and transfer. Counts the memory
@@ -40,7 +53,8 @@ struct DeviceOptions {
 class Device {
  public:
   /// Discrete, integrated, virtual, then software. Throws Error when there is no Vulkan device that
-  /// can do what is needed, UsageError when the selector names none of those there are.
+  /// can do what is needed, UsageError when the selector names none of those there are or ray
+  /// queries are wanted of a device without.
   explicit Device(const DeviceOptions& options = {});
   ~Device();
   Device(const Device&) = delete;
@@ -66,9 +80,11 @@ class Device {
   /// Blocks until the device has nothing left to do.
   void waitIdle() const;
 
-  /// For Buffer and Image: memory of a kind, and its account. Throws Error when there is none left.
+  /// For Buffer and Image: memory of a kind, and its account; `addressed` where a buffer's address
+  /// is asked for. Throws Error when there is none left.
   VkDeviceMemory allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
-                          VkMemoryPropertyFlags preferred, const std::string& name);
+                          VkMemoryPropertyFlags preferred, const std::string& name,
+                          bool addressed = false);
   void release(VkDeviceMemory memory, std::size_t bytes);
 
   /// Names an object for debuggers and validation messages; costs nothing without
@@ -81,9 +97,14 @@ class Device {
 
   PFN_vkCmdPushDescriptorSetKHR pushDescriptorSet() const { return pushDescriptorSet_; }
 
+  /// Whether shaders may send rays through acceleration structures.
+  bool hasRayQueries() const { return rays_.build != nullptr; }
+  const RayFunctions& rays() const { return rays_; }
+
  private:
-  void createDevice(const std::vector<std::string>& wanted);
+  void createDevice(const std::vector<std::string>& wanted, bool rayQueries);
   void loadFunctions();
+  void loadRayFunctions();
 
   std::unique_ptr<Instance> instance_;
   DeviceInfo info_;
@@ -101,6 +122,7 @@ class Device {
   PFN_vkSetDebugUtilsObjectNameEXT setObjectName_ = nullptr;
   PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel_ = nullptr;
   PFN_vkCmdEndDebugUtilsLabelEXT endLabel_ = nullptr;
+  RayFunctions rays_;
 };
 
 }  // namespace opaline::gpu

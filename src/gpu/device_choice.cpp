@@ -27,16 +27,32 @@ DeviceType typeOf(VkPhysicalDeviceType type) {
   }
 }
 
-bool hasPushDescriptors(VkPhysicalDevice physical) {
+std::vector<VkExtensionProperties> extensionsOf(VkPhysicalDevice physical) {
   std::uint32_t count = 0;
   check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr),
         "list a device's extensions");
   std::vector<VkExtensionProperties> extensions(count);
   check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data()),
         "list a device's extensions");
-  return std::any_of(extensions.begin(), extensions.end(), [](const auto& extension) {
-    return std::strcmp(extension.extensionName, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME) == 0;
+  return extensions;
+}
+
+bool hasExtension(const std::vector<VkExtensionProperties>& extensions, const char* name) {
+  return std::any_of(extensions.begin(), extensions.end(), [&](const auto& extension) {
+    return std::strcmp(extension.extensionName, name) == 0;
   });
+}
+
+bool canQueryRays(VkPhysicalDevice physical) {
+  const std::vector<VkExtensionProperties> extensions = extensionsOf(physical);
+  if (!std::all_of(rayExtensions.begin(), rayExtensions.end(),
+                   [&](const char* name) { return hasExtension(extensions, name); }))
+    return false;
+  Features there;
+  there.chainRayQueries();
+  vkGetPhysicalDeviceFeatures2(physical, &there.base);
+  return there.addresses.bufferDeviceAddress == VK_TRUE &&
+         there.structures.accelerationStructure == VK_TRUE && there.rayQueries.rayQuery == VK_TRUE;
 }
 
 bool hasSubgroupArithmetic(VkPhysicalDevice physical) {
@@ -71,7 +87,8 @@ std::string whatIsMissing(VkPhysicalDevice physical, std::uint32_t apiVersion) {
   need(there.vulkan13.shaderDemoteToHelperInvocation == VK_TRUE, "shaderDemoteToHelperInvocation");
   need(there.vulkan13.shaderTerminateInvocation == VK_TRUE, "shaderTerminateInvocation");
   need(hasSubgroupArithmetic(physical), "subgroup arithmetic in compute");
-  need(hasPushDescriptors(physical), VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
+  need(hasExtension(extensionsOf(physical), VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME),
+       VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
   need(findQueueFamily(physical).has_value(), "a queue for graphics and compute");
   return missing;
 }
@@ -113,6 +130,15 @@ Features::Features() {
   vulkan13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
 }
 
+void Features::chainRayQueries() {
+  vulkan13.pNext = &addresses;
+  addresses.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES;
+  addresses.pNext = &structures;
+  structures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR;
+  structures.pNext = &rayQueries;
+  rayQueries.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR;
+}
+
 std::optional<std::uint32_t> findQueueFamily(VkPhysicalDevice physical) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
@@ -133,6 +159,7 @@ DeviceInfo describe(VkPhysicalDevice physical, std::uint32_t index) {
   info.name = properties.deviceName;
   info.type = typeOf(properties.deviceType);
   info.missing = whatIsMissing(physical, properties.apiVersion);
+  info.rayQueries = info.missing.empty() && canQueryRays(physical);
   info.driver = fmt::format("version {}", properties.driverVersion);
   if (properties.apiVersion >= VK_API_VERSION_1_2) {
     VkPhysicalDeviceDriverProperties driver{};

@@ -2,6 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,6 +22,11 @@ std::optional<std::uint32_t> findQueueFamily(VkPhysicalDevice physical);
 /// lacks something, UsageError when the selector fits none.
 std::size_t choose(const std::vector<DeviceInfo>& devices, const std::string& selector);
 
+/// Extensions of the device that ray queries need.
+constexpr std::array<const char*, 3> rayExtensions{VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+                                                   VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
+                                                   VK_KHR_RAY_QUERY_EXTENSION_NAME};
+
 /// The features that Opaline turns on, chained for vkCreateDevice. Not movable: it points at
 /// itself.
 struct Features {
@@ -28,8 +34,14 @@ struct Features {
   Features(const Features&) = delete;
   Features& operator=(const Features&) = delete;
 
+  /// Adds those of ray queries, which not every device has.
+  void chainRayQueries();
+
   VkPhysicalDeviceFeatures2 base{};
   VkPhysicalDeviceVulkan13Features vulkan13{};
+  VkPhysicalDeviceBufferDeviceAddressFeatures addresses{};
+  VkPhysicalDeviceAccelerationStructureFeaturesKHR structures{};
+  VkPhysicalDeviceRayQueryFeaturesKHR rayQueries{};
 };
 
 }  // namespace opaline::gpu

@@ -173,6 +173,8 @@ VkDescriptorType descriptorTypeOf(BindingType type) {
       return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     case BindingType::StorageImage:
       return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    case BindingType::AccelerationStructure:
+      return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
   }
   assert(false);
   return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;

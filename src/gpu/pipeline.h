@@ -16,7 +16,14 @@ using Spirv = std::span<const std::uint32_t>;
 
 /// A TexelBuffer is read four floats at a time by texelFetch (samplerBuffer), which some devices do
 /// faster than reading storage buffers.
-enum class BindingType { UniformBuffer, StorageBuffer, TexelBuffer, SampledImage, StorageImage };
+enum class BindingType {
+  UniformBuffer,
+  StorageBuffer,
+  TexelBuffer,
+  SampledImage,
+  StorageImage,
+  AccelerationStructure
+};
 
 VkDescriptorType descriptorTypeOf(BindingType type);
 

@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "gpu/buffer.h"
+#include "gpu/command_list.h"
+#include "gpu/device.h"
 #include "gpu/pipeline.h"
+#include "passes/products.h"
 
 /// What passes are put together from.
 namespace opaline::passes {
@@ -23,13 +26,27 @@ inline std::vector<gpu::BindingSlot> slots(std::uint32_t count,
   return made;
 }
 
+/// Of what shaders write, and read as storage or texels.
+constexpr VkBufferUsageFlags roomUsage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+
 /// Room for `count` of T that shaders write, and read as storage or texels; for one at least.
 template <typename T>
 gpu::Buffer makeRoom(gpu::Device& device, const char* name, std::size_t count) {
   return {device,
-          {.name = name,
-           .bytes = std::max<std::size_t>(count, 1) * sizeof(T),
-           .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT}};
+          {.name = name, .bytes = std::max<std::size_t>(count, 1) * sizeof(T), .usage = roomUsage}};
+}
+
+/// BINDING_RAYS of shaders with lib/rays.glsl, which are to be the variant with ray queries where
+/// the device has them.
+inline gpu::BindingSlot raysSlot(const gpu::Device& device, std::uint32_t slot) {
+  return {slot, device.hasRayQueries() ? gpu::BindingType::AccelerationStructure
+                                       : gpu::BindingType::TexelBuffer};
+}
+
+inline gpu::Binding rays(std::uint32_t slot, RayHierarchy& hierarchy) {
+  return hierarchy.structure ? gpu::Binding::rays(slot, hierarchy.structure)
+                             : gpu::Binding::texels(slot, hierarchy.boxes);
 }
 
 /// A tree's nodes of one height, as its list by height has them.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "gpu/acceleration_structure.h"
 #include "gpu/buffer.h"
 #include "gpu/image.h"
 
@@ -119,10 +120,12 @@ struct Places {
   std::uint32_t count = 0;
 };
 
-/// The surface of this frame for rays (lib/rays.glsl), on the surfels' tree; texel buffers.
+/// The surface of this frame for rays (lib/rays.glsl): texel buffers on the surfels' tree and,
+/// where the device has ray queries, what it sends rays through itself.
 struct RayHierarchy {
-  gpu::Buffer corners;  ///< shared::RayPiece, one a piece
-  gpu::Buffer boxes;    ///< shared::RayBox, one a node
+  gpu::Buffer corners;                   ///< shared::RayPiece, one a piece
+  gpu::Buffer boxes;                     ///< shared::RayBox, one a node
+  gpu::AccelerationStructure structure;  ///< of the pieces, a body an object; or none
 };
 
 /// Light in the body under each cluster: points where it collides.

@@ -177,8 +177,9 @@ struct FrameContext {
   }
 
   void findSurfels(SceneResources& scene) const {
-    // Boundary transport has made the rays' boxes, in this frame or in that whose light it takes.
+    // Boundary transport has recorded the rays, in this frame or in that whose light it takes.
     if (!boundary()) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+    passes.rays.recordBoxes(commands, scene.surfels, scene.rays);
     passes.seenSurfels.record(
         commands,
         {resources.tables, resources.surface, scene.surfels, scene.rays,

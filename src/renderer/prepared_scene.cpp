@@ -76,7 +76,7 @@ bool PreparedScene::isProvisional() const {
 // Most frames are not asked which surfels they show.
 void PreparedScene::makeRoomForSeenSurfels() {
   if (!resources_->rays.boxes)
-    resources_->rays = passes::RayPass::makeHierarchy(device_, resources_->surfels);
+    resources_->rays = passes::RayPass::makeBoxes(device_, resources_->surfels);
   FrameResources& made = frame_->resources;
   if (!made.seenSurfels.image)
     made.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, made.surface);

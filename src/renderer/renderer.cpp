@@ -27,7 +27,7 @@ namespace opaline {
 namespace {
 
 DeviceDescription describe(const gpu::DeviceInfo& info) {
-  return {info.name, gpu::toString(info.type), info.driver};
+  return {info.name, gpu::toString(info.type), info.driver, info.rayQueries};
 }
 
 shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& camera,
@@ -51,7 +51,8 @@ class Renderer::Implementation {
                  .validation = options.validation,
                  .log = options.log,
                  .instanceExtensions = options.instanceExtensions,
-                 .deviceExtensions = options.deviceExtensions}),
+                 .deviceExtensions = options.deviceExtensions,
+                 .rayQueries = options.rayQueries}),
         passes_(device_),
         queue_(device_),
         frameData_(device_, "frame data", sizeof(shared::FrameData), framesInFlight, 0),

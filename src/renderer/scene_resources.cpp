@@ -181,7 +181,8 @@ void takeClusters(gpu::Device& device, const surfels::Surface& surface, const Di
   }
   resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, division.surfels,
                                                          resources.triangleHasInside);
-  resources.rays = passes::RayPass::makeHierarchy(device, resources.surfels);
+  resources.rays =
+      passes::RayPass::makeHierarchy(device, resources.surfels, division.surfels, surface);
   resources.solver = passes::SolverPass::makeSolver(device, resources.clusters, maxBounces + 1);
 }
 

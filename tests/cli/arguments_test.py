@@ -120,6 +120,7 @@ class Refusals(ProgramTest):
             ("--far-distance", "nan", "from 0.001 to 1000"),
             ("--near-spacing", "", "needs a value"),
             ("--device", "", "needs a value"),
+            ("--ray-queries", "maybe", "auto, on, off"),
             ("--dsm-size", "63", "from 64 to 4096"),
             ("--shadow-size", "8193", "from 64 to 8192"),
             ("--aov", "depht", "did you mean depth?"),

@@ -17,6 +17,7 @@ namespace opaline::gpu {
 /// The device of all GPU tests of a process, opened at first use with the validation layer on, and
 /// what the layer said.
 struct SharedDevice {
+  DeviceOptions options{.validation = true};
   std::unique_ptr<Device> device;
   std::string reason;  ///< why there is no device
   bool opened = false;
@@ -24,8 +25,6 @@ struct SharedDevice {
 
   void open() {
     if (std::exchange(opened, true)) return;
-    DeviceOptions options;
-    options.validation = true;
     options.log = [this](LogLevel, std::string_view message) { messages.emplace_back(message); };
     try {
       device = std::make_unique<Device>(options);
@@ -48,12 +47,20 @@ inline SharedDevice& sharedDevice() {
   return shared;
 }
 
-/// Closes the device after the last test, when the layer speaks of objects that were left behind.
+/// One that sends rays by VK_KHR_ray_query, if any device can.
+inline SharedDevice& sharedRayQueryDevice() {
+  static SharedDevice shared{.options = {.validation = true, .rayQueries = true}};
+  return shared;
+}
+
+/// Closes the devices after the last test, when the layer speaks of objects that were left behind.
 class CloseSharedDevice : public testing::Environment {
  public:
   void TearDown() override {
-    sharedDevice().device.reset();
-    sharedDevice().reportMessages();
+    for (SharedDevice* shared : {&sharedDevice(), &sharedRayQueryDevice()}) {
+      shared->device.reset();
+      shared->reportMessages();
+    }
   }
 };
 

@@ -14,12 +14,14 @@
 #include "gpu/pipeline.h"
 #include "passes/boundary/ray_pass.h"
 #include "passes/gather/surfel_pass.h"
+#include "passes/mechanics.h"
 #include "passes/ray_bodies.h"
 #include "shaders/shaders.h"
 
 namespace opaline::passes::test {
 
 constexpr std::uint32_t noPiece = 0xffffffffU;
+constexpr std::uint32_t everyObject = 0xffffffffU;
 
 struct Hit {
   std::array<float, 3> normal{};
@@ -38,14 +40,16 @@ class RayTracer {
         made_(surfels::makeSurfels(body.surface(), std::vector<double>(body.objects, spacingMm),
                                    maxSurfels)),
         surfels_(SurfelPass::makeSurfels(device, made_, body.surface())),
-        hierarchy_(RayPass::makeHierarchy(device, surfels_)),
+        hierarchy_(RayPass::makeHierarchy(device, surfels_, made_, body.surface())),
         refit_(device),
         trace_(device, {.name = "rays",
-                        .shader = shaders::shaders_rays_comp,
+                        .shader = device.hasRayQueries() ? shaders::shaders_rays_ray_queries_comp
+                                                         : shaders::shaders_rays_comp,
                         .bindings = {{0, gpu::BindingType::TexelBuffer},
-                                     {1, gpu::BindingType::TexelBuffer},
+                                     raysSlot(device, 1),
                                      {2, gpu::BindingType::StorageBuffer},
-                                     {3, gpu::BindingType::StorageBuffer}},
+                                     {3, gpu::BindingType::StorageBuffer},
+                                     {4, gpu::BindingType::StorageBuffer}},
                         .pushConstantBytes = sizeof(Push)}),
         commands_(device, "rays") {
     moveTo(body.moved);
@@ -65,16 +69,15 @@ class RayTracer {
     commands_.wait();
   }
 
-  /// Nearest hits among some objects.
-  std::vector<Hit> nearest(const std::vector<Ray>& rays, std::uint32_t firstObject,
-                           std::uint32_t endObject) {
-    return trace(rays, firstObject, endObject, 0);
+  /// Nearest hits on an object, or on all.
+  std::vector<Hit> nearest(const std::vector<Ray>& rays, std::uint32_t object) {
+    return trace(rays, object, 0);
   }
-  std::vector<Hit> nearest(const std::vector<Ray>& rays) { return trace(rays, 0, objects(), 0); }
+  std::vector<Hit> nearest(const std::vector<Ray>& rays) { return trace(rays, everyObject, 0); }
   /// How often the rays meet the surface, where hits nearer to each other than `apart` are one.
   std::vector<std::uint32_t> crossings(const std::vector<Ray>& rays, float apart) {
     std::vector<std::uint32_t> counts;
-    for (const Hit& hit : trace(rays, 0, objects(), apart)) counts.push_back(hit.piece);
+    for (const Hit& hit : trace(rays, everyObject, apart)) counts.push_back(hit.piece);
     return counts;
   }
 
@@ -83,6 +86,7 @@ class RayTracer {
     std::uint32_t count;
     std::uint32_t firstNode;
     std::uint32_t endNode;
+    std::uint32_t object;
     float apart;
   };
 
@@ -90,21 +94,26 @@ class RayTracer {
     return static_cast<std::uint32_t>(made_.tree.rootOfObject.size() - 1);
   }
 
-  std::vector<Hit> trace(const std::vector<Ray>& rays, std::uint32_t firstObject,
-                         std::uint32_t endObject, float apart) {
+  std::vector<Hit> trace(const std::vector<Ray>& sent, std::uint32_t object, float apart) {
     using gpu::Binding;
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    gpu::Buffer input = gpu::makeBuffer(device_, "rays", rays, storage);
-    gpu::Buffer output = gpu::makeBuffer(device_, "hits", std::vector<Hit>(rays.size()), storage);
-    const auto count = static_cast<std::uint32_t>(rays.size());
+    gpu::Buffer input = gpu::makeBuffer(device_, "rays", sent, storage);
+    gpu::Buffer output = gpu::makeBuffer(device_, "hits", std::vector<Hit>(sent.size()), storage);
+    std::vector<std::uint32_t> firstPieces;
+    for (const std::uint32_t surfel : made_.firstOfObject)
+      firstPieces.push_back(surfel * made_.piecesPerSurfel);
+    gpu::Buffer first = gpu::makeBuffer(device_, "first pieces", firstPieces, storage);
+    const std::uint32_t firstObject = object == everyObject ? 0 : object;
+    const std::uint32_t endObject = object == everyObject ? objects() : object + 1;
+    const auto count = static_cast<std::uint32_t>(sent.size());
     commands_.begin();
     commands_.beginPass("trace");
     commands_.bind(trace_);
-    commands_.bindResources({Binding::texels(0, hierarchy_.corners),
-                             Binding::texels(1, hierarchy_.boxes), Binding::read(2, input),
-                             Binding::write(3, output)});
+    commands_.bindResources({Binding::texels(0, hierarchy_.corners), rays(1, hierarchy_),
+                             Binding::read(2, input), Binding::write(3, output),
+                             Binding::read(4, first)});
     commands_.pushConstants(Push{count, made_.tree.rootOfObject[firstObject],
-                                 made_.tree.rootOfObject[endObject], apart});
+                                 made_.tree.rootOfObject[endObject], object, apart});
     commands_.dispatchLinear(count);
     commands_.endPass();
     commands_.submit();

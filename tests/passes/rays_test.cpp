@@ -33,7 +33,31 @@ using opaline::test::unit;
 
 namespace fs = std::filesystem;
 
-using RaysTest = gpu::GpuTest;
+/// What sends the rays.
+enum class By { ComputeShaders, RayQueries };
+
+std::string nameOf(By by) {
+  return by == By::RayQueries ? "by_ray_queries" : "by_compute_shaders";
+}
+
+class RaysTest : public testing::TestWithParam<By> {
+ protected:
+  void SetUp() override {
+    shared().open();
+    if (shared().device != nullptr) return;
+    if (GetParam() == By::RayQueries) GTEST_SKIP() << shared().reason;
+    FAIL() << "GPU tests need a Vulkan device and the validation layer: " << shared().reason;
+  }
+  void TearDown() override { shared().reportMessages(); }
+
+  static gpu::SharedDevice& shared() {
+    return GetParam() == By::RayQueries ? gpu::sharedRayQueryDevice() : gpu::sharedDevice();
+  }
+  static gpu::Device& device() { return *shared().device; }
+};
+
+INSTANTIATE_TEST_SUITE_P(Ways, RaysTest, testing::Values(By::ComputeShaders, By::RayQueries),
+                         [](const auto& tested) { return nameOf(tested.param); });
 
 class Random {
  public:
@@ -172,17 +196,17 @@ Body threeObjects() {
   return body;
 }
 
-TEST_F(RaysTest, MeetsTheBear) {
+TEST_P(RaysTest, MeetsTheBear) {
   expectExact(device(), bodyOf(builtin::bearMesh()), 100, 1 << 20, 1500);
 }
 
-TEST_F(RaysTest, MeetsTheTwistedBear) {
+TEST_P(RaysTest, MeetsTheTwistedBear) {
   Body body = bodyOf(builtin::bearMesh());
   body.move(twisted);
   expectExact(device(), body, 100, 1 << 20, 1500);
 }
 
-TEST_F(RaysTest, MeetsTheBunny) {
+TEST_P(RaysTest, MeetsTheBunny) {
   const std::optional<fs::path> file = opaline::test::sharedModel("bunny_closed.ply");
   if (!file) GTEST_SKIP() << "OPALINE_MODELS has no bunny_closed.ply";
   LoadOptions load;
@@ -192,12 +216,12 @@ TEST_F(RaysTest, MeetsTheBunny) {
   expectEvenCrossings(device(), body, 100, 1e-5);
 }
 
-TEST_F(RaysTest, MeetsDividedTriangles) {
+TEST_P(RaysTest, MeetsDividedTriangles) {
   const Body body = twistedBox();
   expectExact(device(), body, 0.5, 1 << 20, 20'000);
 }
 
-TEST_F(RaysTest, MeetsJoinedSurfels) {
+TEST_P(RaysTest, MeetsJoinedSurfels) {
   const Body body = threeObjects();
   RayTracer tracer(device(), body, 100, 300);
   ASSERT_GT(tracer.made().piecesPerSurfel, 1U);
@@ -206,17 +230,17 @@ TEST_F(RaysTest, MeetsJoinedSurfels) {
   compare(body, tracer, rays, tracer.nearest(rays), 0, body.objects);
 }
 
-TEST_F(RaysTest, MeetsOnlyTheObjectsAskedFor) {
+TEST_P(RaysTest, MeetsOnlyTheObjectsAskedFor) {
   const Body body = threeObjects();
   RayTracer tracer(device(), body, 1, 1 << 20);
   const std::vector<Ray> rays = randomRays(body, 5000);
-  for (std::uint32_t first = 0; first < body.objects; ++first)
-    for (std::uint32_t end = first + 1; end <= body.objects; ++end)
-      compare(body, tracer, rays, tracer.nearest(rays, first, end), first, end);
+  for (std::uint32_t object = 0; object < body.objects; ++object)
+    compare(body, tracer, rays, tracer.nearest(rays, object), object, object + 1);
+  compare(body, tracer, rays, tracer.nearest(rays), 0, body.objects);
 }
 
 // The box's faces, edges and pieces' edges lie in planes in which rays run, or start.
-TEST_F(RaysTest, MeetsBoxesAlongTheAxes) {
+TEST_P(RaysTest, MeetsBoxesAlongTheAxes) {
   Body body = bodyOf(box({0, 0, 0}, {8, 8, 8}, 4));
   RayTracer tracer(device(), body, 1, 1 << 20);
   std::vector<Ray> rays;
@@ -279,18 +303,18 @@ void expectNoCracks(gpu::Device& device, const Body& body, const Vector& inside,
   EXPECT_LT(passedBy, rays.size() / 100);
 }
 
-TEST_F(RaysTest, NoRaySlipsThroughASphere) {
+TEST_P(RaysTest, NoRaySlipsThroughASphere) {
   expectNoCracks(device(), bodyOf(sphere({50, 3, -20}, 10, 5)), {50, 3, -20}, 1);
 }
 
-TEST_F(RaysTest, NoRaySlipsThroughTheBear) {
+TEST_P(RaysTest, NoRaySlipsThroughTheBear) {
   Body body = bodyOf(builtin::bearMesh());
   body.move(twisted);
   expectNoCracks(device(), body, {0, 15, 0}, 100);
 }
 
 // Neighbouring triangles are not divided alike: pieces' corners lie on others' edges.
-TEST_F(RaysTest, NoRaySlipsBetweenPieces) {
+TEST_P(RaysTest, NoRaySlipsBetweenPieces) {
   Mesh mesh = sphere({0, 0, 0}, 10, 2);
   for (Vec3& p : mesh.positionsMm) p[1] = 1.7F * p[1] + 0.8F * p[0];
   Body body = bodyOf(mesh);
@@ -300,7 +324,7 @@ TEST_F(RaysTest, NoRaySlipsBetweenPieces) {
   expectNoCracks(device(), body, {40, -30, 20}, 0.2);
 }
 
-TEST_F(RaysTest, ClosedSurfacesAreCrossedEvenly) {
+TEST_P(RaysTest, ClosedSurfacesAreCrossedEvenly) {
   Body bear = bodyOf(builtin::bearMesh());
   expectEvenCrossings(device(), bear, 100, 1e-5);
   bear.move(twisted);
@@ -308,14 +332,14 @@ TEST_F(RaysTest, ClosedSurfacesAreCrossedEvenly) {
 }
 
 // Both of two pieces may be met where they meet, one a little further than the other.
-TEST_F(RaysTest, ClosedSurfacesOfPiecesAreCrossedEvenly) {
+TEST_P(RaysTest, ClosedSurfacesOfPiecesAreCrossedEvenly) {
   Body body = bodyOf(sphere({1, 2, 3}, 10, 3));
   body.move(twisted);
   expectEvenCrossings(device(), body, 0.5, 1e-4);
 }
 
 // What has no area is never hit, in a point or on a line; and flat it is hit like any other.
-TEST_F(RaysTest, NothingIsHitThatHasNoArea) {
+TEST_P(RaysTest, NothingIsHitThatHasNoArea) {
   Random random;
   Body body = bodyOf(sphere({0, 0, 0}, 10, 2));
   RayTracer tracer(device(), body, 1, 1 << 20);

@@ -80,12 +80,13 @@ BeamPass::BeamPass(gpu::Device& device)
     : trace_(device,
              gpu::ComputePipelineOptions{
                  .name = "points of light",
-                 .shader = shaders::boundary_beams_comp,
+                 .shader = device.hasRayQueries() ? shaders::boundary_beams_ray_queries_comp
+                                                  : shaders::boundary_beams_comp,
                  .bindings = {{0, BindingType::UniformBuffer},
                               {1, BindingType::StorageBuffer},
                               {2, BindingType::StorageBuffer},
                               {3, BindingType::TexelBuffer},
-                              {4, BindingType::TexelBuffer},
+                              raysSlot(device, 4),
                               {5, BindingType::StorageBuffer},
                               {6, BindingType::StorageBuffer},
                               {7, BindingType::StorageBuffer},
@@ -177,11 +178,10 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
   commands.bindResources(
       {Binding::uniform(0, inputs.frame.data), Binding::read(1, inputs.tables.objects),
        Binding::read(2, inputs.tables.media), Binding::texels(3, inputs.rays.corners),
-       Binding::texels(4, inputs.rays.boxes), Binding::read(5, clusters.ranges),
-       Binding::read(6, clusters.clusters), Binding::read(7, clusters.entries),
-       Binding::write(8, beams.points), Binding::write(9, beams.strengths),
-       Binding::read(10, clusters.clusterOfSurfel), Binding::write(11, clusters.mirrored),
-       Binding::write(12, clusters.peak)});
+       rays(4, inputs.rays), Binding::read(5, clusters.ranges), Binding::read(6, clusters.clusters),
+       Binding::read(7, clusters.entries), Binding::write(8, beams.points),
+       Binding::write(9, beams.strengths), Binding::read(10, clusters.clusterOfSurfel),
+       Binding::write(11, clusters.mirrored), Binding::write(12, clusters.peak)});
   commands.pushConstants(BeamChoice{clusters.count, beam.index, inputs.surfels.piecesPerSurfel,
                                     clusters.surfelNodes, beam.mirrors ? 1U : 0U});
   commands.dispatchLinear(clusters.count);
@@ -207,13 +207,15 @@ void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters
     }
     fitNodes(commands, tables, clusters, beams, scattersOnce);
     commands.bind(scattersOnce ? single_ : source_);
-    commands.bindResources({Binding::read(0, tables.objects), Binding::read(1, tables.media),
-                            Binding::texels(2, beams.points), Binding::read(3, beams.strengths),
-                            Binding::texels(4, clusters.beamNodes),
-                            Binding::read(5, clusters.ranges), Binding::read(6, clusters.clusters),
-                            Binding::write(7, scattersOnce ? clusters.latest : clusters.sources)});
     const std::uint32_t nodes = clusters.firstOfHeight.back();
     for (std::uint32_t from = 0; from < nodes; from += nodesPerDispatch) {
+      // Bound each time, so that each adds to what the one before has written.
+      commands.bindResources(
+          {Binding::read(0, tables.objects), Binding::read(1, tables.media),
+           Binding::texels(2, beams.points), Binding::read(3, beams.strengths),
+           Binding::texels(4, clusters.beamNodes), Binding::read(5, clusters.ranges),
+           Binding::read(6, clusters.clusters),
+           Binding::write(7, scattersOnce ? clusters.latest : clusters.sources)});
       const bool more = adds || from > 0;
       commands.pushConstants(
           Sum{clusters.count, inputs.openingAngle, more ? 1U : 0U, from, from + nodesPerDispatch});

@@ -116,10 +116,20 @@ ClusterPass::ClusterPass(gpu::Device& device)
                                                    .shader = shaders::boundary_enclose_comp,
                                                    .bindings = slots(5, {4}),
                                                    .pushConstantBytes = sizeof(EncloseConstants)}),
-      survey_(device, gpu::ComputePipelineOptions{.name = "rays of clusters",
-                                                  .shader = shaders::boundary_survey_comp,
-                                                  .bindings = slots(8, {2, 3}),
-                                                  .pushConstantBytes = sizeof(SurveyCounts)}) {}
+      survey_(device,
+              gpu::ComputePipelineOptions{.name = "rays of clusters",
+                                          .shader = device.hasRayQueries()
+                                                        ? shaders::boundary_survey_ray_queries_comp
+                                                        : shaders::boundary_survey_comp,
+                                          .bindings = {{0, BindingType::StorageBuffer},
+                                                       {1, BindingType::StorageBuffer},
+                                                       {2, BindingType::TexelBuffer},
+                                                       raysSlot(device, 3),
+                                                       {4, BindingType::StorageBuffer},
+                                                       {5, BindingType::StorageBuffer},
+                                                       {6, BindingType::StorageBuffer},
+                                                       {7, BindingType::StorageBuffer}},
+                                          .pushConstantBytes = sizeof(SurveyCounts)}) {}
 
 Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters& made,
                                    const surfels::Surface& surface, const surfels::Surfels& surfels,
@@ -215,7 +225,7 @@ void ClusterPass::survey(gpu::CommandList& commands, const Inputs& inputs, bool 
   commands.bind(survey_);
   commands.bindResources(
       {Binding::read(0, inputs.tables.objects), Binding::read(1, inputs.tables.media),
-       Binding::texels(2, inputs.rays.corners), Binding::texels(3, inputs.rays.boxes),
+       Binding::texels(2, inputs.rays.corners), rays(3, inputs.rays),
        Binding::read(4, clusters.ranges), Binding::write(5, clusters.clusters),
        Binding::read(6, clusters.clusterOfSurfel), Binding::write(7, clusters.meetings)});
   commands.pushConstants(SurveyCounts{clusters.count, inputs.surfels.piecesPerSurfel,

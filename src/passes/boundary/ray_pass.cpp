@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "gpu/device.h"
+#include "gpu/transfer.h"
 #include "passes/mechanics.h"
 #include "shaders/shaders.h"
 #include "shaders/shared/rays.h"
@@ -19,6 +21,34 @@ struct PieceNodes {
   std::uint32_t piecesPerSurfel;
 };
 
+std::size_t nodesOf(const Surfels& surfels) {
+  return surfels.firstOfHeight.empty() ? 0 : surfels.firstOfHeight.back();
+}
+
+glm::vec4 cornerAt(const surfels::Surface& surface, const surfels::Piece& piece,
+                   std::size_t corner) {
+  const Triangle& triangle = surface.triangles[piece.triangle];
+  const auto [v, w] = piece.corners[corner];
+  glm::vec4 place{0};
+  const float parts[] = {1 - v - w, v, w};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& vertex = surface.positionsMm[triangle[i]];
+    place += parts[i] * glm::vec4(vertex[0], vertex[1], vertex[2], 0);
+  }
+  return place;
+}
+
+// Corners only: what else a RayPiece has, frames write.
+std::vector<shared::RayPiece> piecesAt(const surfels::Surfels& made,
+                                       const surfels::Surface& surface) {
+  std::vector<shared::RayPiece> pieces;
+  pieces.reserve(made.pieces.size());
+  for (const surfels::Piece& piece : made.pieces)
+    pieces.push_back(
+        {cornerAt(surface, piece, 0), cornerAt(surface, piece, 1), cornerAt(surface, piece, 2)});
+  return pieces;
+}
+
 }  // namespace
 
 RayPass::RayPass(gpu::Device& device)
@@ -28,6 +58,7 @@ RayPass::RayPass(gpu::Device& device)
                   .shader = shaders::boundary_ray_leaves_comp,
                   .bindings = slots(6),
                   .pushConstantBytes = sizeof(PieceNodes),
+                  .specialization = {device.hasRayQueries() ? 1U : 0U},
               }),
       nodes_(device, gpu::ComputePipelineOptions{
                          .name = "nodes for rays",
@@ -36,32 +67,71 @@ RayPass::RayPass(gpu::Device& device)
                          .pushConstantBytes = sizeof(PieceNodes),
                      }) {}
 
-RayHierarchy RayPass::makeHierarchy(gpu::Device& device, const Surfels& surfels) {
+RayHierarchy RayPass::makeBoxes(gpu::Device& device, const Surfels& surfels) {
   const std::size_t pieces = std::size_t{surfels.count} * surfels.piecesPerSurfel;
-  const std::size_t nodes = surfels.firstOfHeight.empty() ? 0 : surfels.firstOfHeight.back();
   RayHierarchy hierarchy;
   hierarchy.corners = makeRoom<shared::RayPiece>(device, "pieces for rays", pieces);
-  hierarchy.boxes = makeRoom<shared::RayBox>(device, "boxes for rays", nodes);
+  hierarchy.boxes = makeRoom<shared::RayBox>(device, "boxes for rays", nodesOf(surfels));
+  return hierarchy;
+}
+
+RayHierarchy RayPass::makeHierarchy(gpu::Device& device, const Surfels& surfels,
+                                    const surfels::Surfels& made, const surfels::Surface& rest) {
+  if (!device.hasRayQueries()) return makeBoxes(device, surfels);
+  RayHierarchy hierarchy;
+  hierarchy.corners = gpu::makeBuffer(device, "pieces for rays", piecesAt(made, rest),
+                                      roomUsage | gpu::AccelerationStructure::cornersUsage);
+  hierarchy.boxes = makeRoom<shared::RayBox>(device, "boxes for rays", nodesOf(surfels));
+  std::vector<std::uint32_t> firstPiece;
+  for (const std::uint32_t surfel : made.firstOfObject)
+    firstPiece.push_back(surfel * made.piecesPerSurfel);
+  hierarchy.structure =
+      gpu::AccelerationStructure(device, "surface for rays", hierarchy.corners, firstPiece);
   return hierarchy;
 }
 
 void RayPass::record(gpu::CommandList& commands, DeformedMesh& mesh, Surfels& surfels,
                      RayHierarchy& hierarchy) const {
   commands.beginPass("rays");
+  recordPieces(commands, mesh, surfels, hierarchy);
+  if (hierarchy.structure)
+    commands.build(hierarchy.structure, hierarchy.corners, true);
+  else
+    recordNodes(commands, surfels, hierarchy);
+  commands.endPass();
+}
+
+void RayPass::recordBoxes(gpu::CommandList& commands, Surfels& surfels,
+                          RayHierarchy& hierarchy) const {
+  if (!hierarchy.structure) return;
+  commands.beginPass("rays");
+  recordNodes(commands, surfels, hierarchy);
+  commands.endPass();
+}
+
+void RayPass::recordPieces(gpu::CommandList& commands, DeformedMesh& mesh, Surfels& surfels,
+                           RayHierarchy& hierarchy) const {
+  const NodeRange leaves{surfels.firstOfHeight[0],
+                         surfels.firstOfHeight[1] - surfels.firstOfHeight[0]};
+  commands.bind(leaves_);
+  commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
+                          Binding::read(2, mesh.positions), Binding::read(3, surfels.pieces),
+                          Binding::write(4, hierarchy.corners),
+                          Binding::write(5, hierarchy.boxes)});
+  commands.pushConstants(PieceNodes{leaves, surfels.piecesPerSurfel});
+  commands.dispatchLinear(leaves.count);
+}
+
+void RayPass::recordNodes(gpu::CommandList& commands, Surfels& surfels,
+                          RayHierarchy& hierarchy) const {
+  commands.bind(nodes_);
   forEachHeight(surfels.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
-    commands.bind(height == 0 ? leaves_ : nodes_);
-    if (height == 0)
-      commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
-                              Binding::read(2, mesh.positions), Binding::read(3, surfels.pieces),
-                              Binding::write(4, hierarchy.corners),
-                              Binding::write(5, hierarchy.boxes)});
-    else
-      commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
-                              Binding::write(2, hierarchy.boxes)});
+    if (height == 0) return;  // leaves, whose boxes their pieces have made
+    commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
+                            Binding::write(2, hierarchy.boxes)});
     commands.pushConstants(PieceNodes{range, surfels.piecesPerSurfel});
     commands.dispatchLinear(range.count);
   });
-  commands.endPass();
 }
 
 }  // namespace opaline::passes

@@ -5,7 +5,7 @@
 #define BINDING_OBJECTS 1
 #define BINDING_MEDIA 2
 #define BINDING_PIECE_CORNERS 3
-#define BINDING_RAY_BOXES 4
+#define BINDING_RAYS 4
 #include "lib/boundary.glsl"
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
@@ -47,11 +47,14 @@ const float thinnerForSecond = 0.7;
 struct Body {
   BoundaryMedium medium;
   float eta;
-  uint firstNode;
-  uint endNode;
+  RayTarget target;
   float side;   // -1 where it is mirrored
   float least;  // rays start that far from where they leave, mm
 };
+
+uint firstPieceOf(uint object) {
+  return objects[object].table.y * piecesPerSurfel;
+}
 
 uint pointCount[2];  // of first and second collisions so far
 
@@ -65,8 +68,7 @@ float reflectedInside(Body body, float cosine) {
 }
 
 RayHit nextHit(Body body, vec3 origin, vec3 direction, float furthest) {
-  return nearestExit(origin, direction, body.side, body.least, furthest, body.firstNode,
-                     body.endNode);
+  return nearestExit(origin, direction, body.side, body.least, furthest, body.target);
 }
 
 // Goes on from `origin` for a path's length, mirrored where it meets the surface; what leaves there
@@ -175,7 +177,8 @@ Mirrored mirroredOf(Body body, Entry entry, vec3 from, vec3 power) {
   vec3 normal = entry.normal.xyz;
   float reflected = fresnelReflectance(body.eta, min(dot(from, normal), 1.0));
   vec3 direction = reflect(-from, normal);
-  RayHit hit = nearestHit(entry.start.xyz, direction, body.least, 3e38, 0u, nodeCount);
+  RayHit hit = nearestHit(entry.start.xyz, direction, body.least, 3e38,
+                          RayTarget(0u, nodeCount, everyObject));
   Mirrored nothing = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);
   if (hit.piece == noPiece) return nothing;
   uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
@@ -193,8 +196,9 @@ void main() {
   Cluster cluster = clusters[i];
   ObjectData itsBody = objects[ranges[i].object];
   MediumData medium = media[itsBody.table.x];
-  Body body = Body(medium.inside, medium.boundary.x, itsBody.tree.x, itsBody.tree.y,
-                   cluster.along.w, rayStartOf(cluster));
+  RayTarget target = RayTarget(itsBody.tree.x, itsBody.tree.y, ranges[i].object);
+  Body body =
+      Body(medium.inside, medium.boundary.x, target, cluster.along.w, rayStartOf(cluster));
   Entry entry = entries[beam * clusterCount + i];
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   bool everywhere = beam == frame.counts.x;

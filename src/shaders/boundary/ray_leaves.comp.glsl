@@ -5,6 +5,8 @@
 #include "lib/tree_node.glsl"
 #include "shared/rays.h"
 
+layout(constant_id = 0) const uint forQueries = 0u;
+
 layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
 layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Positions { vec4 positions[]; };
@@ -18,7 +20,9 @@ layout(push_constant) uniform Push {
   uint piecesPerSurfel;
 };
 
-// Of coordinates: some roundings of them.
+// Of coordinates: some roundings of them, and of rays by the device's own hardware or driver, as
+// measured on a software one.
+const float roundedInQueries = 1.0 / float(1u << 19u);
 const float roundedPart = 1.0 / float(1u << 21u);
 
 const float neverHit = -1e30;
@@ -29,6 +33,19 @@ float largestOf(vec3 v) {
 
 vec3 cornerAt(mat3 triangle, float v, float w) {
   return (1.0 - v - w) * triangle[0] + v * triangle[1] + w * triangle[2];
+}
+
+// Edges moved outwards by that much, mm: enlarged about the middle of the inscribed circle. By a
+// thousandth at most, so that needles stay where they are.
+mat3 widened(mat3 corners, float byMm) {
+  vec3 edges = vec3(distance(corners[1], corners[2]), distance(corners[2], corners[0]),
+                    distance(corners[0], corners[1]));
+  float around = edges.x + edges.y + edges.z;
+  vec3 middle = corners * edges / around;
+  float twiceArea = length(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  float part = min(byMm * around / max(twiceArea, 1e-30), 1e-3);
+  for (int k = 0; k < 3; ++k) corners[k] += part * (corners[k] - middle);
+  return corners;
 }
 
 void main() {
@@ -58,6 +75,10 @@ void main() {
                  !(length(cross(along, across)) > 0.5 * roundedPart * longest * longest);
     // Whole triangles share their corners with others bit by bit.
     bool whole = piece.fraction == 1.0;
+    // Ray queries know no slack: pieces overlap for them, and what is never hit has no area.
+    if (forQueries != 0u)
+      corners = never ? mat3(corners[0], corners[0], corners[0])
+                      : widened(corners, roundedInQueries * largestOf(furthest));
     rayPieces[p] = RayPiece(vec4(corners[0], float(piece.object)),
                             vec4(corners[1], never || whole ? 0.0 : reachSlack),
                             vec4(corners[2], never ? neverHit : whole ? 0.0 : slack));

@@ -5,7 +5,7 @@
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #define BINDING_PIECE_CORNERS 2
-#define BINDING_RAY_BOXES 3
+#define BINDING_RAYS 3
 #include "lib/boundary.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/linear.glsl"
@@ -50,6 +50,10 @@ float turnOf(uint cluster) {
   return 2.0 * pi * fract(0.618033988749895 * float(cluster % 4096u));
 }
 
+uint firstPieceOf(uint object) {
+  return objects[object].table.y * piecesPerSurfel;
+}
+
 struct PieceFrame {
   vec3 middle;
   vec3 normal;
@@ -70,6 +74,7 @@ void lookAround(uint i, inout Cluster cluster, ClusterRange range) {
   uint count = range.endSurfel * piecesPerSurfel - first;
   float least = rayStartOf(cluster);
   float side = cluster.along.w;
+  RayTarget scene = RayTarget(0u, nodeCount, everyObject);
   float sky = 0.0;
   float all = 0.0;
   for (uint k = 0u; k < raysOutwards; ++k) {
@@ -79,7 +84,7 @@ void lookAround(uint i, inout Cluster cluster, ClusterRange range) {
     // Turned in steps that do not go along with those over the cluster.
     vec3 direction = cosineDirection((k * 7u) % raysOutwards, raysOutwards, turnOf(i), place.normal, place.along);
     float entering = transmittedInto(own.boundary.x, dot(direction, place.normal));
-    RayHit hit = nearestHit(place.middle, direction, least, 3e38, 0u, nodeCount);
+    RayHit hit = nearestHit(place.middle, direction, least, 3e38, scene);
     all += entering;
     Meeting meeting = Meeting(noCluster, 0.0);
     if (hit.piece == noPiece) {
@@ -104,7 +109,8 @@ void main() {
   ClusterRange range = ranges[i];
   ObjectData body = objects[range.object];
   RayHit through = nearestExit(cluster.start.xyz, -cluster.facet.xyz, cluster.along.w,
-                               rayStartOf(cluster), 3e38, body.tree.x, body.tree.y);
+                               rayStartOf(cluster), 3e38,
+                               RayTarget(body.tree.x, body.tree.y, range.object));
   float thickness = through.piece == noPiece ? 1e18 : through.distance;
   if (raysOutwards > 0u) lookAround(i, cluster, range);
   clusters[i].start.w = thickness;

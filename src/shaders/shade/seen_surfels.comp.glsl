@@ -2,7 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_PIECE_CORNERS 3
-#define BINDING_RAY_BOXES 4
+#define BINDING_RAYS 4
 #include "lib/rays.glsl"
 #include "lib/tile.glsl"
 #include "shared/frame.h"

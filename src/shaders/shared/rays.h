@@ -10,7 +10,7 @@ using glm::vec4;
 
 /// A piece of a surfel where it lies in this frame, mm. A ray is let pass an edge on the outside by
 /// about what rounding moves vertices, so that none slips between pieces: by the slack over the
-/// length of the edge.
+/// length of the edge. For ray queries pieces are wider by as much instead.
 struct RayPiece {
   vec4 cornerObject;  // the first corner; w the object's index
   vec4 cornerReach;   // the second; w mm: what a ray's origin, mm off 0, adds to the slack

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "opaline/log.h"
+#include "opaline/renderer.h"
+
+namespace opaline::app {
+
+class CommandLine;
+
+/// Which device renders, and how: what render and view share of their section "Run".
+struct DeviceOptions {
+  std::optional<std::string> device;
+  std::optional<bool> rayQueries;
+  bool validation = false;
+
+  void addTo(CommandLine& line);
+  /// `otherwise` where no device was asked for.
+  RendererOptions rendererOptions(const std::string& otherwise, const LogCallback& log) const;
+};
+
+}  // namespace opaline::app

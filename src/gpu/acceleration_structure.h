@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gpu/buffer.h"
+
+namespace opaline::gpu {
+
+class Device;
+
+/// What rays are sent through by ray queries of shaders (VK_KHR_ray_query): bodies of triangles,
+/// one instance each, whose custom index is the body's and whose mask is 1 << index % 8; where
+/// there are more than eight, triangles are not opaque. Triangles move; which there are does not.
+/// Movable.
+class AccelerationStructure {
+ public:
+  AccelerationStructure() = default;
+  /// Blocks until it is built of the triangles as they lie: for set-up, not for frames. `corners`
+  /// holds three vec4 a triangle and was made with cornersUsage; body i is the triangles from
+  /// firstTriangle[i] on, and firstTriangle has one more entry than there are bodies. Needs
+  /// Device::hasRayQueries().
+  AccelerationStructure(Device& device, const std::string& name, Buffer& corners,
+                        std::span<const std::uint32_t> firstTriangle);
+  ~AccelerationStructure();
+  AccelerationStructure(AccelerationStructure&& other) noexcept;
+  AccelerationStructure& operator=(AccelerationStructure&& other) noexcept;
+  AccelerationStructure(const AccelerationStructure&) = delete;
+  AccelerationStructure& operator=(const AccelerationStructure&) = delete;
+
+  /// Of a buffer that holds corners, beside others.
+  static constexpr VkBufferUsageFlags cornersUsage =
+      VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_BUILD_INPUT_READ_ONLY_BIT_KHR |
+      VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+
+  explicit operator bool() const { return device_ != nullptr; }
+  VkAccelerationStructureKHR handle() const { return builds_.back().dstAccelerationStructure; }
+  Buffer& storage() { return storage_; }
+
+ private:
+  friend class CommandList;
+
+  void describe(VkDeviceAddress corners, std::span<const std::uint32_t> firstTriangle);
+  void makeRoom(const std::string& name);
+  void placeBodies();
+  void recordTriangles(VkCommandBuffer commands, bool refit);
+  void recordBodies(VkCommandBuffer commands);
+  void swap(AccelerationStructure& other) noexcept;
+
+  Device* device_ = nullptr;
+  // What the build commands read, made once: of the triangles of each body, then of the bodies.
+  std::vector<VkAccelerationStructureGeometryKHR> geometries_;
+  std::vector<VkAccelerationStructureBuildGeometryInfoKHR> builds_;
+  std::vector<VkAccelerationStructureBuildRangeInfoKHR> ranges_;
+  std::vector<const VkAccelerationStructureBuildRangeInfoKHR*> rangeOfBuild_;
+  Buffer instances_;
+  Buffer storage_;  // of all structures
+  Buffer scratch_;
+};
+
+}  // namespace opaline::gpu

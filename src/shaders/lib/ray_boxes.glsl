@@ -1,0 +1,102 @@
+// Rays by the boxes around pieces on the surfels' tree; a part of lib/rays.glsl.
+//
+// A ray is seen along its direction: pieces and it are turned so that it is the z axis. A corner
+// that pieces share then lies at one place for all of them, and an edge between two pieces has the
+// ray on one side or the other (as in Woop, Benthin and Wald 2013); where pieces do not share
+// corners, or those only nearly, slack sees to it.
+#ifndef OPALINE_LIB_RAY_BOXES
+#define OPALINE_LIB_RAY_BOXES
+
+layout(set = 0, binding = BINDING_RAYS) uniform samplerBuffer rayBoxes;  // RayBox
+
+struct Ray {
+  vec3 origin;
+  vec3 inverse;  // of the direction
+  mat3 turn;     // its rows: two directions across, and that of which `distance` is in lengths
+  float reach;   // largest coordinate of the origin, mm
+};
+
+// Smaller components of a direction, 0 too, are this, so that none has no inverse. Boxes are wide
+// enough for it.
+const float leastComponent = 1e-18;
+
+Ray makeRay(vec3 origin, vec3 direction) {
+  vec3 size = abs(direction);
+  bvec3 small = lessThan(size, vec3(leastComponent));
+  vec3 inverse = 1.0 / mix(direction, vec3(leastComponent), small);
+  vec3 unit = normalize(direction);
+  // Duff et al. 2017.
+  float s = unit.z >= 0.0 ? 1.0 : -1.0;
+  float a = -1.0 / (s + unit.z);
+  float b = unit.x * unit.y * a;
+  vec3 across = vec3(1.0 + s * unit.x * unit.x * a, s * b, -s * unit.x);
+  vec3 up = vec3(b, s + unit.y * unit.y * a, -unit.y);
+  vec3 places = abs(origin);
+  return Ray(origin, inverse, transpose(mat3(across, up, direction / dot(direction, direction))),
+             max(max(places.x, places.y), places.z));
+}
+
+// Whether some of the box may lie between the ray's origin and `furthest`.
+bool meetsBox(Ray ray, vec3 low, vec3 high, float furthest) {
+  vec3 toLow = (low - ray.origin) * ray.inverse;
+  vec3 toHigh = (high - ray.origin) * ray.inverse;
+  vec3 enters = min(toLow, toHigh);
+  vec3 leaves = max(toLow, toHigh);
+  const float rounded = 1.0 + 1.0 / float(1u << 21u);
+  float enter = max(max(enters.x, enters.y), max(enters.z, 0.0));
+  float leave = min(min(leaves.x, leaves.y), leaves.z) * rounded;
+  return enter <= min(leave, furthest);
+}
+
+// Makes the piece the hit if the ray meets it further than `minDistance` and nearer than that.
+void meetPiece(Ray ray, uint piece, float minDistance, inout RayHit hit) {
+  int at = 3 * int(piece);
+  vec4 a4 = texelFetch(pieceCorners, at);
+  vec4 b4 = texelFetch(pieceCorners, at + 1);
+  vec4 c4 = texelFetch(pieceCorners, at + 2);
+  vec3 a = ray.turn * (a4.xyz - ray.origin);
+  vec3 b = ray.turn * (b4.xyz - ray.origin);
+  vec3 c = ray.turn * (c4.xyz - ray.origin);
+  // Twice the areas of the ray with each edge, all of one sign where it passes between them. No
+  // rounding gives one of the wrong sign, as long as none is left out.
+  precise vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
+  float slack = b4.w * ray.reach + c4.w;
+  float least = min(min(areas.x, areas.y), areas.z);
+  float most = max(max(areas.x, areas.y), areas.z);
+  if (least < -slack && most > slack) return;
+  // A mean of the corners' distances, whatever the piece is like.
+  vec3 parts = least >= -slack ? max(areas, 0.0) : max(-areas, 0.0);
+  float all = parts.x + parts.y + parts.z;
+  float distance = (parts.x * a.z + parts.y * b.z + parts.z * c.z) / all;
+  if (all > 0.0 && distance > minDistance && distance < hit.distance) hit = RayHit(distance, piece);
+}
+
+// Goes to the next leaf that the ray meets, then through its pieces: neighbours, each on its own way,
+// so have more often the same to do.
+RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDistance,
+                  RayTarget target, bool anyWillDo) {
+  Ray ray = makeRay(origin, direction);
+  RayHit hit = RayHit(maxDistance, noPiece);
+  uint node = target.firstNode;
+  while (node < target.endNode && !(anyWillDo && hit.piece != noPiece)) {
+    uint piece = 0u;
+    uint end = 0u;
+    do {
+      vec4 low = texelFetch(rayBoxes, 2 * int(node));
+      vec4 high = texelFetch(rayBoxes, 2 * int(node) + 1);
+      uint link = floatBitsToUint(low.w);
+      bool met = meetsBox(ray, low.xyz, high.xyz, hit.distance);
+      bool leaf = isLeaf(link);
+      if (met && leaf) {
+        uint pieces = uint(high.w);
+        piece = firstSurfelOf(link) * pieces;
+        end = piece + surfelCountOf(link) * pieces;
+      }
+      node = met || leaf ? node + 1u : afterNode(node, link);
+    } while (node < target.endNode && piece == end);
+    for (; piece < end; ++piece) meetPiece(ray, piece, minDistance, hit);
+  }
+  return hit;
+}
+
+#endif

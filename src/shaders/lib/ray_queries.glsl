@@ -1,0 +1,33 @@
+// Rays by the device's own acceleration structure, whose bodies are the objects; a part of
+// lib/rays.glsl.
+#ifndef OPALINE_LIB_RAY_QUERIES
+#define OPALINE_LIB_RAY_QUERIES
+#extension GL_EXT_ray_query : require
+
+layout(set = 0, binding = BINDING_RAYS) uniform accelerationStructureEXT rayStructure;
+
+uint firstPieceOf(uint object);
+
+// A body's class, see gpu::AccelerationStructure; of several bodies of a class triangles are not
+// opaque, and each is asked whose it is.
+RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDistance,
+                  RayTarget target, bool anyWillDo) {
+  bool one = target.object != everyObject;
+  uint flags = (one ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT) |
+               (anyWillDo ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT);
+  uint mask = one ? 1u << target.object % 8u : 0xffu;
+  rayQueryEXT query;
+  rayQueryInitializeEXT(query, rayStructure, flags, mask, origin, minDistance, direction,
+                        maxDistance);
+  while (rayQueryProceedEXT(query)) {
+    if (rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) == int(target.object))
+      rayQueryConfirmIntersectionEXT(query);
+  }
+  if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT)
+    return RayHit(maxDistance, noPiece);
+  uint object = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true));
+  uint piece = firstPieceOf(object) + uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, true));
+  return RayHit(rayQueryGetIntersectionTEXT(query, true), piece);
+}
+
+#endif

@@ -1,0 +1,46 @@
+"""Rays by VK_KHR_ray_query on a software device that has it, which scripts/fetch-ray-query-device.sh puts
+beside the system's: the tests of rays, of pictures with and without, and the program's option."""
+
+import os
+import pathlib
+import subprocess
+import unittest
+
+from program import ProgramTest
+
+FETCHED = pathlib.Path(__file__).resolve().parents[2] / "build" / "ray-query-device"
+HAS_QUERIES = {**os.environ, "VK_DRIVER_FILES": str(FETCHED / "device.json"), "LD_LIBRARY_PATH": str(FETCHED)}
+
+
+@unittest.skipUnless((FETCHED / "device.json").exists(),
+                     f"no {FETCHED}: scripts/fetch-ray-query-device.sh says why")
+class RayQueries(ProgramTest):
+    def pass_all(self, program, tests):
+        run = subprocess.run([os.environ[program], f"--gtest_filter={tests}"], env=HAS_QUERIES, check=False,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(run.returncode, 0, run.stdout[-3000:])
+        self.assertRegex(run.stdout, r"\[  PASSED  \] [1-9]", "none was run")
+        self.assertNotIn("SKIPPED", run.stdout)
+
+    def test_rays_meet_what_they_should(self):
+        self.pass_all("TEST_PASSES", "*RaysTest*by_ray_queries-*MeetsTheB*")
+
+    def test_pictures_are_the_same_without(self):
+        self.pass_all("TEST_BOUNDARY_RENDERER", "BoundaryRayQueryTest.*")
+
+    def test_info_names_them(self):
+        info = self.succeed("info", "--builtin", "bear", "--json", env=HAS_QUERIES).json()
+        self.assertTrue(info["devices"][0]["ray_queries"])
+
+    def test_they_are_used_where_asked_for(self):
+        """Without messages of the validation layer; and the surfels that a picture shows are the same."""
+        cheap = ("--size", "48x48", "--max-sources", "2048", "--boundary-surfels", "200", "--aov", "surfels")
+        for when in ("on", "off"):
+            self.succeed("render", "--builtin", "bear", *cheap, "--validation", "--ray-queries", when,
+                         "-o", f"{when}.exr", env=HAS_QUERIES)
+        same = self.succeed("compare", "on.exr", "off.exr", "--json").json()
+        self.assertEqual(same["max_abs"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
