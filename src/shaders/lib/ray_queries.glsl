@@ -8,10 +8,11 @@ layout(set = 0, binding = BINDING_RAYS) uniform accelerationStructureEXT rayStru
 
 uint firstPieceOf(uint object);
 
-// A body's class, see gpu::AccelerationStructure; of several bodies of a class triangles are not
-// opaque, and each is asked whose it is.
+// Rays for one object meet bodies of its class; where there are several in a class, triangles are
+// not opaque (see gpu::AccelerationStructure), and each is asked whose it is.
 RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDistance,
                   RayTarget target, bool anyWillDo) {
+  if (!(minDistance < maxDistance)) return RayHit(maxDistance, noPiece);  // a query may not be so
   bool one = target.object != everyObject;
   uint flags = (one ? gl_RayFlagsNoneEXT : gl_RayFlagsOpaqueEXT) |
                (anyWillDo ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT);
