@@ -2,7 +2,7 @@
 
 import unittest
 
-from driver import BACKGROUND, COARSE, Shot, WindowTest
+from driver import BACKGROUND, COARSE, CORNERS, Shot, WindowTest
 from images import read_png
 from program import CUBE_OBJ
 
@@ -40,7 +40,7 @@ class Picture(WindowTest):
                    "--fov-degrees", "40").close()
 
     def test_a_saved_picture_is_the_same(self):
-        window = self.view("cube.obj", "--transport", "dipole", *COARSE, "--antialias", "1", "--size", "640x400")
+        window = self.view("cube.obj", *CORNERS, "--size", "640x400")
         window.key("h")
         window.drag((100, 100), (180, 60))
         shown = window.picture()
@@ -55,7 +55,7 @@ class Picture(WindowTest):
 
     def test_a_saved_scene_is_drawn_the_same(self):
         """Camera, medium, light, size, motion, method and look as they were left by hand."""
-        window = self.view("cube.obj", "--transport", "dipole", *COARSE, "--antialias", "1", "--size", "760x700")
+        window = self.view("cube.obj", *CORNERS, "--size", "760x700")
         window.drag((100, 100), (180, 60))
         window.click("Medium/gummy-orange")
         size = window.place("Medium/size")

@@ -2,10 +2,10 @@
 
 import unittest
 
-from driver import BACKGROUND, COARSE, WindowTest
+from driver import BACKGROUND, CORNERS, WindowTest
 from program import CUBE_OBJ
 
-PLAIN = ("--transport", "dipole", "--no-specular", "--antialias", "1", *COARSE)
+PLAIN = (*CORNERS, "--no-specular")
 
 
 def stretched(by):
