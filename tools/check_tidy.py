@@ -114,7 +114,9 @@ def main():
     waiting = [source for source in sources(build, salt) if source.mark is None or not source.mark.exists()]
     findings, done = [], 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        running = {pool.submit(tidy, program, build, batch): batch for batch in batches(waiting)}
+        # The largest first, so that no processor waits long for the last.
+        largest_first = sorted(batches(waiting), key=len, reverse=True)
+        running = {pool.submit(tidy, program, build, batch): batch for batch in largest_first}
         for future in concurrent.futures.as_completed(running):
             batch = running[future]
             done += len(batch)

@@ -49,15 +49,15 @@ class Table1(ProgramTest):
 
 
 class Methods(ProgramTest):
+    # Even light, so that a few triangles with smooth normals are lit alike by all.
+    SCENE = ("t.ply", "--diagonal-mm", 10, "--medium", "marble", "--ambient", "1,1,1")
     WAYS = (("pattern", "vertex"), ("pattern", "fragment"), ("tree", "vertex"), ("tree", "fragment"))
 
     def test_rows(self):
         self.write("t.ply", tetrahedron(1))
-        # Even light, so that a few triangles with smooth normals are lit alike by all.
-        scene = ("t.ply", "--diagonal-mm", 10, "--medium", "marble", "--ambient", "1,1,1")
         view = ("--aov", "exitance", "--size", "24x24", "-o", "truth.exr")
-        self.succeed("reference", "--path", "--samples", 20000, *scene, *view)
-        run = self.succeed("bench", "methods", *scene, "--size", 24, "--frames", 1, "--truth", "truth.exr", "--all",
+        self.succeed("reference", "--path", "--samples", 20000, *self.SCENE, *view)
+        run = self.succeed("bench", "methods", *self.SCENE, "--size", 24, "--frames", 1, "--truth", "truth.exr", "--all",
                            "--plot", "plot.svg", "--json")
         rows = run.json()["rows"]
         self.assertEqual([(row["transport"], row["sum"], row["site"]) for row in rows],
@@ -74,7 +74,7 @@ class Methods(ProgramTest):
                 self.assertIsNone(row["evaluations"])
             else:
                 self.assertGreater(row["evaluations"], 0)
-        self.succeed("render", *scene, "--transport", "dipole", "--sum", "all", "--size", "24x24", "-o", "all.exr", "--report", "all.json")
+        self.succeed("render", *self.SCENE, "--transport", "dipole", "--sum", "all", "--size", "24x24", "-o", "all.exr", "--report", "all.json")
         # Three points for each surfel.
         sources = 3 * json.loads((self.folder / "all.json").read_text())["sources"]
         for sum_of_all in (row for row in rows if row["sum"] == "all"):
@@ -88,7 +88,7 @@ class Methods(ProgramTest):
 
     def test_the_sum_of_all_is_asked_for(self):
         self.write("t.ply", tetrahedron(1))
-        run = self.succeed("bench", "methods", "t.ply", "--size", 8, "--frames", 1)
+        run = self.succeed("bench", "methods", *self.SCENE, "--size", 8, "--frames", 1)
         lines = run.out.splitlines()
         self.assertEqual([tuple(line.split()[:3]) for line in lines[2:]],
                          [(transport, *way) for transport in ("dipole", "better-dipole")
@@ -98,7 +98,7 @@ class Methods(ProgramTest):
 
     def test_what_is_open_has_no_row_of_boundary_transport(self):
         self.write("t.ply", tetrahedron(1).replace("face 4", "face 3").removesuffix("3 1 2 3\n"))
-        run = self.succeed("bench", "methods", "t.ply", "--size", 8, "--frames", 1, "--json")
+        run = self.succeed("bench", "methods", *self.SCENE, "--size", 8, "--frames", 1, "--json")
         self.assertEqual({row["transport"] for row in run.json()["rows"]}, {"dipole", "better-dipole"})
 
     def test_refusals(self):

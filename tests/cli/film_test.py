@@ -19,7 +19,7 @@ from images import read_exr, read_png
 from program import PROGRAM, ProgramTest
 
 # Films are of any transport; this one is quick.
-MODEL = ("--builtin", "teapot", "--shadow-size", 64, "--transport", "dipole")
+MODEL = ("--builtin", "teapot", "--shadow-size", 64, "--transport", "dipole", "--max-sources", 1024)
 MOTION = ("--deform", "wobble:0.1:0.7", "--deform", "twist:0.5:1.5")
 TEAPOT = (*MODEL, "--fov-degrees", 50, "--size", "24x16")
 MOVING = (*TEAPOT, *MOTION)
@@ -156,7 +156,7 @@ def dented(height):
 
 class Sequence(Film):
     HEIGHTS = (.34, .45, .6, .5)
-    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--fov-degrees", 50, "--transport", "dipole")
+    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--fov-degrees", 50, "--transport", "dipole", "--max-sources", 1024)
 
     def setUp(self):
         super().setUp()
@@ -236,7 +236,7 @@ def walker():
 
 
 class Clips(Film):
-    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--diagonal-mm", 30, "--fov-degrees", 60,
+    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--max-sources", 1024, "--diagonal-mm", 30, "--fov-degrees", 60,
                "--aov", "position", "-o", "a.exr")
 
     def setUp(self):
@@ -335,7 +335,7 @@ class Mp4(Film):
 
     def test_an_ffmpeg_that_leaves_early_is_an_error(self):
         env = self.fake_ffmpeg("echo 'Unknown encoder' >&2\nexit 1\n")
-        self.refused(1, "render", *MODEL, *MOTION, "--size", "400x400", "--frames", "0:9", "-o", "film.mp4", env=env,
+        self.refused(1, "render", *MODEL, *MOTION, "--size", "256x256", "--antialias", 1, "--frames", "0:9", "-o", "film.mp4", env=env,
                      says=("film.mp4", "Unknown encoder"))
         self.assertEqual(self.listing(), ["tools"])
 

@@ -43,20 +43,30 @@ def read_png(data):
     rows, above = [], bytes(stride)
     for y in range(height):
         begin = y * (stride + 1)
-        line = unfiltered(raw[begin], bytearray(raw[begin + 1:begin + 1 + stride]), above, channels)
+        line = unfiltered(raw[begin], raw[begin + 1:begin + 1 + stride], above, channels)
         rows.append([(*line[x:x + 3], line[x + 3] if channels == 4 else 255) for x in range(0, stride, channels)])
         above = line
     return Picture(rows)
 
 
 def unfiltered(kind, line, above, channels):
-    for i in range(len(line)):
-        left = line[i - channels] if i >= channels else 0
-        corner = above[i - channels] if i >= channels else 0
-        guess = left + above[i] - corner
-        paeth = min((left, above[i], corner), key=lambda value: abs(guess - value))
-        line[i] = (line[i] + (0, left, above[i], (left + above[i]) // 2, paeth)[kind]) & 255
-    return line
+    if kind == 0:
+        return line
+    if kind == 2:
+        return bytes((value + up) & 255 for value, up in zip(line, above))
+    padding = bytes(channels)
+    line = bytearray(padding) + line
+    for i, (up, corner) in enumerate(zip(above, padding + above), channels):
+        left = line[i - channels]
+        if kind == 1:
+            add = left
+        elif kind == 3:
+            add = (left + up) // 2
+        else:
+            to_left, to_up, to_corner = abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)
+            add = left if to_left <= to_up and to_left <= to_corner else up if to_up <= to_corner else corner
+        line[i] = (line[i] + add) & 255
+    return bytes(line[channels:])
 
 
 def read_exr(data):

@@ -14,8 +14,11 @@ EDGE = DIAGONAL / math.sqrt(3)
 # Marble's boundary at normal incidence, eta 1.5: 1 - ((1.5 - 1) / (1.5 + 1))^2.
 ENTERING = .96
 # A cube whose centre is not the origin, of a medium in which nothing shines through.
-CUBE = ("cube.obj", "--diagonal-mm", DIAGONAL, "--medium", "marble", "--size", "64x48",
+BODY = ("cube.obj", "--diagonal-mm", DIAGONAL, "--medium", "marble", "--size", "64x48",
         "--shadow-size", 256, "--quiet")
+# With few sources; the pattern has others.
+CUBE = (*BODY, "--max-sources", 4096)
+PATTERN = (*BODY, "--sum", "pattern", "--dsm-size", 128)
 
 
 class Render(ProgramTest):
@@ -23,8 +26,8 @@ class Render(ProgramTest):
         super().setUp()
         self.write("cube.obj", CUBE_OBJ)
 
-    def exr(self, *arguments):
-        self.succeed("render", *CUBE, *arguments, "-o", "out.exr")
+    def exr(self, *arguments, body=CUBE):
+        self.succeed("render", *body, *arguments, "-o", "out.exr")
         return read_exr((self.folder / "out.exr").read_bytes())
 
     def png(self, *arguments):
@@ -56,7 +59,7 @@ class Outputs(Render):
         self.assertEqual(self.listing(), ["cube.exr", "cube.obj", "cube.png"])
 
     def test_report(self):
-        run = self.succeed("render", *CUBE, "--json", "--report", "r.json", "-o", "a.png", "--method", "paper",
+        run = self.succeed("render", *BODY, "--json", "--report", "r.json", "-o", "a.png", "--method", "paper",
                            "--dsm-size", 128)
         report = run.json()
         self.assertEqual(report, json.loads((self.folder / "r.json").read_text()))
@@ -76,7 +79,7 @@ class Outputs(Render):
 
     def test_how_the_body_was_solved_is_reported(self):
         for asked, bounces in (((), 2), (("--bounces", 0), 0), (("--transport", "boundary", "--bounces", 1), 1)):
-            report = self.succeed("render", *CUBE, "--max-sources", 8192, *asked, "--json", "-o", "a.png").json()
+            report = self.succeed("render", *CUBE, *asked, "--json", "-o", "a.png").json()
             self.assertEqual((report["transport"], report["sum"]), ("boundary", "tree"))
             self.assertTrue(0 < report["boundary_surfels"] <= report["sources"])
             # One of the light from outside, and one a bounce of it.
@@ -96,11 +99,11 @@ class Outputs(Render):
         self.assertTrue(0 < found[0] <= 100 < found[1] <= 1000, found)
 
     def test_the_pattern_alone_is_the_papers(self):
-        report = self.succeed("render", *CUBE, "--sum", "pattern", "--json", "-o", "a.png").json()
+        report = self.succeed("render", *PATTERN, "--json", "-o", "a.png").json()
         self.assertEqual((report["transport"], report["sum"]), ("dipole", "pattern"))
         self.write("scene.toml", 'model = "cube.obj"\n[render]\nsum = "pattern"\nsize = [8, 8]\n')
         self.assertEqual(self.succeed("render", "scene.toml", "--json").json()["transport"], "dipole")
-        again = self.succeed("render", "scene.toml", "--sum", "tree", "--json").json()
+        again = self.succeed("render", "scene.toml", "--sum", "tree", "--max-sources", 4096, "--json").json()
         self.assertEqual((again["transport"], again["sum"]), ("boundary", "tree"))
         self.refused(2, "render", "scene.toml", "--transport", "boundary", says=("--transport boundary", "--sum tree"))
         self.write("scene.toml", 'model = "cube.obj"\n[render]\ntransport = "boundary"\n')
@@ -115,15 +118,15 @@ class Outputs(Render):
                     asked = {"transport": transport, "sum": total, "site": site}
                     options = [part for name, value in asked.items() for part in (f"--{name}", value)]
                     # All surfels with all take long where there are many.
-                    few = () if total == "pattern" else ("--max-sources", 1024)
-                    report = self.succeed("render", *CUBE, *options, *few, "--json", "-o", "a.png").json()
+                    few = ("--dsm-size", 128) if total == "pattern" else ("--max-sources", 1024)
+                    report = self.succeed("render", *BODY, *options, *few, "--json", "-o", "a.png").json()
                     self.assertEqual({name: report[name] for name in asked}, asked)
 
     def test_site_auto_looks_at_the_edges(self):
         # The cube's edges of 17 mm are longer than any mean free path of marble, the bear's are not
         # longer than one of 100 mm.
         few = ("--max-sources", 1024)
-        self.assertEqual(self.succeed("render", *CUBE, *few, "--json").json()["site"], "fragment")
+        self.assertEqual(self.succeed("render", *BODY, *few, "--json").json()["site"], "fragment")
         bear = self.succeed("render", "--size", "16x16", *few, "--sigma-s", ".01,.01,.01",
                             "--sigma-a", "0,0,0", "--json").json()
         self.assertEqual(bear["site"], "vertex")
@@ -143,8 +146,8 @@ class Outputs(Render):
         self.refused(2, "render", *CUBE, "--device", "99", says="99")
 
     def test_the_validation_layer_has_nothing_to_say(self):
-        for method in ((), ("--sum", "pattern"), ("--sum", "all", "--max-sources", 1024), ("--transport", "dipole")):
-            run = self.succeed("render", *CUBE, "--validation", *method,
+        for method in (CUBE, PATTERN, (*BODY, "--sum", "all", "--max-sources", 1024), (*CUBE, "--transport", "dipole")):
+            run = self.succeed("render", *method, "--validation",
                                "--point", "0,0,20:1,1,1", "--directional", "1,1,1", "--ambient", "1,1,1")
             self.assertEqual(run.err, "")
 
@@ -186,7 +189,7 @@ class Geometry(Render):
         self.assertAlmostEqual(narrow / wide / expected, 1, delta=.15)
 
     def test_the_whole_bear_is_in_the_picture(self):
-        self.succeed("render", "--aov", "depth", "--size", "96x96", "-o", "bear.exr")
+        self.succeed("render", "--aov", "depth", "--max-sources", 1024, "--size", "96x96", "-o", "bear.exr")
         picture = read_exr((self.folder / "bear.exr").read_bytes())
         edge = [*picture.rows[0], *picture.rows[-1], *(row[x] for row in picture.rows for x in (0, -1))]
         self.assertFalse(any(pixel[3] for pixel in edge))
@@ -194,7 +197,7 @@ class Geometry(Render):
 
     def test_a_direction_keeps_the_distance_of_the_scenes_camera(self):
         self.write("near.toml", 'model = "cube.obj"\ndiagonal_mm = 30\n[camera]\nposition_mm = [0, 0, 40]\n')
-        arguments = ("--aov", "depth", "--size", "16x15")
+        arguments = ("--aov", "depth", "--max-sources", 1024, "--size", "16x15")
         for turned in ((), ("--camera-direction", "0,0,-7"), ("--camera-direction", "3,0,0")):
             self.succeed("render", "near.toml", *arguments, *turned, "-o", "near.exr")
             centre = read_exr((self.folder / "near.exr").read_bytes()).centre()
@@ -205,7 +208,7 @@ class Geometry(Render):
         self.write("plate.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
                    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
                    "0 0 0\n0 4 0\n0 4 3\n0 0 3\n4 0 1 2 3\n")
-        plate = ("plate.ply", "--diagonal-mm", 50, "--size", "30x30", "--transport", "dipole")
+        plate = ("plate.ply", "--diagonal-mm", 50, "--size", "30x30", "--transport", "dipole", "--max-sources", 1024)
         # Half height 20 mm at 70 - 15 mm: 2 atan(20 / 55) = 39.97 degrees.
         self.assertIn("--fov-degrees 40", self.succeed("render", *plate).err)
         # From the side all corners are 70 mm away: 2 atan(20 / 70) = 31.9 degrees.
@@ -219,11 +222,11 @@ class Geometry(Render):
         self.assertIn("--fov-degrees 66", self.succeed("render", *narrow).err)
 
     def test_the_diffusion_source_map_holds_the_whole_surface(self):
-        area = self.exr("--aov", "dsm-area", "--dsm-size", 128)
+        area = self.exr("--aov", "dsm-area", "--dsm-size", 128, body=BODY)
         self.assertEqual((area.width, area.height), (128, 128))
         total = sum(pixel[0] for pixel in area.covered())
         self.assertAlmostEqual(total / (6 * EDGE**2), 1, delta=.03)
-        for normal in self.exr("--aov", "dsm-normal", "--dsm-size", 128).covered():
+        for normal in self.exr("--aov", "dsm-normal", "--dsm-size", 128, body=BODY).covered():
             self.assertAlmostEqual(math.hypot(*normal[:3]), 1, delta=1e-3)
 
 

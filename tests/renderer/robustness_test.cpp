@@ -46,6 +46,7 @@ void expectLightIsSound(const std::string& what) {
       RenderOptions options = smallOptions();
       options.transport = transport;
       options.boundarySurfels = 1000;
+      options.maxSources = 8192;
       options.site = site;
       expectSound(sharedRenderer().renderer->render(options, {Aov::Radiance, Aov::Exitance}).images,
                   what + (transport == Transport::Dipole ? ", dipole" : ", boundary"));

@@ -1,6 +1,7 @@
 """Opens the window on a display of its own and uses mouse and keys on it."""
 
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -11,6 +12,16 @@ from program import PROGRAM, ProgramTest
 
 # Waiting for the program, on machines of any speed.
 LONGEST_SECONDS = 240
+
+# Longer than there is between the two of a double click, and nearer to each other than that.
+DOUBLE_CLICK_SECONDS = .35
+DOUBLE_CLICK_PIXELS = 10
+
+# Where the sum over the body is not what is looked at.
+COARSE = ("--max-sources", "4096", "--tolerance", "0.1", "--shadow-size", "256")
+
+# Nor how it is interpolated: light for each corner of a few faces alone.
+CORNERS = ("--transport", "dipole", "--site", "vertex", "--antialias", "1", *COARSE)
 
 # The window's own, where none is asked for.
 BACKGROUND = ("--background", "0.03,0.03,0.035")
@@ -72,6 +83,7 @@ class Window:
         self.folder = folder or test.folder
         self.places = test.folder / "controls.json"
         self.places.unlink(missing_ok=True)
+        self.pressed = (0, (0, 0))
         self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(test.config))
         self.errors = open(test.folder / "errors.txt", "w+", encoding="utf-8")
         test.addCleanup(self.errors.close)
@@ -109,7 +121,7 @@ class Window:
         return self
 
     def settle(self):
-        """Until nothing moves any more, and for longer than there is between the two of a double click."""
+        """Until nothing moves any more, and for long enough that nothing is about to."""
         since = None
 
         def idle():
@@ -118,7 +130,7 @@ class Window:
                 since = None
                 return False
             since = since or time.monotonic()
-            return time.monotonic() - since > .3
+            return time.monotonic() - since > .1
         self.wait_for(idle, "it never came to rest")
 
     def xdotool(self, *arguments):
@@ -150,9 +162,18 @@ class Window:
 
     def press(self, control):
         """A control by its name, or a place."""
-        self.move(self.place(control) if isinstance(control, str) else control)
+        place = self.place(control) if isinstance(control, str) else control
+        self.move(place)
+        self.keep_from_double_click(place)
         self.use(1, "mousedown", 1)
         self.use(1, "mouseup", 1)
+
+    def keep_from_double_click(self, place):
+        """Waits where the last press was just here."""
+        when, where = self.pressed
+        if math.dist(where, place) < DOUBLE_CLICK_PIXELS:
+            time.sleep(max(0, when + DOUBLE_CLICK_SECONDS - time.monotonic()))
+        self.pressed = (time.monotonic(), place)
 
     def click(self, control):
         self.press(control)
@@ -160,6 +181,7 @@ class Window:
 
     def drag(self, begin, end, button=1, steps=5):
         self.move(begin)
+        self.keep_from_double_click(begin)
         self.use(1, "mousedown", button)
         for step in range(1, steps + 1):
             self.move([a + (b - a) * step / steps for a, b in zip(begin, end)])

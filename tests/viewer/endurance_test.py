@@ -3,7 +3,7 @@
 import random
 import unittest
 
-from driver import WindowTest
+from driver import CORNERS, WindowTest
 from program import CUBE_OBJ
 
 KEYS = ("f", "t", "space", "Left", "Right", "c", "h", "Tab", "o", "x", "question", "Escape", "Return", "Up", "Down", "1", "Delete")
@@ -12,7 +12,7 @@ KEYS = ("f", "t", "space", "Left", "Right", "c", "h", "Tab", "o", "x", "question
 class Endurance(WindowTest):
     def test_five_hundred_inputs(self):
         self.write("cube.obj", CUBE_OBJ)
-        window = self.view("cube.obj", "--transport", "dipole", "--shadow-size", "256", "--size", "640x480")
+        window = self.view("cube.obj", *CORNERS, "--size", "640x480")
         choice = random.Random(7)
         memory = []
         for step in range(500):

@@ -2,16 +2,16 @@
 
 import unittest
 
-from driver import WindowTest
+from driver import COARSE, WindowTest
 from program import CUBE_OBJ
 
 
 class Panels(WindowTest):
     def test_every_panel(self):
         """In one window, one after the other, as they stand after each other."""
-        self.window = self.view("--builtin", "teapot", "--medium", "gummy-red", "--transport", "dipole", "--shadow-size", "256", "--size",
+        self.window = self.view("--builtin", "teapot", "--medium", "gummy-red", "--transport", "dipole", *COARSE, "--antialias", "2", "--size",
                                 "760x600")
-        for part in (self.handles, self.camera, self.keys, self.divider, self.method, self.time, self.motion, self.playback,
+        for part in (self.handles, self.camera, self.keys, self.divider, self.method, self.time, self.motion, self.quick, self.playback,
                      self.poke, self.show, self.film, self.typing, self.medium, self.light, self.many_lights):
             with self.subTest(part.__name__):
                 part()
@@ -109,6 +109,12 @@ class Panels(WindowTest):
         self.assertGreater(before.difference(window.picture()), .2)
         window.click("Motion/remove")
         self.assertNotIn("Motion/amount", window.state()["controls"])
+
+    def quick(self):
+        """What follows is of any transport."""
+        window = self.window
+        window.only("Method")
+        window.choose("Method/transport", "dipole")
 
     def playback(self):
         window = self.window
@@ -215,7 +221,7 @@ class Panels(WindowTest):
 
 class Truth(WindowTest):
     # Far away: a truth takes its time for every pixel of the body.
-    SCENE = ("cube.obj", "--transport", "dipole", "--no-specular", "--antialias", "1", "--shadow-size", "256", "--fov-degrees", "100",
+    SCENE = ("cube.obj", "--transport", "dipole", "--no-specular", "--antialias", "1", *COARSE, "--fov-degrees", "100",
              "--size", "360x400")
 
     def setUp(self):

@@ -2,7 +2,7 @@
 
 import unittest
 
-from driver import BACKGROUND, Shot, WindowTest
+from driver import BACKGROUND, COARSE, CORNERS, Shot, WindowTest
 from images import read_png
 from program import CUBE_OBJ
 
@@ -19,7 +19,7 @@ class Picture(WindowTest):
 
     def check(self, *arguments):
         # Wide enough for all of the body: else the window frames it, and render does not.
-        window = self.view(*arguments, "--size", "860x300")
+        window = self.view(*arguments, "--size", "760x240")
         window.key("h")
         self.same(window.picture(), self.rendered(window, *arguments, *BACKGROUND))
         return window
@@ -28,19 +28,19 @@ class Picture(WindowTest):
         self.check("--builtin", "teapot", "--medium", "skin1").close()
 
     def test_the_paper(self):
-        self.check("cube.obj", "--method", "paper", "--medium", "marble", "--dsm-size", "128", "--point", "20,30,20:900,900,800",
+        self.check("cube.obj", "--method", "paper", "--medium", "marble", "--dsm-size", "128", "--shadow-size", "256", "--point", "20,30,20:900,900,800",
                    "--ambient", ".3,.2,.1").close()
 
     def test_tone_and_no_reflection(self):
-        self.check("cube.obj", "--transport", "better-dipole", "--exposure", "1.5", "--tone", "none", "--no-specular",
+        self.check("cube.obj", "--transport", "better-dipole", *COARSE, "--exposure", "1.5", "--tone", "none", "--no-specular",
                    "--antialias", "8").close()
 
     def test_motion_and_camera(self):
-        self.check("cube.obj", "--transport", "dipole", "--deform", "twist:0.6", "--time", "1.25", "--camera-direction", "1,.5,2",
+        self.check("cube.obj", "--transport", "dipole", *COARSE, "--deform", "twist:0.6", "--time", "1.25", "--camera-direction", "1,.5,2",
                    "--fov-degrees", "40").close()
 
     def test_a_saved_picture_is_the_same(self):
-        window = self.view("cube.obj", "--transport", "dipole", "--antialias", "1", "--size", "640x400")
+        window = self.view("cube.obj", *CORNERS, "--size", "640x400")
         window.key("h")
         window.drag((100, 100), (180, 60))
         shown = window.picture()
@@ -55,7 +55,7 @@ class Picture(WindowTest):
 
     def test_a_saved_scene_is_drawn_the_same(self):
         """Camera, medium, light, size, motion, method and look as they were left by hand."""
-        window = self.view("cube.obj", "--transport", "dipole", "--antialias", "1", "--size", "760x700")
+        window = self.view("cube.obj", *CORNERS, "--size", "760x700")
         window.drag((100, 100), (180, 60))
         window.click("Medium/gummy-orange")
         size = window.place("Medium/size")

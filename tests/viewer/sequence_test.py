@@ -2,10 +2,10 @@
 
 import unittest
 
-from driver import BACKGROUND, WindowTest
+from driver import BACKGROUND, CORNERS, WindowTest
 from program import CUBE_OBJ
 
-PLAIN = ("--transport", "dipole", "--no-specular", "--antialias", "1", "--shadow-size", "256")
+PLAIN = (*CORNERS, "--no-specular")
 
 
 def stretched(by):

@@ -5,10 +5,10 @@ import subprocess
 import time
 import unittest
 
-from driver import LONGEST_SECONDS, Window, WindowTest
+from driver import CORNERS, LONGEST_SECONDS, Window, WindowTest
 from program import CUBE_OBJ, PROGRAM
 
-QUICK = ("--transport", "dipole", "--size", "480x320")
+QUICK = (*CORNERS, "--size", "480x320")
 
 
 class Opening(WindowTest):
@@ -30,7 +30,7 @@ class Opening(WindowTest):
         window.click("Medium")
         window.key("h")
         window.close()
-        again = self.view("--builtin", "teapot", "--transport", "dipole")
+        again = self.view("--builtin", "teapot", *CORNERS)
         self.assertFalse(any(name.startswith("Medium/") for name in again.state()["controls"]))
         x, y, width, height = again.state()["picture"]
         self.assertEqual(height, 320)
@@ -64,7 +64,7 @@ class Opening(WindowTest):
 class Sizes(WindowTest):
     def test_every_size_is_drawn(self):
         self.write("cube.obj", CUBE_OBJ)
-        window = self.view("cube.obj", "--transport", "dipole", "--shadow-size", 256, "--size", "640x400")
+        window = self.view("cube.obj", *CORNERS, "--size", "640x400")
         for width, height in ((900, 700), (333, 777), (320, 240), (1200, 300)):
             window.xdotool("windowsize", "--sync", window.handle, width, height)
             window.wait_for(lambda size=(width, height): self.area(window)[3] == size[1], "no new size")
@@ -75,7 +75,7 @@ class Sizes(WindowTest):
         window.close()
 
     def test_all_of_the_body_is_in_a_narrow_window(self):
-        window = self.view("--builtin", "teapot", "--transport", "dipole", "--size", "330x700")
+        window = self.view("--builtin", "teapot", *CORNERS, "--size", "330x700")
         window.key("h")
         shown = window.picture()
         self.assertGreater(shown.colors(), 50)
@@ -91,7 +91,7 @@ class Sizes(WindowTest):
         subprocess.run(["xprop", "-root", "-f", "RESOURCE_MANAGER", "8s", "-set", "RESOURCE_MANAGER", "Xft.dpi:\t192\n"],
                        env=dict(os.environ, DISPLAY=self.display), check=True)
         for _ in range(2):
-            window = self.view("--builtin", "teapot", "--transport", "dipole")
+            window = self.view("--builtin", "teapot", *CORNERS)
             self.assertEqual(self.area(window)[3], 2 * 320)
             fine = window.state()["controls"]["Medium/jade"]
             self.assertAlmostEqual(fine[3], 2 * height, delta=2)

@@ -34,15 +34,23 @@ void TruthView::start(const Session& session, Renderer& renderer, TruthOrder::Me
   // A core stays for the window.
   order.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()) + 1) / 2;
   job_ = std::make_unique<TruthJob>(session.scene, options, order, session.positionsMm);
+  running_ = true;
 }
 
 void TruthView::cancel() {
   job_.reset();
+  running_ = false;
 }
 
 bool TruthView::update() {
   if (!job_) return false;
-  std::shared_ptr<const TruthPicture> latest = job_->picture();
+  // Asked before the picture, so that the last one is there once it has ended.
+  const bool running = job_->state() == TruthJob::State::Running;
+  const bool ended = std::exchange(running_, running) && !running;
+  return takePicture(job_->picture()) || ended;
+}
+
+bool TruthView::takePicture(std::shared_ptr<const TruthPicture> latest) {
   if (!latest || latest == latest_) return false;
   latest_ = std::move(latest);
   truth_.set(latest_->image);

@@ -24,10 +24,11 @@ class TruthView {
   void start(const Session& session, Renderer& renderer, TruthOrder::Method method, int width,
              int height);
   void cancel();
-  bool running() const { return job_ && job_->state() == TruthJob::State::Running; }
+  /// At the last update(), so that who waits while it runs does not miss its end.
+  bool running() const { return running_; }
   double progress() const { return job_ ? job_->progress() : 0; }
 
-  /// Takes up what has come since; true where there is something new to see.
+  /// Takes up what has come since; true where there is something new to see, or it has ended.
   bool update();
 
   bool hasPicture() const { return !truth_.empty(); }
@@ -39,7 +40,10 @@ class TruthView {
   std::string error() const { return job_ ? job_->error() : std::string(); }
 
  private:
+  bool takePicture(std::shared_ptr<const TruthPicture> latest);
+
   std::unique_ptr<TruthJob> job_;
+  bool running_ = false;
   Image picture_;  // that the truth is held against
   std::shared_ptr<const TruthPicture> latest_;
   HostPicture truth_;
