@@ -37,7 +37,7 @@ struct Sum {
 
 // Mesa's software device ends the loops of an invocation after 65,535 rounds in all, without a
 // word. As many nodes as have fewer points, and no dispatch is long.
-constexpr std::uint32_t nodesPerDispatch = 65535 / (shared::maxPoints + 4);
+constexpr std::uint32_t nodesPerDispatch = 65535 / (shared::maxPoints + 5);
 
 struct ExitanceConstants {
   std::uint32_t clusters;
@@ -207,13 +207,15 @@ void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters
     }
     fitNodes(commands, tables, clusters, beams, scattersOnce);
     commands.bind(scattersOnce ? single_ : source_);
-    commands.bindResources({Binding::read(0, tables.objects), Binding::read(1, tables.media),
-                            Binding::texels(2, beams.points), Binding::read(3, beams.strengths),
-                            Binding::texels(4, clusters.beamNodes),
-                            Binding::read(5, clusters.ranges), Binding::read(6, clusters.clusters),
-                            Binding::write(7, scattersOnce ? clusters.latest : clusters.sources)});
     const std::uint32_t nodes = clusters.firstOfHeight.back();
     for (std::uint32_t from = 0; from < nodes; from += nodesPerDispatch) {
+      // Bound each time, so that each adds to what the one before has written.
+      commands.bindResources(
+          {Binding::read(0, tables.objects), Binding::read(1, tables.media),
+           Binding::texels(2, beams.points), Binding::read(3, beams.strengths),
+           Binding::texels(4, clusters.beamNodes), Binding::read(5, clusters.ranges),
+           Binding::read(6, clusters.clusters),
+           Binding::write(7, scattersOnce ? clusters.latest : clusters.sources)});
       const bool more = adds || from > 0;
       commands.pushConstants(
           Sum{clusters.count, inputs.openingAngle, more ? 1U : 0U, from, from + nodesPerDispatch});
