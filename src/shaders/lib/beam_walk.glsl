@@ -1,9 +1,9 @@
 // Sums, at every cluster, over the points of light below all others: bindings and the way through
 // the tree. Needs, before it, lib/linear.glsl and, after it, two functions of `its`, the cluster that
-// receives:
+// receives (the discs of its own light are added beside the walk, where hasOwnLeaf):
 //   vec3 fromNode(BeamNode node, vec3 squared)  light of all below a node
 //   vec3 fromPoints(uint cluster)               light of a cluster's points, one by one; of its
-//                                               own without those that ownDiscs has
+//                                               own without those that are discs
 #ifndef OPALINE_LIB_BEAM_WALK
 #define OPALINE_LIB_BEAM_WALK
 #define BINDING_OBJECTS 0
