@@ -32,10 +32,18 @@ passes::ScatterSite scatterSite(Site site) {
 constexpr float residualOfLight = 0.3F;
 constexpr float residualOfBounce = 1;
 
+constexpr float widestOpening = 0.5F;
+
 // Of nodes in the sums over clusters: their error goes with its square and a half, so that it
 // follows the tolerance.
 float openingAngleOf(float tolerance) {
-  return std::clamp(0.25F * std::pow(tolerance / 0.01F, 0.4F), 0.05F, 0.5F);
+  return std::clamp(0.25F * std::pow(tolerance / 0.01F, 0.4F), 0.05F, widestOpening);
+}
+
+// Light that enters again is a tenth or two of all, so that its points may be taken together from
+// nearer.
+float openingAngleOfBounce(float ofLight) {
+  return std::min(1.4F * ofLight, widestOpening);
 }
 
 // What every step of a frame needs.
@@ -81,10 +89,11 @@ struct FrameContext {
                            {resources.view, mesh, resources.tables, resources.shadows,
                             scene.surfels, scene.rays, openingAngle},
                            plan.bounces > 0 || !plan.skyIsDark, clusters);
-    const passes::BeamPass::Inputs inputs{resources.view, resources.tables, scene.surfels,
-                                          scene.rays, openingAngle};
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
+      const passes::BeamPass::Inputs inputs{
+          resources.view, resources.tables, scene.surfels, scene.rays,
+          again ? openingAngleOfBounce(openingAngle) : openingAngle};
       if (again)
         passes.beams.recordReentry(commands, inputs, clusters, bounce == 1);
       else

@@ -37,7 +37,7 @@ struct Sum {
 
 // Mesa's software device ends the loops of an invocation after 65,535 rounds in all, without a
 // word. As many nodes as have fewer points, and no dispatch is long.
-constexpr std::uint32_t nodesPerDispatch = 65535 / (shared::maxPoints + 4);
+constexpr std::uint32_t nodesPerDispatch = 65535 / (shared::maxPoints + 5);
 
 struct ExitanceConstants {
   std::uint32_t clusters;

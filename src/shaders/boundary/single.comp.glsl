@@ -3,7 +3,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#include "lib/fresnel.glsl"
 #include "lib/linear.glsl"
 #include "lib/beam_walk.glsl"
 
@@ -11,8 +10,15 @@ const float furthestFreePaths = 8.0;
 
 float eta;
 
+// 1 - F_in, both polarisations over one denominator.
 float leaving(float cosine) {
-  return cosine <= medium.albedo.w ? 0.0 : 1.0 - fresnelReflectance(1.0 / eta, min(cosine, 1.0));
+  float outside = sqrt(max(1.0 - (1.0 - cosine * cosine) * eta * eta, 0.0));
+  float across = cosine + eta * outside;
+  float along = eta * cosine + outside;
+  float both = across * along;
+  return cosine <= medium.albedo.w
+             ? 0.0
+             : 2.0 * eta * cosine * outside * (across * across + along * along) / (both * both);
 }
 
 // Places near the surface are smoothed over the cluster, the cosine as well as the distance, and the
@@ -55,18 +61,27 @@ float fromDisc(vec3 place, float extinction) {
   return 2.0 * pi / max(its.centroidArea.w, 1e-30) * (1.0 - from) * sum;
 }
 
-vec3 fromPoints(uint cluster) {
-  vec4 strength = strengths[cluster];
-  uint count = unpackPointCounts(strength.w).x;
+vec3 ownDiscs() {
+  vec4 strength = strengths[receiver];
+  uint count = min(unpackPointCounts(strength.w).x, pointsOfFirstSegment);
   vec3 extinction = medium.extinction.rgb;
   vec3 sum = vec3(0.0);
   for (uint p = 0u; p < count; ++p) {
+    BeamPoint point = readPoint(receiver * maxPoints + p);
+    sum += shareOf(point) * vec3(fromDisc(point.red.xyz, extinction.r),
+                                 fromDisc(point.green.xyz, extinction.g),
+                                 fromDisc(point.blue.xyz, extinction.b));
+  }
+  return strength.rgb * its.second.rgb * sum;
+}
+
+vec3 fromPoints(uint cluster) {
+  vec4 strength = strengths[cluster];
+  uint count = unpackPointCounts(strength.w).x;
+  vec3 sum = vec3(0.0);
+  for (uint p = cluster == receiver ? pointsOfFirstSegment : 0u; p < count; ++p) {
     BeamPoint point = readPoint(cluster * maxPoints + p);
-    bool disc = cluster == receiver && p < pointsOfFirstSegment;
-    sum += shareOf(point) * (disc ? vec3(fromDisc(point.red.xyz, extinction.r),
-                                         fromDisc(point.green.xyz, extinction.g),
-                                         fromDisc(point.blue.xyz, extinction.b))
-                                  : fromPlaces(point));
+    sum += shareOf(point) * fromPlaces(point);
   }
   return strength.rgb * clusters[cluster].second.rgb * sum;
 }
@@ -75,5 +90,6 @@ void main() {
   receive();
   eta = media[body.table.x].boundary.x;
   vec3 sum = beamSum(0.0, furthestFreePaths / leastOf(medium.extinction.rgb));
+  if (hasOwnLeaf()) sum += ownDiscs();
   putSum(sum * (medium.albedo.rgb / (4.0 * pi)));
 }

@@ -50,27 +50,31 @@ vec3 fromDisc(BeamPoint point) {
          absorbedLength(sigma, further);
 }
 
+vec3 ownDiscs() {
+  vec4 strength = strengths[receiver];
+  uint count = min(unpackPointCounts(strength.w).x, pointsOfFirstSegment);
+  vec3 sum = vec3(0.0);
+  for (uint p = 0u; p < count; ++p) {
+    BeamPoint point = readPoint(receiver * maxPoints + p);
+    sum += shareOf(point) * fromDisc(point);
+  }
+  return strength.rgb * shareOfFirst(its) * sum;
+}
+
 vec3 fromPoints(uint cluster) {
   vec4 strength = strengths[cluster];
   uvec2 counts = unpackPointCounts(strength.w);
   vec3 place = its.centroidArea.xyz;
   vec3 first = vec3(0.0);
   uint at = cluster * maxPoints;
-  uint p = 0u;
-  if (cluster == receiver) {
-    for (; p < min(counts.x, pointsOfFirstSegment); ++p) {
-      BeamPoint point = readPoint(at + p);
-      first += shareOf(point) * fromDisc(point);
-    }
-  }
   Cluster from = clusters[cluster];
   uint firstCount = shareOfFirst(from) == vec3(0.0) ? 0u : counts.x;
-  for (; p < firstCount; ++p) {
+  for (uint p = cluster == receiver ? pointsOfFirstSegment : 0u; p < firstCount; ++p) {
     BeamPoint point = readPoint(at + p);
     first += shareOf(point) * kernel(squaredDistances(point, place));
   }
   vec3 second = vec3(0.0);
-  for (p = 0u; p < counts.y; ++p) {
+  for (uint p = 0u; p < counts.y; ++p) {
     BeamPoint point = readPoint(at + maxFirstPoints + p);
     second += shareOf(point) * kernel(squaredDistances(point, place));
   }
@@ -80,5 +84,6 @@ vec3 fromPoints(uint cluster) {
 void main() {
   receive();
   vec3 sum = beamSum(leastOf(medium.sigma.rgb), 1e18);
+  if (hasOwnLeaf()) sum += ownDiscs();
   putSum(sum / (4.0 * pi * medium.diffusion.rgb));
 }

@@ -1,8 +1,9 @@
 // Sums, at every cluster, over the points of light below all others: bindings and the way through
 // the tree. Needs, before it, lib/linear.glsl and, after it, two functions of `its`, the cluster that
-// receives:
+// receives (the discs of its own light are added beside the walk, where hasOwnLeaf):
 //   vec3 fromNode(BeamNode node, vec3 squared)  light of all below a node
-//   vec3 fromPoints(uint cluster)               light of a cluster's points, one by one
+//   vec3 fromPoints(uint cluster)               light of a cluster's points, one by one; of its
+//                                               own without those that are discs
 #ifndef OPALINE_LIB_BEAM_WALK
 #define OPALINE_LIB_BEAM_WALK
 #define BINDING_OBJECTS 0
@@ -48,34 +49,52 @@ void receive() {
   medium = media[body.table.x].inside;
 }
 
+// Whether the nodes of this dispatch have the receiver's own leaf.
+bool hasOwnLeaf() {
+  uint own = ranges[receiver].node;
+  return own >= firstNode && own < endNode;
+}
+
 // Of the nodes of this dispatch. `reachMm` is where no light of any comes from further; the
-// invocations of a subgroup go in step.
+// invocations of a subgroup go in step. Points are summed in a loop outside of that over nodes:
+// where invocations that do not take part in a branch go through it all the same, none goes through
+// points at nodes that are not opened.
 vec3 beamSum(float sigma, float reachMm) {
   vec3 place = its.centroidArea.xyz;
+  uint own = ranges[receiver].node;
   vec3 sum = vec3(0.0);
   uint end = min(body.clusters.y, endNode);
   uint next = linearIndex() < clusterCount && body.clusters.x < end ? body.clusters.x : noNode;
+  uint last = noNode;
+  uint cluster = 0u;
   while (true) {
-    uint at = subgroupMin(next);
+    uint at;
+    while (true) {
+      at = subgroupMin(next);
+      if (at == noNode || at == last) break;
+      last = at;
+      if (next == at) {
+        BeamNode node = readBeamNode(at);
+        uint link = floatBitsToUint(node.greenLink.w);
+        vec3 squared = squaredDistances(BeamPoint(node.redRadius, node.greenLink, node.blueSquare), place);
+        float nearest = leastOf(squared);
+        float reached = reachMm + 2.0 * sqrt(node.blueSquare.w);
+        bool taken = node.power.rgb == vec3(0.0) || nearest > reached * reached ||
+                     afterNode(at, link) <= firstNode;
+        if (!taken && isFar(nearest, node.redRadius.w, sigma, openingAngle)) {
+          if (at >= firstNode) sum += fromNode(node, squared);
+          taken = true;
+        }
+        cluster = firstSurfelOf(link);
+        if (taken || !isLeaf(link)) next = taken ? afterNode(at, link) : at + 1u;
+        if (next >= end) next = noNode;
+      }
+    }
     if (at == noNode) break;
+    // Those that are still there have it too near to be taken.
     if (next == at) {
-      BeamNode node = readBeamNode(at);
-      uint link = floatBitsToUint(node.greenLink.w);
-      vec3 squared = squaredDistances(BeamPoint(node.redRadius, node.greenLink, node.blueSquare), place);
-      float nearest = leastOf(squared);
-      float reached = reachMm + 2.0 * sqrt(node.blueSquare.w);
-      bool taken = node.power.rgb == vec3(0.0) || nearest > reached * reached ||
-                   afterNode(at, link) <= firstNode;
-      if (!taken && isFar(nearest, node.redRadius.w, sigma, openingAngle)) {
-        if (at >= firstNode) sum += fromNode(node, squared);
-        taken = true;
-      }
-      if (!taken && isLeaf(link)) {
-        sum += fromPoints(firstSurfelOf(link));
-        taken = true;
-      }
-      next = taken ? afterNode(at, link) : at + 1u;
-      if (next >= end) next = noNode;
+      sum += fromPoints(cluster);
+      next = at + 1u < end ? at + 1u : noNode;
     }
   }
   return sum;
