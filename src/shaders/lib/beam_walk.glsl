@@ -81,7 +81,8 @@ vec3 beamSum(float sigma, float reachMm) {
         float reached = reachMm + 2.0 * sqrt(node.blueSquare.w);
         bool taken = node.power.rgb == vec3(0.0) || nearest > reached * reached ||
                      afterNode(at, link) <= firstNode;
-        if (!taken && isFar(nearest, node.redRadius.w, sigma, openingAngle)) {
+        // The receiver's own is always opened: part of it is in ownDiscs.
+        if (!taken && at != own && isFar(nearest, node.redRadius.w, sigma, openingAngle)) {
           if (at >= firstNode) sum += fromNode(node, squared);
           taken = true;
         }
