@@ -114,7 +114,7 @@ void CommandLine::section(const std::string& title) {
 
 void CommandLine::flag(const std::string& names, const std::string& help, bool& on) {
   Entry entry;
-  entry.left = spaced(names);
+  entry.left = entry.names = spaced(names);
   entry.help = help;
   entry.option = app_->add_flag(names)->disable_flag_override();
   entry.repeatable = true;

@@ -58,8 +58,8 @@ struct RenderCommand {
     device.addTo(line);
     line.value("--report", "FILE.json", "what was done, and how long it took",
                [this](const Given& given) { report = readOutput(given, {".json"}); });
-    line.flag("--json", "the same on standard output", json);
-    line.flag("--quiet", "no notes on standard error", quiet);
+    line.flag("--json", "the report on standard output; no notes", json);
+    line.flag("--quiet", "", quiet);
   }
 
   /// Refuses what contradicts itself, before any work.

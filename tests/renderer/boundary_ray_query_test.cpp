@@ -27,6 +27,7 @@ class BoundaryRayQueryTest : public RendererTest {
   void SetUp() override {
     RendererTest::SetUp();
     if (deviceWithRayQueries().empty()) GTEST_SKIP() << "no device has VK_KHR_ray_query";
+    if (withQueries_) return;
     for (auto* made : {&withQueries_, &without_}) {
       RendererOptions options = sharedRenderer().options();
       options.rayQueries = made == &withQueries_;
@@ -35,7 +36,12 @@ class BoundaryRayQueryTest : public RendererTest {
     }
   }
 
-  void expectTheSame(const Scene& scene, const std::vector<double>& times) {
+  static void TearDownTestSuite() {
+    withQueries_.reset();
+    without_.reset();
+  }
+
+  static void expectTheSame(const Scene& scene, const std::vector<double>& times) {
     withQueries_->setScene(scene);
     without_->setScene(scene);
     RenderOptions options = boundaryOptions(64, 1);
@@ -52,8 +58,9 @@ class BoundaryRayQueryTest : public RendererTest {
   }
 
  private:
-  std::unique_ptr<Renderer> withQueries_;
-  std::unique_ptr<Renderer> without_;
+  // For all tests: new ones translate all shaders anew.
+  static inline std::unique_ptr<Renderer> withQueries_;
+  static inline std::unique_ptr<Renderer> without_;
 };
 
 // Rays through the body, its reflections, second collisions and what it sees of itself.
