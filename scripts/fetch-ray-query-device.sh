@@ -18,7 +18,7 @@ command -v apt-get >/dev/null && command -v dpkg-deb >/dev/null || give_up "not 
 codename=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
 [ -n "$codename" ] || give_up "the system's release has no code name"
 archive=$(apt-get indextargets --format '$(CODENAME) $(REPO_URI)' 'Created-By: Packages' |
-  awk -v codename="$codename" '$1 == codename { print $2; exit }')
+  awk -v codename="$codename" '$1 == codename && !found { print $2; found = 1 }') || archive=
 [ -n "$archive" ] || give_up "the package archive of $codename is not among apt's sources"
 
 work=$(mktemp -d)
@@ -27,14 +27,20 @@ mkdir -p "$work/lists/partial" "$work/cache/archives/partial" "$work/packages" "
 echo "deb $archive $codename-backports main" > "$work/sources.list"
 apt() {
   apt-get -qq -o Dir::Etc::SourceList="$work/sources.list" -o Dir::Etc::SourceParts=- \
-    -o Dir::State::Lists="$work/lists" -o Dir::Cache="$work/cache" -o APT::Sandbox::User=root "$@"
+    -o Dir::State::Lists="$work/lists" -o Dir::Cache="$work/cache" -o APT::Sandbox::User=root \
+    -o Acquire::Retries=1 -o Acquire::http::Timeout=20 -o Acquire::https::Timeout=20 "$@"
 }
 apt update 2>/dev/null || give_up "the backports of $codename cannot be read"
 (cd "$work/packages" && apt download mesa-vulkan-drivers libdrm2 libdrm-amdgpu1 2>/dev/null) ||
   give_up "the backports of $codename have no newer Mesa"
-for package in "$work"/packages/*.deb; do dpkg-deb -x "$package" "$work/root"; done
+for package in "$work"/packages/*.deb; do
+  dpkg-deb -x "$package" "$work/root" || give_up "$package cannot be unpacked"
+done
 driver=$(find "$work/root" -name libvulkan_lvp.so | head -n 1)
 [ -n "$driver" ] || give_up "the newer Mesa has no software device"
+if LD_LIBRARY_PATH=$(dirname "$driver") ldd "$driver" 2>&1 | grep -q 'not found'; then
+  give_up "the newer Mesa wants libraries that are not there"
+fi
 
 rm -rf "$folder"
 mkdir -p "$folder"
