@@ -213,6 +213,7 @@ void Viewer::drawPicture() {
   rough_ = moving;
   drawn_ = area;
   placeBody();
+  if (session_.edits.lighting) exposeByLight(session_);
   stage_.draw(session_, area.width, area.height, moving);
   awake_ = std::max(awake_, 1);
   if (!moving) stage_.finish();
