@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "core/file.h"
 #include "opaline/error.h"
+#include "scene/gltf_extensions.h"
 #include "scene/gltf_prescan.h"
 #include "scene/text.h"
 
@@ -117,19 +117,6 @@ std::string firstComplaint(std::string_view text) {
     }
   }
   return {};
-}
-
-/// Extensions that change where the vertices are, or how they are stored, and are understood.
-void requireKnownExtensions(const Input& input, const tinygltf::Model& model) {
-  constexpr std::array<std::string_view, 3> storage{
-      "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"};
-  for (const std::string& required : model.extensionsRequired) {
-    if (std::find(storage.begin(), storage.end(), required) != storage.end()) {
-      failGltf(input, fmt::format("its meshes are compressed with {}, which is not supported: "
-                                  "export it without compression",
-                                  required));
-    }
-  }
 }
 
 }  // namespace
