@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <string>
-#include <vector>
 
+#include "scene/gltf_file.h"
 #include "scene/text.h"
 
 namespace opaline::scene {
@@ -54,10 +53,10 @@ GltfExtension kindOf(std::string_view extension) {
   return contains(appearance, extension) ? GltfExtension::Appearance : GltfExtension::Unknown;
 }
 
-void requireKnownExtensions(const Input& input, const tinygltf::Model& model) {
+void requireKnownExtensions(const Input& input, const std::vector<std::string>& required) {
   constexpr std::size_t mostNamed = 8;
   std::set<std::string> unknown;
-  for (const std::string& name : model.extensionsRequired) {
+  for (const std::string& name : required) {
     if (kindOf(name) == GltfExtension::Unknown) unknown.insert(cleanText(name, 60));
   }
   if (unknown.empty()) return;

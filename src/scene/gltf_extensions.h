@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include "scene/gltf_file.h"
+#include "scene/formats.h"
 
 namespace opaline::scene {
 
@@ -15,7 +17,7 @@ enum class GltfExtension {
 
 GltfExtension kindOf(std::string_view extension);
 
-/// Throws Error, naming them, when the file requires extensions that are unknown here.
-void requireKnownExtensions(const Input& input, const tinygltf::Model& model);
+/// Throws Error, naming them, when extensions that a file requires are unknown here.
+void requireKnownExtensions(const Input& input, const std::vector<std::string>& required);
 
 }  // namespace opaline::scene

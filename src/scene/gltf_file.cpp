@@ -7,7 +7,6 @@
 
 #include "core/file.h"
 #include "opaline/error.h"
-#include "scene/gltf_extensions.h"
 #include "scene/gltf_prescan.h"
 #include "scene/text.h"
 
@@ -162,6 +161,14 @@ tinygltf::Model readGltf(const Input& input) {
   if (!access.refusal.empty()) failGltf(input, access.refusal);
   const std::string complaint = firstComplaint(error);
   if (!whole || !complaint.empty()) {
+    // The library knows no channel without a node.
+    const auto& used = access.prescan.extensionsUsed;
+    if (std::find(used.begin(), used.end(), "KHR_animation_pointer") != used.end() &&
+        complaint.find("'node'") != std::string::npos) {
+      failGltf(input,
+               "it is animated with KHR_animation_pointer, which is not supported: export it "
+               "without");
+    }
     failGltf(input, fmt::format("it is no sound glTF: {}",
                                 complaint.empty() ? "unknown reason" : complaint));
   }
@@ -169,7 +176,6 @@ tinygltf::Model readGltf(const Input& input) {
     failGltf(input, fmt::format("it is of glTF version '{}', not 2.0",
                                 cleanText(model.asset.version, 20)));
   }
-  requireKnownExtensions(input, model);
   return model;
 }
 
