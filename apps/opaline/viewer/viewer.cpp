@@ -311,7 +311,9 @@ void Viewer::writeControls() const {
 
 Json Viewer::report() const {
   if (!session_.report) return nullptr;
-  return renderReportJson(*session_.report, session_.options, {});
+  Json json = renderReportJson(*session_.report, session_.options, {});
+  json["exposure_stops"] = shortJson(session_.tone.exposureStops);
+  return json;
 }
 
 void Viewer::run() {
