@@ -127,10 +127,12 @@ constexpr double coarseInFreePaths = 0.8;
 // Where a medium's light is summed over surfels of another's size, they may be coarse.
 void noteSpacing(SceneResources& resources) {
   resources.surfels.coarse = false;
+  // Two triangles fill two of a surfel's sources.
+  const double sourcesPerSurfel =
+      resources.surfels.piecesPerSurfel == 2 ? 2 : shared::sourcesPerSurfel;
   for (std::size_t i = 0; i < resources.objects; ++i) {
     SurfelsOfObject& object = resources.surfelsOfObject[i];
-    const double sources =
-        std::max(1.0, static_cast<double>(shared::sourcesPerSurfel) * object.count);
+    const double sources = std::max(1.0, sourcesPerSurfel * object.count);
     object.sourceSpacingMm = std::sqrt(resources.sizeOfObject[i].areaMm2 / sources);
     const Medium& medium = resources.media[resources.mediumOfObject[i]];
     object.coarse = object.sourceSpacingMm > coarseInFreePaths * shortestMeanFreePathMm(medium);

@@ -19,13 +19,25 @@ const float otherSide = -0.3;
 // middles. What is less lies at a border.
 const float wholeDisc = 0.85;
 
-// Squared, and smoothed as far as the sources want it: of those that lie in another plane, on the
-// other side of a thin part, only what their distance across does not smooth.
-float smoothedDistance(vec3 offset, float squared, vec3 normal, bool sameSide, float reach) {
-  if (sameSide) return smoothedSquare(squared, reach * reach);
-  float spacing = reach / reachInSpacings;
+// Sources on the other side of a part are smooth for one another where it is thicker than this many
+// of their spacings.
+const float smoothThickness = 1.5;
+
+// The profile as smooth as the sources can follow. Of those that lie in another plane, on the other
+// side of a thin part, as much comes through as would of endlessly many.
+vec3 smoothedProfile(Profile profile, vec3 offset, float squared, vec3 normal, bool sameSide,
+                     float reach) {
+  if (sameSide)
+    return reflectanceProfile(profile, vec3(smoothedSquare(squared, reach * reach)));
   float across = dot(offset, normal);
-  return squared + max(spacing * spacing - across * across, 0.0);
+  float least = smoothThickness / reachInSpacings * reach;
+  float further = max(least * least - across * across, 0.0);
+  if (further == 0.0) return reflectanceProfile(profile, vec3(squared));
+  vec3 wanted = profileOutside(profile, vec3(across * across)) -
+                profileOutside(profile, vec3(reach * reach));
+  vec3 kept = profileOutside(profile, vec3(least * least)) -
+              profileOutside(profile, vec3(reach * reach + further));
+  return reflectanceProfile(profile, vec3(squared + further)) * wanted / max(kept, vec3(1e-30));
 }
 
 struct Neighbours {
@@ -53,9 +65,7 @@ Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
         float squared = squaredDistanceTo(place.xyz, position);
         if (squared >= reach * reach) continue;
         bool sameSide = dot(surfelNormals[i / sourcesPerSurfel].xyz, normal) >= otherSide;
-        vec3 weight = reflectanceProfile(
-            profile,
-            vec3(smoothedDistance(place.xyz - position, squared, normal, sameSide, reach)));
+        vec3 weight = smoothedProfile(profile, place.xyz - position, squared, normal, sameSide, reach);
         found.sum += vec4(fluxOf(i) * weight, 1.0);
         if (!sameSide) continue;
         float counted = place.w * nearbyWeight(squared, reach * reach);
