@@ -54,7 +54,7 @@ void exitance(Studio& studio, const char* name) {
   RenderOptions options = paperMethod();
   options.width = options.height = 2 * 384;
   publish(studio, name,
-          develop(halved(studio.renderer.render(options, {Aov::Exitance}).images.at(0)), 0));
+          develop(halved(studio.renderer.render(options, {Aov::Exitance}).images.at(0)), -1));
 }
 
 void models(Studio& studio, const char* name) {
@@ -85,8 +85,8 @@ Rgb colourOfIndex(float index) {
 void surfels(Studio& studio, const char* name) {
   studio.renderer.setScene(bear("marble", 50));
   RenderOptions options = usual();
-  options.width = 400;
-  options.height = 512;
+  options.width = 360;
+  options.height = 464;
   options.maxSources = 8192;
   options.treeLevel = 4;
   options.antialias = 1;
