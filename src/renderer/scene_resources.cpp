@@ -93,8 +93,7 @@ void listMedia(const Scene& scene, SceneResources& resources) {
 }
 
 void measure(const Scene& scene, SceneResources& resources) {
-  for (const Object& object : scene.objects)
-    resources.sizeOfObject.push_back(sizeOf(object.mesh));
+  for (const Object& object : scene.objects) resources.sizeOfObject.push_back(sizeOf(object.mesh));
 }
 
 void makeMesh(gpu::Device& device, SceneResources& resources) {

@@ -125,8 +125,7 @@ void setSum(const SurfelsOfObject& surfels, const std::array<bssrdf::Profile, 3>
   for (int c = 0; c < 3; ++c) {
     const bssrdf::Profile& profile = profiles[static_cast<std::size_t>(c)];
     if (areaMm2 > 0)
-      object.darkest[c] =
-          static_cast<float>(darkestOfMean * profile.totalReflectance() / areaMm2);
+      object.darkest[c] = static_cast<float>(darkestOfMean * profile.totalReflectance() / areaMm2);
     if (!surfels.coarse) continue;
     const passes::NearbyShares shares = passes::nearbyShares(profile, reachMm);
     object.nearbyDisc[c] = static_cast<float>(shares.disc);

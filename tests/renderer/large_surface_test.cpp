@@ -63,8 +63,8 @@ double deviationOf(const std::vector<Image>& images, bssrdf::Model model, double
     for (std::size_t c = 0; c < 3; ++c) {
       const double exact = entering * overSquare(profiles[c], halfMm, x, y);
       const double middle = entering * overSquare(profiles[c], halfMm, 0, 0);
-      largest = std::max(
-          largest, std::abs(static_cast<double>(images[0].rgba[i + c]) - exact) / middle);
+      largest =
+          std::max(largest, std::abs(static_cast<double>(images[0].rgba[i + c]) - exact) / middle);
     }
   });
   EXPECT_GT(seen, 400);
@@ -109,7 +109,7 @@ TEST_F(LargeSurfaceTest, CornersOfAHugeSquareAreAsBrightAsItsMiddle) {
   EXPECT_LT(deviationOf(images, bssrdf::Model::Dipole, halfMm), 0.02);
 }
 
-// A shadow's border, and what lies deep in the shadow, in sources of a seventh of a mean free path
+// A shadow's border, and what lies deep in the shadow, in sources of a third of a mean free path
 // and in ones that are some mean free paths apart.
 TEST_F(LargeSurfaceTest, ShadowsOnItAreThoseOfAFineGrid) {
   Scene scene = sceneOf(square(24), marble(), {0, 0, 80}, 22);
@@ -120,10 +120,17 @@ TEST_F(LargeSurfaceTest, ShadowsOnItAreThoseOfAFineGrid) {
   const std::vector<Image> fine = render(scene, options, {Aov::Exitance, Aov::Object});
   float brightest = 0;
   forEachCovered(fine[0], [&](std::size_t i) { brightest = std::max(brightest, fine[0].rgba[i]); });
-  for (const auto& [maxSources, tolerated] : {std::pair{1024, 0.08F}, std::pair{4096, 0.04F}}) {
+  // The border lies where the sources have it, to half of their spacing; the deeper in the shadow,
+  // the more that is of what comes from there.
+  struct Bound {
+    int maxSources;
+    float ofBrightest;
+    float deep;
+  };
+  for (const auto& [maxSources, ofBrightest, deep] :
+       {Bound{1024, 0.08F, 0.5F}, Bound{4096, 0.04F, 0.12F}}) {
     options.maxSources = maxSources;
-    const std::vector<Image> coarse =
-        render(options, {Aov::Exitance, Aov::Evaluations});
+    const std::vector<Image> coarse = render(options, {Aov::Exitance, Aov::Evaluations});
     int pixels = 0;
     forEachCovered(fine[0], [&](std::size_t i) {
       if (fine[1].rgba[i] != 0) return;
@@ -131,9 +138,9 @@ TEST_F(LargeSurfaceTest, ShadowsOnItAreThoseOfAFineGrid) {
       for (std::size_t c = 0; c < 3; ++c) {
         const float exact = fine[0].rgba[i + c];
         const float off = std::abs(coarse[0].rgba[i + c] - exact);
-        ASSERT_LT(off, tolerated * brightest) << maxSources;
+        ASSERT_LT(off, ofBrightest * brightest) << maxSources;
         if (exact < 0.05F * brightest) {
-          ASSERT_LT(off, 3 * tolerated * std::max(exact, 1e-3F * brightest)) << maxSources;
+          ASSERT_LT(off, deep * std::max(exact, 1e-3F * brightest)) << maxSources;
         }
       }
     });

@@ -36,7 +36,8 @@ NearbyShares nearbyShares(const bssrdf::Profile& profile, double reachMm) {
   const double innerMm = static_cast<double>(shared::innerRingInReaches) * reachMm;
   const auto lacking = [&](double fromMm, double toMm) {
     const double exact = profile.disc(toMm) - profile.disc(fromMm);
-    return std::max(exact - smoothedRing(profile, reachMm, fromMm, toMm, [](float) { return 1.0F; }), 0.0);
+    return std::max(
+        exact - smoothedRing(profile, reachMm, fromMm, toMm, [](float) { return 1.0F; }), 0.0);
   };
   return {lacking(0, discMm), lacking(discMm, innerMm), lacking(innerMm, reachMm),
           smoothedRing(profile, reachMm, 0, reachMm,

@@ -58,7 +58,7 @@ vec3 profileOutside(Profile p, vec3 radiusSquaredMm2) {
   vec3 further = p.zSquaredDifference / (virtualSquared * overVirtual + real);
   vec3 decayReal = exp2(-p.sigmaTrBase2 * real);
   vec3 decayFurther = exp2(-p.sigmaTrBase2 * further);
-  vec3 sigma = max(p.sigmaTr, vec3(1e-12f));
+  vec3 sigma = p.sigmaTr + 1e-12f;
   vec3 fluence = p.weightFluence * oneMinusExp(sigma * further, decayFurther) / sigma;
   vec3 flux = p.weightReal * overReal + p.weightVirtual * overVirtual * decayFurther;
   return 6.2831853f * decayReal * (fluence + flux);

@@ -48,8 +48,8 @@ struct ObjectData {
   uvec4 tree;   // x: root, among the nodes; y: the node after all of its tree
   uvec4 clusters;  // of boundary transport, x: root among their nodes; y: the node after their
                    // tree; z: 1 where some part of the body has an inside
-  vec4 darkest;    // rgb: exitance below which differences do not count, over the body's flux, mm⁻²;
-                   // w: reach of coarse sources (shared/nearby.h), mm, 0 where they are not
+  vec4 darkest;  // rgb: exitance below which differences do not count, over the body's flux, mm⁻²;
+                 // w: reach of coarse sources (shared/nearby.h), mm, 0 where they are not
   vec4 nearbyDisc;  // rgb: what they lack there in even light, part of the irradiance
   vec4 nearbyInner;
   vec4 nearbyOuter;
