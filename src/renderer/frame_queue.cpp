@@ -40,9 +40,13 @@ void FrameQueue::submit() {
   ++waiting_;
 }
 
+bool FrameQueue::isReady() const {
+  return !isEmpty() && slots_[oldest()].commands.isDone();
+}
+
 void FrameQueue::collect(Frame& frame, FrameTimes& times) {
   if (isEmpty()) throw UsageError("no frame is under way; submit one first");
-  FrameSlot& slot = slots_[(next_ + slots_.size() - waiting_) % slots_.size()];
+  FrameSlot& slot = slots_[oldest()];
   --waiting_;
   slot.commands.wait();
   slot.readback.finish(frame.images);

@@ -64,8 +64,8 @@ void drawViewPanel(Session& session) {
   if (!controls::section("View", false)) return;
   bool changed = chooseVariable(session);
   RenderOptions& options = session.options;
-  changed |= controls::slider("exposure", session.tone.exposureStops, -8, 8, "%.2f stops",
-                              "Twice the light for every stop.");
+  changed |= controls::stops("exposure", session.tone.exposureStops, -8, 8,
+                             "Twice the light for every stop. Keys: O, X.");
   changed |= controls::choice("tone", session.tone.curve, toneCurves(),
                               "Neutral bends only what is brighter than white (Khronos 2024).");
   static const Choices<int> samples{{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}};
