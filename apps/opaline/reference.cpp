@@ -98,8 +98,7 @@ struct ReferenceCommand {
     line.section("Run");
     line.value("--report", "FILE.json", "what was done, and how exact it is",
                [this](const Given& given) { report = readOutput(given, {".json"}); });
-    line.flag("--json", "the same on standard output", json);
-    line.flag("--quiet", "no notes on standard error", quiet);
+    line.outputFlags("the report on standard output", json, quiet);
   }
 
   /// Refuses what contradicts itself and what only the GPU's renderer can do, before any work.

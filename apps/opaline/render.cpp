@@ -58,8 +58,7 @@ struct RenderCommand {
     device.addTo(line);
     line.value("--report", "FILE.json", "what was done, and how long it took",
                [this](const Given& given) { report = readOutput(given, {".json"}); });
-    line.flag("--json", "the report on standard output; no notes", json);
-    line.flag("--quiet", "", quiet);
+    line.outputFlags("the report on standard output", json, quiet);
   }
 
   /// Refuses what contradicts itself, before any work.
