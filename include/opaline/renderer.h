@@ -210,9 +210,6 @@ class Renderer {
   /// is none.
   void collect(Frame& frame);
 
-  /// Whether there is a frame that collect() would not have to wait for.
-  bool isReady() const;
-
   /// What there is to say of the frames collected since the last setScene().
   RenderReport report() const;
 

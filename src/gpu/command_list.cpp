@@ -114,11 +114,6 @@ void CommandList::wait() {
   timer_.collect();
 }
 
-bool CommandList::isDone() const {
-  // An error is for wait() to throw.
-  return !submitted_ || vkGetFenceStatus(device_.handle(), fence_) != VK_NOT_READY;
-}
-
 void CommandList::beginPass(const char* name) {
   assert(recording_ && !inPass_);
   timer_.begin(commands_, name);

@@ -80,8 +80,6 @@ class CommandList {
   void submit();
   /// Blocks until the last submission has finished. Throws Error when the device is lost.
   void wait();
-  /// Whether wait() would return at once.
-  bool isDone() const;
 
   /// A named pass: debug label and a pair of timestamps. Passes do not nest. Throws Error when
   /// there are more than maxPasses.

@@ -40,13 +40,9 @@ void FrameQueue::submit() {
   ++waiting_;
 }
 
-bool FrameQueue::isReady() const {
-  return !isEmpty() && slots_[oldest()].commands.isDone();
-}
-
 void FrameQueue::collect(Frame& frame, FrameTimes& times) {
   if (isEmpty()) throw UsageError("no frame is under way; submit one first");
-  FrameSlot& slot = slots_[oldest()];
+  FrameSlot& slot = slots_[(next_ + slots_.size() - waiting_) % slots_.size()];
   --waiting_;
   slot.commands.wait();
   slot.readback.finish(frame.images);

@@ -35,16 +35,12 @@ class FrameQueue {
   FrameSlot& next() { return slots_[next_]; }
   /// Hands next() to the device.
   void submit();
-  /// Whether collect() would not wait.
-  bool isReady() const;
   /// Waits for the oldest and takes its pictures and times. Throws UsageError when there is none.
   void collect(Frame& frame, FrameTimes& times);
   /// Of frames that an idle device has finished, nothing is wanted any more.
   void clear() { waiting_ = 0; }
 
  private:
-  std::size_t oldest() const { return (next_ + slots_.size() - waiting_) % slots_.size(); }
-
   std::array<FrameSlot, Renderer::framesInFlight> slots_;
   std::size_t next_ = 0;  // slot of the next frame
   std::size_t waiting_ = 0;

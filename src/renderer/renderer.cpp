@@ -97,8 +97,6 @@ class Renderer::Implementation {
 
   void collect(Frame& frame) { collect(frame, times_); }
 
-  bool isReady() const { return queue_.isReady(); }
-
   RenderReport report() const {
     if (prepared_.frame() == nullptr) throw UsageError("there is no report before the first frame");
     return makeReport(times_);
@@ -219,10 +217,6 @@ DeviceImage Renderer::submitOnDevice(const RenderOptions& options, const std::ve
 
 void Renderer::collect(Frame& frame) {
   implementation_->collect(frame);
-}
-
-bool Renderer::isReady() const {
-  return implementation_->isReady();
 }
 
 void Renderer::setCamera(const Camera& camera) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <system_error>
+#include <vector>
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>

@@ -3,7 +3,7 @@
 #include <imgui.h>
 #include <vulkan/vulkan.h>
 
-#include <vector>
+#include <deque>
 
 #include "opaline/vulkan.h"
 #include "viewer/presenter.h"
@@ -34,7 +34,7 @@ class UserInterface {
   VulkanDevice device_;
   const Presenter& presenter_;
   const Window& window_;
-  std::vector<ImVector<ImWchar>> ranges_;  // of the fonts, which refer to them
+  std::deque<ImVector<ImWchar>> ranges_;  // of the fonts, which refer to them where they are
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
 };
 
