@@ -72,7 +72,8 @@ struct ViewCommand {
     motion.applyTo(loaded.scene);
     session.options = options(loaded.settings);
     motion.applyTo(session.options, loaded.scene, loaded.settings);
-    session.tone = look.tone(loaded.settings);
+    session.tone = look.tone(loaded.settings, loaded.scene);
+    session.exposesByLight = look.exposesByLight(loaded.settings);
   }
 };
 

@@ -70,6 +70,7 @@ struct Session {
 
   RenderOptions options;
   core::ToneOptions tone;
+  bool exposesByLight = true;  ///< nobody has said how to expose
   Playback playback;
   bool quickWhileMoving = true;  ///< coarser light where the transport is too slow to move with
   bool divided = false;          ///< the paper's method on the left of the divider
@@ -94,8 +95,13 @@ struct Session {
   Edits edits;
 };
 
+<<<<<<< HEAD
 /// Whether the scene is shown as its camera sees it now: not the truth of an earlier moment, no map.
 bool showsScene(const Session& session);
+=======
+/// Lets the exposure follow the scene's light, where nobody has said how to expose.
+void exposeByLight(Session& session);
+>>>>>>> main
 
 /// The same picture of that many pixels.
 RenderOptions sized(const RenderOptions& options, int width, int height);

@@ -8,7 +8,8 @@ Stage::Stage(Renderer& renderer, const VulkanDevice& window)
     : renderer_(renderer),
       apart_(window.device != renderer.vulkanDevice().device),
       hostPicture_(window),
-      hostPaper_(window) {}
+      hostPaper_(window),
+      watch_(renderer.vulkanDevice()) {}
 
 void Stage::setScene(const Scene& scene) {
   finish();
@@ -83,13 +84,13 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   divided_ = session.divided;
   if (divided_) submit(paperOptions(options), Aov::Radiance, false);
   submit(options, session.aov, true);
-  if (apart_) return;
+  if (apart_) return watch_.begin();
   // What is drawn next was asked for after the frame before this one was finished.
   while (waiting_.size() >= Renderer::framesInFlight) collect();
 }
 
 void Stage::takeUp() {
-  while (isReady()) collect();
+  if (isReady()) finish();
 }
 
 void Stage::finish() {

@@ -8,6 +8,7 @@
 #include "opaline/renderer.h"
 #include "opaline/vulkan.h"
 #include "viewer/host_picture.h"
+#include "viewer/queue_watch.h"
 #include "viewer/session.h"
 
 namespace opaline::app::viewer {
@@ -33,7 +34,7 @@ class Stage {
   /// Whether a picture is under way that nobody should wait for.
   bool isBusy() const { return apart_ && !waiting_.empty(); }
   /// Whether it is busy no longer, but for takeUp().
-  bool isReady() const { return isBusy() && renderer_.isReady(); }
+  bool isReady() const { return isBusy() && watch_.isDone(); }
   /// Since when it is busy with that picture.
   std::chrono::steady_clock::time_point busySince() const { return busySince_; }
   /// Takes up what is done, if it was busy.
@@ -72,6 +73,7 @@ class Stage {
   DeviceImage paper_;
   HostPicture hostPicture_;
   HostPicture hostPaper_;
+  QueueWatch watch_;  // of the frames under way
   Frame frame_;
   Frame other_;  // of the paper's method
   Aov variable_ = Aov::Radiance;
