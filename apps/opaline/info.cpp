@@ -177,9 +177,7 @@ std::string sceneText(const Scene& scene, const Json& facts) {
           : fmt::format("open ({} boundary loops)", facts["boundary_loops"].get<std::size_t>()),
       facts["components"].get<std::size_t>());
   const Bounds bounds = boundsOf(scene);
-  const auto corner = [](const Vec3& mm) {
-    return lengthsText({mm[0], mm[1], mm[2]}, ", ", 4);
-  };
+  const auto corner = [](const Vec3& mm) { return lengthsText({mm[0], mm[1], mm[2]}, ", ", 4); };
   text += fmt::format("from {} to {}, diagonal {}\n", corner(bounds.minMm), corner(bounds.maxMm),
                       core::lengthText(diagonalMm(scene), 4));
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {

@@ -25,7 +25,8 @@ TEST(Glyphs, OnlyWhatIsNotLatinIsWantedAndOnlyOnceNews) {
 
 TEST(Glyphs, BytesThatAreNoTextAreSkipped) {
   const std::size_t before = glyphs::wanted().size();
-  for (const std::string text : {"\xff\xfe", "\xc0\x80", "\xe7\x86", "a\x80z", "\xf8\x88\x80\x80\x80"}) {
+  for (const std::string text :
+       {"\xff\xfe", "\xc0\x80", "\xe7\x86", "a\x80z", "\xf8\x88\x80\x80\x80"}) {
     glyphs::want(text);
   }
   EXPECT_EQ(glyphs::wanted().size(), before);

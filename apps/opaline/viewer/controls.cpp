@@ -125,8 +125,9 @@ bool slider(const char* name, float& value, float low, float high, const char* f
             const char* about) {
   const std::string label = leaveRoomFor(name);
   const bool wide = low > 0 && high >= 1000 * low;
-  const bool changed = ImGui::SliderFloat(
-      label.c_str(), &value, low, high, format, wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  const bool changed =
+      ImGui::SliderFloat(label.c_str(), &value, low, high, format,
+                         wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
   note(name);
   tip(about);
   // A number that was typed may lie outside.

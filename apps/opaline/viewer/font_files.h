@@ -9,8 +9,8 @@ namespace opaline::app::viewer {
 /// A font of the system.
 struct FontFile {
   std::filesystem::path file;
-  int index = 0;                ///< in a file of several
-  std::set<char32_t> has;       ///< of the characters that were asked for
+  int index = 0;           ///< in a file of several
+  std::set<char32_t> has;  ///< of the characters that were asked for
 };
 
 /// The system's upright sans-serif, and what else it takes to show these characters, as far as it

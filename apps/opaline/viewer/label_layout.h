@@ -22,8 +22,8 @@ class LabelLayout {
   /// Something stands there already.
   void take(const Box& box) { taken_.push_back(box); }
 
-  /// Within the bounds, as near as can be above where it is wanted, on nothing that was taken; takes
-  /// that place. Where there is no room left it stays within the bounds.
+  /// Within the bounds, as near as can be above where it is wanted, on nothing that was taken;
+  /// takes that place. Where there is no room left it stays within the bounds.
   Box place(const Box& wanted);
 
  private:

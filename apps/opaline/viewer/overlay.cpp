@@ -109,8 +109,7 @@ void drawDivider(const Session& session, const Area& area, LabelLayout& labels) 
   const float y = bottom - 1.5F * ImGui::GetFontSize();
   const auto name = [&](const std::string& text, bool onLeft) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const Box place =
-        labels.place({onLeft ? x - size.x - 10 : x + 10, y, size.x, 1.15F * size.y});
+    const Box place = labels.place({onLeft ? x - size.x - 10 : x + 10, y, size.x, 1.15F * size.y});
     write(list, {place.x, place.y}, ink, text);
   };
   name("Gong et al. 2008", true);

@@ -8,13 +8,12 @@
 
 namespace opaline::app::viewer {
 
-<<<<<<< HEAD
 bool showsScene(const Session& session) {
   return session.shown == Shown::Picture && session.aov < Aov::DsmPosition;
-=======
+}
+
 void exposeByLight(Session& session) {
   if (session.exposesByLight) session.tone.exposureStops = automaticExposureStops(session.scene);
->>>>>>> main
 }
 
 RenderOptions sized(const RenderOptions& options, int width, int height) {

@@ -95,13 +95,12 @@ struct Session {
   Edits edits;
 };
 
-<<<<<<< HEAD
-/// Whether the scene is shown as its camera sees it now: not the truth of an earlier moment, no map.
+/// Whether the scene is shown as its camera sees it now: not the truth of an earlier moment, no
+/// map.
 bool showsScene(const Session& session);
-=======
+
 /// Lets the exposure follow the scene's light, where nobody has said how to expose.
 void exposeByLight(Session& session);
->>>>>>> main
 
 /// The same picture of that many pixels.
 RenderOptions sized(const RenderOptions& options, int width, int height);

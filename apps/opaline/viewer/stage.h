@@ -15,9 +15,9 @@ namespace opaline::app::viewer {
 
 /// Keeps a renderer in step with a session and has it make the pictures the window shows.
 ///
-/// Where the window is drawn by the renderer's device, a frame is waited for only when the one after
-/// the next begins. Where it has a device of its own, nothing is waited for: one picture at a time
-/// is under way, and is brought over when it is done.
+/// Where the window is drawn by the renderer's device, a frame is waited for only when the one
+/// after the next begins. Where it has a device of its own, nothing is waited for: one picture at a
+/// time is under way, and is brought over when it is done.
 class Stage {
  public:
   Stage(Renderer& renderer, const VulkanDevice& window);
