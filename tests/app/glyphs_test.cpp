@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 
 #include "viewer/font_files.h"
@@ -15,8 +16,8 @@ TEST(Glyphs, OnlyWhatIsNotLatinIsWantedAndOnlyOnceNews) {
   EXPECT_FALSE(glyphs::takeNews());
   glyphs::want("\u718a \u043c\u0435\u0434 \U0001d11e");
   EXPECT_TRUE(glyphs::takeNews());
-  for (const char32_t character : {0x718aU, 0x43cU, 0x435U, 0x434U, 0x1d11eU}) {
-    EXPECT_TRUE(glyphs::wanted().contains(character)) << character;
+  for (const char32_t character : std::u32string(U"\u718a\u043c\u0435\u0434\U0001d11e")) {
+    EXPECT_TRUE(glyphs::wanted().contains(character)) << std::uint32_t{character};
   }
   EXPECT_FALSE(glyphs::wanted().contains(U'b'));
   glyphs::want("\u718a");
