@@ -72,6 +72,9 @@ struct ViewCommand {
     session.options = options(loaded.settings);
     motion.applyTo(session.options, loaded.scene, loaded.settings);
     session.tone = look.tone(loaded.settings);
+    if (loaded.settings.width && loaded.settings.height) {
+      session.pictureSize = {*loaded.settings.width, *loaded.settings.height};
+    }
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace opaline::app::viewer::controls {
 
@@ -62,6 +63,12 @@ void setOpenSections(const Sections& open) {
   sections = open;
 }
 
+Group::Group(const char* name) : before_(std::exchange(within, name)) {}
+
+Group::~Group() {
+  within = std::move(before_);
+}
+
 bool button(const char* name, const char* about) {
   const bool pressed = ImGui::Button(name);
   note(name);
@@ -95,6 +102,22 @@ bool integer(const char* name, int& value, int low, int high, const char* about)
   note(name);
   tip(about);
   if (changed) value = std::clamp(value, low, high);
+  return changed;
+}
+
+bool typed(const char* name, int& value, int low, int high, const char* about) {
+  static int held = 0;  // of the one field that is typed in
+  leaveRoomForNames();
+  int now = value;
+  ImGui::InputInt(name, &now, 0, 0);
+  note(name);
+  if (ImGui::IsItemActive()) held = now;
+  const bool done = ImGui::IsItemDeactivatedAfterEdit();
+  tip(about);
+  if (!done) return false;
+  const int wanted = std::clamp(now == value ? held : now, low, high);
+  const bool changed = wanted != value;
+  value = wanted;
   return changed;
 }
 
