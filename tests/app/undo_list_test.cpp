@@ -48,6 +48,8 @@ TEST(UndoList, WhatWasUndoneIsForgottenByTheNextEdit) {
   Session session = sessionWithTwoObjects();
   UndoList list;
   list.begin(editStateOf(session));
+  session.exposesByLight = false;
+  list.begin(editStateOf(session));
   for (const float stops : {1.0F, 2.0F}) {
     session.tone.exposureStops = stops;
     list.add(editStateOf(session));
@@ -88,7 +90,7 @@ TEST(EditState, NeitherCameraNorTimeIsAnEdit) {
   session.playback.playing = true;
   session.divider = 0.2F;
   EXPECT_TRUE(isStateOf(before, session));
-  session.tone.exposureStops = 1;
+  session.options.antialias = 1;
   restore(before, session);
   EXPECT_EQ(session.options.seconds, 3);
   EXPECT_EQ(session.scene.camera.positionMm, (Vec3{1, 2, 3}));
@@ -112,6 +114,9 @@ TEST(EditState, EveryKindOfEditIsSeenAndUndone) {
       [](Session& s) { s.options.specular = false; },
       [](Session& s) { s.options.clip = -1; },
       [](Session& s) { s.tone.curve = core::ToneCurve::None; },
+      [](Session& s) { s.exposesByLight = false; },
+      [](Session& s) { s.film.perSecond = 24; },
+      [](Session& s) { s.pictureSize = {64, 32}; },
       [](Session& s) { s.tone.background = Rgb{1, 1, 1}; },
       [](Session& s) { s.scene.camera.verticalFovDegrees = 50; },
       [](Session& s) { s.playback.loop = false; },
@@ -129,6 +134,22 @@ TEST(EditState, EveryKindOfEditIsSeenAndUndone) {
     EXPECT_TRUE(isStateOf(before, session)) << i;
     EXPECT_TRUE(session.edits.any()) << i;
   }
+}
+
+TEST(EditState, ExposureThatFollowsTheLightIsNoStepOfItsOwn) {
+  Session session = sessionWithTwoObjects();
+  exposeByLight(session);
+  const EditState before = editStateOf(session);
+  const float stops = session.tone.exposureStops;
+  session.scene.lighting.directional[0].irradiance = {100, 100, 100};
+  const EditState brighter = editStateOf(session);
+  exposeByLight(session);
+  EXPECT_NE(session.tone.exposureStops, stops);
+  EXPECT_TRUE(isStateOf(brighter, session));
+  session.exposesByLight = false;
+  session.tone.exposureStops = 3;
+  restore(before, session);
+  EXPECT_EQ(session.tone.exposureStops, stops);
 }
 
 TEST(EditState, AnotherSizeIsToBeLoadedFirst) {

@@ -71,19 +71,22 @@ RenderOptions atTime(RenderOptions options, double seconds) {
 
 // Options and tone as a scene file has them: all that makes a picture.
 bool sameLook(const EditState& state, const Session& session) {
+  core::ToneOptions tone = session.tone;
+  // What follows from the light is no edit of its own.
+  if (session.exposesByLight) tone.exposureStops = state.tone.exposureStops;
   return settingsOf(state.options, state.tone, session.scene) ==
-         settingsOf(atTime(session.options, state.options.seconds), session.tone, session.scene);
+         settingsOf(atTime(session.options, state.options.seconds), tone, session.scene);
 }
 
 template <typename OfState>
 auto viewOfState(OfState& s) {
-  return std::tie(s.fovDegrees, s.speed, s.lengthSeconds, s.loop, s.quickWhileMoving, s.divided,
+  return std::tie(s.fovDegrees, s.exposesByLight, s.speed, s.lengthSeconds, s.loop, s.quickWhileMoving, s.divided,
                   s.aov, s.surfelIndex, s.treeLevel, s.film, s.pictureSize);
 }
 
 template <typename OfSession>
 auto viewOf(OfSession& s) {
-  return std::tie(s.scene.camera.verticalFovDegrees, s.playback.speed, s.playback.lengthSeconds,
+  return std::tie(s.scene.camera.verticalFovDegrees, s.exposesByLight, s.playback.speed, s.playback.lengthSeconds,
                   s.playback.loop, s.quickWhileMoving, s.divided, s.aov, s.surfelIndex, s.treeLevel,
                   s.film, s.pictureSize);
 }
@@ -167,6 +170,7 @@ void restore(const EditState& state, Session& session) {
   session.options = atTime(state.options, session.options.seconds);
   session.tone = state.tone;
   viewOf(session) = viewOfState(state);
+  exposeByLight(session);
   edits.picture = true;
 }
 

@@ -19,6 +19,7 @@ struct EditState {
   std::vector<Deformer> deformers;
   RenderOptions options;  ///< of time 0
   core::ToneOptions tone;
+  bool exposesByLight = true;  ///< what the tone says of exposure then means nothing
   float fovDegrees = 0;
   std::optional<float> diagonalMm;  ///< as asked for; none: as the file has it
   float speed = 1;

@@ -79,6 +79,7 @@ struct Session {
 
   RenderOptions options;
   core::ToneOptions tone;
+  bool exposesByLight = true;  ///< nobody has said how to expose
   Playback playback;
   FilmSettings film;
   std::optional<std::array<int, 2>> pictureSize;  ///< of what is saved; none: as in the window
@@ -108,6 +109,9 @@ struct Session {
   int light = -1;          ///< that is selected: directional lights first, then points
   Edits edits;
 };
+
+/// Lets the exposure follow the scene's light, where nobody has said how to expose.
+void exposeByLight(Session& session);
 
 /// The same picture of that many pixels.
 RenderOptions sized(const RenderOptions& options, int width, int height);
