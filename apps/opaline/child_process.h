@@ -14,8 +14,8 @@ namespace opaline::app {
 /// Where the shell would find a program; nothing where it would not.
 std::optional<std::filesystem::path> findProgram(const std::string& name);
 
-/// A program that reads what we write to it, and may answer. It is killed when this object goes, and when this
-/// program is interrupted.
+/// A program that reads what we write to it, and may answer. It is killed when this object goes,
+/// and when this program is interrupted.
 class ChildProcess {
  public:
   /// What becomes of its standard output.

@@ -70,7 +70,9 @@ TEST_F(FolderListingTest, AFolderThatCannotBeReadSaysSo) {
 TEST_F(FolderListingTest, NamesThatNobodyCanRead) {
   EXPECT_EQ(shownName("two\nlines\t"), "two?lines?");
   EXPECT_EQ(shownName("\xE5\xB7\xA5.ply"), "\xE5\xB7\xA5.ply");
-  EXPECT_EQ(shownName("\xFF\x80-\xC3"), "?" "?-?");
+  EXPECT_EQ(shownName("\xFF\x80-\xC3"),
+            "?"
+            "?-?");
   EXPECT_EQ(shownName("\xED\xA0\x80"), "???") << "a surrogate is no character";
 }
 

@@ -106,8 +106,12 @@ TEST(EditState, EveryKindOfEditIsSeenAndUndone) {
       [](Session& s) { s.scene.lighting.directional[0].irradiance[0] = 9; },
       [](Session& s) { s.scene.lighting.directional.clear(); },
       [](Session& s) { s.scene.lighting.points.emplace_back(); },
-      [](Session& s) { s.scene.lighting.ambient = {1, 0, 0}; },
-      [](Session& s) { s.scene.deformers.push_back({DeformerKind::Bend, 1, 2}); },
+      [](Session& s) {
+        s.scene.lighting.ambient = {1, 0, 0};
+      },
+      [](Session& s) {
+        s.scene.deformers.push_back({DeformerKind::Bend, 1, 2});
+      },
       [](Session& s) { s.options.transport = Transport::Dipole; },
       [](Session& s) { s.options.pattern.nearRings = 2; },
       [](Session& s) { s.options.shadowSize = 512; },
@@ -116,8 +120,12 @@ TEST(EditState, EveryKindOfEditIsSeenAndUndone) {
       [](Session& s) { s.tone.curve = core::ToneCurve::None; },
       [](Session& s) { s.exposesByLight = false; },
       [](Session& s) { s.film.perSecond = 24; },
-      [](Session& s) { s.pictureSize = {64, 32}; },
-      [](Session& s) { s.tone.background = Rgb{1, 1, 1}; },
+      [](Session& s) {
+        s.pictureSize = {64, 32};
+      },
+      [](Session& s) {
+        s.tone.background = Rgb{1, 1, 1};
+      },
       [](Session& s) { s.scene.camera.verticalFovDegrees = 50; },
       [](Session& s) { s.playback.loop = false; },
       [](Session& s) { s.playback.speed = 2; },

@@ -133,8 +133,7 @@ class Files(WindowTest):
         window.only("Save")
         window.click("Save/picture...")
         self.await_listed(window, "name")
-        window.use(6, "key", "ctrl+a")
-        window.use(6, "type", "out")
+        window.use(6, "type", "out")  # in place of the name that is offered
         window.key("Return")
         self.await_message(window, "saved out.png")
         file = self.work / "out.png"

@@ -53,7 +53,8 @@ void Dashboard::drawTop(Session& session, const UndoList& undo) {
   ImGui::Text("%s", session.name.c_str());
   ImGui::SameLine();
   ImGui::TextDisabled("? lists the keys");
-  if (controls::button("open...", "A model or a scene. Or drop its file on the window. Key: Ctrl O.")) {
+  if (controls::button("open...",
+                       "A model or a scene. Or drop its file on the window. Key: Ctrl O.")) {
     session.wantedFile = FileUse::OpenScene;
   }
   const auto step = [&](const char* name, bool possible, int steps, const char* about) {

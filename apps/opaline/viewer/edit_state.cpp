@@ -80,15 +80,16 @@ bool sameLook(const EditState& state, const Session& session) {
 
 template <typename OfState>
 auto viewOfState(OfState& s) {
-  return std::tie(s.fovDegrees, s.exposesByLight, s.speed, s.lengthSeconds, s.loop, s.quickWhileMoving, s.divided,
-                  s.aov, s.surfelIndex, s.treeLevel, s.film, s.pictureSize);
+  return std::tie(s.fovDegrees, s.exposesByLight, s.speed, s.lengthSeconds, s.loop,
+                  s.quickWhileMoving, s.divided, s.aov, s.surfelIndex, s.treeLevel, s.film,
+                  s.pictureSize);
 }
 
 template <typename OfSession>
 auto viewOf(OfSession& s) {
-  return std::tie(s.scene.camera.verticalFovDegrees, s.exposesByLight, s.playback.speed, s.playback.lengthSeconds,
-                  s.playback.loop, s.quickWhileMoving, s.divided, s.aov, s.surfelIndex, s.treeLevel,
-                  s.film, s.pictureSize);
+  return std::tie(s.scene.camera.verticalFovDegrees, s.exposesByLight, s.playback.speed,
+                  s.playback.lengthSeconds, s.playback.loop, s.quickWhileMoving, s.divided, s.aov,
+                  s.surfelIndex, s.treeLevel, s.film, s.pictureSize);
 }
 
 bool sameMedium(const EditState& state, const Session& session, std::size_t object) {

@@ -225,7 +225,8 @@ void FileDialog::drawName() {
   if (std::exchange(typeHere_, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
   constexpr ImGuiInputTextFlags flags =
-      ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_CallbackEdit;
+      ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_CallbackEdit |
+      ImGuiInputTextFlags_AutoSelectAll;  // the name that is offered goes with the first letter
   ImGui::InputTextWithHint("##name", "a name, or a path", &name_, flags, atEdit, this);
   controls::note("name");
   if (!ImGui::IsItemActive()) replacing_.reset();
@@ -250,8 +251,7 @@ void FileDialog::drawButtons() {
   ImGui::SameLine();
   if (controls::button("cancel", "Key: Escape.")) return close();
   ImGui::SameLine();
-  if (controls::checkbox("all files", allFiles_,
-                         "Also files of other kinds, and hidden ones.")) {
+  if (controls::checkbox("all files", allFiles_, "Also files of other kinds, and hidden ones.")) {
     list();
   }
 }

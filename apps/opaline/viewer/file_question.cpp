@@ -13,8 +13,12 @@ bool FileQuestion::saves() const {
 FileQuestion questionFor(FileUse use) {
   switch (use) {
     case FileUse::OpenScene:
-      return {use, "Open a model or a scene", "models and scenes",
-              {".glb", ".gltf", ".obj", ".ply", ".toml"}, {}, {}};
+      return {use,
+              "Open a model or a scene",
+              "models and scenes",
+              {".glb", ".gltf", ".obj", ".ply", ".toml"},
+              {},
+              {}};
     case FileUse::OpenEnvironment:
       return {use, "Open an environment", "environments", {".hdr", ".exr"}, {}, {}};
     case FileUse::SavePicture:

@@ -44,14 +44,12 @@ std::vector<std::string> argumentsFor(const DialogProgram& program, const FileQu
   // With its end, a folder is where to begin and not what is chosen.
   const std::string place = (question.folder / question.name).string();
   if (program.ofKde) {
-    return {"--title", question.title,
-            question.saves() ? "--getsavefilename" : "--getopenfilename", place,
-            question.kind + " (" + patterns(question) + ")"};
+    return {"--title", question.title, question.saves() ? "--getsavefilename" : "--getopenfilename",
+            place, question.kind + " (" + patterns(question) + ")"};
   }
-  std::vector<std::string> arguments{"--file-selection", "--title=" + question.title,
-                                     "--filename=" + place,
-                                     "--file-filter=" + question.kind + " | " + patterns(question),
-                                     "--file-filter=all files | *"};
+  std::vector<std::string> arguments{
+      "--file-selection", "--title=" + question.title, "--filename=" + place,
+      "--file-filter=" + question.kind + " | " + patterns(question), "--file-filter=all files | *"};
   if (question.saves()) {
     arguments.emplace_back("--save");
     arguments.emplace_back("--confirm-overwrite");

@@ -97,7 +97,7 @@ struct Session {
   Save wanted = Save::Nothing;
   std::optional<FileAnswer> saveTo;  ///< what is wanted; none: under a free name after saveName
   std::string saveName;              ///< without its ending
-  bool poke = false;  ///< the mouse pulls at bodies instead of turning the camera
+  bool poke = false;                 ///< the mouse pulls at bodies instead of turning the camera
   bool scaleBar = true;
   bool gizmos = true;
 

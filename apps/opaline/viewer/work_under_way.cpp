@@ -7,12 +7,12 @@ namespace opaline::app::viewer {
 std::optional<std::string> workUnderWay(const Saver& saver, const TruthView& truth) {
   std::string lost;
   if (saver.filming()) {
-    lost += fmt::format("A film is under way, {:.0f} % of it are made. Stopped now, it leaves none.",
-                        100 * saver.progress());
+    lost = fmt::format("A film is under way, {:.0f} % done; stopped now, it leaves nothing.",
+                       100 * saver.progress());
   }
   if (truth.running()) {
-    lost += fmt::format("{}The truth is being computed, {:.0f} % of it are done.",
-                        lost.empty() ? "" : " ", 100 * truth.progress());
+    lost += fmt::format("{}The truth is being computed, {:.0f} % done.", lost.empty() ? "" : " ",
+                        100 * truth.progress());
   }
   if (lost.empty()) return std::nullopt;
   return lost;

@@ -8,8 +8,8 @@
 
 namespace opaline::app::viewer {
 
-/// What would be lost if it were stopped now, a film or a truth, as sentences; nothing where nothing
-/// is under way.
+/// What would be lost if it were stopped now, a film or a truth, as sentences; nothing where
+/// nothing is under way.
 std::optional<std::string> workUnderWay(const Saver& saver, const TruthView& truth);
 
 /// Stops it.

@@ -20,7 +20,7 @@ constexpr int mostFrames = 1'000'000;
 
 void drawSize(Session& session) {
   static const Choices<Size> usual{
-      {"as in the window", std::nullopt}, {"1280 x 720", Size({1280, 720})},
+      {"as in the window", std::nullopt},  {"1280 x 720", Size({1280, 720})},
       {"1920 x 1080", Size({1920, 1080})}, {"3840 x 2160", Size({3840, 2160})},
       {"1024 x 1024", Size({1024, 1024})}, {"2048 x 2048", Size({2048, 2048})}};
   Size& size = session.pictureSize;
