@@ -69,9 +69,6 @@ void drawFilm(Session& session) {
 
 void drawSavePanel(Session& session, const Saver& saver) {
   if (!controls::section("Save", false)) return;
-  drawSize(session);
-  drawBackground(session);
-  drawFilm(session);
   const auto choose = [&](const char* name, FileUse use, const char* about) {
     if (controls::button(name, about)) session.wantedFile = use;
   };
@@ -86,9 +83,12 @@ void drawSavePanel(Session& session, const Saver& saver) {
     if (controls::button("stop the film", "Leaves no film.")) session.wanted = Save::NoFilm;
   } else {
     ImGui::SameLine();
-    choose("film...", FileUse::SaveFilm, "As MP4: the frames above.");
+    choose("film...", FileUse::SaveFilm, "As MP4: the frames below.");
   }
   ImGui::TextDisabled("P and S save %s, or its next free name.", session.saveName.c_str());
+  drawSize(session);
+  drawBackground(session);
+  drawFilm(session);
 }
 
 }  // namespace opaline::app::viewer
