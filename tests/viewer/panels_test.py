@@ -157,6 +157,7 @@ class Panels(WindowTest):
         """What is typed is a name, and no key of the window."""
         window = self.window
         window.only("Save")
+        window.key("Escape")  # what the window last said goes
         window.move((5, 5))
         window.settle()
         picture, area = window.picture(), window.state()["picture"]

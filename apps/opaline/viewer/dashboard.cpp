@@ -7,6 +7,7 @@
 #include <GLFW/glfw3.h>
 
 #include "viewer/controls.h"
+#include "viewer/label_layout.h"
 #include "viewer/overlay.h"
 #include "viewer/panels/panels.h"
 #include "viewer/picture_input.h"
@@ -50,8 +51,8 @@ void Dashboard::useKeys(const std::vector<KeyPress>& presses, Session& session, 
 }
 
 void Dashboard::drawTop(Session& session, const UndoList& undo) {
-  ImGui::Text("%s", session.name.c_str());
-  ImGui::SameLine();
+  controls::text(session.name);
+  controls::sameLineFor("? lists the keys");
   ImGui::TextDisabled("? lists the keys");
   if (controls::button("open...",
                        "A model or a scene. Or drop its file on the window. Key: Ctrl O.")) {
@@ -82,25 +83,38 @@ void Dashboard::drawPanels(Session& session, const TruthView& truth, const Timin
                                      ImGuiWindowFlags_NoNavInputs;
   ImGui::Begin("panels", nullptr, flags);
   drawTop(session, undo);
-  for (const std::string& note : session.notes) ImGui::TextWrapped("%s", note.c_str());
-  drawMediumPanel(session);
-  drawLightPanel(session);
-  drawMethodPanel(session);
-  drawMotionPanel(session);
-  drawTruthPanel(session, truth);
-  drawViewPanel(session);
-  drawTimePanel(session, history);
-  drawSavePanel(session, saver);
+  for (const std::string& note : session.notes) controls::text(note);
+  // Controls of two panels may share a name.
+  int panel = 0;
+  const auto apart = [&panel](const auto& draw) {
+    ImGui::PushID(++panel);
+    draw();
+    ImGui::PopID();
+  };
+  apart([&] { drawMediumPanel(session); });
+  apart([&] { drawLightPanel(session); });
+  apart([&] { drawMethodPanel(session); });
+  apart([&] { drawMotionPanel(session); });
+  apart([&] { drawTruthPanel(session, truth); });
+  apart([&] { drawViewPanel(session); });
+  apart([&] { drawTimePanel(session, history); });
+  apart([&] { drawSavePanel(session, saver); });
   ImGui::End();
 }
 
-void Dashboard::drawOverPicture(const Session& session, const LightHandles& handles) const {
+void Dashboard::drawOverPicture(const Session& session, const TruthView& truth,
+                                const LightHandles& handles,
+                                const std::vector<Caption>& captions) const {
+  LabelLayout labels({static_cast<float>(area_.x), static_cast<float>(area_.y),
+                      static_cast<float>(area_.width), static_cast<float>(area_.height)});
+  labels.take(boxOf(captions, area_));
+  if (session.shown != Shown::Picture) return drawLegend(truth.legend(), area_, labels);
   const Projection projection(session.scene.camera, area_);
-  if (session.aov < Aov::DsmPosition) {
-    if (session.scaleBar) drawScaleBar(session, projection, area_);
+  if (showsScene(session)) {
+    if (session.scaleBar) drawScaleBar(session, projection, area_, labels);
     if (session.gizmos) handles.draw(session, projection, *ImGui::GetBackgroundDrawList());
   }
-  if (session.divided) drawDivider(session, area_);
+  if (session.divided) drawDivider(session, area_, labels);
 }
 
 void Dashboard::drawKeyList() const {

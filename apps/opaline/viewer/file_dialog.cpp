@@ -11,6 +11,7 @@
 
 #include "frame_names.h"
 #include "viewer/controls.h"
+#include "viewer/glyphs.h"
 
 namespace opaline::app::viewer {
 
@@ -164,7 +165,9 @@ void FileDialog::drawPlace() {
   if (controls::button("home", "Your own folder.")) goTo(homeFolder());
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(shownName(folder_).c_str());
+  const std::string place = shownName(folder_);
+  glyphs::want(place);
+  ImGui::TextUnformatted(place.c_str());
 }
 
 void FileDialog::drawList() {
@@ -196,6 +199,7 @@ void FileDialog::drawList() {
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) opened = index;
       }
       controls::note(text.c_str());
+      glyphs::want(text);
       ImGui::SameLine(0, 0);
       ImGui::TextUnformatted(text.c_str());
       ImGui::PopID();

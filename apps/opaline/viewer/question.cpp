@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 
 #include "viewer/controls.h"
+#include "viewer/glyphs.h"
 
 namespace opaline::app::viewer {
 
@@ -50,6 +51,7 @@ void Question::draw() {
   if (text_) {
     const controls::Group group("Question");
     ImGui::PushTextWrapPos(std::min(28 * font, 0.9F * screen.x));
+    glyphs::want(text_->question);
     ImGui::TextUnformatted(text_->question.c_str());
     ImGui::PopTextWrapPos();
     ImGui::Spacing();

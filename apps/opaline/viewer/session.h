@@ -62,6 +62,9 @@ struct FilmSettings {
   bool operator==(const FilmSettings&) const = default;
 };
 
+/// What the truth is to be written as.
+enum class TruthFile { Png, Exr, HeatMap };
+
 /// Everything that can be changed in the window, as plain data. Panels change it and note what they
 /// did in `edits`; nothing here draws or renders.
 struct Session {
@@ -83,7 +86,7 @@ struct Session {
   Playback playback;
   FilmSettings film;
   std::optional<std::array<int, 2>> pictureSize;  ///< of what is saved; none: as in the window
-  bool quickWhileMoving = true;  ///< half-spaces where the transport is too slow to move with
+  bool quickWhileMoving = true;  ///< coarser light where the transport is too slow to move with
   bool divided = false;          ///< the paper's method on the left of the divider
   float divider = 0.5F;          ///< in [0, 1]
   Aov aov = Aov::Radiance;
@@ -94,6 +97,7 @@ struct Session {
   bool cancelTruth = false;
   int wantedSteps = 0;                ///< through the list of edits: back below 0, on above
   std::optional<FileUse> wantedFile;  ///< for which the user is to choose one
+  std::optional<TruthFile> wantedTruthFile;
   Save wanted = Save::Nothing;
   std::optional<FileAnswer> saveTo;  ///< what is wanted; none: under a free name after saveName
   std::string saveName;              ///< without its ending
@@ -110,11 +114,18 @@ struct Session {
   Edits edits;
 };
 
+/// Whether the scene is shown as its camera sees it now: not the truth of an earlier moment, no
+/// map.
+bool showsScene(const Session& session);
+
 /// Lets the exposure follow the scene's light, where nobody has said how to expose.
 void exposeByLight(Session& session);
 
 /// The same picture of that many pixels.
 RenderOptions sized(const RenderOptions& options, int width, int height);
+
+/// The same transport, found more coarsely: what is shown while light, medium or body move.
+RenderOptions coarser(const RenderOptions& options);
 
 /// The method of Gong et al. 2008 for the same picture.
 RenderOptions paperOptions(const RenderOptions& options);

@@ -40,17 +40,18 @@ Viewer::Viewer(const ViewerOptions& options)
       window_(options.size ? (*options.size)[0] : state_.width,
               options.size ? (*options.size)[1] : state_.height, "Opaline"),
       renderer_(forWindows(options.renderer)),
-      presenter_(renderer_.vulkanDevice(), window_),
-      interface_(renderer_.vulkanDevice(), presenter_, window_),
-      view_(renderer_.vulkanDevice(), presenter_.renderPass()),
+      presenting_(renderer_.vulkanDevice()),
+      presenter_(presenting_.device(), window_),
+      interface_(presenting_.device(), presenter_, window_),
+      view_(presenting_.device(), presenter_.renderPass()),
       dashboard_(state_.panels),
-      stage_(renderer_),
+      stage_(renderer_, presenting_.device()),
       loader_([] { Window::wake(); }),
       files_(state_.openFolder),
       poke_(renderer_),
       sequence_(renderer_),
       saver_(renderer_),
-      truth_(renderer_.vulkanDevice()) {
+      truth_(presenting_.device()) {
   session_.gizmos = state_.handles;
   session_.scaleBar = state_.scaleBar;
   controls::setOpenSections(state_.openSections);
@@ -164,7 +165,7 @@ bool Viewer::leaves() {
 
 void Viewer::takeLoaded() {
   // A film is of the scene it was begun with: another waits for its end.
-  if (dashboard_.area().empty() || saver_.filming()) return;
+  if (dashboard_.area().empty() || stage_.isBusy() || saver_.filming()) return;
   std::optional<Loader::Result> result = loader_.take();
   if (!result) return;
   if (!result->loaded) {
@@ -202,7 +203,8 @@ bool Viewer::movesItself() const {
 }
 
 bool Viewer::isIdle() const {
-  return awake_ == 0 && !movesItself() && !saver_.filming() && !session_.edits.any();
+  return awake_ == 0 && !movesItself() && !saver_.filming() && !session_.edits.any() &&
+         !stage_.isBusy() && !announced_;
 }
 
 // By itself or by the hand.
@@ -218,13 +220,31 @@ void Viewer::sleepUntilNeeded() {
     awake_ = framesAfterEvent;
     last_ = Clock::now();  // what slept did not play
   } else {
-    Window::poll();
+    if (stage_.isBusy()) {
+      waitBesideDevice();
+    } else {
+      Window::poll();
+    }
     awake_ = std::max(0, awake_ - 1);
   }
   if (window_.takeRefresh()) awake_ = framesAfterEvent;
 }
 
-void Viewer::advance(double seconds) {
+// Until the picture under way is done, or long enough that the controls are drawn again; drawing
+// them more often would keep the device from it.
+void Viewer::waitBesideDevice() const {
+  constexpr double betweenLooks = 0.005;
+  constexpr std::chrono::milliseconds betweenDrawings(50);
+  do {
+    Window::wait(betweenLooks);
+  } while (!stage_.isReady() && Clock::now() - last_ < betweenDrawings);
+}
+
+void Viewer::advance(double elapsed) {
+  poke_.advance(elapsed);
+  // What took long did not play: time goes on from what was seen.
+  constexpr double longest = 0.1;
+  const double seconds = std::min(elapsed, longest);
   Playback& playback = session_.playback;
   if (!movesInTime(session_)) playback.playing = false;
   if (playback.playing) {
@@ -242,7 +262,6 @@ void Viewer::advance(double seconds) {
     orbit(session_.scene.camera, radiansPerSecond * static_cast<float>(seconds), 0);
     session_.edits.camera = true;
   }
-  if (poke_.step(seconds)) session_.edits.picture = true;
 }
 
 void Viewer::drawInterface() {
@@ -257,7 +276,7 @@ void Viewer::drawInterface() {
     if (!saver_.filming()) input_.useMouse(session_, dashboard_.area(), poke_);
     dashboard_.drawPanels(session_, truth_, history_, saver_, undo_);
     if (session_.wantedDiagonalMm) resize(*std::exchange(session_.wantedDiagonalMm, std::nullopt));
-    dashboard_.drawOverPicture(session_, input_.handles());
+    dashboard_.drawOverPicture(session_, truth_, input_.handles(), captions());
   }
   dashboard_.drawKeyList();
   drawDialogs();
@@ -316,7 +335,9 @@ void Viewer::placeBody() {
 void Viewer::drawPicture() {
   const Area& area = dashboard_.area();
   // A film is of what was there when it began: edits wait for its end.
-  if (!stage_.hasScene() || area.empty() || saver_.filming()) return;
+  if (!stage_.hasScene() || stage_.isBusy() || saver_.filming()) return;
+  if (poke_.step()) session_.edits.picture = true;
+  if (area.empty()) return;
   const bool moving = moves();
   const bool resized = area.width != drawn_.width || area.height != drawn_.height;
   // What was drawn for speed is drawn well once nothing moves.
@@ -327,7 +348,7 @@ void Viewer::drawPicture() {
   if (session_.edits.lighting) exposeByLight(session_);
   stage_.draw(session_, area.width, area.height, moving);
   awake_ = std::max(awake_, 1);
-  if (!moving) stage_.finish();
+  if (!moving && !stage_.isBusy()) stage_.finish();
 }
 
 void Viewer::takeFinished() {
@@ -337,7 +358,7 @@ void Viewer::takeFinished() {
   session_.report = stage_.report();
   if (stage_.lastFrame().provisional) session_.edits.picture = true;
   awake_ = std::max(awake_, 1);
-  view_.take(stage_.lastFrame(), session_);
+  view_.take(stage_, session_);
 }
 
 void Viewer::present() {
@@ -349,6 +370,22 @@ void Viewer::present() {
   presenter_.end();
 }
 
+// A sign that stays while one slow picture follows the other, and never comes where they are quick.
+void Viewer::showBusiness() {
+  constexpr std::chrono::milliseconds soon(100);
+  if (!stage_.isBusy()) {
+    if (!session_.edits.any()) busyShown_ = false;
+    return;
+  }
+  busyShown_ = busyShown_ || Clock::now() - stage_.busySince() > soon;
+}
+
+// True a second time, when the window has been drawn with a sign that it will take a moment.
+bool Viewer::announce() {
+  announced_ = !announced_;
+  return !announced_;
+}
+
 std::vector<Caption> Viewer::captions() const {
   std::vector<Caption> captions;
   if (notice_) captions.push_back(*notice_);
@@ -358,17 +395,21 @@ std::vector<Caption> Viewer::captions() const {
                                     100 * saver_.progress())});
   }
   if (files_.isWaiting()) captions.push_back({"a file is being chosen in another window"});
-  if (stage_.isPreview()) captions.push_back({"better-dipole while it moves"});
+  if (stage_.isCoarse()) captions.push_back({"light is coarser while it moves"});
+  if (announced_) captions.push_back({"one moment"});
+  if (!announced_ && busyShown_) captions.push_back({"rendering"});
   return captions;
 }
 
 void Viewer::save() {
-  Save wanted = std::exchange(session_.wanted, Save::Nothing);
-  const bool ofPicture = wanted != Save::Scene && wanted != Save::NoFilm;
-  if (saver_.filming() && ofPicture && wanted != Save::Nothing) {
+  const bool ofPicture = session_.wanted == Save::Picture || session_.wanted == Save::Exr ||
+                         session_.wanted == Save::Film;
+  if (saver_.filming() && ofPicture) {
     say("a film is under way: no other picture can be saved before its end", true);
-    wanted = Save::Nothing;
+    session_.wanted = Save::Nothing;
   }
+  if (session_.wanted != Save::Nothing && (stage_.isBusy() || !announce())) return;
+  const Save wanted = std::exchange(session_.wanted, Save::Nothing);
   if (wanted == Save::Nothing && !saver_.filming()) return;
   if (wanted == Save::Film) {
     poke_.end();
@@ -391,21 +432,38 @@ void Viewer::save() {
   session_.saveTo.reset();
 }
 
+void Viewer::startTruth() {
+  const TruthOrder::Method method = *std::exchange(session_.wantedTruth, std::nullopt);
+  const Area& area = dashboard_.area();
+  if (!stage_.hasScene() || area.empty()) return;
+  stage_.finish();
+  poke_.end();
+  placeBody();
+  try {
+    truth_.start(session_, renderer_, method, area.width, area.height);
+  } catch (const Error& error) {
+    say(error.what(), true);
+  }
+  session_.edits.picture = true;
+}
+
+void Viewer::saveTruth() {
+  const std::optional<TruthFile> what = std::exchange(session_.wantedTruthFile, std::nullopt);
+  if (!what) return;
+  const char* ending = *what == TruthFile::HeatMap ? "_heat_map.png"
+                       : *what == TruthFile::Exr   ? "_truth.exr"
+                                                   : "_truth.png";
+  try {
+    say(truth_.save(*what, session_.saveName + ending, session_.tone));
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
 void Viewer::followTruth() {
   if (std::exchange(session_.cancelTruth, false)) truth_.cancel();
-  const Area& area = dashboard_.area();
-  if (session_.wantedTruth && stage_.hasScene() && !area.empty()) {
-    stage_.finish();
-    poke_.end();
-    placeBody();
-    try {
-      truth_.start(session_, renderer_, *session_.wantedTruth, area.width, area.height);
-    } catch (const Error& error) {
-      say(error.what(), true);
-    }
-    session_.edits.picture = true;
-  }
-  session_.wantedTruth.reset();
+  if (session_.wantedTruth && !stage_.isBusy() && announce()) startTruth();
+  saveTruth();
   if (truth_.update()) awake_ = std::max(awake_, framesAfterEvent);
 }
 
@@ -444,9 +502,10 @@ void Viewer::run() {
     openDropped();
     takeLoaded();
     const Clock::time_point now = Clock::now();
-    // What took long did not play: time goes on from what was seen.
-    advance(std::min(std::chrono::duration<double>(now - last_).count(), 0.1));
+    advance(std::chrono::duration<double>(now - last_).count());
     last_ = now;
+    stage_.takeUp();
+    showBusiness();
     drawInterface();
     followEdits();
     save();
