@@ -345,10 +345,17 @@ void Viewer::drawPicture() {
   rough_ = moving;
   drawn_ = area;
   placeBody();
-  if (session_.edits.lighting) exposeByLight(session_);
+  exposing_ = exposing_ || session_.edits.lighting;
   stage_.draw(session_, area.width, area.height, moving);
+  expose();
   awake_ = std::max(awake_, 1);
   if (!moving && !stage_.isBusy()) stage_.finish();
+}
+
+// With the picture of the light that it is for.
+void Viewer::expose() {
+  if (exposing_ && !stage_.isBusy()) exposeByLight(session_);
+  exposing_ = exposing_ && stage_.isBusy();
 }
 
 void Viewer::takeFinished() {
@@ -373,6 +380,8 @@ void Viewer::present() {
 // A sign that stays while one slow picture follows the other, and never comes where they are quick.
 void Viewer::showBusiness() {
   constexpr std::chrono::milliseconds soon(100);
+  // Another scene may have come meanwhile, of which nothing is wanted.
+  if (session_.wanted == Save::Nothing && !session_.wantedTruth) announced_ = false;
   if (!stage_.isBusy()) {
     if (!session_.edits.any()) busyShown_ = false;
     return;
@@ -505,6 +514,7 @@ void Viewer::run() {
     advance(std::chrono::duration<double>(now - last_).count());
     last_ = now;
     stage_.takeUp();
+    expose();
     showBusiness();
     drawInterface();
     followEdits();

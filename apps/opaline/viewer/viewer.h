@@ -85,6 +85,7 @@ class Viewer {
   void followEdits();
   void placeBody();
   void drawPicture();
+  void expose();
   void takeFinished();
   void present();
   std::vector<Caption> captions() const;
@@ -120,6 +121,7 @@ class Viewer {
 
   Area drawn_;                   // that the last picture was drawn for
   bool rough_ = false;           // the last picture was drawn for speed
+  bool exposing_ = false;        // the picture under way is of other light
   bool busyShown_ = false;       // a sign says that pictures take their time
   bool announced_ = false;       // a sign says that what is to come will take a moment
   int awake_ = 0;                // frames of the interface to draw before sleeping
