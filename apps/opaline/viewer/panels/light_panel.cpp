@@ -53,7 +53,7 @@ bool drawPoint(PointLight& light, float diagonalMm) {
   constexpr std::array<const char*, 3> axes{"x", "y", "z"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float reach = 3 * diagonalMm;
-    changed |= controls::slider(axes[axis], light.positionMm[axis], -reach, reach, "%.2f mm",
+    changed |= controls::length(axes[axis], light.positionMm[axis], -reach, reach,
                                 "Where it stands in the scene.");
   }
   return controls::light("intensity", light.intensity,
@@ -86,7 +86,7 @@ bool drawList(Lighting& lighting, int& chosen) {
     changed = true;
   }
   ImGui::EndDisabled();
-  ImGui::SameLine();
+  controls::sameLineFor("add point");
   ImGui::BeginDisabled(!within(directional, points + 1));
   if (controls::button("add point", "A light from one place.")) {
     lighting.points.emplace_back();
@@ -149,6 +149,9 @@ void drawLightPanel(Session& session) {
   if (session.light >= 0) changed |= drawChosen(session);
   changed |=
       controls::light("ambient", lighting.ambient, "Radiance that comes from everywhere alike.");
+  if (controls::button("environment...", "Light from all around, from a picture: .hdr or .exr.")) {
+    session.wantedFile = FileUse::OpenEnvironment;
+  }
   if (lighting.environment) {
     ImGui::Text("environment of %d x %d pixels", lighting.environment->width,
                 lighting.environment->height);
@@ -160,7 +163,8 @@ void drawLightPanel(Session& session) {
       changed = true;
     }
   } else {
-    ImGui::TextDisabled("Drop a .hdr or .exr here for an environment.");
+    ImGui::SameLine();
+    ImGui::TextDisabled("or drop a .hdr or .exr on the window");
   }
   if (controls::checkbox("handles in the picture", session.gizmos,
                          "Lights as handles that are dragged with the mouse.")) {
