@@ -75,7 +75,6 @@ class Viewer {
   void drawInterface();
   void placeBody();
   void drawPicture();
-  void expose();
   void takeFinished();
   void present();
   std::vector<Caption> captions() const;
