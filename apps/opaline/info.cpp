@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "commands.h"
 #include "core/file.h"
 #include "core/image_file.h"
+#include "core/measures.h"
 #include "core/tone.h"
 #include "json.h"
 #include "medium_options.h"
@@ -43,10 +45,9 @@ struct InfoCommand {
     line.section("Scene");
     scene.addTo(line);
     line.section("Options");
-    line.value("--atlas", "FILE.png", "draw the equiareal atlas",
+    line.value("--atlas", "FILE.png", "make the equiareal atlas, say how it came out, draw it",
                [this](const Given& given) { atlas = readOutput(given, {".png"}); });
-    line.flag("--json", "one JSON object on standard output", json);
-    line.flag("--quiet", "no notes on standard error", quiet);
+    line.outputFlags("one JSON object on standard output", json, quiet);
   }
 };
 
@@ -112,7 +113,14 @@ Json devicesJson() {
   return devices;
 }
 
-Json collect(const Scene& scene, const atlas::AtlasStatistics& statistics) {
+Json atlasJson(const atlas::AtlasStatistics& statistics) {
+  return {{"charts", statistics.charts},
+          {"coverage", statistics.coverage},
+          {"area_distortion_rms", statistics.areaDistortionRms},
+          {"seconds", statistics.seconds}};
+}
+
+Json collect(const Scene& scene) {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   for (const Object& object : scene.objects) {
@@ -136,17 +144,28 @@ Json collect(const Scene& scene, const atlas::AtlasStatistics& statistics) {
           {"diagonal_mm", diagonalMm(scene)},
           {"clips", clipsJson(scene)},
           {"repairs", std::move(repairs)},
-          {"atlas",
-           {{"charts", statistics.charts},
-            {"coverage", statistics.coverage},
-            {"area_distortion_rms", statistics.areaDistortionRms},
-            {"seconds", statistics.seconds}}},
           {"objects", objectsJson(scene)},
           {"devices", devicesJson()}};
 }
 
-std::string rgbText(const std::array<double, 3>& rgb) {
-  return fmt::format("{:.3g} {:.3g} {:.3g}", rgb[0], rgb[1], rgb[2]);
+/// Draws the atlas into a file and says how it came out.
+Json drawAtlas(const Scene& scene, const std::filesystem::path& file) {
+  const scene::MergedMesh surface = scene::mergedMesh(scene);
+  const atlas::Atlas atlas =
+      atlas::makeAtlas({surface.positionsMm, surface.triangles, surface.objectOfTriangle});
+  core::ToneOptions plain;
+  plain.curve = core::ToneCurve::None;
+  core::writePng(file, core::toneMap(atlas::drawAtlas(atlas, atlasPictureTexels), plain));
+  return atlasJson(atlas.statistics);
+}
+
+// Three lengths in one unit.
+std::string lengthsText(const std::array<double, 3>& mm, const char* between, int digits) {
+  const core::LengthUnit unit =
+      core::lengthUnitFor(std::max({std::abs(mm[0]), std::abs(mm[1]), std::abs(mm[2])}));
+  return fmt::format("{}{}{}{}{} {}", core::lengthNumber(mm[0], unit, digits), between,
+                     core::lengthNumber(mm[1], unit, digits), between,
+                     core::lengthNumber(mm[2], unit, digits), unit.name);
 }
 
 std::string sceneText(const Scene& scene, const Json& facts) {
@@ -158,19 +177,17 @@ std::string sceneText(const Scene& scene, const Json& facts) {
           : fmt::format("open ({} boundary loops)", facts["boundary_loops"].get<std::size_t>()),
       facts["components"].get<std::size_t>());
   const Bounds bounds = boundsOf(scene);
-  text += fmt::format(
-      "from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) mm, diagonal {:.4g} mm\n",
-      bounds.minMm[0], bounds.minMm[1], bounds.minMm[2], bounds.maxMm[0], bounds.maxMm[1],
-      bounds.maxMm[2], diagonalMm(scene));
+  const auto corner = [](const Vec3& mm) { return lengthsText({mm[0], mm[1], mm[2]}, ", ", 4); };
+  text += fmt::format("from {} to {}, diagonal {}\n", corner(bounds.minMm), corner(bounds.maxMm),
+                      core::lengthText(diagonalMm(scene), 4));
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     const MediumLengths lengths = lengthsOf(object.medium);
     const std::array<double, 3> size = sizeMm(object);
-    text += fmt::format(
-        "object {}: {:.4g} x {:.4g} x {:.4g} mm of {}, mean free path {} mm, diffusion length {} "
-        "mm\n",
-        object.name, size[0], size[1], size[2], object.medium.name, rgbText(lengths.meanFreePathMm),
-        rgbText(lengths.diffusionMm));
+    text += fmt::format("object {}: {} of {}, mean free path {}, diffusion length {}\n",
+                        object.name, lengthsText(size, " x ", 4), object.medium.name,
+                        lengthsText(lengths.meanFreePathMm, " ", 3),
+                        lengthsText(lengths.diffusionMm, " ", 3));
     const auto open = facts["objects"][i]["triangles_without_inside"].get<std::size_t>();
     if (open > 0)
       text += fmt::format(
@@ -186,11 +203,14 @@ std::string sceneText(const Scene& scene, const Json& facts) {
 }
 
 std::string restText(const Json& facts) {
-  const Json& atlas = facts["atlas"];
-  std::string text =
-      fmt::format("atlas: {} charts, {:.1f} % covered, area distortion {:.4f} rms, {:.2f} s\n",
-                  atlas["charts"].get<std::size_t>(), 100 * atlas["coverage"].get<double>(),
-                  atlas["area_distortion_rms"].get<double>(), atlas["seconds"].get<double>());
+  std::string text;
+  if (facts.contains("atlas")) {
+    const Json& atlas = facts["atlas"];
+    text +=
+        fmt::format("atlas: {} charts, {:.1f} % covered, area distortion {:.4f} rms, {:.2f} s\n",
+                    atlas["charts"].get<std::size_t>(), 100 * atlas["coverage"].get<double>(),
+                    atlas["area_distortion_rms"].get<double>(), atlas["seconds"].get<double>());
+  }
   for (const Json& device : facts["devices"]) {
     text += fmt::format("device {}: {}, {}, {}{}\n", device["index"].get<std::size_t>(),
                         device["name"].get<std::string>(), device["type"].get<std::string>(),
@@ -206,7 +226,7 @@ std::string restText(const Json& facts) {
 void runInfo(const Arguments& arguments) {
   CommandLine line("info",
                    "Says what is in a scene and how large beside its medium's mean free path, what "
-                   "was mended in it, how its atlas came out, and which devices there are.");
+                   "was mended in it, and which devices there are.");
   InfoCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;
@@ -215,17 +235,11 @@ void runInfo(const Arguments& arguments) {
   const LogCallback log = noteTaker(command.quiet);
   const Scene scene = command.scene.load(log).scene;
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  const scene::MergedMesh surface = scene::mergedMesh(scene);
-  const atlas::Atlas atlas =
-      atlas::makeAtlas({surface.positionsMm, surface.triangles, surface.objectOfTriangle});
+  Json facts = collect(scene);
   if (command.atlas) {
-    core::ToneOptions plain;
-    plain.curve = core::ToneCurve::None;
-    core::writePng(*command.atlas,
-                   core::toneMap(atlas::drawAtlas(atlas, atlasPictureTexels), plain));
+    facts["atlas"] = drawAtlas(scene, *command.atlas);
     log(LogLevel::Note, fmt::format("wrote {}", command.atlas->string()));
   }
-  const Json facts = collect(scene, atlas.statistics);
   printOut(command.json ? toText(facts) : sceneText(scene, facts) + restText(facts));
 }
 

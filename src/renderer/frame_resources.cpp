@@ -20,15 +20,6 @@ std::optional<PatternLayout> patternOf(const SceneResources& scene, const Render
   return layOutPattern(scene, options);
 }
 
-ShCoefficients ambientRadiance(const Lighting& lighting) {
-  ShCoefficients sum = projectUniform(lighting.ambient);
-  if (!lighting.environment) return sum;
-  const ShCoefficients environment = projectEnvironment(*lighting.environment);
-  for (std::size_t i = 0; i < sum.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c) sum[i][c] += environment[i][c];
-  return sum;
-}
-
 }  // namespace
 
 void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
@@ -49,6 +40,7 @@ void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResource
   made.tables = makeSceneTables(device, scene, pattern, made.ambient, options);
   made.surface = passes::SurfacePass::makeSurface(device, width, height);
   made.exitance = passes::SurfacePass::makeExitance(device, width, height, scene.mesh.vertexCount);
+  made.sky = passes::ReflectedSkyPass::makeSky(device, width, height);
   if (!made.radiance) made.radiance = passes::ShadePass::makeRadiance(device, width, height);
   remakeShadows(device, lighting, options, made);
 }
@@ -67,7 +59,7 @@ void remakeTables(gpu::Device& device, const SceneResources& scene, const Render
 
 void remakeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
                const RenderOptions& options, FrameResources& resources) {
-  resources.ambient = ambientRadiance(lighting);
+  resources.ambient = projectSky(lighting);
   resources.environmentCube =
       lighting.environment
           ? passes.environment.makeCube(device, *lighting.environment, options.roughness)
