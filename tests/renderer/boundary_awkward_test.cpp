@@ -41,9 +41,10 @@ TEST_F(BoundaryAwkwardTest, AnOpenSheetIsABetterDipole) {
   }
 }
 
-// Six square faces of two triangles each, hundreds of mean free paths wide, lit brightly from behind:
-// the side away from that is in even light and as good as a half-space, whatever shapes its clusters
-// have. What that reflects is the project's table slab_mc.csv, "inf", diffuse, marble red and blue.
+// Six square faces of two triangles each, hundreds of mean free paths wide, lit brightly from
+// behind: the side away from that is in even light and as good as a half-space, whatever shapes its
+// clusters have. What that reflects is the project's table slab_mc.csv, "inf", diffuse, marble red
+// and blue.
 TEST_F(BoundaryAwkwardTest, ALargeCoarseRodIsEven) {
   constexpr double halfWidthMm = 70;
   const std::map<std::size_t, double> reflected{{0, 0.7656}, {2, 0.6971}};
