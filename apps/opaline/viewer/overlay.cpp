@@ -173,8 +173,11 @@ void drawKeys(const Area& area) {
                             Key{"C", "compare with the paper's method"},
                             Key{"H", "handles of lights, scale bar"},
                             Key{"Tab", "hide the panels"},
-                            Key{"S", "save the scene, as .toml"},
-                            Key{"P", "save the picture"},
+                            Key{"Ctrl O", "open a model or a scene; or drop its file"},
+                            Key{"Ctrl S", "save the scene under a name"},
+                            Key{"Ctrl Z", "take the last edit back"},
+                            Key{"Ctrl Shift Z, Ctrl Y", "do it again"},
+                            Key{"S, P", "save the scene, the picture at once"},
                             Key{"O, X", "exposure up, down by half a stop"},
                             Key{"?", "these keys"},
                             Key{"Ctrl Q", "leave"}};
