@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "film_output.h"
 #include "frame_names.h"
 #include "opaline/error.h"
 #include "paths.h"
@@ -258,7 +259,7 @@ void LookOptions::addTo(CommandLine& line) {
              [this](const Given& given) { curve_ = readChoice(given, toneCurves()); });
   line.value("--background", "R,G,B", "linear, 0 to 1, not EXR [transparent]",
              [this](const Given& given) {
-               background_ = readTripleFloat(given, {0, 1});
+               background_ = readColour(given, {0, 1});
              });
 }
 
@@ -352,6 +353,10 @@ void PictureOptions::requireNameFor(bool frames, bool resume) const {
   if (!frames && resume) {
     throw UsageError("--resume goes on with a row of pictures and needs --frames A:B");
   }
+  if (resume && !file_) {
+    throw UsageError(
+        "--resume goes on with a row of pictures and needs its name: -o frame_%04d.png");
+  }
   if (film && resume) {
     throw UsageError(
         "--resume goes on with a row of pictures, -o frame_%04d.png; a film is made in one go");
@@ -364,8 +369,12 @@ void PictureOptions::requireNameFor(bool frames, bool resume) const {
   }
 }
 
-std::filesystem::path PictureOptions::file(const std::string& sceneName, bool frames) const {
-  return file_.value_or(sceneName + (frames ? "_%04d" : "") + (isExr() ? ".exr" : ".png"));
+core::Target PictureOptions::target(const std::string& sceneName,
+                                    const std::optional<FrameRange>& frames) const {
+  if (file_) return *file_;
+  const std::string ending = isExr() ? ".exr" : ".png";
+  if (!frames) return {sceneName + ending, core::Existing::TakeNextName};
+  return {freeRow(sceneName, ending, *frames), core::Existing::Refuse};
 }
 
 }  // namespace opaline::app

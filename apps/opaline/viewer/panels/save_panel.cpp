@@ -13,7 +13,7 @@ void drawSavePanel(Session& session, const Saver& saver) {
   controls::note("name");
   controls::tip(
       "Without its ending; in the folder that the window was opened from, or with a "
-      "folder of its own. A file of that name is replaced.");
+      "folder of its own. A file that has that name stays: NAME-2 is saved, and so on.");
   if (controls::button("picture", "NAME.png: what is seen. Key: P."))
     session.wanted = Save::Picture;
   ImGui::SameLine();
