@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Relative links and images of the documents lead somewhere; pictures in docs are small and used."""
+"""Relative links, their anchors and images of the documents lead somewhere; pictures in docs are small and used."""
 
 import posixpath
 import re
@@ -10,17 +10,36 @@ from repository import ROOT, finish, read_text, tracked_files
 
 LINK = re.compile(r"!?\[[^\]]*\]\(\s*<?([^)\s>]+)>?[^)]*\)|<(?:img|a)\b[^>]*?(?:src|href)=\"([^\"]+)\"")
 FENCE = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
+HEADING = re.compile(r"^ {0,3}#{1,6}[ \t]+(.*?)(?:[ \t]+#+)?[ \t]*$", re.MULTILINE)
+NAMED = re.compile(r"<[a-z][^>]*?\b(?:id|name)=\"([^\"]+)\"")
+INLINE_LINK = re.compile(r"!?\[([^\]]*)\]\([^)]*\)")
+NOT_OF_AN_ANCHOR = re.compile(r"[^\w\- ]")
 PICTURES = (".png", ".jpg", ".jpeg", ".gif", ".svg", ".webp")
 LARGEST_PICTURE_BYTES = 300 * 1024
 
 
 def targets(text):
-    """Relative targets of a document, without the part after #."""
+    """Relative targets of a document, each with its anchor, which may be empty."""
     for match in LINK.finditer(FENCE.sub("", text)):
         target = match[1] or match[2]
-        if re.match(r"[a-z][a-z0-9+.-]*:", target) or target.startswith("#"):
+        if re.match(r"[a-z][a-z0-9+.-]*:", target):
             continue
-        yield urllib.parse.unquote(target.split("#")[0])
+        file, _, anchor = target.partition("#")
+        yield urllib.parse.unquote(file), urllib.parse.unquote(anchor)
+
+
+def anchors(text):
+    """What a link can name in a document, by GitHub's rules: of a heading as it is shown, letters of any script,
+    digits, _ and -, in lower case, spaces as hyphens; a repeated one is numbered from 1."""
+    text = FENCE.sub("", text)
+    found = set(NAMED.findall(text))
+    times = {}
+    for match in HEADING.finditer(text):
+        shown = re.sub(r"[*`]", "", INLINE_LINK.sub(r"\1", match[1]))
+        slug = NOT_OF_AN_ANCHOR.sub("", shown.lower()).replace(" ", "-")
+        number = times[slug] = times.get(slug, -1) + 1
+        found.add(f"{slug}-{number}" if number else slug)
+    return found
 
 
 def check(documents, sizes):
@@ -29,11 +48,13 @@ def check(documents, sizes):
     folders |= {parent for folder in folders for parent in ancestors(folder)}
     findings, used = [], set()
     for path, text in documents.items():
-        for target in targets(text):
-            resolved = posixpath.normpath(posixpath.join(posixpath.dirname(path), target))
+        for target, anchor in targets(text):
+            resolved = posixpath.normpath(posixpath.join(posixpath.dirname(path), target)) if target else path
             used.add(resolved)
             if resolved not in sizes and resolved not in folders:
                 findings.append(f"{path}: links to {target}, which does not exist")
+            elif anchor and resolved in documents and anchor not in anchors(documents[resolved]):
+                findings.append(f"{path}: links to {target}#{anchor}, but there is no such heading")
     for path, size in sizes.items():
         if path.startswith("docs/") and path.lower().endswith(PICTURES):
             if size > LARGEST_PICTURE_BYTES:

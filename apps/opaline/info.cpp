@@ -44,7 +44,7 @@ struct InfoCommand {
     line.section("Scene");
     scene.addTo(line);
     line.section("Options");
-    line.value("--atlas", "FILE.png", "draw the equiareal atlas",
+    line.value("--atlas", "FILE.png", "make the equiareal atlas, say how it came out, draw it",
                [this](const Given& given) { atlas = readOutput(given, {".png"}); });
     line.flag("--json", "one JSON object on standard output", json);
     line.flag("--quiet", "no notes on standard error", quiet);
@@ -113,7 +113,14 @@ Json devicesJson() {
   return devices;
 }
 
-Json collect(const Scene& scene, const atlas::AtlasStatistics& statistics) {
+Json atlasJson(const atlas::AtlasStatistics& statistics) {
+  return {{"charts", statistics.charts},
+          {"coverage", statistics.coverage},
+          {"area_distortion_rms", statistics.areaDistortionRms},
+          {"seconds", statistics.seconds}};
+}
+
+Json collect(const Scene& scene) {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   for (const Object& object : scene.objects) {
@@ -137,13 +144,19 @@ Json collect(const Scene& scene, const atlas::AtlasStatistics& statistics) {
           {"diagonal_mm", diagonalMm(scene)},
           {"clips", clipsJson(scene)},
           {"repairs", std::move(repairs)},
-          {"atlas",
-           {{"charts", statistics.charts},
-            {"coverage", statistics.coverage},
-            {"area_distortion_rms", statistics.areaDistortionRms},
-            {"seconds", statistics.seconds}}},
           {"objects", objectsJson(scene)},
           {"devices", devicesJson()}};
+}
+
+/// Draws the atlas into a file and says how it came out.
+Json drawAtlas(const Scene& scene, const std::filesystem::path& file) {
+  const scene::MergedMesh surface = scene::mergedMesh(scene);
+  const atlas::Atlas atlas =
+      atlas::makeAtlas({surface.positionsMm, surface.triangles, surface.objectOfTriangle});
+  core::ToneOptions plain;
+  plain.curve = core::ToneCurve::None;
+  core::writePng(file, core::toneMap(atlas::drawAtlas(atlas, atlasPictureTexels), plain));
+  return atlasJson(atlas.statistics);
 }
 
 std::string rgbText(const std::array<double, 3>& rgb) {
@@ -187,11 +200,14 @@ std::string sceneText(const Scene& scene, const Json& facts) {
 }
 
 std::string restText(const Json& facts) {
-  const Json& atlas = facts["atlas"];
-  std::string text =
-      fmt::format("atlas: {} charts, {:.1f} % covered, area distortion {:.4f} rms, {:.2f} s\n",
-                  atlas["charts"].get<std::size_t>(), 100 * atlas["coverage"].get<double>(),
-                  atlas["area_distortion_rms"].get<double>(), atlas["seconds"].get<double>());
+  std::string text;
+  if (facts.contains("atlas")) {
+    const Json& atlas = facts["atlas"];
+    text +=
+        fmt::format("atlas: {} charts, {:.1f} % covered, area distortion {:.4f} rms, {:.2f} s\n",
+                    atlas["charts"].get<std::size_t>(), 100 * atlas["coverage"].get<double>(),
+                    atlas["area_distortion_rms"].get<double>(), atlas["seconds"].get<double>());
+  }
   for (const Json& device : facts["devices"]) {
     text += fmt::format("device {}: {}, {}, {}{}\n", device["index"].get<std::size_t>(),
                         device["name"].get<std::string>(), device["type"].get<std::string>(),
@@ -207,7 +223,7 @@ std::string restText(const Json& facts) {
 void runInfo(const Arguments& arguments) {
   CommandLine line("info",
                    "Says what is in a scene and how large beside its medium's mean free path, what "
-                   "was mended in it, how its atlas came out, and which devices there are.");
+                   "was mended in it, and which devices there are.");
   InfoCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;
@@ -218,17 +234,11 @@ void runInfo(const Arguments& arguments) {
   const Scene& scene = loaded.scene;
   if (command.atlas) requireNoInput({{"--atlas", *command.atlas}}, scene::filesOf(loaded.source));
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  const scene::MergedMesh surface = scene::mergedMesh(scene);
-  const atlas::Atlas atlas =
-      atlas::makeAtlas({surface.positionsMm, surface.triangles, surface.objectOfTriangle});
+  Json facts = collect(scene);
   if (command.atlas) {
-    core::ToneOptions plain;
-    plain.curve = core::ToneCurve::None;
-    core::writePng(*command.atlas,
-                   core::toneMap(atlas::drawAtlas(atlas, atlasPictureTexels), plain));
+    facts["atlas"] = drawAtlas(scene, *command.atlas);
     log(LogLevel::Note, fmt::format("wrote {}", command.atlas->string()));
   }
-  const Json facts = collect(scene, atlas.statistics);
   printOut(command.json ? toText(facts) : sceneText(scene, facts) + restText(facts));
 }
 

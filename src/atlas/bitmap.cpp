@@ -58,8 +58,8 @@ void addEdge(const Point2& a, const Point2& b, Silhouette& silhouette,
 
 }  // namespace
 
-Silhouette silhouetteOf(const Outline& outline, double cosine, double sine, double cellsPerMm,
-                        Point2& corner) {
+std::optional<Silhouette> silhouetteOf(const Outline& outline, double cosine, double sine,
+                                       double cellsPerMm, int size, Point2& corner) {
   std::vector<Point2> turned(outline.places.size());
   corner = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Point2 far = {-corner[0], -corner[1]};
@@ -72,6 +72,8 @@ Silhouette silhouetteOf(const Outline& outline, double cosine, double sine, doub
       far[i] = std::max(far[i], q[i]);
     }
   }
+  // A needle may be as long as millions of cells.
+  if (!(far[0] - corner[0] < size && far[1] - corner[1] < size)) return std::nullopt;
   Silhouette silhouette;
   silhouette.width = 1 + static_cast<int>(far[0] - corner[0]);
   silhouette.height = 1 + static_cast<int>(far[1] - corner[1]);

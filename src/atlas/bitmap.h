@@ -22,9 +22,9 @@ struct Silhouette {
 };
 
 /// Rotated and scaled to cells, its box in the corner at the origin; `corner` receives where that
-/// corner was.
-Silhouette silhouetteOf(const Outline& outline, double cosine, double sine, double cellsPerMm,
-                        Point2& corner);
+/// corner was. None where the box has no room in a square of `size` cells.
+std::optional<Silhouette> silhouetteOf(const Outline& outline, double cosine, double sine,
+                                       double cellsPerMm, int size, Point2& corner);
 
 /// A square of cells in which silhouettes find room.
 class Bitmap {

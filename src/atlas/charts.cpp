@@ -124,6 +124,29 @@ class Cells {
     }
   }
 
+  /// Two cells of as many triangles, whatever these look like: the half that is reached first from
+  /// the first triangle, edge by edge, and the rest.
+  void halve() {
+    for (const std::uint32_t t : domain_) cell_[t] = 1;
+    std::size_t left = domain_.size() / 2;
+    std::vector<std::uint32_t> reached;
+    const auto take = [&](std::uint32_t t) {
+      if (left == 0 || cell_[t] == 0) return;
+      cell_[t] = 0;
+      --left;
+      reached.push_back(t);
+    };
+    for (const std::uint32_t first : domain_) {
+      take(first);
+      for (std::size_t i = 0; i < reached.size(); ++i) {
+        for (const std::uint32_t n : topology_.neighbours[reached[i]]) {
+          if (n != none && inside_[n]) take(n);
+        }
+      }
+      reached.clear();
+    }
+  }
+
   /// The connected parts of all cells.
   std::vector<Chart> charts() const {
     std::vector<Chart> result;
@@ -240,6 +263,13 @@ Topology restricted(const Topology& topology, const Chart& chart) {
   return part;
 }
 
+/// Whether charts that were made of `whole` triangles are so much smaller that dividing them again
+/// and again comes to an end soon: with a sixteenth less each time, after 16 log(whole) rounds.
+bool areMuchSmaller(const std::vector<Chart>& charts, std::size_t whole) {
+  return std::all_of(charts.begin(), charts.end(),
+                     [&](const Chart& chart) { return chart.size() <= whole - (whole + 15) / 16; });
+}
+
 std::uint32_t farthest(const Cells& cells, std::size_t triangles) {
   std::uint32_t result = 0;
   for (std::uint32_t t = 1; t < triangles; ++t) {
@@ -292,6 +322,11 @@ std::vector<Chart> split(const Topology& topology, const Chart& chart) {
   cells.smooth();
   std::vector<Chart> charts = cells.charts();
   if (charts.size() < 2) charts = std::move(rough);
+  // Where triangles lie upon each other, distances tell none of them apart.
+  if (!areMuchSmaller(charts, chart.size())) {
+    cells.halve();
+    charts = cells.charts();
+  }
   for (Chart& c : charts) {
     for (std::uint32_t& t : c) t = chart[t];
   }

@@ -14,7 +14,7 @@ using Chart = std::vector<std::uint32_t>;
 /// Deterministic.
 std::vector<Chart> segment(const Topology& topology);
 
-/// Divides a chart of at least two triangles into two or more.
+/// Divides a chart of at least two triangles into two or more, each with at most 15 of every 16.
 std::vector<Chart> split(const Topology& topology, const Chart& chart);
 
 }  // namespace opaline::atlas

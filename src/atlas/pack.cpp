@@ -183,10 +183,11 @@ class Packer {
     for (int i = 0; i < turns_; ++i) {
       Candidate candidate;
       candidate.turn = turned(boxes_[chart], i);
-      candidate.silhouette = silhouetteOf(outlines_[chart], candidate.turn.cosine,
-                                          candidate.turn.sine, cellsPerMm, candidate.corner);
+      auto silhouette = silhouetteOf(outlines_[chart], candidate.turn.cosine, candidate.turn.sine,
+                                     cellsPerMm, cells_, candidate.corner);
+      if (!silhouette) continue;
+      candidate.silhouette = std::move(*silhouette);
       const int height = candidate.silhouette.height;
-      if (height > cells_ || candidate.silhouette.width > cells_) continue;
       const bool isCrowded = turns_ == 1;
       int& lowestRow = lowest[static_cast<std::size_t>(height)];
       const auto cell = bitmap.findRoom(candidate.silhouette, isCrowded ? lowestRow : 0,

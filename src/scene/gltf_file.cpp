@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "core/file.h"
@@ -119,19 +118,6 @@ std::string firstComplaint(std::string_view text) {
   return {};
 }
 
-/// Extensions that change where the vertices are, or how they are stored, and are understood.
-void requireKnownExtensions(const Input& input, const tinygltf::Model& model) {
-  constexpr std::array<std::string_view, 3> storage{
-      "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"};
-  for (const std::string& required : model.extensionsRequired) {
-    if (std::find(storage.begin(), storage.end(), required) != storage.end()) {
-      failGltf(input, fmt::format("its meshes are compressed with {}, which is not supported: "
-                                  "export it without compression",
-                                  required));
-    }
-  }
-}
-
 }  // namespace
 
 void failGltf(const Input& input, const std::string& reason) {
@@ -175,6 +161,14 @@ tinygltf::Model readGltf(const Input& input) {
   if (!access.refusal.empty()) failGltf(input, access.refusal);
   const std::string complaint = firstComplaint(error);
   if (!whole || !complaint.empty()) {
+    // The library knows no channel without a node.
+    const auto& used = access.prescan.extensionsUsed;
+    if (std::find(used.begin(), used.end(), "KHR_animation_pointer") != used.end() &&
+        complaint.find("'node'") != std::string::npos) {
+      failGltf(input,
+               "it is animated with KHR_animation_pointer, which is not supported: export it "
+               "without");
+    }
     failGltf(input, fmt::format("it is no sound glTF: {}",
                                 complaint.empty() ? "unknown reason" : complaint));
   }
@@ -182,7 +176,6 @@ tinygltf::Model readGltf(const Input& input) {
     failGltf(input, fmt::format("it is of glTF version '{}', not 2.0",
                                 cleanText(model.asset.version, 20)));
   }
-  requireKnownExtensions(input, model);
   return model;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "opaline/error.h"
+#include "scene/gltf_extensions.h"
 #include "scene/gltf_file.h"
 #include "scene/text.h"
 
@@ -46,6 +47,8 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
   GltfPrescan found;
   std::string problem;
 
+  std::size_t buffersWithoutUri() const { return embedded_; }
+
   bool null() override { return value(); }
   bool boolean(bool) override { return value(); }
   bool number_integer(number_integer_t number) override {
@@ -63,6 +66,8 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
   bool number_float(number_float_t, const string_t&) override { return value(); }
   bool binary(binary_t&) override { return value(); }
   bool string(string_t& text) override {
+    if (depth_ == 2 && root_ == "extensionsRequired") found.extensionsRequired.push_back(text);
+    if (depth_ == 2 && root_ == "extensionsUsed") found.extensionsUsed.push_back(text);
     if (inBuffer() && lastKey_ == "uri") {
       bufferHasUri_ = !text.empty();
       if (!text.starts_with("data:")) found.bufferFiles.insert(percentDecoded(text));
@@ -76,6 +81,7 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
   }
   bool key(string_t& name) override {
     if (depth_ == 1) {
+      root_ = name.substr(0, 32);
       inBuffers_ = name == "buffers";
       inData_ = inBuffers_ || name == "bufferViews" || name == "accessors";
     }
@@ -83,11 +89,7 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool end_object() override {
-    // Each would get a copy of the binary chunk.
-    if (inBuffer() && !bufferHasUri_ && ++embedded_ > 1) {
-      problem = "more than one buffer lacks a uri";
-      return false;
-    }
+    if (inBuffer() && !bufferHasUri_) ++embedded_;
     --depth_;
     return true;
   }
@@ -134,6 +136,7 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
   bool inBuffers_ = false;
   bool inData_ = false;  ///< in root.buffers, root.bufferViews or root.accessors
   bool bufferHasUri_ = false;
+  std::string root_;  ///< the key in the root that all this belongs to
   std::string lastKey_;
 };
 
@@ -145,6 +148,10 @@ GltfPrescan prescanGltf(const Input& input, std::string_view json) {
   if (!whole || !scanner.problem.empty()) {
     failGltf(input, scanner.problem.empty() ? "its JSON is damaged" : scanner.problem);
   }
+  // Extensions may say what else looks damaged.
+  requireKnownExtensions(input, scanner.found.extensionsRequired);
+  // Each would get a copy of the binary chunk.
+  if (scanner.buffersWithoutUri() > 1) failGltf(input, "more than one buffer lacks a uri");
   return std::move(scanner.found);
 }
 

@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/formats.h"
 
@@ -11,7 +12,9 @@ namespace opaline::scene {
 /// What has to be known of the JSON before a recursive parser that copies what it is told may see
 /// it.
 struct GltfPrescan {
-  std::set<std::string> bufferFiles;  ///< external, percent-decoded
+  std::set<std::string> bufferFiles;
+  std::vector<std::string> extensionsUsed{};
+  std::vector<std::string> extensionsRequired{};  ///< all known  ///< external, percent-decoded
 };
 
 /// Throws Error for bytes that are no JSON, nested too deep, with too many values, or with several

@@ -2,17 +2,18 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <istream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <streambuf>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 
 #include "bssrdf/media.h"
-#include "opaline/error.h"
 #include "scene/formats.h"
+#include "scene/obj_lines.h"
 #include "scene/text.h"
 #include "scene/triangulate.h"
 
@@ -20,94 +21,13 @@ namespace opaline::scene {
 
 namespace {
 
-[[noreturn]] void fail(const Input& input, const std::string& reason) {
-  throw Error(fmt::format("{}: {}", cleanText(input.file.string(), 1000), reason));
-}
-
-// tinyobjloader reads what is no number as 0, lets an index overflow and stops at a zero byte; so
-// lines with numbers are looked at first.
-
-std::string_view nextWord(std::string_view& line) {
-  const std::size_t begin = std::min(line.find_first_not_of(" \t\r"), line.size());
-  line.remove_prefix(begin);
-  const std::size_t end = std::min(line.find_first_of(" \t\r"), line.size());
-  const std::string_view word = line.substr(0, end);
-  line.remove_prefix(end);
-  return word;
-}
-
-bool isNumber(std::string_view word) {
-  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-  double value = 0;
-  const auto [stop, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (stop != word.data() + word.size() || word.empty()) return false;
-  if (problem == std::errc::result_out_of_range) return word.find("e-") != std::string_view::npos;
-  return problem == std::errc{} && std::abs(value) <= double{std::numeric_limits<float>::max()};
-}
-
-void checkNumbers(const Input& input, std::string_view line, std::size_t number) {
-  for (int i = 0; i < 3; ++i) {
-    const std::string_view word = nextWord(line);
-    if (!isNumber(word)) {
-      fail(input, fmt::format("line {}: '{}' is no finite number", number, cleanText(word, 40)));
-    }
-  }
-}
-
-/// A corner is v, v/vt, v//vn or v/vt/vn, each a whole number other than 0.
-bool isCorner(std::string_view word) {
-  for (int part = 0; part < 3; ++part) {
-    const std::size_t end = std::min(word.find('/'), word.size());
-    const std::string_view digits = word.substr(0, end);
-    int value = 0;
-    const auto [stop, problem] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    const bool absent = digits.empty() && part == 1 && end < word.size();
-    if (!absent &&
-        (problem != std::errc{} || stop != digits.data() + digits.size() || value == 0)) {
-      return false;
-    }
-    if (end == word.size()) return true;
-    word.remove_prefix(end + 1);
-  }
-  return false;
-}
-
-void checkCorners(const Input& input, std::string_view line, std::size_t number) {
-  for (std::string_view word = nextWord(line); !word.empty(); word = nextWord(line)) {
-    if (word.starts_with('#')) return;
-    if (!isCorner(word)) {
-      fail(input, fmt::format("line {}: '{}' is no corner of a face", number, cleanText(word, 40)));
-    }
-  }
-}
-
-void checkLines(const Input& input) {
-  std::string_view text(reinterpret_cast<const char*>(input.bytes.data()), input.bytes.size());
-  if (text.find('\0') != std::string_view::npos) {
-    fail(input, "it contains zero bytes, so it is no OBJ file");
-  }
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    std::string_view line = text.substr(0, end);
-    const bool pair = end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n';
-    text.remove_prefix(std::min(end + (pair ? 2 : 1), text.size()));
-    if (line.ends_with('\\')) {
-      fail(input, fmt::format("line {}: lines continued with \\ are not supported", number));
-    }
-    const std::string_view keyword = nextWord(line);
-    if (keyword == "v" || keyword == "vn") checkNumbers(input, line, number);
-    if (keyword == "f") checkCorners(input, line, number);
-  }
-}
-
-/// A stream over bytes that stay where they are.
-class ByteStream : private std::streambuf, public std::istream {
+/// A stream over text that stays where it is.
+class TextStream : private std::streambuf, public std::istream {
  public:
-  explicit ByteStream(std::span<const std::byte> bytes) : std::istream(this) {
+  explicit TextStream(std::string_view text) : std::istream(this) {
     // streambuf takes a mutable pointer but only reads through it here.
-    char* begin = const_cast<char*>(reinterpret_cast<const char*>(bytes.data()));
-    setg(begin, begin, begin + bytes.size());
+    char* begin = const_cast<char*>(text.data());
+    setg(begin, begin, begin + text.size());
   }
 };
 
@@ -163,13 +83,13 @@ struct Reader {
   void checkRange() const {
     for (const Corner& corner : corners) {
       if (corner.position < 0 || corner.position >= static_cast<std::int64_t>(positions.size())) {
-        fail(input, fmt::format("a face names vertex {}, but there are {} vertices",
-                                corner.position + 1, positions.size()));
+        failObj(input, fmt::format("a face names vertex {}, but there are {} vertices",
+                                   corner.position + 1, positions.size()));
       }
       if (corner.normal == noNormal) continue;
       if (corner.normal < 0 || corner.normal >= static_cast<std::int64_t>(normals.size())) {
-        fail(input, fmt::format("a face names normal {}, but there are {} normals",
-                                corner.normal + 1, normals.size()));
+        failObj(input, fmt::format("a face names normal {}, but there are {} normals",
+                                   corner.normal + 1, normals.size()));
       }
     }
   }
@@ -263,15 +183,17 @@ RawMesh buildMesh(const Reader& reader, std::span<const Group* const> groups) {
 }  // namespace
 
 RawScene loadObj(const Input& input) {
-  checkLines(input);
+  const std::optional<std::string> joined = joinedLines(textOf(input));
+  const std::string_view text = joined ? *joined : textOf(input);
+  requireSoundLines(input, text);
   Reader reader{input};
   reader.use("");
-  ByteStream stream(input.bytes);
+  TextStream stream(text);
   std::string warning;
   std::string error;
   tinyobj::LoadObjWithCallback(stream, callbacks(), &reader, nullptr, &warning, &error);
-  if (!error.empty()) fail(input, cleanText(error));
-  if (reader.positions.empty()) fail(input, "it has no vertices, so it is no OBJ file");
+  if (!error.empty()) failObj(input, cleanText(error));
+  if (reader.positions.empty()) failObj(input, "it has no vertices, so it is no OBJ file");
   reader.checkRange();
 
   // Materials that are no medium all become marble: one object.
@@ -281,7 +203,7 @@ RawScene loadObj(const Input& input) {
     const auto medium = bssrdf::findMedium(group.name);
     byMedium[medium ? medium->name : ""].push_back(&group);
   }
-  if (byMedium.empty()) fail(input, "it has no faces");
+  if (byMedium.empty()) failObj(input, "it has no faces");
   RawScene scene;
   for (const auto& [medium, groups] : byMedium) {
     RawObject object;

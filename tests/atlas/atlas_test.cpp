@@ -209,6 +209,17 @@ TEST(Atlas, IsTheSameEveryTime) {
   }
 }
 
+TEST(Atlas, EndsWhereTrianglesCannotBeToldApart) {
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    const awkward::Shape shape = awkward::dust(seed);
+    SCOPED_TRACE(shape.name);
+    const Surface surface = {shape.positions, shape.triangles, {}};
+    const Atlas atlas = makeAtlas(surface);
+    expectTrianglesKept(surface, atlas);
+    expectNothingMirrored(surface, atlas);
+  }
+}
+
 TEST(Atlas, KeepsObjectsApart) {
   const awkward::Shape shape = awkward::twoObjects();
   const Atlas atlas = makeAtlas({shape.positions, shape.triangles, shape.objects});

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -193,10 +194,52 @@ inline Shape twoObjects() {
   return shape;
 }
 
+/// Two triangles of the same vertices, back to back: a closed surface without an inside.
+inline Shape backToBack() {
+  return {"back_to_back", {{0, 0, 0}, {3, 0, 0}, {0, 1, 1}}, {{0, 1, 2}, {0, 2, 1}}, {}};
+}
+
+/// Eight vertices of which seven lie as near to each other as floats can, under five faces whose
+/// centroids agree.
+inline Shape nearlyOnePoint() {
+  Shape shape{"nearly_one_point", {}, {}, {}};
+  const float next = std::nextafter(1.0F, 2.0F);
+  for (unsigned corner = 0; corner < 7; ++corner) {
+    shape.positions.push_back({(corner & 1U) != 0 ? next : 1.0F, (corner & 2U) != 0 ? next : 1.0F,
+                               (corner & 4U) != 0 ? next : 1.0F});
+  }
+  shape.positions.push_back({50, 40, 30});
+  shape.triangles = {{0, 1, 2}, {0, 2, 1}, {1, 3, 7}, {3, 1, 7}, {4, 5, 6}};
+  return shape;
+}
+
+/// Triangles at random between few places, most of which differ by roundings.
+inline Shape dust(unsigned seed) {
+  Shape shape{"dust_" + std::to_string(seed), {}, {}, {}};
+  std::minstd_rand random(seed + 1);
+  const auto upTo = [&](unsigned count) {
+    return static_cast<std::uint32_t>(random() >> 8U) % count;
+  };
+  const std::uint32_t vertices = 3 + upTo(10);
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    Vec3 place{1, 1, 1};
+    if (upTo(6) == 0) place = {1, static_cast<float>(1 + upTo(4)), static_cast<float>(upTo(3))};
+    for (float& x : place) {
+      for (std::uint32_t steps = upTo(3); steps > 0; --steps) x = std::nextafter(x, 9.0F);
+    }
+    shape.positions.push_back(place);
+  }
+  for (std::uint32_t t = 2 + upTo(30); t > 0; --t) {
+    shape.triangles.push_back({upTo(vertices), upTo(vertices), upTo(vertices)});
+  }
+  return shape;
+}
+
 inline std::vector<Shape> all() {
-  return {empty(),       oneTriangle(),    flatSheet(),  openSheet(),      sphere(),
-          torus(),       moebiusStrip(),   thinLimbs(),  edgeFan(),        manyComponents(),
-          degenerates(), onlyDegenerate(), twoObjects(), coincidentFaces()};
+  return {empty(),      oneTriangle(),     flatSheet(),    openSheet(),
+          sphere(),     torus(),           moebiusStrip(), thinLimbs(),
+          edgeFan(),    manyComponents(),  degenerates(),  onlyDegenerate(),
+          twoObjects(), coincidentFaces(), backToBack(),   nearlyOnePoint()};
 }
 
 }  // namespace opaline::awkward

@@ -94,6 +94,21 @@ TEST_F(Obj, BadLinesAreNamed) {
   EXPECT_THAT(errorOf(corners + std::string("f 1 2 3\0 4\n", 11)), HasSubstr("zero bytes"));
 }
 
+TEST_F(Obj, LinesThatAreContinuedAreJoined) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const std::string next = "\\" + end;
+    std::string text = "# kept in C:\\cubes\\\n" + corners;
+    text += "f 1 3 " + next + "\t4 2" + next + "# of six\n";
+    text += "f 5 " + next + next + "6 8 7 # from C:\\\n";
+    text += "f" + next + " 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6" + next;
+    const Mesh mesh = load(text).objects[0].mesh;
+    EXPECT_EQ(mesh.triangles.size(), 12U);
+    EXPECT_NEAR(test::signedVolume(mesh.positionsMm, mesh.triangles), 1, 1e-6);
+  }
+  EXPECT_THAT(errorOf(corners + "f 1 \\\n 2 3\n\nf 1 \\\r\n 2 x"), HasSubstr("line 12: 'x'"));
+  EXPECT_THAT(errorOf("v 0 \\\n0 \\\n\nv 1 1 1\n"), HasSubstr("line 1: ''"));
+}
+
 TEST_F(Obj, BadUtf8InNamesIsHarmless) {
   const Scene scene =
       load("mtllib ../\xFF.mtl\no \xC3\x28\n" + corners + "usemtl \xFF\xFE\n" + quads);

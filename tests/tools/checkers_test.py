@@ -82,11 +82,25 @@ class Names(unittest.TestCase):
 class Links(unittest.TestCase):
     def test_a_link_must_lead_somewhere(self):
         sizes = {"README.md": 1, "docs/a.md": 1, "docs/bear.png": 1}
-        good = {"README.md": "[a](docs/a.md#top) ![b](docs/bear.png) [c](https://x.org) [d](docs) [e](#here)",
-                "docs/a.md": '<img src="bear.png">\n```\n[x](nowhere.md)\n```\n'}
+        good = {"README.md": "[a](docs/a.md#top) ![b](docs/bear.png) [c](https://x.org) [d](docs) [e](#here)\n## Here",
+                "docs/a.md": '# Top\n<img src="bear.png">\n```\n[x](nowhere.md)\n```\n'}
         self.assertEqual(check_links.check(good, sizes), [])
-        bad = {**good, "docs/a.md": "[a](b.md) ![](pictures/x.png)"}
+        bad = {**good, "docs/a.md": "# Top\n[a](b.md) ![](pictures/x.png)"}
         self.assertEqual(len(check_links.check(bad, sizes)), 2)
+
+    def test_an_anchor_must_be_a_heading(self):
+        text = ("# How *exact* the `sum` is\n## Path tracing: `--path`\n### Längen [in mm](x.md)\n## Limits\n## Limits ##\n"
+                "```\n# a comment\n```\n#no heading\n<a id=\"by-hand\"></a>\n")
+        # What github.com makes of these headings.
+        self.assertEqual(check_links.anchors(text), {"how-exact-the-sum-is", "path-tracing---path", "längen-in-mm", "limits",
+                                                     "limits-1", "by-hand"})
+        documents = {"README.md": "[a](docs/a.md#limits) [b](#b)\n# B", "docs/a.md": text.replace("(x.md)", "(#limits)")}
+        sizes = {"README.md": 1, "docs/a.md": 1, "a.h": 1}
+        self.assertEqual(check_links.check(documents, sizes), [])
+        for broken in ("[a](docs/a.md#how)", "[a](#c)\n# B", "[a](docs/a.md#Limits)"):
+            finding, = check_links.check({**documents, "README.md": broken}, sizes)
+            self.assertIn("no such heading", finding)
+        self.assertEqual(check_links.check({"README.md": "[a](a.h#L3)"}, sizes), [])
 
     def test_pictures_are_small_and_used(self):
         documents = {"README.md": "![](docs/bear.png)"}

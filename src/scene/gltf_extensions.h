@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/formats.h"
+
+namespace opaline::scene {
+
+/// What becomes of an extension of glTF here.
+enum class GltfExtension {
+  Read,        ///< understood
+  Appearance,  ///< of textures and materials; without it shapes are right all the same
+  Unknown,     ///< may say where the vertices are, or how they are stored
+};
+
+GltfExtension kindOf(std::string_view extension);
+
+/// Throws Error, naming them, when extensions that a file requires are unknown here.
+void requireKnownExtensions(const Input& input, const std::vector<std::string>& required);
+
+}  // namespace opaline::scene

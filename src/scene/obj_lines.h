@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "scene/formats.h"
+
+namespace opaline::scene {
+
+[[noreturn]] void failObj(const Input& input, const std::string& reason);
+
+/// The file's bytes.
+std::string_view textOf(const Input& input);
+
+/// Takes the next word off a line, empty at its end.
+std::string_view nextWord(std::string_view& line);
+
+/// The text with every line that ends in \ joined to the next: what stood between them becomes
+/// spaces, so that everything else stays at its place. Comments are not continued, as they may end
+/// in a folder's name. None where no line is continued.
+std::optional<std::string> joinedLines(std::string_view text);
+
+/// tinyobjloader reads what is no number as 0, lets an index overflow and stops at a zero byte; so
+/// lines with numbers are looked at first. `text` is the file's, with its lines joined; messages
+/// count the lines that the file has.
+void requireSoundLines(const Input& input, std::string_view text);
+
+}  // namespace opaline::scene
