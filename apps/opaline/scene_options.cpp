@@ -175,14 +175,13 @@ void LightOptions::addTo(CommandLine& line) {
                environment_ = given.text;
                any_ = true;
              });
-  line.value("--environment-rotation", "DEGREES", "about +y, as seen from above [0]",
+  line.value("--environment-rotation", "DEGREES", "degrees about +y [0]; factor of radiance [1]",
              [this](const Given& given) {
                rotationDegrees_ = readNumber(given, {-1e6, 1e6, "degrees"});
              });
-  line.value("--environment-intensity", "X", "times its radiance, 0 to 1e6 [1]",
-             [this](const Given& given) {
-               intensity_ = static_cast<float>(readNumber(given, {0, 1e6}));
-             });
+  line.value("--environment-intensity", "X", "", [this](const Given& given) {
+    intensity_ = static_cast<float>(readNumber(given, {0, 1e6}));
+  });
 }
 
 void LightOptions::applyTo(LoadedScene& loaded) const {
