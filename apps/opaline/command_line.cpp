@@ -122,6 +122,11 @@ void CommandLine::flag(const std::string& names, const std::string& help, bool& 
   entries_.push_back(std::move(entry));
 }
 
+void CommandLine::outputFlags(const std::string& what, bool& json, bool& quiet) {
+  flag("--json", what + "; no notes", json);
+  flag("--quiet", "", quiet);
+}
+
 void CommandLine::value(const std::string& names, const std::string& placeholder,
                         const std::string& help, Taker take) {
   addValue(names, placeholder, help, std::move(take), false);

@@ -46,8 +46,7 @@ struct InfoCommand {
     line.section("Options");
     line.value("--atlas", "FILE.png", "make the equiareal atlas, say how it came out, draw it",
                [this](const Given& given) { atlas = readOutput(given, {".png"}); });
-    line.flag("--json", "one JSON object on standard output", json);
-    line.flag("--quiet", "no notes on standard error", quiet);
+    line.outputFlags("one JSON object on standard output", json, quiet);
   }
 };
 

@@ -60,8 +60,7 @@ struct RenderCommand {
     device.addTo(line);
     line.value("--report", "FILE.json", "what was done, and how long it took",
                [this](const Given& given) { report = readOutput(given, {".json"}); });
-    line.flag("--json", "the report on standard output; no notes", json);
-    line.flag("--quiet", "", quiet);
+    line.outputFlags("the report on standard output", json, quiet);
   }
 
   /// Refuses what contradicts itself, before any work.
@@ -87,6 +86,7 @@ struct Job {
   Scene scene;
   scene::SceneFileSettings settings;
   RenderOptions options;
+  core::ToneOptions tone;
   core::Target output;
   std::vector<std::filesystem::path> inputs;
   std::shared_ptr<const MeshSequence> sequence;
@@ -111,8 +111,11 @@ Job prepare(const RenderCommand& command, core::Target output, const LogCallback
     const auto note = command.camera.noteOnFraming(scene, options.width, options.height);
     if (note) log(LogLevel::Note, *note);
   }
-  return {std::move(scene),  std::move(settings),    options,
-          std::move(output), scene::filesOf(source), std::move(sequence)};
+  const core::ToneOptions tone = command.picture.tone(settings, scene);
+  const auto exposure = command.picture.noteOnExposure(settings, tone);
+  if (exposure) log(LogLevel::Note, *exposure);
+  return {std::move(scene),       std::move(settings), options, tone, std::move(output),
+          scene::filesOf(source), std::move(sequence)};
 }
 
 std::string onDevice(const DeviceDescription& device) {
@@ -139,8 +142,7 @@ Done makeStill(const RenderCommand& command, const Job& job, const LogCallback& 
     renderer.replacePositions(0, positionsMm);
   }
   const RenderResult result = renderer.render(job.options, {command.picture.aov()});
-  const std::filesystem::path file =
-      writePicture(job.output, result.images.at(0), command.picture.tone(job.settings));
+  const std::filesystem::path file = writePicture(job.output, result.images.at(0), job.tone);
   log(LogLevel::Note,
       fmt::format("{}, {}", wroteText(file, job.output.path), onDevice(result.report.device)));
   return {renderReportJson(result.report, job.options, {file.string()}),
@@ -183,7 +185,7 @@ FilmOrder filmOrder(const RenderCommand& command, const Job& job, const FrameRan
   order.output = job.output;
   order.aov = command.picture.aov();
   order.options = job.options;
-  order.tone = command.picture.tone(job.settings);
+  order.tone = job.tone;
   order.resume = command.resume;
   order.quiet = command.quiet;
   if (isFilm(job.output.path)) return order;
@@ -251,7 +253,9 @@ void runRender(const Arguments& arguments) {
   const Job job = prepare(command, std::move(output), log);
   job.requireInSequence(frames);
   requireNoInput(command, job, frames);
-  const Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
+  Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
+  done.report["exposure_stops"] =
+      command.picture.isExr() ? Json() : shortJson(job.tone.exposureStops);
   const std::string report = toText(done.report);
   if (command.report) core::writeWhole(*command.report, report);
   if (command.json) printOut(report);

@@ -22,6 +22,7 @@ std::string saved(const std::filesystem::path& file, const core::Target& wanted)
 std::string saveScene(const Session& session, const core::Target& target, int width, int height) {
   scene::SceneFileSettings settings =
       settingsOf(sized(session.options, width, height), session.tone, session.scene);
+  if (session.exposesByLight) settings.exposureStops.reset();
   // Between the last file and the end, the last is shown; render knows no such time.
   if (session.sequence && settings.seconds) {
     settings.seconds = std::min(*settings.seconds, lastSecond(*session.sequence));
