@@ -174,18 +174,18 @@ void MethodOptions::addTo(CommandLine& line) {
              fmt::format("samples around the middle one, 0 to 15 [{}]", defaults.pattern.nearRings),
              [this](const Given& given) { nearRings_ = readInteger(given, 0, 15); });
   line.value("--near-spacing", "X",
-             fmt::format("between them [{}], of far ones [{}]; mean free paths",
-                         defaults.pattern.nearSpacing, defaults.pattern.farDistance),
+             fmt::format("mean free paths [{}], of far ones [{}]", defaults.pattern.nearSpacing,
+                         defaults.pattern.farDistance),
              [this](const Given& given) {
                nearSpacing_ = readFloat(given, {1e-3, 100, "mean free paths"});
              });
   line.value("--far-distance", "X", "", [this](const Given& given) {
     farDistance_ = readFloat(given, {1e-3, 1000, "mean free paths"});
   });
-  line.value("--dsm-size", "N",
-             fmt::format("texels of the pattern's map [{}], of shadows [{}]", defaults.dsmSize,
-                         defaults.shadowSize),
-             [this](const Given& given) { dsmSize_ = readInteger(given, 64, 4096); });
+  line.value(
+      "--dsm-size", "N",
+      fmt::format("texels of the map [{}], of shadows [{}]", defaults.dsmSize, defaults.shadowSize),
+      [this](const Given& given) { dsmSize_ = readInteger(given, 64, 4096); });
   line.value("--shadow-size", "N", "",
              [this](const Given& given) { shadowSize_ = readInteger(given, 64, 8192); });
 }

@@ -175,7 +175,7 @@ void LightOptions::addTo(CommandLine& line) {
                environment_ = given.text;
                any_ = true;
              });
-  line.value("--environment-rotation", "DEGREES", "degrees about +y [0]; factor of radiance [1]",
+  line.value("--environment-rotation", "DEGREES", "degrees [0], factor [1]",
              [this](const Given& given) {
                rotationDegrees_ = readNumber(given, {-1e6, 1e6, "degrees"});
              });
