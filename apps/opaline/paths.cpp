@@ -29,9 +29,9 @@ void requireNoInput(const std::vector<Output>& outputs,
   }
 }
 
-std::string wroteText(const std::filesystem::path& file, const std::filesystem::path& wanted) {
-  if (file == wanted) return fmt::format("wrote {}", file.string());
-  return fmt::format("wrote {}, as {} is there already", file.string(), wanted.string());
+std::string nameText(const std::filesystem::path& file, const std::filesystem::path& wanted) {
+  if (file == wanted) return file.string();
+  return fmt::format("{}, as {} is there already", file.string(), wanted.string());
 }
 
 std::filesystem::path readOutput(const Given& given, const std::vector<std::string>& extensions) {

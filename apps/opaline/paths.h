@@ -21,8 +21,8 @@ struct Output {
 void requireNoInput(const std::vector<Output>& outputs,
                     const std::vector<std::filesystem::path>& inputs);
 
-/// "wrote bear-2.png, as bear.png is there already" for a file that was to be called `wanted`.
-std::string wroteText(const std::filesystem::path& file, const std::filesystem::path& wanted);
+/// "bear-2.png, as bear.png is there already" for a file that was to be called `wanted`.
+std::string nameText(const std::filesystem::path& file, const std::filesystem::path& wanted);
 
 /// A file to be written, whose extension is one of those. Throws UsageError for another extension.
 std::filesystem::path readOutput(const Given& given, const std::vector<std::string>& extensions);

@@ -281,7 +281,7 @@ void runReference(const Arguments& arguments) {
   const std::filesystem::path file = writePicture(job.output, made.picture.image, job.tone);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   std::string note =
-      fmt::format("{}, in {:.1f} s", wroteText(file, job.output.path), seconds.count());
+      fmt::format("wrote {}, in {:.1f} s", nameText(file, job.output.path), seconds.count());
   if (rf::showsExitance(command.picture.aov())) {
     // Single pixels of a path-traced picture are noise, and say nothing where no particle came.
     note += command.integral

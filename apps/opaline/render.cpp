@@ -144,7 +144,7 @@ Done makeStill(const RenderCommand& command, const Job& job, const LogCallback& 
   const RenderResult result = renderer.render(job.options, {command.picture.aov()});
   const std::filesystem::path file = writePicture(job.output, result.images.at(0), job.tone);
   log(LogLevel::Note,
-      fmt::format("{}, {}", wroteText(file, job.output.path), onDevice(result.report.device)));
+      fmt::format("wrote {}, {}", nameText(file, job.output.path), onDevice(result.report.device)));
   return {renderReportJson(result.report, job.options, {file.string()}),
           renderer.validationMessages()};
 }

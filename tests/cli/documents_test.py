@@ -12,6 +12,7 @@ from program import COMMANDS, ProgramTest
 
 NEEDS_A_DISPLAY = "display"
 MODELS = ("bunny.ply", "bunny_closed.ply", "bunny_egg_a.ply", "bunny_egg_b.ply", "duck.ply", "ball.ply")
+ENVIRONMENTS = ("studio_small_03_1k.hdr",)
 ANIMATED = ("walker.glb", "CesiumMan.glb", "models/duck.glb")
 
 
@@ -44,6 +45,11 @@ def ply(across=1.0):
             f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n"
             + "".join("%g %g %g\n" % corner for corner in corners)
             + "".join("3 %d %d %d\n" % triangle for triangle in triangles))
+
+
+def sky_hdr():
+    """Radiance 1 from the upper half, a quarter from the lower."""
+    return b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n" + 4 * b"\x80\x80\x80\x81" + 4 * b"\x80\x80\x80\x7f"
 
 
 def walking_glb():
@@ -132,6 +138,8 @@ class Documents(ProgramTest):
         (self.folder / "models").mkdir()
         for name in MODELS:
             self.write(name, ply(1.2 if name == "bunny_egg_b.ply" else 1.0))
+        for name in ENVIRONMENTS:
+            self.write(name, sky_hdr())
         for name in ANIMATED:
             self.write(name, walking_glb())
 

@@ -149,7 +149,7 @@ void pokeFilm(Studio& studio, const char* name) {
       body.pull(to);
     }
     body.step(1.0 / framesPerSecond);
-    film.add(photograph(studio, usual(), {0.3F, width, height}));
+    film.add(photograph(studio, objectSpace(), {0.3F, width, height}));
   }
   film.finish();
   fmt::print("{}\n", file.string());

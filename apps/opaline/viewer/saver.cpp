@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "paths.h"
 #include "picture_options.h"
 #include "scene/scene_writer.h"
 #include "sequence_frames.h"
@@ -14,8 +15,10 @@ namespace opaline::app::viewer {
 namespace {
 
 std::string saved(const std::filesystem::path& file, const core::Target& wanted) {
-  if (file == wanted.path) return fmt::format("saved {}", file.string());
-  return fmt::format("saved {}, as {} is there already", file.string(), wanted.path.string());
+  return fmt::format("saved {}", nameText(file, wanted.path));
+}
+", file.string());
+    return fmt::format("saved {}, as {} is there already", file.string(), wanted.path.string());
 }
 
 // Which `opaline render` draws as the picture.
