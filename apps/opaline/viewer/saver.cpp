@@ -17,9 +17,6 @@ namespace {
 std::string saved(const std::filesystem::path& file, const core::Target& wanted) {
   return fmt::format("saved {}", nameText(file, wanted.path));
 }
-", file.string());
-    return fmt::format("saved {}, as {} is there already", file.string(), wanted.path.string());
-}
 
 // Which `opaline render` draws as the picture.
 std::string saveScene(const Session& session, const core::Target& target, int width, int height) {
