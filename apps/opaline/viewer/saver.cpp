@@ -35,7 +35,12 @@ std::string saveScene(const Session& session, const core::Target& target, int wi
 
 std::optional<std::string> Saver::save(Save wanted, const Session& session, int width, int height) {
   const auto named = [&](const char* ending) {
-    return core::Target(session.saveName + ending, core::Existing::TakeNextName);
+    if (!session.saveTo) {
+      return core::Target(session.saveName + ending, core::Existing::TakeNextName);
+    }
+    return core::Target(session.saveTo->file, session.saveTo->mayReplace
+                                                  ? core::Existing::Replace
+                                                  : core::Existing::TakeNextName);
   };
   switch (wanted) {
     case Save::Picture:
@@ -66,10 +71,7 @@ void Saver::startFilm(const Session& session, const core::Target& target, int wi
   // Films have an even number of pixels each way.
   FilmOrder order;
   order.options = sized(session.options, std::max(2, width / 2 * 2), std::max(2, height / 2 * 2));
-  order.frames.last =
-      std::max(0, static_cast<int>(std::lround(double{session.playback.lengthSeconds} *
-                                               order.frames.perSecond)) -
-                      1);
+  order.frames = filmFrames(session);
   order.output = target;
   order.tone = session.tone;
   order.quiet = true;
