@@ -31,7 +31,7 @@ class Keys(ProgramTest):
         still = self.printed("render", *SCENE, "--size", "8x8", "--report", "report.json")
         self.assertEqual(json.loads((self.folder / "report.json").read_text()), still)
         film = self.printed("render", *SCENE, "--size", "8x8", "--frames", "0:1", "-o", "f%d.png", "--quiet")
-        self.assertEqual(keys(film) - keys(still), {"frames", "fps"})
+        self.assertEqual(keys(film) - keys(still), {"frames", "frame_step", "fps"})
         self.expect("render", keys(film) | keys(still))
 
     def test_reference(self):
