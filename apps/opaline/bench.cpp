@@ -110,10 +110,10 @@ struct BenchCommand {
   }
 
   Scene loadScene(const LogCallback& log) const {
-    Scene loaded = scene.load(log).scene;
+    LoadedScene loaded = scene.load(log);
     lights.applyTo(loaded);
-    camera.applyTo(loaded);
-    return loaded;
+    camera.applyTo(loaded.scene);
+    return std::move(loaded.scene);
   }
 
   void run() const {

@@ -58,6 +58,9 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
 
 std::string helpLine(const std::string& left, const std::string& help) {
   const std::string start = "  " + left;
+  if (start.size() + 2 > helpColumn && start.size() + 2 + help.size() <= helpWidth) {
+    return start + "  " + help + "\n";
+  }
   const std::string gap = start.size() + 2 > helpColumn
                               ? "\n" + std::string(helpColumn, ' ')
                               : std::string(helpColumn - start.size(), ' ');

@@ -35,7 +35,7 @@ PlacedColour readPlacedColour(const Given& given) {
   const std::size_t colon = given.text.find(':');
   PlacedColour result{{given.option, given.text.substr(0, colon)}, std::nullopt};
   if (colon != std::string::npos) {
-    result.colour = readTripleFloat({given.option, given.text.substr(colon + 1)}, lightRange);
+    result.colour = readColour({given.option, given.text.substr(colon + 1)}, lightRange);
   }
   return result;
 }
@@ -163,12 +163,12 @@ void LightOptions::addTo(CommandLine& line) {
                     throw UsageError(fmt::format("{} {}: needs an intensity, X,Y,Z:R,G,B",
                                                  given.option, given.text));
                   }
-                  points_.push_back({readTripleFloat(light.place, lengthRange), *light.colour});
+                  points_.push_back({readPlace(light.place, lengthRange), *light.colour});
                   any_ = true;
                 });
-  line.value("--ambient", "R,G,B", "radiance, the same from everywhere",
+  line.value("--ambient", "R,G,B", "radiance from everywhere; one number is grey",
              [this](const Given& given) {
-               ambient_ = readTripleFloat(given, lightRange);
+               ambient_ = readColour(given, lightRange);
                any_ = true;
              });
   line.value("--environment", "FILE", "latitude-longitude .hdr or .exr, radiance",
@@ -176,10 +176,36 @@ void LightOptions::addTo(CommandLine& line) {
                environment_ = given.text;
                any_ = true;
              });
+  line.value("--environment-rotation", "DEGREES", "degrees [0], factor [1]",
+             [this](const Given& given) {
+               rotationDegrees_ = readNumber(given, {-1e6, 1e6, "degrees"});
+             });
+  line.value("--environment-intensity", "X", "", [this](const Given& given) {
+    intensity_ = static_cast<float>(readNumber(given, {0, 1e6}));
+  });
 }
 
-void LightOptions::applyTo(Scene& scene) const {
-  if (!any_) return;
+void LightOptions::applyTo(LoadedScene& loaded) const {
+  if (any_) {
+    loaded.source.environment.reset();
+    if (environment_) {
+      loaded.source.environment = scene::EnvironmentFile{std::filesystem::absolute(*environment_)};
+    }
+    loaded.scene.lighting = lightingFor(loaded.scene);
+  }
+  std::optional<scene::EnvironmentFile>& environment = loaded.source.environment;
+  if (!environment && (rotationDegrees_ || intensity_)) {
+    throw UsageError(
+        fmt::format("--environment-{} needs an environment: name one with --environment FILE",
+                    rotationDegrees_ ? "rotation" : "intensity"));
+  }
+  if (!environment || !(environment_ || rotationDegrees_ || intensity_)) return;
+  if (rotationDegrees_) environment->rotationDegrees = *rotationDegrees_;
+  if (intensity_) environment->intensity = *intensity_;
+  loaded.scene.lighting.environment = scene::readEnvironment(*environment);
+}
+
+Lighting LightOptions::lightingFor(const Scene& scene) const {
   Lighting lighting;
   lighting.directional = directional_;
   const Bounds bounds = boundsOf(scene);
@@ -190,17 +216,7 @@ void LightOptions::applyTo(Scene& scene) const {
     lighting.points.push_back(light);
   }
   lighting.ambient = ambient_;
-  if (environment_) lighting.environment = scene::readEnvironment({*environment_});
-  scene.lighting = std::move(lighting);
-}
-
-void LightOptions::applyTo(LoadedScene& loaded) const {
-  if (!any_) return;
-  applyTo(loaded.scene);
-  loaded.source.environment.reset();
-  if (environment_) {
-    loaded.source.environment = scene::EnvironmentFile{std::filesystem::absolute(*environment_)};
-  }
+  return lighting;
 }
 
 std::optional<double> fovThatIsNeededDegrees(const Scene& scene, int width, int height) {
