@@ -50,7 +50,7 @@ FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bo
 }
 
 bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {
-  return plan.samples > 0 && plan.specular && !isDark(lighting);
+  return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern && !isDark(lighting);
 }
 
 void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan) {

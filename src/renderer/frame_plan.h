@@ -26,7 +26,7 @@ struct FramePlan {
   float roughness = 0.25F;
   int clip = 0;
   double seconds = 0;
-  bool mirrorsSky = false;  ///< in the reflection, where the scene leaves it free
+  bool mirrorsSky = false;  ///< in the reflection, where the scene leaves it free; else all of it
   bool light = true;        ///< else the resources hold what this frame's light does, from before
 };
 
@@ -34,7 +34,8 @@ struct FramePlan {
 /// is among the variables.
 FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture);
 
-/// Whether some of the sky's light is reflected in what the plan makes.
+/// Whether what the plan makes reflects the sky where the scene leaves it free. The method of 2008
+/// knows no surfels that rays could meet, and reflects all of it.
 bool mirrorsSky(const FramePlan& plan, const Lighting& lighting);
 
 /// What depends on the scene as well: the site, and the transport that its objects allow.

@@ -19,9 +19,8 @@ bool LightReuse::mustFind(const RenderOptions& options, const FramePlan& plan,
                           const SceneChanges& changes, PreparedFrame& frame) {
   const bool rays = plan.mirrorsSky || plan.transport == Transport::Boundary;
   const PreparedFrame::Lit now{options, changes, plan.site, plan.map, rays};
-  const bool readsSurfels = options.sum != Sum::Pattern && plan.site != Site::Vertex;
-  const bool there =
-      !(readsSurfels || plan.transport == Transport::Boundary) || litSurfels_ == &frame;
+  const bool readsSurfels = rays || (options.sum != Sum::Pattern && plan.site != Site::Vertex);
+  const bool there = !readsSurfels || litSurfels_ == &frame;
   if (options.reuseLight && there && frame.lit && holds(*frame.lit, now)) return false;
   if (!plan.scatter) return true;  // leaves the light that was there
   frame.lit = now;

@@ -12,9 +12,9 @@ namespace opaline::scene {
 /// What has to be known of the JSON before a recursive parser that copies what it is told may see
 /// it.
 struct GltfPrescan {
-  std::set<std::string> bufferFiles;
+  std::set<std::string> bufferFiles;  ///< external, percent-decoded
   std::vector<std::string> extensionsUsed{};
-  std::vector<std::string> extensionsRequired{};  ///< all known  ///< external, percent-decoded
+  std::vector<std::string> extensionsRequired{};  ///< all known
 };
 
 /// Throws Error for bytes that are no JSON, nested too deep, with too many values, or with several

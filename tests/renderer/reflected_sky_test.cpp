@@ -97,9 +97,24 @@ TEST_F(ReflectedSkyTest, EndsWhereTheMirroredRayMeetsAWall) {
       options.sum = sum;
       expectWallMirrored(scene, render(options, {Aov::Radiance, Aov::Position}));
     }
+}
+
+// It has no surfels for rays to meet, and pays for none.
+TEST_F(ReflectedSkyTest, IsWholeUnderTheMethodOf2008) {
+  const Scene scene = floorAndWall(closedMesh());
+  RenderOptions options = mirror();
   options.transport = Transport::Dipole;
   options.sum = Sum::Pattern;
-  expectWallMirrored(scene, render(options, {Aov::Radiance, Aov::Position}));
+  const auto images = render(scene, options, {Aov::Radiance, Aov::Position});
+  int seen = 0;
+  forEachCovered(images[1], [&](std::size_t i) {
+    const Vector place = toVector(&images[1].rgba[i]);
+    const Vector toCamera = unit(toVector(scene.camera.positionMm) - place);
+    if (!mirrorsSky(place, toCamera)) return;
+    ++seen;
+    ASSERT_NEAR(static_cast<double>(images[0].rgba[i]), fresnel(toCamera[1]), 0.004);
+  });
+  EXPECT_GT(seen, 400);
 }
 
 TEST_F(ReflectedSkyTest, EndsAtOpenMeshesToo) {
