@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "core/file.h"
 #include "core/image_file.h"
+#include "framing.h"
 #include "methods.h"
 #include "opaline/error.h"
 #include "output.h"
@@ -105,6 +106,7 @@ struct BenchCommand {
     Scene loaded = scene.load(log).scene;
     lights.applyTo(loaded);
     camera.applyTo(loaded);
+    showAll(loaded, {RenderOptions{}.clip, 1, nullptr, {Moment{}}});
     return loaded;
   }
 

@@ -12,6 +12,7 @@
 #include "device_options.h"
 #include "film.h"
 #include "film_output.h"
+#include "framing.h"
 #include "json.h"
 #include "motion_options.h"
 #include "opaline/error.h"
@@ -64,6 +65,7 @@ struct RenderCommand {
 
   /// Refuses what contradicts itself, before any work.
   void check() const {
+    camera.check();
     motion.check();
     picture.requireNameFor(motion.frames().has_value(), resume);
     static_cast<void>(options({}));
@@ -88,10 +90,11 @@ struct Job {
   std::filesystem::path output;
   std::shared_ptr<const MeshSequence> sequence;
 
-  void requireInSequence(const std::optional<FrameRange>& frames) const {
-    if (!sequence) return;
-    static_cast<void>(frames ? numberOfFrame(*sequence, frames->last)
-                             : numberAt(*sequence, options.seconds));
+  /// Also refuses what is beyond the sequence.
+  void aimCamera(const std::optional<FrameRange>& frames) {
+    showAll(scene, {options.clip, aspectOf(options), sequence.get(),
+                    frames ? momentsOf(*frames, sequence.get())
+                           : momentOf(options.seconds, sequence.get())});
   }
 };
 
@@ -103,10 +106,6 @@ Job prepare(const RenderCommand& command, std::filesystem::path output, const Lo
   command.motion.applyTo(scene);
   command.motion.applyTo(options, scene, settings);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  if (command.picture.seenByCamera()) {
-    const auto note = command.camera.noteOnFraming(scene, options.width, options.height);
-    if (note) log(LogLevel::Note, *note);
-  }
   return {std::move(scene), std::move(settings), options, std::move(output), std::move(sequence)};
 }
 
@@ -211,8 +210,8 @@ void runRender(const Arguments& arguments) {
   }
   if (command.report) core::requireWritable(*command.report);
 
-  const Job job = prepare(command, std::move(output), log);
-  job.requireInSequence(frames);
+  Job job = prepare(command, std::move(output), log);
+  job.aimCamera(frames);
   const Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
   const std::string report = toText(done.report);
   if (command.report) core::writeWhole(*command.report, report);

@@ -75,6 +75,9 @@ struct Scene {
   std::vector<Object> objects;
   Lighting lighting;
   Camera camera;
+  /// Whether somebody chose where the camera stands and how wide it sees; else it is
+  /// defaultCamera(), and may step back until all is seen.
+  bool cameraChosen = false;
   std::vector<Node> nodes;  ///< parents before children
   std::vector<Clip> clips;
   std::vector<Deformer> deformers;  ///< applied in this order, after the rigs

@@ -202,6 +202,7 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
   scene.deformers = std::move(raw.deformers);
   scene.lighting = raw.hasLights ? std::move(raw.lighting) : defaultLighting();
   scene.camera = raw.camera ? *raw.camera : defaultCamera(scene);
+  scene.cameraChosen = raw.cameraChosen;
   return scene;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "opaline/scene.h"
+#include "scene/not_shown.h"
 
 namespace opaline::scene {
 
@@ -47,9 +48,11 @@ struct RawScene {
   Lighting lighting;
   bool hasLights = false;
   std::optional<Camera> camera;
+  bool cameraChosen = false;  ///< as in Scene
   std::vector<Node> nodes;
   std::vector<Clip> clips;
   std::vector<Deformer> deformers;
+  std::vector<NotShown> notShown;
   std::optional<double> mmPerUnit;  ///< unknown for formats without a unit
 };
 

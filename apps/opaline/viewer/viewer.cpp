@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/file.h"
+#include "framing.h"
 #include "json.h"
 #include "opaline/error.h"
 #include "render_report.h"
@@ -110,8 +111,9 @@ void Viewer::takeLoaded() {
   try {
     Session made = resizing_ ? resized(session_, std::move(*result))
                              : opened(std::move(*result), options_.prepare);
-    if (!resizing_ && fovThatIsNeededDegrees(made.scene, area.width, area.height)) {
-      frame(made.scene.camera, boundsOf(made.scene), area.aspect());
+    if (!resizing_) {
+      showAll(made.scene, {made.options.clip, area.aspect(), made.sequence.get(),
+                           someMoments(lengthOfMotion(made), made.sequence.get())});
     }
     made.gizmos = session_.gizmos;
     made.scaleBar = session_.scaleBar;
