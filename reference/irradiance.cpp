@@ -13,16 +13,6 @@ Colour toColour(const Rgb& rgb) {
   return {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
 }
 
-ShCoefficients radianceOf(const Lighting& lighting) {
-  ShCoefficients sum = projectUniform(lighting.ambient);
-  if (!lighting.environment) return sum;
-  const ShCoefficients environment = projectEnvironment(*lighting.environment);
-  for (std::size_t i = 0; i < sum.size(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) sum[i][c] += environment[i][c];
-  }
-  return sum;
-}
-
 Vec3 toFloat(const Vector& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
@@ -54,7 +44,7 @@ Irradiance::Irradiance(const Geometry& geometry) : geometry_(geometry) {
   for (const PointLight& light : lighting.points) {
     lights_.push_back({true, toVector(light.positionMm), toColour(light.intensity)});
   }
-  const ShCoefficients radiance = radianceOf(lighting);
+  const ShCoefficients radiance = projectSky(lighting);
   for (const Body& body : geometry.scene().bodies) {
     const double eta = body.medium.eta;
     auto found = std::find_if(ambients_.begin(), ambients_.end(),

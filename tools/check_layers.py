@@ -18,7 +18,7 @@ ALLOWED = {
     "src/compare": (*PLAIN, "core"),
     "src/bssrdf": ("opaline/medium.h",),
     "src/scene": ("opaline", "core", "bssrdf", "builtin"),
-    "src/environment": (*PLAIN, "core", "bssrdf"),
+    "src/environment": ("opaline", "core", "bssrdf"),
     "src/deform": ("opaline", "core", "scene"),
     "src/builtin": ("opaline", "core"),
     "src/atlas": (*PLAIN, "core"),

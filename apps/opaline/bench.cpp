@@ -34,6 +34,7 @@ struct BenchCommand {
   std::optional<std::string> device;
   std::optional<int> frames;
   std::optional<int> edge;
+  std::optional<double> seconds;
   std::optional<int> every;
   std::optional<std::filesystem::path> truth;
   bool all = false;
@@ -53,10 +54,14 @@ struct BenchCommand {
     line.value("--models", "FOLDER", "[OPALINE_MODELS, else ../shared/models]",
                [this](const Given& given) { models = given.text; });
     line.section("methods: every way to render a scene, 3 frames each; takes minutes");
-    line.value("--every", "N", "of the integral's pixels, without --truth [2]",
-               [this](const Given& given) { every = readInteger(given, 1, 64); });
     line.value("--truth", "FILE.exr", "exitance by reference --path, in the same view",
                [this](const Given& given) { truth = given.text; });
+    line.value("--seconds", "S", "to trace the truth without it, 0: no truth [30]",
+               [this](const Given& given) {
+                 seconds = readNumber(given, {0, 1e7, "s"});
+               });
+    line.value("--every", "N", "of the integral's pixels, with --seconds 0 [1]",
+               [this](const Given& given) { every = readInteger(given, 1, 64); });
     line.flag("--all", "the sum over every surfel too; slow without a GPU", all);
     line.section("scaling: the tree's cost by surfels, sigma_tr and tolerance, 5 frames each");
     line.value("--max-sources", "N", "largest budget, 16384 to 4194304 [1048576]",
@@ -74,8 +79,7 @@ struct BenchCommand {
                [this](const Given& given) { frames = readInteger(given, 1, 1000); });
     line.value("--device", "NAME|INDEX", "as opaline info lists them [the best]",
                [this](const Given& given) { device = given.text; });
-    line.flag("--json", "one JSON object on standard output", json);
-    line.flag("--quiet", "no notes on standard error", quiet);
+    line.outputFlags("one JSON object on standard output", json, quiet);
   }
 
   std::filesystem::path folder() const {
@@ -89,8 +93,12 @@ struct BenchCommand {
     if (!suite) throw UsageError("bench needs the name of a suite: table1, methods or scaling");
     if (*suite != Suite::Table1 && models)
       throw UsageError("--models belongs to bench table1; methods and scaling measure one SCENE");
-    if (*suite != Suite::Methods && (every || truth || all))
-      throw UsageError("--every, --truth and --all belong to bench methods");
+    if (*suite != Suite::Methods && (every || truth || seconds || all))
+      throw UsageError("--truth, --seconds, --every and --all belong to bench methods");
+    if (truth && seconds) throw UsageError("--truth and --seconds exclude each other");
+    if (every.value_or(1) != 1 && seconds != 0.0)
+      throw UsageError(
+          "--every leaves out pixels that blocks against the truth need; it goes with --seconds 0");
     if (*suite != Suite::Scaling && maxSources)
       throw UsageError("--max-sources belongs to bench scaling");
     if (*suite == Suite::Table1 && (edge || plot))
@@ -128,6 +136,7 @@ struct BenchCommand {
     order.device = device.value_or("");
     order.frames = frames.value_or(order.frames);
     order.log = noteTaker(quiet);
+    order.status = statusTaker(quiet);
     const Table1 table = measureTable1(order);
     printOut(json ? toText(toJson(table)) : toReadable(table));
   }
@@ -135,9 +144,11 @@ struct BenchCommand {
   void runMethods() const {
     MethodsOrder order;
     order.log = noteTaker(quiet);
+    order.status = statusTaker(quiet);
     order.scene = loadScene(order.log);
     order.edgePixels = edge.value_or(order.edgePixels);
     order.every = every.value_or(order.every);
+    order.truthSeconds = seconds.value_or(order.truthSeconds);
     order.frames = frames.value_or(order.frames);
     order.all = all;
     order.device = device.value_or("");
@@ -150,6 +161,7 @@ struct BenchCommand {
   void runScaling() const {
     ScalingOrder order;
     order.log = noteTaker(quiet);
+    order.status = statusTaker(quiet);
     order.scene = loadScene(order.log);
     order.edgePixels = edge.value_or(order.edgePixels);
     order.mostSurfels = maxSources.value_or(order.mostSurfels);

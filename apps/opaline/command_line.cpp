@@ -58,6 +58,9 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
 
 std::string helpLine(const std::string& left, const std::string& help) {
   const std::string start = "  " + left;
+  if (start.size() + 2 > helpColumn && start.size() + 2 + help.size() <= helpWidth) {
+    return start + "  " + help + "\n";
+  }
   const std::string gap = start.size() + 2 > helpColumn
                               ? "\n" + std::string(helpColumn, ' ')
                               : std::string(helpColumn - start.size(), ' ');
@@ -120,6 +123,11 @@ void CommandLine::flag(const std::string& names, const std::string& help, bool& 
   entry.repeatable = true;
   flagTakers_.emplace_back([option = entry.option, &on] { on = on || option->count() > 0; });
   entries_.push_back(std::move(entry));
+}
+
+void CommandLine::outputFlags(const std::string& what, bool& json, bool& quiet) {
+  flag("--json", what + "; no notes", json);
+  flag("--quiet", "", quiet);
 }
 
 void CommandLine::value(const std::string& names, const std::string& placeholder,

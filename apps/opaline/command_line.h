@@ -35,6 +35,9 @@ class CommandLine {
   void requiredPositional(const std::string& name, const std::string& help, Taker take);
   void section(const std::string& title);
   void flag(const std::string& names, const std::string& help, bool& on);
+  /// --json and --quiet, which every command takes. `what` goes to standard output; --quiet leaves
+  /// notes and progress out, and no warning.
+  void outputFlags(const std::string& what, bool& json, bool& quiet);
   /// Without a help of its own it stands in the help beside the option before it.
   void value(const std::string& names, const std::string& placeholder, const std::string& help,
              Taker take);

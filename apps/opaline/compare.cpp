@@ -73,8 +73,7 @@ struct CompareCommand {
                [this](const Given& given) {
                  heatmapTop = readNumber(given, {1e-6, 1e6});
                });
-    line.flag("--json", "one JSON object on standard output", json);
-    line.flag("--quiet", "no notes on standard error", quiet);
+    line.outputFlags("one JSON object on standard output", json, quiet);
   }
 };
 

@@ -1,5 +1,9 @@
 #include "json.h"
 
+#include <fmt/format.h>
+
+#include <string>
+
 #include "medium_options.h"
 
 namespace opaline::app {
@@ -16,6 +20,10 @@ Json mediumJson(const Medium& medium) {
           {"eta", medium.eta},
           {"mean_free_path_mm", rgbJson(lengths.meanFreePathMm)},
           {"diffusion_length_mm", rgbJson(lengths.diffusionMm)}};
+}
+
+Json shortJson(float value) {
+  return std::stod(fmt::format("{}", value));
 }
 
 Json deviceJson(const DeviceDescription& device) {

@@ -19,6 +19,9 @@ Json rgbJson(const std::array<double, 3>& rgb);
 /// Name, coefficients and the lengths that follow from them.
 Json mediumJson(const Medium& medium);
 
+/// With no more digits than tell the number from its neighbours.
+Json shortJson(float value);
+
 Json deviceJson(const DeviceDescription& device);
 
 /// Indented and with a line break at the end; what is not UTF-8 is replaced.

@@ -11,8 +11,11 @@
 #include "output.h"
 #include "picture_options.h"
 #include "reference/integral.h"
+#include "reference/path/path_run.h"
 #include "reference/picture.h"
 #include "reference_scene.h"
+#include "scene/insides.h"
+#include "truth.h"
 
 namespace opaline::app {
 
@@ -35,6 +38,14 @@ RenderOptions optionsFor(const MethodsOrder& order, Transport transport, Sum sum
   return options;
 }
 
+rf::PictureOptions pictureOf(const MethodsOrder& order, int every) {
+  rf::PictureOptions picture;
+  picture.width = picture.height = order.edgePixels;
+  picture.aov = Aov::Exitance;
+  picture.every = every;
+  return picture;
+}
+
 /// Exitance by the exact integral, at every so many pixels.
 Image exactExitance(const MethodsOrder& order, const rf::Geometry& geometry, Transport transport,
                     int every) {
@@ -42,11 +53,7 @@ Image exactExitance(const MethodsOrder& order, const rf::Geometry& geometry, Tra
   const rf::Integral integral(geometry, irradiance, {.transport = transport});
   const rf::LeavingLight light{[&](const rf::SurfacePoint& point) { return integral.at(point); },
                                rf::exitFactors(geometry.scene(), transport)};
-  rf::PictureOptions picture;
-  picture.width = picture.height = order.edgePixels;
-  picture.aov = Aov::Exitance;
-  picture.every = every;
-  return rf::makePicture(geometry, irradiance, light, picture).image;
+  return rf::makePicture(geometry, irradiance, light, pictureOf(order, every)).image;
 }
 
 std::optional<double> errorAgainst(const Image& found, const Image& exact) {
@@ -63,7 +70,8 @@ std::optional<double> blockErrorAgainst(const Image& found, const std::optional<
 
 /// `exact` is nullptr where no integral is stood for.
 MethodRow measure(Renderer& renderer, const MethodsOrder& order, const RenderOptions& wanted,
-                  const Image* exact, DeviceDescription& device) {
+                  const Image* exact, const std::optional<Image>& truth,
+                  DeviceDescription& device) {
   RenderOptions options = wanted;
   options.frames = order.frames + 1;  // the first does not count
   MethodRow row;
@@ -77,9 +85,42 @@ MethodRow measure(Renderer& renderer, const MethodsOrder& order, const RenderOpt
   const std::vector<Image> found =
       renderer.render(options, {Aov::Exitance, Aov::Evaluations}).images;
   if (exact != nullptr) row.integralError = errorAgainst(found[0], *exact);
-  row.truthError = blockErrorAgainst(found[0], order.truth);
+  row.truthError = blockErrorAgainst(found[0], truth);
   if (options.sum != Sum::Pattern) row.evaluations = compare::meanOverCovered(found[1]);
   return row;
+}
+
+bool hasInside(const Scene& scene) {
+  return std::all_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
+    const std::vector<bool> inside =
+        scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
+    return std::find(inside.begin(), inside.end(), false) == inside.end();
+  });
+}
+
+/// Exitance of light that is followed through the bodies; its own error goes to `methods`.
+Image traceTruth(const MethodsOrder& order, const rf::Geometry& geometry, Methods& methods) {
+  const rf::Irradiance irradiance(geometry);
+  rf::PathTracer tracer(geometry, {});
+  const rf::CameraRays rays(geometry.scene().camera, order.edgePixels, order.edgePixels);
+  const rf::BlockError error(tracer, geometry, rays, order.edgePixels, order.edgePixels);
+  rf::PathLimits limits;
+  limits.seconds = order.truthSeconds;
+  order.status("following light through the body");
+  methods.truthsOwnError = rf::runPaths(tracer, error, limits);
+  warnOfLostLight(tracer, order.log);
+  return pathTruth(tracer, geometry, irradiance, pictureOf(order, 1)).image;
+}
+
+/// The one that was given, or else one traced here where the scene has an inside.
+std::optional<Image> truthFor(const MethodsOrder& order, const rf::Geometry& geometry,
+                              Methods& methods) {
+  if (order.truth || order.truthSeconds <= 0) return order.truth;
+  if (hasInside(order.scene)) return traceTruth(order, geometry, methods);
+  order.log(LogLevel::Note,
+            "an object is open and has no inside to follow light through, so nothing is held "
+            "against the truth");
+  return std::nullopt;
 }
 
 /// What is covered by one view of a scene is covered by all.
@@ -99,7 +140,7 @@ void requireSameView(const Image& truth, const Image& exact) {
 }
 
 std::string percent(const std::optional<double>& share) {
-  return share ? fmt::format("{:.2f} %", 100 * *share) : "-";
+  return share ? fmt::format("{:.2f} %", 100 * *share) : "";
 }
 
 Json orNull(const std::optional<double>& value) {
@@ -121,30 +162,31 @@ Methods measureMethods(const MethodsOrder& order) {
   methods.edgePixels = order.edgePixels;
   const rf::Scene scene = referenceScene(order.scene, 0, 0);
   const rf::Geometry geometry(scene);
+  const std::optional<Image> truth = truthFor(order, geometry, methods);
+  methods.hasTruth = truth.has_value();
   for (const Transport transport : profilesMeasured) {
     const std::string name = nameOf(transport, transports());
-    if (statusColumns() > 0) showStatus(fmt::format("integrating the {}", name));
-    // Blocks need all pixels.
-    const Image exact = exactExitance(order, geometry, transport, order.truth ? 1 : order.every);
+    order.status(fmt::format("integrating the {}", name));
+    const Image exact = exactExitance(order, geometry, transport, order.every);
     if (order.truth) requireSameView(*order.truth, exact);
     for (const Sum sum : {Sum::Pattern, Sum::Tree, Sum::All}) {
       if (sum == Sum::All && !order.all) continue;
       for (const Site site : sitesMeasured) {
-        if (statusColumns() > 0) showStatus(fmt::format("measuring the {}", name));
+        order.status(fmt::format("measuring the {}", name));
         methods.rows.push_back(measure(renderer, order, optionsFor(order, transport, sum, site),
-                                       &exact, methods.device));
+                                       &exact, truth, methods.device));
       }
     }
     MethodRow integral{transport, "integral", "exact", {}, {}, {}, {}};
-    integral.truthError = blockErrorAgainst(exact, order.truth);
+    integral.truthError = blockErrorAgainst(exact, truth);
     methods.rows.push_back(integral);
   }
   for (const Site site : sitesMeasured) {
     const RenderOptions options = optionsFor(order, Transport::Boundary, Sum::Tree, site);
     // Without an inside it is the better dipole, which is there.
     if (renderer.render(options, {Aov::Exitance}).report.boundarySurfels == 0) break;
-    if (statusColumns() > 0) showStatus("measuring boundary transport");
-    methods.rows.push_back(measure(renderer, order, options, nullptr, methods.device));
+    order.status("measuring boundary transport");
+    methods.rows.push_back(measure(renderer, order, options, nullptr, truth, methods.device));
   }
   clearStatus();
   return methods;
@@ -164,6 +206,7 @@ Json toJson(const Methods& methods) {
   return {{"scene", methods.scene},
           {"size", {methods.edgePixels, methods.edgePixels}},
           {"device", deviceJson(methods.device)},
+          {"truth_block_error", orNull(methods.truthsOwnError)},
           {"rows", std::move(rows)}};
 }
 
@@ -172,15 +215,19 @@ std::string toReadable(const Methods& methods) {
       "{0}, exitance at {1}x{1} on {2} ({3})\n"
       "{4:<16}{5:<10}{6:<10}{7:>12}{8:>13}{9:>14}{10:>18}\n",
       methods.scene, methods.edgePixels, methods.device.name, methods.device.type, "transport",
-      "sum", "site", "a frame", "evaluations", "to integral", "to truth, blocks");
+      "sum", "site", "a frame", "evaluations", "to integral",
+      methods.hasTruth ? "to truth, blocks" : "");
   for (const MethodRow& row : methods.rows) {
     text +=
         fmt::format("{:<16}{:<10}{:<10}{:>12}{:>13}{:>14}{:>18}\n",
                     nameOf(row.transport, transports()), row.sum, row.site,
-                    row.frameMilliseconds ? fmt::format("{:.1f} ms", *row.frameMilliseconds) : "-",
-                    row.evaluations ? fmt::format("{:.1f}", *row.evaluations) : "-",
+                    row.frameMilliseconds ? fmt::format("{:.1f} ms", *row.frameMilliseconds) : "",
+                    row.evaluations ? fmt::format("{:.1f}", *row.evaluations) : "",
                     percent(row.integralError), percent(row.truthError));
   }
+  if (methods.truthsOwnError)
+    text += fmt::format("the truth's own standard error: {:.2f} % of a block\n",
+                        100 * *methods.truthsOwnError);
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include "opaline/log.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "output.h"
 
 namespace opaline::app {
 
@@ -17,12 +18,14 @@ namespace opaline::app {
 struct MethodsOrder {
   Scene scene;
   int edgePixels = 256;
-  int every = 2;     ///< only every so many pixels across and down against the integral
+  int every = 1;     ///< only every so many pixels across and down; needs truthSeconds of 0
   int frames = 3;    ///< of each measurement of time
   bool all = false;  ///< the sum over every surfel too, which takes minutes without a GPU
   std::string device;
   std::optional<Image> truth;  ///< exitance of the same view, edgePixels square
+  double truthSeconds = 30;    ///< that it is traced for where it is not given; 0: there is none
   LogCallback log;
+  StatusCallback status = statusTaker(true);
 };
 
 /// One way of rendering, or the exact integral by itself.
@@ -40,6 +43,8 @@ struct Methods {
   DeviceDescription device;
   std::string scene;
   int edgePixels = 0;
+  bool hasTruth = false;
+  std::optional<double> truthsOwnError;  ///< standard error of its blocks, where it was traced here
   std::vector<MethodRow> rows;
 };
 

@@ -75,6 +75,12 @@ void clearStatus() {
   if (statusShown.exchange(false)) static_cast<void>(std::fputs("\r\x1b[K", stderr));
 }
 
+StatusCallback statusTaker(bool quiet) {
+  return [quiet](std::string_view line) {
+    if (!quiet && statusColumns() > 0) showStatus(line);
+  };
+}
+
 LogCallback noteTaker(bool quiet) {
   return [quiet](LogLevel level, std::string_view message) {
     if (level == LogLevel::Warning) {

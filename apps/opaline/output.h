@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <string_view>
 
 #include "opaline/log.h"
@@ -31,5 +32,9 @@ std::size_t statusColumns();
 /// Shows a line on that terminal in place of the one before. Errors and notes take its place too.
 void showStatus(std::string_view line);
 void clearStatus();
+
+/// Shows what is under way there, unless `quiet` or there is no terminal.
+using StatusCallback = std::function<void(std::string_view)>;
+StatusCallback statusTaker(bool quiet);
 
 }  // namespace opaline::app

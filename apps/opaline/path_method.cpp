@@ -24,8 +24,6 @@ namespace rf = opaline::reference;
 using Clock = std::chrono::steady_clock;
 
 constexpr double secondsBetweenCheckpoints = 30;
-/// A closed mesh loses particles only where rounding lets one through an edge: some in a million.
-constexpr double mostLost = 1e-3;
 constexpr std::size_t longestCheckpointBytes = std::size_t{4} << 30U;
 
 constexpr std::array orders{std::pair{"unscattered", rf::Order::Unscattered},
@@ -148,13 +146,7 @@ rf::Picture PathMethod::make(const rf::Geometry& geometry, const rf::Irradiance&
     for (const auto& [name, order] : orders)
       report["left_flux"][name].push_back(tracer.leftFlux(c, order));
   }
-  const double lost = std::max({tracer.lostShare(0), tracer.lostShare(1), tracer.lostShare(2)});
-  if (lost > mostLost) {
-    log(LogLevel::Warning,
-        fmt::format("{:.2g} % of the light slipped through gaps of the surface and was lost; what "
-                    "--path finds holds for closed bodies only",
-                    100 * lost));
-  }
+  warnOfLostLight(tracer, log);
   return pathTruth(tracer, geometry, irradiance, picture);
 }
 

@@ -4,6 +4,7 @@
 
 #include "frame_names.h"
 #include "opaline/error.h"
+#include "opaline/exposure.h"
 #include "paths.h"
 
 namespace opaline::app {
@@ -134,9 +135,10 @@ scene::SceneFileSettings settingsOf(const RenderOptions& options, const core::To
   return settings;
 }
 
-core::ToneOptions toneOf(const scene::SceneFileSettings& settings) {
+core::ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& scene) {
   core::ToneOptions tone;
-  setFrom(tone.exposureStops, settings.exposureStops);
+  tone.exposureStops =
+      settings.exposureStops ? *settings.exposureStops : automaticExposureStops(scene);
   setFromName(tone.curve, settings.tone, toneCurves());
   tone.background = settings.background;
   return tone;
@@ -171,15 +173,14 @@ void MethodOptions::addTo(CommandLine& line) {
              fmt::format("samples around the middle one, 0 to 15 [{}]", defaults.pattern.nearRings),
              [this](const Given& given) { nearRings_ = readInteger(given, 0, 15); });
   line.value("--near-spacing", "X",
-             fmt::format("between them, mean free paths [{}]", defaults.pattern.nearSpacing),
+             fmt::format("mean free paths [{}, {}]", defaults.pattern.nearSpacing,
+                         defaults.pattern.farDistance),
              [this](const Given& given) {
                nearSpacing_ = readFloat(given, {1e-3, 100, "mean free paths"});
              });
-  line.value("--far-distance", "X",
-             fmt::format("of the far samples, mean free paths [{}]", defaults.pattern.farDistance),
-             [this](const Given& given) {
-               farDistance_ = readFloat(given, {1e-3, 1000, "mean free paths"});
-             });
+  line.value("--far-distance", "X", "", [this](const Given& given) {
+    farDistance_ = readFloat(given, {1e-3, 1000, "mean free paths"});
+  });
   line.value("--dsm-size", "N",
              fmt::format("map of the pattern, 64 to 4096 texels [{}]", defaults.dsmSize),
              [this](const Given& given) { dsmSize_ = readInteger(given, 64, 4096); });
@@ -251,9 +252,10 @@ void LookOptions::addTo(CommandLine& line) {
              [this](const Given& given) {
                roughness_ = readFloat(given, {0.05, 1});
              });
-  line.value("--exposure", "X", "stops, -32 to 32, not EXR [0]", [this](const Given& given) {
-    exposureStops_ = readFloat(given, {-32, 32, "stops"});
-  });
+  line.value("--exposure", "X", "stops, -32 to 32, not EXR [by the light]",
+             [this](const Given& given) {
+               exposureStops_ = readFloat(given, {-32, 32, "stops"});
+             });
   line.value("--tone", "NAME", "curve: neutral or none, not EXR [neutral]",
              [this](const Given& given) { curve_ = readChoice(given, toneCurves()); });
   line.value("--background", "R,G,B", "linear, 0 to 1, not EXR [transparent]",
@@ -271,8 +273,9 @@ void LookOptions::applyTo(RenderOptions& options) const {
   setFrom(options.roughness, roughness_);
 }
 
-core::ToneOptions LookOptions::tone(const scene::SceneFileSettings& settings) const {
-  core::ToneOptions options = toneOf(settings);
+core::ToneOptions LookOptions::tone(const scene::SceneFileSettings& settings,
+                                    const Scene& scene) const {
+  core::ToneOptions options = toneOf(settings, scene);
   setFrom(options.exposureStops, exposureStops_);
   setFrom(options.curve, curve_);
   if (background_) options.background = background_;
@@ -328,6 +331,14 @@ void PictureOptions::applyTo(RenderOptions& options) const {
   setFrom(options.treeLevel, treeLevel_);
   look_.applyTo(options);
   if (!picture) options.antialias = 1;
+}
+
+std::optional<std::string> PictureOptions::noteOnExposure(const scene::SceneFileSettings& settings,
+                                                          const core::ToneOptions& tone) const {
+  if (isExr() || !look_.exposesByLight(settings) || tone.exposureStops == 0) return std::nullopt;
+  return fmt::format(
+      "the light asks for an exposure of {:+} stops; --exposure 0 leaves it as it is",
+      tone.exposureStops);
 }
 
 void PictureOptions::requireNameOfStill() const {

@@ -26,8 +26,9 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings);
 scene::SceneFileSettings settingsOf(const RenderOptions& options, const core::ToneOptions& tone,
                                     const Scene& scene);
 
-/// How a scene file wants its pictures shown.
-core::ToneOptions toneOf(const scene::SceneFileSettings& settings);
+/// How a scene file wants its pictures shown, with the exposure that suits the light where it names
+/// none.
+core::ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& scene);
 
 /// --transport, --sum, --site, --method and what shapes each of them.
 class MethodOptions {
@@ -68,7 +69,11 @@ class LookOptions {
   /// Whether a value was given that only matters to colours of eight bits.
   bool asksForTone() const { return exposureStops_ || curve_ || background_; }
   /// What was asked for, else what the scene file says.
-  core::ToneOptions tone(const scene::SceneFileSettings& settings) const;
+  core::ToneOptions tone(const scene::SceneFileSettings& settings, const Scene& scene) const;
+  /// Whether nobody has said how to expose, so that the scene's light decides.
+  bool exposesByLight(const scene::SceneFileSettings& settings) const {
+    return !exposureStops_ && !settings.exposureStops;
+  }
 
  private:
   std::optional<int> antialias_;
@@ -105,9 +110,12 @@ class PictureOptions {
   std::filesystem::path file(const std::string& sceneName, bool frames) const;
   bool hasFile() const { return file_.has_value(); }
   /// What was asked for, else what the scene file says.
-  core::ToneOptions tone(const scene::SceneFileSettings& settings) const {
-    return look_.tone(settings);
+  core::ToneOptions tone(const scene::SceneFileSettings& settings, const Scene& scene) const {
+    return look_.tone(settings, scene);
   }
+  /// Where the scene's light has chosen an exposure that shows, which.
+  std::optional<std::string> noteOnExposure(const scene::SceneFileSettings& settings,
+                                            const core::ToneOptions& tone) const;
 
  private:
   void takeAov(const Given& given);

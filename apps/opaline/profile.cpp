@@ -12,6 +12,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "core/file.h"
+#include "half_space_option.h"
 #include "json.h"
 #include "medium_options.h"
 #include "opaline/error.h"
@@ -28,26 +29,20 @@ constexpr int plotSamples = 500;
 
 using Profiles = std::array<bssrdf::Profile, 3>;
 
-const Choices<bssrdf::Model>& models() {
-  static const Choices<bssrdf::Model> table{{"dipole", bssrdf::Model::Dipole},
-                                            {"better-dipole", bssrdf::Model::BetterDipole}};
-  return table;
-}
-
 struct ProfileCommand {
   MediumOptions medium;
-  bssrdf::Model model = bssrdf::Model::Dipole;
+  HalfSpaceOption halfSpace;
   int samples = 33;
   std::optional<double> mostRadiusMm;
   std::optional<std::filesystem::path> plot;
+  bool quiet = false;
   bool json = false;
 
   void addTo(CommandLine& line) {
     line.section("Medium, marble when none is named");
     medium.addTo(line);
     line.section("Options");
-    line.value("--transport", "NAME", "dipole or better-dipole [dipole]",
-               [this](const Given& given) { model = readChoice(given, models()); });
+    halfSpace.addTo(line);
     line.value("--samples", "N", "radii in the table, 2 to 100000 [33]",
                [this](const Given& given) { samples = readInteger(given, 2, 100000); });
     line.value("--max-radius-mm", "X", "the last radius [5 diffusion lengths]",
@@ -56,7 +51,7 @@ struct ProfileCommand {
                });
     line.value("--plot", "FILE.svg", "draw it, logarithmically",
                [this](const Given& given) { plot = readOutput(given, {".svg"}); });
-    line.flag("--json", "one JSON object on standard output", json);
+    line.outputFlags("one JSON object on standard output", json, quiet);
   }
 };
 
@@ -78,9 +73,10 @@ ProfileSamples sample(const Profiles& profiles, double mostRadiusMm, int count) 
   return samples;
 }
 
-std::string table(const ProfileSamples& samples, const std::array<double, 3>& total) {
-  std::string text =
-      fmt::format("{:>12}{:>14}{:>14}{:>14}\n", "radius mm", "R_d red /mm2", "green", "blue");
+std::string table(const ProfileSamples& samples, const std::array<double, 3>& total,
+                  const std::string& title) {
+  std::string text = fmt::format("{}\n{:>12}{:>14}{:>14}{:>14}\n", title, "radius mm",
+                                 "R_d red /mm2", "green", "blue");
   for (std::size_t i = 0; i < samples.radiusMm.size(); ++i) {
     const auto& rgb = samples.reflectancePerMm2[i];
     text += fmt::format("{:>12.5g}{:>14.5e}{:>14.5e}{:>14.5e}\n", samples.radiusMm[i], rgb[0],
@@ -91,43 +87,48 @@ std::string table(const ProfileSamples& samples, const std::array<double, 3>& to
 }
 
 Json json(const ProfileSamples& samples, const std::array<double, 3>& total, const Medium& medium,
-          const std::string& transport) {
+          const HalfSpaceOption& halfSpace) {
   Json reflectance = Json::array();
   for (const auto& rgb : samples.reflectancePerMm2) reflectance.push_back(rgbJson(rgb));
-  return {{"medium", mediumJson(medium)},
-          {"transport", transport},
-          {"radius_mm", samples.radiusMm},
-          {"r_d", std::move(reflectance)},
-          {"total_reflectance", rgbJson(total)}};
+  Json json{{"medium", mediumJson(medium)}};
+  halfSpace.describe(json);
+  json["radius_mm"] = samples.radiusMm;
+  json["r_d"] = std::move(reflectance);
+  json["total_reflectance"] = rgbJson(total);
+  return json;
 }
 
 }  // namespace
 
 void runProfile(const Arguments& arguments) {
-  CommandLine line("profile",
-                   "Prints the diffuse reflectance R_d(r) of a half-space, per mm^2: light that "
-                   "leaves at distance r for light that enters in one point, and its integral.");
+  CommandLine line(
+      "profile",
+      "Prints the diffuse reflectance R_d(r) of a half-space, per mm^2: light that "
+      "leaves at distance r for light that enters in one point, and its integral. That "
+      "of boundary transport, which follows the body's own shape, is better-dipole. "
+      "In [] is the default.");
   ProfileCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;
 
   const Medium medium = command.medium.medium().value_or(*bssrdf::findMedium("marble"));
-  const std::string transport = nameOf(command.model, models());
+  const std::string title = fmt::format("{}, {}", medium.name, command.halfSpace.label());
   Profiles profiles;
   std::array<double, 3> total{};
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const auto coefficients = bssrdf::coefficients(medium, static_cast<int>(channel));
-    profiles[channel] = makeProfile(command.model, coefficients);
+    profiles[channel] = makeProfile(command.halfSpace.model(), coefficients);
     total[channel] = profiles[channel].totalReflectance();
   }
   if (command.plot) core::requireWritable(*command.plot);
   const double mostRadiusMm = command.mostRadiusMm.value_or(defaultRadiusMm(medium));
   if (command.plot) {
-    core::writeWhole(*command.plot, plotSvg(sample(profiles, mostRadiusMm, plotSamples),
-                                            fmt::format("{}, {}", medium.name, transport)));
+    core::writeWhole(*command.plot, plotSvg(sample(profiles, mostRadiusMm, plotSamples), title));
+    noteTaker(command.quiet)(LogLevel::Note, fmt::format("wrote {}", command.plot->string()));
   }
   const ProfileSamples samples = sample(profiles, mostRadiusMm, command.samples);
-  printOut(command.json ? toText(json(samples, total, medium, transport)) : table(samples, total));
+  printOut(command.json ? toText(json(samples, total, medium, command.halfSpace))
+                        : table(samples, total, title));
 }
 
 }  // namespace opaline::app

@@ -99,8 +99,7 @@ struct ReferenceCommand {
     line.section("Run");
     line.value("--report", "FILE.json", "what was done, and how exact it is",
                [this](const Given& given) { report = readOutput(given, {".json"}); });
-    line.flag("--json", "the same on standard output", json);
-    line.flag("--quiet", "no notes on standard error", quiet);
+    line.outputFlags("the report on standard output", json, quiet);
   }
 
   /// Refuses what contradicts itself and what only the GPU's renderer can do, before any work.
@@ -156,8 +155,8 @@ struct ReferenceCommand {
 /// What is settled before anything is computed.
 struct Job {
   rf::Scene scene;
-  scene::SceneFileSettings settings;
   RenderOptions options;
+  core::ToneOptions tone;
   std::filesystem::path output;
 };
 
@@ -184,9 +183,12 @@ Job prepare(const ReferenceCommand& command, std::filesystem::path output, const
         "the reference leaves out the reflection on the surface; compare it with render "
         "--no-specular");
   }
+  const core::ToneOptions tone = command.picture.tone(settings, scene);
+  const auto exposure = command.picture.noteOnExposure(settings, tone);
+  if (exposure) log(LogLevel::Note, *exposure);
   return {referenceScene(scene, options.clip, options.seconds,
                          positionsOf(sequence.get(), options.seconds)),
-          std::move(settings), options, std::move(output)};
+          options, tone, std::move(output)};
 }
 
 /// What was made.
@@ -230,15 +232,17 @@ Json reportJson(const ReferenceCommand& command, const Job& job, const Made& mad
     vertices += body.positionsMm.size();
   }
   const rf::ErrorSummary& error = made.picture.error;
-  Json json{{"method", command.integral ? "integral" : "path"},
-            {"size", {job.options.width, job.options.height}},
-            {"triangles", triangles},
-            {"vertices", vertices},
-            {"pixels", made.picture.pixels},
-            {"relative_error",
-             {{"mean", error.mean}, {"p95", error.percentile95}, {"max", error.largest}}},
-            {"seconds", seconds},
-            {"outputs", {job.output.string()}}};
+  Json json{
+      {"method", command.integral ? "integral" : "path"},
+      {"size", {job.options.width, job.options.height}},
+      {"triangles", triangles},
+      {"vertices", vertices},
+      {"pixels", made.picture.pixels},
+      {"relative_error",
+       {{"mean", error.mean}, {"p95", error.percentile95}, {"max", error.largest}}},
+      {"seconds", seconds},
+      {"exposure_stops", command.picture.isExr() ? Json() : shortJson(job.tone.exposureStops)},
+      {"outputs", {job.output.string()}}};
   json.update(made.facts);
   return json;
 }
@@ -263,7 +267,7 @@ void runReference(const Arguments& arguments) {
 
   const Job job = prepare(command, std::move(output), log);
   const Made made = command.integral ? makeIntegral(command, job) : makePath(command, job, log);
-  writePicture(job.output, made.picture.image, command.picture.tone(job.settings));
+  writePicture(job.output, made.picture.image, job.tone);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   std::string note = fmt::format("wrote {} in {:.1f} s", job.output.string(), seconds.count());
   if (rf::showsExitance(command.picture.aov())) {

@@ -59,8 +59,7 @@ struct RenderCommand {
     device.addTo(line);
     line.value("--report", "FILE.json", "what was done, and how long it took",
                [this](const Given& given) { report = readOutput(given, {".json"}); });
-    line.flag("--json", "the report on standard output; no notes", json);
-    line.flag("--quiet", "", quiet);
+    line.outputFlags("the report on standard output", json, quiet);
   }
 
   /// Refuses what contradicts itself, before any work.
@@ -87,6 +86,7 @@ struct Job {
   Scene scene;
   scene::SceneFileSettings settings;
   RenderOptions options;
+  core::ToneOptions tone;
   std::filesystem::path output;
   std::shared_ptr<const MeshSequence> sequence;
 
@@ -106,7 +106,11 @@ Job prepare(const RenderCommand& command, std::filesystem::path output, const Lo
   command.motion.applyTo(scene);
   command.motion.applyTo(options, scene, settings);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  return {std::move(scene), std::move(settings), options, std::move(output), std::move(sequence)};
+  const core::ToneOptions tone = command.picture.tone(settings, scene);
+  const auto exposure = command.picture.noteOnExposure(settings, tone);
+  if (exposure) log(LogLevel::Note, *exposure);
+  return {std::move(scene),  std::move(settings), options, tone,
+          std::move(output), std::move(sequence)};
 }
 
 std::string onDevice(const DeviceDescription& device) {
@@ -133,7 +137,7 @@ Done makeStill(const RenderCommand& command, const Job& job, const LogCallback& 
     renderer.replacePositions(0, positionsMm);
   }
   const RenderResult result = renderer.render(job.options, {command.picture.aov()});
-  writePicture(job.output, result.images.at(0), command.picture.tone(job.settings));
+  writePicture(job.output, result.images.at(0), job.tone);
   log(LogLevel::Note,
       fmt::format("wrote {}, {}", job.output.string(), onDevice(result.report.device)));
   return {renderReportJson(result.report, job.options, {job.output.string()}),
@@ -172,13 +176,8 @@ Done renderMissing(const RenderCommand& command, const Job& job, FilmOrder order
 
 Done makeFrames(const RenderCommand& command, const Job& job, const FrameRange& frames,
                 const LogCallback& log) {
-  const FilmOrder order{frames,
-                        job.output,
-                        command.picture.aov(),
-                        job.options,
-                        command.picture.tone(job.settings),
-                        command.resume,
-                        command.quiet};
+  const FilmOrder order{frames,   job.output,     command.picture.aov(), job.options,
+                        job.tone, command.resume, command.quiet};
   const std::size_t there = countThere(order);
   if (there > 0) {
     log(LogLevel::Note, fmt::format("{} of {} frames were there already", there, frames.count()));
@@ -212,7 +211,9 @@ void runRender(const Arguments& arguments) {
 
   Job job = prepare(command, std::move(output), log);
   job.aimCamera(frames);
-  const Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
+  Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
+  done.report["exposure_stops"] =
+      command.picture.isExr() ? Json() : shortJson(job.tone.exposureStops);
   const std::string report = toText(done.report);
   if (command.report) core::writeWhole(*command.report, report);
   if (command.json) printOut(report);

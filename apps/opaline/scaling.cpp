@@ -57,10 +57,10 @@ Way makeWay(const ScalingOrder& order, double value, const Scene& scene, SharedR
 
 /// One frame of each way after the other, again and again, so that what else the machine does falls
 /// on all of them alike.
-void measureInTurns(std::vector<Way>& ways, int frames, const std::string& status) {
+void measureInTurns(std::vector<Way>& ways, const ScalingOrder& order, const char* status) {
   Frame done;
-  for (int frame = 0; frame <= frames; ++frame) {
-    if (statusColumns() > 0) showStatus(status);
+  for (int frame = 0; frame <= order.frames; ++frame) {
+    order.status(status);
     for (Way& way : ways) {
       way.options.seconds = frame / framesPerSecond;
       renderFrame(*way.renderer, way.options, {Aov::Radiance}, done);
@@ -95,7 +95,7 @@ std::vector<ScalingRow> measureBudgets(const ScalingOrder& order, double denserB
     ways.push_back(makeWay(order, budget, scene, rendererFor(order, scene, {})));
     ways.back().options.maxSources = budget;
   }
-  measureInTurns(ways, order.frames, "measuring budgets of surfels");
+  measureInTurns(ways, order, "measuring budgets of surfels");
   return rowsOf(ways);
 }
 
@@ -106,7 +106,7 @@ std::vector<ScalingRow> measureDiffusion(const ScalingOrder& order) {
     const LogCallback log = ways.empty() ? order.log : LogCallback{};  // notes once
     ways.push_back(makeWay(order, divisor, scene, rendererFor(order, scene, log)));
   }
-  measureInTurns(ways, order.frames, "measuring longer ways of light");
+  measureInTurns(ways, order, "measuring longer ways of light");
   return rowsOf(ways);
 }
 
@@ -123,7 +123,7 @@ std::vector<ScalingRow> measureTolerances(const ScalingOrder& order, DeviceDescr
     ways.push_back(makeWay(order, tolerance, order.scene, renderer));
     ways.back().options.tolerance = static_cast<float>(tolerance);
   }
-  measureInTurns(ways, order.frames, "measuring tolerances");
+  measureInTurns(ways, order, "measuring tolerances");
   RenderOptions options = optionsFor(order);
   options.tolerance = static_cast<float>(finestTolerance);
   const Image finest = exitanceOf(*renderer, options);

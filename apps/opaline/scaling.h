@@ -9,6 +9,7 @@
 #include "opaline/log.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "output.h"
 
 namespace opaline::app {
 
@@ -20,6 +21,7 @@ struct ScalingOrder {
   int frames = 5;             ///< of each measurement
   std::string device;
   LogCallback log;
+  StatusCallback status = statusTaker(true);
 };
 
 struct ScalingRow {

@@ -163,9 +163,9 @@ void LightOptions::applyTo(LoadedScene& loaded) const {
 void CameraOptions::addTo(CommandLine& line) {
   line.value("--camera-direction", "X,Y,Z", "from the target to the camera [0,0,1]",
              [this](const Given& given) { direction_ = readDirection(given); });
-  line.value("--camera-position", "X,Y,Z", "mm from the box's centre [where all is seen]",
+  line.value("--camera-position", "X,Y,Z", "mm from the box's centre",
              [this](const Given& given) { position_ = readTripleFloat(given, lengthRange); });
-  line.value("--camera-target", "X,Y,Z", "that it looks at, mm from the box's centre [0,0,0]",
+  line.value("--camera-target", "X,Y,Z", "",
              [this](const Given& given) { target_ = readTripleFloat(given, lengthRange); });
   line.value("--fov-degrees", "X", "vertical field of view, 1 to 170 [30]",
              [this](const Given& given) {

@@ -139,7 +139,7 @@ Table1 measureTable1(const Table1Order& order) {
                       Renderer({order.device, false, order.log})};
   Table1 table;
   for (const PaperRow& row : paperRows) {
-    if (statusColumns() > 0) showStatus(fmt::format("measuring {}", row.data));
+    order.status(fmt::format("measuring {}", row.data));
     table.rows.push_back(measureRow(renderers, row, order));
   }
   clearStatus();

@@ -7,6 +7,7 @@
 #include "json.h"
 #include "opaline/log.h"
 #include "opaline/renderer.h"
+#include "output.h"
 
 namespace opaline::app {
 
@@ -16,6 +17,7 @@ struct Table1Order {
   std::string device;
   int frames = 9;  ///< of each measurement
   LogCallback log;
+  StatusCallback status = statusTaker(true);
 };
 
 struct Table1Row {

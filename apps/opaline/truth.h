@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "opaline/log.h"
 #include "opaline/renderer.h"
 #include "reference/geometry.h"
 #include "reference/integral.h"
@@ -34,6 +35,9 @@ reference::Picture pathTruth(const reference::PathTracer& tracer,
                              const reference::Irradiance& irradiance,
                              const reference::PictureOptions& picture,
                              const reference::PictureProgress& progress = {});
+
+/// Warns where so much light slipped through gaps of the surface that the truth is none.
+void warnOfLostLight(const reference::PathTracer& tracer, const LogCallback& log);
 
 /// The limits as they are, or the usual one where there is none.
 reference::PathLimits orUsual(const reference::PathLimits& limits);

@@ -34,6 +34,7 @@ struct ViewCommand {
   std::optional<std::array<int, 2>> size;
   DeviceOptions device;
   std::optional<std::filesystem::path> controls;
+  bool quiet = false;
   bool json = false;
 
   void addTo(CommandLine& line) {
@@ -52,7 +53,7 @@ struct ViewCommand {
     method.addTo(line);
     line.section("Run");
     device.addTo(line);
-    line.flag("--json", "what the last picture was, when the window is closed", json);
+    line.outputFlags("what the last picture was, at the end", json, quiet);
     line.value("--controls", "FILE.json", "keep there where each control stands, to drive it",
                [this](const Given& given) { controls = readOutput(given, {".json"}); });
   }
@@ -71,7 +72,8 @@ struct ViewCommand {
     motion.applyTo(loaded.scene);
     session.options = options(loaded.settings);
     motion.applyTo(session.options, loaded.scene, loaded.settings);
-    session.tone = look.tone(loaded.settings);
+    session.tone = look.tone(loaded.settings, loaded.scene);
+    session.exposesByLight = look.exposesByLight(loaded.settings);
   }
 };
 
@@ -105,7 +107,7 @@ void runView(const Arguments& arguments) {
   if (!line.parse(arguments)) return;
   command.motion.check();
   static_cast<void>(command.options({}));  // before any window
-  const LogCallback log = noteTaker(false);
+  const LogCallback log = noteTaker(command.quiet);
   viewer::ViewerOptions options;
   options.source = command.scene;
   // What was asked for is about the first scene; the next ones are as their files say.

@@ -69,6 +69,13 @@ struct Repair {
   std::size_t count = 0;
 };
 
+/// A kind of thing that the scene's file holds and that no picture shows.
+struct NotShown {
+  std::string what;  ///< in the plural
+  std::size_t count = 0;
+  std::vector<std::string> names;  ///< of some of them
+};
+
 /// Plain data: what is to be rendered.
 struct Scene {
   std::string name;
@@ -82,6 +89,7 @@ struct Scene {
   std::vector<Clip> clips;
   std::vector<Deformer> deformers;  ///< applied in this order, after the rigs
   std::vector<Repair> repairs;
+  std::vector<NotShown> notShown;
 };
 
 /// An axis-aligned box.

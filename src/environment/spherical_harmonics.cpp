@@ -129,15 +129,6 @@ BandIrradiance bandIrradiance(const ShCoefficients& coefficients,
   return bands;
 }
 
-/// Evenly spread directions (spherical Fibonacci lattice, Swinbank and Purser 2006).
-Vec3 latticeDirection(int index, int count) {
-  const double z = 1.0 - (2.0 * index + 1.0) / count;
-  const double azimuth = 2.0 * pi * index / std::numbers::phi;
-  const double radius = std::sqrt(1.0 - z * z);
-  return {static_cast<float>(radius * std::cos(azimuth)),
-          static_cast<float>(radius * std::sin(azimuth)), static_cast<float>(z)};
-}
-
 /// Abel-Poisson window: the bands of an environment blurred with a positive kernel. Hence whatever
 /// is non-negative stays so when `keep` falls, and it leaves a sun far more of its first two bands
 /// than the Hanning, Lanczos and Laplacian windows of Sloan 2008 do.
@@ -199,6 +190,24 @@ ShCoefficients projectUniform(const Rgb& radiance) {
     coefficients[0][c] = 2.0 * std::sqrt(pi) * static_cast<double>(radiance[c]);
   }
   return coefficients;
+}
+
+ShCoefficients projectSky(const Lighting& lighting) {
+  ShCoefficients sum = projectUniform(lighting.ambient);
+  if (!lighting.environment) return sum;
+  const ShCoefficients environment = projectEnvironment(*lighting.environment);
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) sum[i][c] += environment[i][c];
+  }
+  return sum;
+}
+
+Vec3 latticeDirection(int index, int count) {
+  const double z = 1.0 - (2.0 * index + 1.0) / count;
+  const double azimuth = 2.0 * pi * index / std::numbers::phi;
+  const double radius = std::sqrt(1.0 - z * z);
+  return {static_cast<float>(radius * std::cos(azimuth)),
+          static_cast<float>(radius * std::sin(azimuth)), static_cast<float>(z)};
 }
 
 Vec3 latLongDirection(double u, double v) {

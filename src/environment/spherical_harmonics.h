@@ -3,6 +3,7 @@
 #include <array>
 
 #include "opaline/image.h"
+#include "opaline/scene.h"
 #include "opaline/types.h"
 
 namespace opaline {
@@ -21,6 +22,12 @@ ShCoefficients projectEnvironment(const Image& latLong);
 
 /// The same for a uniform radiance.
 ShCoefficients projectUniform(const Rgb& radiance);
+
+/// Of all that shines from everywhere: ambient light and environment.
+ShCoefficients projectSky(const Lighting& lighting);
+
+/// Evenly spread unit directions (spherical Fibonacci lattice, Swinbank and Purser 2006).
+Vec3 latticeDirection(int index, int count);
 
 /// The unit direction at a place of a latitude-longitude image, u from left to right and v from top
 /// to bottom in [0,1], and back: see Lighting::environment for the convention.

@@ -20,15 +20,6 @@ std::optional<PatternLayout> patternOf(const SceneResources& scene, const Render
   return layOutPattern(scene, options);
 }
 
-ShCoefficients ambientRadiance(const Lighting& lighting) {
-  ShCoefficients sum = projectUniform(lighting.ambient);
-  if (!lighting.environment) return sum;
-  const ShCoefficients environment = projectEnvironment(*lighting.environment);
-  for (std::size_t i = 0; i < sum.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c) sum[i][c] += environment[i][c];
-  return sum;
-}
-
 }  // namespace
 
 void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
@@ -67,7 +58,7 @@ void remakeTables(gpu::Device& device, const SceneResources& scene, const Render
 
 void remakeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
                const RenderOptions& options, FrameResources& resources) {
-  resources.ambient = ambientRadiance(lighting);
+  resources.ambient = projectSky(lighting);
   resources.environmentCube =
       lighting.environment
           ? passes.environment.makeCube(device, *lighting.environment, options.roughness)

@@ -12,6 +12,7 @@
 #include "scene/gltf_mesh.h"
 #include "scene/gltf_nodes.h"
 #include "scene/gltf_not_shown.h"
+#include "scene/not_shown.h"
 #include "scene/rig.h"
 #include "scene/text.h"
 

@@ -10,6 +10,7 @@
 #include "scene/gltf_extensions.h"
 #include "scene/gltf_medium.h"
 #include "scene/gltf_mesh.h"
+#include "scene/text.h"
 
 namespace opaline::scene {
 
@@ -47,7 +48,7 @@ void addMaterial(const tinygltf::Material& material, const std::string& name,
   add(material.emissiveTexture.index >= 0 || !isBlack(material.emissiveFactor), "emission");
   add(material.alphaMode == "MASK" || material.alphaMode == "BLEND", "alpha");
   for (const auto& [extension, value] : material.extensions) {
-    add(!isRead(material, extension), extension.substr(0, 60));
+    add(!isRead(material, extension), cleanText(extension, 60));
   }
 }
 

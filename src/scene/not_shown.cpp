@@ -11,6 +11,7 @@ namespace opaline::scene {
 namespace {
 
 constexpr std::size_t mostNames = 4;
+constexpr std::size_t mostKinds = 24;
 
 std::string textOf(const NotShown& kind) {
   if (kind.names.empty()) return fmt::format("{} ({})", kind.what, kind.count);
@@ -21,7 +22,14 @@ std::string textOf(const NotShown& kind) {
 }  // namespace
 
 void addNotShown(std::vector<NotShown>& to, std::string_view what, std::string_view name) {
-  auto kind = std::find_if(to.begin(), to.end(), [&](const NotShown& k) { return k.what == what; });
+  const auto find = [&] {
+    return std::find_if(to.begin(), to.end(), [&](const NotShown& k) { return k.what == what; });
+  };
+  auto kind = find();
+  if (kind == to.end() && to.size() >= mostKinds) {
+    what = "other things";
+    kind = find();
+  }
   if (kind == to.end()) kind = to.insert(to.end(), {std::string(what), 0, {}});
   ++kind->count;
   const std::string clean = cleanText(name, 40);

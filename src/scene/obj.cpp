@@ -14,6 +14,7 @@
 
 #include "bssrdf/media.h"
 #include "scene/formats.h"
+#include "scene/not_shown.h"
 #include "scene/obj_lines.h"
 #include "scene/text.h"
 #include "scene/triangulate.h"
@@ -55,7 +56,7 @@ struct Reader {
   std::vector<Group> groups{};
   std::map<std::string, std::size_t, std::less<>> groupOf{};
   std::size_t current = 0;
-  std::string part{};           ///< of `o` or `g`, that faces belong to
+  std::string part{};             ///< of `o` or `g`, that faces belong to
   std::set<std::string> parts{};  ///< that have faces
 
   void use(const std::string& material) {

@@ -13,6 +13,7 @@
 
 #include "opaline/error.h"
 #include "scene/formats.h"
+#include "scene/not_shown.h"
 #include "scene/text.h"
 #include "scene/triangulate.h"
 
@@ -359,10 +360,10 @@ void buildTriangles(const Input& input, const Faces& faces, RawMesh& mesh) {
 
 void addNotShown(const Element& element, std::vector<NotShown>& to) {
   const auto hasOneOf = [&](std::initializer_list<std::string_view> names) {
-    return std::any_of(
-        element.properties.begin(), element.properties.end(), [&](const Property& p) {
-          return std::find(names.begin(), names.end(), p.name) != names.end();
-        });
+    return std::any_of(element.properties.begin(), element.properties.end(),
+                       [&](const Property& p) {
+                         return std::find(names.begin(), names.end(), p.name) != names.end();
+                       });
   };
   if (hasOneOf({"red", "r", "diffuse_red"})) scene::addNotShown(to, element.name + " colours", {});
   if (hasOneOf({"s", "u", "texture_u", "texcoord"})) {

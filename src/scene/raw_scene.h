@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "opaline/scene.h"
-#include "scene/not_shown.h"
 
 namespace opaline::scene {
 

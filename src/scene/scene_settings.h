@@ -8,7 +8,6 @@
 
 #include "opaline/scene.h"
 #include "opaline/sequence.h"
-#include "scene/not_shown.h"
 #include "scene/scene_source.h"
 
 namespace opaline::scene {
@@ -49,7 +48,6 @@ struct LoadedScene {
   SceneSource source;
   /// Where the model is one; `scene` is its first mesh.
   std::shared_ptr<const MeshSequence> sequence;
-  std::vector<NotShown> notShown;  ///< of what the model's file holds
 };
 
 /// Reads a .toml scene: loadScene() without losing the settings and where all of it came from. For

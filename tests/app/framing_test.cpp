@@ -21,8 +21,8 @@ double farthestOut(const Scene& scene, const Framed& framed, const Moment& momen
          deform::deformedMesh(scene, i, framed.clip, moment.seconds).positionsMm) {
       const glm::vec4 clip = toClip * glm::vec4(p[0], p[1], p[2], 1);
       if (!(clip.w > 0)) return 1e30;
-      farthest = std::max({farthest, double{std::abs(clip.x / clip.w)},
-                           double{std::abs(clip.y / clip.w)}});
+      farthest = std::max(
+          {farthest, double{std::abs(clip.x / clip.w)}, double{std::abs(clip.y / clip.w)}});
     }
   }
   return farthest;

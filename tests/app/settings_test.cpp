@@ -87,12 +87,25 @@ TEST(Settings, ToneComesBack) {
   tone.background = Rgb{0.25F, 0.5F, 1};
   for (const core::ToneOptions& wanted : {tone, core::ToneOptions{}}) {
     const scene::SceneFileSettings settings = settingsOf({}, wanted, {});
-    for (const core::ToneOptions& found : {toneOf(settings), PictureOptions().tone(settings)}) {
+    for (const core::ToneOptions& found :
+         {toneOf(settings, {}), PictureOptions().tone(settings, {})}) {
       EXPECT_EQ(found.exposureStops, wanted.exposureStops);
       EXPECT_EQ(found.curve, wanted.curve);
       EXPECT_EQ(found.background, wanted.background);
     }
   }
+}
+
+TEST(Settings, ExposureFollowsTheLightUnlessItIsSaid) {
+  Scene bright;
+  bright.lighting.ambient = {5, 5, 5};  // radiance of white, twice the brightest that is left
+  scene::SceneFileSettings settings;
+  EXPECT_EQ(toneOf(settings, bright).exposureStops, -1);
+  EXPECT_EQ(PictureOptions().noteOnExposure(settings, toneOf(settings, bright)),
+            "the light asks for an exposure of -1 stops; --exposure 0 leaves it as it is");
+  settings.exposureStops = 0.0F;
+  EXPECT_EQ(toneOf(settings, bright).exposureStops, 0);
+  EXPECT_EQ(PictureOptions().noteOnExposure(settings, toneOf(settings, bright)), std::nullopt);
 }
 
 }  // namespace

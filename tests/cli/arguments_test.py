@@ -25,6 +25,13 @@ class Help(ProgramTest):
     def test_comes_before_complaints(self):
         self.assertIn("--medium", self.succeed("render", "--size", "x", "--help").out)
 
+    def test_every_command_can_be_quiet(self):
+        for command in COMMANDS:
+            self.assertIn("--json, --quiet ", self.succeed(command, "--help").out, command)
+        noted = ("profile", "--samples", 2, "--plot", "a.svg")
+        self.assertEqual(self.succeed(*noted).err, "note: wrote a.svg.\n")
+        self.assertEqual(self.succeed(*noted, "--quiet").err, "")
+
     def test_version(self):
         self.assertRegex(self.succeed("--version").out, r"^opaline \d+\.\d+\.\d+\n$")
 
@@ -62,8 +69,8 @@ class Refusals(ProgramTest):
         self.refused(2, "render", "--transport", "boundary", "--sum", "pattern",
                      says=("--transport boundary", "--sum tree"))
         self.refused(2, "render", "--transport", "slab", says=("--transport slab", "dipole, better-dipole, boundary"))
-        for command in (("reference", "--integral"), ("profile",)):
-            self.refused(2, *command, "--transport", "boundary", says=("--transport boundary", "better-dipole"))
+        self.refused(2, "reference", "--integral", "--transport", "boundary",
+                     says=("--transport boundary", "better-dipole"))
 
     def test_one_scene_and_no_argument_too_many(self):
         self.refused(2, "render", "a.ply", "b.ply", says="b.ply")

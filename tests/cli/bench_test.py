@@ -4,9 +4,9 @@ import json
 import os
 import unittest
 
+from json_keys import documented, keys, without_medium
 from program import ProgramTest
 
-ROW = {"data", "triangles", "vertices", "ftf_fps", "vtf_fps", "paper_ftf_fps", "paper_vtf_fps", "tree_fps"}
 # Gong et al. 2008, Table 1.
 PAPER = [("Teapot", 53.74, 91.80), ("Buddha", 29.95, 23.01), ("Max Planck", 35.62, 28.93), ("Bunny", 27.73, 20.48),
          ("Bunny/Egg", 29.19, 24.12)]
@@ -37,11 +37,9 @@ class Table1(ProgramTest):
             (models / name).write_text(tetrahedron(.04 if name == "bunny_egg_b.ply" else .02))
         run = self.succeed("bench", "table1", "--frames", 1, "--models", "models", "--json")
         table = run.json()
-        self.assertEqual(set(table), {"device", "rows"})
-        self.assertEqual(set(table["device"]), {"name", "type", "driver"})
+        self.assertEqual(keys(table), documented("bench table1"))
         self.assertEqual([(row["data"], row["paper_ftf_fps"], row["paper_vtf_fps"]) for row in table["rows"]], PAPER)
         for row in table["rows"]:
-            self.assertEqual(set(row), ROW)
             self.assertEqual(row["triangles"], 4)
             self.assertGreater(row["ftf_fps"], 0)
             self.assertGreater(row["vtf_fps"], 0)
@@ -59,6 +57,7 @@ class Methods(ProgramTest):
         self.succeed("reference", "--path", "--samples", 20000, *self.SCENE, *view)
         run = self.succeed("bench", "methods", *self.SCENE, "--size", 24, "--frames", 1, "--truth", "truth.exr", "--all",
                            "--plot", "plot.svg", "--json")
+        self.assertEqual(keys(run.json()), documented("bench methods"))
         rows = run.json()["rows"]
         self.assertEqual([(row["transport"], row["sum"], row["site"]) for row in rows],
                          [(transport, *way) for transport in ("dipole", "better-dipole")
@@ -88,17 +87,32 @@ class Methods(ProgramTest):
 
     def test_the_sum_of_all_is_asked_for(self):
         self.write("t.ply", tetrahedron(1))
-        run = self.succeed("bench", "methods", *self.SCENE, "--size", 8, "--frames", 1)
-        lines = run.out.splitlines()
+        run = self.succeed("bench", "methods", *self.SCENE, "--size", 8, "--frames", 1, "--seconds", 0.2)
+        *lines, last = run.out.splitlines()
         self.assertEqual([tuple(line.split()[:3]) for line in lines[2:]],
                          [(transport, *way) for transport in ("dipole", "better-dipole")
                           for way in (*self.WAYS, ("integral", "exact"))]
                          + [("boundary", "tree", site) for site in ("vertex", "fragment")])
         self.assertIn("evaluations", lines[1])
+        # Without a picture of the truth it traces one.
+        self.assertTrue(lines[1].endswith("to truth, blocks"))
+        self.assertRegex(last, r"^the truth's own standard error: [\d.]+ % of a block$")
+        for line in lines[2:]:
+            self.assertRegex(line, r" [\d.]+ %$")
+            self.assertNotIn(" - ", line)
+
+    def test_without_any_truth_there_is_no_column_of_it(self):
+        self.write("t.ply", tetrahedron(1))
+        order = ("bench", "methods", *self.SCENE, "--size", 8, "--frames", 1, "--seconds", 0, "--every", 2)
+        run = self.succeed(*order)
+        self.assertNotIn("truth", run.out)
+        self.assertNotIn(" - ", run.out)
 
     def test_what_is_open_has_no_row_of_boundary_transport(self):
         self.write("t.ply", tetrahedron(1).replace("face 4", "face 3").removesuffix("3 1 2 3\n"))
         run = self.succeed("bench", "methods", *self.SCENE, "--size", 8, "--frames", 1, "--json")
+        self.assertIn("nothing is held against the truth", run.err)
+        self.assertIsNone(run.json()["truth_block_error"])
         self.assertEqual({row["transport"] for row in run.json()["rows"]}, {"dipole", "better-dipole"})
 
     def test_refusals(self):
@@ -108,6 +122,9 @@ class Methods(ProgramTest):
                        ("--fov-degrees", 20)):
             self.refused(2, "bench", "table1", *option, says="bench methods")
         self.refused(2, "bench", "scaling", "--all", says="bench methods")
+        self.refused(2, "bench", "scaling", "--seconds", 1, says="bench methods")
+        self.refused(2, "bench", "methods", "--truth", "a.exr", "--seconds", 1, says=("--truth", "--seconds"))
+        self.refused(2, "bench", "methods", "--every", 2, says=("--every", "--seconds 0"))
         self.refused(2, "bench", says=("table1", "methods", "scaling"))
         self.write("t.ply", tetrahedron(1))
         self.succeed("reference", "--path", "--samples", 10, "t.ply", "--size", "8x8", "--aov", "exitance", "-o", "a.exr")
@@ -129,7 +146,7 @@ class Scaling(ProgramTest):
     def test_series(self):
         run = self.measure("--plot", "plot.svg", "--json")
         found = run.json()
-        self.assertEqual(set(found), {"scene", "size", "device", "surfels", "sigma_tr", "tolerance"})
+        self.assertEqual(without_medium(keys(found), "sigma_tr.rows[].medium"), documented("bench scaling"))
         self.assertEqual(found["size"], [32, 32])
         series = {name: found[name]["rows"] for name in ("surfels", "sigma_tr", "tolerance")}
         for rows in series.values():

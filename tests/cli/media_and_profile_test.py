@@ -52,7 +52,9 @@ class Dipole:
 
 class Media(ProgramTest):
     def test_the_published_table(self):
-        media = {row["name"]: row for row in self.succeed("media", "--json").json()["media"]}
+        table = self.succeed("media", "--transport", "dipole", "--json").json()
+        self.assertEqual((table["transport"], table["half_space"]), ("dipole", "dipole"))
+        media = {row["name"]: row for row in table["media"]}
         self.assertEqual({name for name, row in media.items() if row["measured"]}, set(PUBLISHED))
         for name, (scattering, absorption, eta, reflectance) in PUBLISHED.items():
             row = media[name]
@@ -72,6 +74,16 @@ class Media(ProgramTest):
                     self.assertAlmostEqual(row["total_reflectance"][channel], reflectance[i],
                                            delta=PUBLISHED_TOLERANCE, msg=f"{name} {channel}")
 
+    def test_the_reflectance_is_of_what_is_rendered(self):
+        """By default that is boundary transport, whose half-space is the better dipole."""
+        usual = self.succeed("media", "--json").json()
+        self.assertEqual((usual["transport"], usual["half_space"]), ("boundary", "better-dipole"))
+        for row in usual["media"][:3]:
+            profile = self.succeed("profile", "--medium", row["name"], "--transport", "better-dipole", "--json").json()
+            self.assertEqual(row["total_reflectance"], profile["total_reflectance"])
+        self.assertIn("better-dipole", self.succeed("media").out.splitlines()[1])
+        self.assertNotIn("better-dipole", self.succeed("media", "--transport", "dipole").out)
+
     def test_the_artistic_ones_stand_apart(self):
         lines = self.succeed("media").out.splitlines()
         begin = next(i for i, line in enumerate(lines) if line.startswith("artistic"))
@@ -86,7 +98,7 @@ class Media(ProgramTest):
 class Profile(ProgramTest):
     def test_figures_of_the_dipole(self):
         scattering, absorption, eta, _ = PUBLISHED["skin1"]
-        profile = self.succeed("profile", "--medium", "SKIN1", "--json", "--samples", 5,
+        profile = self.succeed("profile", "--medium", "SKIN1", "--transport", "dipole", "--json", "--samples", 5,
                                "--max-radius-mm", 8).json()
         self.assertEqual(profile["radius_mm"], [0, 2, 4, 6, 8])
         for i, channel in enumerate(CHANNELS):
@@ -98,7 +110,7 @@ class Profile(ProgramTest):
     def test_the_better_dipole_integrates_to_its_total(self):
         profile = self.succeed("profile", "--medium", "skin1", "--transport", "better-dipole", "--json",
                                "--samples", 20001, "--max-radius-mm", 60).json()
-        self.assertEqual(profile["transport"], "better-dipole")
+        self.assertEqual((profile["transport"], profile["half_space"]), ("better-dipole", "better-dipole"))
         step = profile["radius_mm"][1]
         for channel in CHANNELS:
             # Simpson's rule on 2 pi r R_d(r); at 60 mm skin has nothing left.
@@ -114,10 +126,18 @@ class Profile(ProgramTest):
         self.assertEqual(named["r_d"], typed["r_d"])
         self.assertEqual(self.succeed("profile", "--json").json(), named)
 
+    def test_boundary_transport_has_the_half_space_of_the_better_dipole(self):
+        usual = self.succeed("profile", "--json").json()
+        self.assertEqual((usual["transport"], usual["half_space"]), ("boundary", "better-dipole"))
+        self.assertEqual(usual, self.succeed("profile", "--transport", "boundary", "--json").json())
+        better = self.succeed("profile", "--transport", "better-dipole", "--json").json()
+        self.assertEqual(usual, {**better, "transport": "boundary"})
+
     def test_the_table(self):
         lines = self.succeed("profile", "--samples", 7).out.splitlines()
-        self.assertEqual(len(lines), 1 + 7 + 1)
-        self.assertEqual(len(set(map(len, lines))), 1)
+        self.assertEqual(lines[0], "marble, better-dipole, the half-space of boundary transport")
+        self.assertEqual(len(lines), 2 + 7 + 1)
+        self.assertEqual(len(set(map(len, lines[1:]))), 1)
 
     def test_media_without_absorption(self):
         profile = self.succeed("profile", "--medium", "spectralon", "--json").json()
@@ -147,7 +167,7 @@ class Profile(ProgramTest):
             self.assertGreater(len(heights), 100)
             self.assertEqual(heights, sorted(heights), "R_d falls with the radius, and y points down")
         text = " ".join(root.itertext())
-        for word in ("radius, mm", "red", "green", "blue", "marble, dipole"):
+        for word in ("radius, mm", "red", "green", "blue", "marble, better-dipole, the half-space of boundary transport"):
             self.assertIn(word, text)
 
 

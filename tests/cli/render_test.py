@@ -8,7 +8,7 @@ from images import read_exr, read_png
 from program import CUBE_OBJ, ProgramTest
 
 REPORT = {"device", "size", "transport", "sum", "site", "triangles", "vertices", "sources", "boundary_surfels",
-          "solutions", "passes", "frame_ms", "peak_memory_mb", "outputs"}
+          "solutions", "passes", "frame_ms", "peak_memory_mb", "outputs", "exposure_stops"}
 DIAGONAL = 30
 EDGE = DIAGONAL / math.sqrt(3)
 # Marble's boundary at normal incidence, eta 1.5: 1 - ((1.5 - 1) / (1.5 + 1))^2.
@@ -18,6 +18,7 @@ BODY = ("cube.obj", "--diagonal-mm", DIAGONAL, "--medium", "marble", "--size", "
         "--shadow-size", 256, "--quiet")
 # With few sources; the pattern has others.
 CUBE = (*BODY, "--max-sources", 4096)
+LOUD = tuple(part for part in CUBE if part != "--quiet")
 PATTERN = (*BODY, "--sum", "pattern", "--dsm-size", 128)
 
 
@@ -335,10 +336,26 @@ class Look(Render):
 
     def test_exposure_is_in_stops_and_no_tone_curve_keeps_the_values(self):
         radiance = self.exr(*self.LIGHT).centre()[:3]
-        self.near(self.linear("--tone", "none"), radiance, .02)
+        self.near(self.linear("--tone", "none", "--exposure", "0"), radiance, .02)
         self.near(self.linear("--tone", "none", "--exposure", "1"), [2 * v for v in radiance], .02)
         self.assertNotEqual(self.linear("--tone", "none", "--exposure", "3"),
                             self.linear("--tone", "neutral", "--exposure", "3"))
+
+    def test_exposure_follows_the_light_unless_it_is_given(self):
+        def made(name, *arguments):
+            run = self.succeed("render", *LOUD, "--ambient", "20,20,20", *arguments, "-o", name)
+            return run, (self.folder / name).read_bytes()
+
+        # Three stops above the brightest light that is left as it is.
+        followed, picture = made("followed.png", "--report", "report.json")
+        self.assertIn("exposure of -3 stops", followed.err)
+        self.assertEqual(json.loads((self.folder / "report.json").read_text())["exposure_stops"], -3)
+        told, same = made("told.png", "--exposure", "-3")
+        self.assertNotIn("exposure", told.err)
+        self.assertEqual(picture, same)
+        linear, _ = made("linear.exr", "--report", "report.json")
+        self.assertNotIn("exposure", linear.err)
+        self.assertIsNone(json.loads((self.folder / "report.json").read_text())["exposure_stops"])
 
     def test_background(self):
         self.assertEqual(self.png().at(0, 0)[3], 0)

@@ -20,6 +20,7 @@ bool anyDown() {
 }
 
 void expose(Session& session, float stops) {
+  session.exposesByLight = false;
   session.tone.exposureStops = std::clamp(session.tone.exposureStops + stops, -8.0F, 8.0F);
 }
 

@@ -22,6 +22,7 @@ std::string saveScene(const Session& session, const std::filesystem::path& file,
                       int height) {
   scene::SceneFileSettings settings =
       settingsOf(sized(session.options, width, height), session.tone, session.scene);
+  if (session.exposesByLight) settings.exposureStops.reset();
   // Between the last file and the end, the last is shown; render knows no such time.
   if (session.sequence && settings.seconds) {
     settings.seconds = std::min(*settings.seconds, lastSecond(*session.sequence));

@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "opaline/exposure.h"
 #include "sequence_frames.h"
 
 namespace opaline::app::viewer {
+
+void exposeByLight(Session& session) {
+  if (session.exposesByLight) session.tone.exposureStops = automaticExposureStops(session.scene);
+}
 
 RenderOptions sized(const RenderOptions& options, int width, int height) {
   RenderOptions sized = options;

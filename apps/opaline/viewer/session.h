@@ -67,6 +67,7 @@ struct Session {
 
   RenderOptions options;
   core::ToneOptions tone;
+  bool exposesByLight = true;  ///< nobody has said how to expose
   Playback playback;
   bool quickWhileMoving = true;  ///< half-spaces where the transport is too slow to move with
   bool divided = false;          ///< the paper's method on the left of the divider
@@ -89,6 +90,9 @@ struct Session {
   int light = -1;          ///< that is selected: directional lights first, then points
   Edits edits;
 };
+
+/// Lets the exposure follow the scene's light, where nobody has said how to expose.
+void exposeByLight(Session& session);
 
 /// The same picture of that many pixels.
 RenderOptions sized(const RenderOptions& options, int width, int height);

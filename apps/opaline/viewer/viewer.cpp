@@ -215,6 +215,7 @@ void Viewer::drawPicture() {
   rough_ = moving;
   drawn_ = area;
   placeBody();
+  if (session_.edits.lighting) exposeByLight(session_);
   stage_.draw(session_, area.width, area.height, moving);
   awake_ = std::max(awake_, 1);
   if (!moving) stage_.finish();
@@ -312,7 +313,9 @@ void Viewer::writeControls() const {
 
 Json Viewer::report() const {
   if (!session_.report) return nullptr;
-  return renderReportJson(*session_.report, session_.options, {});
+  Json json = renderReportJson(*session_.report, session_.options, {});
+  json["exposure_stops"] = shortJson(session_.tone.exposureStops);
+  return json;
 }
 
 void Viewer::run() {

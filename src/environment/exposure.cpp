@@ -1,0 +1,95 @@
+#include "opaline/exposure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "environment/spherical_harmonics.h"
+
+namespace opaline {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Radiance of white that is left as it is. Pictures lit from behind, as most of translucent things
+// are, show little of their brightest side, so that it may be brighter than white.
+constexpr double darkest = 0.25;
+constexpr double brightest = 2.5;
+constexpr double mostStops = 32;
+
+// Of the clamped cosine (Ramamoorthi and Hanrahan 2001).
+constexpr std::array<double, 3> cosineKernel = {pi, 2 * pi / 3, pi / 4};
+
+struct Beam {
+  Vec3 toLight;  // unit
+  std::array<double, 3> irradiance;
+};
+
+double dot(const Vec3& a, const Vec3& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) sum += double{a[i]} * double{b[i]};
+  return sum;
+}
+
+Beam beamOf(const PointLight& light, const Vec3& middle, double leastDistanceMm) {
+  std::array<double, 3> offset{};
+  for (std::size_t i = 0; i < 3; ++i) offset[i] = double{light.positionMm[i]} - double{middle[i]};
+  const double distanceMm = std::hypot(offset[0], offset[1], offset[2]);
+  const double square = std::pow(std::max(distanceMm, leastDistanceMm), 2);
+  Beam beam{{0, 1, 0}, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (distanceMm > 0) beam.toLight[i] = static_cast<float>(offset[i] / distanceMm);
+    if (square > 0) beam.irradiance[i] = double{light.intensity[i]} / square;
+  }
+  return beam;
+}
+
+std::vector<Beam> beamsOf(const Scene& scene) {
+  const Bounds bounds = boundsOf(scene);
+  Vec3 middle{};
+  for (std::size_t i = 0; i < 3; ++i) middle[i] = 0.5F * (bounds.minMm[i] + bounds.maxMm[i]);
+  std::vector<Beam> beams;
+  for (const DirectionalLight& light : scene.lighting.directional) {
+    const Rgb& irradiance = light.irradiance;
+    beams.push_back({light.directionToLight,
+                     {double{irradiance[0]}, double{irradiance[1]}, double{irradiance[2]}}});
+  }
+  for (const PointLight& light : scene.lighting.points)
+    beams.push_back(beamOf(light, middle, 0.5 * double{diagonalMm(scene)}));
+  return beams;
+}
+
+double radianceOfWhite(const std::vector<Beam>& beams, const ShCoefficients& sky,
+                       const Vec3& normal) {
+  std::array<double, 3> irradiance = ambientIrradiance(sky, cosineKernel, normal);
+  for (const Beam& beam : beams) {
+    const double cosine = std::max(0.0, dot(beam.toLight, normal));
+    for (std::size_t c = 0; c < 3; ++c) irradiance[c] += cosine * beam.irradiance[c];
+  }
+  return *std::max_element(irradiance.begin(), irradiance.end()) / pi;
+}
+
+double brightestWhite(const Scene& scene) {
+  constexpr int directions = 2048;
+  const std::vector<Beam> beams = beamsOf(scene);
+  const ShCoefficients sky = projectSky(scene.lighting);
+  double most = 0;
+  for (int i = 0; i < directions; ++i)
+    most = std::max(most, radianceOfWhite(beams, sky, latticeDirection(i, directions)));
+  for (const Beam& beam : beams) most = std::max(most, radianceOfWhite(beams, sky, beam.toLight));
+  return most;
+}
+
+}  // namespace
+
+float automaticExposureStops(const Scene& scene) {
+  const double white = brightestWhite(scene);
+  if (!(white > 0)) return 0;
+  const double stops = std::log2(std::clamp(white, darkest, brightest) / white);
+  return static_cast<float>(std::round(100 * std::clamp(stops, -mostStops, mostStops)) / 100);
+}
+
+}  // namespace opaline

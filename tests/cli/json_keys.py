@@ -1,0 +1,32 @@
+"""What docs/json.md says of the keys that the program prints, and what is printed."""
+
+import pathlib
+import re
+
+DOCUMENT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "json.md"
+MEDIUM = {"name", "sigma_s_per_mm", "sigma_a_per_mm", "eta", "mean_free_path_mm", "diffusion_length_mm"}
+
+
+def documented(section):
+    """The keys in the first column of the tables of a section."""
+    body = DOCUMENT.read_text().split(f"\n## {section}\n")[1].split("\n## ")[0]
+    rows = [line.split("|")[1] for line in body.splitlines() if line.startswith("| `")]
+    return {key for row in rows for key in re.findall(r"`([^`]+)`", row)}
+
+
+def keys(value, path=""):
+    """What is printed, as the document names it."""
+    if isinstance(value, dict) and set(value) == {"r", "g", "b"} and not isinstance(value["r"], dict):
+        return {path}
+    if isinstance(value, dict):
+        return {found for name, inner in value.items() for found in keys(inner, f"{path}.{name}" if path else name)}
+    if isinstance(value, list) and any(isinstance(inner, (dict, str)) for inner in value):
+        return {found for inner in value for found in keys(inner, f"{path}[]")}
+    return {path}
+
+
+def without_medium(found, prefix):
+    """The same with a medium as one key, whose own are those of `media`."""
+    inner = {key.removeprefix(prefix + ".") for key in found if key.startswith(prefix + ".")}
+    assert inner == MEDIUM, inner
+    return {key for key in found if not key.startswith(prefix + ".")} | {prefix}
