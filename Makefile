@@ -21,7 +21,7 @@ help:
 	@echo 'make test      build, check every rule of the house, run all tests'
 	@echo 'make bench     times of every pass on this machine'
 	@echo 'make bench-gpu all figures of docs/performance.md on a GPU, into build/; DEVICE=name chooses it'
-	@echo 'make figures   the pictures of docs/, from the models'
+	@echo 'make figures   the pictures of docs/, from the models; PICTURES=name.jpg chooses, PICTURES=--all makes the long ones too'
 	@echo 'make accuracy  the table and heat maps of docs/accuracy.md, from the models: half an hour on two cores'
 	@echo 'make format    clang-format everything'
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
@@ -66,7 +66,7 @@ bench-gpu: build
 	$(PYTHON) tools/bench_gpu.py $(BUILD)/bin build --device "$(DEVICE)"
 
 figures: build $(TRUTHS)
-	$(BUILD)/bin/opaline_figures
+	$(PYTHON) tools/make_pictures.py --build $(BUILD) $(PICTURES)
 
 # What boundary transport is shown beside: 8 minutes in all.
 $(TRUTHS): | build

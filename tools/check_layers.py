@@ -56,6 +56,7 @@ THIRD_PARTY = {
     "GLFW": ("apps/opaline/viewer",),
     "imgui.h": ("apps/opaline/viewer",),
     "imgui": ("apps/opaline/viewer",),
+    "fontconfig": ("apps/opaline/viewer",),
     "CLI": ("apps",),
     "pybind11": ("python",),
     "Python.h": ("python",),

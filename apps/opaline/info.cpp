@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "commands.h"
 #include "core/file.h"
 #include "core/image_file.h"
+#include "core/measures.h"
 #include "core/tone.h"
 #include "json.h"
 #include "medium_options.h"
@@ -163,8 +165,13 @@ Json drawAtlas(const Scene& scene, const std::filesystem::path& file) {
   return atlasJson(atlas.statistics);
 }
 
-std::string rgbText(const std::array<double, 3>& rgb) {
-  return fmt::format("{:.3g} {:.3g} {:.3g}", rgb[0], rgb[1], rgb[2]);
+// Three lengths in one unit.
+std::string lengthsText(const std::array<double, 3>& mm, const char* between, int digits) {
+  const core::LengthUnit unit =
+      core::lengthUnitFor(std::max({std::abs(mm[0]), std::abs(mm[1]), std::abs(mm[2])}));
+  return fmt::format("{}{}{}{}{} {}", core::lengthNumber(mm[0], unit, digits), between,
+                     core::lengthNumber(mm[1], unit, digits), between,
+                     core::lengthNumber(mm[2], unit, digits), unit.name);
 }
 
 std::string sceneText(const Scene& scene, const Json& facts) {
@@ -176,19 +183,17 @@ std::string sceneText(const Scene& scene, const Json& facts) {
           : fmt::format("open ({} boundary loops)", facts["boundary_loops"].get<std::size_t>()),
       facts["components"].get<std::size_t>());
   const Bounds bounds = boundsOf(scene);
-  text += fmt::format(
-      "from ({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) mm, diagonal {:.4g} mm\n",
-      bounds.minMm[0], bounds.minMm[1], bounds.minMm[2], bounds.maxMm[0], bounds.maxMm[1],
-      bounds.maxMm[2], diagonalMm(scene));
+  const auto corner = [](const Vec3& mm) { return lengthsText({mm[0], mm[1], mm[2]}, ", ", 4); };
+  text += fmt::format("from {} to {}, diagonal {}\n", corner(bounds.minMm), corner(bounds.maxMm),
+                      core::lengthText(diagonalMm(scene), 4));
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     const MediumLengths lengths = lengthsOf(object.medium);
     const std::array<double, 3> size = sizeMm(object);
-    text += fmt::format(
-        "object {}: {:.4g} x {:.4g} x {:.4g} mm of {}, mean free path {} mm, diffusion length {} "
-        "mm\n",
-        object.name, size[0], size[1], size[2], object.medium.name, rgbText(lengths.meanFreePathMm),
-        rgbText(lengths.diffusionMm));
+    text += fmt::format("object {}: {} of {}, mean free path {}, diffusion length {}\n",
+                        object.name, lengthsText(size, " x ", 4), object.medium.name,
+                        lengthsText(lengths.meanFreePathMm, " ", 3),
+                        lengthsText(lengths.diffusionMm, " ", 3));
     const auto open = facts["objects"][i]["triangles_without_inside"].get<std::size_t>();
     if (open > 0)
       text += fmt::format(

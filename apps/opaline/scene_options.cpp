@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/measures.h"
 #include "frame_names.h"
 #include "opaline/error.h"
 #include "scene/environment_file.h"
@@ -210,12 +211,11 @@ std::vector<std::string> notesOnSize(const Scene& scene) {
     if (!length || !seen.insert(object.medium.name).second) continue;
     const double ratio = diagonal / *length;
     if (ratio >= leastDiffusionLengths && ratio <= mostDiffusionLengths) continue;
-    notes.push_back(
-        fmt::format("the model measures {:.4g} mm, {:.3g} diffusion lengths of {} ({:.3g} mm): it "
-                    "will look {}; "
-                    "--diagonal-mm sets its size",
-                    diagonal, ratio, object.medium.name, *length,
-                    ratio > mostDiffusionLengths ? "opaque" : "like fog"));
+    notes.push_back(fmt::format(
+        "the model measures {}, {:.3g} diffusion lengths of {} ({}): it will look {}; "
+        "--diagonal-mm sets its size",
+        core::lengthText(diagonal, 4), ratio, object.medium.name, core::lengthText(*length),
+        ratio > mostDiffusionLengths ? "opaque" : "like fog"));
   }
   return notes;
 }

@@ -180,6 +180,7 @@ struct VisibleSurface {
   gpu::GpuImage normal;    ///< xyz unit, towards the camera; w -1 where that is inwards, else 1
   gpu::GpuImage place;     ///< xy place among the neighbourhoods
   gpu::GpuImage exitance;  ///< rgb of the vertices, interpolated
+  gpu::GpuImage facet;     ///< normal of the triangle, to either side; see lib/octahedron.glsl
   gpu::GpuImage depth;
 };
 
@@ -187,6 +188,11 @@ struct VisibleSurface {
 struct Exitance {
   gpu::GpuImage image;
   gpu::Buffer vertices;
+};
+
+/// Of what the surface mirrors towards the camera, how much is sky, a texel a pixel.
+struct ReflectedSky {
+  gpu::GpuImage share;  ///< from 0 to 1
 };
 
 /// Which surfels the camera sees.

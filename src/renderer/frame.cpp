@@ -196,12 +196,18 @@ struct FrameContext {
         resources.seenSurfels);
   }
 
-  void shade(std::uint32_t sample, std::uint32_t samples) const {
-    passes.shade.record(commands,
-                        {resources.view, resources.tables, resources.shadows, resources.surface,
-                         visibleExitance(plan.site, resources), resources.environmentCube, sample,
-                         samples, plan.roughness, plan.specular},
-                        resources.radiance);
+  void shade(std::uint32_t sample, std::uint32_t samples, SceneResources& scene) const {
+    if (plan.mirrorsSky)
+      passes.reflectedSky.record(commands,
+                                 {resources.view, resources.tables, resources.surface,
+                                  scene.surfels, scene.rays, sample, samples, plan.roughness},
+                                 resources.sky);
+    passes.shade.record(
+        commands,
+        {resources.view, resources.tables, resources.shadows, resources.surface,
+         visibleExitance(plan.site, resources), resources.environmentCube, resources.sky, sample,
+         samples, plan.roughness, plan.specular, plan.mirrorsSky},
+        resources.radiance);
   }
 };
 
@@ -227,6 +233,7 @@ Passes::Passes(gpu::Device& device)
       solver(device),
       carry(device),
       environment(device),
+      reflectedSky(device),
       shade(device),
       seenSurfels(device) {}
 
@@ -242,7 +249,10 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   context.fit(upload);
   if (plan.light) context.gather(scene.surfels);
   if (plan.light && plan.scatter) {
-    if (plan.transport == Transport::Boundary) context.solveBoundary(scene);
+    if (plan.transport == Transport::Boundary)
+      context.solveBoundary(scene);
+    else if (plan.mirrorsSky)
+      passes.rays.record(commands, scene.mesh, scene.surfels, scene.rays);
     context.scatterAtVertices(scene);
   }
 
@@ -254,7 +264,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
     const std::span<const glm::vec2> pattern = samplePattern(plan.samples);
     for (std::uint32_t sample = 0; sample < samples; ++sample) {
       context.seeSurface(pattern[sample] * pixel, scene);
-      context.shade(sample, samples);
+      context.shade(sample, samples, scene);
     }
   }
   if (plan.centre) context.seeSurface({0, 0}, scene);

@@ -21,6 +21,7 @@
 #include "passes/scatter/surface_pass.h"
 #include "passes/scatter/surfel_sum_pass.h"
 #include "passes/shade/environment_pass.h"
+#include "passes/shade/reflected_sky_pass.h"
 #include "passes/shade/seen_surfels_pass.h"
 #include "passes/shade/shade_pass.h"
 #include "renderer/frame_plan.h"
@@ -49,6 +50,7 @@ struct Passes {
   passes::SolverPass solver;
   passes::CarryPass carry;
   passes::EnvironmentPass environment;
+  passes::ReflectedSkyPass reflectedSky;
   passes::ShadePass shade;
   passes::SeenSurfelsPass seenSurfels;
 };

@@ -12,6 +12,10 @@ bool needsMap(const RenderOptions& options, const std::vector<Aov>& aovs) {
   return options.sum == Sum::Pattern || std::any_of(aovs.begin(), aovs.end(), showsMap);
 }
 
+bool isDark(const Lighting& sky) {
+  return !sky.environment && sky.ambient == Rgb{0, 0, 0};
+}
+
 // What is asked for, or where all objects agree, that; Auto where they do not.
 Site chooseSite(const FramePlan& plan, const SceneResources& scene) {
   if (plan.site != Site::Auto) return plan.site;
@@ -45,9 +49,14 @@ FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bo
           .seconds = options.seconds};
 }
 
+bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {
+  return plan.samples > 0 && plan.specular && !isDark(lighting);
+}
+
 void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan) {
   plan.site = chooseSite(plan, scene);
-  plan.skyIsDark = !lighting.environment && lighting.ambient == Rgb{0, 0, 0};
+  plan.skyIsDark = isDark(lighting);
+  plan.mirrorsSky = mirrorsSky(plan, lighting);
   // Where nothing has an inside, boundary transport is what it falls back to.
   if (plan.transport == Transport::Boundary && !scene.hasInside())
     plan.transport = Transport::BetterDipole;

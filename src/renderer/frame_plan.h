@@ -26,12 +26,16 @@ struct FramePlan {
   float roughness = 0.25F;
   int clip = 0;
   double seconds = 0;
-  bool light = true;  ///< else the resources hold what this frame's light does, from before
+  bool mirrorsSky = false;  ///< in the reflection, where the scene leaves it free
+  bool light = true;        ///< else the resources hold what this frame's light does, from before
 };
 
 /// What follows from what is asked for alone. `picture`: the radiance is wanted, whether or not it
 /// is among the variables.
 FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture);
+
+/// Whether some of the sky's light is reflected in what the plan makes.
+bool mirrorsSky(const FramePlan& plan, const Lighting& lighting);
 
 /// What depends on the scene as well: the site, and the transport that its objects allow.
 void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan);

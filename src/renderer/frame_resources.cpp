@@ -40,6 +40,7 @@ void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResource
   made.tables = makeSceneTables(device, scene, pattern, made.ambient, options);
   made.surface = passes::SurfacePass::makeSurface(device, width, height);
   made.exitance = passes::SurfacePass::makeExitance(device, width, height, scene.mesh.vertexCount);
+  made.sky = passes::ReflectedSkyPass::makeSky(device, width, height);
   if (!made.radiance) made.radiance = passes::ShadePass::makeRadiance(device, width, height);
   remakeShadows(device, lighting, options, made);
 }

@@ -25,6 +25,7 @@ struct FrameResources {
   passes::Exitance exitance;
   ShCoefficients ambient{};  ///< radiance from all around
   gpu::GpuImage environmentCube;
+  passes::ReflectedSky sky;
   gpu::GpuImage radiance;           ///< the picture
   passes::SeenSurfels seenSurfels;  ///< empty until a plan asks for them
 };

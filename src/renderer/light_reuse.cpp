@@ -9,15 +9,16 @@ bool holds(const PreparedFrame::Lit& lit, const PreparedFrame::Lit& now) {
   const RenderOptions& a = lit.options;
   const RenderOptions& b = now.options;
   return lit.changes == now.changes && lit.site == now.site && lit.map >= now.map &&
-         a.transport == b.transport && a.sum == b.sum && a.tolerance == b.tolerance &&
-         a.bounces == b.bounces;
+         lit.rays >= now.rays && a.transport == b.transport && a.sum == b.sum &&
+         a.tolerance == b.tolerance && a.bounces == b.bounces;
 }
 
 }  // namespace
 
 bool LightReuse::mustFind(const RenderOptions& options, const FramePlan& plan,
                           const SceneChanges& changes, PreparedFrame& frame) {
-  const PreparedFrame::Lit now{options, changes, plan.site, plan.map};
+  const bool rays = plan.mirrorsSky || plan.transport == Transport::Boundary;
+  const PreparedFrame::Lit now{options, changes, plan.site, plan.map, rays};
   const bool readsSurfels = options.sum != Sum::Pattern && plan.site != Site::Vertex;
   const bool there =
       !(readsSurfels || plan.transport == Transport::Boundary) || litSurfels_ == &frame;

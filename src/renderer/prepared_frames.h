@@ -24,6 +24,7 @@ struct PreparedFrame {
     SceneChanges changes;
     Site site = Site::Vertex;
     bool map = false;
+    bool rays = false;  ///< the surface is ready for them
   };
   std::optional<Lit> lit;
 };

@@ -14,7 +14,7 @@ PreparedScene::PreparedScene(gpu::Device& device, const Passes& passes, LogCallb
 PreparedFrame& PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
                                       EditedScene& scene) {
   const Lighting& lighting = scene.scene().lighting;
-  const SceneNeeds needs = needsOf(options, plan);
+  const SceneNeeds needs = needsOf(options, plan, lighting);
   if (!resources_ || resources_->needs != needs)
     make(scene, needs);
   else
@@ -33,11 +33,13 @@ void PreparedScene::clear() {
   resources_.reset();
 }
 
-SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan& plan) const {
+SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan& plan,
+                                  const Lighting& lighting) const {
   SceneNeeds needs = resources_ ? resources_->needs : SceneNeeds{};
   if (plan.map) needs.mapSize = options.dsmSize;
-  if (options.sum != Sum::Pattern) needs.maxSurfels = options.maxSources;
   if (options.transport == Transport::Boundary) needs.maxClusters = options.boundarySurfels;
+  if (mirrorsSky(plan, lighting) && !needs.maxClusters) needs.rays = true;
+  if (options.sum != Sum::Pattern || needs.rays) needs.maxSurfels = options.maxSources;
   return needs;
 }
 

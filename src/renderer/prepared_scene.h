@@ -34,7 +34,8 @@ class PreparedScene {
   bool isProvisional() const;
 
  private:
-  SceneNeeds needsOf(const RenderOptions& options, const FramePlan& plan) const;
+  SceneNeeds needsOf(const RenderOptions& options, const FramePlan& plan,
+                     const Lighting& lighting) const;
   void make(const EditedScene& scene, const SceneNeeds& needs);
   void followMedia(EditedScene& scene, bool patient);
   void orderDivision(const EditedScene& scene);

@@ -181,8 +181,6 @@ void takeClusters(gpu::Device& device, const surfels::Surface& surface, const Di
   }
   resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, division.surfels,
                                                          resources.triangleHasInside);
-  resources.rays =
-      passes::RayPass::makeHierarchy(device, resources.surfels, division.surfels, surface);
   resources.solver = passes::SolverPass::makeSolver(device, resources.clusters, maxBounces + 1);
 }
 
@@ -257,6 +255,8 @@ void takeDivision(gpu::Device& device, const Division& division, SceneResources&
   resources.surfels = passes::SurfelPass::makeSurfels(device, made, surface);
   noteSpacing(resources);
   if (division.clusters) takeClusters(device, surface, division, resources);
+  if (division.clusters || resources.needs.rays)
+    resources.rays = passes::RayPass::makeHierarchy(device, resources.surfels, made, surface);
 }
 
 }  // namespace opaline

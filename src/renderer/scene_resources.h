@@ -28,6 +28,7 @@ struct SceneNeeds {
   std::optional<int> mapSize;      ///< an atlas for a diffusion source map of that edge, texels
   std::optional<int> maxSurfels;   ///< surfels and their tree
   std::optional<int> maxClusters;  ///< clusters of surfels, for boundary transport
+  bool rays = false;               ///< where there are no clusters; wants surfels
 
   bool operator==(const SceneNeeds&) const = default;
 };
@@ -53,7 +54,7 @@ struct SceneResources {
   passes::DeformedMesh mesh;
   atlas::Atlas atlas;         ///< empty where no map is needed
   passes::Surfels surfels;    ///< empty where none are needed
-  passes::RayHierarchy rays;  ///< where clusters are needed, or surfels have been asked for
+  passes::RayHierarchy rays;  ///< where clusters or rays are needed, or surfels have been asked for
   passes::Clusters clusters;  ///< these two where clusters are needed
   passes::Solver solver;
   std::vector<SurfelsOfObject> surfelsOfObject;  ///< one an object, where there are surfels

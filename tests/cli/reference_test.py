@@ -54,7 +54,7 @@ class Pictures(Reference):
 
     def test_exitance_of_a_large_face_is_nearly_the_total_reflectance(self):
         # The classic dipole's is .83 in red; a cube of 17 mm adds little from its sides, which are dark.
-        profile = self.succeed("profile", "--json").json()["total_reflectance"]
+        profile = self.succeed("profile", "--transport", "dipole", "--json").json()["total_reflectance"]
         centre = self.reference("--aov", "exitance", "--directional", "0,0,1").centre()
         self.assertLess(centre[2], ENTERING * profile["b"])
         self.assertGreater(centre[2], .9 * ENTERING * profile["b"])

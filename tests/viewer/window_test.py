@@ -113,6 +113,25 @@ class Sizes(WindowTest):
         return window.state()["picture"]
 
 
+class Response(WindowTest):
+    def test_a_click_is_seen_while_the_device_works(self):
+        if self.succeed("info", "--json").json()["devices"][0]["type"] != "software":
+            self.skipTest("pictures come at once")
+        window = self.view("--size", "640x480", "--antialias", "8", "--medium", "jade")
+        window.only("Medium")
+        frames = window.state()["frames"]
+        window.press("Medium/marble")
+        window.press("Medium")
+        window.wait_for(lambda: "Medium/marble" not in window.state()["controls"], "the click was never seen")
+        self.assertEqual(window.state()["frames"], frames, "it was seen only after the picture")
+        self.assertFalse(window.state()["idle"])
+        window.wait_for(lambda: window.state()["message"] == "rendering", "no sign that it is busy")
+        window.settle()
+        self.assertEqual(window.state()["message"], "")
+        self.assertGreater(window.state()["frames"], frames)
+        window.close()
+
+
 class Rest(WindowTest):
     def test_nothing_moving_costs_nothing(self):
         window = self.view("--builtin", "teapot", *QUICK)

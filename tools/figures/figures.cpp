@@ -12,24 +12,6 @@ namespace opaline::figures {
 
 namespace {
 
-/// Positions to [0,1]³ over the box of the surface.
-Image overBox(Image map, const Bounds& bounds) {
-  for (std::size_t i = 0; i < map.rgba.size(); ++i) {
-    const std::size_t c = i % 4;
-    if (c == 3) continue;
-    map.rgba[i] = (map.rgba[i] - bounds.minMm[c]) / (bounds.maxMm[c] - bounds.minMm[c]);
-  }
-  return map;
-}
-
-/// Directions from [-1,1] to [0,1].
-Image asColour(Image map) {
-  for (std::size_t i = 0; i < map.rgba.size(); ++i) {
-    if (i % 4 != 3) map.rgba[i] = 0.5F + 0.5F * map.rgba[i];
-  }
-  return map;
-}
-
 void sourceMap(Studio& studio, const char* name) {
   constexpr int size = 384;
   Scene scene = load(studio, "bunny.ply", "marble", 30);

@@ -24,6 +24,9 @@ std::span<const Figure> sumFigures();
 /// Half-spaces and boundary transport beside light followed through the body.
 std::span<const Figure> boundaryFigures();
 
+/// The paper's map, exitance, surfels, and pictures beside them.
+std::span<const Figure> variableFigures();
+
 /// Figure 9, and motion that the paper does not show.
 std::span<const Figure> motionFigures();
 

@@ -39,7 +39,8 @@ void requireModels(const fs::path& folder) {
 std::vector<Figure> allFigures() {
   std::vector<Figure> all;
   for (const std::span<const Figure> some :
-       {stillFigures(), cubeFigures(), sumFigures(), boundaryFigures(), motionFigures()}) {
+       {stillFigures(), cubeFigures(), sumFigures(), boundaryFigures(), motionFigures(),
+        variableFigures()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   std::sort(all.begin(), all.end(), [](const Figure& a, const Figure& b) {
@@ -65,11 +66,18 @@ std::vector<Figure> named(const std::vector<std::string_view>& names) {
   return chosen;
 }
 
-void run(const std::vector<std::string_view>& names) {
+void run(std::vector<std::string_view> names) {
+  fs::path output = fs::path(OPALINE_SOURCE_DIR) / "docs" / "images";
+  const auto into = std::find(names.begin(), names.end(), "--into");
+  if (into != names.end()) {
+    if (into + 1 == names.end()) throw UsageError("--into needs a folder");
+    output = *(into + 1);
+    names.erase(into, into + 2);
+  }
   const std::vector<Figure> chosen = named(names);
   const fs::path models = modelFolder();
   requireModels(models);
-  Studio studio{models, fs::path(OPALINE_SOURCE_DIR) / "docs" / "images", Renderer()};
+  Studio studio{models, output, Renderer()};
   for (const Figure& figure : chosen) figure.make(studio, figure.name);
 }
 

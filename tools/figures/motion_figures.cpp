@@ -46,8 +46,7 @@ void wobble(Studio& studio, const char* name) {
   scene.lighting = stageLight();
   scene.deformers = {{DeformerKind::Wobble, 0.09F, 1}};
   studio.renderer.setScene(scene);
-  publish(studio, name,
-          sheet(film(studio, objectSpace(), {0.3F, 272, 320}, 1.0 / 12, 12), 6, 0, dark));
+  publish(studio, name, sheet(film(studio, usual(), {0.3F, 272, 320}, 1.0 / 12, 12), 6, 0, dark));
 }
 
 void walk(Studio& studio, const char* name) {
@@ -55,8 +54,7 @@ void walk(Studio& studio, const char* name) {
   scene.camera = defaultCamera(scene, {0.35F, 0.12F, 1}, 37);
   scene.lighting = stageLight();
   studio.renderer.setScene(scene);
-  publish(studio, name,
-          sheet(film(studio, objectSpace(), {0.8F, 220, 320}, 2.0 / 8, 8), 8, 0, dark));
+  publish(studio, name, sheet(film(studio, usual(), {0.8F, 220, 320}, 2.0 / 8, 8), 8, 0, dark));
 }
 
 void deformers(Studio& studio, const char* name) {
@@ -70,7 +68,7 @@ void deformers(Studio& studio, const char* name) {
         Deformer{DeformerKind::Wobble, 0.12F}}) {
     scene.deformers = {deformer};
     studio.renderer.setScene(scene);
-    panels.push_back(photograph(studio, objectSpace(), {0.3F, 336, 384}));
+    panels.push_back(photograph(studio, usual(), {0.3F, 336, 384}));
   }
   publish(studio, name, sheet(panels, 5, 0, dark));
 }
@@ -94,7 +92,7 @@ void poke(Studio& studio, const char* name) {
   const auto show = [&](double seconds) {
     for (double left = seconds; left > 0; left -= SoftBody::maxStepSeconds)
       body.step(std::min(left, SoftBody::maxStepSeconds));
-    panels.push_back(photograph(studio, objectSpace(), {0.3F, 336, 384}));
+    panels.push_back(photograph(studio, usual(), {0.3F, 336, 384}));
   };
   show(0);
   body.grab({7.5F, 36, 0}, 4);

@@ -65,11 +65,33 @@ RenderOptions paperMethod() {
   return options;
 }
 
+RenderOptions usual() {
+  RenderOptions options;
+  options.shadowSize = 2048;
+  return options;
+}
+
 RenderOptions objectSpace() {
   RenderOptions options = paperMethod();
   options.sum = Sum::Tree;
   options.site = Site::Auto;
   return options;
+}
+
+Image overBox(Image map, const Bounds& bounds) {
+  for (std::size_t i = 0; i < map.rgba.size(); ++i) {
+    const std::size_t c = i % 4;
+    if (c == 3) continue;
+    map.rgba[i] = (map.rgba[i] - bounds.minMm[c]) / (bounds.maxMm[c] - bounds.minMm[c]);
+  }
+  return map;
+}
+
+Image asColour(Image map) {
+  for (std::size_t i = 0; i < map.rgba.size(); ++i) {
+    if (i % 4 != 3) map.rgba[i] = 0.5F + 0.5F * map.rgba[i];
+  }
+  return map;
 }
 
 core::Image8 photograph(Studio& studio, RenderOptions options, const Exposure& exposure) {

@@ -45,8 +45,17 @@ Lighting stageLight();
 /// What `opaline render --method paper` stands for: dipole, pattern, fragments.
 RenderOptions paperMethod();
 
-/// What is rendered where nothing else is asked for.
+/// The dipole summed in object space.
 RenderOptions objectSpace();
+
+/// What is rendered where nothing else is asked for, in the light of finer shadow maps.
+RenderOptions usual();
+
+/// Positions to [0,1]³ over the box of the surface.
+Image overBox(Image map, const Bounds& bounds);
+
+/// Directions from [-1,1] to [0,1].
+Image asColour(Image map);
 
 /// The scene that the renderer has been given, rendered twice as large as it is shown, over dark
 /// paper.

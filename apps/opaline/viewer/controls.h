@@ -33,14 +33,24 @@ using Sections = std::map<std::string, bool>;  ///< by name, whether it is open
 Sections openSections();
 void setOpenSections(const Sections& sections);
 
-/// What the last control is for; shown while the mouse rests on it.
+/// What the last control is for; shown beside it while the mouse rests on it.
 void tip(const char* text);
+
+/// Lines of any script, as long as they are.
+void text(const std::string& shown);
+
+/// Goes on in the same line where it has room for a button of that name.
+void sameLineFor(const char* next);
 
 bool button(const char* name, const char* about);
 bool checkbox(const char* name, bool& on, const char* about);
 /// `format` as of printf, with the unit. Logarithmic where `low` > 0 and `high` ≥ 1000 `low`.
 bool slider(const char* name, float& value, float low, float high, const char* format,
             const char* about);
+/// A length in the unit that suits it.
+bool length(const char* name, float& mm, float lowMm, float highMm, const char* about);
+/// An exposure.
+bool stops(const char* name, float& value, float low, float high, const char* about);
 bool integer(const char* name, int& value, int low, int high, const char* about);
 /// Light: hue and strength apart, any strength.
 bool light(const char* name, Rgb& value, const char* about);

@@ -6,6 +6,8 @@
 
 #include <GLFW/glfw3.h>
 
+#include "viewer/controls.h"
+#include "viewer/label_layout.h"
 #include "viewer/overlay.h"
 #include "viewer/panels/panels.h"
 #include "viewer/picture_input.h"
@@ -51,10 +53,10 @@ void Dashboard::drawPanels(Session& session, const TruthView& truth, const Timin
                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                      ImGuiWindowFlags_NoNavInputs;
   ImGui::Begin("panels", nullptr, flags);
-  ImGui::Text("%s", session.name.c_str());
-  ImGui::SameLine();
+  controls::text(session.name);
+  controls::sameLineFor("? lists the keys");
   ImGui::TextDisabled("? lists the keys");
-  for (const std::string& note : session.notes) ImGui::TextWrapped("%s", note.c_str());
+  for (const std::string& note : session.notes) controls::text(note);
   drawMediumPanel(session);
   drawLightPanel(session);
   drawMethodPanel(session);
@@ -66,13 +68,19 @@ void Dashboard::drawPanels(Session& session, const TruthView& truth, const Timin
   ImGui::End();
 }
 
-void Dashboard::drawOverPicture(const Session& session, const LightHandles& handles) const {
+void Dashboard::drawOverPicture(const Session& session, const TruthView& truth,
+                                const LightHandles& handles,
+                                const std::vector<Caption>& captions) const {
+  LabelLayout labels({static_cast<float>(area_.x), static_cast<float>(area_.y),
+                      static_cast<float>(area_.width), static_cast<float>(area_.height)});
+  labels.take(boxOf(captions, area_));
+  if (session.shown != Shown::Picture) return drawLegend(truth.legend(), area_, labels);
   const Projection projection(session.scene.camera, area_);
-  if (session.aov < Aov::DsmPosition) {
-    if (session.scaleBar) drawScaleBar(session, projection, area_);
+  if (showsScene(session)) {
+    if (session.scaleBar) drawScaleBar(session, projection, area_, labels);
     if (session.gizmos) handles.draw(session, projection, *ImGui::GetBackgroundDrawList());
   }
-  if (session.divided) drawDivider(session, area_);
+  if (session.divided) drawDivider(session, area_, labels);
 }
 
 void Dashboard::drawKeyList() const {

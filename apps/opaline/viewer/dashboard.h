@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "viewer/light_handles.h"
+#include "viewer/overlay.h"
 #include "viewer/picture_painter.h"
 #include "viewer/saver.h"
 #include "viewer/session.h"
@@ -30,8 +31,10 @@ class Dashboard {
                bool hasScene);
   void drawPanels(Session& session, const TruthView& truth, const TimingHistory& history,
                   const Saver& saver) const;
-  /// Scale bar, handles and divider.
-  void drawOverPicture(const Session& session, const LightHandles& handles) const;
+  /// What belongs to the picture that is shown: scale bar, handles and divider, or the figures of
+  /// the truth; and the captions.
+  void drawOverPicture(const Session& session, const TruthView& truth, const LightHandles& handles,
+                       const std::vector<Caption>& captions) const;
   /// The list of keys, while it was asked for.
   void drawKeyList() const;
 

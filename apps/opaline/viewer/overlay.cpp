@@ -8,7 +8,9 @@
 #include <cmath>
 #include <string>
 
+#include "core/measures.h"
 #include "medium_options.h"
+#include "viewer/glyphs.h"
 
 namespace opaline::app::viewer {
 
@@ -39,19 +41,26 @@ double roundBelow(double limit) {
   return power;
 }
 
-std::string inMm(double mm) {
-  return mm < 0.01 ? fmt::format("{:.2g} um", 1000 * mm) : fmt::format("{:.3g} mm", mm);
-}
-
 void drawBar(ImDrawList& list, const ImVec2& from, float pixels, ImU32 color, float thick) {
   list.AddRectFilled({from.x - 1, from.y - thick / 2 - 1},
                      {from.x + pixels + 1, from.y + thick / 2 + 1}, shadow);
   list.AddRectFilled({from.x, from.y - thick / 2}, {from.x + pixels, from.y + thick / 2}, color);
 }
 
+float widthOfCaptions(const Area& area) {
+  const float margin = ImGui::GetFontSize();
+  return std::max(static_cast<float>(area.width) - 2 * margin, margin);
+}
+
+float heightOf(const Caption& caption, float width) {
+  return ImGui::CalcTextSize(caption.text.c_str(), nullptr, false, width).y +
+         0.2F * ImGui::GetFontSize();
+}
+
 }  // namespace
 
-void drawScaleBar(const Session& session, const Projection& projection, const Area& area) {
+void drawScaleBar(const Session& session, const Projection& projection, const Area& area,
+                  LabelLayout& labels) {
   if (session.scene.objects.empty()) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const double pixelMm = static_cast<double>(projection.pixelMm(projection.view().distanceMm));
@@ -64,50 +73,81 @@ void drawScaleBar(const Session& session, const Projection& projection, const Ar
 
   const MediumLengths lengths = lengthsOf(session.scene.objects[session.object].medium);
   drawBar(list, {left, y}, static_cast<float>(lengthMm / pixelMm), ink, 3);
-  write(list, {left + static_cast<float>(lengthMm / pixelMm) + 8, y - 0.5F * ImGui::GetFontSize()},
-        ink,
-        fmt::format("{} of {} across", inMm(lengthMm),
-                    inMm(static_cast<double>(session.diagonalMm))));
-  const auto rows = [&](const char* name, const std::array<double, 3>& mm) {
+  float widest = 0;
+  const auto name = [&](float from, const std::string& text) {
+    write(list, {from + 8, y - 0.5F * ImGui::GetFontSize()}, ink, text);
+    widest = std::max(widest, from + 8 + ImGui::CalcTextSize(text.c_str()).x - left);
+  };
+  const float top = y - 0.5F * line;
+  name(left + static_cast<float>(lengthMm / pixelMm),
+       fmt::format("{} of {} across", core::lengthText(lengthMm),
+                   core::lengthText(static_cast<double>(session.diagonalMm))));
+  const auto rows = [&](const char* what, const std::array<double, 3>& mm) {
     y += line;
-    float widest = 0;
+    float longest = 0;
     for (std::size_t c = 0; c < 3; ++c) {
       if (!std::isfinite(mm[c])) continue;
       const auto pixels = static_cast<float>(std::min(mm[c] / pixelMm, room));
       drawBar(list, {left, y + 4 * (static_cast<float>(c) - 1)}, std::max(pixels, 1.0F),
               channelInk[c], 2);
-      widest = std::max(widest, pixels);
+      longest = std::max(longest, pixels);
     }
-    write(list, {left + widest + 8, y - 0.5F * ImGui::GetFontSize()}, ink, name);
+    name(left + longest, what);
   };
   rows("mean free path", lengths.meanFreePathMm);
   rows("diffusion length", lengths.diffusionMm);
+  labels.take({left, top, widest, y + 0.5F * line - top});
 }
 
-void drawDivider(const Session& session, const Area& area) {
+void drawDivider(const Session& session, const Area& area, LabelLayout& labels) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float x = static_cast<float>(area.x) + session.divider * static_cast<float>(area.width);
   const auto top = static_cast<float>(area.y);
   const auto bottom = static_cast<float>(area.y + area.height);
   list.AddLine({x, top}, {x, bottom}, ink, 2);
   list.AddCircleFilled({x, 0.5F * (top + bottom)}, 0.5F * ImGui::GetFontSize(), ink);
-  const std::string left = "Gong et al. 2008";
-  const ImVec2 size = ImGui::CalcTextSize(left.c_str());
   const float y = bottom - 1.5F * ImGui::GetFontSize();
-  write(list, {x - size.x - 10, y}, ink, left);
-  write(list, {x + 10, y}, ink, "Opaline");
+  const auto name = [&](const std::string& text, bool onLeft) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const Box place = labels.place({onLeft ? x - size.x - 10 : x + 10, y, size.x, 1.15F * size.y});
+    write(list, {place.x, place.y}, ink, text);
+  };
+  name("Gong et al. 2008", true);
+  name("Opaline", false);
+}
+
+void drawLegend(const std::string& text, const Area& area, LabelLayout& labels) {
+  const float margin = ImGui::GetFontSize();
+  const float width = std::max(static_cast<float>(area.width) - 2 * margin, margin);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+  const float y = static_cast<float>(area.y + area.height) - 0.5F * margin - size.y;
+  const Box place = labels.place({static_cast<float>(area.x) + margin, y, size.x, size.y});
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float rim = 0.3F * margin;
+  list.AddRectFilled({place.x - rim, place.y - rim},
+                     {place.x + place.width + rim, place.y + place.height + rim}, shadow, rim);
+  write(list, {place.x, place.y}, ink, text, width);
 }
 
 void drawCaptions(const std::vector<Caption>& captions, const Area& area) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const float margin = ImGui::GetFontSize();
-  const float width = std::max(static_cast<float>(area.width) - 2 * margin, margin);
-  float y = static_cast<float>(area.y) + 0.7F * margin;
+  const float width = widthOfCaptions(area);
+  float y = static_cast<float>(area.y) + 0.7F * ImGui::GetFontSize();
   for (const Caption& caption : captions) {
-    write(list, {static_cast<float>(area.x) + margin, y}, caption.isError ? warning : ink,
-          caption.text, width);
-    y += ImGui::CalcTextSize(caption.text.c_str(), nullptr, false, width).y + 0.2F * margin;
+    glyphs::want(caption.text);
+    write(list, {static_cast<float>(area.x) + ImGui::GetFontSize(), y},
+          caption.isError ? warning : ink, caption.text, width);
+    y += heightOf(caption, width);
   }
+}
+
+Box boxOf(const std::vector<Caption>& captions, const Area& area) {
+  const float width = widthOfCaptions(area);
+  float height = 0;
+  for (const Caption& caption : captions) height += heightOf(caption, width);
+  if (height > 0) height += 0.7F * ImGui::GetFontSize();
+  return {static_cast<float>(area.x), static_cast<float>(area.y), static_cast<float>(area.width),
+          height};
 }
 
 void drawKeys(const Area& area) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/label_layout.h"
 #include "viewer/picture_painter.h"
 #include "viewer/projection.h"
 #include "viewer/session.h"
@@ -13,9 +14,14 @@ namespace opaline::app::viewer {
 
 /// Millimetres at the depth of the camera's target, and beneath, in red, green and blue, how far
 /// light travels in the medium before it is deflected and before it fades.
-void drawScaleBar(const Session& session, const Projection& projection, const Area& area);
+void drawScaleBar(const Session& session, const Projection& projection, const Area& area,
+                  LabelLayout& labels);
 
-void drawDivider(const Session& session, const Area& area);
+/// The divider with the names of the methods on its sides, where there is room for them.
+void drawDivider(const Session& session, const Area& area, LabelLayout& labels);
+
+/// At the bottom left of a picture.
+void drawLegend(const std::string& text, const Area& area, LabelLayout& labels);
 
 /// The window's keys, over everything, until the next key or click.
 void drawKeys(const Area& area);
@@ -28,5 +34,7 @@ struct Caption {
 
 /// At the top left, one below the other; an error in a colour of its own.
 void drawCaptions(const std::vector<Caption>& captions, const Area& area);
+/// What they take of the picture.
+Box boxOf(const std::vector<Caption>& captions, const Area& area);
 
 }  // namespace opaline::app::viewer

@@ -38,11 +38,11 @@ PictureInput::Drag PictureInput::begin(Session& session, const Projection& proje
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) return Drag::Dolly;
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) return Drag::Pan;
   if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return Drag::None;
-  if (session.divided) {
+  if (session.divided && session.shown == Shown::Picture) {
     const float x = static_cast<float>(area.x) + session.divider * static_cast<float>(area.width);
     if (std::abs(mouse.x - x) < 0.6F * ImGui::GetFontSize()) return Drag::Divider;
   }
-  if (session.gizmos) {
+  if (session.gizmos && showsScene(session)) {
     const int light = handles_.at(session, projection, mouse);
     if (light >= 0) {
       handles_.grab(session, projection, light);

@@ -1,6 +1,7 @@
 #include "viewer/picture_view.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "viewer/variable_display.h"
 
@@ -19,11 +20,12 @@ Area fitted(const Area& area, int width, int height) {
 
 }  // namespace
 
-void PictureView::take(const Frame& frame, const Session& session) {
-  if (session.aov == Aov::Radiance || frame.images.empty()) return;
-  const Image& image = frame.images.front();
-  variable_.set(isLight(session.aov) ? image : asColors(image, session.aov, session.surfelIndex));
-  variableShown_ = session.aov;
+void PictureView::take(const Stage& stage, const Session& session) {
+  const Image* image = stage.variableImage();
+  if (image == nullptr) return;
+  const Aov variable = stage.variable();
+  variable_.set(isLight(variable) ? *image : asColors(*image, variable, session.surfelIndex));
+  variableShown_ = variable;
 }
 
 void PictureView::drawShown(VkCommandBuffer commands, const Session& session, const Stage& stage,
@@ -42,16 +44,18 @@ void PictureView::drawShown(VkCommandBuffer commands, const Session& session, co
   if (variable && !variable_.empty()) {
     return draw(variable_.shown(), isLight(session.aov) ? session.tone : plain);
   }
-  painter_.draw(commands, stage.picture(), area, area, session.tone);
+  // For a moment it is of another size than the window has now.
+  if (stage.picture().view != VK_NULL_HANDLE) draw(stage.picture(), session.tone);
 }
 
 void PictureView::draw(VkCommandBuffer commands, const Session& session, const Stage& stage,
                        const TruthView& truth, const Area& area) const {
   drawShown(commands, session, stage, truth, area);
-  if (!stage.paper() || session.shown != Shown::Picture) return;
+  const std::optional<DeviceImage> paper = stage.paper();
+  if (!paper || session.shown != Shown::Picture) return;
   Area left = area;
   left.width = static_cast<int>(session.divider * static_cast<float>(area.width));
-  painter_.draw(commands, *stage.paper(), area, left, session.tone);
+  painter_.draw(commands, *paper, area, left, session.tone);
 }
 
 }  // namespace opaline::app::viewer

@@ -17,8 +17,8 @@ class PictureView {
   PictureView(const VulkanDevice& device, VkRenderPass renderPass)
       : painter_(device, renderPass), variable_(device) {}
 
-  /// Takes up the variable that a frame brought, if any.
-  void take(const Frame& frame, const Session& session);
+  /// Takes up the variable that the stage's last frame brought, if any.
+  void take(const Stage& stage, const Session& session);
   void draw(VkCommandBuffer commands, const Session& session, const Stage& stage,
             const TruthView& truth, const Area& area) const;
 

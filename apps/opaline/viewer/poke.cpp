@@ -95,16 +95,12 @@ bool Poke::grab(Session& session, const Ray& ray) {
   rest_ = within(rest, hit.u, hit.v);
   back_ = frameOf(rest) * glm::transpose(frameOf(hit.corners));
   if (!finite(back_)) back_ = glm::mat3(1);
-  if (!body_ || object_ != hit.object) {
-    body_.reset();
-    body_.emplace(renderer_, hit.object, restVertices, triangles);
-    object_ = hit.object;
-  }
   const bool plays =
       session.sequence || (!session.scene.clips.empty() && session.options.clip >= 0);
   if (plays) session.playback.playing = false;
   constexpr float radiusInDiagonals = 0.08F;
-  body_->grab(fromGlm(rest_), radiusInDiagonals * session.diagonalMm);
+  wanted_ = {hit.object, restVertices, triangles, radiusInDiagonals * session.diagonalMm};
+  goal_ = fromGlm(rest_);
   held_ = true;
   return true;
 }
@@ -119,28 +115,52 @@ void Poke::pull(const Projection& projection, const glm::vec2& pixel) {
   const glm::vec3 to = ray.origin + depth / along * ray.direction;
   const glm::vec3 wanted = rest_ + back_ * (to - seen_);
   if (std::isfinite(wanted.x) && std::isfinite(wanted.y) && std::isfinite(wanted.z)) {
-    body_->pull(fromGlm(wanted));
+    goal_ = fromGlm(wanted);
   }
 }
 
-void Poke::release() {
-  if (!held_) return;
-  body_->release();
-  held_ = false;
+void Poke::take() {
+  const Grab grab = *std::exchange(wanted_, std::nullopt);
+  if (!body_ || object_ != grab.object) {
+    body_.reset();
+    body_.emplace(renderer_, grab.object, grab.restMm, grab.triangles);
+    object_ = grab.object;
+  }
+  body_->grab(fromGlm(rest_), grab.radiusMm);
 }
 
-bool Poke::step(double seconds) {
+void Poke::release() {
+  held_ = false;
+  wanted_.reset();  // let go before it could be taken hold of
+}
+
+void Poke::advance(double seconds) {
+  // What a swing lasts: a longer wait leaves no more of it.
+  constexpr double longest = 3;
+  owedSeconds_ = body_ ? std::min(owedSeconds_ + seconds, longest) : 0;
+}
+
+bool Poke::step() {
+  if (wanted_) take();
   if (!body_) return false;
   if (!moves()) {
     end();
     return true;
   }
-  body_->step(seconds);
+  if (held_) {
+    body_->pull(goal_);
+  } else {
+    body_->release();
+  }
+  for (double left = std::exchange(owedSeconds_, 0); left > 0; left -= SoftBody::maxStepSeconds) {
+    body_->step(std::min(left, SoftBody::maxStepSeconds));
+  }
   return true;
 }
 
 void Poke::end() {
   held_ = false;
+  wanted_.reset();
   body_.reset();
 }
 

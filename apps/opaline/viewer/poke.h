@@ -28,20 +28,34 @@ class Poke {
   void pull(const Projection& projection, const glm::vec2& pixel);
   void release();
 
-  /// Moves the body on, and gives it back to its rig when it has come to rest. True where the
-  /// picture changes.
-  bool step(double seconds);
+  /// Time goes by, in which the body is to move. Takes no time itself.
+  void advance(double seconds);
+  /// Moves the body on by that time, however long the last picture took, and gives it back to its
+  /// rig when it has come to rest. True where the picture changes. Waits for the device.
+  bool step();
   /// Gives it back at once.
   void end();
   /// Whether a body is the hand's, and nobody else's.
-  bool holdsBody() const { return body_.has_value(); }
-  bool moves() const { return body_ && (held_ || body_->moves()); }
+  bool holdsBody() const { return body_.has_value() || wanted_.has_value(); }
+  bool moves() const { return wanted_ || (body_ && (held_ || body_->moves())); }
 
  private:
+  struct Grab {
+    std::size_t object = 0;
+    std::vector<Vec3> restMm;
+    std::vector<Triangle> triangles;
+    float radiusMm = 0;
+  };
+
+  void take();
+
   Renderer& renderer_;
   std::optional<SoftBody> body_;
+  std::optional<Grab> wanted_;  // at the next step
+  double owedSeconds_ = 0;      // that went by since the last step
   std::size_t object_ = 0;
   bool held_ = false;
+  Vec3 goal_{};        // to which it is pulled
   glm::vec3 seen_{};   // place that is held, where the picture shows it
   glm::vec3 rest_{};   // the same before the scene's deformers
   glm::mat3 back_{1};  // directions there, from those of the picture

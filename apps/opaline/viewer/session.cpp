@@ -8,6 +8,10 @@
 
 namespace opaline::app::viewer {
 
+bool showsScene(const Session& session) {
+  return session.shown == Shown::Picture && session.aov < Aov::DsmPosition;
+}
+
 void exposeByLight(Session& session) {
   if (session.exposesByLight) session.tone.exposureStops = automaticExposureStops(session.scene);
 }
@@ -17,6 +21,13 @@ RenderOptions sized(const RenderOptions& options, int width, int height) {
   sized.width = width;
   sized.height = height;
   return sized;
+}
+
+RenderOptions coarser(const RenderOptions& options) {
+  RenderOptions coarse = options;
+  // Where most time is won for least colour: fewer bounces or a looser tolerance shift it more.
+  coarse.tolerance = std::max(options.tolerance, 0.05F);
+  return coarse;
 }
 
 RenderOptions paperOptions(const RenderOptions& options) {

@@ -50,6 +50,9 @@ struct Playback {
   float lengthSeconds = 4;  ///< after which it begins anew
 };
 
+/// What the truth is to be written as.
+enum class TruthFile { Png, Exr, HeatMap };
+
 /// Everything that can be changed in the window, as plain data. Panels change it and note what they
 /// did in `edits`; nothing here draws or renders.
 struct Session {
@@ -69,7 +72,7 @@ struct Session {
   core::ToneOptions tone;
   bool exposesByLight = true;  ///< nobody has said how to expose
   Playback playback;
-  bool quickWhileMoving = true;  ///< half-spaces where the transport is too slow to move with
+  bool quickWhileMoving = true;  ///< coarser light where the transport is too slow to move with
   bool divided = false;          ///< the paper's method on the left of the divider
   float divider = 0.5F;          ///< in [0, 1]
   Aov aov = Aov::Radiance;
@@ -78,6 +81,7 @@ struct Session {
   Shown shown = Shown::Picture;
   std::optional<TruthOrder::Method> wantedTruth;
   bool cancelTruth = false;
+  std::optional<TruthFile> wantedTruthFile;
   Save wanted = Save::Nothing;
   std::string saveName;  ///< without its ending
   bool poke = false;     ///< the mouse pulls at bodies instead of turning the camera
@@ -91,11 +95,18 @@ struct Session {
   Edits edits;
 };
 
+/// Whether the scene is shown as its camera sees it now: not the truth of an earlier moment, no
+/// map.
+bool showsScene(const Session& session);
+
 /// Lets the exposure follow the scene's light, where nobody has said how to expose.
 void exposeByLight(Session& session);
 
 /// The same picture of that many pixels.
 RenderOptions sized(const RenderOptions& options, int width, int height);
+
+/// The same transport, found more coarsely: what is shown while light, medium or body move.
+RenderOptions coarser(const RenderOptions& options);
 
 /// The method of Gong et al. 2008 for the same picture.
 RenderOptions paperOptions(const RenderOptions& options);

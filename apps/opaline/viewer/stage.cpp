@@ -4,11 +4,20 @@
 
 namespace opaline::app::viewer {
 
+Stage::Stage(Renderer& renderer, const VulkanDevice& window)
+    : renderer_(renderer),
+      apart_(window.device != renderer.vulkanDevice().device),
+      hostPicture_(window),
+      hostPaper_(window),
+      watch_(renderer.vulkanDevice()) {}
+
 void Stage::setScene(const Scene& scene) {
   finish();
   hasScene_ = false;
-  picture_ = {};
-  paper_.reset();
+  picture_ = paper_ = {};
+  hostPicture_.clear();
+  hostPaper_.clear();
+  divided_ = false;
   renderer_.setScene(scene);
   hasScene_ = true;
 }
@@ -30,22 +39,31 @@ bool Stage::handOver(Session& session) {
 }
 
 void Stage::collect() {
-  const bool own = waiting_.front();
+  const Waiting done = waiting_.front();
   waiting_.erase(waiting_.begin());
-  renderer_.collect(own ? frame_ : other_);
-  if (!own) return;
+  Frame& frame = done.own ? frame_ : other_;
+  renderer_.collect(frame);
+  if (apart_) (done.own ? hostPicture_ : hostPaper_).set(frame.images.front());
+  if (!done.own) return;
   ++framesFinished_;
+  variable_ = done.variable;
   const auto lights = [](const PassTime& pass) { return pass.name == "shadow"; };
   if (resting_ && std::any_of(frame_.passes.begin(), frame_.passes.end(), lights)) {
     restMs_ = frame_.milliseconds;
   }
 }
 
-void Stage::submit(const RenderOptions& options, const std::vector<Aov>& aovs, DeviceImage& to,
-                   bool own) {
+void Stage::submit(const RenderOptions& options, Aov variable, bool own) {
   while (waiting_.size() >= Renderer::framesInFlight) collect();
-  to = renderer_.submitOnDevice(options, aovs);
-  waiting_.push_back(own);
+  aovs_.clear();
+  if (apart_) aovs_.push_back(Aov::Radiance);
+  if (variable != Aov::Radiance) aovs_.push_back(variable);
+  if (apart_) {
+    renderer_.submit(options, aovs_);
+  } else {
+    (own ? picture_ : paper_) = renderer_.submitOnDevice(options, aovs_);
+  }
+  waiting_.push_back({own, variable});
 }
 
 void Stage::draw(Session& session, int width, int height, bool moving) {
@@ -57,26 +75,35 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   options.treeLevel = session.treeLevel;
   resting_ = !moving;
   const bool quick = moving && session.quickWhileMoving && !session.divided && restMs_ > slowMs;
-  preview_ = quick && lightChanges && options.transport == Transport::Boundary;
+  coarse_ = quick && lightChanges && options.transport == Transport::Boundary;
   if (moving) options.antialias = 1;
   // Light at vertices stays while the camera moves.
   if (quick && options.sum != Sum::Pattern) options.site = Site::Vertex;
-  if (preview_) options.transport = Transport::BetterDipole;
-  aovs_.clear();
-  if (session.aov != Aov::Radiance) aovs_.push_back(session.aov);
-  if (session.divided) {
-    if (!paper_) paper_.emplace();
-    submit(paperOptions(options), {}, *paper_, false);
-  } else {
-    paper_.reset();
-  }
-  submit(options, aovs_, picture_, true);
+  if (coarse_) options = coarser(options);
+  busySince_ = std::chrono::steady_clock::now();
+  divided_ = session.divided;
+  if (divided_) submit(paperOptions(options), Aov::Radiance, false);
+  submit(options, session.aov, true);
+  if (apart_) return watch_.begin();
   // What is drawn next was asked for after the frame before this one was finished.
   while (waiting_.size() >= Renderer::framesInFlight) collect();
 }
 
+void Stage::takeUp() {
+  if (isReady()) finish();
+}
+
 void Stage::finish() {
   while (!waiting_.empty()) collect();
+}
+
+std::optional<DeviceImage> Stage::paper() const {
+  if (!divided_ || (apart_ && hostPaper_.empty())) return std::nullopt;
+  return apart_ ? hostPaper_.shown() : paper_;
+}
+
+const Image* Stage::variableImage() const {
+  return variable_ == Aov::Radiance ? nullptr : &frame_.images.back();
 }
 
 }  // namespace opaline::app::viewer

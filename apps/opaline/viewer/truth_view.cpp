@@ -1,9 +1,12 @@
 #include "viewer/truth_view.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "compare/heatmap.h"
-#include "core/tone.h"
+#include "film_output.h"
+#include "opaline/error.h"
 
 namespace opaline::app::viewer {
 
@@ -59,8 +62,31 @@ bool TruthView::takePicture(std::shared_ptr<const TruthPicture> latest) {
   blocks_ = compare::blockFiguresOver(picture_, latest_->image, common, blockEdge);
   const compare::Plane errors =
       compare::relativeBlockErrors(picture_, latest_->image, common, blockEdge);
-  heatMap_.set(linear(compare::drawHeatmap(errors, common, compare::heatmapTop(errors, common))));
+  drawnHeatMap_ = compare::drawHeatmap(errors, common, compare::heatmapTop(errors, common));
+  heatMap_.set(linear(drawnHeatMap_));
   return true;
+}
+
+std::string TruthView::legend() const {
+  if (!latest_) return "no truth has come yet";
+  std::string text =
+      fmt::format("truth after {:.1f} s, within {:.2g} %", latest_->seconds, 100 * latest_->error);
+  if (blocks_) {
+    text += fmt::format("; the picture's blocks of {0} x {0} are off by {1:.2f} %", blockEdge,
+                        100 * blocks_->relRmse);
+  }
+  return text;
+}
+
+std::string TruthView::save(TruthFile what, const std::filesystem::path& file,
+                            const core::ToneOptions& tone) const {
+  if (!latest_) throw Error("there is no truth to save yet");
+  if (what == TruthFile::HeatMap) {
+    core::writePng(file, drawnHeatMap_);
+  } else {
+    writePicture(file, latest_->image, tone);
+  }
+  return fmt::format("saved {}", file.string());
 }
 
 }  // namespace opaline::app::viewer

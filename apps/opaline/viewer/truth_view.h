@@ -1,10 +1,13 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "compare/figures.h"
+#include "core/image_file.h"
+#include "core/tone.h"
 #include "opaline/image.h"
 #include "opaline/renderer.h"
 #include "truth_job.h"
@@ -37,6 +40,11 @@ class TruthView {
   const std::optional<compare::Figures>& figures() const { return figures_; }
   const std::optional<compare::BlockFigures>& blocks() const { return blocks_; }
   const std::shared_ptr<const TruthPicture>& latest() const { return latest_; }
+  /// What its pictures are of and how far the window's is from it, in a sentence.
+  std::string legend() const;
+  /// Writes the last picture of it, or its heat map; the sentence that says so. Throws Error.
+  std::string save(TruthFile what, const std::filesystem::path& file,
+                   const core::ToneOptions& tone) const;
   std::string error() const { return job_ ? job_->error() : std::string(); }
 
  private:
@@ -48,6 +56,7 @@ class TruthView {
   std::shared_ptr<const TruthPicture> latest_;
   HostPicture truth_;
   HostPicture heatMap_;
+  core::Image8 drawnHeatMap_;
   std::optional<compare::Figures> figures_;
   std::optional<compare::BlockFigures> blocks_;
 };

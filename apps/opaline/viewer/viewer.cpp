@@ -36,16 +36,17 @@ Viewer::Viewer(const ViewerOptions& options)
       window_(options.size ? (*options.size)[0] : state_.width,
               options.size ? (*options.size)[1] : state_.height, "Opaline"),
       renderer_(forWindows(options.renderer)),
-      presenter_(renderer_.vulkanDevice(), window_),
-      interface_(renderer_.vulkanDevice(), presenter_, window_),
-      view_(renderer_.vulkanDevice(), presenter_.renderPass()),
+      presenting_(renderer_.vulkanDevice()),
+      presenter_(presenting_.device(), window_),
+      interface_(presenting_.device(), presenter_, window_),
+      view_(presenting_.device(), presenter_.renderPass()),
       dashboard_(state_.panels),
-      stage_(renderer_),
+      stage_(renderer_, presenting_.device()),
       loader_([] { Window::wake(); }),
       poke_(renderer_),
       sequence_(renderer_),
       saver_(renderer_),
-      truth_(renderer_.vulkanDevice()) {
+      truth_(presenting_.device()) {
   session_.gizmos = state_.handles;
   session_.scaleBar = state_.scaleBar;
   controls::setOpenSections(state_.openSections);
@@ -104,7 +105,7 @@ void Viewer::openDropped() {
 
 void Viewer::takeLoaded() {
   const Area& area = dashboard_.area();
-  if (area.empty()) return;
+  if (area.empty() || stage_.isBusy()) return;
   std::optional<Loader::Result> result = loader_.take();
   if (!result) return;
   if (!result->loaded) return say(result->error, true);
@@ -134,7 +135,8 @@ bool Viewer::movesItself() const {
 }
 
 bool Viewer::isIdle() const {
-  return awake_ == 0 && !movesItself() && !saver_.filming() && !session_.edits.any();
+  return awake_ == 0 && !movesItself() && !saver_.filming() && !session_.edits.any() &&
+         !stage_.isBusy() && !announced_;
 }
 
 // By itself or by the hand.
@@ -150,13 +152,31 @@ void Viewer::sleepUntilNeeded() {
     awake_ = framesAfterEvent;
     last_ = Clock::now();  // what slept did not play
   } else {
-    Window::poll();
+    if (stage_.isBusy()) {
+      waitBesideDevice();
+    } else {
+      Window::poll();
+    }
     awake_ = std::max(0, awake_ - 1);
   }
   if (window_.takeRefresh()) awake_ = framesAfterEvent;
 }
 
-void Viewer::advance(double seconds) {
+// Until the picture under way is done, or long enough that the controls are drawn again; drawing
+// them more often would keep the device from it.
+void Viewer::waitBesideDevice() const {
+  constexpr double betweenLooks = 0.005;
+  constexpr std::chrono::milliseconds betweenDrawings(50);
+  do {
+    Window::wait(betweenLooks);
+  } while (!stage_.isReady() && Clock::now() - last_ < betweenDrawings);
+}
+
+void Viewer::advance(double elapsed) {
+  poke_.advance(elapsed);
+  // What took long did not play: time goes on from what was seen.
+  constexpr double longest = 0.1;
+  const double seconds = std::min(elapsed, longest);
   Playback& playback = session_.playback;
   if (playback.playing) {
     const auto length = static_cast<double>(playback.lengthSeconds);
@@ -173,7 +193,6 @@ void Viewer::advance(double seconds) {
     orbit(session_.scene.camera, radiansPerSecond * static_cast<float>(seconds), 0);
     session_.edits.camera = true;
   }
-  if (poke_.step(seconds)) session_.edits.picture = true;
 }
 
 void Viewer::drawInterface() {
@@ -188,7 +207,7 @@ void Viewer::drawInterface() {
     input_.useMouse(session_, dashboard_.area(), poke_);
     dashboard_.drawPanels(session_, truth_, history_, saver_);
     if (session_.wantedDiagonalMm) resize(*std::exchange(session_.wantedDiagonalMm, std::nullopt));
-    dashboard_.drawOverPicture(session_, input_.handles());
+    dashboard_.drawOverPicture(session_, truth_, input_.handles(), captions());
   }
   dashboard_.drawKeyList();
   drawCaptions(captions(), dashboard_.area());
@@ -207,7 +226,9 @@ void Viewer::placeBody() {
 
 void Viewer::drawPicture() {
   const Area& area = dashboard_.area();
-  if (!stage_.hasScene() || area.empty()) return;
+  if (!stage_.hasScene() || stage_.isBusy()) return;
+  if (poke_.step()) session_.edits.picture = true;
+  if (area.empty()) return;
   const bool moving = moves();
   const bool resized = area.width != drawn_.width || area.height != drawn_.height;
   // What was drawn for speed is drawn well once nothing moves.
@@ -218,7 +239,7 @@ void Viewer::drawPicture() {
   if (session_.edits.lighting) exposeByLight(session_);
   stage_.draw(session_, area.width, area.height, moving);
   awake_ = std::max(awake_, 1);
-  if (!moving) stage_.finish();
+  if (!moving && !stage_.isBusy()) stage_.finish();
 }
 
 void Viewer::takeFinished() {
@@ -228,7 +249,7 @@ void Viewer::takeFinished() {
   session_.report = stage_.report();
   if (stage_.lastFrame().provisional) session_.edits.picture = true;
   awake_ = std::max(awake_, 1);
-  view_.take(stage_.lastFrame(), session_);
+  view_.take(stage_, session_);
 }
 
 void Viewer::present() {
@@ -240,6 +261,22 @@ void Viewer::present() {
   presenter_.end();
 }
 
+// A sign that stays while one slow picture follows the other, and never comes where they are quick.
+void Viewer::showBusiness() {
+  constexpr std::chrono::milliseconds soon(100);
+  if (!stage_.isBusy()) {
+    if (!session_.edits.any()) busyShown_ = false;
+    return;
+  }
+  busyShown_ = busyShown_ || Clock::now() - stage_.busySince() > soon;
+}
+
+// True a second time, when the window has been drawn with a sign that it will take a moment.
+bool Viewer::announce() {
+  announced_ = !announced_;
+  return !announced_;
+}
+
 std::vector<Caption> Viewer::captions() const {
   std::vector<Caption> captions;
   if (notice_) captions.push_back(*notice_);
@@ -247,11 +284,14 @@ std::vector<Caption> Viewer::captions() const {
   if (saver_.filming()) {
     captions.push_back({fmt::format("filming, {:.0f} %", 100 * saver_.progress())});
   }
-  if (stage_.isPreview()) captions.push_back({"better-dipole while it moves"});
+  if (stage_.isCoarse()) captions.push_back({"light is coarser while it moves"});
+  if (announced_) captions.push_back({"one moment"});
+  if (!announced_ && busyShown_) captions.push_back({"rendering"});
   return captions;
 }
 
 void Viewer::save() {
+  if (session_.wanted != Save::Nothing && (stage_.isBusy() || !announce())) return;
   const Save wanted = std::exchange(session_.wanted, Save::Nothing);
   if (wanted == Save::Nothing && !saver_.filming()) return;
   if (wanted == Save::Film) {
@@ -272,21 +312,38 @@ void Viewer::save() {
   }
 }
 
+void Viewer::startTruth() {
+  const TruthOrder::Method method = *std::exchange(session_.wantedTruth, std::nullopt);
+  const Area& area = dashboard_.area();
+  if (!stage_.hasScene() || area.empty()) return;
+  stage_.finish();
+  poke_.end();
+  placeBody();
+  try {
+    truth_.start(session_, renderer_, method, area.width, area.height);
+  } catch (const Error& error) {
+    say(error.what(), true);
+  }
+  session_.edits.picture = true;
+}
+
+void Viewer::saveTruth() {
+  const std::optional<TruthFile> what = std::exchange(session_.wantedTruthFile, std::nullopt);
+  if (!what) return;
+  const char* ending = *what == TruthFile::HeatMap ? "_heat_map.png"
+                       : *what == TruthFile::Exr   ? "_truth.exr"
+                                                   : "_truth.png";
+  try {
+    say(truth_.save(*what, session_.saveName + ending, session_.tone));
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
 void Viewer::followTruth() {
   if (std::exchange(session_.cancelTruth, false)) truth_.cancel();
-  const Area& area = dashboard_.area();
-  if (session_.wantedTruth && stage_.hasScene() && !area.empty()) {
-    stage_.finish();
-    poke_.end();
-    placeBody();
-    try {
-      truth_.start(session_, renderer_, *session_.wantedTruth, area.width, area.height);
-    } catch (const Error& error) {
-      say(error.what(), true);
-    }
-    session_.edits.picture = true;
-  }
-  session_.wantedTruth.reset();
+  if (session_.wantedTruth && !stage_.isBusy() && announce()) startTruth();
+  saveTruth();
   if (truth_.update()) awake_ = std::max(awake_, framesAfterEvent);
 }
 
@@ -325,9 +382,10 @@ void Viewer::run() {
     openDropped();
     takeLoaded();
     const Clock::time_point now = Clock::now();
-    // What took long did not play: time goes on from what was seen.
-    advance(std::min(std::chrono::duration<double>(now - last_).count(), 0.1));
+    advance(std::chrono::duration<double>(now - last_).count());
     last_ = now;
+    stage_.takeUp();
+    showBusiness();
     drawInterface();
     save();
     followTruth();

@@ -17,6 +17,7 @@
 #include "viewer/picture_view.h"
 #include "viewer/poke.h"
 #include "viewer/presenter.h"
+#include "viewer/presenting_device.h"
 #include "viewer/saver.h"
 #include "viewer/sequence_player.h"
 #include "viewer/session.h"
@@ -67,7 +68,10 @@ class Viewer {
   bool moves() const;
   bool isIdle() const;
   void sleepUntilNeeded();
-  void advance(double seconds);
+  void waitBesideDevice() const;
+  void advance(double elapsed);
+  void showBusiness();
+  bool announce();
   void drawInterface();
   void placeBody();
   void drawPicture();
@@ -75,6 +79,8 @@ class Viewer {
   void present();
   std::vector<Caption> captions() const;
   void save();
+  void startTruth();
+  void saveTruth();
   void followTruth();
   void writeControls() const;
 
@@ -82,6 +88,7 @@ class Viewer {
   ViewerState state_;
   Window window_;
   Renderer renderer_;
+  PresentingDevice presenting_;
   Presenter presenter_;
   UserInterface interface_;
   PictureView view_;
@@ -99,6 +106,8 @@ class Viewer {
 
   Area drawn_;                   // that the last picture was drawn for
   bool rough_ = false;           // the last picture was drawn for speed
+  bool busyShown_ = false;       // a sign says that pictures take their time
+  bool announced_ = false;       // a sign says that what is to come will take a moment
   int awake_ = 0;                // frames of the interface to draw before sleeping
   std::size_t framesTaken_ = 0;  // of the stage's, into history_
   std::size_t inputsDrawn_ = 0;  // of the window's, by the interface

@@ -38,7 +38,8 @@ SurfacePass::SurfacePass(gpu::Device& device)
                                  {5, BindingType::StorageBuffer}},
                     .pushConstantBytes = sizeof(shared::vec2),
                     .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
-                                     VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT},
+                                     VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT,
+                                     VK_FORMAT_R16G16_SFLOAT},
                     .depthFormat = VK_FORMAT_D32_SFLOAT,
                     .depth = gpu::DepthMode::Write,
                 }) {}
@@ -55,6 +56,8 @@ VisibleSurface SurfacePass::makeSurface(gpu::Device& device, std::uint32_t width
       makeTarget(device, "surface place", width, height, VK_FORMAT_R32G32_SFLOAT, color);
   surface.exitance =
       makeTarget(device, "surface exitance", width, height, VK_FORMAT_R32G32B32A32_SFLOAT, color);
+  surface.facet =
+      makeTarget(device, "surface facet", width, height, VK_FORMAT_R16G16_SFLOAT, color);
   surface.depth = makeTarget(device, "surface depth", width, height, VK_FORMAT_D32_SFLOAT,
                              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
   return surface;
@@ -86,7 +89,8 @@ void SurfacePass::record(gpu::CommandList& commands, const Inputs& inputs,
   commands.beginRendering({{.image = &surface.position},
                            {.image = &surface.normal},
                            {.image = &surface.place},
-                           {.image = &surface.exitance}},
+                           {.image = &surface.exitance},
+                           {.image = &surface.facet}},
                           &depth);
   commands.pushConstants(inputs.jitter);
   commands.drawIndexed(mesh.indices, mesh.indexCount);

@@ -16,6 +16,7 @@ struct ShadeConstants {
   float sampleWeight;
   float alpha;
   std::uint32_t specular;
+  std::uint32_t skyIsMirrored;
 };
 
 }  // namespace
@@ -35,7 +36,8 @@ ShadePass::ShadePass(gpu::Device& device)
                                          {6, BindingType::SampledImage},
                                          {7, BindingType::SampledImage},
                                          {8, BindingType::StorageBuffer},
-                                         {9, BindingType::StorageImage}},
+                                         {9, BindingType::StorageImage},
+                                         {10, BindingType::SampledImage}},
                             .pushConstantBytes = sizeof(ShadeConstants),
                         }) {}
 
@@ -61,11 +63,13 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
        Binding::sampled(3, inputs.exitance, nearest_), Binding::read(4, inputs.tables.objects),
        Binding::read(5, inputs.tables.media), Binding::sampled(6, inputs.shadows.depth, nearest_),
        Binding::sampled(7, inputs.environmentCube, linear_),
-       Binding::read(8, inputs.tables.specularAlbedo), Binding::writeImage(9, radiance)});
+       Binding::read(8, inputs.tables.specularAlbedo), Binding::writeImage(9, radiance),
+       Binding::sampled(10, inputs.sky.share, nearest_)});
   commands.pushConstants(ShadeConstants{.samplesBefore = inputs.sample,
                                         .sampleWeight = 1.0F / static_cast<float>(inputs.samples),
                                         .alpha = inputs.roughness * inputs.roughness,
-                                        .specular = inputs.specular ? 1U : 0U});
+                                        .specular = inputs.specular ? 1U : 0U,
+                                        .skyIsMirrored = inputs.mirrorsSky ? 1U : 0U});
   commands.dispatchTiles(radiance);
   commands.endPass();
 }

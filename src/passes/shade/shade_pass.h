@@ -28,10 +28,12 @@ class ShadePass {
     VisibleSurface& surface;
     gpu::GpuImage& exitance;  ///< of what is visible
     gpu::GpuImage& environmentCube;
+    ReflectedSky& sky;
     std::uint32_t sample;  ///< of `samples`
     std::uint32_t samples;
     float roughness;
     bool specular;
+    bool mirrorsSky;  ///< `sky` says how much of it
   };
   void record(gpu::CommandList& commands, const Inputs& inputs, gpu::GpuImage& radiance) const;
 

@@ -20,12 +20,14 @@ layout(std430, set = 0, binding = 5) readonly buffer Media { MediumData media[];
 layout(set = 0, binding = 7) uniform samplerCubeArray reflectedEnvironment;
 layout(std430, set = 0, binding = 8) readonly buffer SpecularAlbedo { float specularAlbedo[]; };
 layout(set = 0, binding = 9, rgba32f) uniform image2D radiance;
+layout(set = 0, binding = 10) uniform sampler2D skyShare;  // of what is mirrored
 
 layout(push_constant) uniform Push {
   uint samplesBefore;
   float sampleWeight;
   float alpha;  // of the GGX reflection
   uint specular;
+  uint skyIsMirrored;  // some of it, as skyShare has it; else all or none
 };
 
 const uint albedoEntries = 64u;
@@ -37,7 +39,8 @@ float reflectedAlbedo(MediumData medium, float cosine) {
   return mix(specularAlbedo[first], specularAlbedo[first + 1u], clamp(place - lower, 0.0, 1.0));
 }
 
-vec3 reflection(MediumData medium, vec3 position, vec3 normal, vec3 toCamera) {
+// `own` is radiance of the surface here, for which that of the scene is taken where it is mirrored.
+vec3 reflection(MediumData medium, vec3 position, vec3 normal, vec3 toCamera, float sky, vec3 own) {
   float eta = medium.boundary.x;
   float cosineOut = max(dot(normal, toCamera), 1e-3);
   vec3 sum = vec3(0.0);
@@ -55,6 +58,7 @@ vec3 reflection(MediumData medium, vec3 position, vec3 normal, vec3 toCamera) {
   vec3 around = frame.ambient.rgb;
   if (frame.counts.z != 0u)
     around += textureLod(reflectedEnvironment, vec4(reflect(-toCamera, normal), 0.0), 0.0).rgb;
+  around = mix(own, around, sky);
   return sum + around * reflectedAlbedo(medium, cosineOut);
 }
 
@@ -69,8 +73,11 @@ void main() {
     vec3 toCamera = normalize(frame.cameraPosition.xyz - surface.xyz);
     float cosine = clamp(dot(normal, toCamera), 1e-3, 1.0);
     float transmitted = 1.0 - fresnelReflectance(medium.boundary.x, cosine);
-    value = vec4(texelFetch(surfaceExitance, pixel, 0).rgb * (transmitted * medium.boundary.y), 1.0);
-    if (specular != 0u) value.rgb += reflection(medium, surface.xyz, normal, toCamera);
+    vec3 exitance = texelFetch(surfaceExitance, pixel, 0).rgb;
+    value = vec4(exitance * (transmitted * medium.boundary.y), 1.0);
+    if (specular != 0u)
+      value.rgb += reflection(medium, surface.xyz, normal, toCamera,
+                              skyIsMirrored != 0u ? texelFetch(skyShare, pixel, 0).r : 1.0, exitance / pi);
   }
   value *= sampleWeight;
   if (samplesBefore != 0u) value += imageLoad(radiance, pixel);

@@ -53,7 +53,7 @@ bool drawPoint(PointLight& light, float diagonalMm) {
   constexpr std::array<const char*, 3> axes{"x", "y", "z"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float reach = 3 * diagonalMm;
-    changed |= controls::slider(axes[axis], light.positionMm[axis], -reach, reach, "%.2f mm",
+    changed |= controls::length(axes[axis], light.positionMm[axis], -reach, reach,
                                 "Where it stands in the scene.");
   }
   return controls::light("intensity", light.intensity,
@@ -86,7 +86,7 @@ bool drawList(Lighting& lighting, int& chosen) {
     changed = true;
   }
   ImGui::EndDisabled();
-  ImGui::SameLine();
+  controls::sameLineFor("add point");
   ImGui::BeginDisabled(!within(directional, points + 1));
   if (controls::button("add point", "A light from one place.")) {
     lighting.points.emplace_back();

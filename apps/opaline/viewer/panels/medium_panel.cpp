@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "bssrdf/media.h"
 #include "bssrdf/profile.h"
+#include "core/measures.h"
 #include "core/tone.h"
 #include "medium_options.h"
 #include "viewer/controls.h"
@@ -89,7 +89,7 @@ bool drawCoefficients(const char* name, std::array<double, 3>& perMm, float low,
 // Taken up when the mouse lets go: every size is another scene.
 void drawSize(Session& session) {
   float mm = session.draggedDiagonalMm.value_or(session.diagonalMm);
-  if (controls::slider("size", mm, 1, 10'000, "%.1f mm",
+  if (controls::length("size", mm, 1, 10'000,
                        "Diagonal of the model's box. Light reaches equally far into a small body "
                        "and a large one of one medium: size decides how translucent it looks.")) {
     session.draggedDiagonalMm = mm;
@@ -102,20 +102,17 @@ void showLengths(const Medium& medium) {
   const MediumLengths lengths = lengthsOf(medium);
   if (!ImGui::BeginTable("lengths", 4, ImGuiTableFlags_SizingStretchProp)) return;
   const auto row = [](const char* name, const std::array<double, 3>& mm) {
+    const core::LengthUnit unit = core::lengthUnitFor(*std::min_element(mm.begin(), mm.end()));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(name);
+    ImGui::Text("%s, %s", name, unit.name);
     for (const double value : mm) {
       ImGui::TableNextColumn();
-      if (std::isfinite(value)) {
-        ImGui::Text("%.3g", value);
-      } else {
-        ImGui::TextUnformatted("endless");
-      }
+      ImGui::TextUnformatted(core::lengthNumber(value, unit).c_str());
     }
   };
-  row("mean free path, mm", lengths.meanFreePathMm);
-  row("diffusion length, mm", lengths.diffusionMm);
+  row("mean free path", lengths.meanFreePathMm);
+  row("diffusion length", lengths.diffusionMm);
   ImGui::EndTable();
 }
 
@@ -132,7 +129,7 @@ void drawMediumPanel(Session& session) {
     }
   }
   Medium& medium = session.scene.objects[session.object].medium;
-  ImGui::Text("%s", medium.name.c_str());
+  controls::text(medium.name);
   bool changed = drawChips(medium);
   const bool scatters =
       drawCoefficients("scattering", medium.sigmaSPrimePerMm, 1e-3F, 1e2F,

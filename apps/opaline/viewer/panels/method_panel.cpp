@@ -61,7 +61,7 @@ void drawMethodPanel(Session& session) {
   if (options.transport == Transport::Boundary) {
     changed |= drawBoundary(options);
     controls::checkbox("quick while moving", session.quickWhileMoving,
-                       "better-dipole stands in while light, medium or body move, where this "
+                       "A tolerance of 0.05 will do while light, medium or body move, where this "
                        "device needs more than 150 ms for boundary transport.");
   }
   if (options.sum == Sum::Pattern) changed |= drawPattern(options.pattern);

@@ -46,21 +46,28 @@ void drawTimePanel(const Session& session, const TimingHistory& history) {
   if (!controls::section("Time", false)) return;
   drawStacks(history);
   const double total = history.medianTotal();
-  ImGui::Text("%.2f ms on the device, %.1f frames a second", total, total > 0 ? 1000 / total : 0);
+  ImGui::TextWrapped("%.2f ms on the device, %.1f frames a second", total,
+                     total > 0 ? 1000 / total : 0);
   if (session.report) {
     const RenderReport& report = *session.report;
-    ImGui::Text("%s", report.device.name.c_str());
+    controls::text(report.device.name);
     ImGui::Text("%zu triangles, %zu sources", report.triangles, report.sources);
     if (report.boundarySurfels > 0) ImGui::Text("%zu boundary surfels", report.boundarySurfels);
     ImGui::Text("%.0f MB of the device's memory", report.peakMemoryMegabytes);
   }
+  if (!ImGui::BeginTable("passes", 3, ImGuiTableFlags_SizingFixedFit)) return;
   for (std::size_t pass = 0; pass < history.passes().size(); ++pass) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, colorOf(pass));
     ImGui::TextUnformatted("#");
     ImGui::PopStyleColor();
-    ImGui::SameLine();
-    ImGui::Text("%-18s %8.2f ms", history.passes()[pass].c_str(), history.median(pass));
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(history.passes()[pass].c_str());
+    ImGui::TableNextColumn();
+    ImGui::Text("%8.2f ms", history.median(pass));
   }
+  ImGui::EndTable();
 }
 
 }  // namespace opaline::app::viewer

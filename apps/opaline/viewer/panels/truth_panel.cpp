@@ -1,5 +1,7 @@
 #include <imgui.h>
 
+#include <cmath>
+
 #include "viewer/controls.h"
 #include "viewer/panels/panels.h"
 
@@ -14,15 +16,23 @@ const Choices<Shown>& shownPictures() {
 }
 
 void showFigures(const TruthView& truth) {
-  const TruthPicture& latest = *truth.latest();
-  ImGui::Text("%.1f s, truth itself within %.2g %%", latest.seconds, 100 * latest.error);
-  if (truth.figures()) {
-    ImGui::Text("pixels off by %.2f %% (RMSE / mean)", 100 * truth.figures()->all.relRmse);
-    ImGui::Text("brighter by %.2f %% in the mean", 100 * truth.figures()->all.relBias);
-  }
-  if (truth.blocks()) {
-    ImGui::Text("blocks of 8 x 8 off by %.2f %%", 100 * truth.blocks()->relRmse);
-  }
+  ImGui::TextWrapped("%s", truth.legend().c_str());
+  if (!truth.figures()) return;
+  ImGui::TextWrapped("pixels off by %.2f %% (RMSE / mean)", 100 * truth.figures()->all.relRmse);
+  const double bias = 100 * truth.figures()->all.relBias;
+  ImGui::TextWrapped("%s by %.2f %% in the mean", bias < 0 ? "darker" : "brighter", std::abs(bias));
+}
+
+void drawSaving(Session& session) {
+  const auto button = [&](const char* name, TruthFile file, const char* about) {
+    if (controls::button(name, about)) session.wantedTruthFile = file;
+  };
+  button("save truth", TruthFile::Png, "NAME_truth.png: as it is shown, at this exposure.");
+  controls::sameLineFor("as EXR");
+  button("as EXR", TruthFile::Exr, "NAME_truth.exr: linear light, 32-bit floats.");
+  controls::sameLineFor("save heat map");
+  button("save heat map", TruthFile::HeatMap,
+         "NAME_heat_map.png, with its scale. opaline compare draws others of the two EXR files.");
 }
 
 }  // namespace
@@ -34,7 +44,7 @@ void drawTruthPanel(Session& session, const TruthView& truth) {
                        "pixels are within 2 %: what light does. Minutes.")) {
     session.wantedTruth = TruthOrder::Method::Path;
   }
-  ImGui::SameLine();
+  controls::sameLineFor("dipole's integral");
   if (controls::button("dipole's integral",
                        "The dipole summed exactly over the surface: what the tree approximates. "
                        "Not what light does in thin parts.")) {
@@ -45,12 +55,13 @@ void drawTruthPanel(Session& session, const TruthView& truth) {
     if (controls::button("cancel", "Keeps what there is.")) session.cancelTruth = true;
   }
   const std::string error = truth.error();
-  if (!error.empty()) ImGui::TextWrapped("%s", error.c_str());
+  if (!error.empty()) controls::text(error);
   if (!truth.hasPicture()) return;
   controls::choice("shown", session.shown, shownPictures(),
                    "The picture, the truth of it, or how far they are apart. Edits go on on the "
                    "picture; the truth is of when it was started.");
   showFigures(truth);
+  drawSaving(session);
 }
 
 }  // namespace opaline::app::viewer

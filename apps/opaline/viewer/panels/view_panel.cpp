@@ -64,18 +64,17 @@ void drawViewPanel(Session& session) {
   if (!controls::section("View", false)) return;
   bool changed = chooseVariable(session);
   RenderOptions& options = session.options;
-  if (controls::slider("exposure", session.tone.exposureStops, -8, 8, "%.2f stops",
-                       "Twice the light for every stop.")) {
+  // What follows is done as the picture is shown, so that none has to be made anew.
+  if (controls::stops("exposure", session.tone.exposureStops, -8, 8,
+                      "Twice the light for every stop. Keys: O, X.")) {
     session.exposesByLight = false;
-    changed = true;
   }
   if (controls::checkbox("exposure follows the light", session.exposesByLight,
                          "What suits lights and sky, whatever the camera sees.")) {
     exposeByLight(session);
-    changed = true;
   }
-  changed |= controls::choice("tone", session.tone.curve, toneCurves(),
-                              "Neutral bends only what is brighter than white (Khronos 2024).");
+  controls::choice("tone", session.tone.curve, toneCurves(),
+                   "Neutral bends only what is brighter than white (Khronos 2024).");
   static const Choices<int> samples{{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}};
   changed |= controls::choice("samples a pixel", options.antialias, samples,
                               "Of the picture at rest; 1 while it moves.");

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""Makes the pictures of README and docs by the commands that tools/figures/pictures.json names, all or those named;
+`make figures` runs it. What takes minutes is made only where it is named, or with --all."""
+
+import argparse
+import json
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+IMAGES = ROOT / "docs" / "images"
+MANIFEST = ROOT / "tools" / "figures" / "pictures.json"
+BY_HAND = "by hand"
+
+
+def entries():
+    """Page and entry, for all pictures that a command makes."""
+    return [(page, entry) for page, listed in json.loads(MANIFEST.read_text()).items() if page != BY_HAND
+            for entry in listed]
+
+
+def by_hand():
+    return set(json.loads(MANIFEST.read_text())[BY_HAND])
+
+
+def words_of(command, programs, models):
+    """A command as it is run: programs and models by their full path."""
+    name, *arguments = shlex.split(command)
+    if name == "opaline_figures":
+        arguments += ["--into", "."]
+    return [str(programs.get(name, name)), *(str(models / word) if (models / word).is_file() else word for word in arguments)]
+
+
+def convert(source, target, width=None):
+    """Copies a picture, or makes a JPEG of it, that wide."""
+    if source.suffix == target.suffix and width is None:
+        shutil.copyfile(source, target)
+        return
+    scale = ["-vf", f"scale={width}:-1:flags=area"] if width else []
+    subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-i", str(source), *scale, "-q:v", "2", "-pix_fmt", "yuvj444p",
+                    "-frames:v", "1", "-update", "1", str(target)], check=True)
+
+
+def make(entry, programs, models, work, images):
+    work.mkdir(parents=True, exist_ok=True)
+    for command in entry["commands"]:
+        print(command, flush=True)
+        subprocess.run(words_of(command, programs, models), cwd=work, check=True)
+    for picture, made in entry["pictures"].items():
+        convert(work / made, images / picture, entry.get("width"))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("pictures", nargs="*", metavar="PICTURE", help="as bear_gummy.jpg")
+    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
+    parser.add_argument("--models", type=pathlib.Path, help="[OPALINE_MODELS, else ../shared/models]",
+                        default=os.environ.get("OPALINE_MODELS") or ROOT.parent / "shared" / "models")
+    arguments = parser.parse_args()
+    known = {picture for _, entry in entries() for picture in entry["pictures"]}
+    for picture in arguments.pictures:
+        if picture not in known:
+            sys.exit(f"no command makes {picture}; there are {' '.join(sorted(known))}")
+    binaries = arguments.build.resolve() / "bin"
+    programs = {name: binaries / name for name in ("opaline", "opaline_figures")}
+    programs["tools/accuracy.py"] = ROOT / "tools" / "accuracy.py"
+    for _, entry in entries():
+        wanted = set(entry["pictures"]) & set(arguments.pictures) if arguments.pictures else (
+            arguments.all or not entry.get("long"))
+        if not wanted:
+            continue
+        try:
+            make(entry, programs, arguments.models.resolve(), ROOT / "build" / "pictures", IMAGES)
+        except (subprocess.CalledProcessError, OSError) as error:
+            sys.exit(f"figures: {error}")
+
+
+if __name__ == "__main__":
+    main()
