@@ -16,7 +16,7 @@ constexpr std::size_t mostKinds = 24;
 std::string textOf(const NotShown& kind) {
   if (kind.names.empty()) return fmt::format("{} ({})", kind.what, kind.count);
   return fmt::format("{} ({}: {}{})", kind.what, kind.count, fmt::join(kind.names, ", "),
-                     kind.names.size() < mostNames ? "" : ", …");
+                     kind.names.size() < kind.count ? ", …" : "");
 }
 
 }  // namespace

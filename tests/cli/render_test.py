@@ -220,13 +220,13 @@ class Geometry(Render):
                    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
                    "0 0 0\n0 4 0\n0 4 3\n0 0 3\n4 0 1 2 3\n")
         plate = ("plate.ply", "--diagonal-mm", 50)
-        side = (*plate, "--size", "31x31", "--camera-direction", "1,0,0")
+        side = (*plate, "--size", "101x101", "--camera-direction", "1,0,0")
         # From the side its upper edge is 20 mm up: at .97 of the half height from 20 / (.97 tan 15) mm.
         cut, depth = self.border_and_depth(*side)
         self.assertEqual((cut, round(depth, 3)), (False, round(20 / (.97 * math.tan(math.radians(15))), 3)))
         # In a narrow picture it is the 15 mm to the side.
-        narrow = ("--size", "11x31", "--camera-direction", "1,0,0")
-        expected = 15 * 31 / 11 / (.97 * math.tan(math.radians(15)))
+        narrow = ("--size", "51x151", "--camera-direction", "1,0,0")
+        expected = 15 * 151 / 51 / (.97 * math.tan(math.radians(15)))
         self.assertEqual(self.border_and_depth(*plate, *narrow)[0], False)
         self.assertAlmostEqual(self.border_and_depth(*plate, *narrow)[1], expected, delta=1e-3 * expected)
         # In a wide field of view, or where it was placed, it stays.
@@ -238,12 +238,12 @@ class Geometry(Render):
         self.assertAlmostEqual(depth, 40, delta=1e-3)
         # A cube's front is in the picture from 1.4 diagonals.
         self.write("cube.obj", CUBE_OBJ)
-        cut, depth = self.border_and_depth("cube.obj", "--diagonal-mm", 50, "--size", "31x31")
+        cut, depth = self.border_and_depth("cube.obj", "--diagonal-mm", 50, "--size", "101x101")
         self.assertAlmostEqual(depth, 70 - 25 / math.sqrt(3), delta=1e-3)
 
     def test_a_film_has_one_frame_for_all_its_motion(self):
         self.write("cube.obj", CUBE_OBJ)
-        cube = ("cube.obj", "--diagonal-mm", 50, "--size", "31x31", "--deform", "squash:-.9:1")
+        cube = ("cube.obj", "--diagonal-mm", 50, "--size", "101x101", "--deform", "squash:-.9:1")
         self.succeed("render", *cube, "--aov", "depth", "--transport", "dipole", "--max-sources", 1024,
                      "--frames", "0:2", "--fps", 4, "-o", "f%d.exr")
         rest, stretched, again = (self.border_of(f"f{n}.exr") for n in range(3))
@@ -259,7 +259,7 @@ class Geometry(Render):
 
     def test_what_a_camera_looks_at(self):
         self.write("cube.obj", CUBE_OBJ)
-        cube = ("cube.obj", "--diagonal-mm", 50, "--size", "31x31")
+        cube = ("cube.obj", "--diagonal-mm", 50, "--size", "101x101")
         half = 25 / math.sqrt(3)
         for where in (("--camera-position", "10,0,60", "--camera-target", "10,0,0"),
                       ("--camera-target", "10,0,0", "--camera-direction", "0,0,2", "--fov-degrees", 20)):

@@ -118,7 +118,7 @@ TEST_F(Gltf, InstancesPrimitivesAndMedia) {
   EXPECT_EQ(scene.objects[1].medium.name, "skimmilk");
   EXPECT_EQ(scene.objects[2].medium.name, "ketchup");
   EXPECT_EQ(scene.objects[0].name, "left (marble)");
-  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("points or lines")));
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("points and lines")));
 }
 
 TEST_F(Gltf, StripsFansAndMissingIndices) {
@@ -445,7 +445,7 @@ TEST_F(Gltf, WhatIsNotShownIsCounted) {
       R"("baseColorTexture":{"index":0}}},{"name":"unused","alphaMode":"BLEND"}],)"
       R"("cameras":[{"type":"perspective","name":"a","perspective":{"yfov":1,"znear":1}},)"
       R"({"type":"perspective","name":"b","perspective":{"yfov":1,"znear":1}}],)"
-      R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","name":"lamp"}]}},)"
+      R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{},"name":"lamp"}]}},)"
       R"("extensionsUsed":["KHR_lights_punctual","KHR_materials_sheen","ACME_fog"])";
   const Scene scene = load(parts);
   std::string said;
