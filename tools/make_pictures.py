@@ -49,7 +49,8 @@ def make(entry, programs, models, work, images):
     work.mkdir(parents=True, exist_ok=True)
     for command in entry["commands"]:
         print(command, flush=True)
-        subprocess.run(words_of(command, programs, models), cwd=work, check=True)
+        subprocess.run(words_of(command, programs, models), cwd=work, check=True,
+                       env={**os.environ, "OPALINE": str(programs["opaline"])})
     for picture, made in entry["pictures"].items():
         convert(work / made, images / picture, entry.get("width"))
 
@@ -68,7 +69,8 @@ def main():
             sys.exit(f"no command makes {picture}; there are {' '.join(sorted(known))}")
     binaries = arguments.build.resolve() / "bin"
     programs = {name: binaries / name for name in ("opaline", "opaline_figures")}
-    programs["tools/accuracy.py"] = ROOT / "tools" / "accuracy.py"
+    for script in ("tools/accuracy.py", "tools/figures/window_pictures.py"):
+        programs[script] = ROOT / script
     for _, entry in entries():
         wanted = set(entry["pictures"]) & set(arguments.pictures) if arguments.pictures else (
             arguments.all or not entry.get("long"))

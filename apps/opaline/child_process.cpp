@@ -48,10 +48,15 @@ void awaitEnd(pid_t id) {
 /// key that interrupts us must not make it finish a file that nobody wants.
 class SpawnSettings {
  public:
-  SpawnSettings(int input, int errors) {
+  /// Output below 0 is dropped.
+  SpawnSettings(int input, int output, int errors) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    if (output < 0) {
+      posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    } else {
+      posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
+    }
     posix_spawn_file_actions_adddup2(&actions_, errors, STDERR_FILENO);
     posix_spawnattr_init(&attributes_);
     sigset_t none;
@@ -96,11 +101,16 @@ std::optional<fs::path> findProgram(const std::string& name) {
   return std::nullopt;
 }
 
-ChildProcess::ChildProcess(const fs::path& program, std::vector<std::string> arguments) {
+ChildProcess::ChildProcess(const fs::path& program, std::vector<std::string> arguments,
+                           Output output) {
   std::array<int, 2> ends{-1, -1};
+  const bool kept = output == Output::Kept;
   errors_ = memfd_create("errors of a child", MFD_CLOEXEC);
-  if (errors_ < 0 || pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw Error(fmt::format("Cannot start {}: {}.", program.string(), std::strerror(errno)));
+  if (kept) output_ = memfd_create("output of a child", MFD_CLOEXEC);
+  if (errors_ < 0 || (kept && output_ < 0) || pipe2(ends.data(), O_CLOEXEC) != 0) {
+    const int reason = errno;
+    closeFiles();
+    throw Error(fmt::format("Cannot start {}: {}.", program.string(), std::strerror(reason)));
   }
   input_ = ends[1];
   std::string name = program.string();
@@ -110,20 +120,20 @@ ChildProcess::ChildProcess(const fs::path& program, std::vector<std::string> arg
   int failure = 0;
   {
     const std::lock_guard lock(children().mutex);
-    failure = SpawnSettings(ends[0], errors_).spawn(id_, program, pointers);
+    failure = SpawnSettings(ends[0], output_, errors_).spawn(id_, program, pointers);
     if (failure == 0) children().ids.insert(id_);
   }
   close(ends[0]);
   if (failure == 0) return;
   closeInput();
-  close(errors_);
+  closeFiles();
   throw Error(fmt::format("Cannot start {}: {}.", program.string(), std::strerror(failure)));
 }
 
 ChildProcess::~ChildProcess() {
   kill();
   finish();
-  close(errors_);
+  closeFiles();
 }
 
 bool ChildProcess::write(std::string_view bytes) const {
@@ -145,7 +155,25 @@ bool ChildProcess::finish() {
   const bool reaped = waitpid(id_, &status, 0) == id_;
   children().ids.erase(id_);
   id_ = -1;
-  return reaped && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (reaped && WIFEXITED(status)) status_ = WEXITSTATUS(status);
+  return status_ == 0;
+}
+
+bool ChildProcess::isRunning() const {
+  if (id_ < 0) return false;
+  siginfo_t info{};
+  info.si_pid = 0;
+  const bool known = waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOWAIT | WNOHANG) == 0;
+  return known && info.si_pid == 0;
+}
+
+std::string ChildProcess::output(std::size_t mostBytes) const {
+  if (output_ < 0) return {};
+  const off_t end = lseek(output_, 0, SEEK_END);
+  std::string text(std::min(mostBytes, static_cast<std::size_t>(std::max<off_t>(end, 0))), '\0');
+  const ssize_t count = pread(output_, text.data(), text.size(), 0);
+  text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  return text;
 }
 
 void ChildProcess::kill() {
@@ -169,6 +197,13 @@ std::string ChildProcess::lastWords() const {
 void ChildProcess::closeInput() {
   if (input_ >= 0) close(input_);
   input_ = -1;
+}
+
+void ChildProcess::closeFiles() {
+  for (int* file : {&errors_, &output_}) {
+    if (*file >= 0) close(*file);
+    *file = -1;
+  }
 }
 
 void abandonChildProcesses() {

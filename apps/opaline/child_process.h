@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,12 +14,16 @@ namespace opaline::app {
 /// Where the shell would find a program; nothing where it would not.
 std::optional<std::filesystem::path> findProgram(const std::string& name);
 
-/// A program that reads what we write to it. It is killed when this object goes, and when this
-/// program is interrupted.
+/// A program that reads what we write to it, and may answer. It is killed when this object goes,
+/// and when this program is interrupted.
 class ChildProcess {
  public:
+  /// What becomes of its standard output.
+  enum class Output { Dropped, Kept };
+
   /// Throws Error when it cannot be started.
-  ChildProcess(const std::filesystem::path& program, std::vector<std::string> arguments);
+  ChildProcess(const std::filesystem::path& program, std::vector<std::string> arguments,
+               Output output = Output::Dropped);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -29,6 +34,13 @@ class ChildProcess {
   /// Ends its input and waits for its end. True when it says that all went well.
   bool finish();
 
+  /// Whether finish() would have to wait.
+  bool isRunning() const;
+  /// With what it ended, after finish(); nothing where it was killed.
+  std::optional<int> exitStatus() const { return status_; }
+  /// What it wrote to its standard output, where that is kept; no more than so many bytes.
+  std::string output(std::size_t mostBytes) const;
+
   /// May be called while another thread writes, which then ends.
   void kill();
 
@@ -37,10 +49,13 @@ class ChildProcess {
 
  private:
   void closeInput();
+  void closeFiles();
 
   pid_t id_ = -1;
   int input_ = -1;
   int errors_ = -1;
+  int output_ = -1;
+  std::optional<int> status_;
 };
 
 /// Kills all children and lets none be started from then on; whoever tries waits for ever.

@@ -30,7 +30,9 @@ class SceneOptions {
   void addTo(CommandLine& line);
   /// Another file instead, of which everything else is as it says.
   void setFile(const std::filesystem::path& file) { *this = {}, file_ = file; }
-  void setDiagonalMm(float diagonalMm) { diagonalMm_ = diagonalMm; }
+  /// Without one, the size is as the file has it.
+  void setDiagonalMm(std::optional<float> diagonalMm) { diagonalMm_ = diagonalMm; }
+  std::optional<float> diagonalMm() const { return diagonalMm_; }
   /// Whether any of them was given.
   bool any() const;
   /// The file's name without folder and extension, or that of the built-in scene.

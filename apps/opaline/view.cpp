@@ -74,6 +74,9 @@ struct ViewCommand {
     motion.applyTo(session.options, loaded.scene, loaded.settings);
     session.tone = look.tone(loaded.settings, loaded.scene);
     session.exposesByLight = look.exposesByLight(loaded.settings);
+    if (loaded.settings.width && loaded.settings.height) {
+      session.pictureSize = {*loaded.settings.width, *loaded.settings.height};
+    }
   }
 };
 

@@ -23,7 +23,7 @@ double smallestAreaMm2(const SceneResources& resources, std::size_t medium) {
   double smallest = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < resources.objects; ++i)
     if (resources.mediumOfObject[i] == medium)
-      smallest = std::min(smallest, resources.areaOfObjectMm2[i]);
+      smallest = std::min(smallest, resources.sizeOfObject[i].areaMm2);
   return smallest;
 }
 

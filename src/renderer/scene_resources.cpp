@@ -59,26 +59,21 @@ std::vector<shared::AtlasCorner> cornerOfVertex(const std::vector<shared::AtlasC
   return chosen;
 }
 
-double meanEdgeMm(const Mesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3& a = mesh.positionsMm[t[i]];
-      const Vec3& b = mesh.positionsMm[t[(i + 1) % 3]];
-      sum += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    }
-  return mesh.triangles.empty() ? 0 : sum / (3.0 * static_cast<double>(mesh.triangles.size()));
-}
-
-double areaMm2(const Mesh& mesh) {
-  double sum = 0;
+SizeOfObject sizeOf(const Mesh& mesh) {
+  SizeOfObject size;
   for (const Triangle& t : mesh.triangles) {
     const glm::dvec3 a = glm::make_vec3(mesh.positionsMm[t[0]].data());
     const glm::dvec3 b = glm::make_vec3(mesh.positionsMm[t[1]].data());
     const glm::dvec3 c = glm::make_vec3(mesh.positionsMm[t[2]].data());
-    sum += 0.5 * glm::length(glm::cross(b - a, c - a));
+    const double areaMm2 = 0.5 * glm::length(glm::cross(b - a, c - a));
+    const double edgeMm = (glm::length(b - a) + glm::length(c - b) + glm::length(a - c)) / 3;
+    size.areaMm2 += areaMm2;
+    size.meanEdgeMm += edgeMm;
+    size.meanEdgeByAreaMm += areaMm2 * edgeMm;
   }
-  return sum;
+  if (!mesh.triangles.empty()) size.meanEdgeMm /= static_cast<double>(mesh.triangles.size());
+  if (size.areaMm2 > 0) size.meanEdgeByAreaMm /= size.areaMm2;
+  return size;
 }
 
 bool same(const Medium& a, const Medium& b) {
@@ -98,10 +93,7 @@ void listMedia(const Scene& scene, SceneResources& resources) {
 }
 
 void measure(const Scene& scene, SceneResources& resources) {
-  for (const Object& object : scene.objects) {
-    resources.meanEdgeOfObjectMm.push_back(meanEdgeMm(object.mesh));
-    resources.areaOfObjectMm2.push_back(areaMm2(object.mesh));
-  }
+  for (const Object& object : scene.objects) resources.sizeOfObject.push_back(sizeOf(object.mesh));
 }
 
 void makeMesh(gpu::Device& device, SceneResources& resources) {
@@ -134,11 +126,13 @@ constexpr double coarseInFreePaths = 0.8;
 // Where a medium's light is summed over surfels of another's size, they may be coarse.
 void noteSpacing(SceneResources& resources) {
   resources.surfels.coarse = false;
+  // Two triangles fill two of a surfel's sources.
+  const double sourcesPerSurfel =
+      resources.surfels.piecesPerSurfel == 2 ? 2 : shared::sourcesPerSurfel;
   for (std::size_t i = 0; i < resources.objects; ++i) {
     SurfelsOfObject& object = resources.surfelsOfObject[i];
-    const double sources =
-        std::max(1.0, static_cast<double>(shared::sourcesPerSurfel) * object.count);
-    object.sourceSpacingMm = std::sqrt(resources.areaOfObjectMm2[i] / sources);
+    const double sources = std::max(1.0, sourcesPerSurfel * object.count);
+    object.sourceSpacingMm = std::sqrt(resources.sizeOfObject[i].areaMm2 / sources);
     const Medium& medium = resources.media[resources.mediumOfObject[i]];
     object.coarse = object.sourceSpacingMm > coarseInFreePaths * shortestMeanFreePathMm(medium);
     resources.surfels.coarse = resources.surfels.coarse || object.coarse;
@@ -192,9 +186,15 @@ atlas::Surface surfaceOf(const scene::MergedMesh& merged) {
           .objectOfTriangle = merged.objectOfTriangle};
 }
 
+// Mean edge by area, in mean free paths: of a fine mesh that stands on a coarse floor it is the
+// floor's.
+constexpr double longestByArea = 3;
+
 bool wantsVertices(const SceneResources& resources, std::size_t object) {
-  return resources.meanEdgeOfObjectMm[object] <=
-         shortestMeanFreePathMm(resources.media[resources.mediumOfObject[object]]);
+  const SizeOfObject& size = resources.sizeOfObject[object];
+  const double freePathMm =
+      shortestMeanFreePathMm(resources.media[resources.mediumOfObject[object]]);
+  return size.meanEdgeMm <= freePathMm && size.meanEdgeByAreaMm <= longestByArea * freePathMm;
 }
 
 bool SceneResources::hasInside() const {

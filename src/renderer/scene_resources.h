@@ -46,6 +46,13 @@ struct SurfelsOfObject {
   bool hasInside = false;            ///< in some part; only found out where there are clusters
 };
 
+/// Of an object at rest.
+struct SizeOfObject {
+  double areaMm2 = 0;
+  double meanEdgeMm = 0;        ///< each triangle counted once
+  double meanEdgeByAreaMm = 0;  ///< each by its area
+};
+
 /// A scene on the device: what depends on the rest pose alone. Objects are laid end to end and
 /// share one atlas.
 struct SceneResources {
@@ -62,8 +69,7 @@ struct SceneResources {
   std::uint32_t triangles = 0;
   std::vector<Medium> media;  ///< the different ones
   std::vector<std::uint32_t> mediumOfObject;
-  std::vector<double> meanEdgeOfObjectMm;
-  std::vector<double> areaOfObjectMm2;
+  std::vector<SizeOfObject> sizeOfObject;
   std::vector<bool> triangleHasInside;  ///< of all objects; these two where clusters are needed
   std::vector<bool> objectHasInside;    ///< in some part
   DivisionOrder divided;                ///< that the surfels were made for
@@ -88,7 +94,7 @@ DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
 void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources);
 
 /// Whether light is summed well enough at an object's vertices (Gong et al. 2008): edges are no
-/// longer than a mean free path.
+/// longer than a mean free path, and no large part of the surface has far longer ones.
 bool wantsVertices(const SceneResources& resources, std::size_t object);
 
 }  // namespace opaline

@@ -10,11 +10,13 @@
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "passes/gather/ambient_cube.h"
+#include "passes/scatter/nearby_shares.h"
 #include "passes/shade/specular_albedo.h"
 #include "shaders/profile_packing.h"
 #include "shaders/shared/boundary.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/medium.h"
+#include "shaders/shared/nearby.h"
 
 namespace opaline {
 
@@ -112,8 +114,26 @@ class TableBuilder {
   std::vector<float> albedo_;
 };
 
-// Around coarse surfels the profile is integrated within so many of their sources' spacings.
-constexpr double nearbySpacings = 4;
+// Exitance that nothing visible depends on, as a part of that of the body's mean irradiance.
+constexpr double darkestOfMean = 1e-4;
+
+void setSum(const SurfelsOfObject& surfels, const std::array<bssrdf::Profile, 3>& profiles,
+            double areaMm2, shared::ObjectData& object) {
+  const double reachMm =
+      surfels.coarse ? static_cast<double>(shared::reachInSpacings) * surfels.sourceSpacingMm : 0;
+  object.darkest.w = static_cast<float>(reachMm);
+  for (int c = 0; c < 3; ++c) {
+    const bssrdf::Profile& profile = profiles[static_cast<std::size_t>(c)];
+    if (areaMm2 > 0)
+      object.darkest[c] = static_cast<float>(darkestOfMean * profile.totalReflectance() / areaMm2);
+    if (!surfels.coarse) continue;
+    const passes::NearbyShares shares = passes::nearbyShares(profile, reachMm);
+    object.nearbyDisc[c] = static_cast<float>(shares.disc);
+    object.nearbyInner[c] = static_cast<float>(shares.innerRing);
+    object.nearbyOuter[c] = static_cast<float>(shares.outerRing);
+    object.nearbyKept[c] = static_cast<float>(shares.kept);
+  }
+}
 
 std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Transport transport) {
   std::vector<shared::ObjectData> objects(resources.objects);
@@ -126,15 +146,9 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     objects[i].tree = {surfels.root, surfels.endNode, 0, 0};
     objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, surfels.hasInside ? 1U : 0U,
                            0};
-    if (!surfels.coarse) continue;
-    const Medium& medium = resources.media[resources.mediumOfObject[i]];
-    const double radiusMm = nearbySpacings * surfels.sourceSpacingMm;
-    objects[i].nearby.x = static_cast<float>(radiusMm);
-    const std::array<bssrdf::Profile, 3> profiles =
-        bssrdf::makeProfiles(modelOf(transport), medium);
-    for (int c = 0; c < 3; ++c)
-      objects[i].nearby[1 + c] =
-          static_cast<float>(profiles[static_cast<std::size_t>(c)].disc(radiusMm));
+    setSum(surfels,
+           bssrdf::makeProfiles(modelOf(transport), resources.media[resources.mediumOfObject[i]]),
+           resources.sizeOfObject[i].areaMm2, objects[i]);
   }
   return objects;
 }

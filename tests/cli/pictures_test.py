@@ -1,6 +1,7 @@
 """Pictures of docs/ still show what their commands make: those of the built-in bear, at an eighth of their size or as they
-are, and plots."""
+are, and plots; of the models, a quarter of that."""
 
+import os
 import pathlib
 import shlex
 import subprocess
@@ -30,18 +31,36 @@ class Pictures(ProgramTest):
     def test_renderings(self):
         compared = 0
         for _, entry in make_pictures.entries():
-            if "small" not in entry:
+            (command, *_), (picture, *_) = entry["commands"], entry["pictures"]
+            if "small" not in entry or not command.startswith("opaline "):
                 continue
-            (command,), (picture,) = entry["commands"], entry["pictures"]
             self.succeed(*shlex.split(command)[1:], "--size", f"{EDGE}x{EDGE}", "--antialias", 8, *entry["small"])
-            subprocess.run(["ffmpeg", "-loglevel", "error", "-i", make_pictures.IMAGES / picture, "-vf",
-                            f"scale={EDGE}:{EDGE}:flags=area", "shown.png"], cwd=self.folder, check=True)
-            figures = self.succeed("compare", "shown.png", entry["pictures"][picture], "--json").json()
-            for where in (figures, *figures["channels"].values()):
-                self.assertLess(where["rel_rmse"], MOST_RMSE, picture)
-                self.assertLess(abs(where["rel_bias"]), MOST_BIAS, picture)
+            self.shows(make_pictures.IMAGES / picture, entry["pictures"][picture], f"{EDGE}:{EDGE}")
             compared += 1
         self.assertGreater(compared, 0)
+
+    def shows(self, picture, made, scale):
+        """The picture, made smaller, is what was made now."""
+        for source, target, filters in ((picture, "shown.png", f"scale={scale}:flags=area"), (made, "made.png", "null")):
+            subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-i", source, "-vf", filters, target], cwd=self.folder,
+                           check=True)
+        figures = self.succeed("compare", "made.png", "shown.png", "--json").json()
+        self.assertLess(figures["rel_rmse"], MOST_RMSE, picture)
+        for channel in figures["channels"].values():
+            self.assertLess(abs(channel["rel_bias"]), MOST_BIAS, picture)
+
+    def test_figures(self):
+        found = pathlib.Path(os.environ.get("OPALINE_MODELS") or make_pictures.ROOT.parent / "shared" / "models")
+        if not (found / "bunny_closed.ply").is_file():
+            self.skipTest("the models are not here; OPALINE_MODELS names their folder")
+        for _, entry in make_pictures.entries():
+            if "small" not in entry or not entry["commands"][0].startswith("opaline_figures "):
+                continue
+            words = [*shlex.split(entry["commands"][0])[1:], *entry["small"]]
+            subprocess.run([os.environ["OPALINE_FIGURES"], *words, "--into", "."], cwd=self.folder, check=True,
+                           stdout=subprocess.DEVNULL)
+            for picture, made in entry["pictures"].items():
+                self.shows(make_pictures.IMAGES / picture, made, "iw/4:ih/4")
 
     def test_heat_maps(self):
         compared = 0

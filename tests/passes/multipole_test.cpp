@@ -152,6 +152,23 @@ TEST(MultipoleShader, BetterDipolesDerivatives) {
   expectDerivatives(Model::BetterDipole, 100, 5e-4);
 }
 
+TEST(MultipoleShader, OutsideADiscIsWhatTheDiscLeaves) {
+  for (const bssrdf::MeasuredMedium& row : bssrdf::measuredMedia())
+    for (const Model model : {Model::Dipole, Model::BetterDipole}) {
+      const std::array<Profile, 3> profiles = bssrdf::makeProfiles(model, row.medium);
+      for (const double radiusMm : {0.0, 0.1, 1.0, 5.0}) {
+        const glm::vec3 found = test::glsl::profileOutside(
+            shaders::packProfile(profiles), glm::vec3(static_cast<float>(radiusMm * radiusMm)));
+        for (int c = 0; c < 3; ++c) {
+          const Profile& profile = profiles[static_cast<std::size_t>(c)];
+          const double total = profile.totalReflectance();
+          EXPECT_NEAR(static_cast<double>(found[c]), total - profile.disc(radiusMm), 1e-5 * total)
+              << row.medium.name << " " << radiusMm;
+        }
+      }
+    }
+}
+
 TEST(MultipoleShader, DifferencesAreOfThePublishedProfiles) {
   for (const bssrdf::MeasuredMedium& row : bssrdf::measuredMedia())
     for (const Model model : {Model::Dipole, Model::BetterDipole})

@@ -41,6 +41,16 @@ class RayQueries(ProgramTest):
         self.assertGreater(len(seen), 200)
         self.assertGreater(len({pixel[0] for pixel in seen}), 100)
 
+    def test_the_reflection_is_the_same_without(self):
+        """A half-space's, whose frames send rays for nothing but what of the sky is mirrored."""
+        for queries in ("on", "off"):
+            self.succeed("render", "--builtin", "teapot", "--size", "64x64", "--max-sources", "4096", "--transport",
+                         "better-dipole", "--ambient", "1,1,1", "--roughness", "0.5", "--validation", "--ray-queries", queries,
+                         "-o", f"{queries}.exr", env=HAS_QUERIES)
+        figures = self.succeed("compare", "on.exr", "off.exr", "--json").json()
+        self.assertGreater(figures["covered_pixels"], 500)
+        self.assertLess(figures["rel_rmse"], 1e-3)
+
 
 if __name__ == "__main__":
     unittest.main()

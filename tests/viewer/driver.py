@@ -78,13 +78,15 @@ class Shot:
 class Window:
     """`opaline view` with the validation layer on, whose messages make it fail in the end."""
 
-    def __init__(self, test, display, *arguments, folder=None):
+    def __init__(self, test, display, *arguments, folder=None, environment=None):
         self.test = test
         self.folder = folder or test.folder
         self.places = test.folder / "controls.json"
         self.places.unlink(missing_ok=True)
         self.pressed = (0, (0, 0))
-        self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(test.config))
+        # Where no desktop runs, the dialogs are the window's own.
+        self.environment = dict(os.environ, DISPLAY=display, XDG_CONFIG_HOME=str(test.config), XDG_CURRENT_DESKTOP="")
+        self.environment.update(environment or {})
         self.errors = open(test.folder / "errors.txt", "w+", encoding="utf-8")
         test.addCleanup(self.errors.close)
         self.process = subprocess.Popen(
@@ -142,6 +144,18 @@ class Window:
         before = self.state()["inputs"]
         self.xdotool(*arguments)
         self.wait_for(lambda: self.state()["inputs"] >= before + inputs, f"{arguments} never came")
+
+    def title(self):
+        """As desktops show it, in one line."""
+        said = subprocess.run(["xdotool", "getwindowname", self.handle], env=self.environment, check=True,
+                              capture_output=True, text=True).stdout
+        return " ".join(said.split())
+
+    def save_as(self, what):
+        """Under the name that is offered."""
+        self.click(f"Save/{what}...")
+        self.wait_for(lambda: "File/name" in self.state()["controls"], "no file can be chosen")
+        self.use(2, "key", "Return")
 
     def point(self, place):
         self.xdotool("mousemove", "--window", self.handle, round(place[0]), round(place[1]))

@@ -149,7 +149,7 @@ class Panels(WindowTest):
         window.only("Motion")
         window.click("Motion/add a deformation")
         window.only("Save")
-        window.click("Save/film")
+        window.save_as("film")
         window.wait_for(lambda: window.state()["message"] == "saved teapot.mp4", "no film")
         self.assertGreater((self.folder / "teapot.mp4").stat().st_size, 1000)
 
@@ -157,15 +157,20 @@ class Panels(WindowTest):
         """What is typed is a name, and no key of the window."""
         window = self.window
         window.only("Save")
-        window.click("Save/name")
+        window.key("Escape")  # what the window last said goes
+        window.move((5, 5))
+        window.settle()
         picture, area = window.picture(), window.state()["picture"]
+        window.click("Save/picture...")
+        window.wait_for(lambda: "File/name" in window.state()["controls"], "no file can be chosen")
         window.use(22, "type", "pshotcf?x 1")
         window.key("Left")
+        window.key("Escape")
+        window.move((5, 5))
         window.settle()
         self.assertEqual(window.picture().data, picture.data)
         self.assertEqual(window.state()["picture"], area)
         self.assertEqual([path.name for path in self.folder.glob("*.toml")], [])
-        window.key("Escape")
 
     def many_lights(self):
         """As many as there are shadow maps for, and no more."""

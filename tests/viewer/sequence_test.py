@@ -50,10 +50,10 @@ class Sequence(WindowTest):
         self.assertLess(third.difference(window.picture()), .05, "back where its file has it")
 
         window.only("Save")
-        window.click("Save/scene")
-        self.assertEqual(window.state()["message"], "saved m.toml")
+        window.save_as("scene")
+        window.wait_for(lambda: window.state()["message"] == "saved m.toml", "not saved")
         self.assertLessEqual(third.worst(self.rendered(window, "m.toml")), 1)
-        window.click("Save/film")
+        window.save_as("film")
         window.wait_for(lambda: window.state()["message"] == "saved m.mp4", "no film")
         frames = window.state()["frames"]
         window.use(2, "key", "space")

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -66,18 +67,28 @@ std::vector<Figure> named(const std::vector<std::string_view>& names) {
   return chosen;
 }
 
-void run(std::vector<std::string_view> names) {
-  fs::path output = fs::path(OPALINE_SOURCE_DIR) / "docs" / "images";
-  const auto into = std::find(names.begin(), names.end(), "--into");
-  if (into != names.end()) {
-    if (into + 1 == names.end()) throw UsageError("--into needs a folder");
-    output = *(into + 1);
-    names.erase(into, into + 2);
-  }
-  const std::vector<Figure> chosen = named(names);
+/// Takes an option and its value out of the arguments.
+std::optional<std::string> takeValue(std::vector<std::string_view>& arguments,
+                                     std::string_view option) {
+  const auto found = std::find(arguments.begin(), arguments.end(), option);
+  if (found == arguments.end()) return std::nullopt;
+  if (found + 1 == arguments.end()) throw UsageError(fmt::format("{} needs a value", option));
+  const std::string value(*(found + 1));
+  arguments.erase(found, found + 2);
+  return value;
+}
+
+/// opaline_figures [--into FOLDER] [--shrunk N] [FIGURE...]
+void run(std::vector<std::string_view> arguments) {
+  const fs::path output =
+      takeValue(arguments, "--into").value_or(OPALINE_SOURCE_DIR "/docs/images");
+  const std::string shrunk = takeValue(arguments, "--shrunk").value_or("1");
+  if (shrunk != "1" && shrunk != "2" && shrunk != "4")
+    throw UsageError(fmt::format("--shrunk {}: must be 1, 2 or 4", shrunk));
+  const std::vector<Figure> chosen = named(arguments);
   const fs::path models = modelFolder();
   requireModels(models);
-  Studio studio{models, output, Renderer()};
+  Studio studio{models, output, Renderer(), std::stoi(shrunk)};
   for (const Figure& figure : chosen) figure.make(studio, figure.name);
 }
 

@@ -22,6 +22,7 @@ struct Studio {
   std::filesystem::path models;
   std::filesystem::path output;
   Renderer renderer;
+  int shrunk = 1;  ///< by which photographs are smaller than usual, each way
 };
 
 /// What one panel shows, and how bright.

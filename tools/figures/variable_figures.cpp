@@ -59,15 +59,15 @@ void exitance(Studio& studio, const char* name) {
 
 void models(Studio& studio, const char* name) {
   std::vector<core::Image8> panels;
-  const auto show = [&](Scene scene, const Vec3& direction) {
-    scene.camera = defaultCamera(scene, direction, 34);
+  const auto show = [&](Scene scene, const Vec3& direction, float fovDegrees) {
+    scene.camera = defaultCamera(scene, direction, fovDegrees);
     scene.lighting = stageLight();
     studio.renderer.setScene(scene);
     panels.push_back(photograph(studio, usual(), {0, 480, 480}));
   };
-  show(load(studio, "bunny_closed.ply", "jade", 50), {0.1F, 0.1F, 1});
-  show(load(studio, "bunny_closed.ply", "skimmilk", 50), {0.1F, 0.1F, 1});
-  show(load(studio, "buddha.ply", "marble", 100), {0.15F, 0.1F, 1});
+  show(load(studio, "bunny_closed.ply", "jade", 50), {0.1F, 0.1F, 1}, 32);
+  show(load(studio, "bunny_closed.ply", "skimmilk", 50), {0.1F, 0.1F, 1}, 32);
+  show(load(studio, "buddha.ply", "marble", 100), {0.15F, 0.1F, 1}, 40);
   publish(studio, name, sheet(panels, 3, 0, dark));
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "core/measures.h"
 #include "viewer/glyphs.h"
@@ -107,6 +108,12 @@ void setOpenSections(const Sections& open) {
   sections = open;
 }
 
+Group::Group(const char* name) : before_(std::exchange(within, name)) {}
+
+Group::~Group() {
+  within = std::move(before_);
+}
+
 bool button(const char* name, const char* about) {
   const bool pressed = ImGui::Button(name);
   note(name);
@@ -155,6 +162,22 @@ bool integer(const char* name, int& value, int low, int high, const char* about)
   note(name);
   tip(about);
   if (changed) value = std::clamp(value, low, high);
+  return changed;
+}
+
+bool typed(const char* name, int& value, int low, int high, const char* about) {
+  static int held = 0;  // of the one field that is typed in
+  const std::string label = leaveRoomFor(name);
+  int now = value;
+  ImGui::InputInt(label.c_str(), &now, 0, 0);
+  note(name);
+  if (ImGui::IsItemActive()) held = now;
+  const bool done = ImGui::IsItemDeactivatedAfterEdit();
+  tip(about);
+  if (!done) return false;
+  const int wanted = std::clamp(now == value ? held : now, low, high);
+  const bool changed = wanted != value;
+  value = wanted;
   return changed;
 }
 

@@ -33,6 +33,18 @@ using Sections = std::map<std::string, bool>;  ///< by name, whether it is open
 Sections openSections();
 void setOpenSections(const Sections& sections);
 
+/// What stands in no section: its name stands before the names of the controls while it lives.
+class Group {
+ public:
+  explicit Group(const char* name);
+  ~Group();
+  Group(const Group&) = delete;
+  Group& operator=(const Group&) = delete;
+
+ private:
+  std::string before_;
+};
+
 /// What the last control is for; shown beside it while the mouse rests on it.
 void tip(const char* text);
 
@@ -52,6 +64,8 @@ bool length(const char* name, float& mm, float lowMm, float highMm, const char* 
 /// An exposure.
 bool stops(const char* name, float& value, float low, float high, const char* about);
 bool integer(const char* name, int& value, int low, int high, const char* about);
+/// A number that is typed, taken up with Enter or where the field is left.
+bool typed(const char* name, int& value, int low, int high, const char* about);
 /// Light: hue and strength apart, any strength.
 bool light(const char* name, Rgb& value, const char* about);
 /// A name out of some.

@@ -9,6 +9,7 @@
 #include "viewer/session.h"
 #include "viewer/timing_history.h"
 #include "viewer/truth_view.h"
+#include "viewer/undo_list.h"
 #include "viewer/window.h"
 
 namespace opaline::app::viewer {
@@ -24,13 +25,12 @@ class Dashboard {
   const Area& area() const { return area_; }
 
   /// First in a frame: where everything stands.
-  void layOut();
-  /// The keys that were pressed; those of a scene only where there is one. While a name or a number
-  /// is being typed, no key but that which closes the window.
-  void useKeys(const std::vector<KeyPress>& presses, Window& window, Session& session,
-               bool hasScene);
+  void layOut(const Session& session);
+  /// The keys that were pressed; those of a scene only where there is one, and those of its picture
+  /// only while no film is made of it. None while a number is being typed.
+  void useKeys(const std::vector<KeyPress>& presses, Session& session, bool hasScene, bool filming);
   void drawPanels(Session& session, const TruthView& truth, const TimingHistory& history,
-                  const Saver& saver) const;
+                  const Saver& saver, const UndoList& undo) const;
   /// What belongs to the picture that is shown: scale bar, handles and divider, or the figures of
   /// the truth; and the captions.
   void drawOverPicture(const Session& session, const TruthView& truth, const LightHandles& handles,
@@ -39,7 +39,10 @@ class Dashboard {
   void drawKeyList() const;
 
  private:
-  Area area_;  // of the picture
+  static void drawTop(Session& session, const UndoList& undo);
+
+  Area area_;      // of the picture
+  int right_ = 0;  // where the panels begin
   bool panels_;
   bool keyList_ = false;
 };

@@ -47,6 +47,13 @@ void drawBar(ImDrawList& list, const ImVec2& from, float pixels, ImU32 color, fl
   list.AddRectFilled({from.x, from.y - thick / 2}, {from.x + pixels, from.y + thick / 2}, color);
 }
 
+// Behind what has to be read on any picture.
+void drawPlate(ImDrawList& list, const Box& text) {
+  const float rim = 0.2F * ImGui::GetFontSize();
+  list.AddRectFilled({text.x - rim, text.y - rim},
+                     {text.x + text.width + rim, text.y + text.height + rim}, shadow, rim);
+}
+
 float widthOfCaptions(const Area& area) {
   const float margin = ImGui::GetFontSize();
   return std::max(static_cast<float>(area.width) - 2 * margin, margin);
@@ -123,9 +130,7 @@ void drawLegend(const std::string& text, const Area& area, LabelLayout& labels) 
   const float y = static_cast<float>(area.y + area.height) - 0.5F * margin - size.y;
   const Box place = labels.place({static_cast<float>(area.x) + margin, y, size.x, size.y});
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const float rim = 0.3F * margin;
-  list.AddRectFilled({place.x - rim, place.y - rim},
-                     {place.x + place.width + rim, place.y + place.height + rim}, shadow, rim);
+  drawPlate(list, place);
   write(list, {place.x, place.y}, ink, text, width);
 }
 
@@ -135,6 +140,8 @@ void drawCaptions(const std::vector<Caption>& captions, const Area& area) {
   float y = static_cast<float>(area.y) + 0.7F * ImGui::GetFontSize();
   for (const Caption& caption : captions) {
     glyphs::want(caption.text);
+    const ImVec2 size = ImGui::CalcTextSize(caption.text.c_str(), nullptr, false, width);
+    drawPlate(list, {static_cast<float>(area.x) + ImGui::GetFontSize(), y, size.x, size.y});
     write(list, {static_cast<float>(area.x) + ImGui::GetFontSize(), y},
           caption.isError ? warning : ink, caption.text, width);
     y += heightOf(caption, width);
@@ -166,8 +173,11 @@ void drawKeys(const Area& area) {
                             Key{"C", "compare with the paper's method"},
                             Key{"H", "handles of lights, scale bar"},
                             Key{"Tab", "hide the panels"},
-                            Key{"S", "save the scene, as .toml"},
-                            Key{"P", "save the picture"},
+                            Key{"Ctrl O", "open a model or a scene; or drop its file"},
+                            Key{"Ctrl S", "save the scene under a name"},
+                            Key{"Ctrl Z", "take the last edit back"},
+                            Key{"Ctrl Shift Z, Ctrl Y", "do it again"},
+                            Key{"S, P", "save the scene, the picture at once"},
                             Key{"O, X", "exposure up, down by half a stop"},
                             Key{"?", "these keys"},
                             Key{"Ctrl Q", "leave"}};

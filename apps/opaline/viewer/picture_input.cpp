@@ -132,7 +132,11 @@ void PictureInput::useKey(const KeyPress& press, Session& session, const Area& a
       playback.turntable = !playback.turntable;
       return;
     case GLFW_KEY_SPACE:
-      playback.playing = !playback.playing;
+      if (movesInTime(session)) {
+        playback.playing = !playback.playing;
+      } else {
+        session.refused = nothingMoves;
+      }
       return;
     case GLFW_KEY_C:
       session.divided = !session.divided;

@@ -41,6 +41,14 @@ VkPipelineShaderStageCreateInfo stageOf(VkShaderStageFlagBits stage, VkShaderMod
 
 }  // namespace
 
+Area fitted(const Area& area, int width, int height) {
+  const double scale =
+      std::min(static_cast<double>(area.width) / width, static_cast<double>(area.height) / height);
+  const int w = std::max(1, static_cast<int>(scale * width));
+  const int h = std::max(1, static_cast<int>(scale * height));
+  return {area.x + (area.width - w) / 2, area.y + (area.height - h) / 2, w, h};
+}
+
 PicturePainter::PicturePainter(const VulkanDevice& device, VkRenderPass renderPass)
     : device_(device),
       pushDescriptorSet_(reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(

@@ -22,6 +22,9 @@ struct Area {
   }
 };
 
+/// The largest area of a picture's shape within another.
+Area fitted(const Area& area, int width, int height);
+
 /// Draws pictures of light into the window: exposure, tone curve and sRGB as core::toneMap.
 class PicturePainter {
  public:

@@ -1,24 +1,10 @@
 #include "viewer/picture_view.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "viewer/variable_display.h"
 
 namespace opaline::app::viewer {
-
-namespace {
-
-// The largest area of a picture's shape within another.
-Area fitted(const Area& area, int width, int height) {
-  const double scale =
-      std::min(static_cast<double>(area.width) / width, static_cast<double>(area.height) / height);
-  const int w = std::max(1, static_cast<int>(scale * width));
-  const int h = std::max(1, static_cast<int>(scale * height));
-  return {area.x + (area.width - w) / 2, area.y + (area.height - h) / 2, w, h};
-}
-
-}  // namespace
 
 void PictureView::take(const Stage& stage, const Session& session) {
   const Image* image = stage.variableImage();

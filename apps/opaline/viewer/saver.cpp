@@ -35,7 +35,7 @@ std::string saveScene(const Session& session, const std::filesystem::path& file,
 
 std::optional<std::string> Saver::save(Save wanted, const Session& session, int width, int height) {
   const auto named = [&](const char* ending) {
-    return std::filesystem::path(session.saveName + ending);
+    return session.saveTo ? session.saveTo->file : std::filesystem::path(session.saveName + ending);
   };
   switch (wanted) {
     case Save::Picture:
@@ -68,10 +68,7 @@ void Saver::startFilm(const Session& session, const std::filesystem::path& file,
   // Films have an even number of pixels each way.
   FilmOrder order;
   order.options = sized(session.options, std::max(2, width / 2 * 2), std::max(2, height / 2 * 2));
-  order.frames.last =
-      std::max(0, static_cast<int>(std::lround(double{session.playback.lengthSeconds} *
-                                               order.frames.perSecond)) -
-                      1);
+  order.frames = filmFrames(session);
   order.output = file;
   order.tone = session.tone;
   order.quiet = true;

@@ -16,7 +16,7 @@ class Saver {
  public:
   explicit Saver(Renderer& renderer) : renderer_(renderer) {}
 
-  /// Of that many pixels, under the session's name for it, no frame being under way. Where a film
+  /// Of that many pixels, where the session says, no frame being under way. Where a film
   /// is wanted, from now on step() makes it: the motion once, at 30 frames a second.
   std::optional<std::string> save(Save wanted, const Session& session, int width, int height);
 

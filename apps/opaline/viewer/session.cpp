@@ -1,6 +1,7 @@
 #include "viewer/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "opaline/exposure.h"
@@ -52,6 +53,26 @@ float lengthOfMotion(const Session& session) {
     longest = std::max(longest, deformer.periodSeconds);
   }
   return longest > 0 ? longest : usual;
+}
+
+bool movesInTime(const Session& session) {
+  return session.sequence || moves(session.scene, session.options.clip);
+}
+
+FrameRange filmFrames(const Session& session) {
+  const FilmSettings& film = session.film;
+  FrameRange frames;
+  frames.perSecond = film.perSecond;
+  if (!film.once) {
+    frames.first = film.first;
+    frames.last = std::max(film.first, film.last);
+  } else if (session.sequence) {
+    frames.last = session.sequence->frameCount() - 1;  // a file a frame, at any rate
+  } else {
+    const double count = static_cast<double>(session.playback.lengthSeconds) * film.perSecond;
+    frames.last = std::max(0, static_cast<int>(std::lround(count)) - 1);
+  }
+  return frames;
 }
 
 }  // namespace opaline::app::viewer

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/tone.h"
+#include "motion_options.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "opaline/sequence.h"
@@ -15,6 +16,7 @@
 #include "scene/scene_source.h"
 #include "scene_options.h"
 #include "truth_job.h"
+#include "viewer/file_question.h"
 #include "viewer/variable_display.h"
 
 namespace opaline::app::viewer {
@@ -50,6 +52,16 @@ struct Playback {
   float lengthSeconds = 4;  ///< after which it begins anew
 };
 
+/// What a film shows.
+struct FilmSettings {
+  int perSecond = 30;
+  bool once = true;  ///< the motion once; else from the first frame to the last
+  int first = 0;
+  int last = 119;
+
+  bool operator==(const FilmSettings&) const = default;
+};
+
 /// What the truth is to be written as.
 enum class TruthFile { Png, Exr, HeatMap };
 
@@ -72,6 +84,8 @@ struct Session {
   core::ToneOptions tone;
   bool exposesByLight = true;  ///< nobody has said how to expose
   Playback playback;
+  FilmSettings film;
+  std::optional<std::array<int, 2>> pictureSize;  ///< of what is saved; none: as in the window
   bool quickWhileMoving = true;  ///< coarser light where the transport is too slow to move with
   bool divided = false;          ///< the paper's method on the left of the divider
   float divider = 0.5F;          ///< in [0, 1]
@@ -81,12 +95,17 @@ struct Session {
   Shown shown = Shown::Picture;
   std::optional<TruthOrder::Method> wantedTruth;
   bool cancelTruth = false;
+  int wantedSteps = 0;                ///< through the list of edits: back below 0, on above
+  std::optional<FileUse> wantedFile;  ///< for which the user is to choose one
   std::optional<TruthFile> wantedTruthFile;
   Save wanted = Save::Nothing;
-  std::string saveName;  ///< without its ending
-  bool poke = false;     ///< the mouse pulls at bodies instead of turning the camera
+  std::optional<FileAnswer> saveTo;  ///< what is wanted; none: under a free name after saveName
+  std::string saveName;              ///< without its ending
+  bool poke = false;                 ///< the mouse pulls at bodies instead of turning the camera
   bool scaleBar = true;
   bool gizmos = true;
+
+  std::string refused;  ///< why the last key did nothing, to be said
 
   std::optional<RenderReport> report;  ///< of the last picture
 
@@ -113,5 +132,14 @@ RenderOptions paperOptions(const RenderOptions& options);
 
 /// Seconds after which numbered files, clips and swinging deformers have come round, or a few.
 float lengthOfMotion(const Session& session);
+
+/// Whether a picture of it depends on the time.
+bool movesInTime(const Session& session);
+/// What to say where it does not.
+inline constexpr const char* nothingMoves =
+    "Nothing here moves by itself: Motion adds a deformation, and an animated model brings a clip.";
+
+/// Those of its film.
+FrameRange filmFrames(const Session& session);
 
 }  // namespace opaline::app::viewer

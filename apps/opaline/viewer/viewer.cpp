@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 #include <utility>
+
+#include <GLFW/glfw3.h>
 
 #include "core/file.h"
 #include "framing.h"
@@ -13,7 +16,9 @@
 #include "opaline/error.h"
 #include "render_report.h"
 #include "viewer/controls.h"
+#include "viewer/folder_listing.h"
 #include "viewer/orbit.h"
+#include "viewer/work_under_way.h"
 
 namespace opaline::app::viewer {
 
@@ -43,6 +48,7 @@ Viewer::Viewer(const ViewerOptions& options)
       dashboard_(state_.panels),
       stage_(renderer_, presenting_.device()),
       loader_([] { Window::wake(); }),
+      files_(state_.openFolder),
       poke_(renderer_),
       sequence_(renderer_),
       saver_(renderer_),
@@ -66,6 +72,7 @@ void Viewer::keepState() {
   state_.scaleBar = session_.scaleBar;
   state_.panels = dashboard_.panels();
   state_.openSections = controls::openSections();
+  state_.openFolder = files_.openFolder();
   writeState(options_.configFolder, state_);
 }
 
@@ -80,52 +87,120 @@ void Viewer::say(std::string text, bool isError) {
   awake_ = std::max(awake_, framesAfterEvent);
 }
 
-void Viewer::resize(float diagonalMm) {
+void Viewer::resize(std::optional<float> diagonalMm) {
   SceneOptions asked = session_.asked;
   asked.setDiagonalMm(diagonalMm);
   open(asked);
   resizing_ = true;
 }
 
+void Viewer::openFile(const std::filesystem::path& file) {
+  const auto begin = [this, file] {
+    stopWork(saver_, truth_);
+    SceneOptions asked;
+    asked.setFile(file);
+    open(asked);
+  };
+  const std::optional<std::string> lost = workUnderWay(saver_, truth_);
+  if (!lost) return begin();
+  question_.ask({fmt::format("{} Open {} all the same?", *lost, shownName(file.filename())),
+                 "stop and open", "go on"},
+                begin);
+}
+
+void Viewer::light(const std::filesystem::path& file) {
+  try {
+    takeEnvironment(file, session_);
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
 void Viewer::openDropped() {
   for (const std::filesystem::path& file : window_.takeDropped()) {
-    if (!isEnvironment(file)) {
-      SceneOptions asked;
-      asked.setFile(file);
-      open(asked);
-      continue;
-    }
-    try {
-      takeEnvironment(file, session_);
-    } catch (const std::exception& error) {
-      say(error.what(), true);
+    if (isEnvironment(file)) {
+      light(file);
+    } else {
+      files_.close();
+      openFile(file);
     }
   }
 }
 
+void Viewer::takeFile(FileAnswer answer) {
+  if (answer.use == FileUse::OpenScene) return openFile(answer.file);
+  if (answer.use == FileUse::OpenEnvironment) return light(answer.file);
+  std::error_code error;
+  if (!answer.mayReplace && std::filesystem::exists(answer.file, error)) {
+    std::string text = fmt::format("{} is there already. Replace it?", shownName(answer.file));
+    answer.mayReplace = true;
+    question_.ask({std::move(text), "replace", "keep"}, [this, answer] { takeFile(answer); });
+    return;
+  }
+  session_.wanted = answer.use == FileUse::SavePicture ? Save::Picture
+                    : answer.use == FileUse::SaveExr   ? Save::Exr
+                    : answer.use == FileUse::SaveScene ? Save::Scene
+                                                       : Save::Film;
+  // In the window's own folder the name alone says where.
+  if (answer.file.parent_path() == std::filesystem::current_path(error)) {
+    answer.file = answer.file.filename();
+  }
+  session_.saveName = (answer.file.parent_path() / answer.file.stem()).string();
+  session_.saveTo = std::move(answer);
+}
+
+// Asks where that discards what nobody said to discard.
+bool Viewer::leaves() {
+  if (!window_.wantsToClose()) return false;
+  const std::optional<std::string> lost = workUnderWay(saver_, truth_);
+  if (!lost || mayLeave_) return true;
+  window_.stay();
+  files_.close();
+  awake_ = std::max(awake_, framesAfterEvent);
+  question_.ask({fmt::format("{} Leave all the same?", *lost), "stop and leave", "go on"}, [this] {
+    mayLeave_ = true;
+    window_.close();
+  });
+  return false;
+}
+
 void Viewer::takeLoaded() {
-  const Area& area = dashboard_.area();
-  if (area.empty() || stage_.isBusy()) return;
+  // A film is of the scene it was begun with: another waits for its end.
+  if (dashboard_.area().empty() || stage_.isBusy() || saver_.filming()) return;
   std::optional<Loader::Result> result = loader_.take();
   if (!result) return;
-  if (!result->loaded) return say(result->error, true);
+  if (!result->loaded) {
+    reaching_ = false;
+    return say(result->error, true);
+  }
   try {
     Session made = resizing_ ? resized(session_, std::move(*result))
                              : opened(std::move(*result), options_.prepare);
+<<<<<<< HEAD
     if (!resizing_) {
       showAll(made.scene, {made.options.clip, area.aspect(), made.sequence.get(),
                            someMoments(lengthOfMotion(made), made.sequence.get())});
+=======
+    dashboard_.layOut(made);
+    const Area& area = dashboard_.area();
+    if (!resizing_ && fovThatIsNeededDegrees(made.scene, area.width, area.height)) {
+      frame(made.scene.camera, boundsOf(made.scene), area.aspect());
+>>>>>>> main
     }
     made.gizmos = session_.gizmos;
     made.scaleBar = session_.scaleBar;
     poke_.end();
-    saver_.cancelFilm();
     stage_.setScene(made.scene);
     session_ = std::move(made);
+    if (!resizing_) {
+      undo_.begin(editStateOf(session_));
+      reaching_ = false;
+    }
     history_.clear();
     framesTaken_ = stage_.framesFinished();
     window_.setTitle(fmt::format("{} - Opaline", session_.name));
   } catch (const Error& error) {
+    reaching_ = false;
     say(error.what(), true);
   }
 }
@@ -148,7 +223,7 @@ bool Viewer::moves() const {
 void Viewer::sleepUntilNeeded() {
   if (isIdle()) {
     constexpr double betweenLooks = 0.25;
-    Window::wait(truth_.running() ? betweenLooks : 0);
+    Window::wait(truth_.running() || files_.isWaiting() ? betweenLooks : 0);
     awake_ = framesAfterEvent;
     last_ = Clock::now();  // what slept did not play
   } else {
@@ -178,6 +253,7 @@ void Viewer::advance(double elapsed) {
   constexpr double longest = 0.1;
   const double seconds = std::min(elapsed, longest);
   Playback& playback = session_.playback;
+  if (!movesInTime(session_)) playback.playing = false;
   if (playback.playing) {
     const auto length = static_cast<double>(playback.lengthSeconds);
     double at = session_.options.seconds + static_cast<double>(playback.speed) * seconds;
@@ -201,17 +277,56 @@ void Viewer::drawInterface() {
   const ImVec2 mouseMoved = ImGui::GetIO().MouseDelta;
   if (mouseMoved.x != 0 || mouseMoved.y != 0) awake_ = framesAfterEvent;
   controls::beginFrame();
-  dashboard_.layOut();
-  dashboard_.useKeys(window_.takeKeys(), window_, session_, stage_.hasScene());
+  dashboard_.layOut(session_);
+  useKeys();
   if (stage_.hasScene()) {
-    input_.useMouse(session_, dashboard_.area(), poke_);
-    dashboard_.drawPanels(session_, truth_, history_, saver_);
+    if (!saver_.filming()) input_.useMouse(session_, dashboard_.area(), poke_);
+    dashboard_.drawPanels(session_, truth_, history_, saver_, undo_);
     if (session_.wantedDiagonalMm) resize(*std::exchange(session_.wantedDiagonalMm, std::nullopt));
     dashboard_.drawOverPicture(session_, truth_, input_.handles(), captions());
   }
   dashboard_.drawKeyList();
+  drawDialogs();
   drawCaptions(captions(), dashboard_.area());
   interface_.end();
+}
+
+void Viewer::useKeys() {
+  const std::vector<KeyPress> presses = window_.takeKeys();
+  for (const KeyPress& press : presses) {
+    if (press.control && press.key == GLFW_KEY_Q) window_.close();
+  }
+  if (question_.isOpen()) return question_.useKeys(presses);
+  if (files_.isModal()) return files_.useKeys(presses);
+  dashboard_.useKeys(presses, session_, stage_.hasScene(), saver_.filming());
+}
+
+void Viewer::drawDialogs() {
+  if (!session_.refused.empty()) say(std::exchange(session_.refused, {}));
+  if (const auto use = std::exchange(session_.wantedFile, std::nullopt)) {
+    files_.ask(*use, session_.saveName);
+  }
+  if (std::optional<FileAnswer> answer = files_.draw()) takeFile(std::move(*answer));
+  question_.draw();
+}
+
+// What is changed becomes a step of the list once the hand lets go of it; a step back or on is
+// taken at once, but for the model's size, which is loaded first.
+void Viewer::followEdits() {
+  const int steps = std::exchange(session_.wantedSteps, 0);
+  if (undo_.isEmpty() || ImGui::IsAnyItemActive() || input_.dragging()) return;
+  const bool loading = loader_.busy();
+  if (!reaching_ && !(loading && resizing_) && !isStateOf(undo_.present(), session_)) {
+    undo_.add(editStateOf(session_));
+  }
+  if (steps != 0) {
+    steps < 0 ? undo_.undo() : undo_.redo();
+    reaching_ = true;
+  }
+  if (!reaching_ || loading) return;
+  if (!hasSizeOf(undo_.present(), session_)) return resize(undo_.present().diagonalMm);
+  reaching_ = false;
+  restore(undo_.present(), session_);
 }
 
 void Viewer::placeBody() {
@@ -226,7 +341,8 @@ void Viewer::placeBody() {
 
 void Viewer::drawPicture() {
   const Area& area = dashboard_.area();
-  if (!stage_.hasScene() || stage_.isBusy()) return;
+  // A film is of what was there when it began: edits wait for its end.
+  if (!stage_.hasScene() || stage_.isBusy() || saver_.filming()) return;
   if (poke_.step()) session_.edits.picture = true;
   if (area.empty()) return;
   const bool moving = moves();
@@ -236,10 +352,17 @@ void Viewer::drawPicture() {
   rough_ = moving;
   drawn_ = area;
   placeBody();
-  if (session_.edits.lighting) exposeByLight(session_);
+  exposing_ = exposing_ || session_.edits.lighting;
   stage_.draw(session_, area.width, area.height, moving);
+  expose();
   awake_ = std::max(awake_, 1);
   if (!moving && !stage_.isBusy()) stage_.finish();
+}
+
+// With the picture of the light that it is for.
+void Viewer::expose() {
+  if (exposing_ && !stage_.isBusy()) exposeByLight(session_);
+  exposing_ = exposing_ && stage_.isBusy();
 }
 
 void Viewer::takeFinished() {
@@ -264,6 +387,8 @@ void Viewer::present() {
 // A sign that stays while one slow picture follows the other, and never comes where they are quick.
 void Viewer::showBusiness() {
   constexpr std::chrono::milliseconds soon(100);
+  // Another scene may have come meanwhile, of which nothing is wanted.
+  if (session_.wanted == Save::Nothing && !session_.wantedTruth) announced_ = false;
   if (!stage_.isBusy()) {
     if (!session_.edits.any()) busyShown_ = false;
     return;
@@ -282,8 +407,10 @@ std::vector<Caption> Viewer::captions() const {
   if (notice_) captions.push_back(*notice_);
   if (loader_.busy()) captions.push_back({fmt::format("loading {}", loader_.name())});
   if (saver_.filming()) {
-    captions.push_back({fmt::format("filming, {:.0f} %", 100 * saver_.progress())});
+    captions.push_back({fmt::format("filming, {:.0f} %; the picture waits for the film's end",
+                                    100 * saver_.progress())});
   }
+  if (files_.isWaiting()) captions.push_back({"a file is being chosen in another window"});
   if (stage_.isCoarse()) captions.push_back({"light is coarser while it moves"});
   if (announced_) captions.push_back({"one moment"});
   if (!announced_ && busyShown_) captions.push_back({"rendering"});
@@ -291,25 +418,34 @@ std::vector<Caption> Viewer::captions() const {
 }
 
 void Viewer::save() {
+  const bool ofPicture = session_.wanted == Save::Picture || session_.wanted == Save::Exr ||
+                         session_.wanted == Save::Film;
+  if (saver_.filming() && ofPicture) {
+    say("a film is under way: no other picture can be saved before its end", true);
+    session_.wanted = Save::Nothing;
+  }
   if (session_.wanted != Save::Nothing && (stage_.isBusy() || !announce())) return;
   const Save wanted = std::exchange(session_.wanted, Save::Nothing);
   if (wanted == Save::Nothing && !saver_.filming()) return;
   if (wanted == Save::Film) {
     poke_.end();
-    session_.playback.playing = false;
+    session_.playback.playing = session_.playback.turntable = false;
   }
   try {
     stage_.finish();
     const Area& area = dashboard_.area();
-    if (const auto done = saver_.save(wanted, session_, area.width, area.height)) say(*done);
-    if (!saver_.filming()) return;
-    if (const auto done = saver_.step()) {
-      say(*done);
-      session_.edits.picture = true;
+    const auto [width, height] = session_.pictureSize.value_or(std::array{area.width, area.height});
+    if (const auto done = saver_.save(wanted, session_, width, height)) say(*done);
+    if (saver_.filming()) {
+      if (const auto done = saver_.step()) {
+        say(*done);
+        session_.edits.picture = true;
+      }
     }
   } catch (const std::exception& error) {
     say(error.what(), true);
   }
+  session_.saveTo.reset();
 }
 
 void Viewer::startTruth() {
@@ -376,7 +512,7 @@ Json Viewer::report() const {
 }
 
 void Viewer::run() {
-  while (!window_.wantsToClose()) {
+  while (!leaves()) {
     sleepUntilNeeded();
     if (window_.takePress()) notice_.reset();
     openDropped();
@@ -385,8 +521,10 @@ void Viewer::run() {
     advance(std::chrono::duration<double>(now - last_).count());
     last_ = now;
     stage_.takeUp();
+    expose();
     showBusiness();
     drawInterface();
+    followEdits();
     save();
     followTruth();
     drawPicture();

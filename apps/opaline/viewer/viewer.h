@@ -10,6 +10,7 @@
 #include "json.h"
 #include "opaline/renderer.h"
 #include "viewer/dashboard.h"
+#include "viewer/file_chooser.h"
 #include "viewer/loader.h"
 #include "viewer/opening.h"
 #include "viewer/overlay.h"
@@ -18,12 +19,14 @@
 #include "viewer/poke.h"
 #include "viewer/presenter.h"
 #include "viewer/presenting_device.h"
+#include "viewer/question.h"
 #include "viewer/saver.h"
 #include "viewer/sequence_player.h"
 #include "viewer/session.h"
 #include "viewer/stage.h"
 #include "viewer/timing_history.h"
 #include "viewer/truth_view.h"
+#include "viewer/undo_list.h"
 #include "viewer/user_interface.h"
 #include "viewer/viewer_state.h"
 #include "viewer/window.h"
@@ -61,8 +64,12 @@ class Viewer {
   void takeLoaded();
   void openDropped();
   void open(const SceneOptions& asked);
+  void openFile(const std::filesystem::path& file);
+  void light(const std::filesystem::path& file);
+  void takeFile(FileAnswer answer);
+  bool leaves();
   void say(std::string text, bool isError = false);
-  void resize(float diagonalMm);
+  void resize(std::optional<float> diagonalMm);
   void keepState();
   bool movesItself() const;
   bool moves() const;
@@ -73,8 +80,12 @@ class Viewer {
   void showBusiness();
   bool announce();
   void drawInterface();
+  void useKeys();
+  void drawDialogs();
+  void followEdits();
   void placeBody();
   void drawPicture();
+  void expose();
   void takeFinished();
   void present();
   std::vector<Caption> captions() const;
@@ -95,8 +106,12 @@ class Viewer {
   Dashboard dashboard_;
   Stage stage_;
   Loader loader_;
+  FileChooser files_;
+  Question question_;
   bool resizing_ = false;  // what is being loaded is the same model at another size
   Session session_;
+  UndoList undo_;
+  bool reaching_ = false;  // the session is not yet in the list's present state
   PictureInput input_;
   Poke poke_;
   SequencePlayer sequence_;
@@ -106,12 +121,14 @@ class Viewer {
 
   Area drawn_;                   // that the last picture was drawn for
   bool rough_ = false;           // the last picture was drawn for speed
+  bool exposing_ = false;        // the picture under way is of other light
   bool busyShown_ = false;       // a sign says that pictures take their time
   bool announced_ = false;       // a sign says that what is to come will take a moment
   int awake_ = 0;                // frames of the interface to draw before sleeping
   std::size_t framesTaken_ = 0;  // of the stage's, into history_
   std::size_t inputsDrawn_ = 0;  // of the window's, by the interface
   Clock::time_point last_ = Clock::now();
+  bool mayLeave_ = false;          // whatever is under way
   std::optional<Caption> notice_;  // until the next key or press of the mouse
 };
 

@@ -34,6 +34,7 @@ ViewerState readState(const std::filesystem::path& folder) {
     for (const auto& [name, open] : json.at("open").items()) {
       read.openSections[name] = open.get<bool>();
     }
+    read.openFolder = json.value("open_folder", std::string());
     return read;
   } catch (const Error&) {
     return state;  // there is none yet
@@ -50,7 +51,8 @@ void writeState(const std::filesystem::path& folder, const ViewerState& state) {
                   {"panels", state.panels},
                   {"handles", state.handles},
                   {"scale_bar", state.scaleBar},
-                  {"open", std::move(open)}};
+                  {"open", std::move(open)},
+                  {"open_folder", state.openFolder.string()}};
   try {
     core::writeWhole(fileIn(folder), toText(json));
   } catch (const Error&) {

@@ -14,6 +14,7 @@ struct ViewerState {
   bool handles = true;
   bool scaleBar = true;
   controls::Sections openSections;
+  std::filesystem::path openFolder;  ///< where a file was opened from last; empty: none was
 };
 
 /// From a file in that folder; as usual where there is none, or none that makes sense.

@@ -24,6 +24,15 @@ Window& windowOf(GLFWwindow* handle) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
 }
 
+// GLFW names a key after what stands there on a keyboard of the United States. What the user reads
+// on it is what is meant, as far as it is a Latin letter.
+int letterOf(int key, int code) {
+  const char* const name = glfwGetKeyName(key, code);
+  if (name == nullptr || name[0] == 0 || name[1] != 0) return key;
+  if (name[0] >= 'a' && name[0] <= 'z') return GLFW_KEY_A + (name[0] - 'a');
+  return key;
+}
+
 }  // namespace
 
 Window::Window(int width, int height, const char* title) {
@@ -59,15 +68,17 @@ Window::Window(int width, int height, const char* title) {
 }
 
 void Window::takeInput() {
-  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int mods) {
+  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int code, int action, int mods) {
     Window& window = windowOf(handle);
     window.takeUse();
     if (action == GLFW_RELEASE) return;
-    window.keys_.push_back({key, 0, (mods & GLFW_MOD_CONTROL) != 0, action == GLFW_REPEAT});
+    const auto held = [mods](int modifier) { return (mods & modifier) != 0; };
+    window.keys_.push_back({letterOf(key, code), 0, held(GLFW_MOD_CONTROL), held(GLFW_MOD_SHIFT),
+                            held(GLFW_MOD_ALT), action == GLFW_REPEAT});
     window.pressed_ = window.pressed_ || action == GLFW_PRESS;
   });
   glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned int typed) {
-    windowOf(handle).keys_.push_back({0, typed, false, false});
+    windowOf(handle).keys_.push_back({.typed = typed});
   });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int, int action, int) {
     Window& window = windowOf(handle);
@@ -138,6 +149,10 @@ bool Window::wantsToClose() const {
 
 void Window::close() {
   glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+void Window::stay() {
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
 }
 
 void Window::setTitle(const std::string& title) {

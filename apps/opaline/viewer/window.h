@@ -15,9 +15,12 @@ namespace opaline::app::viewer {
 /// A key that went down, or repeats because it stays down. Kept by the window because a key that
 /// is up again before the next frame would be lost otherwise.
 struct KeyPress {
-  int key = 0;         ///< GLFW's name of it; 0 where only `typed` is known
+  int key = 0;         ///< GLFW's name of it, a letter's where the keyboard's own layout has it;
+                       ///< 0 where only `typed` is known
   char32_t typed = 0;  ///< what it typed; 0 where only `key` is known
   bool control = false;
+  bool shift = false;
+  bool alt = false;
   bool repeated = false;
 };
 
@@ -43,6 +46,8 @@ class Window {
   float scale() const;
   bool wantsToClose() const;
   void close();
+  /// Goes on where it was to be closed.
+  void stay();
   void setTitle(const std::string& title);
 
   /// Takes what happened since the last call without waiting.

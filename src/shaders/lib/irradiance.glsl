@@ -25,13 +25,18 @@ vec3 irradianceOf(uint light, vec3 position, vec3 normal, vec3 outside, MediumDa
   return arriving * (entering * lightVisibility(light, position, outside));
 }
 
-// Of all. `facet` is at right angles to the surface as it is drawn, of any length and either side.
-vec3 irradianceAt(vec3 position, vec3 normal, vec3 facet, MediumData medium) {
-  vec3 outside = unitOr(dot(facet, normal) < 0.0 ? -facet : facet, normal);
-  vec3 sum = ambientAt(normal, medium);
+// Of all lights.
+vec3 lightsIrradiance(vec3 position, vec3 normal, vec3 outside, MediumData medium) {
+  vec3 sum = vec3(0.0);
   for (uint i = 0u; i < frame.counts.x; ++i)
     sum += irradianceOf(i, position, normal, outside, medium);
   return sum;
+}
+
+// Of all. `facet` is at right angles to the surface as it is drawn, of any length and either side.
+vec3 irradianceAt(vec3 position, vec3 normal, vec3 facet, MediumData medium) {
+  vec3 outside = unitOr(dot(facet, normal) < 0.0 ? -facet : facet, normal);
+  return ambientAt(normal, medium) + lightsIrradiance(position, normal, outside, medium);
 }
 
 #endif

@@ -1,12 +1,11 @@
-// What coarse surfels leave out nearby. Where they are further apart than the profile is wide, what
-// lies around a place is taken as evenly lit as the place itself, and the profile integrated over
-// it in place of the sum (singularity subtraction). Needs, before it, BINDING_NODES,
-// BINDING_SURFEL_NORMALS and what lib/surfel_sum.glsl needs.
+// What sums over coarse sources leave out within their reach (shared/nearby.h). Needs, before it,
+// BINDING_NODES, BINDING_SURFEL_NORMALS, lib/irradiance.glsl and what lib/surfel_sum.glsl needs.
 #ifndef OPALINE_LIB_NEARBY
 #define OPALINE_LIB_NEARBY
 #include "lib/surfel_sum.glsl"
 #include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
+#include "shared/nearby.h"
 
 layout(set = 0, binding = BINDING_NODES) uniform samplerBuffer nodes;  // TreeNode
 layout(std430, set = 0, binding = BINDING_SURFEL_NORMALS) readonly buffer SurfelNormals {
@@ -20,11 +19,37 @@ const float otherSide = -0.3;
 // middles. What is less lies at a border.
 const float wholeDisc = 0.85;
 
-// By how much the sum falls short of the integral for unit irradiance.
-vec3 missingNearby(vec3 position, vec3 normal, ObjectData body) {
+// Sources on the other side of a part are smooth for one another where it is thicker than this many
+// of their spacings.
+const float smoothThickness = 1.5;
+
+// The profile as smooth as the sources can follow. Of those that lie in another plane, on the other
+// side of a thin part, as much comes through as would of endlessly many.
+vec3 smoothedProfile(Profile profile, vec3 offset, float squared, vec3 normal, bool sameSide,
+                     float reach) {
+  if (sameSide)
+    return reflectanceProfile(profile, vec3(smoothedSquare(squared, reach * reach)));
+  float across = dot(offset, normal);
+  float least = smoothThickness / reachInSpacings * reach;
+  float further = max(least * least - across * across, 0.0);
+  if (further == 0.0) return reflectanceProfile(profile, vec3(squared));
+  vec3 wanted = profileOutside(profile, vec3(across * across)) -
+                profileOutside(profile, vec3(reach * reach));
+  vec3 kept = profileOutside(profile, vec3(least * least)) -
+              profileOutside(profile, vec3(reach * reach + further));
+  return reflectanceProfile(profile, vec3(squared + further)) * wanted / max(kept, vec3(1e-30));
+}
+
+struct Neighbours {
+  vec4 sum;       // of the smoothed profile; evaluations
+  vec3 even;      // of this side, in unit irradiance, by nearbyWeight
+  float present;  // part of the plane around that there is, by nearbyWeight
+};
+
+Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
   Profile profile = media[body.table.x].profile;
-  float reach = body.nearby.x;
-  vec3 summed = vec3(0.0);
+  float reach = body.darkest.w;
+  Neighbours found = Neighbours(vec4(0.0), vec3(0.0), 0.0);
   float area = 0.0;
   uint node = body.tree.x;
   while (node < body.tree.y) {
@@ -37,19 +62,60 @@ vec3 missingNearby(vec3 position, vec3 normal, ObjectData body) {
       uint end = first + sourcesPerSurfel * surfelCountOf(link);
       for (uint i = first; i < end; ++i) {
         vec4 place = positionAreaOf(i);
-        vec3 offset = place.xyz - position;
-        float squared = dot(offset, offset);
-        if (squared > reach * reach ||
-            dot(surfelNormals[i / sourcesPerSurfel].xyz, normal) < otherSide)
-          continue;
-        summed += place.w * reflectanceProfile(profile, vec3(squared));
-        area += place.w;
+        float squared = squaredDistanceTo(place.xyz, position);
+        if (squared >= reach * reach) continue;
+        bool sameSide = dot(surfelNormals[i / sourcesPerSurfel].xyz, normal) >= otherSide;
+        vec3 weight = smoothedProfile(profile, place.xyz - position, squared, normal, sameSide, reach);
+        found.sum += vec4(fluxOf(i) * weight, 1.0);
+        if (!sameSide) continue;
+        float counted = place.w * nearbyWeight(squared, reach * reach);
+        found.even += counted * weight;
+        area += counted;
       }
     }
     node = apart ? afterNode(node, link) : node + 1u;
   }
-  float present = min(area / (wholeDisc * pi * reach * reach), 1.0);
-  return body.nearby.yzw * present - summed;
+  found.present = min(area / (wholeDisc * pi / 3.0 * reach * reach), 1.0);
+  return found;
+}
+
+const uint placesOfRing = 6u;
+
+// So far off the tangent plane, over the distance, that no curved surface casts its own shadow.
+const float ringLift = 0.1;
+
+// Mean irradiance by lights on a ring around a place, with the first of its places turned by some
+// of their angles.
+vec3 ringIrradiance(vec3 position, vec3 normal, float radius, float turned, MediumData medium) {
+  vec3 along = normalize(abs(normal.x) < 0.7 ? vec3(0.0, normal.z, -normal.y)
+                                             : vec3(-normal.z, 0.0, normal.x));
+  vec3 across = cross(normal, along);
+  vec3 sum = vec3(0.0);
+  for (uint i = 0u; i < placesOfRing; ++i) {
+    float angle = 2.0 * pi * (float(i) + turned) / float(placesOfRing);
+    vec3 place =
+        position + radius * (cos(angle) * along + sin(angle) * across + ringLift * normal);
+    sum += lightsIrradiance(place, normal, normal, medium);
+  }
+  return sum / float(placesOfRing);
+}
+
+// The exitance by what lies within the reach, and evaluations of the profile.
+vec4 nearbyExitance(vec3 position, vec3 normal, ObjectData body) {
+  MediumData medium = media[body.table.x];
+  float reach = body.darkest.w;
+  vec3 ambient = ambientAt(normal, medium);
+  vec3 here = lightsIrradiance(position, normal, normal, medium);
+  vec3 inner = ringIrradiance(position, normal, innerRingAt * reach, 0.0, medium);
+  vec3 outer = ringIrradiance(position, normal, outerRingAt * reach, 0.5, medium);
+  Neighbours found = neighboursOf(position, normal, body);
+  vec3 lacking = body.nearbyDisc.rgb * (ambient + here) +
+                 found.present * (body.nearbyInner.rgb * (ambient + inner) +
+                                  body.nearbyOuter.rgb * (ambient + outer));
+  // Sources lie irregularly, which in even light must not show.
+  vec3 uneven = found.present * body.nearbyKept.rgb - found.even;
+  lacking += uneven * (ambient + (here + inner + outer) / 3.0);
+  return vec4(max(found.sum.rgb + lacking, 0.0), found.sum.a);
 }
 
 #endif

@@ -48,6 +48,22 @@ vec3 betterDipoleProfile(Profile p, vec3 radiusSquaredMm2) {
   return decayReal * (fluence + fluxReal + fluxVirtual);
 }
 
+// The integral of either over all of the plane outside a disc.
+vec3 profileOutside(Profile p, vec3 radiusSquaredMm2) {
+  vec3 realSquared = radiusSquaredMm2 + p.zRealSquared;
+  vec3 virtualSquared = radiusSquaredMm2 + p.zVirtualSquared;
+  vec3 overReal = inversesqrt(realSquared);
+  vec3 overVirtual = inversesqrt(virtualSquared);
+  vec3 real = realSquared * overReal;
+  vec3 further = p.zSquaredDifference / (virtualSquared * overVirtual + real);
+  vec3 decayReal = exp2(-p.sigmaTrBase2 * real);
+  vec3 decayFurther = exp2(-p.sigmaTrBase2 * further);
+  vec3 sigma = p.sigmaTr + 1e-12f;
+  vec3 fluence = p.weightFluence * oneMinusExp(sigma * further, decayFurther) / sigma;
+  vec3 flux = p.weightReal * overReal + p.weightVirtual * overVirtual * decayFurther;
+  return 6.2831853f * decayReal * (fluence + flux);
+}
+
 vec3 dipoleProfile(Profile p, float radiusSquaredMm2) {
   return dipoleProfile(p, vec3(radiusSquaredMm2));
 }

@@ -10,25 +10,35 @@ vec4 positionAreaOf(uint source) {
   return texelFetch(sources, 2 * int(source));
 }
 
-// Those of surfels first .. end - 1.
-vec3 surfelSum(vec3 position, Profile profile, uint first, uint end) {
-  vec3 sum = vec3(0.0);
+vec3 fluxOf(uint source) {
+  return texelFetch(sources, 2 * int(source) + 1).rgb;
+}
+
+// The same bits in every shader: each source is on one side of the reach.
+float squaredDistanceTo(vec3 place, vec3 position) {
+  precise vec3 offset = place - position;
+  precise float squared = dot(offset, offset);
+  return squared;
+}
+
+// Those of surfels first .. end - 1 that lie no nearer than the reach, mm; lib/nearby.glsl has the
+// others. The fourth component counts evaluations of the profile.
+vec4 surfelSum(vec3 position, Profile profile, float reach, uint first, uint end) {
+  vec4 sum = vec4(0.0);
   for (uint i = sourcesPerSurfel * first; i < sourcesPerSurfel * end; ++i) {
-    vec3 offset = positionAreaOf(i).xyz - position;
-    vec3 flux = texelFetch(sources, 2 * int(i) + 1).rgb;
-    sum += flux * reflectanceProfile(profile, vec3(dot(offset, offset)));
+    float squared = squaredDistanceTo(positionAreaOf(i).xyz, position);
+    if (squared < reach * reach) continue;
+    sum += vec4(fluxOf(i) * reflectanceProfile(profile, vec3(squared)), 1.0);
   }
   return sum;
 }
 
-// The same of those that belong to the object. The fourth component counts evaluations of the
-// profile.
+// The same of those that belong to the object.
 vec4 surfelSumOf(vec3 position, ObjectData body, uint first, uint end) {
   first = max(first, body.table.y);
   end = min(end, body.table.y + body.table.z);
   if (first >= end) return vec4(0.0);
-  return vec4(surfelSum(position, media[body.table.x].profile, first, end),
-              float(sourcesPerSurfel * (end - first)));
+  return surfelSum(position, media[body.table.x].profile, body.darkest.w, first, end);
 }
 
 #endif

@@ -8,7 +8,9 @@
 #define OPALINE_LIB_TREE_SUM
 #include "lib/multipole.glsl"
 #include "lib/surfel_sum.glsl"
+#include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
+#include "shared/nearby.h"
 
 layout(set = 0, binding = BINDING_NODES) uniform samplerBuffer nodes;  // TreeNode
 
@@ -42,10 +44,33 @@ vec3 squaredDistances(TreeNode node, vec3 position) {
   return vec3(dot(red, red), dot(green, green), dot(blue, blue));
 }
 
+// What is below a node and no nearer than the reach, at most, counts for nothing where it is below
+// this part of what is tolerated.
+const float negligiblePart = 0.1;
+
+// Squared distance that no source below a node is nearer than, mm².
+float nearestSquare(vec3 squared, float radius) {
+  float nearest = max(sqrt(min(min(squared.r, squared.g), squared.b)) - radius, 0.0);
+  return nearest * nearest;
+}
+
+// Where nothing beyond the reach of coarse sources could be seen, no node is opened to find it.
+bool isNegligible(TreeNode node, vec3 squared, Profile profile, float reach, vec3 tolerated) {
+  float nearest = max(nearestSquare(squared, node.radius), reach * reach);
+  vec3 most = node.flux * reflectanceProfile(profile, vec3(nearest));
+  return all(lessThanEqual(most, negligiblePart * tolerated));
+}
+
 // Adds a node to the sum and says so, or does not where that could be off by more than tolerated.
-bool takeNode(TreeNode node, vec3 position, Profile profile, vec3 tolerated, inout vec4 sum) {
+bool takeNode(TreeNode node, vec3 position, Profile profile, float reach, vec3 tolerated,
+              inout vec4 sum) {
   vec3 squared = squaredDistances(node, position);
-  if (min(min(squared.r, squared.g), squared.b) <= nearestInRadii2 * node.radius * node.radius)
+  if (reach > 0.0 && isNegligible(node, squared, profile, reach, tolerated)) {
+    sum.a += 1.0;
+    return true;
+  }
+  if (min(min(squared.r, squared.g), squared.b) <= nearestInRadii2 * node.radius * node.radius ||
+      nearestSquare(squared, node.radius) <= reach * reach)
     return false;
 
   Derivatives f = profileDerivatives(profile, squared);
@@ -63,7 +88,7 @@ bool takeNode(TreeNode node, vec3 position, Profile profile, vec3 tolerated, ino
 // itself to look at: what one finds does not depend on its neighbours. Those with nothing to sum
 // call it with noNode as root. `tolerated` is of each node. The fourth component counts evaluations
 // of the profile.
-vec4 treeSum(vec3 position, uint root, uint end, Profile profile, vec3 tolerated) {
+vec4 treeSum(vec3 position, uint root, uint end, Profile profile, float reach, vec3 tolerated) {
   vec4 sum = vec4(0.0);
   uint next = root;
   while (true) {
@@ -72,11 +97,11 @@ vec4 treeSum(vec3 position, uint root, uint end, Profile profile, vec3 tolerated
     if (next == at) {
       TreeNode node = readNode(at);
       bool dark = node.flux == vec3(0.0);
-      bool taken = dark || takeNode(node, position, profile, tolerated, sum);
+      bool taken = dark || takeNode(node, position, profile, reach, tolerated, sum);
       if (!taken && isLeaf(node.link)) {
         uint first = firstSurfelOf(node.link);
         uint count = surfelCountOf(node.link);
-        sum += vec4(surfelSum(position, profile, first, first + count), float(sourcesPerSurfel * count));
+        sum += surfelSum(position, profile, reach, first, first + count);
         taken = true;
       }
       next = taken ? afterNode(at, node.link) : at + 1u;
@@ -86,10 +111,36 @@ vec4 treeSum(vec3 position, uint root, uint end, Profile profile, vec3 tolerated
   return sum;
 }
 
+// Exitance below which differences in a body do not count.
+vec3 darkestOf(ObjectData body, uint root) {
+  return root == noNode ? vec3(0.0) : body.darkest.rgb * texelFetch(nodes, 5 * int(root) + 3).rgb;
+}
+
+// The profile for a rough sum: what coarse sources lack is spread over their reach.
+vec3 roughProfile(ObjectData body, Profile profile, float squared) {
+  float reach2 = body.darkest.w * body.darkest.w;
+  if (reach2 == 0.0) return reflectanceProfile(profile, vec3(squared));
+  vec3 lacking = body.nearbyDisc.rgb + body.nearbyInner.rgb + body.nearbyOuter.rgb;
+  return reflectanceProfile(profile, vec3(smoothedSquare(squared, reach2))) +
+         lacking * exp(-squared / reach2) / (pi * reach2);
+}
+
+// A node further across than this, in the longest diffusion lengths, does not count as if it lay in
+// its middle.
+const float widestInLengths = 2.0;
+
+bool isWide(TreeNode node, ObjectData body, Profile profile) {
+  float least = min(min(profile.sigmaTr.r, profile.sigmaTr.g), profile.sigmaTr.b);
+  return node.radius * least > widestInLengths ||
+         body.darkest.w > 0.0 && node.radius > body.darkest.w;
+}
+
 // About how bright a place is, by some thirty evaluations: nodes outside their radius and leaves
-// count as if all their flux lay as far away as it does in the mean square.
-vec3 roughSum(vec3 position, uint root, uint end, Profile profile) {
+// count as if all their flux lay as far away as it does in the mean square. Wide ones must be
+// opened: most of what they give comes from their nearest end.
+vec3 roughSum(vec3 position, ObjectData body, uint root, Profile profile) {
   vec3 sum = vec3(0.0);
+  vec3 darkest = darkestOf(body, root);
   uint next = root;
   while (true) {
     uint at = subgroupMin(next);
@@ -99,9 +150,13 @@ vec3 roughSum(vec3 position, uint root, uint end, Profile profile) {
       vec3 squared = squaredDistances(node, position);
       bool taken = isLeaf(node.link) || node.flux == vec3(0.0) ||
                    squared.g > node.radius * node.radius;
-      if (taken) sum += node.flux * reflectanceProfile(profile, squared + meanSquareOf(node));
+      if (taken && !isLeaf(node.link) && isWide(node, body, profile)) {
+        vec3 most = node.flux * roughProfile(body, profile, nearestSquare(squared, node.radius));
+        taken = all(lessThanEqual(most, max(darkest, negligiblePart * sum)));
+      }
+      if (taken) sum += node.flux * roughProfile(body, profile, squared.g + meanSquareOf(node));
       next = taken ? afterNode(at, node.link) : at + 1u;
-      if (next >= end) next = noNode;
+      if (next >= body.tree.y) next = noNode;
     }
   }
   return sum;

@@ -1,4 +1,4 @@
-// Adds to the exitance of visible pixels what coarse surfels leave out nearby.
+// Adds to the exitance of visible pixels what sums over coarse sources leave out nearby.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 4
@@ -25,11 +25,9 @@ void main() {
   vec4 surface = texelFetch(surfacePosition, pixel, 0);
   if (surface.w == 0.0) return;
   ObjectData body = objects[uint(surface.w) - 1u];
-  if (body.nearby.x == 0.0 || !isSummedAtFragments(body, site)) return;
+  if (body.darkest.w == 0.0 || !isSummedAtFragments(body, site)) return;
   vec4 seen = texelFetch(surfaceNormal, pixel, 0);
   vec3 normal = seen.w * seen.xyz;
-  vec3 missing = irradianceAt(surface.xyz, normal, normal, media[body.table.x]) *
-                 missingNearby(surface.xyz, normal, body);
-  vec4 value = imageLoad(exitance, pixel);
-  imageStore(exitance, pixel, vec4(max(value.rgb + missing, 0.0), value.a));
+  imageStore(exitance, pixel,
+             imageLoad(exitance, pixel) + nearbyExitance(surface.xyz, normal, body));
 }

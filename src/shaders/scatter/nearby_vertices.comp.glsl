@@ -1,4 +1,4 @@
-// Adds to the exitance of vertices what coarse surfels leave out nearby.
+// Adds to the exitance of vertices what sums over coarse sources leave out nearby.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 4
@@ -30,10 +30,7 @@ void main() {
   if (i >= vertexCount) return;
   uint vertex = order[i];
   ObjectData body = objects[corners[vertex].object];
-  if (body.nearby.x == 0.0 || isSummedAtFragments(body, site)) return;
-  vec3 position = positions[vertex].xyz;
+  if (body.darkest.w == 0.0 || isSummedAtFragments(body, site)) return;
   vec3 normal = unitOr(normals[vertex].xyz, vec3(0.0, 1.0, 0.0));
-  vec3 missing = irradianceAt(position, normal, normal, media[body.table.x]) *
-                 missingNearby(position, normal, body);
-  exitances[vertex].rgb = max(exitances[vertex].rgb + missing, 0.0);
+  exitances[vertex] += nearbyExitance(positions[vertex].xyz, normal, body);
 }

@@ -30,12 +30,12 @@ void main() {
   bool here = covered && isSummedAtFragments(body, site);
   uint root = here && body.tree.x < body.tree.y ? body.tree.x : noNode;
   Profile profile = media[body.table.x].profile;
-  vec3 about = known.rgb;
-  // Between vertices far apart it may be much darker than they are.
+  // Vertices far apart know nothing of what lies between them.
   bool coarse = here && body.table.w != 0u;
-  vec3 there = roughSum(surface.xyz, coarse ? root : noNode, body.tree.y, profile);
-  if (coarse) about = min(about, there);
-  vec4 sum = treeSum(surface.xyz, root, body.tree.y, profile, toleratedAt(about, tolerance));
+  vec3 there = roughSum(surface.xyz, body, coarse ? root : noNode, profile);
+  vec3 about = max(coarse ? there : known.rgb, darkestOf(body, root));
+  vec4 sum = treeSum(surface.xyz, root, body.tree.y, profile, body.darkest.w,
+                     toleratedAt(about, tolerance));
   if (inside)
     imageStore(exitance, pixel, covered ? here ? sum : known : vec4(0.0));
 }

@@ -34,8 +34,9 @@ void main() {
   uint root = here && body.tree.x < body.tree.y ? body.tree.x : noNode;
   vec3 position = positions[vertex].xyz;
   Profile profile = media[body.table.x].profile;
-  vec4 sum = rough != 0u ? vec4(roughSum(position, root, body.tree.y, profile), 0.0)
-                         : treeSum(position, root, body.tree.y, profile,
-                                   toleratedAt(exitances[vertex].rgb, tolerance));
+  vec4 sum = rough != 0u
+                 ? vec4(max(roughSum(position, body, root, profile), darkestOf(body, root)), 0.0)
+                 : treeSum(position, root, body.tree.y, profile, body.darkest.w,
+                           toleratedAt(exitances[vertex].rgb, tolerance));
   if (here) exitances[vertex] = sum;
 }

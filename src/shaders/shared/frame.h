@@ -48,8 +48,12 @@ struct ObjectData {
   uvec4 tree;   // x: root, among the nodes; y: the node after all of its tree
   uvec4 clusters;  // of boundary transport, x: root among their nodes; y: the node after their
                    // tree; z: 1 where some part of the body has an inside
-  vec4 nearby;     // x: radius within which coarse surfels are corrected, mm, 0 for none; yzw:
-                   // reflectance of a disc of that radius
+  vec4 darkest;  // rgb: exitance below which differences do not count, over the body's flux, mm⁻²;
+                 // w: reach of coarse sources (shared/nearby.h), mm, 0 where they are not
+  vec4 nearbyDisc;  // rgb: what they lack there in even light, part of the irradiance
+  vec4 nearbyInner;
+  vec4 nearbyOuter;
+  vec4 nearbyKept;  // rgb: what they give, by nearbyWeight
 };
 
 #ifdef __cplusplus
@@ -60,7 +64,7 @@ static_assert(offsetof(FrameData, counts) == 96);
 static_assert(offsetof(FrameData, lights) == 128);
 static_assert(offsetof(FrameData, shadowViews) == 128 + 80 * maxLights);
 static_assert(sizeof(FrameData) == 128 + 80 * maxLights + 64 * maxShadowViews);
-static_assert(sizeof(ObjectData) == 64);
+static_assert(sizeof(ObjectData) == 128);
 }  // namespace opaline::shared
 #endif
 

@@ -149,6 +149,9 @@ void drawLightPanel(Session& session) {
   if (session.light >= 0) changed |= drawChosen(session);
   changed |=
       controls::light("ambient", lighting.ambient, "Radiance that comes from everywhere alike.");
+  if (controls::button("environment...", "Light from all around, from a picture: .hdr or .exr.")) {
+    session.wantedFile = FileUse::OpenEnvironment;
+  }
   if (lighting.environment) {
     ImGui::Text("environment of %d x %d pixels", lighting.environment->width,
                 lighting.environment->height);
@@ -160,7 +163,8 @@ void drawLightPanel(Session& session) {
       changed = true;
     }
   } else {
-    ImGui::TextDisabled("Drop a .hdr or .exr here for an environment.");
+    ImGui::SameLine();
+    ImGui::TextDisabled("or drop a .hdr or .exr on the window");
   }
   if (controls::checkbox("handles in the picture", session.gizmos,
                          "Lights as handles that are dragged with the mouse.")) {

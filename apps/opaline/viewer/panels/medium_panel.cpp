@@ -48,6 +48,22 @@ const std::vector<Chip>& chips() {
   return made;
 }
 
+bool isOf(const Chip& chip, const Medium& medium) {
+  return chip.medium.name == medium.name && chip.medium.eta == medium.eta &&
+         chip.medium.sigmaAPerMm == medium.sigmaAPerMm &&
+         chip.medium.sigmaSPrimePerMm == medium.sigmaSPrimePerMm;
+}
+
+// About the control that was drawn last.
+void drawRing() {
+  const float gap = 0.14F * ImGui::GetFontSize();
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  ImGui::GetWindowDrawList()->AddRect({low.x - gap, low.y - gap}, {high.x + gap, high.y + gap},
+                                      IM_COL32(255, 255, 255, 255),
+                                      ImGui::GetStyle().FrameRounding + gap, 0, 0.75F * gap);
+}
+
 bool drawChips(Medium& medium) {
   bool chosen = false;
   const float edge = 1.35F * ImGui::GetFontSize();
@@ -60,6 +76,7 @@ bool drawChips(Medium& medium) {
       medium = chip.medium;
       chosen = true;
     }
+    if (isOf(chip, medium)) drawRing();
     controls::note(chip.medium.name.c_str());
     controls::tip(chip.medium.name.c_str());
     ImGui::PopID();

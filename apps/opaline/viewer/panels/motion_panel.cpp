@@ -101,19 +101,25 @@ void drawClips(Session& session) {
 void drawMotionPanel(Session& session) {
   if (!controls::section("Motion", false)) return;
   Playback& playback = session.playback;
-  if (controls::button(playback.playing ? "pause" : "play", "Key: space.")) {
+  const bool moving = movesInTime(session);
+  const auto orWhyNot = [&](const char* about) { return moving ? about : nothingMoves; };
+  ImGui::BeginDisabled(!moving);
+  if (controls::button(playback.playing ? "pause" : "play", orWhyNot("Key: space."))) {
     playback.playing = !playback.playing;
   }
   ImGui::SameLine();
-  controls::checkbox("loop", playback.loop, "Begins anew at the end.");
+  controls::checkbox("loop", playback.loop, orWhyNot("Begins anew at the end."));
+  ImGui::EndDisabled();
   ImGui::SameLine();
   controls::checkbox("turntable", playback.turntable, "Turns the camera about the scene. Key: T.");
+  ImGui::BeginDisabled(!moving);
   auto seconds = static_cast<float>(session.options.seconds);
   if (controls::slider("time", seconds, 0, playback.lengthSeconds, "%.3f s",
-                       "The moment that is shown.")) {
+                       orWhyNot("The moment that is shown."))) {
     session.options.seconds = static_cast<double>(seconds);
     session.edits.picture = true;
   }
+  ImGui::EndDisabled();
   controls::checkbox("poke", session.poke,
                      "The mouse pulls at the body like at jelly; beside it the camera turns. With "
                      "Ctrl the mouse always does. Key: B. Macklin et al. 2016.");

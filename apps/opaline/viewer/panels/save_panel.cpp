@@ -1,35 +1,94 @@
+#include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
 
 #include "viewer/controls.h"
 #include "viewer/panels/panels.h"
 
 namespace opaline::app::viewer {
 
+namespace {
+
+using Size = std::optional<std::array<int, 2>>;
+
+constexpr int mostPixels = 16384;
+constexpr int mostFrames = 1'000'000;
+
+void drawSize(Session& session) {
+  static const Choices<Size> usual{
+      {"as in the window", std::nullopt},  {"1280 x 720", Size({1280, 720})},
+      {"1920 x 1080", Size({1920, 1080})}, {"3840 x 2160", Size({3840, 2160})},
+      {"1024 x 1024", Size({1024, 1024})}, {"2048 x 2048", Size({2048, 2048})}};
+  Size& size = session.pictureSize;
+  const bool known = std::any_of(usual.begin(), usual.end(),
+                                 [&](const auto& entry) { return entry.second == size; });
+  Choices<Size> choices = usual;
+  if (!known) choices.emplace_back(fmt::format("{} x {}", (*size)[0], (*size)[1]), size);
+  bool changed = controls::choice("size", size, choices,
+                                  "Of what is saved, in pixels. The window shows just that part.");
+  if (size) {
+    changed |= controls::typed("width", (*size)[0], 16, mostPixels, "Of what is saved, pixels.");
+    changed |= controls::typed("height", (*size)[1], 16, mostPixels, "Of what is saved, pixels.");
+  }
+  if (changed) session.edits.picture = true;
+}
+
+void drawBackground(Session& session) {
+  if (!session.tone.background) return;
+  Rgb& background = *session.tone.background;
+  if (!controls::light("background", background, "Where nothing is, linear, from 0 to 1.")) return;
+  for (float& channel : background) channel = std::min(channel, 1.0F);
+  session.edits.picture = true;
+}
+
+void drawFilm(Session& session) {
+  FilmSettings& film = session.film;
+  static const Choices<int> rates{{"24", 24}, {"25", 25}, {"30", 30}, {"50", 50}, {"60", 60}};
+  controls::choice("frames a second", film.perSecond, rates, "Of a film.");
+  if (controls::checkbox("the motion once", film.once,
+                         "All of it; else the frames that you name.") &&
+      !film.once) {
+    film.once = true;
+    const FrameRange all = filmFrames(session);
+    film = {film.perSecond, false, all.first, all.last};
+  }
+  if (!film.once) {
+    controls::typed("first frame", film.first, 0, mostFrames, "Frame n shows n over the rate.");
+    controls::typed("last frame", film.last, 0, mostFrames, "It is part of the film.");
+  }
+  const FrameRange frames = filmFrames(session);
+  ImGui::TextDisabled("film: %zu frames, %.2f s", frames.count(),
+                      static_cast<double>(frames.count()) / frames.perSecond);
+}
+
+}  // namespace
+
 void drawSavePanel(Session& session, const Saver& saver) {
   if (!controls::section("Save", false)) return;
-  ImGui::SetNextItemWidth(-0.38F * ImGui::GetWindowContentRegionMax().x);
-  ImGui::InputText("name", &session.saveName);
-  controls::note("name");
-  controls::tip(
-      "Without its ending; in the folder that the window was opened from, or with a "
-      "folder of its own. A file of that name is replaced.");
-  if (controls::button("picture", "NAME.png: what is seen. Key: P."))
-    session.wanted = Save::Picture;
+  const auto choose = [&](const char* name, FileUse use, const char* about) {
+    if (controls::button(name, about)) session.wantedFile = use;
+  };
+  choose("picture...", FileUse::SavePicture, "As PNG: what is seen. Key P saves at once.");
   ImGui::SameLine();
-  if (controls::button("EXR", "NAME.exr: linear light, 32-bit floats.")) session.wanted = Save::Exr;
+  choose("EXR...", FileUse::SaveExr, "The picture's linear light, in 32-bit floats.");
   ImGui::SameLine();
-  if (controls::button("scene", "NAME.toml: opaline render draws the same of it. Key: S.")) {
-    session.wanted = Save::Scene;
-  }
-  ImGui::SameLine();
+  choose("scene...", FileUse::SaveScene,
+         "As TOML: opaline render draws the same of it. Keys: Ctrl S; S saves at once.");
   if (saver.filming()) {
-    ImGui::NewLine();
     ImGui::ProgressBar(static_cast<float>(saver.progress()));
     if (controls::button("stop the film", "Leaves no film.")) session.wanted = Save::NoFilm;
-  } else if (controls::button("film", "NAME.mp4: the motion once, 30 frames a second.")) {
-    session.wanted = Save::Film;
+  } else {
+    ImGui::SameLine();
+    choose("film...", FileUse::SaveFilm, "As MP4: the frames below.");
   }
+  ImGui::TextDisabled("P and S save %s, or its next free name.", session.saveName.c_str());
+  drawSize(session);
+  drawBackground(session);
+  drawFilm(session);
 }
 
 }  // namespace opaline::app::viewer

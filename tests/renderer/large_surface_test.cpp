@@ -1,0 +1,163 @@
+// Surfaces of few triangles that are many mean free paths long.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "bssrdf/fresnel.h"
+#include "bssrdf/profile.h"
+#include "renderer/renderer_fixture.h"
+#include "renderer/shapes.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+
+using LargeSurfaceTest = RendererTest;
+
+constexpr double marbleFreePathMm = 1 / (3.0 + 0.0071);  // of blue, where it is shortest
+
+Mesh square(float halfMm, int cells = 1) {
+  return sheet({0, 0, 0}, {halfMm, 0, 0}, {0, halfMm, 0}, cells);
+}
+
+RenderOptions optionsAt(Site site, int maxSources) {
+  RenderOptions options = smallOptions();
+  options.width = options.height = 32;
+  options.site = site;
+  options.maxSources = maxSources;
+  return options;
+}
+
+// ∫ R_d over a square around a place in it, by the angle: (1/2π) ∫ D(ρ(θ)) dθ with ρ the way to the
+// border.
+double overSquare(const bssrdf::Profile& profile, double halfMm, double x, double y) {
+  constexpr int angles = 720;
+  double sum = 0;
+  for (int i = 0; i < angles; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.5) / angles;
+    const double u = std::cos(angle);
+    const double v = std::sin(angle);
+    const double alongX = (halfMm - (u > 0 ? x : -x)) / std::abs(u);
+    const double alongY = (halfMm - (v > 0 ? y : -y)) / std::abs(v);
+    sum += profile.disc(std::min(alongX, alongY));
+  }
+  return sum / angles;
+}
+
+// The largest deviation from E ∫ R_d over the square, a part of what it is in the middle.
+double deviationOf(const std::vector<Image>& images, bssrdf::Model model, double halfMm) {
+  double largest = 0;
+  const std::array<bssrdf::Profile, 3> profiles = bssrdf::makeProfiles(model, marble());
+  const double entering = 3 * (1 - bssrdf::fresnelReflectance(1.5, 1));
+  const int seen = forEachCovered(images[0], [&](std::size_t i) {
+    const double x = static_cast<double>(images[1].rgba[i]);
+    const double y = static_cast<double>(images[1].rgba[i + 1]);
+    if (std::max(std::abs(x), std::abs(y)) > 0.9 * halfMm) return;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double exact = entering * overSquare(profiles[c], halfMm, x, y);
+      const double middle = entering * overSquare(profiles[c], halfMm, 0, 0);
+      largest =
+          std::max(largest, std::abs(static_cast<double>(images[0].rgba[i + c]) - exact) / middle);
+    }
+  });
+  EXPECT_GT(seen, 400);
+  return largest;
+}
+
+Scene litSquare(float halfMm) {
+  Scene scene = sceneOf(square(halfMm), marble(), {0, 0, 4 * halfMm}, halfMm);
+  scene.lighting.directional = {{{0, 0, 1}, {3, 3, 3}}};
+  return scene;
+}
+
+// Nothing of it depends on how large the square is: 10 to 100,000 mean free paths.
+TEST_F(LargeSurfaceTest, ASquareOfTwoTrianglesIsTheIntegralAtAnySize) {
+  for (const double inFreePaths : {1e1, 1e2, 1e3, 1e4, 1e5}) {
+    const double halfMm = inFreePaths * marbleFreePathMm / 2;
+    renderer().setScene(litSquare(static_cast<float>(halfMm)));
+    for (const auto& [transport, model] :
+         {std::pair{Transport::Dipole, bssrdf::Model::Dipole},
+          std::pair{Transport::BetterDipole, bssrdf::Model::BetterDipole},
+          std::pair{Transport::Boundary, bssrdf::Model::BetterDipole}})
+      for (const Sum sum : {Sum::Tree, Sum::All}) {
+        if (transport != Transport::Dipole && (sum == Sum::All || inFreePaths > 1e3)) continue;
+        RenderOptions options = optionsAt(Site::Auto, sum == Sum::Tree ? 16'384 : 1024);
+        options.transport = transport;
+        options.sum = sum;
+        const std::vector<Image> images =
+            render(options, {Aov::Exitance, Aov::Position, Aov::Evaluations});
+        EXPECT_LT(deviationOf(images, model, halfMm), 0.02) << inFreePaths;
+        if (sum == Sum::All) continue;
+        forEachCovered(images[2], [&](std::size_t i) { ASSERT_LT(images[2].rgba[i], 600); });
+      }
+  }
+}
+
+// At its corners, too, light is what enters there where a mean free path is nothing to it.
+TEST_F(LargeSurfaceTest, CornersOfAHugeSquareAreAsBrightAsItsMiddle) {
+  const double halfMm = 5e4 * marbleFreePathMm;
+  renderer().setScene(litSquare(static_cast<float>(halfMm)));
+  const std::vector<Image> images =
+      render(optionsAt(Site::Vertex, 32'768), {Aov::Exitance, Aov::Position});
+  EXPECT_LT(deviationOf(images, bssrdf::Model::Dipole, halfMm), 0.02);
+}
+
+// A shadow's border, and what lies deep in the shadow, in sources of a third of a mean free path
+// and in ones that are some mean free paths apart.
+TEST_F(LargeSurfaceTest, ShadowsOnItAreThoseOfAFineGrid) {
+  Scene scene = sceneOf(square(24), marble(), {0, 0, 80}, 22);
+  scene.objects.push_back({"shade", sheet({44, 0, 30}, {30, 0, 0}, {0, 60, 0}, 1), marble()});
+  scene.lighting.directional = {{toVec3(unit({1, 0, 1})), {3, 3, 3}}};
+  RenderOptions options = optionsAt(Site::Fragment, 400'000);
+  options.width = options.height = 64;
+  const std::vector<Image> fine = render(scene, options, {Aov::Exitance, Aov::Object});
+  float brightest = 0;
+  forEachCovered(fine[0], [&](std::size_t i) { brightest = std::max(brightest, fine[0].rgba[i]); });
+  // The border lies where the sources have it, to half of their spacing; the deeper in the shadow,
+  // the more that is of what comes from there.
+  struct Bound {
+    int maxSources;
+    float ofBrightest;
+    float deep;
+  };
+  for (const auto& [maxSources, ofBrightest, deep] :
+       {Bound{1024, 0.08F, 0.5F}, Bound{4096, 0.04F, 0.12F}}) {
+    options.maxSources = maxSources;
+    const std::vector<Image> coarse = render(options, {Aov::Exitance, Aov::Evaluations});
+    int pixels = 0;
+    forEachCovered(fine[0], [&](std::size_t i) {
+      if (fine[1].rgba[i] != 0) return;
+      ++pixels;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float exact = fine[0].rgba[i + c];
+        const float off = std::abs(coarse[0].rgba[i + c] - exact);
+        ASSERT_LT(off, ofBrightest * brightest) << maxSources;
+        if (exact < 0.05F * brightest) {
+          ASSERT_LT(off, deep * std::max(exact, 1e-3F * brightest)) << maxSources;
+        }
+      }
+    });
+    EXPECT_GT(pixels, 1500);
+    forEachCovered(coarse[1], [&](std::size_t i) { ASSERT_LT(coarse[1].rgba[i], 1000); });
+  }
+}
+
+// A fine body and a coarse floor in one mesh: shadows fall between the floor's corners.
+TEST_F(LargeSurfaceTest, AFineBodyDoesNotDecideForTheFloorUnderIt) {
+  Scene scene = sceneOf(together(sphere({0, 0, 2}, 1, 4), square(100)), marble(), {0, 0, 300}, 100);
+  scene.lighting.directional = {{{0, 0, 1}, {3, 3, 3}}};
+  renderer().setScene(scene);
+  const Image chosen = render(optionsAt(Site::Auto, 4096), {Aov::Exitance})[0];
+  const Image fragment = render(optionsAt(Site::Fragment, 4096), {Aov::Exitance})[0];
+  EXPECT_TRUE(chosen.rgba == fragment.rgba);
+}
+
+}  // namespace
+}  // namespace opaline
