@@ -176,16 +176,11 @@ void Viewer::takeLoaded() {
   try {
     Session made = resizing_ ? resized(session_, std::move(*result))
                              : opened(std::move(*result), options_.prepare);
-<<<<<<< HEAD
+    dashboard_.layOut(made);
+    const Area& area = dashboard_.area();
     if (!resizing_) {
       showAll(made.scene, {made.options.clip, area.aspect(), made.sequence.get(),
                            someMoments(lengthOfMotion(made), made.sequence.get())});
-=======
-    dashboard_.layOut(made);
-    const Area& area = dashboard_.area();
-    if (!resizing_ && fovThatIsNeededDegrees(made.scene, area.width, area.height)) {
-      frame(made.scene.camera, boundsOf(made.scene), area.aspect());
->>>>>>> main
     }
     made.gizmos = session_.gizmos;
     made.scaleBar = session_.scaleBar;
