@@ -111,11 +111,11 @@ struct BenchCommand {
   }
 
   Scene loadScene(const LogCallback& log) const {
-    Scene loaded = scene.load(log).scene;
+    LoadedScene loaded = scene.load(log);
     lights.applyTo(loaded);
-    camera.applyTo(loaded);
-    showAll(loaded, {RenderOptions{}.clip, 1, nullptr, {Moment{}}});
-    return loaded;
+    camera.applyTo(loaded.scene);
+    showAll(loaded.scene, {RenderOptions{}.clip, 1, nullptr, {Moment{}}});
+    return std::move(loaded.scene);
   }
 
   void run() const {

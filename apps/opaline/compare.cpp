@@ -164,7 +164,10 @@ void runCompare(const Arguments& arguments) {
   if (command.heatmapTop && !command.heatmap) {
     throw UsageError("--heatmap-max belongs to --heatmap FILE.png");
   }
-  if (command.heatmap) core::requireWritable(*command.heatmap);
+  if (command.heatmap) {
+    core::requireWritable(*command.heatmap);
+    requireNoInput({{"--heatmap", *command.heatmap}}, {command.a, command.b});
+  }
 
   const CompareReport report = measure(command);
   if (command.heatmap) {

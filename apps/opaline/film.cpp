@@ -5,36 +5,53 @@
 #include "film_encoder.h"
 #include "film_job.h"
 #include "film_output.h"
+#include "picture_stamp.h"
 #include "progress.h"
 
 namespace opaline::app {
 
 namespace fs = std::filesystem;
 
-bool isThere(const FilmOrder& order, int frame) {
-  return order.resume &&
-         core::isWholeImage(fileOf(order.output, frame), order.options.width, order.options.height);
+namespace {
+
+bool isWhole(const FilmOrder& order, int frame) {
+  return core::isWholeImage(fileOf(order.output.path, frame), order.options.width,
+                            order.options.height);
 }
 
-void requireFilmWritable(const fs::path& output, const FrameRange& frames) {
-  core::requireWritable(fileOf(output, frames.first));
-  if (isFilm(output)) requireFfmpeg();
+bool carriesItsStamp(const FilmOrder& order, int frame) {
+  if (!order.stamp) return true;
+  const auto note = core::readImageNote(fileOf(order.output.path, frame));
+  return note && isSamePicture(*note, order.stamp(frame));
+}
+
+}  // namespace
+
+bool isThere(const FilmOrder& order, int frame) {
+  return order.resume && isWhole(order, frame) && carriesItsStamp(order, frame);
+}
+
+void requireFilmWritable(const core::Target& output, const FrameRange& frames) {
+  core::requireWritable({fileOf(output.path, frames.first), output.existing});
+  if (isFilm(output.path)) requireFfmpeg();
 }
 
 std::vector<std::string> outputsOf(const FilmOrder& order) {
-  if (isFilm(order.output)) return {order.output.string()};
+  const fs::path& output = order.output.path;
+  if (isFilm(output)) return {output.string()};
   std::vector<std::string> files;
-  for (int frame = order.frames.first; frame <= order.frames.last; ++frame) {
-    files.push_back(fileOf(order.output, frame).string());
+  for (int frame = order.frames.first; frame <= order.frames.last; frame += order.frames.step) {
+    files.push_back(fileOf(output, frame).string());
   }
   return files;
 }
 
-std::size_t countThere(const FilmOrder& order) {
-  std::size_t there = 0;
+FramesThere countThere(const FilmOrder& order) {
+  FramesThere there;
   if (!order.resume) return there;
-  for (int frame = order.frames.first; frame <= order.frames.last; ++frame) {
-    if (isThere(order, frame)) ++there;
+  for (int frame = order.frames.first; frame <= order.frames.last; frame += order.frames.step) {
+    if (!isWhole(order, frame)) continue;
+    ++(carriesItsStamp(order, frame) ? there.kept : there.otherwiseMade);
   }
   return there;
 }

@@ -51,10 +51,9 @@ class FramesUnderWay {
 }  // namespace
 
 FilmJob::FilmJob(FilmOrder order)
-    : order_(std::move(order)),
-      output_(order_.output, order_.options, order_.frames.perSecond, order_.tone),
-      next_(order_.frames.first) {
-  if (!isFilm(order_.output)) core::requireWritable(fileOf(order_.output, next_));
+    : order_(std::move(order)), output_(order_), next_(order_.frames.first) {
+  const core::Target& target = order_.output;
+  if (!isFilm(target.path)) core::requireWritable({fileOf(target.path, next_), target.existing});
 }
 
 FilmProgress FilmJob::progress() const {
@@ -80,7 +79,8 @@ void FilmJob::step(Renderer& renderer, std::size_t frames,
     while (underWay.count() > 0) collectOldest();
   };
   const auto renderNext = [&] {
-    const int frame = next_++;
+    const int frame = next_;
+    next_ += order_.frames.step;
     if (isThere(order_, frame)) {
       ++skipped_;
       showProgress();

@@ -38,6 +38,8 @@ class FilmJob {
             const std::function<void(const FilmProgress&)>& progress = {});
 
   bool isDone() const { return done_; }
+  /// Where the film is, once it is done.
+  const std::filesystem::path& file() const { return output_.file(); }
   FilmProgress progress() const;
 
  private:

@@ -1,5 +1,7 @@
 #include "film_output.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <thread>
@@ -31,35 +33,51 @@ bool isFilm(const fs::path& output) {
   return extensionOf(output) == ".mp4";
 }
 
+fs::path freeRow(const std::string& name, const std::string& ending, const FrameRange& frames) {
+  const auto isFree = [&](const fs::path& row) {
+    for (int frame = frames.first; frame <= frames.last; frame += frames.step) {
+      const fs::path file = fileOf(row, frame);
+      if (core::freeName(file) != file) return false;
+    }
+    return true;
+  };
+  fs::path row = name + "_%04d" + ending;
+  for (int number = 2; !isFree(row); ++number) {
+    row = fmt::format("{}-{}_%04d{}", name, number, ending);
+  }
+  return row;
+}
+
 fs::path fileOf(const fs::path& output, int frame) {
   const std::optional<FrameNames> names = FrameNames::parse(output.string());
   return names ? names->file(frame) : output;
 }
 
-void writePicture(const fs::path& file, const Image& image, const core::ToneOptions& tone) {
-  if (extensionOf(file) == ".exr") {
-    core::writeExr(file, image);
-  } else {
-    core::writePng(file, core::toneMap(image, tone));
-  }
+fs::path writePicture(const core::Target& target, const Image& image, const core::ToneOptions& tone,
+                      std::string_view note) {
+  return extensionOf(target.path) == ".exr"
+             ? core::writeExr(target, image, note)
+             : core::writePng(target, core::toneMap(image, tone), note);
 }
 
-FilmOutput::FilmOutput(const fs::path& output, const RenderOptions& options, double framesPerSecond,
-                       const core::ToneOptions& tone) {
-  if (isFilm(output)) {
-    startFilm(output, options, framesPerSecond, tone);
+FilmOutput::FilmOutput(const FilmOrder& order) : path_(order.output.path) {
+  if (isFilm(path_)) {
+    startFilm(order);
     return;
   }
-  writer_.emplace(workersFor(options), [output, tone](int number, const Frame& frame) {
-    writePicture(fileOf(output, number), frame.images.at(0), tone);
+  writer_.emplace(workersFor(order.options), [output = order.output, tone = order.tone,
+                                              stamp = order.stamp](int number, const Frame& frame) {
+    writePicture({fileOf(output.path, number), output.existing}, frame.images.at(0), tone,
+                 stamp ? stamp(number) : "");
   });
 }
 
-void FilmOutput::startFilm(const fs::path& output, const RenderOptions& options,
-                           double framesPerSecond, core::ToneOptions tone) {
+void FilmOutput::startFilm(const FilmOrder& order) {
+  core::ToneOptions tone = order.tone;
   if (!tone.background) tone.background = Rgb{0, 0, 0};  // a film has no alpha
-  file_.emplace(output);
-  encoder_.emplace(file_->temporary(), options.width, options.height, framesPerSecond);
+  file_.emplace(order.output);
+  encoder_.emplace(file_->temporary(), order.options.width, order.options.height,
+                   order.frames.perSecond);
   writer_.emplace(1, [this, tone](int, const Frame& frame) {
     try {
       encoder_->add(core::toneMap(frame.images.at(0), tone));
@@ -86,7 +104,7 @@ void FilmOutput::finish() {
     file_->fail(failure.what());
   }
   encoder_.reset();
-  file_->keep();
+  path_ = file_->keep();
 }
 
 }  // namespace opaline::app

@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include "core/file.h"
 #include "core/tone.h"
+#include "film.h"
 #include "film_encoder.h"
 #include "frame_writer.h"
 #include "motion_options.h"
@@ -15,20 +17,24 @@ namespace opaline::app {
 
 bool isFilm(const std::filesystem::path& output);
 
+/// A name for a row of pictures of which none is there: NAME_%04d.png, or else NAME-2_%04d.png, and
+/// so on.
+std::filesystem::path freeRow(const std::string& name, const std::string& ending,
+                              const FrameRange& frames);
+
 /// Where a frame goes: the output itself, or what its mark for the number makes of it.
 std::filesystem::path fileOf(const std::filesystem::path& output, int frame);
 
-/// EXR as it is, or PNG after the tone curve.
-void writePicture(const std::filesystem::path& file, const Image& image,
-                  const core::ToneOptions& tone);
+/// EXR as it is, or PNG after the tone curve, with a note in it. Returns where it is.
+std::filesystem::path writePicture(const core::Target& target, const Image& image,
+                                   const core::ToneOptions& tone, std::string_view note = {});
 
 /// Takes rendered frames and makes pictures or a film of them on threads of its own. A film that is
 /// not finished leaves no file; pictures are whole or not there.
 class FilmOutput {
  public:
   /// Throws Error when a film cannot be written or ffmpeg is not there.
-  FilmOutput(const std::filesystem::path& output, const RenderOptions& options,
-             double framesPerSecond, const core::ToneOptions& tone);
+  explicit FilmOutput(const FilmOrder& order);
   ~FilmOutput();
   FilmOutput(const FilmOutput&) = delete;
   FilmOutput& operator=(const FilmOutput&) = delete;
@@ -41,11 +47,13 @@ class FilmOutput {
   void flush() { writer_->finish(); }
   /// The same; then a film is there. Nothing more is taken.
   void finish();
+  /// Where a film is, once it is there; else the name that the order gave.
+  const std::filesystem::path& file() const { return path_; }
 
  private:
-  void startFilm(const std::filesystem::path& output, const RenderOptions& options,
-                 double framesPerSecond, core::ToneOptions tone);
+  void startFilm(const FilmOrder& order);
 
+  std::filesystem::path path_;
   // What goes first is used by what comes after.
   std::optional<core::WholeFile> file_;
   std::optional<FilmEncoder> encoder_;

@@ -94,7 +94,7 @@ double aspectOf(const RenderOptions& options) {
 
 std::vector<Moment> momentsOf(const FrameRange& frames, const MeshSequence* sequence) {
   std::vector<Moment> moments;
-  for (int frame = frames.first; frame <= frames.last; ++frame) {
+  for (int frame = frames.first; frame <= frames.last; frame += frames.step) {
     moments.push_back({frames.seconds(frame), {}});
     if (sequence != nullptr) moments.back().number = numberOfFrame(*sequence, frame);
   }

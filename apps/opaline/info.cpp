@@ -27,6 +27,7 @@
 #include "scene/insides.h"
 #include "scene/merged_mesh.h"
 #include "scene/not_shown.h"
+#include "scene/scene_files.h"
 #include "scene/topology.h"
 #include "scene_options.h"
 
@@ -242,7 +243,9 @@ void runInfo(const Arguments& arguments) {
   if (command.atlas) core::requireWritable(*command.atlas);
 
   const LogCallback log = noteTaker(command.quiet);
-  const Scene scene = command.scene.load(log).scene;
+  const LoadedScene loaded = command.scene.load(log);
+  const Scene& scene = loaded.scene;
+  if (command.atlas) requireNoInput({{"--atlas", *command.atlas}}, scene::filesOf(loaded.source));
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
   Json facts = collect(scene);
   if (command.atlas) {

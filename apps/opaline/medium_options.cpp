@@ -34,9 +34,9 @@ void MediumOptions::addTo(CommandLine& line) {
              [this](const Given& given) { named_ = namedMedium(given); });
   line.value(
       "--sigma-s", "R,G,B", "reduced scattering and absorption, 1/mm",
-      [this](const Given& given) { sigmaSPrimePerMm_ = readTriple(given, coefficientRange); });
+      [this](const Given& given) { sigmaSPrimePerMm_ = readChannels(given, coefficientRange); });
   line.value("--sigma-a", "R,G,B", "",
-             [this](const Given& given) { sigmaAPerMm_ = readTriple(given, coefficientRange); });
+             [this](const Given& given) { sigmaAPerMm_ = readChannels(given, coefficientRange); });
   line.value("--eta", "X", "index of refraction, 1.01 to 3 [1.3]", [this](const Given& given) {
     eta_ = readNumber(given, {1.01, 3});
   });

@@ -72,8 +72,10 @@ Deformer readDeformer(const Given& given) {
 
 FrameRange readFrames(const Given& given) {
   const std::vector<std::string> ends = splitAtColons(given.text);
-  if (ends.size() != 2) {
-    throw UsageError(fmt::format("{} {}: must be FIRST:LAST, as 0:239", given.option, given.text));
+  if (ends.size() != 2 && ends.size() != 3) {
+    throw UsageError(
+        fmt::format("{} {}: must be FIRST:LAST or FIRST:LAST:STEP, as 0:239 or 0:239:10",
+                    given.option, given.text));
   }
   FrameRange frames;
   frames.first = readInteger({given.option, ends[0]}, 0, lastFrame);
@@ -81,6 +83,10 @@ FrameRange readFrames(const Given& given) {
   if (frames.first > frames.last) {
     throw UsageError(
         fmt::format("{} {}: the last frame comes before the first", given.option, given.text));
+  }
+  if (ends.size() == 3) {
+    frames.step = readInteger({given.option, ends[2]}, 1, lastFrame);
+    frames.last -= (frames.last - frames.first) % frames.step;
   }
   return frames;
 }
@@ -107,7 +113,7 @@ void MotionOptions::addTo(CommandLine& line, bool films) {
   line.value("--time", "SECONDS", "of a still, at least 0 [0]",
              [this](const Given& given) { seconds_ = readNumber(given, secondsRange); });
   if (films) {
-    line.value("--frames", "A:B", "a film; frame n shows time n / fps",
+    line.value("--frames", "A:B[:STEP]", "a film; frame n shows time n / fps",
                [this](const Given& given) { frames_ = readFrames(given); });
     line.value("--fps", "N", "frames a second, 1 to 1000 [30]", [this](const Given& given) {
       framesPerSecond_ = readNumber(given, {1, 1000});

@@ -11,13 +11,14 @@
 
 namespace opaline::app {
 
-/// Which frames, both ends included; frame n shows time n / perSecond.
+/// Which frames: the first, every step-th after it, and the last; frame n shows time n / perSecond.
 struct FrameRange {
   int first = 0;
-  int last = 0;
+  int last = 0;  ///< a whole number of steps behind the first
   double perSecond = 30;
+  int step = 1;
 
-  std::size_t count() const { return static_cast<std::size_t>(last - first) + 1; }
+  std::size_t count() const { return static_cast<std::size_t>((last - first) / step) + 1; }
   double seconds(int frame) const { return frame / perSecond; }
 };
 

@@ -16,6 +16,24 @@ std::string extensionOf(const std::filesystem::path& file) {
   return extension;
 }
 
+void requireNoInput(const std::vector<Output>& outputs,
+                    const std::vector<std::filesystem::path>& inputs) {
+  std::error_code ignored;  // what is not there is the same as nothing
+  for (const Output& output : outputs) {
+    if (!std::filesystem::exists(output.file, ignored)) continue;
+    for (const std::filesystem::path& input : inputs) {
+      if (!std::filesystem::equivalent(output.file, input, ignored)) continue;
+      throw UsageError(fmt::format("{} {}: it is read as {}; name another file to write",
+                                   output.option, output.file.string(), input.string()));
+    }
+  }
+}
+
+std::string nameText(const std::filesystem::path& file, const std::filesystem::path& wanted) {
+  if (file == wanted) return file.string();
+  return fmt::format("{}, as {} is there already", file.string(), wanted.string());
+}
+
 std::filesystem::path readOutput(const Given& given, const std::vector<std::string>& extensions) {
   std::filesystem::path file = given.text;
   if (std::find(extensions.begin(), extensions.end(), extensionOf(file)) == extensions.end()) {

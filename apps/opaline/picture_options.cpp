@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "film_output.h"
 #include "frame_names.h"
 #include "opaline/error.h"
 #include "opaline/exposure.h"
@@ -173,7 +174,7 @@ void MethodOptions::addTo(CommandLine& line) {
              fmt::format("samples around the middle one, 0 to 15 [{}]", defaults.pattern.nearRings),
              [this](const Given& given) { nearRings_ = readInteger(given, 0, 15); });
   line.value("--near-spacing", "X",
-             fmt::format("mean free paths [{}, {}]", defaults.pattern.nearSpacing,
+             fmt::format("mean free paths [{}], of far ones [{}]", defaults.pattern.nearSpacing,
                          defaults.pattern.farDistance),
              [this](const Given& given) {
                nearSpacing_ = readFloat(given, {1e-3, 100, "mean free paths"});
@@ -181,11 +182,11 @@ void MethodOptions::addTo(CommandLine& line) {
   line.value("--far-distance", "X", "", [this](const Given& given) {
     farDistance_ = readFloat(given, {1e-3, 1000, "mean free paths"});
   });
-  line.value("--dsm-size", "N",
-             fmt::format("map of the pattern, 64 to 4096 texels [{}]", defaults.dsmSize),
-             [this](const Given& given) { dsmSize_ = readInteger(given, 64, 4096); });
-  line.value("--shadow-size", "N",
-             fmt::format("shadow maps, 64 to 8192 texels [{}]", defaults.shadowSize),
+  line.value(
+      "--dsm-size", "N",
+      fmt::format("texels of the map [{}], of shadows [{}]", defaults.dsmSize, defaults.shadowSize),
+      [this](const Given& given) { dsmSize_ = readInteger(given, 64, 4096); });
+  line.value("--shadow-size", "N", "",
              [this](const Given& given) { shadowSize_ = readInteger(given, 64, 8192); });
 }
 
@@ -260,7 +261,7 @@ void LookOptions::addTo(CommandLine& line) {
              [this](const Given& given) { curve_ = readChoice(given, toneCurves()); });
   line.value("--background", "R,G,B", "linear, 0 to 1, not EXR [transparent]",
              [this](const Given& given) {
-               background_ = readTripleFloat(given, {0, 1});
+               background_ = readColour(given, {0, 1});
              });
 }
 
@@ -363,6 +364,10 @@ void PictureOptions::requireNameFor(bool frames, bool resume) const {
   if (!frames && resume) {
     throw UsageError("--resume goes on with a row of pictures and needs --frames A:B");
   }
+  if (resume && !file_) {
+    throw UsageError(
+        "--resume goes on with a row of pictures and needs its name: -o frame_%04d.png");
+  }
   if (film && resume) {
     throw UsageError(
         "--resume goes on with a row of pictures, -o frame_%04d.png; a film is made in one go");
@@ -375,8 +380,12 @@ void PictureOptions::requireNameFor(bool frames, bool resume) const {
   }
 }
 
-std::filesystem::path PictureOptions::file(const std::string& sceneName, bool frames) const {
-  return file_.value_or(sceneName + (frames ? "_%04d" : "") + (isExr() ? ".exr" : ".png"));
+core::Target PictureOptions::target(const std::string& sceneName,
+                                    const std::optional<FrameRange>& frames) const {
+  if (file_) return *file_;
+  const std::string ending = isExr() ? ".exr" : ".png";
+  if (!frames) return {sceneName + ending, core::Existing::TakeNextName};
+  return {freeRow(sceneName, ending, *frames), core::Existing::Refuse};
 }
 
 }  // namespace opaline::app

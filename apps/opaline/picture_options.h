@@ -5,7 +5,9 @@
 #include <string>
 
 #include "command_line.h"
+#include "core/file.h"
 #include "core/tone.h"
+#include "motion_options.h"
 #include "opaline/renderer.h"
 #include "scene/scene_settings.h"
 #include "values.h"
@@ -106,8 +108,8 @@ class PictureOptions {
   void requireNameFor(bool frames, bool resume) const;
   /// The same where there is nothing but stills.
   void requireNameOfStill() const;
-  /// -o, or a name after the scene's in the current folder.
-  std::filesystem::path file(const std::string& sceneName, bool frames) const;
+  /// -o, or a name after the scene's in the current folder under which nothing is replaced.
+  core::Target target(const std::string& sceneName, const std::optional<FrameRange>& frames) const;
   bool hasFile() const { return file_.has_value(); }
   /// What was asked for, else what the scene file says.
   core::ToneOptions tone(const scene::SceneFileSettings& settings, const Scene& scene) const {

@@ -4,8 +4,8 @@
 
 namespace opaline::app {
 
-PositionsAhead::PositionsAhead(int lastNumber, Read read)
-    : lastNumber_(lastNumber), read_(std::move(read)) {}
+PositionsAhead::PositionsAhead(int lastNumber, int step, Read read)
+    : lastNumber_(lastNumber), step_(step), read_(std::move(read)) {}
 
 const std::vector<Vec3>& PositionsAhead::of(int number) {
   if (ahead_.valid() && aheadNumber_ == number) {
@@ -15,7 +15,7 @@ const std::vector<Vec3>& PositionsAhead::of(int number) {
     if (ahead_.valid()) ahead_.wait();
     current_ = readInto(number, std::move(current_));
   }
-  if (number < lastNumber_) readAhead(number + 1);
+  if (number + step_ <= lastNumber_) readAhead(number + step_);
   return current_;
 }
 

@@ -8,14 +8,14 @@
 
 namespace opaline::app {
 
-/// Positions from numbered files: while those of one number are in use, those of the next are read
-/// on another thread.
+/// Positions from numbered files: while those of one number are in use, those of the next,
+/// a step ahead, are read on another thread.
 class PositionsAhead {
  public:
   /// Must bear to be called on another thread.
   using Read = std::function<void(int number, std::vector<Vec3>& positionsMm)>;
 
-  PositionsAhead(int lastNumber, Read read);
+  PositionsAhead(int lastNumber, int step, Read read);
 
   /// Throws what reading threw.
   const std::vector<Vec3>& of(int number);
@@ -25,6 +25,7 @@ class PositionsAhead {
   void readAhead(int number);
 
   int lastNumber_;
+  int step_;
   Read read_;
   std::vector<Vec3> current_;
   std::vector<Vec3> spare_;

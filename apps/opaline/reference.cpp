@@ -24,6 +24,7 @@
 #include "reference/integral.h"
 #include "reference/picture.h"
 #include "reference_scene.h"
+#include "scene/scene_files.h"
 #include "scene_options.h"
 #include "sequence_frames.h"
 #include "truth.h"
@@ -138,6 +139,15 @@ struct ReferenceCommand {
     return options;
   }
 
+  /// Those that were named.
+  std::vector<Output> outputs() const {
+    std::vector<Output> outputs;
+    if (picture.hasFile()) outputs.push_back({"-o", picture.target("", {}).path});
+    if (report) outputs.push_back({"--report", *report});
+    if (path.checkpoint()) outputs.push_back({"--checkpoint", *path.checkpoint()});
+    return outputs;
+  }
+
   double toleranceOf() const { return tolerance.value_or(rf::IntegralOptions{}.tolerance); }
 
   rf::PictureOptions pictureOptions(const RenderOptions& render) const {
@@ -157,7 +167,7 @@ struct Job {
   rf::Scene scene;
   RenderOptions options;
   core::ToneOptions tone;
-  std::filesystem::path output;
+  core::Target output;
 };
 
 /// Positions of a still of a row of files.
@@ -167,11 +177,12 @@ GivenPositions positionsOf(const MeshSequence* sequence, double seconds) {
   return positionsMm;
 }
 
-Job prepare(const ReferenceCommand& command, std::filesystem::path output, const LogCallback& log) {
-  auto [scene, settings, sequence, source] = command.scene.load(log);
+Job prepare(const ReferenceCommand& command, core::Target output, const LogCallback& log) {
+  LoadedScene loaded = command.scene.load(log);
+  command.lights.applyTo(loaded);
+  auto& [scene, settings, sequence, source] = loaded;
   RenderOptions options = command.options(settings);
   rf::requireSound(command.pictureOptions(options));
-  command.lights.applyTo(scene);
   command.camera.applyTo(scene);
   command.motion.applyTo(scene);
   command.motion.applyTo(options, scene, settings);
@@ -183,6 +194,7 @@ Job prepare(const ReferenceCommand& command, std::filesystem::path output, const
         "the reference leaves out the reflection on the surface; compare it with render "
         "--no-specular");
   }
+  requireNoInput(command.outputs(), scene::filesOf(source));
   const core::ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
@@ -224,7 +236,8 @@ Made makePath(const ReferenceCommand& command, const Job& job, const LogCallback
   return made;
 }
 
-Json reportJson(const ReferenceCommand& command, const Job& job, const Made& made, double seconds) {
+Json reportJson(const ReferenceCommand& command, const Job& job, const Made& made, double seconds,
+                const std::filesystem::path& file) {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   for (const rf::Body& body : job.scene.bodies) {
@@ -242,7 +255,7 @@ Json reportJson(const ReferenceCommand& command, const Job& job, const Made& mad
        {{"mean", error.mean}, {"p95", error.percentile95}, {"max", error.largest}}},
       {"seconds", seconds},
       {"exposure_stops", command.picture.isExr() ? Json() : shortJson(job.tone.exposureStops)},
-      {"outputs", {job.output.string()}}};
+      {"outputs", {file.string()}}};
   json.update(made.facts);
   return json;
 }
@@ -260,16 +273,17 @@ void runReference(const Arguments& arguments) {
 
   const auto begin = std::chrono::steady_clock::now();
   const LogCallback log = noteTaker(command.quiet);
-  std::filesystem::path output = command.picture.file(command.scene.name(), false);
-  command.path.check(output, command.report);
+  core::Target output = command.picture.target(command.scene.name(), std::nullopt);
+  command.path.check(output.path, command.report);
   core::requireWritable(output);
   if (command.report) core::requireWritable(*command.report);
 
   const Job job = prepare(command, std::move(output), log);
   const Made made = command.integral ? makeIntegral(command, job) : makePath(command, job, log);
-  writePicture(job.output, made.picture.image, job.tone);
+  const std::filesystem::path file = writePicture(job.output, made.picture.image, job.tone);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  std::string note = fmt::format("wrote {} in {:.1f} s", job.output.string(), seconds.count());
+  std::string note =
+      fmt::format("wrote {}, in {:.1f} s", nameText(file, job.output.path), seconds.count());
   if (rf::showsExitance(command.picture.aov())) {
     // Single pixels of a path-traced picture are noise, and say nothing where no particle came.
     note += command.integral
@@ -278,7 +292,7 @@ void runReference(const Arguments& arguments) {
                 : fmt::format("; standard error of 8x8 blocks {:.2g}", made.blockError);
   }
   log(LogLevel::Note, note);
-  const std::string report = toText(reportJson(command, job, made, seconds.count()));
+  const std::string report = toText(reportJson(command, job, made, seconds.count(), file));
   if (command.report) core::writeWhole(*command.report, report);
   if (command.json) printOut(report);
 }

@@ -21,7 +21,9 @@
 #include "output.h"
 #include "paths.h"
 #include "picture_options.h"
+#include "picture_stamp.h"
 #include "render_report.h"
+#include "scene/scene_files.h"
 #include "scene_options.h"
 #include "sequence_frames.h"
 
@@ -52,7 +54,7 @@ struct RenderCommand {
     picture.addTo(line, {});
     line.section("Motion");
     motion.addTo(line);
-    line.flag("--resume", "leave out frames whose pictures are there", resume);
+    line.flag("--resume", "leave out frames that are there and the same", resume);
     line.section("Method");
     method.addTo(line);
     line.section("Run");
@@ -87,7 +89,8 @@ struct Job {
   scene::SceneFileSettings settings;
   RenderOptions options;
   core::ToneOptions tone;
-  std::filesystem::path output;
+  core::Target output;
+  std::vector<std::filesystem::path> inputs;
   std::shared_ptr<const MeshSequence> sequence;
 
   /// Also refuses what is beyond the sequence.
@@ -98,10 +101,11 @@ struct Job {
   }
 };
 
-Job prepare(const RenderCommand& command, std::filesystem::path output, const LogCallback& log) {
-  auto [scene, settings, sequence, source] = command.scene.load(log);
+Job prepare(const RenderCommand& command, core::Target output, const LogCallback& log) {
+  LoadedScene loaded = command.scene.load(log);
+  command.lights.applyTo(loaded);
+  auto& [scene, settings, sequence, source] = loaded;
   RenderOptions options = command.options(settings);
-  command.lights.applyTo(scene);
   command.camera.applyTo(scene);
   command.motion.applyTo(scene);
   command.motion.applyTo(options, scene, settings);
@@ -109,8 +113,8 @@ Job prepare(const RenderCommand& command, std::filesystem::path output, const Lo
   const core::ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
-  return {std::move(scene),  std::move(settings), options, tone,
-          std::move(output), std::move(sequence)};
+  return {std::move(scene),       std::move(settings), options, tone, std::move(output),
+          scene::filesOf(source), std::move(sequence)};
 }
 
 std::string onDevice(const DeviceDescription& device) {
@@ -137,10 +141,10 @@ Done makeStill(const RenderCommand& command, const Job& job, const LogCallback& 
     renderer.replacePositions(0, positionsMm);
   }
   const RenderResult result = renderer.render(job.options, {command.picture.aov()});
-  writePicture(job.output, result.images.at(0), job.tone);
+  const std::filesystem::path file = writePicture(job.output, result.images.at(0), job.tone);
   log(LogLevel::Note,
-      fmt::format("wrote {}, {}", job.output.string(), onDevice(result.report.device)));
-  return {renderReportJson(result.report, job.options, {job.output.string()}),
+      fmt::format("wrote {}, {}", nameText(file, job.output.path), onDevice(result.report.device)));
+  return {renderReportJson(result.report, job.options, {file.string()}),
           renderer.validationMessages()};
 }
 
@@ -166,25 +170,61 @@ Done renderMissing(const RenderCommand& command, const Job& job, FilmOrder order
         "it move");
   }
   Renderer renderer = makeRenderer(command, job, log);
-  if (job.sequence) order.place = placeBySequence(job.sequence, order.frames.last);
+  if (job.sequence) order.place = placeBySequence(job.sequence, order.frames);
   const std::size_t made = renderFilm(renderer, order);
   const RenderReport report = renderer.report();
-  log(LogLevel::Note,
-      fmt::format("wrote {} frames to {}, {}", made, job.output.string(), onDevice(report.device)));
+  log(LogLevel::Note, fmt::format("wrote {} frames to {}, {}", made, job.output.path.string(),
+                                  onDevice(report.device)));
   return {renderReportJson(report, job.options, outputsOf(order)), renderer.validationMessages()};
+}
+
+FilmOrder filmOrder(const RenderCommand& command, const Job& job, const FrameRange& frames) {
+  FilmOrder order;
+  order.frames = frames;
+  order.output = job.output;
+  order.aov = command.picture.aov();
+  order.options = job.options;
+  order.tone = job.tone;
+  order.resume = command.resume;
+  order.quiet = command.quiet;
+  if (isFilm(job.output.path)) return order;
+  PictureMakers makers{job.scene, job.options, order.aov, order.tone, job.sequence};
+  if (command.picture.isExr()) makers.tone.reset();
+  order.stamp = frameStamps(makers, frames);
+  return order;
+}
+
+/// Each frame's file is what is written of a row.
+void requireNoInput(const RenderCommand& command, const Job& job,
+                    const std::optional<FrameRange>& frames) {
+  std::vector<Output> outputs;
+  if (job.output.existing == core::Existing::Replace) {
+    const FrameRange range = frames.value_or(FrameRange{});
+    for (int frame = range.first; frame <= range.last; frame += range.step) {
+      outputs.push_back({"-o", fileOf(job.output.path, frame)});
+    }
+  }
+  if (command.report) outputs.push_back({"--report", *command.report});
+  requireNoInput(outputs, job.inputs);
 }
 
 Done makeFrames(const RenderCommand& command, const Job& job, const FrameRange& frames,
                 const LogCallback& log) {
-  const FilmOrder order{frames,   job.output,     command.picture.aov(), job.options,
-                        job.tone, command.resume, command.quiet};
-  const std::size_t there = countThere(order);
-  if (there > 0) {
-    log(LogLevel::Note, fmt::format("{} of {} frames were there already", there, frames.count()));
+  const FilmOrder order = filmOrder(command, job, frames);
+  const FramesThere there = countThere(order);
+  if (there.kept > 0) {
+    log(LogLevel::Note,
+        fmt::format("{} of {} frames were there already", there.kept, frames.count()));
   }
-  Done done = there < frames.count() ? renderMissing(command, job, order, log)
-                                     : Done{emptyReportJson(job, outputsOf(order))};
+  if (there.otherwiseMade > 0) {
+    log(LogLevel::Note, fmt::format("{} of {} frames were not made by this scene and these options "
+                                    "and are made anew",
+                                    there.otherwiseMade, frames.count()));
+  }
+  Done done = there.kept < frames.count() ? renderMissing(command, job, order, log)
+                                          : Done{emptyReportJson(job, outputsOf(order))};
   done.report["frames"] = {frames.first, frames.last};
+  done.report["frame_step"] = frames.step;
   done.report["fps"] = frames.perSecond;
   return done;
 }
@@ -201,7 +241,7 @@ void runRender(const Arguments& arguments) {
 
   const LogCallback log = noteTaker(command.quiet);
   const std::optional<FrameRange> frames = command.motion.frames();
-  std::filesystem::path output = command.picture.file(command.scene.name(), frames.has_value());
+  core::Target output = command.picture.target(command.scene.name(), frames);
   if (frames) {
     requireFilmWritable(output, *frames);
   } else {
@@ -211,6 +251,7 @@ void runRender(const Arguments& arguments) {
 
   Job job = prepare(command, std::move(output), log);
   job.aimCamera(frames);
+  requireNoInput(command, job, frames);
   Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
   done.report["exposure_stops"] =
       command.picture.isExr() ? Json() : shortJson(job.tone.exposureStops);

@@ -34,7 +34,7 @@ PlacedColour readPlacedColour(const Given& given) {
   const std::size_t colon = given.text.find(':');
   PlacedColour result{{given.option, given.text.substr(0, colon)}, std::nullopt};
   if (colon != std::string::npos) {
-    result.colour = readTripleFloat({given.option, given.text.substr(colon + 1)}, lightRange);
+    result.colour = readColour({given.option, given.text.substr(colon + 1)}, lightRange);
   }
   return result;
 }
@@ -123,12 +123,12 @@ void LightOptions::addTo(CommandLine& line) {
                     throw UsageError(fmt::format("{} {}: needs an intensity, X,Y,Z:R,G,B",
                                                  given.option, given.text));
                   }
-                  points_.push_back({readTripleFloat(light.place, lengthRange), *light.colour});
+                  points_.push_back({readPlace(light.place, lengthRange), *light.colour});
                   any_ = true;
                 });
-  line.value("--ambient", "R,G,B", "radiance, the same from everywhere",
+  line.value("--ambient", "R,G,B", "radiance from everywhere; one number is grey",
              [this](const Given& given) {
-               ambient_ = readTripleFloat(given, lightRange);
+               ambient_ = readColour(given, lightRange);
                any_ = true;
              });
   line.value("--environment", "FILE", "latitude-longitude .hdr or .exr, radiance",
@@ -136,10 +136,36 @@ void LightOptions::addTo(CommandLine& line) {
                environment_ = given.text;
                any_ = true;
              });
+  line.value("--environment-rotation", "DEGREES", "degrees [0], factor [1]",
+             [this](const Given& given) {
+               rotationDegrees_ = readNumber(given, {-1e6, 1e6, "degrees"});
+             });
+  line.value("--environment-intensity", "X", "", [this](const Given& given) {
+    intensity_ = static_cast<float>(readNumber(given, {0, 1e6}));
+  });
 }
 
-void LightOptions::applyTo(Scene& scene) const {
-  if (!any_) return;
+void LightOptions::applyTo(LoadedScene& loaded) const {
+  if (any_) {
+    loaded.source.environment.reset();
+    if (environment_) {
+      loaded.source.environment = scene::EnvironmentFile{std::filesystem::absolute(*environment_)};
+    }
+    loaded.scene.lighting = lightingFor(loaded.scene);
+  }
+  std::optional<scene::EnvironmentFile>& environment = loaded.source.environment;
+  if (!environment && (rotationDegrees_ || intensity_)) {
+    throw UsageError(
+        fmt::format("--environment-{} needs an environment: name one with --environment FILE",
+                    rotationDegrees_ ? "rotation" : "intensity"));
+  }
+  if (!environment || !(environment_ || rotationDegrees_ || intensity_)) return;
+  if (rotationDegrees_) environment->rotationDegrees = *rotationDegrees_;
+  if (intensity_) environment->intensity = *intensity_;
+  loaded.scene.lighting.environment = scene::readEnvironment(*environment);
+}
+
+Lighting LightOptions::lightingFor(const Scene& scene) const {
   Lighting lighting;
   lighting.directional = directional_;
   const Vec3 middle = middleOf(boundsOf(scene));
@@ -148,26 +174,16 @@ void LightOptions::applyTo(Scene& scene) const {
     lighting.points.push_back(light);
   }
   lighting.ambient = ambient_;
-  if (environment_) lighting.environment = scene::readEnvironment({*environment_});
-  scene.lighting = std::move(lighting);
-}
-
-void LightOptions::applyTo(LoadedScene& loaded) const {
-  if (!any_) return;
-  applyTo(loaded.scene);
-  loaded.source.environment.reset();
-  if (environment_) {
-    loaded.source.environment = scene::EnvironmentFile{std::filesystem::absolute(*environment_)};
-  }
+  return lighting;
 }
 
 void CameraOptions::addTo(CommandLine& line) {
   line.value("--camera-direction", "X,Y,Z", "from the target to the camera [0,0,1]",
              [this](const Given& given) { direction_ = readDirection(given); });
   line.value("--camera-position", "X,Y,Z", "mm from the box's centre",
-             [this](const Given& given) { position_ = readTripleFloat(given, lengthRange); });
+             [this](const Given& given) { position_ = readPlace(given, lengthRange); });
   line.value("--camera-target", "X,Y,Z", "",
-             [this](const Given& given) { target_ = readTripleFloat(given, lengthRange); });
+             [this](const Given& given) { target_ = readPlace(given, lengthRange); });
   line.value("--fov-degrees", "X", "vertical field of view, 1 to 170 [30]",
              [this](const Given& given) {
                verticalFovDegrees_ = static_cast<float>(readNumber(given, {1, 170, "degrees"}));

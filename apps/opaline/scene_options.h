@@ -48,21 +48,26 @@ class SceneOptions {
   MediumOptions medium_;
 };
 
-/// --directional, --point, --ambient, --environment.
+/// --directional, --point, --ambient, --environment and what turns and scales it.
 class LightOptions {
  public:
   void addTo(CommandLine& line);
-  bool any() const { return any_; }
-  /// As soon as one was given, only what was given shines.
-  void applyTo(Scene& scene) const;
+  bool any() const { return any_ || rotationDegrees_ || intensity_; }
+  /// As soon as a light was given, only what was given shines. Turn and intensity are of its
+  /// environment or else of the scene's own.
   void applyTo(LoadedScene& loaded) const;
 
  private:
+  /// Without the environment.
+  Lighting lightingFor(const Scene& scene) const;
+
   bool any_ = false;
   std::vector<DirectionalLight> directional_;
   std::vector<PointLight> points_;  ///< relative to the centre of the scene's box
   Rgb ambient_{};
   std::optional<std::filesystem::path> environment_;
+  std::optional<double> rotationDegrees_;
+  std::optional<float> intensity_;
 };
 
 /// --camera-direction, --camera-position, --camera-target, --fov-degrees.

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "motion_options.h"
 #include "opaline/error.h"
 
 namespace opaline::app {
@@ -51,16 +50,16 @@ double secondsOf(const MeshSequence& sequence) {
   return sequence.frameCount() / FrameRange{}.perSecond;
 }
 
-PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber) {
-  return {lastNumber, [of = std::move(sequence)](int number, std::vector<Vec3>& positionsMm) {
+PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber, int step) {
+  return {lastNumber, step, [of = std::move(sequence)](int number, std::vector<Vec3>& positionsMm) {
             of->read(number, positionsMm);
           }};
 }
 
 std::function<void(Renderer& renderer, int frame)> placeBySequence(
-    std::shared_ptr<const MeshSequence> sequence, int lastFrame) {
-  const auto positions =
-      std::make_shared<PositionsAhead>(positionsOf(sequence, numberOfFrame(*sequence, lastFrame)));
+    std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames) {
+  const auto positions = std::make_shared<PositionsAhead>(
+      positionsOf(sequence, numberOfFrame(*sequence, frames.last), frames.step));
   return [positions, of = std::move(sequence)](Renderer& renderer, int frame) {
     renderer.replacePositions(0, positions->of(numberOfFrame(*of, frame)));
   };

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "motion_options.h"
 #include "opaline/renderer.h"
 #include "opaline/sequence.h"
 #include "positions_ahead.h"
@@ -23,11 +24,12 @@ int nearestNumber(const MeshSequence& sequence, double seconds);
 double lastSecond(const MeshSequence& sequence);
 double secondsOf(const MeshSequence& sequence);
 
-/// The files from now on, up to that number.
-PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber);
+/// The files from now on, up to that number, each so many behind the one before.
+PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber,
+                           int step = 1);
 
 /// For FilmOrder::place: puts the body where the frame's file has it. Throws as numberOfFrame().
 std::function<void(Renderer& renderer, int frame)> placeBySequence(
-    std::shared_ptr<const MeshSequence> sequence, int lastFrame);
+    std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames);
 
 }  // namespace opaline::app

@@ -57,6 +57,23 @@ std::optional<int> toInteger(std::string_view text) {
   return value;
 }
 
+std::array<double, 3> numbersIn(const Given& given, const std::vector<std::string_view>& parts,
+                                const Range& range) {
+  return {numberIn(given, parts[0], range), numberIn(given, parts[1], range),
+          numberIn(given, parts[2], range)};
+}
+
+std::array<double, 3> readTriple(const Given& given, const Range& range) {
+  const std::vector<std::string_view> parts = split(given.text, ',');
+  if (parts.size() != 3) refuse(given, "needs three numbers with commas between them");
+  return numbersIn(given, parts, range);
+}
+
+std::array<float, 3> toFloat(const std::array<double, 3>& triple) {
+  return {static_cast<float>(triple[0]), static_cast<float>(triple[1]),
+          static_cast<float>(triple[2])};
+}
+
 }  // namespace
 
 double readNumber(const Given& given, const Range& range) {
@@ -71,17 +88,24 @@ int readInteger(const Given& given, int least, int most) {
   return *value;
 }
 
-std::array<double, 3> readTriple(const Given& given, const Range& range) {
-  const std::vector<std::string_view> parts = split(given.text, ',');
-  if (parts.size() != 3) refuse(given, "needs three numbers with commas between them");
-  return {numberIn(given, parts[0], range), numberIn(given, parts[1], range),
-          numberIn(given, parts[2], range)};
+std::array<float, 3> readPlace(const Given& given, const Range& range) {
+  return toFloat(readTriple(given, range));
 }
 
-std::array<float, 3> readTripleFloat(const Given& given, const Range& range) {
-  const std::array<double, 3> triple = readTriple(given, range);
-  return {static_cast<float>(triple[0]), static_cast<float>(triple[1]),
-          static_cast<float>(triple[2])};
+std::array<double, 3> readChannels(const Given& given, const Range& range) {
+  const std::vector<std::string_view> parts = split(given.text, ',');
+  if (parts.size() == 1) {
+    const double grey = numberIn(given, parts[0], range);
+    return {grey, grey, grey};
+  }
+  if (parts.size() != 3) {
+    refuse(given, "needs three numbers with commas between them, or one for all three");
+  }
+  return numbersIn(given, parts, range);
+}
+
+std::array<float, 3> readColour(const Given& given, const Range& range) {
+  return toFloat(readChannels(given, range));
 }
 
 std::array<float, 3> readDirection(const Given& given) {

@@ -24,9 +24,12 @@ double readNumber(const Given& given, const Range& range);
 
 int readInteger(const Given& given, int least, int most);
 
-/// X,Y,Z or R,G,B, each in the range.
-std::array<double, 3> readTriple(const Given& given, const Range& range);
-std::array<float, 3> readTripleFloat(const Given& given, const Range& range);
+/// X,Y,Z, each in the range.
+std::array<float, 3> readPlace(const Given& given, const Range& range);
+
+/// R,G,B, each in the range, or one number for all three.
+std::array<double, 3> readChannels(const Given& given, const Range& range);
+std::array<float, 3> readColour(const Given& given, const Range& range);
 
 /// X,Y,Z of any length but 0, made a unit vector.
 std::array<float, 3> readDirection(const Given& given);

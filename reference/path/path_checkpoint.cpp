@@ -1,6 +1,7 @@
 #include <bit>
 #include <cstring>
 
+#include "core/digest.h"
 #include "opaline/error.h"
 #include "reference/path/path_tracer.h"
 
@@ -19,49 +20,29 @@ struct Header {
   std::array<std::uint64_t, 3> lost{};
 };
 
-/// FNV-1a over whatever it is given.
-class Fingerprint {
- public:
-  void add(const void* data, std::size_t bytes) {
-    const auto* byte = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < bytes; ++i) hash_ = (hash_ ^ byte[i]) * 0x100000001B3U;
-  }
-  template <typename T>
-  void add(const std::vector<T>& values) {
-    const std::uint64_t count = values.size();
-    add(&count, sizeof(count));
-    add(values.data(), values.size() * sizeof(T));
-  }
-  template <typename T>
-  void addValue(const T& value) {
-    add(&value, sizeof(value));
-  }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xCBF29CE484222325U;
-};
-
 }  // namespace
 
 std::uint64_t PathTracer::fingerprint() const {
-  Fingerprint print;
+  core::Digest print;
   for (const Body& body : geometry_.scene().bodies) {
     print.add(body.positionsMm);
     print.add(body.triangles);
-    print.addValue(body.medium.sigmaSPrimePerMm);
-    print.addValue(body.medium.sigmaAPerMm);
-    print.addValue(body.medium.eta);
+    print.add(body.medium.sigmaSPrimePerMm);
+    print.add(body.medium.sigmaAPerMm);
+    print.add(body.medium.eta);
   }
   const Lighting& lighting = geometry_.scene().lighting;
   print.add(lighting.directional);
   print.add(lighting.points);
-  print.addValue(lighting.ambient);
-  if (lighting.environment) print.add(lighting.environment->rgba);
-  print.addValue(options_.anisotropy);
-  print.addValue(options_.bounces);
-  print.addValue(options_.seed);
-  print.addValue(cells_.count());
+  print.add(lighting.ambient);
+  if (lighting.environment) {
+    print.add(lighting.environment->width);
+    print.add(lighting.environment->rgba);
+  }
+  print.add(options_.anisotropy);
+  print.add(options_.bounces);
+  print.add(options_.seed);
+  print.add(cells_.count());
   return print.value();
 }
 

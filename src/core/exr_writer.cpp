@@ -4,11 +4,13 @@
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
+#include <ImfStringAttribute.h>
 
 #include <array>
 #include <cassert>
 #include <fstream>
 #include <stdexcept>
+#include <string>
 
 #include "core/file.h"
 #include "core/image_file.h"
@@ -17,13 +19,14 @@ namespace opaline::core {
 
 namespace {
 
-void writePixels(Imf::OStream& stream, const Image& image) {
+void writePixels(Imf::OStream& stream, const Image& image, std::string_view note) {
   constexpr std::array<const char*, 4> names = {"R", "G", "B", "A"};
   constexpr std::size_t pixelBytes = 4 * sizeof(float);
   const std::size_t rowBytes = pixelBytes * static_cast<std::size_t>(image.width);
 
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
+  if (!note.empty()) header.insert("opaline", Imf::StringAttribute(std::string(note)));
   Imf::FrameBuffer frame;
   for (std::size_t c = 0; c < names.size(); ++c) {
     header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
@@ -38,15 +41,15 @@ void writePixels(Imf::OStream& stream, const Image& image) {
 
 }  // namespace
 
-void writeExr(const std::filesystem::path& file, const Image& image) {
+std::filesystem::path writeExr(const Target& target, const Image& image, std::string_view note) {
   assert(image.width > 0 && image.height > 0);
   assert(image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
                                   static_cast<std::size_t>(image.height));
-  writeWhole(file, [&](const std::filesystem::path& temporary) {
+  return writeWhole(target, [&](const std::filesystem::path& temporary) {
     std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
     try {
       Imf::StdOFStream exrStream(stream, temporary.c_str());
-      writePixels(exrStream, image);
+      writePixels(exrStream, image, note);
     } catch (const Iex::BaseExc&) {
       // Its text names the temporary file; the stream's state says the same.
       stream.setstate(std::ios::badbit);

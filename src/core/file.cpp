@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <mutex>
 #include <set>
@@ -72,8 +73,17 @@ fs::path resolved(const fs::path& target) {
   return real;
 }
 
-/// The file that will be replaced or created. Throws Error where that is bound to fail.
-fs::path checkedTarget(const fs::path& target) {
+[[noreturn]] void failAsItStands(const fs::path& target) {
+  failToWrite(target, "a file of that name is there already");
+}
+
+bool somethingStandsAt(const fs::path& path) {
+  std::error_code error;
+  const fs::file_type type = fs::symlink_status(path, error).type();
+  return type != fs::file_type::not_found && type != fs::file_type::none;
+}
+
+void requireFolder(const fs::path& target) {
   if (target.empty()) throw Error("Cannot write a file without a name.");
   std::error_code error;
   const fs::path folder = folderOf(target);
@@ -86,6 +96,12 @@ fs::path checkedTarget(const fs::path& target) {
   if (!fs::is_directory(folderStatus)) {
     failToWrite(target, fmt::format("{} is no folder", folder.string()));
   }
+}
+
+/// The file that will be replaced or created. Throws Error where that is bound to fail.
+fs::path replaceable(const fs::path& target) {
+  requireFolder(target);
+  std::error_code error;
   const fs::file_status status = fs::status(target, error);
   if (status.type() == fs::file_type::none) failToWrite(target, error.message());
   if (!target.has_filename() || fs::is_directory(status)) failToWrite(target, "it is a folder");
@@ -95,6 +111,16 @@ fs::path checkedTarget(const fs::path& target) {
   fs::path real = resolved(target);
   if (fs::exists(status) && access(real.c_str(), W_OK) != 0) failToWrite(target, reasonOf(errno));
   return real;
+}
+
+/// Beside which the temporary file is made. Throws Error where writing is bound to fail.
+fs::path checkedTarget(const Target& target) {
+  if (target.existing == Existing::Replace) return replaceable(target.path);
+  requireFolder(target.path);
+  if (target.existing == Existing::Refuse && somethingStandsAt(target.path)) {
+    failAsItStands(target.path);
+  }
+  return target.path;
 }
 
 /// The temporary files there are. A file is made, renamed and removed under the lock, so that
@@ -151,11 +177,43 @@ class TemporaryFile {
     const std::lock_guard lock(temporaryFiles().mutex);
     fs::rename(path_, target, error);
     if (error) failToWrite(target, error.message());
+    forget();
+  }
+
+  /// False where something stands there, which stays.
+  bool renameUnlessTaken(const fs::path& target) {
+    const std::lock_guard lock(temporaryFiles().mutex);
+    if (renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) != 0) {
+      if (errno == EEXIST) return false;
+      if (errno != EINVAL && errno != ENOSYS) failToWrite(target, reasonOf(errno));
+      return claimAndRename(target);
+    }
+    forget();
+    return true;
+  }
+
+ private:
+  /// For file systems that cannot refuse to replace: the name is first taken by an empty file.
+  bool claimAndRename(const fs::path& target) {
+    const int claimed = open(target.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (claimed < 0 && errno == EEXIST) return false;
+    if (claimed < 0) failToWrite(target, reasonOf(errno));
+    close(claimed);
+    std::error_code error;
+    fs::rename(path_, target, error);
+    if (error) {
+      unlink(target.c_str());
+      failToWrite(target, error.message());
+    }
+    forget();
+    return true;
+  }
+
+  void forget() {
     temporaryFiles().paths.erase(path_);
     path_.clear();
   }
 
- private:
   fs::path path_;
 };
 
@@ -184,21 +242,29 @@ std::vector<std::byte> readFileHead(const fs::path& file, std::size_t countBytes
   return bytes;
 }
 
-void requireWritable(const fs::path& target) {
+fs::path freeName(const fs::path& wanted) {
+  fs::path name = wanted;
+  for (int number = 2; somethingStandsAt(name); ++number) {
+    name = wanted.parent_path() /
+           fmt::format("{}-{}{}", wanted.stem().string(), number, wanted.extension().string());
+  }
+  return name;
+}
+
+void requireWritable(const Target& target) {
   // Permissions and kinds of file systems are best asked by trying.
   const TemporaryFile probe(checkedTarget(target));
 }
 
 struct WholeFile::State {
-  explicit State(const fs::path& wanted)
-      : target(wanted), real(checkedTarget(wanted)), file(real) {}
+  explicit State(const Target& wanted) : target(wanted), real(checkedTarget(wanted)), file(real) {}
 
-  fs::path target;  ///< as it was given, for messages
+  Target target;  ///< as it was given, for messages
   fs::path real;
   TemporaryFile file;
 };
 
-WholeFile::WholeFile(const fs::path& target) : state_(std::make_unique<State>(target)) {}
+WholeFile::WholeFile(const Target& target) : state_(std::make_unique<State>(target)) {}
 
 WholeFile::~WholeFile() = default;
 
@@ -206,17 +272,31 @@ const fs::path& WholeFile::temporary() const {
   return state_->file.path();
 }
 
-void WholeFile::keep() {
+fs::path WholeFile::keep() {
   std::error_code error;
   if (!fs::is_regular_file(temporary(), error)) fail("nothing was written");
-  state_->file.renameTo(state_->real);
+  const fs::path& wanted = state_->target.path;
+  switch (state_->target.existing) {
+    case Existing::Replace:
+      state_->file.renameTo(state_->real);
+      break;
+    case Existing::Refuse:
+      if (!state_->file.renameUnlessTaken(wanted)) failAsItStands(wanted);
+      break;
+    case Existing::TakeNextName:
+      for (;;) {
+        fs::path name = freeName(wanted);
+        if (state_->file.renameUnlessTaken(name)) return name;
+      }
+  }
+  return wanted;
 }
 
 void WholeFile::fail(std::string_view reason) const {
-  failToWrite(state_->target, reason);
+  failToWrite(state_->target.path, reason);
 }
 
-void writeWhole(const fs::path& target, const std::function<void(const fs::path&)>& write) {
+fs::path writeWhole(const Target& target, const std::function<void(const fs::path&)>& write) {
   WholeFile file(target);
   try {
     write(file.temporary());
@@ -225,15 +305,15 @@ void writeWhole(const fs::path& target, const std::function<void(const fs::path&
   } catch (const std::exception& failure) {
     file.fail(failure.what());
   }
-  file.keep();
+  return file.keep();
 }
 
-void writeWhole(const fs::path& target, std::string_view contents) {
-  writeWhole(target, [&](const fs::path& temporary) {
+fs::path writeWhole(const Target& target, std::string_view contents) {
+  return writeWhole(target, [&](const fs::path& temporary) {
     std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
     stream.write(contents.data(), static_cast<std::streamsize>(contents.size()));
     stream.close();
-    if (!stream) failToWrite(target, reasonOf(errno != 0 ? errno : EIO));
+    if (!stream) failToWrite(target.path, reasonOf(errno != 0 ? errno : EIO));
   });
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace opaline::core {
@@ -16,28 +17,49 @@ std::vector<std::byte> readFile(const std::filesystem::path& file, std::size_t l
 /// Its first `countBytes` bytes, or all where it is shorter. Throws like readFile.
 std::vector<std::byte> readFileHead(const std::filesystem::path& file, std::size_t countBytes);
 
-/// Writes beside the target and renames, so that a file that exists is whole. `write` gets the
-/// temporary name. Throws Error, naming the target, and leaves nothing behind on failure; what
-/// stood there before then stays.
-void writeWhole(const std::filesystem::path& target,
-                const std::function<void(const std::filesystem::path& temporary)>& write);
+/// What becomes of a file that stands where another is to be written.
+enum class Existing {
+  Replace,       ///< it was named by who wants to write
+  Refuse,        ///< it stays, and writing throws Error
+  TakeNextName,  ///< it stays, and the first free one of bear-2.png, bear-3.png, … is taken
+};
+
+/// Where a file is to be written.
+struct Target {
+  std::filesystem::path path;
+  Existing existing = Existing::Replace;
+
+  Target(std::filesystem::path named, Existing then = Existing::Replace)
+      : path(std::move(named)), existing(then) {}
+};
+
+/// The name itself, or where something stands there already, the first free one of bear-2.png,
+/// bear-3.png, … Another program may take it at any time.
+std::filesystem::path freeName(const std::filesystem::path& wanted);
+
+/// Writes beside the target and renames, so that a file that exists is whole; what stays is never
+/// replaced, whoever else writes at the same time. `write` gets the temporary name. Returns where
+/// the file is. Throws Error, naming the target, and leaves nothing behind on failure; what stood
+/// there before then stays.
+std::filesystem::path writeWhole(
+    const Target& target, const std::function<void(const std::filesystem::path& temporary)>& write);
 
 /// The same for text or bytes that stand ready.
-void writeWhole(const std::filesystem::path& target, std::string_view contents);
+std::filesystem::path writeWhole(const Target& target, std::string_view contents);
 
 /// A file that takes its time: it is written under another name beside the target, and takes its
 /// place when it is kept. Otherwise nothing is left behind, and what stood there before stays.
 class WholeFile {
  public:
   /// Throws Error, naming the target, where it cannot be written.
-  explicit WholeFile(const std::filesystem::path& target);
+  explicit WholeFile(const Target& target);
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
   const std::filesystem::path& temporary() const;
-  /// Throws Error, naming the target.
-  void keep();
+  /// Returns where the file is. Throws Error, naming the target.
+  std::filesystem::path keep();
   /// Throws the Error that it could not be written.
   [[noreturn]] void fail(std::string_view reason) const;
 
@@ -47,8 +69,8 @@ class WholeFile {
 };
 
 /// Throws Error now, before hours of work, when `target` could not be written: its folder does not
-/// exist, it is a folder, or there is no permission.
-void requireWritable(const std::filesystem::path& target);
+/// exist, it is a folder, there is no permission, or what stands there stays.
+void requireWritable(const Target& target);
 
 /// For a program that is about to die of a signal: removes the files that are being written and not
 /// yet renamed, and lets none be made or renamed from then on; whoever tries waits for ever. Not

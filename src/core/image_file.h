@@ -2,8 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/file.h"
 #include "opaline/image.h"
 
 namespace opaline::core {
@@ -15,11 +19,18 @@ struct Image8 {
   std::vector<std::uint8_t> rgba;
 };
 
-/// PNG with alpha. Throws Error naming the file; see writeWhole.
-void writePng(const std::filesystem::path& file, const Image8& image);
+/// PNG with alpha. A note of printable ASCII is kept in it as the text "Opaline". Returns where it
+/// is and throws Error naming the file; see writeWhole.
+std::filesystem::path writePng(const Target& target, const Image8& image,
+                               std::string_view note = {});
 
-/// EXR, scanline, ZIP, float, channels R G B A with A = coverage.
-void writeExr(const std::filesystem::path& file, const Image& image);
+/// EXR, scanline, ZIP, float, channels R G B A with A = coverage; the note is its attribute
+/// "opaline".
+std::filesystem::path writeExr(const Target& target, const Image& image,
+                               std::string_view note = {});
+
+/// The note of a .png or .exr file; nothing where there is none, or no such file.
+std::optional<std::string> readImageNote(const std::filesystem::path& file);
 
 enum class Negatives { BecomeZero, Stay };
 

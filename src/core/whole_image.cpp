@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -65,6 +67,15 @@ class ExrHeader {
            channels->num_channels == ours;
   }
 
+  std::optional<std::string> note() const {
+    std::int32_t length = 0;
+    const char* text = nullptr;
+    if (!open_ || exr_attr_get_string(context_, 0, "opaline", &length, &text) != EXR_ERR_SUCCESS) {
+      return std::nullopt;
+    }
+    return std::string(text, static_cast<std::size_t>(length));
+  }
+
   /// Whether the table of blocks is filled and every block lies inside the file.
   bool blocksFit(int height, std::uintmax_t fileBytes) const {
     std::int32_t lines = 0;
@@ -91,18 +102,53 @@ bool isWholeExr(const fs::path& file, int width, int height, std::uintmax_t file
   return header.describes(width, height) && header.blocksFit(height, fileBytes);
 }
 
+/// Looks only before the pixels, where ours stands.
+std::optional<std::string> noteOfPng(const fs::path& file) {
+  constexpr std::string_view signature = "\x89PNG\r\n\x1a\n"sv;
+  constexpr std::string_view keyword = "Opaline\0"sv;
+  constexpr std::size_t longest = 1U << 20U;
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, signature.size()> start{};
+  stream.read(start.data(), start.size());
+  if (!stream || std::string_view(start.data(), start.size()) != signature) return std::nullopt;
+  for (;;) {
+    std::array<char, 8> head{};
+    stream.read(head.data(), head.size());
+    const std::size_t length = bigEndian(head.data());
+    const std::string_view kind(head.data() + 4, 4);
+    if (!stream || kind == "IDAT" || kind == "IEND") return std::nullopt;
+    if (kind == "tEXt" && length >= keyword.size() && length <= longest) {
+      std::string body(length, '\0');
+      stream.read(body.data(), static_cast<std::streamsize>(length));
+      if (stream && body.starts_with(keyword)) return body.substr(keyword.size());
+      stream.seekg(4, std::ios::cur);
+    } else {
+      stream.seekg(static_cast<std::streamoff>(length) + 4, std::ios::cur);
+    }
+  }
+}
+
+bool isExr(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension == ".exr";
+}
+
 }  // namespace
+
+std::optional<std::string> readImageNote(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return std::nullopt;
+  return isExr(file) ? ExrHeader(file).note() : noteOfPng(file);
+}
 
 bool isWholeImage(const fs::path& file, int width, int height) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;
   const std::uintmax_t bytes = fs::file_size(file, error);
   if (error) return false;
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension == ".exr" ? isWholeExr(file, width, height, bytes)
-                             : isWholePng(file, width, height);
+  return isExr(file) ? isWholeExr(file, width, height, bytes) : isWholePng(file, width, height);
 }
 
 }  // namespace opaline::core

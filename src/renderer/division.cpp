@@ -17,6 +17,9 @@ constexpr double sizeInFreePaths = 0.65;
 // ones light that enters lies too near the surface for them.
 constexpr double clusterInFreePaths = 4;
 
+// Clusters up to that much larger than their shape asks for look the same.
+constexpr double notableCoarseness = 1.5;
+
 double longestMeanFreePathMm(const Medium& medium) {
   double longest = 0;
   for (int channel = 0; channel < 3; ++channel)
@@ -57,17 +60,24 @@ Division divide(const scene::MergedMesh& merged, const DivisionOrder& order) {
 }
 
 void noteCoarseness(const Division& division, bool asked, const LogCallback& log) {
+  if (!log) return;
   double coarsest = 1;
   for (std::size_t i = 0; i < division.order.spacingOfObjectMm.size(); ++i)
     coarsest = std::max(
         coarsest, division.surfels.spacingOfObjectMm[i] / division.order.spacingOfObjectMm[i]);
-  if (coarsest <= 1 || !log) return;
-  log(LogLevel::Note,
-      fmt::format(
-          "the budget of {} surfels leaves them {:.1f} times as large as the medium asks "
-          "for; {}",
-          division.order.maxSurfels, coarsest,
-          asked ? "raise --max-sources for more accuracy" : "this device has no room for more"));
+  if (coarsest > 1)
+    log(LogLevel::Note,
+        fmt::format(
+            "the budget of {} surfels leaves them {:.1f} times as large as the medium asks "
+            "for; {}",
+            division.order.maxSurfels, coarsest,
+            asked ? "raise --max-sources for more accuracy" : "this device has no room for more"));
+  if (division.clusters && division.clusters->coarseness > notableCoarseness)
+    log(LogLevel::Note,
+        fmt::format("the budget of {} boundary surfels leaves them {:.1f} times as large as the "
+                    "shape asks for, so thin parts are rough; raise --boundary-surfels for more "
+                    "accuracy",
+                    division.order.maxClusters, division.clusters->coarseness));
 }
 
 }  // namespace opaline

@@ -37,8 +37,8 @@ struct Division {
 /// Pure, so for any thread; takes tenths of a second for 100,000 triangles.
 Division divide(const scene::MergedMesh& merged, const DivisionOrder& order);
 
-/// Says what the budget of surfels leaves to be wished for. `asked`: the budget is the one that was
-/// asked for, not the device's.
+/// Says what the budgets of surfels and of clusters leave to be wished for. `asked`: that of
+/// surfels is the one that was asked for, not the device's.
 void noteCoarseness(const Division& division, bool asked, const LogCallback& log);
 
 /// Shortest mean free path of the three channels, mm.

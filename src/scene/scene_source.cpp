@@ -13,6 +13,7 @@ SceneSource sourceOf(const std::filesystem::path& model, const LoadOptions& opti
 }
 
 SceneSource withAbsolutePaths(SceneSource source) {
+  if (source.sceneFile) source.sceneFile = std::filesystem::absolute(*source.sceneFile);
   if (!source.isBuiltIn()) source.model = std::filesystem::absolute(source.model);
   if (source.morphTo) source.morphTo = std::filesystem::absolute(*source.morphTo);
   if (source.environment) {

@@ -29,7 +29,8 @@ struct EnvironmentFile {
 
 /// The files a scene was made of and what was done to them. Paths are absolute.
 struct SceneSource {
-  std::filesystem::path model;  ///< or builtin:bear, builtin:teapot
+  std::optional<std::filesystem::path> sceneFile;  ///< the .toml that says all of this
+  std::filesystem::path model;                     ///< or builtin:bear, builtin:teapot
   std::optional<double> diagonalMm;
   std::optional<std::filesystem::path> morphTo;
   std::map<std::string, Placement> placements;  ///< by the object's name; others stand as they are

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "bssrdf/media.h"
-#include "core/file.h"
 #include "opaline/error.h"
 #include "scene/deformer_check.h"
 #include "scene/finish.h"
@@ -300,7 +299,8 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
   return description;
 }
 
-void writeScene(const fs::path& file, const SceneDescription& description) {
+fs::path writeScene(const core::Target& target, const SceneDescription& description) {
+  const fs::path& file = target.path;
   if (file.extension() != ".toml") {
     throw UsageError(
         fmt::format("{}: the name of a scene file ends in .toml", cleanText(file.string(), 1000)));
@@ -312,7 +312,7 @@ void writeScene(const fs::path& file, const SceneDescription& description) {
   addCamera(description, text);
   addDeformers(description, text);
   addSettings(description.settings, text);
-  core::writeWhole(file, text.lines());
+  return core::writeWhole(target, text.lines());
 }
 
 }  // namespace opaline::scene

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/file.h"
 #include "opaline/scene.h"
 #include "scene/scene_settings.h"
 
@@ -37,7 +38,8 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
 /// for places that are nearer than 1e-8 of the way to the centre to the origin of the coordinates.
 /// Paths are relative to its folder but where only the root of the file system is common. Throws
 /// UsageError for a name that does not end in .toml, and Error for what no scene file can say, as
-/// two objects of one name and different media, or when it cannot be written.
-void writeScene(const std::filesystem::path& file, const SceneDescription& description);
+/// two objects of one name and different media, or when it cannot be written. Returns
+/// where it is.
+std::filesystem::path writeScene(const core::Target& target, const SceneDescription& description);
 
 }  // namespace opaline::scene

@@ -326,6 +326,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   LoadedScene loaded;
   loaded.settings = readSettings(root);
   Assembly assembly{file, options};
+  assembly.source.sceneFile = file;
   readMedia(root, assembly);
   loadModelOf(root, assembly);
   readObjects(root, assembly);

@@ -144,6 +144,7 @@ Clusters makeClusters(const Surface& surface, const Surfels& surfels,
         std::sqrt(static_cast<double>(clusters.count()) / static_cast<double>(maxClusters)) * 0.9);
     clusters = divider.divide(scale);
   }
+  clusters.coarseness = scale;
   return clusters;
 }
 

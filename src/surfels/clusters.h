@@ -17,6 +17,7 @@ struct Clusters {
   std::vector<std::uint32_t> firstSurfel;    ///< one more than there are clusters
   std::vector<std::uint32_t> firstOfObject;  ///< cluster; one more than there are objects
   Tree tree;                                 ///< every leaf is one cluster
+  double coarseness = 1;  ///< edges over those of clusters without a limit to their number
 
   std::uint32_t count() const { return firstOfObject.back(); }
 };

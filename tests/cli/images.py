@@ -69,6 +69,30 @@ def unfiltered(kind, line, above, channels):
     return bytes(line[channels:])
 
 
+def note_of_png(data):
+    """The text "Opaline" (PNG specification, section 11.3.4.3)."""
+    position = 8
+    while position < len(data):
+        length, = struct.unpack_from(">I", data, position)
+        kind, body = data[position + 4:position + 8], data[position + 8:position + 8 + length]
+        if kind == b"tEXt" and body.startswith(b"Opaline\0"):
+            return body[8:].decode("ascii")
+        position += 12 + length
+    return None
+
+
+def note_of_exr(data):
+    """The attribute "opaline"."""
+    position = 8
+    while data[position]:
+        name, kind, rest = data[position:].split(b"\0", 2)
+        size, = struct.unpack_from("<I", rest)
+        if (name, kind) == (b"opaline", b"string"):
+            return rest[4:4 + size].decode("ascii")
+        position += len(name) + len(kind) + 6 + size
+    return None
+
+
 def read_exr(data):
     """Scanlines, ZIP in blocks of 16, float channels (OpenEXR file layout); asserts that it is so."""
     assert data[:4] == b"\x76\x2f\x31\x01" and struct.unpack_from("<I", data, 4)[0] == 2

@@ -20,6 +20,8 @@ def keys(value, path=""):
         return {path}
     if isinstance(value, dict):
         return {found for name, inner in value.items() for found in keys(inner, f"{path}.{name}" if path else name)}
+    if value == []:
+        return set()  # whose elements would have keys, nobody can tell
     if isinstance(value, list) and any(isinstance(inner, (dict, str)) for inner in value):
         return {found for inner in value for found in keys(inner, f"{path}[]")}
     return {path}

@@ -6,7 +6,7 @@ import re
 import unittest
 
 from json_keys import MEDIUM, documented, keys, without_medium
-from program import ProgramTest
+from program import CUBE_OBJ, ProgramTest
 
 TETRAHEDRON = ("ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
                "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
@@ -31,7 +31,7 @@ class Keys(ProgramTest):
         still = self.printed("render", *SCENE, "--size", "8x8", "--report", "report.json")
         self.assertEqual(json.loads((self.folder / "report.json").read_text()), still)
         film = self.printed("render", *SCENE, "--size", "8x8", "--frames", "0:1", "-o", "f%d.png", "--quiet")
-        self.assertEqual(keys(film) - keys(still), {"frames", "fps"})
+        self.assertEqual(keys(film) - keys(still), {"frames", "frame_step", "fps"})
         self.expect("render", keys(film) | keys(still))
 
     def test_reference(self):
@@ -53,6 +53,9 @@ class Keys(ProgramTest):
         # A clip by turning into another mesh; a vertex that no triangle has is mended.
         self.write("u.ply", TETRAHEDRON.replace("0 0 1\n", "0 0 2\n"))
         found = keys(self.printed("info", "t.ply", "--morph-to", "u.ply", "--atlas", "a.png"))
+        # And what is named in a file.
+        self.write("named.obj", "o pot\nusemtl glaze\n" + CUBE_OBJ)
+        found |= keys(self.printed("info", "named.obj"))
         self.expect("info", without_medium(found, "objects[].medium"))
 
     def test_media_and_profile(self):

@@ -56,7 +56,8 @@ TEST(Exr, SamePixelsGiveTheSameBytes) {
 }
 
 TEST(Exr, NamesTheTargetThatCannotBeWritten) {
-  EXPECT_THAT(messageOf([] { writeExr("/dev/full", gradient(2, 2)); }), HasSubstr("/dev/full"));
+  EXPECT_THAT(messageOf([] { writeExr(std::filesystem::path("/dev/full"), gradient(2, 2)); }),
+              HasSubstr("/dev/full"));
 }
 
 /// Writes the named half channels; channel i of pixel (x, y) is 1000 i + 10 y + x.

@@ -6,7 +6,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <random>
+#include <set>
 #include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "core/image_file.h"
 #include "core/temporary_folder.h"
@@ -58,6 +62,54 @@ TEST(WriteWhole, ReplacesAndLeavesNothingElse) {
   writeWhole(folder / "a.txt", "new");
   EXPECT_EQ(readBytes(folder / "a.txt"), "new");
   EXPECT_EQ(folder.fileCount(), 1U);
+}
+
+TEST(WriteWhole, TakesTheNextFreeName) {
+  const TemporaryFolder folder;
+  const Target target(folder / "a.b.txt", Existing::TakeNextName);
+  EXPECT_EQ(writeWhole(target, "first"), folder / "a.b.txt");
+  EXPECT_EQ(writeWhole(target, "second"), folder / "a.b-2.txt");
+  std::filesystem::create_directory(folder / "a.b-3.txt");
+  std::filesystem::create_symlink("nowhere", folder / "a.b-4.txt");
+  EXPECT_EQ(writeWhole(target, "third"), folder / "a.b-5.txt");
+  std::filesystem::remove(folder / "a.b-2.txt");
+  EXPECT_EQ(writeWhole(target, "fourth"), folder / "a.b-2.txt");
+  EXPECT_EQ(readBytes(folder / "a.b.txt"), "first");
+  EXPECT_EQ(readBytes(folder / "a.b-5.txt"), "third");
+  EXPECT_EQ(folder.fileCount(), 5U);
+}
+
+TEST(WriteWhole, RefusesWhatMustStay) {
+  const TemporaryFolder folder;
+  const Target target(folder / "a.txt", Existing::Refuse);
+  WholeFile late(target);  // before anything is there
+  writeBytes(late.temporary(), "late");
+  writeWhole(target, "first");
+  EXPECT_THAT(messageOf([&] { WholeFile again(target); }), HasSubstr("there already"));
+  EXPECT_THAT(messageOf([&] { requireWritable(target); }), HasSubstr("there already"));
+  EXPECT_THAT(messageOf([&] { late.keep(); }), HasSubstr("there already"));
+  EXPECT_EQ(readBytes(folder / "a.txt"), "first");
+}
+
+// Two programs that write at once, as threads.
+TEST(WriteWhole, NobodyReplacesWhatAnotherWroteAtTheSameTime) {
+  const TemporaryFolder folder;
+  constexpr int writers = 8;
+  constexpr int files = 25;
+  std::vector<std::thread> threads;
+  for (int writer = 0; writer < writers; ++writer) {
+    threads.emplace_back([&folder, writer] {
+      for (int i = 0; i < files; ++i) {
+        writeWhole({folder / "a.txt", Existing::TakeNextName}, std::to_string(files * writer + i));
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  std::set<std::string> contents;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    contents.insert(readBytes(entry.path()));
+  }
+  EXPECT_EQ(contents.size(), std::size_t{writers * files});
 }
 
 TEST(WholeFile, TakesItsPlaceOnlyWhenItIsKept) {
@@ -154,8 +206,8 @@ INSTANTIATE_TEST_SUITE_P(Targets, Unwritable,
                                          "/dev/null", "dangling", "/proc/a.png", "/"));
 
 TEST(WriteWhole, RefusesTheEmptyName) {
-  EXPECT_THROW(writeWhole("", "x"), Error);
-  EXPECT_THROW(requireWritable(""), Error);
+  EXPECT_THROW(writeWhole(std::filesystem::path(), "x"), Error);
+  EXPECT_THROW(requireWritable(std::filesystem::path()), Error);
 }
 
 TEST(WriteWhole, RefusesANameThatIsTooLong) {

@@ -49,7 +49,7 @@ TEST(Png, SamePixelsGiveTheSameBytes) {
 }
 
 TEST(Png, NamesTheTargetThatCannotBeWritten) {
-  EXPECT_THAT(messageOf([] { writePng("/dev/full", pattern(2, 2)); }),
+  EXPECT_THAT(messageOf([] { writePng(std::filesystem::path("/dev/full"), pattern(2, 2)); }),
               testing::HasSubstr("/dev/full"));
 }
 

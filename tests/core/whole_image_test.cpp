@@ -72,6 +72,30 @@ TEST_P(WholeImage, IsNoNoise) {
   }
 }
 
+TEST_P(WholeImage, KeepsANote) {
+  EXPECT_EQ(readImageNote(file_), std::nullopt);
+  const std::string note = R"({"made by": "hand", "digest": "0123"})";
+  if (file_.extension() != ".png") {
+    Image image(width, height);
+    writeExr(file_, image, note);
+  } else {
+    writePng(file_, {width, height, std::vector<std::uint8_t>(4 * width * height, 7)}, note);
+    EXPECT_NE(readBytes(file_).find("tEXtOpaline" + std::string(1, '\0') + note),
+              std::string::npos);
+    EXPECT_EQ(readPng(file_).width, width);
+  }
+  EXPECT_TRUE(whole());
+  EXPECT_EQ(readImageNote(file_), note);
+  const std::string bytes = readBytes(file_);
+  for (std::size_t length = 0; length < bytes.size(); length += 1 + length / 50) {
+    writeBytes(file_, std::string_view(bytes).substr(0, length));
+    const auto read = readImageNote(file_);
+    EXPECT_TRUE(!read || *read == note) << length;
+  }
+  std::filesystem::remove(file_);
+  EXPECT_EQ(readImageNote(file_), std::nullopt);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, WholeImage, testing::Values("a.png", "a.exr", "a.EXR"));
 
 }  // namespace

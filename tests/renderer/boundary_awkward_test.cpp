@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <ostream>
 #include <string>
@@ -38,6 +39,31 @@ TEST_F(BoundaryAwkwardTest, AnOpenSheetIsABetterDipole) {
     EXPECT_GT(meanOf(dipole)[0], 0.1);
     EXPECT_EQ(boundary.rgba, dipole.rgba);
   }
+}
+
+// Six square faces of two triangles each, hundreds of mean free paths wide, lit brightly from
+// behind: the side away from that is in even light and as good as a half-space, whatever shapes its
+// clusters have. What that reflects is the project's table slab_mc.csv, "inf", diffuse, marble red
+// and blue.
+TEST_F(BoundaryAwkwardTest, ALargeCoarseRodIsEven) {
+  constexpr double halfWidthMm = 70;
+  const std::map<std::size_t, double> reflected{{0, 0.7656}, {2, 0.6971}};
+  Scene scene = sceneOf(box({0, 0, 0}, {70, 350, 70}, 1), marble(), {0, 0, 1400}, 360);
+  constexpr auto unitFlux = std::numbers::inv_pi_v<float>;
+  scene.lighting.ambient = {unitFlux, unitFlux, unitFlux};
+  scene.lighting.directional = {{toVec3(unit({0.45, 0.35, -0.82})), {3, 3, 3}}};
+  const RenderResult result =
+      renderBoundary(scene, boundaryOptions(64), {Aov::Exitance, Aov::Position});
+  EXPECT_LE(result.report.solutions[0].steps, 5);
+  const int count = forEachCovered(result.images[0], [&](std::size_t i) {
+    const Vector at = toVector(&result.images[1].rgba[i]);
+    // What comes round the edges has died away some diffusion lengths from there.
+    if (std::max(std::abs(at[0]), std::abs(at[1]) - 280) > halfWidthMm - 40) return;
+    for (const auto& [c, part] : reflected)
+      EXPECT_NEAR(static_cast<double>(result.images[0].rgba[i + c]) / part, 1, 0.15)
+          << at[0] << ", " << at[1] << " channel " << c;
+  });
+  EXPECT_GT(count, 200);
 }
 
 struct AwkwardCase {

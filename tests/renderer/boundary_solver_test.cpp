@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "bssrdf/media.h"
 #include "renderer/boundary_fixture.h"
@@ -51,6 +54,25 @@ TEST_F(BoundarySolverTest, ResidualIsAsSmallAsAsked) {
       EXPECT_GE(report.solutions[0].steps, steps);
       steps = report.solutions[0].steps;
     }
+  }
+}
+
+// A plate a hundredth as thick as wide asks for thousands.
+TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
+  std::vector<std::string> notes;
+  RendererOptions rendererOptions = sharedRenderer().options();
+  rendererOptions.log = [&](LogLevel level, std::string_view message) {
+    if (level == LogLevel::Note && message.find("boundary surfels") != std::string_view::npos)
+      notes.emplace_back(message);
+  };
+  Renderer fresh(rendererOptions);
+  fresh.setScene(sceneOf(box({0, 0, 0}, {10, 10, 0.1F}, 4), marble(), {0, 10, 40}, 15));
+  for (const int budget : {64, 100'000}) {
+    RenderOptions options = boundaryOptions(16);
+    options.boundarySurfels = budget;
+    notes.clear();
+    EXPECT_GT(fresh.render(options, {Aov::Exitance}).report.boundarySurfels, 0U);
+    EXPECT_EQ(notes.size(), budget == 64 ? 1U : 0U);
   }
 }
 

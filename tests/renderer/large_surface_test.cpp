@@ -127,9 +127,8 @@ TEST_F(LargeSurfaceTest, ShadowsOnItAreThoseOfAFineGrid) {
     float ofBrightest;
     float deep;
   };
-  for (const auto& [maxSources, ofBrightest, deep] :
-       {Bound{1024, 0.08F, 0.5F}, Bound{4096, 0.04F, 0.12F}}) {
-    options.maxSources = maxSources;
+  for (const Bound& bound : {Bound{1024, 0.08F, 0.5F}, Bound{4096, 0.04F, 0.12F}}) {
+    options.maxSources = bound.maxSources;
     const std::vector<Image> coarse = render(options, {Aov::Exitance, Aov::Evaluations});
     int pixels = 0;
     forEachCovered(fine[0], [&](std::size_t i) {
@@ -138,9 +137,9 @@ TEST_F(LargeSurfaceTest, ShadowsOnItAreThoseOfAFineGrid) {
       for (std::size_t c = 0; c < 3; ++c) {
         const float exact = fine[0].rgba[i + c];
         const float off = std::abs(coarse[0].rgba[i + c] - exact);
-        ASSERT_LT(off, ofBrightest * brightest) << maxSources;
+        ASSERT_LT(off, bound.ofBrightest * brightest) << bound.maxSources;
         if (exact < 0.05F * brightest) {
-          ASSERT_LT(off, deep * std::max(exact, 1e-3F * brightest)) << maxSources;
+          ASSERT_LT(off, bound.deep * std::max(exact, 1e-3F * brightest)) << bound.maxSources;
         }
       }
     });

@@ -167,7 +167,8 @@ TEST_F(SceneWriter, IsFoundFromAnyFolder) {
   const scene::LoadedScene loaded = random(3);
   {
     const CurrentFolder here(folder / "scenes");
-    scene::writeScene("mine/a.toml", scene::describe(loaded.scene, loaded.source, loaded.settings));
+    scene::writeScene(fs::path("mine/a.toml"),
+                      scene::describe(loaded.scene, loaded.source, loaded.settings));
   }
   const std::string text = test::readBytes(file());
   EXPECT_THAT(text, HasSubstr("model = \"../../models/cubes.glb\""));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "paths.h"
 #include "picture_options.h"
 #include "scene/scene_writer.h"
 #include "sequence_frames.h"
@@ -13,13 +14,12 @@ namespace opaline::app::viewer {
 
 namespace {
 
-std::string saved(const std::filesystem::path& file) {
-  return fmt::format("saved {}", file.string());
+std::string saved(const std::filesystem::path& file, const core::Target& wanted) {
+  return fmt::format("saved {}", nameText(file, wanted.path));
 }
 
 // Which `opaline render` draws as the picture.
-std::string saveScene(const Session& session, const std::filesystem::path& file, int width,
-                      int height) {
+std::string saveScene(const Session& session, const core::Target& target, int width, int height) {
   scene::SceneFileSettings settings =
       settingsOf(sized(session.options, width, height), session.tone, session.scene);
   if (session.exposesByLight) settings.exposureStops.reset();
@@ -27,15 +27,20 @@ std::string saveScene(const Session& session, const std::filesystem::path& file,
   if (session.sequence && settings.seconds) {
     settings.seconds = std::min(*settings.seconds, lastSecond(*session.sequence));
   }
-  scene::writeScene(file, scene::describe(session.scene, session.source, settings));
-  return saved(file);
+  return saved(scene::writeScene(target, scene::describe(session.scene, session.source, settings)),
+               target);
 }
 
 }  // namespace
 
 std::optional<std::string> Saver::save(Save wanted, const Session& session, int width, int height) {
   const auto named = [&](const char* ending) {
-    return session.saveTo ? session.saveTo->file : std::filesystem::path(session.saveName + ending);
+    if (!session.saveTo) {
+      return core::Target(session.saveName + ending, core::Existing::TakeNextName);
+    }
+    return core::Target(session.saveTo->file, session.saveTo->mayReplace
+                                                  ? core::Existing::Replace
+                                                  : core::Existing::TakeNextName);
   };
   switch (wanted) {
     case Save::Picture:
@@ -56,26 +61,24 @@ std::optional<std::string> Saver::save(Save wanted, const Session& session, int 
   return std::nullopt;
 }
 
-std::string Saver::savePicture(const Session& session, const std::filesystem::path& file, int width,
+std::string Saver::savePicture(const Session& session, const core::Target& target, int width,
                                int height) {
   const RenderResult result = renderer_.render(sized(session.options, width, height));
-  writePicture(file, result.images.front(), session.tone);
-  return saved(file);
+  return saved(writePicture(target, result.images.front(), session.tone), target);
 }
 
-void Saver::startFilm(const Session& session, const std::filesystem::path& file, int width,
-                      int height) {
+void Saver::startFilm(const Session& session, const core::Target& target, int width, int height) {
   // Films have an even number of pixels each way.
   FilmOrder order;
   order.options = sized(session.options, std::max(2, width / 2 * 2), std::max(2, height / 2 * 2));
   order.frames = filmFrames(session);
-  order.output = file;
+  order.output = target;
   order.tone = session.tone;
   order.quiet = true;
-  if (session.sequence) order.place = placeBySequence(session.sequence, order.frames.last);
+  if (session.sequence) order.place = placeBySequence(session.sequence, order.frames);
   requireFilmWritable(order.output, order.frames);
   film_.emplace(std::move(order));
-  filmFile_ = file;
+  filmTarget_ = target;
 }
 
 std::optional<std::string> Saver::step() {
@@ -86,8 +89,9 @@ std::optional<std::string> Saver::step() {
     throw;
   }
   if (!film_->isDone()) return std::nullopt;
+  std::string done = saved(film_->file(), filmTarget_);
   film_.reset();
-  return saved(filmFile_);
+  return done;
 }
 
 }  // namespace opaline::app::viewer

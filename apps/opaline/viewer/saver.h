@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/file.h"
 #include "film_job.h"
 #include "opaline/renderer.h"
 #include "viewer/session.h"
@@ -16,7 +17,8 @@ class Saver {
  public:
   explicit Saver(Renderer& renderer) : renderer_(renderer) {}
 
-  /// Of that many pixels, where the session says, no frame being under way. Where a film
+  /// Of that many pixels, where the session says, no frame being under way; a file that was not
+  /// confirmed stays, and the next free name is taken. Where a film
   /// is wanted, from now on step() makes it: the motion once, at 30 frames a second.
   std::optional<std::string> save(Save wanted, const Session& session, int width, int height);
 
@@ -28,13 +30,13 @@ class Saver {
   void cancelFilm() { film_.reset(); }
 
  private:
-  std::string savePicture(const Session& session, const std::filesystem::path& file, int width,
+  std::string savePicture(const Session& session, const core::Target& target, int width,
                           int height);
-  void startFilm(const Session& session, const std::filesystem::path& file, int width, int height);
+  void startFilm(const Session& session, const core::Target& target, int width, int height);
 
   Renderer& renderer_;
   std::optional<FilmJob> film_;
-  std::filesystem::path filmFile_;
+  core::Target filmTarget_{""};
 };
 
 }  // namespace opaline::app::viewer

@@ -7,6 +7,7 @@
 #include "compare/heatmap.h"
 #include "film_output.h"
 #include "opaline/error.h"
+#include "paths.h"
 
 namespace opaline::app::viewer {
 
@@ -78,15 +79,13 @@ std::string TruthView::legend() const {
   return text;
 }
 
-std::string TruthView::save(TruthFile what, const std::filesystem::path& file,
+std::string TruthView::save(TruthFile what, const core::Target& target,
                             const core::ToneOptions& tone) const {
   if (!latest_) throw Error("there is no truth to save yet");
-  if (what == TruthFile::HeatMap) {
-    core::writePng(file, drawnHeatMap_);
-  } else {
-    writePicture(file, latest_->image, tone);
-  }
-  return fmt::format("saved {}", file.string());
+  const std::filesystem::path file = what == TruthFile::HeatMap
+                                         ? core::writePng(target, drawnHeatMap_)
+                                         : writePicture(target, latest_->image, tone);
+  return fmt::format("saved {}", nameText(file, target.path));
 }
 
 }  // namespace opaline::app::viewer

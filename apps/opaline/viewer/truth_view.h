@@ -43,8 +43,7 @@ class TruthView {
   /// What its pictures are of and how far the window's is from it, in a sentence.
   std::string legend() const;
   /// Writes the last picture of it, or its heat map; the sentence that says so. Throws Error.
-  std::string save(TruthFile what, const std::filesystem::path& file,
-                   const core::ToneOptions& tone) const;
+  std::string save(TruthFile what, const core::Target& target, const core::ToneOptions& tone) const;
   std::string error() const { return job_ ? job_->error() : std::string(); }
 
  private:

@@ -31,6 +31,7 @@ const float feltOnce = 1.4;
 const float feltInARow = 1.0;
 const float feltAllAround = 1.0;
 const float feltOfRadius = 0.7;  // at most, of the furthest one's distance
+const float feltOfDisc = 0.25;   // at least, of the cluster: next to it light is that of a disc
 
 mat3 placesOf(BeamPoint point) {
   return mat3(point.red.xyz, point.green.xyz, point.blue.xyz);
@@ -115,7 +116,8 @@ void gatherLeaf(uint i) {
     power += medium.sigma.rgb * medium.sigma.rgb / 6.0 * ofChannels;
     square = 0.0;
   }
-  put(ranges[i].node, centroids, min(feltOfRadius * radius, spread), squares, square, power);
+  put(ranges[i].node, centroids, max(min(feltOfRadius * radius, spread), feltOfDisc * cluster.normal.w),
+      squares, square, power);
 }
 
 void gatherNode(uint node) {

@@ -50,7 +50,8 @@ void main() {
       uint link = floatBitsToUint(centroidLink.w);
       vec3 offset = centroidLink.xyz - place;
       float squared = dot(offset, offset);
-      bool taken = isLeaf(link) || isFar(squared, spread.x, leastSigma, openingAngle);
+      bool far = isFar(squared, spread.x, leastSigma, openingAngle);
+      bool taken = isLeaf(link) || far;
       if (taken && at != range.node && squared > 0.0) {
         vec4 red = texelFetch(densities, 3 * int(at));
         vec4 green = texelFetch(densities, 3 * int(at) + 1);
@@ -59,11 +60,10 @@ void main() {
         float fills = isLeaf(link) ? coverageOfDisc(squared, spread.w) : 1.0;
         vec3 x = sigma * (squared * over);
         vec3 e = exp(-x) * over;
-        // As for the points of light: no cluster gives more fluence than in its middle.
-        float smoothed = squared + 0.25 * cluster.normal.w * cluster.normal.w;
-        float overSmoothed = inversesqrt(smoothed);
-        vec3 single = exp(-sigma * (smoothed * overSmoothed)) * overSmoothed;
-        vec3 second = 1.0 + sigma * sigma * (spread.y / 6.0);
+        float away = smoothedDistance(squared, cluster.normal.w, isLeaf(link) ? sqrt(spread.w / pi) : 0.0);
+        vec3 single = exp(-sigma * away) / away;
+        // An expansion about the middle, for places outside alone.
+        vec3 second = 1.0 + (far ? sigma * sigma * (spread.y / 6.0) : vec3(0.0));
         vec3 along = vec3(dot(offset, red.xyz), dot(offset, green.xyz), dot(offset, blue.xyz));
         sum += single * (weightS * second * vec3(red.w, green.w, blue.w)) -
                e * (1.0 + x) * (over * over * fills) * along;

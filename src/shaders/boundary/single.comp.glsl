@@ -25,24 +25,27 @@ float leaving(float cosine) {
 // way is what the depth makes of that cosine: with z² + ρ²/4 for z² in both, all light from a depth z
 // that clusters of a plane receive is ½ ∫ e^{-σ_t'z/μ} (1 - F_in) dμ as it should be, however large
 // they are.
-float fromPlace(vec3 place, float extinction) {
+float fromPlace(vec3 place, float extinction, float radius) {
   vec3 offset = its.centroidArea.xyz - place;
   float depth = dot(offset, its.normal.xyz);
-  float smoothing = 0.25 * its.normal.w * its.normal.w;
+  float smoothing = 0.25 * radius * radius;
   float over = inversesqrt(dot(offset, offset) + smoothing);
   float cosine = (sqrt(depth * depth + smoothing) + min(depth, 0.0)) * over;
   if (cosine <= medium.albedo.w) return 0.0;
   return exp(-extinction * max(depth, 0.0) / cosine) * over * over * cosine * leaving(cosine);
 }
 
-vec3 fromPlaces(BeamPoint point) {
+// Of light that entered through a disc of that radius: not as of a point where that is far larger.
+vec3 fromPlaces(BeamPoint point, float radiusMm) {
+  float radius = max(its.normal.w, 0.5 * radiusMm);
   vec3 extinction = medium.extinction.rgb;
-  return vec3(fromPlace(point.red.xyz, extinction.r), fromPlace(point.green.xyz, extinction.g),
-              fromPlace(point.blue.xyz, extinction.b));
+  return vec3(fromPlace(point.red.xyz, extinction.r, radius),
+              fromPlace(point.green.xyz, extinction.g, radius),
+              fromPlace(point.blue.xyz, extinction.b, radius));
 }
 
 vec3 fromNode(BeamNode node, vec3 squared) {
-  return node.power.rgb * fromPlaces(BeamPoint(node.redRadius, node.greenLink, node.blueSquare));
+  return node.power.rgb * fromPlaces(BeamPoint(node.redRadius, node.greenLink, node.blueSquare), 0.0);
 }
 
 // The cluster's own light as from a disc at its depth: ½ ∫ e^{-σ_t' z/μ} (1 - F_in) dμ, from the
@@ -78,12 +81,13 @@ vec3 ownDiscs() {
 vec3 fromPoints(uint cluster) {
   vec4 strength = strengths[cluster];
   uint count = unpackPointCounts(strength.w).x;
+  Cluster from = clusters[cluster];
   vec3 sum = vec3(0.0);
   for (uint p = cluster == receiver ? pointsOfFirstSegment : 0u; p < count; ++p) {
     BeamPoint point = readPoint(cluster * maxPoints + p);
-    sum += shareOf(point) * fromPlaces(point);
+    sum += shareOf(point) * fromPlaces(point, from.normal.w);
   }
-  return strength.rgb * clusters[cluster].second.rgb * sum;
+  return strength.rgb * from.second.rgb * sum;
 }
 
 void main() {

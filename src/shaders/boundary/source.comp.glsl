@@ -6,11 +6,10 @@
 #include "lib/linear.glsl"
 #include "lib/beam_walk.glsl"
 
-// e^{-σr} / r about a smoothed distance.
-vec3 kernel(vec3 squared) {
-  vec3 smoothed = squared + 0.25 * its.normal.w * its.normal.w;
-  vec3 over = inversesqrt(smoothed);
-  return exp(-medium.sigma.rgb * smoothed * over) * over;
+// e^{-σr} / r of light that entered through a disc of that radius.
+vec3 kernel(vec3 squared, float radiusMm) {
+  vec3 away = smoothedDistance(squared, its.normal.w, radiusMm);
+  return exp(-medium.sigma.rgb * away) / away;
 }
 
 // How much more points give than if all were at their centroid, to second order: ½ Q:∇∇G / G of the
@@ -32,7 +31,7 @@ vec3 fromNode(BeamNode node, vec3 squared) {
   vec3 place = its.centroidArea.xyz;
   mat3 offsets = mat3(node.redRadius.xyz - place, node.greenLink.xyz - place,
                       node.blueSquare.xyz - place);
-  return node.power.rgb * kernel(squared) * withSpread(node, offsets, squared);
+  return node.power.rgb * kernel(squared, 0.0) * withSpread(node, offsets, squared);
 }
 
 // The cluster's own light, of first collisions on the way in, as from discs at their depths:
@@ -71,12 +70,12 @@ vec3 fromPoints(uint cluster) {
   uint firstCount = shareOfFirst(from) == vec3(0.0) ? 0u : counts.x;
   for (uint p = cluster == receiver ? pointsOfFirstSegment : 0u; p < firstCount; ++p) {
     BeamPoint point = readPoint(at + p);
-    first += shareOf(point) * kernel(squaredDistances(point, place));
+    first += shareOf(point) * kernel(squaredDistances(point, place), from.normal.w);
   }
   vec3 second = vec3(0.0);
   for (uint p = 0u; p < counts.y; ++p) {
     BeamPoint point = readPoint(at + maxFirstPoints + p);
-    second += shareOf(point) * kernel(squaredDistances(point, place));
+    second += shareOf(point) * kernel(squaredDistances(point, place), from.normal.w);
   }
   return strength.rgb * (shareOfFirst(from) * first + shareOfSecond(from, medium) * second);
 }

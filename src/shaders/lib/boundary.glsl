@@ -27,6 +27,16 @@ float coverageOfDisc(float squaredMm2, float areaMm2) {
   return 2.0 * x2 / (root * (root + sqrt(x2)));
 }
 
+// From a cluster's middle to light of another, both with the radii of their discs: no cluster gives
+// more fluence than a disc in its own middle, however near a smaller one lies.
+float smoothedDistance(float squaredMm2, float radiusMm, float radiusOfOtherMm) {
+  return max(sqrt(squaredMm2 + 0.25 * radiusMm * radiusMm), 0.5 * radiusOfOtherMm);
+}
+
+vec3 smoothedDistance(vec3 squaredMm2, float radiusMm, float radiusOfOtherMm) {
+  return max(sqrt(squaredMm2 + 0.25 * radiusMm * radiusMm), vec3(0.5 * radiusOfOtherMm));
+}
+
 // Rays start that far from where they leave a cluster's surface, mm.
 float rayStartOf(Cluster cluster) {
   return 1e-4 * cluster.normal.w;

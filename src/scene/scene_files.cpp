@@ -1,0 +1,123 @@
+#include "scene/scene_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <string>
+#include <string_view>
+
+#include "core/file.h"
+#include "opaline/error.h"
+#include "scene/formats.h"
+
+namespace opaline::scene {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longestName = 4096;
+
+/// RFC 3986, section 2.1.
+std::string percentDecoded(std::string_view uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    unsigned byte = 0;
+    const std::string_view digits = uri.substr(std::min(i + 1, uri.size()), 2);
+    const auto [end, problem] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
+    if (uri[i] == '%' && digits.size() == 2 && problem == std::errc() &&
+        end == digits.data() + digits.size()) {
+      text += static_cast<char>(byte);
+      i += 2;
+    } else {
+      text += uri[i];
+    }
+  }
+  return text;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+  text.remove_prefix(begin);
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+/// The values of all "uri" in the JSON of a glTF; those of data are no names.
+void addUris(std::string_view text, const fs::path& folder, std::vector<fs::path>& to) {
+  constexpr std::string_view key = "\"uri\"";
+  for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at)) {
+    at += key.size();
+    const std::size_t open = text.find_first_not_of(" \t\r\n:", at);
+    if (open == std::string_view::npos || text[open] != '"') continue;
+    const std::string_view value = text.substr(open + 1, longestName);
+    const std::size_t close = value.find('"');
+    if (close == std::string_view::npos || value.starts_with("data:")) continue;
+    to.push_back(folder / percentDecoded(value.substr(0, close)));
+  }
+}
+
+/// What stands behind the keyword in each line that begins with one of these, without any number of
+/// words, as options may stand before a name and a name may have blanks in it.
+void addNamesBehind(std::string_view text, const fs::path& folder,
+                    const std::vector<std::string_view>& keywords, std::vector<fs::path>& to) {
+  constexpr int mostOptions = 40;
+  while (!text.empty()) {
+    const std::string_view line = trimmed(text.substr(0, text.find('\n')));
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+    std::string keyword(line.substr(0, end));
+    std::transform(keyword.begin(), keyword.end(), keyword.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const bool names = std::any_of(keywords.begin(), keywords.end(), [&](std::string_view start) {
+      return keyword.starts_with(start);
+    });
+    const std::string_view rest = trimmed(line.substr(end));
+    if (!names || rest.empty()) continue;
+    std::string_view name = rest.substr(rest.size() - std::min(rest.size(), longestName));
+    for (int option = 0; option < mostOptions && !name.empty(); ++option) {
+      to.push_back(folder / name);
+      name = trimmed(name.substr(std::min(name.find_first_of(" \t"), name.size())));
+    }
+  }
+}
+
+/// A file that cannot be read names none.
+std::string textOf(const fs::path& file) {
+  try {
+    const std::vector<std::byte> bytes = core::readFile(file, longestFileBytes);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+void addModel(const fs::path& model, std::vector<fs::path>& to) {
+  to.push_back(model);
+  const fs::path folder = model.parent_path();
+  const fs::path extension = model.extension();
+  if (extension == ".ply" || extension == ".PLY") return;  // names no other
+  const std::string text = textOf(model);
+  addUris(text, folder, to);
+  const std::size_t first = to.size();
+  addNamesBehind(text, folder, {"mtllib"}, to);
+  const std::vector<fs::path> libraries(to.begin() + static_cast<std::ptrdiff_t>(first), to.end());
+  for (const fs::path& library : libraries) {
+    addNamesBehind(textOf(library), library.parent_path(),
+                   {"map_", "bump", "disp", "decal", "refl", "norm"}, to);
+  }
+}
+
+}  // namespace
+
+std::vector<fs::path> filesOf(const SceneSource& source) {
+  std::vector<fs::path> files;
+  if (source.sceneFile) files.push_back(*source.sceneFile);
+  if (!source.isBuiltIn()) addModel(source.model, files);
+  if (source.morphTo) addModel(*source.morphTo, files);
+  if (source.environment) files.push_back(source.environment->file);
+  return files;
+}
+
+}  // namespace opaline::scene
