@@ -84,13 +84,18 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   divided_ = session.divided;
   if (divided_) submit(paperOptions(options), Aov::Radiance, false);
   submit(options, session.aov, true);
-  if (apart_) return watch_.begin();
+  if (apart_) {
+    watch_.begin();
+    // The device works on while the picture before, which is done, is brought over.
+    while (waiting_.size() > (divided_ ? 2 : 1)) collect();
+    return;
+  }
   // What is drawn next was asked for after the frame before this one was finished.
   while (waiting_.size() >= Renderer::framesInFlight) collect();
 }
 
 void Stage::takeUp() {
-  if (isReady()) finish();
+  if (isUnderWay() && !isBusy()) finish();
 }
 
 void Stage::finish() {

@@ -31,13 +31,13 @@ class Stage {
   /// frame later. While something is `moving`, pictures come fast: one sample a pixel, and coarser
   /// light where the session allows it and its transport took long. Not while it is busy.
   void draw(Session& session, int width, int height, bool moving);
-  /// Whether a picture is under way that nobody should wait for.
-  bool isBusy() const { return apart_ && !waiting_.empty(); }
-  /// Whether it is busy no longer, but for takeUp().
-  bool isReady() const { return isBusy() && watch_.isDone(); }
+  /// Whether there is a picture to be taken up, now or once it is done.
+  bool isUnderWay() const { return apart_ && !waiting_.empty(); }
+  /// Whether it is not done yet, so that nobody should wait for it.
+  bool isBusy() const { return isUnderWay() && !watch_.isDone(); }
   /// Since when it is busy with that picture.
   std::chrono::steady_clock::time_point busySince() const { return busySince_; }
-  /// Takes up what is done, if it was busy.
+  /// Takes up a picture that is done.
   void takeUp();
   /// Waits for what is under way.
   void finish();

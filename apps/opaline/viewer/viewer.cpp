@@ -206,7 +206,7 @@ bool Viewer::movesItself() const {
 
 bool Viewer::isIdle() const {
   return awake_ == 0 && !movesItself() && !saver_.filming() && !session_.edits.any() &&
-         !stage_.isBusy() && !announced_;
+         !stage_.isUnderWay() && !announced_;
 }
 
 // By itself or by the hand.
@@ -222,7 +222,7 @@ void Viewer::sleepUntilNeeded() {
     awake_ = framesAfterEvent;
     last_ = Clock::now();  // what slept did not play
   } else {
-    if (stage_.isBusy()) {
+    if (stage_.isUnderWay()) {
       waitBesideDevice();
     } else {
       Window::poll();
@@ -236,10 +236,10 @@ void Viewer::sleepUntilNeeded() {
 // them more often would keep the device from it.
 void Viewer::waitBesideDevice() const {
   constexpr double betweenLooks = 0.005;
-  constexpr std::chrono::milliseconds betweenDrawings(50);
+  constexpr std::chrono::milliseconds betweenDrawings(80);
   do {
     Window::wait(betweenLooks);
-  } while (!stage_.isReady() && Clock::now() - last_ < betweenDrawings);
+  } while (stage_.isBusy() && Clock::now() - last_ < betweenDrawings);
 }
 
 void Viewer::advance(double elapsed) {
@@ -349,20 +349,16 @@ void Viewer::drawPicture() {
   placeBody();
   exposing_ = exposing_ || session_.edits.lighting;
   stage_.draw(session_, area.width, area.height, moving);
-  expose();
   awake_ = std::max(awake_, 1);
   if (!moving && !stage_.isBusy()) stage_.finish();
 }
 
-// With the picture of the light that it is for.
-void Viewer::expose() {
-  if (exposing_ && !stage_.isBusy()) exposeByLight(session_);
-  exposing_ = exposing_ && stage_.isBusy();
-}
-
 void Viewer::takeFinished() {
+  stage_.takeUp();
   if (framesTaken_ == stage_.framesFinished()) return;
   framesTaken_ = stage_.framesFinished();
+  // With a picture of the light that it is for.
+  if (std::exchange(exposing_, false)) exposeByLight(session_);
   history_.add(stage_.lastFrame());
   session_.report = stage_.report();
   if (stage_.lastFrame().provisional) session_.edits.picture = true;
@@ -384,10 +380,8 @@ void Viewer::showBusiness() {
   constexpr std::chrono::milliseconds soon(100);
   // Another scene may have come meanwhile, of which nothing is wanted.
   if (session_.wanted == Save::Nothing && !session_.wantedTruth) announced_ = false;
-  if (!stage_.isBusy()) {
-    if (!session_.edits.any()) busyShown_ = false;
-    return;
-  }
+  if (!stage_.isUnderWay() && !session_.edits.any()) busyShown_ = false;
+  if (!stage_.isBusy()) return;
   busyShown_ = busyShown_ || Clock::now() - stage_.busySince() > soon;
 }
 
@@ -516,8 +510,6 @@ void Viewer::run() {
     const Clock::time_point now = Clock::now();
     advance(std::chrono::duration<double>(now - last_).count());
     last_ = now;
-    stage_.takeUp();
-    expose();
     showBusiness();
     drawInterface();
     followEdits();

@@ -85,7 +85,6 @@ class Viewer {
   void followEdits();
   void placeBody();
   void drawPicture();
-  void expose();
   void takeFinished();
   void present();
   std::vector<Caption> captions() const;
