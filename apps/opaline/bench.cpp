@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "core/file.h"
 #include "core/image_file.h"
+#include "framing.h"
 #include "methods.h"
 #include "opaline/error.h"
 #include "output.h"
@@ -113,6 +114,7 @@ struct BenchCommand {
     LoadedScene loaded = scene.load(log);
     lights.applyTo(loaded);
     camera.applyTo(loaded.scene);
+    showAll(loaded.scene, {RenderOptions{}.clip, 1, nullptr, {Moment{}}});
     return std::move(loaded.scene);
   }
 

@@ -26,6 +26,7 @@
 #include "scene/deformer_check.h"
 #include "scene/insides.h"
 #include "scene/merged_mesh.h"
+#include "scene/not_shown.h"
 #include "scene/scene_files.h"
 #include "scene/topology.h"
 #include "scene_options.h"
@@ -132,6 +133,10 @@ Json collect(const Scene& scene) {
   for (const Repair& repair : scene.repairs) {
     repairs.push_back({{"what", repair.what}, {"count", repair.count}});
   }
+  Json notShown = Json::array();
+  for (const NotShown& kind : scene.notShown) {
+    notShown.push_back({{"what", kind.what}, {"count", kind.count}, {"names", kind.names}});
+  }
   const scene::MeshFacts facts = scene::factsOf(scene);
   const Bounds bounds = boundsOf(scene);
   return {{"name", scene.name},
@@ -145,6 +150,7 @@ Json collect(const Scene& scene) {
           {"diagonal_mm", diagonalMm(scene)},
           {"clips", clipsJson(scene)},
           {"repairs", std::move(repairs)},
+          {"not_shown", std::move(notShown)},
           {"objects", objectsJson(scene)},
           {"devices", devicesJson()}};
 }
@@ -199,6 +205,9 @@ std::string sceneText(const Scene& scene, const Json& facts) {
   text += motionText(scene);
   for (const Repair& repair : scene.repairs) {
     text += fmt::format("mended: {} {}\n", repair.count, repair.what);
+  }
+  if (!scene.notShown.empty()) {
+    text += fmt::format("not shown: {}\n", scene::textOf(scene.notShown));
   }
   return text;
 }

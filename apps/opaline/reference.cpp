@@ -12,6 +12,7 @@
 #include "commands.h"
 #include "core/file.h"
 #include "film_output.h"
+#include "framing.h"
 #include "json.h"
 #include "motion_options.h"
 #include "opaline/error.h"
@@ -110,6 +111,7 @@ struct ReferenceCommand {
     if (path.wanted() && (transport || tolerance)) {
       throw UsageError("--transport and --tolerance belong to --integral");
     }
+    camera.check();
     picture.requireNameOfStill();
     if (!picture.seenByCamera()) {
       throw UsageError("--aov dsm-*: the reference has no diffusion source map; render shows it");
@@ -185,8 +187,8 @@ Job prepare(const ReferenceCommand& command, core::Target output, const LogCallb
   command.motion.applyTo(scene);
   command.motion.applyTo(options, scene, settings);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  const auto framing = command.camera.noteOnFraming(scene, options.width, options.height);
-  if (framing) log(LogLevel::Note, *framing);
+  showAll(scene, {options.clip, aspectOf(options), sequence.get(),
+                  momentOf(options.seconds, sequence.get())});
   if (options.specular && command.picture.aov() == Aov::Radiance) {
     log(LogLevel::Note,
         "the reference leaves out the reflection on the surface; compare it with render "

@@ -12,6 +12,7 @@
 #include "device_options.h"
 #include "film.h"
 #include "film_output.h"
+#include "framing.h"
 #include "json.h"
 #include "motion_options.h"
 #include "opaline/error.h"
@@ -65,6 +66,7 @@ struct RenderCommand {
 
   /// Refuses what contradicts itself, before any work.
   void check() const {
+    camera.check();
     motion.check();
     picture.requireNameFor(motion.frames().has_value(), resume);
     static_cast<void>(options({}));
@@ -91,10 +93,11 @@ struct Job {
   std::vector<std::filesystem::path> inputs;
   std::shared_ptr<const MeshSequence> sequence;
 
-  void requireInSequence(const std::optional<FrameRange>& frames) const {
-    if (!sequence) return;
-    static_cast<void>(frames ? numberOfFrame(*sequence, frames->last)
-                             : numberAt(*sequence, options.seconds));
+  /// Also refuses what is beyond the sequence.
+  void aimCamera(const std::optional<FrameRange>& frames) {
+    showAll(scene, {options.clip, aspectOf(options), sequence.get(),
+                    frames ? momentsOf(*frames, sequence.get())
+                           : momentOf(options.seconds, sequence.get())});
   }
 };
 
@@ -107,10 +110,6 @@ Job prepare(const RenderCommand& command, core::Target output, const LogCallback
   command.motion.applyTo(scene);
   command.motion.applyTo(options, scene, settings);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  if (command.picture.seenByCamera()) {
-    const auto note = command.camera.noteOnFraming(scene, options.width, options.height);
-    if (note) log(LogLevel::Note, *note);
-  }
   const core::ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
@@ -250,8 +249,8 @@ void runRender(const Arguments& arguments) {
   }
   if (command.report) core::requireWritable(*command.report);
 
-  const Job job = prepare(command, std::move(output), log);
-  job.requireInSequence(frames);
+  Job job = prepare(command, std::move(output), log);
+  job.aimCamera(frames);
   requireNoInput(command, job, frames);
   Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
   done.report["exposure_stops"] =

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "frame_names.h"
 #include "opaline/error.h"
 #include "scene/environment_file.h"
+#include "scene/framing.h"
 #include "values.h"
 
 namespace opaline::app {
@@ -23,7 +23,6 @@ constexpr Range lengthRange{-1e6, 1e6, "mm"};
 constexpr Range lightRange{0, 1e6};
 constexpr double mostDiffusionLengths = 1000;
 constexpr double leastDiffusionLengths = 2;
-constexpr double mostFovDegrees = 170;
 
 /// X,Y,Z:R,G,B, the colour optional or not.
 struct PlacedColour {
@@ -40,55 +39,16 @@ PlacedColour readPlacedColour(const Given& given) {
   return result;
 }
 
-double distanceToTargetMm(const Camera& camera) {
-  return std::hypot(double{camera.positionMm[0]} - camera.targetMm[0],
-                    double{camera.positionMm[1]} - camera.targetMm[1],
-                    double{camera.positionMm[2]} - camera.targetMm[2]);
-}
-
-/// Whether nobody chose the target and the distance, so that what is cut off was hardly meant.
-bool standsWhereDefaultCameraStands(const Scene& scene) {
-  const Camera usual = defaultCamera(scene);
-  const double wanted = distanceToTargetMm(usual);
-  Camera between = usual;  // from one target to the other
-  between.positionMm = scene.camera.targetMm;
-  return distanceToTargetMm(between) <= 1e-5 * wanted &&
-         scene.camera.verticalFovDegrees == usual.verticalFovDegrees &&
-         std::abs(distanceToTargetMm(scene.camera) - wanted) <= 1e-5 * wanted;
-}
-
-/// The vertical field of view in which all corners of the scene's box are seen.
-double fovOfWholeBoxDegrees(const Scene& scene, double aspect) {
-  using Vector = std::array<double, 3>;
-  const auto dot = [](const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  };
-  const auto unitCross = [](const Vector& a, const Vector& b) {
-    const Vector c{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    const double length = std::hypot(c[0], c[1], c[2]);
-    return Vector{c[0] / length, c[1] / length, c[2] / length};
-  };
-  const auto from = [&](const Vec3& point) {
-    const Vec3& eye = scene.camera.positionMm;
-    return Vector{double{point[0]} - eye[0], double{point[1]} - eye[1], double{point[2]} - eye[2]};
-  };
-  Vector axis = from(scene.camera.targetMm);
-  for (double& component : axis) component /= distanceToTargetMm(scene.camera);
-  const Vec3& up = scene.camera.up;
-  const Vector right = unitCross(axis, {up[0], up[1], up[2]});
-  const Vector above = unitCross(right, axis);
-  const Bounds bounds = boundsOf(scene);
-  double tangent = 0;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    Vec3 point{};
-    for (unsigned i = 0; i < 3; ++i) {
-      point[i] = ((corner >> i) & 1U) != 0 ? bounds.maxMm[i] : bounds.minMm[i];
-    }
-    const Vector ray = from(point);
-    const double across = std::max(std::abs(dot(ray, above)), std::abs(dot(ray, right)) / aspect);
-    tangent = std::max(tangent, across / dot(ray, axis));
+Vec3 middleOf(const Bounds& bounds) {
+  Vec3 middle{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    middle[axis] = (bounds.minMm[axis] + bounds.maxMm[axis]) / 2;
   }
-  return 2 * std::atan(tangent) * 180 / std::numbers::pi;
+  return middle;
+}
+
+Vec3 sum(const Vec3& a, const Vec3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
 }  // namespace
@@ -208,58 +168,54 @@ void LightOptions::applyTo(LoadedScene& loaded) const {
 Lighting LightOptions::lightingFor(const Scene& scene) const {
   Lighting lighting;
   lighting.directional = directional_;
-  const Bounds bounds = boundsOf(scene);
+  const Vec3 middle = middleOf(boundsOf(scene));
   for (PointLight light : points_) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      light.positionMm[axis] += (bounds.minMm[axis] + bounds.maxMm[axis]) / 2;
-    }
+    light.positionMm = sum(middle, light.positionMm);
     lighting.points.push_back(light);
   }
   lighting.ambient = ambient_;
   return lighting;
 }
 
-std::optional<double> fovThatIsNeededDegrees(const Scene& scene, int width, int height) {
-  if (!standsWhereDefaultCameraStands(scene)) return std::nullopt;
-  const double needed = fovOfWholeBoxDegrees(scene, static_cast<double>(width) / height);
-  if (needed <= double{scene.camera.verticalFovDegrees}) return std::nullopt;
-  return needed;
+void CameraOptions::addTo(CommandLine& line) {
+  line.value("--camera-direction", "X,Y,Z", "from the target to the camera [0,0,1]",
+             [this](const Given& given) { direction_ = readDirection(given); });
+  line.value("--camera-position", "X,Y,Z", "mm from the box's centre",
+             [this](const Given& given) { position_ = readPlace(given, lengthRange); });
+  line.value("--camera-target", "X,Y,Z", "",
+             [this](const Given& given) { target_ = readPlace(given, lengthRange); });
+  line.value("--fov-degrees", "X", "vertical field of view, 1 to 170 [30]",
+             [this](const Given& given) {
+               verticalFovDegrees_ = static_cast<float>(readNumber(given, {1, 170, "degrees"}));
+             });
 }
 
-void CameraOptions::addTo(CommandLine& line) {
-  line.value("--camera-direction", "X,Y,Z", "from the centre to the camera [0,0,1]",
-             [this](const Given& given) { direction_ = readDirection(given); });
-  line.value(
-      "--fov-degrees", "X", "vertical field of view, 1 to 170 [30]", [this](const Given& given) {
-        verticalFovDegrees_ = static_cast<float>(readNumber(given, {1, mostFovDegrees, "degrees"}));
-      });
+void CameraOptions::check() const {
+  if (!direction_ || !position_) return;
+  throw UsageError(
+      "--camera-direction and --camera-position exclude each other: a direction keeps the distance "
+      "and a position has one");
 }
 
 void CameraOptions::applyTo(Scene& scene) const {
-  const float fovDegrees = verticalFovDegrees_.value_or(scene.camera.verticalFovDegrees);
+  check();
+  Camera& camera = scene.camera;
+  const double distanceMm = scene::distanceToTargetMm(camera);
+  const Vec3 middle = middleOf(boundsOf(scene));
+  if (target_) camera.targetMm = sum(middle, *target_);
+  if (position_) camera.positionMm = sum(middle, *position_);
   if (direction_) {
-    const Camera old = scene.camera;
-    scene.camera = defaultCamera(scene, *direction_, fovDegrees);
-    scene.camera.targetMm = old.targetMm;
-    const double distanceMm = distanceToTargetMm(old);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      scene.camera.positionMm[axis] =
-          static_cast<float>(double{old.targetMm[axis]} + distanceMm * double{(*direction_)[axis]});
+      camera.positionMm[axis] = static_cast<float>(double{camera.targetMm[axis]} +
+                                                   distanceMm * double{(*direction_)[axis]});
     }
   }
-  scene.camera.verticalFovDegrees = fovDegrees;
-}
-
-std::optional<std::string> CameraOptions::noteOnFraming(const Scene& scene, int width,
-                                                        int height) const {
-  if (verticalFovDegrees_) return std::nullopt;
-  const std::optional<double> needed = fovThatIsNeededDegrees(scene, width, height);
-  if (!needed) return std::nullopt;
-  const double whole = std::ceil(*needed);
-  const std::string cure = whole <= mostFovDegrees
-                               ? fmt::format("--fov-degrees {:.0f} shows all of it", whole)
-                               : std::string("a wider --size shows more of it");
-  return "the model does not fit into the picture; " + cure;
+  if (!(scene::distanceToTargetMm(camera) > 0)) {
+    throw UsageError("--camera-position and --camera-target are the same place");
+  }
+  if (direction_ || position_ || target_) camera.up = scene::usualUp(camera);
+  if (verticalFovDegrees_) camera.verticalFovDegrees = *verticalFovDegrees_;
+  scene.cameraChosen = scene.cameraChosen || position_ || target_ || verticalFovDegrees_;
 }
 
 std::vector<std::string> notesOnSize(const Scene& scene) {

@@ -70,22 +70,21 @@ class LightOptions {
   std::optional<float> intensity_;
 };
 
-/// The vertical field of view that shows all of the scene's box, where the default camera stands
-/// there and cuts some of it off.
-std::optional<double> fovThatIsNeededDegrees(const Scene& scene, int width, int height);
-
-/// --camera-direction, --fov-degrees.
+/// --camera-direction, --camera-position, --camera-target, --fov-degrees.
 class CameraOptions {
  public:
   void addTo(CommandLine& line);
-  bool any() const { return direction_ || verticalFovDegrees_; }
-  /// A direction turns the scene's camera about its target; its distance stays.
+  bool any() const { return direction_ || position_ || target_ || verticalFovDegrees_; }
+  /// A direction turns the scene's camera about its target; its distance stays. Whatever else is
+  /// given, the camera is chosen. Throws UsageError for a mixture that contradicts itself.
   void applyTo(Scene& scene) const;
-  /// A sentence when the default camera cuts off some of the scene's box; call after applyTo().
-  std::optional<std::string> noteOnFraming(const Scene& scene, int width, int height) const;
+  /// The same of the mixture, before any scene is there.
+  void check() const;
 
  private:
   std::optional<Vec3> direction_;
+  std::optional<Vec3> position_;  ///< relative to the centre of the scene's box
+  std::optional<Vec3> target_;    ///< the same
   std::optional<float> verticalFovDegrees_;
 };
 

@@ -69,16 +69,27 @@ struct Repair {
   std::size_t count = 0;
 };
 
+/// A kind of thing that the scene's file holds and that no picture shows.
+struct NotShown {
+  std::string what;  ///< in the plural
+  std::size_t count = 0;
+  std::vector<std::string> names;  ///< of some of them
+};
+
 /// Plain data: what is to be rendered.
 struct Scene {
   std::string name;
   std::vector<Object> objects;
   Lighting lighting;
   Camera camera;
+  /// Whether somebody chose where the camera stands and how wide it sees; else it is
+  /// defaultCamera(), and may step back until all is seen.
+  bool cameraChosen = false;
   std::vector<Node> nodes;  ///< parents before children
   std::vector<Clip> clips;
   std::vector<Deformer> deformers;  ///< applied in this order, after the rigs
   std::vector<Repair> repairs;
+  std::vector<NotShown> notShown;
 };
 
 /// An axis-aligned box.

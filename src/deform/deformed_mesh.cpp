@@ -64,6 +64,25 @@ DeformedMesh resting(const Mesh& mesh) {
   return result;
 }
 
+SurfacePoint under(const std::vector<Deformer>& deformers, SurfacePoint point,
+                   const Bounds& restBox, double seconds) {
+  for (const Deformer& deformer : deformers) point = deformed(deformer, restBox, seconds, point);
+  return point;
+}
+
+/// Normals follow by cofactors.
+DeformedMesh moved(const Scene& scene, const Object& object, const Pose& pose,
+                   const Bounds& restBox, double seconds) {
+  DeformedMesh mesh = object.rig ? rigged(*object.rig, pose) : resting(object.mesh);
+  for (std::size_t v = 0; v < mesh.positionsMm.size(); ++v) {
+    const SurfacePoint point =
+        under(scene.deformers, {mesh.positionsMm[v], mesh.normals[v]}, restBox, seconds);
+    mesh.positionsMm[v] = point.position;
+    mesh.normals[v] = point.normal;
+  }
+  return mesh;
+}
+
 void facet(const std::vector<Triangle>& triangles, double side, DeformedMesh& mesh) {
   for (const Triangle& t : triangles) {
     const Double3 area =
@@ -104,18 +123,26 @@ bool normalsFromTriangles(const Object& object) {
                      [](const MorphTarget& target) { return target.normals.empty(); });
 }
 
+std::vector<Double3> deformedPositions(const Scene& scene, std::size_t object, const Pose& pose,
+                                       const Bounds& restBox, double seconds) {
+  return moved(scene, scene.objects[object], pose, restBox, seconds).positionsMm;
+}
+
+std::vector<Double3> deformedPositions(const std::vector<Deformer>& deformers,
+                                       const std::vector<Vec3>& positionsMm, const Bounds& restBox,
+                                       double seconds) {
+  std::vector<Double3> result;
+  result.reserve(positionsMm.size());
+  for (const Vec3& p : positionsMm) {
+    result.push_back(under(deformers, {toDouble(p), {0, 0, 1}}, restBox, seconds).position);
+  }
+  return result;
+}
+
 DeformedMesh deformedMesh(const Scene& scene, std::size_t object, const Pose& pose,
                           const Bounds& restBox, double seconds) {
   const Object& of = scene.objects[object];
-  DeformedMesh mesh = of.rig ? rigged(*of.rig, pose) : resting(of.mesh);
-  for (std::size_t v = 0; v < mesh.positionsMm.size(); ++v) {
-    SurfacePoint point{mesh.positionsMm[v], mesh.normals[v]};
-    for (const Deformer& deformer : scene.deformers) {
-      point = deformed(deformer, restBox, seconds, point);
-    }
-    mesh.positionsMm[v] = point.position;
-    mesh.normals[v] = point.normal;
-  }
+  DeformedMesh mesh = moved(scene, of, pose, restBox, seconds);
   if (of.mesh.facetted) {
     facet(of.mesh.triangles, sideOf(scene, of, pose), mesh);
   } else if (normalsFromTriangles(of)) {

@@ -200,8 +200,10 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
   scene.nodes = std::move(raw.nodes);
   scene.clips = std::move(raw.clips);
   scene.deformers = std::move(raw.deformers);
+  scene.notShown = std::move(raw.notShown);
   scene.lighting = raw.hasLights ? std::move(raw.lighting) : defaultLighting();
   scene.camera = raw.camera ? *raw.camera : defaultCamera(scene);
+  scene.cameraChosen = raw.cameraChosen;
   return scene;
 }
 

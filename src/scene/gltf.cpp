@@ -11,6 +11,8 @@
 #include "scene/gltf_medium.h"
 #include "scene/gltf_mesh.h"
 #include "scene/gltf_nodes.h"
+#include "scene/gltf_not_shown.h"
+#include "scene/not_shown.h"
 #include "scene/rig.h"
 #include "scene/text.h"
 
@@ -33,7 +35,6 @@ struct Gathering {
   RawScene scene{};
   std::size_t triangles = 0;
   std::size_t vertices = 0;
-  std::size_t skippedPrimitives = 0;
 
   std::size_t most() const {
     std::size_t bytes = 0;
@@ -96,10 +97,7 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
   const std::size_t first = to.scene.objects.size();
   std::uint64_t part = 0;
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
-    if (!isSurface(primitive)) {
-      ++to.skippedPrimitives;
-      continue;
-    }
+    if (!isSurface(primitive)) continue;
     const Medium medium = gltfMedium(to.input, to.model, primitive.material, mesh.name, node.name);
     BakedPrimitive baked =
         bakePrimitive(to.input, to.model, to.nodes, to.motion, to.accessors, nodeIndex, primitive);
@@ -161,7 +159,6 @@ void addLight(Gathering& to, std::size_t nodeIndex) {
   }
   const tinygltf::Light& light = to.model.lights[static_cast<std::size_t>(index)];
   const Matrix4& world = to.nodes.world[nodeIndex];
-  const std::string file = cleanText(to.input.file.string(), 1000);
   if (light.type == "directional") {
     const auto back = axisOf(world, 2);
     if (!back) failGltf(to.input, fmt::format("light node {} has no direction", nodeIndex));
@@ -171,25 +168,22 @@ void addLight(Gathering& to, std::size_t nodeIndex) {
     to.scene.lighting.points.push_back({toFloat(world.column[3]), lightColor(to.input, light)});
     to.scene.hasLights = true;
   } else {
-    note(to.input.log,
-         fmt::format("{}: light '{}' of type '{}' is left out, only directional and point lights "
-                     "shine here",
-                     file, cleanText(light.name, 60), cleanText(light.type, 20)));
+    addNotShown(to.scene.notShown, cleanText(light.type, 20) + " lights", light.name);
   }
 }
 
 /// The first perspective camera; where it looks at is put beside the middle of the scene.
 void takeCamera(Gathering& to, std::size_t nodeIndex) {
   const int index = to.model.nodes[nodeIndex].camera;
-  if (to.scene.camera || index == -1) return;
+  if (index == -1) return;
   if (index < 0 || static_cast<std::size_t>(index) >= to.model.cameras.size()) {
     failGltf(to.input, fmt::format("node {} names a camera that does not exist", nodeIndex));
   }
   const tinygltf::Camera& camera = to.model.cameras[static_cast<std::size_t>(index)];
-  if (camera.type != "perspective") {
-    note(to.input.log,
-         fmt::format("{}: orthographic camera '{}' is left out",
-                     cleanText(to.input.file.string(), 1000), cleanText(camera.name, 60)));
+  if (camera.type != "perspective" || to.scene.camera) {
+    addNotShown(to.scene.notShown,
+                camera.type != "perspective" ? "orthographic cameras" : "cameras after the first",
+                camera.name);
     return;
   }
   const Matrix4& world = to.nodes.world[nodeIndex];
@@ -205,6 +199,7 @@ void takeCamera(Gathering& to, std::size_t nodeIndex) {
   taken.up = toFloat(*up);
   taken.verticalFovDegrees = static_cast<float>(degrees);
   to.scene.camera = taken;
+  to.scene.cameraChosen = true;
 }
 
 /// Lights and cameras stay where the file puts them, whatever a clip does to their node.
@@ -234,6 +229,7 @@ void aimAtMiddle(RawScene& scene) {
 RawScene loadGltf(const Input& input) {
   const tinygltf::Model model = readGltf(input);
   Gathering gathering{input, model, resolveNodes(input, model), GltfAccessors(input, model)};
+  gathering.scene.notShown = notShownOf(model, gathering.nodes);
   gathering.motion = readMotion(input, model, gathering.nodes, gathering.accessors);
   for (const int node : gathering.nodes.drawn) {
     const auto index = static_cast<std::size_t>(node);
@@ -241,10 +237,6 @@ RawScene loadGltf(const Input& input) {
     addLight(gathering, index);
     takeCamera(gathering, index);
     noteStanding(gathering, index);
-  }
-  if (gathering.skippedPrimitives > 0) {
-    note(input.log, fmt::format("{}: {} primitives of points or lines are left out",
-                                cleanText(input.file.string(), 1000), gathering.skippedPrimitives));
   }
   gathering.scene.nodes = std::move(gathering.motion.nodes);
   gathering.scene.clips = std::move(gathering.motion.clips);

@@ -70,20 +70,32 @@ double albedoOf(double reflectance, double eta) {
 
 /// KHR_materials_volume: light falls to attenuationColor after attenuationDistance metres, which is
 /// exp(-σ_t' d); KHR_materials_volume_scatter: multiscatterColor is the diffuse reflectance.
-std::optional<Medium> fromVolume(const tinygltf::Material& material) {
+struct Volume {
+  double attenuationDistance;
+  Numbers3 attenuationColor;
+  Numbers3 multiscatterColor;
+};
+
+std::optional<Volume> volumeOf(const tinygltf::Material& material) {
   const tinygltf::Value& volume = extension(material, "KHR_materials_volume");
   const tinygltf::Value& scatter = extension(material, "KHR_materials_volume_scatter");
   const auto distance = number(volume, "attenuationDistance");
   const auto attenuation = numbers3(volume, "attenuationColor");
   const auto reflectance = numbers3(scatter, "multiscatterColor");
   if (!distance || !attenuation || !reflectance || !(*distance > 0)) return std::nullopt;
+  return Volume{*distance, *attenuation, *reflectance};
+}
+
+std::optional<Medium> fromVolume(const tinygltf::Material& material) {
+  const std::optional<Volume> volume = volumeOf(material);
+  if (!volume) return std::nullopt;
   Medium medium;
   medium.name = cleanText(material.name);
   medium.eta = etaOf(material);
   for (std::size_t c = 0; c < 3; ++c) {
-    const double left = std::clamp((*attenuation)[c], 1e-6, 0.9999);
-    const double extinctionPerMm = -std::log(left) / (1000 * *distance);
-    const double albedo = albedoOf(std::clamp((*reflectance)[c], 0.0, 1.0), medium.eta);
+    const double left = std::clamp(volume->attenuationColor[c], 1e-6, 0.9999);
+    const double extinctionPerMm = -std::log(left) / (1000 * volume->attenuationDistance);
+    const double albedo = albedoOf(std::clamp(volume->multiscatterColor[c], 0.0, 1.0), medium.eta);
     medium.sigmaSPrimePerMm[c] = albedo * extinctionPerMm;
     medium.sigmaAPerMm[c] = (1 - albedo) * extinctionPerMm;
   }
@@ -91,6 +103,10 @@ std::optional<Medium> fromVolume(const tinygltf::Material& material) {
 }
 
 }  // namespace
+
+bool saysMediumByVolume(const tinygltf::Material& material) {
+  return volumeOf(material).has_value();
+}
 
 Medium gltfMedium(const Input& input, const tinygltf::Model& model, int material,
                   std::string_view meshName, std::string_view nodeName) {

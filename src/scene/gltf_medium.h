@@ -12,4 +12,7 @@ namespace opaline::scene {
 Medium gltfMedium(const Input& input, const tinygltf::Model& model, int material,
                   std::string_view meshName, std::string_view nodeName);
 
+/// Whether KHR_materials_volume_scatter and KHR_materials_volume say together what it is of.
+bool saysMediumByVolume(const tinygltf::Material& material);
+
 }  // namespace opaline::scene

@@ -11,6 +11,7 @@
 #include "scene/finish.h"
 #include "scene/formats.h"
 #include "scene/morph_to.h"
+#include "scene/not_shown.h"
 #include "scene/scene_settings.h"
 #include "scene/text.h"
 
@@ -39,6 +40,23 @@ Format formatOf(const std::filesystem::path& file, std::string_view start) {
   return Format::Unknown;
 }
 
+RawScene read(const Input& input) {
+  const std::string_view start(reinterpret_cast<const char*>(input.bytes.data()),
+                               std::min<std::size_t>(input.bytes.size(), 4));
+  switch (formatOf(input.file, start)) {
+    case Format::Ply:
+      return loadPly(input);
+    case Format::Obj:
+      return loadObj(input);
+    case Format::Gltf:
+      return loadGltf(input);
+    case Format::Unknown:
+      break;
+  }
+  throw Error(fmt::format("{}: a scene is a .glb, .gltf, .obj, .ply or .toml file",
+                          cleanText(input.file.string(), 1000)));
+}
+
 }  // namespace
 
 void note(const LogCallback& log, std::string_view message) {
@@ -53,20 +71,11 @@ RawScene loadModel(const std::filesystem::path& file, const LogCallback& log) {
   const std::vector<std::byte> bytes = core::readFile(file, longestFileBytes);
   const std::string name = cleanText(file.string(), 1000);
   if (bytes.empty()) throw Error(fmt::format("{}: the file is empty", name));
-  const Input input{file, bytes, log};
-  const std::string_view start(reinterpret_cast<const char*>(bytes.data()),
-                               std::min<std::size_t>(bytes.size(), 4));
-  switch (formatOf(file, start)) {
-    case Format::Ply:
-      return loadPly(input);
-    case Format::Obj:
-      return loadObj(input);
-    case Format::Gltf:
-      return loadGltf(input);
-    case Format::Unknown:
-      break;
+  RawScene scene = read({file, bytes, log});
+  if (!scene.notShown.empty()) {
+    note(log, fmt::format("{}: not shown: {}", name, textOf(scene.notShown)));
   }
-  throw Error(fmt::format("{}: a scene is a .glb, .gltf, .obj, .ply or .toml file", name));
+  return scene;
 }
 
 }  // namespace scene

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <streambuf>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 
 #include "bssrdf/media.h"
 #include "scene/formats.h"
+#include "scene/not_shown.h"
 #include "scene/obj_lines.h"
 #include "scene/text.h"
 #include "scene/triangulate.h"
@@ -54,6 +56,8 @@ struct Reader {
   std::vector<Group> groups{};
   std::map<std::string, std::size_t, std::less<>> groupOf{};
   std::size_t current = 0;
+  std::string part{};             ///< of `o` or `g`, that faces belong to
+  std::set<std::string> parts{};  ///< that have faces
 
   void use(const std::string& material) {
     const auto [entry, isNew] = groupOf.try_emplace(material, groups.size());
@@ -77,6 +81,7 @@ struct Reader {
       ++size;
     }
     groups[current].sizes.push_back(size);
+    if (!part.empty()) parts.insert(part);
   }
 
   /// Only at the end, since a face may stand before its vertices.
@@ -110,7 +115,33 @@ tinyobj::callback_t callbacks() {
     std::string_view line(name);
     static_cast<Reader*>(reader)->use(std::string(nextWord(line)));
   };
+  callback.object_cb = [](void* reader, const char* name) {
+    static_cast<Reader*>(reader)->part = name;
+  };
+  callback.group_cb = [](void* reader, const char** names, int count) {
+    static_cast<Reader*>(reader)->part = count > 0 ? names[0] : "";
+  };
   return callback;
+}
+
+std::vector<NotShown> notShownOf(const Reader& reader, const ObjExtras& extras) {
+  std::vector<NotShown> result;
+  for (const Group& group : reader.groups) {
+    const bool isMaterial = !group.sizes.empty() && !group.name.empty();
+    if (isMaterial && !bssrdf::findMedium(group.name)) {
+      addNotShown(result, "materials", group.name);
+    }
+  }
+  for (const std::string& file : extras.materialFiles) {
+    addNotShown(result, "material files", file);
+  }
+  if (reader.parts.size() > 1) {
+    for (const std::string& part : reader.parts) {
+      addNotShown(result, "groups as objects of their own", part);
+    }
+  }
+  if (extras.coloredVertices > 0) addNotShown(result, "vertex colours", {});
+  return result;
 }
 
 /// Numbers the distinct corners that a set of groups uses.
@@ -185,7 +216,7 @@ RawMesh buildMesh(const Reader& reader, std::span<const Group* const> groups) {
 RawScene loadObj(const Input& input) {
   const std::optional<std::string> joined = joinedLines(textOf(input));
   const std::string_view text = joined ? *joined : textOf(input);
-  requireSoundLines(input, text);
+  const ObjExtras extras = requireSoundLines(input, text);
   Reader reader{input};
   reader.use("");
   TextStream stream(text);
@@ -213,6 +244,7 @@ RawScene loadObj(const Input& input) {
     scene.objects.push_back(std::move(object));
   }
   addUnused(reader, scene.objects[0].mesh);
+  scene.notShown = notShownOf(reader, extras);
   return scene;
 }
 

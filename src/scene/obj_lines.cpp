@@ -58,6 +58,12 @@ void checkNumbers(const Input& input, std::string_view line, std::size_t number)
   }
 }
 
+std::size_t countNumbers(std::string_view line) {
+  std::size_t count = 0;
+  while (isNumber(nextWord(line))) ++count;
+  return count;
+}
+
 /// A corner is v, v/vt, v//vn or v/vt/vn, each a whole number other than 0.
 bool isCorner(std::string_view word) {
   for (int part = 0; part < 3; ++part) {
@@ -121,10 +127,11 @@ std::optional<std::string> joinedLines(std::string_view text) {
   return joined;
 }
 
-void requireSoundLines(const Input& input, std::string_view text) {
+ObjExtras requireSoundLines(const Input& input, std::string_view text) {
   if (text.find('\0') != std::string_view::npos) {
     failObj(input, "it contains zero bytes, so it is no OBJ file");
   }
+  ObjExtras extras;
   std::string_view file = textOf(input);
   for (std::size_t number = 1; !text.empty();) {
     const Line whole = nextLine(text);
@@ -132,9 +139,12 @@ void requireSoundLines(const Input& input, std::string_view text) {
     const std::string_view keyword = nextWord(line);
     if (keyword == "v" || keyword == "vn") checkNumbers(input, line, number);
     if (keyword == "f") checkCorners(input, line, number);
+    if (keyword == "v" && countNumbers(line) >= 6) ++extras.coloredVertices;
+    if (keyword == "mtllib") extras.materialFiles.emplace_back(nextWord(line));
     number += countLines(file.substr(0, whole.size));
     file.remove_prefix(whole.size);
   }
+  return extras;
 }
 
 }  // namespace opaline::scene

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/formats.h"
 
@@ -21,9 +22,15 @@ std::string_view nextWord(std::string_view& line);
 /// in a folder's name. None where no line is continued.
 std::optional<std::string> joinedLines(std::string_view text);
 
+/// What the lines hold that tinyobjloader does not tell of.
+struct ObjExtras {
+  std::size_t coloredVertices = 0;
+  std::vector<std::string> materialFiles;
+};
+
 /// tinyobjloader reads what is no number as 0, lets an index overflow and stops at a zero byte; so
 /// lines with numbers are looked at first. `text` is the file's, with its lines joined; messages
 /// count the lines that the file has.
-void requireSoundLines(const Input& input, std::string_view text);
+ObjExtras requireSoundLines(const Input& input, std::string_view text);
 
 }  // namespace opaline::scene

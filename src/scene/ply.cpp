@@ -6,12 +6,14 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "opaline/error.h"
 #include "scene/formats.h"
+#include "scene/not_shown.h"
 #include "scene/text.h"
 #include "scene/triangulate.h"
 
@@ -356,6 +358,19 @@ void buildTriangles(const Input& input, const Faces& faces, RawMesh& mesh) {
   }
 }
 
+void addNotShown(const Element& element, std::vector<NotShown>& to) {
+  const auto hasOneOf = [&](std::initializer_list<std::string_view> names) {
+    return std::any_of(element.properties.begin(), element.properties.end(),
+                       [&](const Property& p) {
+                         return std::find(names.begin(), names.end(), p.name) != names.end();
+                       });
+  };
+  if (hasOneOf({"red", "r", "diffuse_red"})) scene::addNotShown(to, element.name + " colours", {});
+  if (hasOneOf({"s", "u", "texture_u", "texcoord"})) {
+    scene::addNotShown(to, "texture coordinates", {});
+  }
+}
+
 }  // namespace
 
 RawScene loadPly(const Input& input) {
@@ -373,9 +388,11 @@ RawScene loadPly(const Input& input) {
     if (element.name == "vertex" && !sawVertices) {
       sawVertices = true;
       readVertices(input, element, body, object.mesh);
+      addNotShown(element, scene.notShown);
     } else if (element.name == "face" && !sawFaces) {
       sawFaces = true;
       readFaces(input, element, body, faces);
+      addNotShown(element, scene.notShown);
     } else {
       skip(element, body);
     }

@@ -47,9 +47,11 @@ struct RawScene {
   Lighting lighting;
   bool hasLights = false;
   std::optional<Camera> camera;
+  bool cameraChosen = false;  ///< as in Scene
   std::vector<Node> nodes;
   std::vector<Clip> clips;
   std::vector<Deformer> deformers;
+  std::vector<NotShown> notShown;
   std::optional<double> mmPerUnit;  ///< unknown for formats without a unit
 };
 

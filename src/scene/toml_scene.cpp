@@ -12,6 +12,7 @@
 #include "scene/environment_file.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
+#include "scene/framing.h"
 #include "scene/mesh_files.h"
 #include "scene/morph_to.h"
 #include "scene/placement.h"
@@ -77,10 +78,6 @@ toml::table parse(const std::filesystem::path& file) {
   }
 }
 
-double distanceMm(const Camera& camera) {
-  return length(toDouble(camera.positionMm) - toDouble(camera.targetMm));
-}
-
 RawScene fromBuiltIn(Scene&& built) {
   RawScene raw;
   for (Object& object : built.objects) {
@@ -96,7 +93,7 @@ RawScene fromBuiltIn(Scene&& built) {
 }
 
 void takeBuiltIn(Scene&& built, Assembly& to) {
-  to.builtInDistanceDiagonals = distanceMm(built.camera) / double{diagonalMm(built)};
+  to.builtInDistanceDiagonals = distanceToTargetMm(built.camera) / double{diagonalMm(built)};
   to.scene = fromBuiltIn(std::move(built));
 }
 
@@ -299,23 +296,26 @@ void readCamera(const TomlTable& root, Assembly& to) {
                                              : *to.scene.camera;
   if (direction && own) {
     camera.targetMm = own->targetMm;
-    camera.positionMm = toFloat(toDouble(own->targetMm) + distanceMm(*own) * toDouble(*direction));
+    camera.positionMm =
+        toFloat(toDouble(own->targetMm) + distanceToTargetMm(*own) * toDouble(*direction));
   }
   if (position) camera.positionMm = *position;
   if (target) camera.targetMm = *target;
+  if (target && direction) {
+    const double away = distanceToTargetMm(own.value_or(defaultCamera(box)));
+    camera.positionMm = toFloat(toDouble(*target) + away * toDouble(*direction));
+  }
   const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
   if (!(length(view) > 0)) table->fail("", "looks at where it is");
-  if (placed) {
-    const bool alongUp = std::abs(view[1]) > 0.999 * length(view);
-    camera.up = alongUp ? Vec3{0, 0, view[1] < 0 ? -1.0F : 1.0F} : Vec3{0, 1, 0};
-  }
+  if (placed) camera.up = usualUp(camera);
   if (const auto up = table->vector("up")) {
     if (*up == Vec3{}) table->fail("up", "must not be zero");
     camera.up = *up;
   }
-  camera.verticalFovDegrees = static_cast<float>(
-      table->number("fov_degrees", 1, 170).value_or(double{camera.verticalFovDegrees}));
+  const auto fov = table->number("fov_degrees", 1, 170);
+  if (fov) camera.verticalFovDegrees = static_cast<float>(*fov);
   to.scene.camera = camera;
+  to.scene.cameraChosen = to.scene.cameraChosen || position || target || fov;
 }
 
 LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& options) {

@@ -66,6 +66,24 @@ class Info(ProgramTest):
         self.assertIn("clip morph: 4 s\n", text)
         self.assertIn("deform twist: 0.5, period 2 s\n", text)
 
+    def test_what_is_not_shown(self):
+        cube = ("o pot\nusemtl glaze\n" + CUBE_OBJ).replace("f 5//2", "o lid\nusemtl wood\nf 5//2")
+        self.write("cube.obj", cube)
+        run = self.succeed("info", "cube.obj", "--json")
+        self.assertEqual(run.json()["not_shown"], [
+            {"what": "materials", "count": 2, "names": ["glaze", "wood"]},
+            {"what": "groups as objects of their own", "count": 2, "names": ["lid", "pot"]}])
+        said = "not shown: materials (2: glaze, wood), groups as objects of their own (2: lid, pot)"
+        self.assertIn("cube.obj: " + said, run.err)
+        self.assertEqual(run.err.count("not shown"), 1)
+        self.assertIn("\n" + said + "\n", self.succeed("info", "cube.obj", "--quiet").out)
+        self.write("scene.toml", 'model = "cube.obj"\nmedium = "wax"\n')
+        self.assertIn(said, self.succeed("info", "scene.toml").err)
+        self.write("plain.obj", CUBE_OBJ)
+        run = self.succeed("info", "plain.obj", "--json")
+        self.assertEqual(run.json()["not_shown"], [])
+        self.assertNotIn("not shown", run.err)
+
     def test_the_built_in_scenes(self):
         bear = self.succeed("info", "--json").json()
         self.assertTrue(bear["closed"])

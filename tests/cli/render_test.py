@@ -204,23 +204,70 @@ class Geometry(Render):
             centre = read_exr((self.folder / "near.exr").read_bytes()).centre()
             self.near(centre, (40 - EDGE / 2,) * 3 + (1,), 1e-4)
 
-    def test_a_model_that_is_cut_off_draws_a_note_that_cures_it(self):
+    def border_and_depth(self, *arguments):
+        """Whether anything touches the picture's border, and the depth in its middle, mm."""
+        self.succeed("render", *arguments, "--aov", "depth", "--transport", "dipole", "--max-sources", 1024, "-o", "d.exr")
+        return self.border_of("d.exr")
+
+    def border_of(self, name):
+        picture = read_exr((self.folder / name).read_bytes())
+        edge = [*picture.rows[0], *picture.rows[-1], *(row[x] for row in picture.rows for x in (0, -1))]
+        return any(pixel[3] for pixel in edge), picture.centre()[0]
+
+    def test_a_camera_that_nobody_placed_sees_all(self):
         # A plate on edge: its corners are half a diagonal up, nearer by half its depth.
         self.write("plate.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
                    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
                    "0 0 0\n0 4 0\n0 4 3\n0 0 3\n4 0 1 2 3\n")
-        plate = ("plate.ply", "--diagonal-mm", 50, "--size", "30x30", "--transport", "dipole", "--max-sources", 1024)
-        # Half height 20 mm at 70 - 15 mm: 2 atan(20 / 55) = 39.97 degrees.
-        self.assertIn("--fov-degrees 40", self.succeed("render", *plate).err)
-        # From the side all corners are 70 mm away: 2 atan(20 / 70) = 31.9 degrees.
-        self.assertIn("--fov-degrees 32", self.succeed("render", *plate, "--camera-direction", "1,0,0").err)
-        for fits in (("--fov-degrees", 40), ("--fov-degrees", 20), ("--quiet",), ("--aov", "dsm-area")):
-            self.assertNotIn("does not fit", self.succeed("render", *plate, *fits).err, fits)
-        # A cube's front is 1.4 - .289 diagonals away: 2 atan(.289 / 1.111) = 29.1 degrees.
-        self.assertNotIn("does not fit", self.succeed("render", "cube.obj", *plate[1:]).err)
-        narrow = (*plate[:3], *plate[5:], "--size", "10x30", "--camera-direction", "1,0,0")
-        # Half width 15 mm in a third of the height, 70 mm away: 2 atan(3 * 15 / 70) = 65.5 degrees.
-        self.assertIn("--fov-degrees 66", self.succeed("render", *narrow).err)
+        plate = ("plate.ply", "--diagonal-mm", 50)
+        side = (*plate, "--size", "101x101", "--camera-direction", "1,0,0")
+        # From the side its upper edge is 20 mm up: at .97 of the half height from 20 / (.97 tan 15) mm.
+        cut, depth = self.border_and_depth(*side)
+        self.assertEqual((cut, round(depth, 3)), (False, round(20 / (.97 * math.tan(math.radians(15))), 3)))
+        # In a narrow picture it is the 15 mm to the side.
+        narrow = ("--size", "51x151", "--camera-direction", "1,0,0")
+        expected = 15 * 151 / 51 / (.97 * math.tan(math.radians(15)))
+        self.assertEqual(self.border_and_depth(*plate, *narrow)[0], False)
+        self.assertAlmostEqual(self.border_and_depth(*plate, *narrow)[1], expected, delta=1e-3 * expected)
+        # In a wide field of view, or where it was placed, it stays.
+        for chosen, place in ((("--fov-degrees", 30), 70), (("--camera-target", "0,0,0"), 70)):
+            cut, depth = self.border_and_depth(*side, *chosen)
+            self.assertTrue(cut)
+            self.assertAlmostEqual(depth, place, delta=1e-3)
+        cut, depth = self.border_and_depth(*side[:-2], "--camera-position", "40,0,0")
+        self.assertAlmostEqual(depth, 40, delta=1e-3)
+        # A cube's front is in the picture from 1.4 diagonals.
+        self.write("cube.obj", CUBE_OBJ)
+        cut, depth = self.border_and_depth("cube.obj", "--diagonal-mm", 50, "--size", "101x101")
+        self.assertAlmostEqual(depth, 70 - 25 / math.sqrt(3), delta=1e-3)
+
+    def test_a_film_has_one_frame_for_all_its_motion(self):
+        self.write("cube.obj", CUBE_OBJ)
+        cube = ("cube.obj", "--diagonal-mm", 50, "--size", "101x101", "--deform", "squash:-.9:1")
+        self.succeed("render", *cube, "--aov", "depth", "--transport", "dipole", "--max-sources", 1024,
+                     "--frames", "0:2", "--fps", 4, "-o", "f%d.exr")
+        rest, stretched, again = (self.border_of(f"f{n}.exr") for n in range(3))
+        self.assertFalse(rest[0] or stretched[0] or again[0])
+        self.assertAlmostEqual(rest[1], again[1], delta=1e-3)
+        # 1.9 times as high from its foot on, seen above its front, which is 1 / sqrt(1.9) times as deep.
+        half = 25 / math.sqrt(3)
+        front = 2.8 * half / (.97 * math.tan(math.radians(15)))
+        self.assertAlmostEqual(stretched[1], front, delta=1e-3 * front)
+        self.assertAlmostEqual(rest[1], front + half / math.sqrt(1.9) - half, delta=1e-3 * front)
+        still = self.border_and_depth(*cube, "--time", 0)
+        self.assertAlmostEqual(still[1], 70 - half, delta=1e-3)
+
+    def test_what_a_camera_looks_at(self):
+        self.write("cube.obj", CUBE_OBJ)
+        cube = ("cube.obj", "--diagonal-mm", 50, "--size", "101x101")
+        half = 25 / math.sqrt(3)
+        for where in (("--camera-position", "10,0,60", "--camera-target", "10,0,0"),
+                      ("--camera-target", "10,0,0", "--camera-direction", "0,0,2", "--fov-degrees", 20)):
+            depth = self.border_and_depth(*cube, *where)[1]
+            self.assertAlmostEqual(depth, (60 if "10,0,60" in where else 70) - half, delta=1e-3)
+        self.refused(2, "render", *cube, "--camera-position", "0,0,9", "--camera-direction", "0,0,1",
+                     says="exclude each other")
+        self.refused(2, "render", *cube, "--camera-position", "0,0,0", says="same place")
 
     def test_the_diffusion_source_map_holds_the_whole_surface(self):
         area = self.exr("--aov", "dsm-area", "--dsm-size", 128, body=BODY)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "bssrdf/profile.h"
 #include "opaline/error.h"
@@ -117,7 +118,7 @@ TEST_F(Gltf, InstancesPrimitivesAndMedia) {
   EXPECT_EQ(scene.objects[1].medium.name, "skimmilk");
   EXPECT_EQ(scene.objects[2].medium.name, "ketchup");
   EXPECT_EQ(scene.objects[0].name, "left (marble)");
-  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("points or lines")));
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("points and lines")));
 }
 
 TEST_F(Gltf, StripsFansAndMissingIndices) {
@@ -425,6 +426,42 @@ TEST_F(Gltf, BrokenContainersAndJsonAreErrors) {
       textError(R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":5}]}]})"),
       HasSubstr("a.gltf"));
   EXPECT_THAT(textError("hello"), HasSubstr("JSON"));
+}
+
+TEST_F(Gltf, WhatIsNotShownIsCounted) {
+  Parts parts;
+  parts.nodes = R"({"mesh":0},{"mesh":0},{"mesh":1},{"camera":0},{"camera":1},)"
+                R"({"extensions":{"KHR_lights_punctual":{"light":0}}})";
+  parts.scene = R"("scene":0,"scenes":[{"nodes":[0,1,2,3,4,5]}],)";
+  parts.meshes =
+      R"({"name":"body","primitives":[{"attributes":{"POSITION":0,"COLOR_0":0},"indices":1,"material":0},)"
+      R"({"attributes":{"POSITION":0},"mode":1,"material":2}]},)"
+      R"({"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":1}]})";
+  parts.more =
+      R"(,"textures":[{}],"materials":[{"name":"skin","alphaMode":"MASK","pbrMetallicRoughness":)"
+      R"({"metallicFactor":0,"baseColorTexture":{"index":0}},"normalTexture":{"index":0},)"
+      R"("extensions":{"KHR_materials_ior":{"ior":1.4},"KHR_materials_sheen":{}}},)"
+      R"({"emissiveFactor":[1,0,0],"pbrMetallicRoughness":{"baseColorFactor":[1,0.5,1,1],)"
+      R"("baseColorTexture":{"index":0}}},{"name":"unused","alphaMode":"BLEND"}],)"
+      R"("cameras":[{"type":"perspective","name":"a","perspective":{"yfov":1,"znear":1}},)"
+      R"({"type":"perspective","name":"b","perspective":{"yfov":1,"znear":1}}],)"
+      R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{},"name":"lamp"}]}},)"
+      R"("extensionsUsed":["KHR_lights_punctual","KHR_materials_sheen","ACME_fog"])";
+  const Scene scene = load(parts);
+  std::string said;
+  for (const NotShown& kind : scene.notShown) {
+    said += kind.what + " " + std::to_string(kind.count);
+    for (const std::string& name : kind.names) said += " " + name;
+    said += "\n";
+  }
+  EXPECT_EQ(
+      said,
+      "points and lines 1 body\nvertex colours 1 body\nbase-colour textures 2 skin material 1\n"
+      "normal textures 1 skin\nalpha 1 skin\nKHR_materials_sheen 1 skin\n"
+      "base colours 1 material 1\nmetals 1 material 1\nemission 1 material 1\n"
+      "extensions 1 ACME_fog\ncameras after the first 1 b\nspot lights 1 lamp\n");
+  EXPECT_EQ(scene.camera.verticalFovDegrees, static_cast<float>(180 / std::numbers::pi));
+  EXPECT_TRUE(scene.cameraChosen);
 }
 
 TEST_F(Gltf, RequiredExtensionsThatAreUnknownAreNamed) {

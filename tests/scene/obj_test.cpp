@@ -109,6 +109,26 @@ TEST_F(Obj, LinesThatAreContinuedAreJoined) {
   EXPECT_THAT(errorOf("v 0 \\\n0 \\\n\nv 1 1 1\n"), HasSubstr("line 1: ''"));
 }
 
+TEST_F(Obj, WhatIsNotShownIsCounted) {
+  const auto notShown = [&](const std::string& text) {
+    std::string said;
+    for (const NotShown& kind : load(text).notShown) {
+      said += kind.what + " " + std::to_string(kind.count);
+      for (const std::string& name : kind.names) said += " " + name;
+      said += "\n";
+    }
+    return said;
+  };
+  EXPECT_EQ(notShown(corners + "o cube\n" + quads), "");
+  EXPECT_EQ(notShown(corners + "o cube\nusemtl wax\n" + quads), "");
+  EXPECT_EQ(notShown("mtllib a.mtl\n" + corners +
+                     "v 2 2 2 .5 .5 .5\no lid\nusemtl glaze\nf 1 3 4 2\nf 5 6 8 7\nusemtl wood\n"
+                     "g pot\nf 1 2 6 5\nf 3 7 8 4\ng none\no pot\nf 1 5 7 3\nusemtl glaze\n"
+                     "f 2 4 8 6\n"),
+            "materials 2 glaze wood\nmaterial files 1 a.mtl\n"
+            "groups as objects of their own 2 lid pot\nvertex colours 1\n");
+}
+
 TEST_F(Obj, BadUtf8InNamesIsHarmless) {
   const Scene scene =
       load("mtllib ../\xFF.mtl\no \xC3\x28\n" + corners + "usemtl \xFF\xFE\n" + quads);

@@ -121,6 +121,17 @@ TEST_F(Ply, BinaryOfBothEndsWithStrangeProperties) {
   }
 }
 
+TEST_F(Ply, ColoursAreNotShownWhichIsSaid) {
+  const Scene scene = load(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nproperty uchar red\nproperty float s\nelement face 1\n"
+      "property list uchar int vertex_indices\nproperty uchar red\nend_header\n"
+      "0 0 0 9 1\n1 0 0 9 1\n0 1 0 9 1\n3 0 1 2 9\n");
+  std::vector<std::string> kinds;
+  for (const NotShown& kind : scene.notShown) kinds.push_back(kind.what);
+  EXPECT_THAT(kinds, testing::ElementsAre("vertex colours", "texture coordinates", "face colours"));
+}
+
 TEST_F(Ply, EveryTruncationIsAnErrorAndNothingElse) {
   const std::string whole = binaryCube(false);
   for (std::size_t size = 0; size < whole.size(); size += 7) {

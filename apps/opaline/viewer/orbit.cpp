@@ -48,26 +48,4 @@ void dolly(Camera& camera, float factor, float diagonalMm) {
   camera.positionMm = fromGlm(target + wanted / distance * from);
 }
 
-void frame(Camera& camera, const Bounds& bounds, float aspect) {
-  const glm::vec3 low = toGlm(bounds.minMm);
-  const glm::vec3 high = toGlm(bounds.maxMm);
-  const glm::vec3 middle = 0.5F * (low + high);
-  const ViewFrame view(camera);
-  const float vertical = std::tan(radians(camera.verticalFovDegrees) / 2);
-  // The distance from which every corner lies in the picture.
-  float distance = 0;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    const glm::vec3 place((corner & 1U) != 0 ? high.x : low.x, (corner & 2U) != 0 ? high.y : low.y,
-                          (corner & 4U) != 0 ? high.z : low.z);
-    const glm::vec3 offset = place - middle;
-    const float depth = glm::dot(offset, view.ahead);
-    const float needed = std::max(std::abs(glm::dot(offset, view.up)) / vertical,
-                                  std::abs(glm::dot(offset, view.right)) / (vertical * aspect));
-    distance = std::max(distance, needed - depth);
-  }
-  constexpr float margin = 1.08F;
-  camera.targetMm = fromGlm(middle);
-  camera.positionMm = fromGlm(middle - margin * distance * view.ahead);
-}
-
 }  // namespace opaline::app::viewer

@@ -16,7 +16,4 @@ void pan(Camera& camera, float right, float up);
 /// Multiplies the distance to the target; it stays within these of the scene's diagonal.
 void dolly(Camera& camera, float factor, float diagonalMm);
 
-/// Sees all of a box from where it looks now, whatever the picture's shape.
-void frame(Camera& camera, const Bounds& bounds, float aspect);
-
 }  // namespace opaline::app::viewer

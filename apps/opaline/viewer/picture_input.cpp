@@ -7,6 +7,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include "framing.h"
 #include "viewer/orbit.h"
 
 namespace opaline::app::viewer {
@@ -123,7 +124,8 @@ void PictureInput::useKey(const KeyPress& press, Session& session, const Area& a
   switch (press.key) {
     case GLFW_KEY_F:
       if (area.empty()) return;
-      frame(session.scene.camera, boundsOf(session.scene), area.aspect());
+      frame(session.scene, session.options.clip, session.options.seconds, session.positionsMm,
+            area.aspect());
       session.edits.camera = true;
       return;
     case GLFW_KEY_T:

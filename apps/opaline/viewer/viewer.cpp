@@ -11,6 +11,7 @@
 #include <GLFW/glfw3.h>
 
 #include "core/file.h"
+#include "framing.h"
 #include "json.h"
 #include "opaline/error.h"
 #include "render_report.h"
@@ -177,8 +178,9 @@ void Viewer::takeLoaded() {
                              : opened(std::move(*result), options_.prepare);
     dashboard_.layOut(made);
     const Area& area = dashboard_.area();
-    if (!resizing_ && fovThatIsNeededDegrees(made.scene, area.width, area.height)) {
-      frame(made.scene.camera, boundsOf(made.scene), area.aspect());
+    if (!resizing_) {
+      showAll(made.scene, {made.options.clip, area.aspect(), made.sequence.get(),
+                           someMoments(lengthOfMotion(made), made.sequence.get())});
     }
     made.gizmos = session_.gizmos;
     made.scaleBar = session_.scaleBar;
