@@ -102,6 +102,13 @@ void CommandLine::positional(const std::string& name, const std::string& help, T
   addValue(name, name, help, std::move(take), false);
 }
 
+void CommandLine::positionals(const std::string& name, const std::string& help, Taker take) {
+  positionalNames_.push_back(name);
+  usage_ += fmt::format(" [{}]...", name);
+  addValue(name, name, help, std::move(take), true);
+  entries_.back().option->expected(-1);
+}
+
 void CommandLine::requiredPositional(const std::string& name, const std::string& help, Taker take) {
   positionalNames_.push_back(name);
   usage_ += " " + name;

@@ -31,6 +31,8 @@ class CommandLine {
   using Taker = std::function<void(const Given&)>;
 
   void positional(const std::string& name, const std::string& help, Taker take);
+  /// The same for any number of them.
+  void positionals(const std::string& name, const std::string& help, Taker take);
   /// The same for one that may not be left out, a mistake that parse() reports.
   void requiredPositional(const std::string& name, const std::string& help, Taker take);
   void section(const std::string& title);

@@ -54,8 +54,8 @@ Vec3 sum(const Vec3& a, const Vec3& b) {
 }  // namespace
 
 void SceneOptions::addTo(CommandLine& line) {
-  line.positional("SCENE", ".glb, .gltf, .obj, .ply, .toml, or frame_%04d.ply",
-                  [this](const Given& given) { file_ = given.text; });
+  line.positionals("SCENE", ".glb, .gltf, .obj, .ply, .toml, or frame_%04d.ply",
+                   [this](const Given& given) { files_.emplace_back(given.text); });
   line.value("--builtin", "NAME", "bear or teapot, instead of SCENE [bear]",
              [this](const Given& given) {
                builtIn_ = readChoice<std::string>(given, {{"bear", "bear"}, {"teapot", "teapot"}});
@@ -70,21 +70,22 @@ void SceneOptions::addTo(CommandLine& line) {
 }
 
 bool SceneOptions::any() const {
-  return file_ || builtIn_ || diagonalMm_ || morphTo_ || medium_.any();
+  return !files_.empty() || builtIn_ || diagonalMm_ || morphTo_ || medium_.any();
 }
 
 std::string SceneOptions::name() const {
-  if (!file_) return builtIn_.value_or("bear");
-  const std::optional<FrameNames> names = FrameNames::parse(file_->stem().string());
-  return names ? names->common() : file_->stem().string();
+  if (files_.empty()) return builtIn_.value_or("bear");
+  const std::string stem = files_.front().stem().string();
+  const std::optional<FrameNames> names = FrameNames::parse(stem);
+  return names ? names->common() : stem;
 }
 
 LoadedScene SceneOptions::load(const LogCallback& log) const {
-  if (file_ && builtIn_) {
+  if (!files_.empty() && builtIn_) {
     throw UsageError(fmt::format("--builtin {} and the scene {} exclude each other", *builtIn_,
-                                 file_->string()));
+                                 files_.front().string()));
   }
-  if (morphTo_ && !file_) {
+  if (morphTo_ && files_.empty()) {
     throw UsageError(fmt::format("--morph-to {}: a built-in scene has no counterpart, name a SCENE",
                                  morphTo_->string()));
   }
@@ -93,18 +94,18 @@ LoadedScene SceneOptions::load(const LogCallback& log) const {
   options.medium = medium_.medium();
   options.morphTo = morphTo_;
   options.log = log;
-  if (!file_) {
+  if (files_.empty()) {
     const bool teapot = builtIn_ == "teapot";
     return {teapot ? builtInTeapot(options) : builtInBear(options),
             {},
             {},
             scene::sourceOf(teapot ? "builtin:teapot" : "builtin:bear", options)};
   }
-  if (MeshSequence::isPattern(*file_)) {
-    auto sequence = std::make_shared<const MeshSequence>(*file_, options);
-    return {sequence->scene(), {}, sequence, scene::sourceOf(*file_, options)};
+  if (files_.size() == 1 && MeshSequence::isPattern(files_.front())) {
+    auto sequence = std::make_shared<const MeshSequence>(files_.front(), options);
+    return {sequence->scene(), {}, sequence, scene::sourceOf(files_.front(), options)};
   }
-  auto [scene, settings, source, sequence] = scene::loadSceneFile(*file_, options);
+  auto [scene, settings, source, sequence] = scene::loadSceneFiles(files_, options);
   return {std::move(scene), std::move(settings), std::move(sequence), std::move(source)};
 }
 

@@ -24,24 +24,24 @@ struct LoadedScene {
   scene::SceneSource source;
 };
 
-/// SCENE or --builtin, its size and its medium.
+/// SCENE, one or several, or --builtin, its size and its medium.
 class SceneOptions {
  public:
   void addTo(CommandLine& line);
   /// Another file instead, of which everything else is as it says.
-  void setFile(const std::filesystem::path& file) { *this = {}, file_ = file; }
+  void setFile(const std::filesystem::path& file) { *this = {}, files_ = {file}; }
   /// Without one, the size is as the file has it.
   void setDiagonalMm(std::optional<float> diagonalMm) { diagonalMm_ = diagonalMm; }
   std::optional<float> diagonalMm() const { return diagonalMm_; }
   /// Whether any of them was given.
   bool any() const;
-  /// The file's name without folder and extension, or that of the built-in scene.
+  /// The first file's name without folder and extension, or that of the built-in scene.
   std::string name() const;
   /// Reads or makes it. Throws UsageError for a mixture of options that makes no sense.
   LoadedScene load(const LogCallback& log) const;
 
  private:
-  std::optional<std::filesystem::path> file_;
+  std::vector<std::filesystem::path> files_;
   std::optional<std::string> builtIn_;
   std::optional<float> diagonalMm_;
   std::optional<std::filesystem::path> morphTo_;

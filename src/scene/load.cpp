@@ -10,6 +10,7 @@
 #include "opaline/error.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
+#include "scene/joined_models.h"
 #include "scene/morph_to.h"
 #include "scene/not_shown.h"
 #include "scene/scene_settings.h"
@@ -76,6 +77,42 @@ RawScene loadModel(const std::filesystem::path& file, const LogCallback& log) {
     note(log, fmt::format("{}: not shown: {}", name, textOf(scene.notShown)));
   }
   return scene;
+}
+
+LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
+                           const LoadOptions& options) {
+  if (files.size() == 1) return loadSceneFile(files.front(), options);
+  requireSensible(options);
+  if (options.morphTo) {
+    throw UsageError(fmt::format("--morph-to {} is for a scene of one model",
+                                 cleanText(options.morphTo->string(), 1000)));
+  }
+  RawScene all;
+  SceneSource source;
+  std::vector<Repair> repairs;
+  std::vector<double> diagonalsMm;
+  for (const std::filesystem::path& file : files) {
+    const std::string name = cleanText(file.string(), 1000);
+    if (lowerExtension(file) == ".toml") {
+      throw UsageError(fmt::format(
+          "{}: a .toml scene stands alone; it names its models under [[models]]", name));
+    }
+    if (MeshSequence::isPattern(file)) {
+      throw UsageError(fmt::format("{}: numbered meshes must be a scene's only model", name));
+    }
+    RawScene model = inMillimetres(loadModel(file, options.log), file, !options.diagonalMm,
+                                   options.log, repairs);
+    diagonalsMm.push_back(diagonalOf(boundsOf(model)));
+    source.models.push_back({file, {}, {}, {}});
+    join(all, std::move(model));
+  }
+  if (options.diagonalMm) {
+    rescale(source, double{*options.diagonalMm} / diagonalOf(boundsOf(all)), diagonalsMm);
+  }
+  return {finished(std::move(all), files.front(), std::move(repairs), options),
+          {},
+          withAbsolutePaths(std::move(source)),
+          nullptr};
 }
 
 }  // namespace scene

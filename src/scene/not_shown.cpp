@@ -19,23 +19,41 @@ std::string textOf(const NotShown& kind) {
                      kind.names.size() < kind.count ? ", …" : "");
 }
 
-}  // namespace
-
-void addNotShown(std::vector<NotShown>& to, std::string_view what, std::string_view name) {
+/// That kind, or what stands for all that there are too many of.
+NotShown& kindOf(std::vector<NotShown>& kinds, std::string_view what) {
   const auto find = [&] {
-    return std::find_if(to.begin(), to.end(), [&](const NotShown& k) { return k.what == what; });
+    return std::find_if(kinds.begin(), kinds.end(),
+                        [&](const NotShown& kind) { return kind.what == what; });
   };
   auto kind = find();
-  if (kind == to.end() && to.size() >= mostKinds) {
+  if (kind == kinds.end() && kinds.size() >= mostKinds) {
     what = "other things";
     kind = find();
   }
-  if (kind == to.end()) kind = to.insert(to.end(), {std::string(what), 0, {}});
-  ++kind->count;
-  const std::string clean = cleanText(name, 40);
-  const auto& names = kind->names;
-  if (clean.empty() || names.size() == mostNames) return;
-  if (std::find(names.begin(), names.end(), clean) == names.end()) kind->names.push_back(clean);
+  if (kind == kinds.end()) kind = kinds.insert(kinds.end(), {std::string(what), 0, {}});
+  return *kind;
+}
+
+void addName(NotShown& kind, const std::string& name) {
+  std::vector<std::string>& names = kind.names;
+  if (name.empty() || names.size() == mostNames) return;
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+}  // namespace
+
+void addNotShown(std::vector<NotShown>& to, std::string_view what, std::string_view name) {
+  NotShown& kind = kindOf(to, what);
+  ++kind.count;
+  addName(kind, cleanText(name, 40));
+}
+
+void addNotShown(std::vector<NotShown>& to, const std::vector<NotShown>& more) {
+  for (const NotShown& added : more) {
+    NotShown& kind = kindOf(to, added.what);
+    kind.count += added.count;
+    for (const std::string& name : added.names) addName(kind, name);
+  }
 }
 
 std::string textOf(const std::vector<NotShown>& kinds) {

@@ -73,4 +73,32 @@ void place(RawObject& object, const Placement& placement, const TomlTable& table
   }
 }
 
+void place(RawScene& model, const Placement& placement, const TomlTable& table) {
+  for (RawObject& object : model.objects) place(object, placement, table);
+  const Matrix4 matrix = matrixOf(placement);
+  const auto place = [&](Vec3& point) { point = toFloat(matrix.point(toDouble(point))); };
+  const auto turn = [&](Vec3& direction) {
+    const Double3 turned = matrix.point(toDouble(direction)) - matrix.point({0, 0, 0});
+    direction = toFloat((1 / length(turned)) * turned);
+  };
+  const double area = std::pow(std::abs(matrix.determinant()), 2.0 / 3);
+  for (DirectionalLight& light : model.lighting.directional) turn(light.directionToLight);
+  bool finite = true;
+  for (PointLight& light : model.lighting.points) {
+    place(light.positionMm);
+    for (float& channel : light.intensity) {
+      channel = static_cast<float>(double{channel} * area);
+      finite = finite && std::isfinite(channel);
+    }
+    finite = finite && isFinite(light.positionMm);
+  }
+  if (model.camera) {
+    place(model.camera->positionMm);
+    place(model.camera->targetMm);
+    turn(model.camera->up);
+    finite = finite && isFinite(model.camera->positionMm) && isFinite(model.camera->targetMm);
+  }
+  if (!finite) table.fail("", "has a transform that leaves the range of a float");
+}
+
 }  // namespace opaline::scene

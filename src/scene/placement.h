@@ -13,5 +13,8 @@ std::optional<Placement> readPlacement(const TomlTable& table);
 
 /// Throws Error, naming `table`, for a placement that flattens or leaves the range of a float.
 void place(RawObject& object, const Placement& placement, const TomlTable& table);
+/// The same of a whole model with its lights and its camera. Intensities grow with its surface, so
+/// that the picture stays.
+void place(RawScene& model, const Placement& placement, const TomlTable& table);
 
 }  // namespace opaline::scene

@@ -114,8 +114,10 @@ void addModel(const fs::path& model, std::vector<fs::path>& to) {
 std::vector<fs::path> filesOf(const SceneSource& source) {
   std::vector<fs::path> files;
   if (source.sceneFile) files.push_back(*source.sceneFile);
-  if (!source.isBuiltIn()) addModel(source.model, files);
-  if (source.morphTo) addModel(*source.morphTo, files);
+  for (const ModelSource& model : source.models) {
+    if (!model.isBuiltIn()) addModel(model.file, files);
+    if (model.morphTo) addModel(*model.morphTo, files);
+  }
   if (source.environment) files.push_back(source.environment->file);
   return files;
 }

@@ -54,4 +54,10 @@ struct LoadedScene {
 /// any other file the settings are empty.
 LoadedScene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options = {});
 
+/// The same of several models in one scene, each as its file has it; a diagonal is that of all
+/// together. Throws UsageError for what can only stand alone: a .toml scene, numbered meshes, a
+/// morph.
+LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
+                           const LoadOptions& options = {});
+
 }  // namespace opaline::scene

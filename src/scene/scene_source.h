@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "opaline/scene.h"
 #include "opaline/types.h"
@@ -27,16 +28,22 @@ struct EnvironmentFile {
   double rotationDegrees = 0;  ///< about +y, counter-clockwise seen from above; in [-1e6, 1e6]
 };
 
+/// A model and what is done to it before it meets the others.
+struct ModelSource {
+  std::filesystem::path file;        ///< or builtin:bear, builtin:teapot
+  std::optional<double> diagonalMm;  ///< that it is scaled to; none: the file's unit
+  std::optional<std::filesystem::path> morphTo;
+  std::optional<Placement> placement;  ///< of all of it, its lights and camera too
+
+  bool isBuiltIn() const { return file.string().starts_with("builtin:"); }
+};
+
 /// The files a scene was made of and what was done to them. Paths are absolute.
 struct SceneSource {
   std::optional<std::filesystem::path> sceneFile;  ///< the .toml that says all of this
-  std::filesystem::path model;                     ///< or builtin:bear, builtin:teapot
-  std::optional<double> diagonalMm;
-  std::optional<std::filesystem::path> morphTo;
+  std::vector<ModelSource> models;                 ///< at least one
   std::map<std::string, Placement> placements;  ///< by the object's name; others stand as they are
   std::optional<EnvironmentFile> environment;
-
-  bool isBuiltIn() const { return model.string().starts_with("builtin:"); }
 };
 
 /// Of a scene that is loaded from a model's file with these options, or is built in.
@@ -46,7 +53,8 @@ SceneSource sourceOf(const std::filesystem::path& model, const LoadOptions& opti
 SceneSource withAbsolutePaths(SceneSource source);
 
 /// What would have made the scene times `factor` in the first place, to rounding: with that size
-/// of its model, and its objects as much farther apart.
-void rescale(SceneSource& source, double factor, double modelDiagonalMm);
+/// of its models, whose diagonals are given, and all of them and their objects as much farther
+/// apart.
+void rescale(SceneSource& source, double factor, const std::vector<double>& modelDiagonalsMm);
 
 }  // namespace opaline::scene

@@ -116,16 +116,15 @@ std::string written(const fs::path& path, const fs::path& sceneFile) {
   return ambiguous ? (fs::path(".") / relative).string() : relative.string();
 }
 
-void addModel(const SceneDescription& scene, const fs::path& file, Text& to) {
-  const SceneSource& source = scene.source;
-  const std::string model = source.model.string();
-  if (source.isBuiltIn()) {
-    to.text("model", model);
-  } else {
-    to.text("model", written(source.model, file));
-  }
-  if (source.diagonalMm) to.number("diagonal_mm", *source.diagonalMm);
-  if (source.morphTo) to.text("morph_to", written(*source.morphTo, file));
+void addModel(const ModelSource& model, std::string_view key, const fs::path& file, Text& to) {
+  to.text(key, model.isBuiltIn() ? model.file.string() : written(model.file, file));
+  if (model.diagonalMm) to.number("diagonal_mm", *model.diagonalMm);
+  if (model.morphTo) to.text("morph_to", written(*model.morphTo, file));
+}
+
+/// A model that stands as it is needs no table.
+bool needTables(const std::vector<ModelSource>& models) {
+  return models.size() != 1 || models.front().placement;
 }
 
 void addPlacement(const Placement& placement, Text& to) {
@@ -133,6 +132,14 @@ void addPlacement(const Placement& placement, Text& to) {
   if (placement.translationMm != Vec3{}) to.list("translation_mm", placement.translationMm);
   if (placement.rotationDegrees != Vec3{}) to.list("rotation_degrees", placement.rotationDegrees);
   if (placement.scale != 1) to.number("scale", placement.scale);
+}
+
+void addModels(const std::vector<ModelSource>& models, const fs::path& file, Text& to) {
+  for (const ModelSource& model : models) {
+    to.header("[[models]]");
+    addModel(model, "file", file, to);
+    if (model.placement) addPlacement(*model.placement, to);
+  }
 }
 
 /// Media by the objects' names, which is how a scene file tells objects apart.
@@ -306,8 +313,10 @@ fs::path writeScene(const core::Target& target, const SceneDescription& descript
         fmt::format("{}: the name of a scene file ends in .toml", cleanText(file.string(), 1000)));
   }
   Text text;
-  addModel(description, file, text);
+  const std::vector<ModelSource>& models = description.source.models;
+  if (!needTables(models)) addModel(models.front(), "model", file, text);
   addObjects(description, text);
+  if (needTables(models)) addModels(models, file, text);
   addLighting(description, file, text);
   addCamera(description, text);
   addDeformers(description, text);

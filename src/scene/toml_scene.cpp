@@ -13,6 +13,7 @@
 #include "scene/finish.h"
 #include "scene/formats.h"
 #include "scene/framing.h"
+#include "scene/joined_models.h"
 #include "scene/mesh_files.h"
 #include "scene/morph_to.h"
 #include "scene/placement.h"
@@ -38,7 +39,7 @@ struct Assembly {
   std::vector<Repair> repairs{};
   std::optional<MeshFiles> meshes{};  ///< where the model is a sequence
   std::map<std::string, Medium, std::less<>> media{};
-  double modelDiagonalMm = 0;  ///< before its objects are placed
+  std::vector<double> modelDiagonalsMm{};  ///< before anything is placed
   Vec3 centre{};
   /// How far a built-in scene's own camera stands from its target.
   std::optional<double> builtInDistanceDiagonals{};
@@ -92,46 +93,9 @@ RawScene fromBuiltIn(Scene&& built) {
   return raw;
 }
 
-void takeBuiltIn(Scene&& built, Assembly& to) {
+RawScene takeBuiltIn(Scene&& built, Assembly& to) {
   to.builtInDistanceDiagonals = distanceToTargetMm(built.camera) / double{diagonalMm(built)};
-  to.scene = fromBuiltIn(std::move(built));
-}
-
-void loadModelOf(const TomlTable& root, Assembly& to) {
-  const auto model = root.text("model");
-  if (!model) root.fail("", "has no 'model', a file or builtin:bear or builtin:teapot");
-  const auto diagonal = root.number("diagonal_mm", 1e-6, 1e9);
-  std::optional<std::filesystem::path> morphTo = to.options.morphTo;
-  if (const auto name = root.text("morph_to"); name && !morphTo) morphTo = beside(to.file, *name);
-  to.source.diagonalMm = diagonal;
-  to.source.morphTo = morphTo;
-  to.source.model = *model;
-  LoadOptions builtInOptions;
-  builtInOptions.log = to.options.log;
-  if (diagonal) builtInOptions.diagonalMm = static_cast<float>(*diagonal);
-  builtInOptions.morphTo = morphTo;
-  if (*model == "builtin:bear") {
-    takeBuiltIn(builtInBear(builtInOptions), to);
-  } else if (*model == "builtin:teapot") {
-    takeBuiltIn(builtInTeapot(builtInOptions), to);
-  } else if (model->starts_with("builtin:")) {
-    root.fail("model", "names no built-in model; there are builtin:bear and builtin:teapot");
-  } else {
-    const std::filesystem::path path = beside(to.file, *model);
-    if (path.extension() == ".toml") root.fail("model", "must not be another .toml scene");
-    const bool noteUnit = !diagonal && !to.options.diagonalMm;
-    if (MeshSequence::isPattern(path)) to.meshes.emplace(path, morphTo);
-    RawScene raw =
-        to.meshes ? to.meshes->loadFirst(to.options.log) : loadModel(path, to.options.log);
-    if (morphTo) addMorph(raw, path, *morphTo, to.options.log);
-    to.scene = inMillimetres(std::move(raw), path, noteUnit, to.options.log, to.repairs);
-    if (to.meshes) to.meshes->followRepairs(to.scene);
-    to.source.model = path;
-    if (diagonal) {
-      scaleBy(to.scene, *diagonal / diagonalOf(boundsOf(to.scene)), to.file.string());
-    }
-  }
-  to.modelDiagonalMm = diagonalOf(boundsOf(to.scene));
+  return fromBuiltIn(std::move(built));
 }
 
 void readMedia(const TomlTable& root, Assembly& to) {
@@ -171,12 +135,80 @@ Medium mediumNamed(const TomlTable& table, std::string_view key, const std::stri
   return *known;
 }
 
-void readObjects(const TomlTable& root, Assembly& to) {
-  if (const auto medium = root.text("medium")) {
-    for (RawObject& object : to.scene.objects) {
-      object.medium = mediumNamed(root, "medium", *medium, to);
-    }
+/// Of all objects of a model, where the table says one.
+void setMedium(const TomlTable& table, RawScene& model, const Assembly& from) {
+  const auto medium = table.text("medium");
+  if (!medium) return;
+  for (RawObject& object : model.objects) {
+    object.medium = mediumNamed(table, "medium", *medium, from);
   }
+}
+
+/// In millimetres, from the table that names it under `key`.
+RawScene loadModelOf(const TomlTable& table, std::string_view key, bool isOnly, Assembly& to) {
+  const auto model = table.text(key);
+  if (!model) {
+    table.fail("", fmt::format("has no '{}', a file or builtin:bear or builtin:teapot", key));
+  }
+  const auto diagonal = table.number("diagonal_mm", 1e-6, 1e9);
+  std::optional<std::filesystem::path> morphTo = to.options.morphTo;
+  if (const auto name = table.text("morph_to"); name && !morphTo) morphTo = beside(to.file, *name);
+  ModelSource& source = to.source.models.emplace_back();
+  source = {*model, diagonal, morphTo, {}};
+  LoadOptions builtInOptions;
+  builtInOptions.log = to.options.log;
+  if (diagonal) builtInOptions.diagonalMm = static_cast<float>(*diagonal);
+  builtInOptions.morphTo = morphTo;
+  if (*model == "builtin:bear") return takeBuiltIn(builtInBear(builtInOptions), to);
+  if (*model == "builtin:teapot") return takeBuiltIn(builtInTeapot(builtInOptions), to);
+  if (model->starts_with("builtin:")) {
+    table.fail(key, "names no built-in model; there are builtin:bear and builtin:teapot");
+  }
+  const std::filesystem::path path = beside(to.file, *model);
+  if (path.extension() == ".toml") table.fail(key, "must not be another .toml scene");
+  const bool noteUnit = !diagonal && !to.options.diagonalMm;
+  if (MeshSequence::isPattern(path)) {
+    if (!isOnly) table.fail(key, "stands for numbered meshes, which must be a scene's only model");
+    to.meshes.emplace(path, morphTo);
+  }
+  RawScene raw = to.meshes ? to.meshes->loadFirst(to.options.log) : loadModel(path, to.options.log);
+  if (morphTo) addMorph(raw, path, *morphTo, to.options.log);
+  raw = inMillimetres(std::move(raw), path, noteUnit, to.options.log, to.repairs);
+  if (to.meshes) to.meshes->followRepairs(raw);
+  source.file = path;
+  if (diagonal) scaleBy(raw, *diagonal / diagonalOf(boundsOf(raw)), to.file.string());
+  return raw;
+}
+
+/// The model that the root names, or those of [[models]], each where its table puts it.
+void loadModels(const TomlTable& root, Assembly& to) {
+  const std::vector<TomlTable> tables = root.tables("models");
+  if (tables.empty()) {
+    to.scene = loadModelOf(root, "model", true, to);
+    to.modelDiagonalsMm.push_back(diagonalOf(boundsOf(to.scene)));
+    return setMedium(root, to.scene, to);
+  }
+  for (const std::string_view key : {"model", "diagonal_mm", "morph_to"}) {
+    if (root.has(key)) root.fail(key, "cannot stand beside [[models]], each of which has its own");
+  }
+  if (to.options.morphTo && tables.size() > 1) {
+    throw UsageError("--morph-to is for a scene of one model; in [[models]] each has its morph_to");
+  }
+  for (const TomlTable& table : tables) {
+    table.requireKeys(keys::model);
+    RawScene model = loadModelOf(table, "file", tables.size() == 1, to);
+    to.modelDiagonalsMm.push_back(diagonalOf(boundsOf(model)));
+    setMedium(root, model, to);
+    setMedium(table, model, to);
+    ModelSource& source = to.source.models.back();
+    source.placement = readPlacement(table);
+    if (source.placement) place(model, *source.placement, table);
+    join(to.scene, std::move(model));
+  }
+  if (tables.size() > 1) to.builtInDistanceDiagonals.reset();
+}
+
+void readObjects(const TomlTable& root, Assembly& to) {
   const auto objects = root.table("objects");
   if (!objects) return;
   std::vector<std::string_view> names;
@@ -328,7 +360,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   Assembly assembly{file, options};
   assembly.source.sceneFile = file;
   readMedia(root, assembly);
-  loadModelOf(root, assembly);
+  loadModels(root, assembly);
   readObjects(root, assembly);
   readDeformers(root, assembly);
   const Bounds bounds = boundsOf(assembly.scene);
@@ -338,7 +370,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   readCamera(root, assembly);
   if (options.diagonalMm) {
     const double factor = double{*options.diagonalMm} / diagonalOf(boundsOf(assembly.scene));
-    rescale(assembly.source, factor, assembly.modelDiagonalMm);
+    rescale(assembly.source, factor, assembly.modelDiagonalsMm);
   }
   loaded.source = withAbsolutePaths(std::move(assembly.source));
   loaded.scene = finished(std::move(assembly.scene), file, std::move(assembly.repairs), options);

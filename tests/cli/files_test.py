@@ -108,6 +108,23 @@ class Inputs(ProgramTest):
         self.refused(2, "compare", "a.png", "b.png", "--heatmap", "b.png", says=("--heatmap b.png", "is read"))
 
 
+class SeveralScenes(ProgramTest):
+    def test_they_are_one_scene(self):
+        self.write("a.obj", CUBE_OBJ)
+        self.write("b.obj", CUBE_OBJ)
+        facts = self.succeed("info", "a.obj", "b.obj", "--diagonal-mm", 30, "--json").json()
+        self.assertEqual(facts["components"], 2)
+        self.assertEqual(len(facts["objects"]), 2)
+        size = [b - a for a, b in zip(facts["bounds_min_mm"], facts["bounds_max_mm"])]
+        self.assertAlmostEqual(sum(x * x for x in size), 900, delta=1e-2)
+        self.write("c.toml", "[[models]]\nfile = 'a.obj'\n[[models]]\nfile = 'b.obj'\ntranslation_mm = [80, 0, 0]\n")
+        facts = self.succeed("info", "c.toml", "--json").json()
+        self.assertAlmostEqual(facts["bounds_max_mm"][0], 80 + 50 / 3 ** .5, delta=1e-3)
+        self.refused(2, "info", "a.obj", "c.toml", says=("c.toml", "[[models]]"))
+        self.refused(2, "info", "a.obj", "b.obj", "--morph-to", "a.obj", says="--morph-to")
+        self.refused(2, "compare", "a.png", "b.png", "c.png", says="one too many")
+
+
 class Stamps(ProgramTest):
     FILM = ("--frames", "0:2", "--fps", 4)
     WOBBLE = ("--deform", "wobble:0.1")

@@ -195,7 +195,7 @@ TEST_F(SceneWriter, ALinkedFolderIsFollowedAndALinkedModelIsNot) {
 
 TEST_F(SceneWriter, WhatHasOnlyTheRootInCommonStaysAbsolute) {
   scene::LoadedScene loaded = random(1);
-  loaded.source.model = "/elsewhere/far/model.ply";
+  loaded.source.models[0].file = "/elsewhere/far/model.ply";
   EXPECT_THAT(written(loaded), HasSubstr("model = \"/elsewhere/far/model.ply\""));
 }
 
@@ -227,6 +227,7 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
     for (const std::string_view key : keys) wanted.insert(place + std::string(key));
   };
   want("", scene::keys::root);
+  want("models.", scene::keys::model);
   want("media.", scene::keys::medium);
   want("objects.", scene::keys::object);
   want("deform.", scene::keys::deform);
@@ -236,16 +237,21 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   want("environment.", scene::keys::environment);
   want("camera.", scene::keys::camera);
   want("render.", scene::keys::render);
-  for (const char* otherwise : {"media.measured", "camera.direction"}) wanted.erase(otherwise);
+  for (const char* otherwise : {"media.measured", "camera.direction", "models.medium"})
+    wanted.erase(otherwise);
 
   std::set<std::string> found;
   scene::LoadedScene loaded = random(2);
-  loaded.source.diagonalMm = 5;
-  loaded.source.morphTo = model();
+  loaded.source.models[0].diagonalMm = 5;
+  loaded.source.models[0].morphTo = model();
   loaded.source.placements[names[0]].rows = {{1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
   loaded.source.placements[names[1]] = {{}, {1, 2, 3}, {4, 5, 6}, 7};
   collect(toml::parse(written(loaded)), "", found);
   for (Object& object : loaded.scene.objects) object.medium = loaded.scene.objects[1].medium;
+  collect(toml::parse(written(loaded)), "", found);
+  scene::ModelSource& model = loaded.source.models.front();
+  model.placement = loaded.source.placements[names[0]];
+  loaded.source.models.push_back({model.file, {}, {}, loaded.source.placements[names[1]]});
   collect(toml::parse(written(loaded)), "", found);
   EXPECT_EQ(found, wanted);
 }
@@ -261,6 +267,7 @@ TEST(SceneKeys, AreAllInTheDocument) {
     }
   };
   expectAll(scene::keys::root);
+  expectAll(scene::keys::model);
   expectAll(scene::keys::medium);
   expectAll(scene::keys::object);
   expectAll(scene::keys::deform);
@@ -376,7 +383,7 @@ TEST_F(SceneWriter, RefusesWhatNoSceneCanSay) {
   bad.scene.deformers = {{DeformerKind::Bend, 7, 0}};
   EXPECT_THAT(complaint(bad), HasSubstr("bend"));
   bad = good;
-  bad.source.model = folder / "caf\xE9.obj";
+  bad.source.models[0].file = folder / "caf\xE9.obj";
   EXPECT_THAT(complaint(bad), HasSubstr("UTF-8"));
   EXPECT_THROW(scene::writeScene(folder / "a.ply", scene::describe(good.scene, good.source, {})),
                UsageError);
