@@ -112,7 +112,9 @@ void addLighting(Digest& digest, const Lighting& lighting) {
 }
 
 void addScene(Digest& digest, const Scene& scene) {
-  const auto& [name, objects, lighting, camera, nodes, clips, deformers, repairs] = scene;
+  // What the camera sees counts, and not who chose it.
+  const auto& [name, objects, lighting, camera, cameraChosen, nodes, clips, deformers, repairs,
+               notShown] = scene;
   addEach(digest, objects, [&](const Object& object) { addObject(digest, object); });
   addLighting(digest, lighting);
   const auto& [positionMm, targetMm, up, verticalFovDegrees] = camera;
