@@ -5,7 +5,8 @@ import unittest
 from driver import BACKGROUND, CORNERS, WindowTest
 from program import CUBE_OBJ
 
-PLAIN = (*CORNERS, "--no-specular")
+# With a camera that is placed: the window sees all of the row, and a still of one file what it shows.
+PLAIN = (*CORNERS, "--no-specular", "--camera-target", "0,0,0")
 
 
 def stretched(by):
