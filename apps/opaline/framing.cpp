@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <thread>
 #include <utility>
 
@@ -24,6 +25,9 @@ using scene::operator+;
 
 /// Of the picture's half width and height, that stays free around what had to be stepped back for.
 constexpr double freeMargin = 0.03;
+
+/// Of a longer film some are looked at: what moves between them stays in the margin.
+constexpr std::int64_t mostMoments = 1024;
 
 /// Calls use(position) for all vertices of the scene as it is at that time.
 template <typename Use>
@@ -94,7 +98,12 @@ double aspectOf(const RenderOptions& options) {
 
 std::vector<Moment> momentsOf(const FrameRange& frames, const MeshSequence* sequence) {
   std::vector<Moment> moments;
-  for (int frame = frames.first; frame <= frames.last; frame += frames.step) {
+  const auto count = static_cast<std::int64_t>(frames.count());
+  const std::int64_t looks = std::min(count, mostMoments);
+  for (std::int64_t i = 0; i < looks; ++i) {
+    // The first, the last, and those between as evenly as they come.
+    const std::int64_t place = looks > 1 ? i * (count - 1) / (looks - 1) : 0;
+    const int frame = static_cast<int>(frames.first + place * frames.step);
     moments.push_back({frames.seconds(frame), {}});
     if (sequence != nullptr) moments.back().number = numberOfFrame(*sequence, frame);
   }

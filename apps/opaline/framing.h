@@ -26,7 +26,8 @@ struct Framed {
 
 double aspectOf(const RenderOptions& options);
 
-/// All frames, and one still. Throw UsageError beyond the last of a sequence's files.
+/// All frames, or 1024 of more, and one still. Throw UsageError beyond the last of a sequence's
+/// files.
 std::vector<Moment> momentsOf(const FrameRange& frames, const MeshSequence* sequence);
 std::vector<Moment> momentOf(double seconds, const MeshSequence* sequence);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "bssrdf/profile.h"
 
@@ -17,7 +18,7 @@ constexpr double sizeInFreePaths = 0.65;
 // ones light that enters lies too near the surface for them.
 constexpr double clusterInFreePaths = 4;
 
-// Clusters up to that much larger than their shape asks for look the same.
+// Clusters up to that much larger than wanted look the same.
 constexpr double notableCoarseness = 1.5;
 
 double longestMeanFreePathMm(const Medium& medium) {
@@ -36,16 +37,18 @@ double shortestMeanFreePathMm(const Medium& medium) {
   return shortest;
 }
 
-DivisionOrder divisionFor(const Scene& scene, std::size_t maxSurfels,
-                          std::optional<int> maxClusters) {
+DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHasInside,
+                          std::size_t maxSurfels, std::optional<int> maxClusters) {
   DivisionOrder order{.maxSurfels = maxSurfels};
   for (const Object& object : scene.objects)
     order.spacingOfObjectMm.push_back(sizeInFreePaths * shortestMeanFreePathMm(object.medium));
   if (!maxClusters) return order;
   order.maxClusters = static_cast<std::size_t>(*maxClusters);
-  for (const Object& object : scene.objects)
-    order.largestClusterOfObjectMm.push_back(clusterInFreePaths *
-                                             longestMeanFreePathMm(object.medium));
+  // Without an inside nothing is solved: what such an object sends to others has only its shape.
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    order.largestClusterOfObjectMm.push_back(
+        objectHasInside[i] ? clusterInFreePaths * longestMeanFreePathMm(scene.objects[i].medium)
+                           : std::numeric_limits<double>::infinity());
   return order;
 }
 
@@ -74,9 +77,8 @@ void noteCoarseness(const Division& division, bool asked, const LogCallback& log
             asked ? "raise --max-sources for more accuracy" : "this device has no room for more"));
   if (division.clusters && division.clusters->coarseness > notableCoarseness)
     log(LogLevel::Note,
-        fmt::format("the budget of {} boundary surfels leaves them {:.1f} times as large as the "
-                    "shape asks for, so thin parts are rough; raise --boundary-surfels for more "
-                    "accuracy",
+        fmt::format("the budget of {} boundary surfels leaves them {:.1f} times as large as shape "
+                    "and medium ask for; raise --boundary-surfels for more accuracy",
                     division.order.maxClusters, division.clusters->coarseness));
 }
 

@@ -23,9 +23,9 @@ struct DivisionOrder {
   bool operator==(const DivisionOrder&) const = default;
 };
 
-/// Clusters where `maxClusters` says so.
-DivisionOrder divisionFor(const Scene& scene, std::size_t maxSurfels,
-                          std::optional<int> maxClusters);
+/// Clusters where `maxClusters` says so; only then is it asked which objects have an inside.
+DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHasInside,
+                          std::size_t maxSurfels, std::optional<int> maxClusters);
 
 /// A surface in surfels and, where they were ordered, clusters of them; on the host.
 struct Division {

@@ -231,8 +231,8 @@ void takeMedia(const Scene& scene, SceneResources& resources) {
 
 DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
                        const SceneResources& resources) {
-  return divisionFor(scene, budgetOf(device, *resources.needs.maxSurfels),
-                     resources.needs.maxClusters);
+  return divisionFor(scene, resources.objectHasInside,
+                     budgetOf(device, *resources.needs.maxSurfels), resources.needs.maxClusters);
 }
 
 void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources) {

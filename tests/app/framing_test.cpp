@@ -73,6 +73,16 @@ INSTANTIATE_TEST_SUITE_P(Shared, ModelsInTheFrame,
                                          "gltf/RiggedFigure.glb", "gltf/AnimatedMorphCube.glb",
                                          "teapot.ply"));
 
+// A camera is fitted in a time that does not grow with a film without an end.
+TEST(Moments, OfAnEndlessFilmSomeAreLookedAt) {
+  const std::vector<Moment> moments = momentsOf({0, 999'999, 30}, nullptr);
+  EXPECT_LE(moments.size(), 1024U);
+  EXPECT_DOUBLE_EQ(moments.front().seconds, 0);
+  EXPECT_DOUBLE_EQ(moments.back().seconds, 999'999 / 30.0);
+  EXPECT_EQ(momentsOf({3, 13, 30, 5}, nullptr).size(), 3U);
+  EXPECT_DOUBLE_EQ(momentsOf({3, 13, 30, 5}, nullptr)[1].seconds, 8 / 30.0);
+}
+
 TEST(Frame, OfACameraThatWasChosenStays) {
   Scene scene = builtInTeapot();
   scene.camera.positionMm[2] = 20;

@@ -72,8 +72,7 @@ class Refusals(ProgramTest):
         self.refused(2, "reference", "--integral", "--transport", "boundary",
                      says=("--transport boundary", "better-dipole"))
 
-    def test_one_scene_and_no_argument_too_many(self):
-        self.refused(2, "render", "a.ply", "b.ply", says="b.ply")
+    def test_no_argument_too_many(self):
         self.refused(2, "media", "marble", says="media takes no argument marble")
 
     def test_an_option_without_its_value_or_twice(self):

@@ -58,14 +58,18 @@ TEST_F(BoundarySolverTest, ResidualIsAsSmallAsAsked) {
 }
 
 // A plate a hundredth as thick as wide asks for thousands.
-TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
-  std::vector<std::string> notes;
-  RendererOptions rendererOptions = sharedRenderer().options();
-  rendererOptions.log = [&](LogLevel level, std::string_view message) {
+RendererOptions collectingNotesOnClusters(std::vector<std::string>& notes) {
+  RendererOptions options = sharedRenderer().options();
+  options.log = [&](LogLevel level, std::string_view message) {
     if (level == LogLevel::Note && message.find("boundary surfels") != std::string_view::npos)
       notes.emplace_back(message);
   };
-  Renderer fresh(rendererOptions);
+  return options;
+}
+
+TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
+  std::vector<std::string> notes;
+  Renderer fresh(collectingNotesOnClusters(notes));
   fresh.setScene(sceneOf(box({0, 0, 0}, {10, 10, 0.1F}, 4), marble(), {0, 10, 40}, 15));
   for (const int budget : {64, 100'000}) {
     RenderOptions options = boundaryOptions(16);
@@ -74,6 +78,23 @@ TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
     EXPECT_GT(fresh.render(options, {Aov::Exitance}).report.boundarySurfels, 0U);
     EXPECT_EQ(notes.size(), budget == 64 ? 1U : 0U);
   }
+}
+
+// Nothing is solved on it, so that a body beside it keeps as many as it has alone.
+TEST_F(BoundarySolverTest, AnOpenFloorTakesNoUnknownsFromABody) {
+  std::vector<std::string> notes;
+  Renderer fresh(collectingNotesOnClusters(notes));
+  const Mesh body = box({0, 0, 0}, {5, 5, 5}, 4);
+  const auto unknowns = [&](const Scene& scene) {
+    fresh.setScene(scene);
+    return fresh.render(boundaryOptions(16), {Aov::Exitance}).report.boundarySurfels;
+  };
+  Scene scene = sceneOf(body, marble(), {0, 10, 40}, 15);
+  const auto alone = unknowns(scene);
+  scene.objects.push_back(scene.objects.front());
+  scene.objects.back().mesh = sheet({0, -5, 0}, {0, 0, 250}, {250, 0, 0}, 4);
+  EXPECT_GT(unknowns(scene), alone);
+  EXPECT_TRUE(notes.empty()) << notes.front();
 }
 
 TEST_F(BoundarySolverTest, ErrorFallsWithTheTolerance) {

@@ -125,7 +125,8 @@ SurfelRange rangeOf(const surfels::Tree& tree, std::uint32_t node) {
 Division divisionOf(const Scene& scene, const RenderOptions& options) {
   const bool boundary = options.transport == Transport::Boundary;
   return divide(scene::mergedMesh(scene),
-                divisionFor(scene, static_cast<std::size_t>(options.maxSources),
+                divisionFor(scene, std::vector<bool>(scene.objects.size(), true),
+                            static_cast<std::size_t>(options.maxSources),
                             boundary ? std::optional(options.boundarySurfels) : std::nullopt));
 }
 
