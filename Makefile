@@ -13,7 +13,7 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build test check bench bench-gpu figures accuracy format asan package dependencies
+.PHONY: help demo build test check bench bench-gpu figures accuracy contact-sheet format asan package dependencies
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -23,6 +23,7 @@ help:
 	@echo 'make bench-gpu all figures of docs/performance.md on a GPU, into build/; DEVICE=name chooses it'
 	@echo 'make figures   the pictures of docs/, from the models; PICTURES=name.jpg chooses, PICTURES=--all makes the long ones too'
 	@echo 'make accuracy  the table and heat maps of docs/accuracy.md, from the models: half an hour on two cores'
+	@echo 'make contact-sheet  every model and ten awkward bodies, of every medium and three sizes, to look at: hours'
 	@echo 'make format    clang-format everything'
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
 	@echo 'make package   a tar.gz of the program that runs on other x86-64 Linux machines'
@@ -76,6 +77,9 @@ $(TRUTHS): | build
 
 accuracy: build
 	$(PYTHON) tools/accuracy.py --program $(OPALINE)
+
+contact-sheet: build
+	$(PYTHON) tools/contact_sheet.py --program $(OPALINE)
 
 format:
 	$(PYTHON) tools/check_format.py --fix
