@@ -11,6 +11,8 @@
 
 #include "bssrdf/media.h"
 #include "renderer/boundary_fixture.h"
+#include "renderer/division.h"
+#include "scene/merged_mesh.h"
 
 namespace opaline {
 namespace {
@@ -58,18 +60,14 @@ TEST_F(BoundarySolverTest, ResidualIsAsSmallAsAsked) {
 }
 
 // A plate a hundredth as thick as wide asks for thousands.
-RendererOptions collectingNotesOnClusters(std::vector<std::string>& notes) {
-  RendererOptions options = sharedRenderer().options();
-  options.log = [&](LogLevel level, std::string_view message) {
+TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
+  std::vector<std::string> notes;
+  RendererOptions rendererOptions = sharedRenderer().options();
+  rendererOptions.log = [&](LogLevel level, std::string_view message) {
     if (level == LogLevel::Note && message.find("boundary surfels") != std::string_view::npos)
       notes.emplace_back(message);
   };
-  return options;
-}
-
-TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
-  std::vector<std::string> notes;
-  Renderer fresh(collectingNotesOnClusters(notes));
+  Renderer fresh(rendererOptions);
   fresh.setScene(sceneOf(box({0, 0, 0}, {10, 10, 0.1F}, 4), marble(), {0, 10, 40}, 15));
   for (const int budget : {64, 100'000}) {
     RenderOptions options = boundaryOptions(16);
@@ -81,20 +79,20 @@ TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
 }
 
 // Nothing is solved on it, so that a body beside it keeps as many as it has alone.
-TEST_F(BoundarySolverTest, AnOpenFloorTakesNoUnknownsFromABody) {
-  std::vector<std::string> notes;
-  Renderer fresh(collectingNotesOnClusters(notes));
-  const Mesh body = box({0, 0, 0}, {5, 5, 5}, 4);
-  const auto unknowns = [&](const Scene& scene) {
-    fresh.setScene(scene);
-    return fresh.render(boundaryOptions(16), {Aov::Exitance}).report.boundarySurfels;
+TEST(Division, AnOpenFloorTakesNoClustersFromABody) {
+  Scene scene = sceneOf(box({0, 0, 0}, {5, 5, 5}, 4), marble(), {0, 10, 40}, 15);
+  const auto clusters = [&](const std::vector<bool>& hasInside) {
+    return *divide(scene::mergedMesh(scene), divisionFor(scene, hasInside, 1'000'000, 9000))
+                .clusters;
   };
-  Scene scene = sceneOf(body, marble(), {0, 10, 40}, 15);
-  const auto alone = unknowns(scene);
+  const auto alone = clusters({true});
   scene.objects.push_back(scene.objects.front());
-  scene.objects.back().mesh = sheet({0, -5, 0}, {0, 0, 250}, {250, 0, 0}, 4);
-  EXPECT_GT(unknowns(scene), alone);
-  EXPECT_TRUE(notes.empty()) << notes.front();
+  scene.objects.back().mesh = sheet({0, -5, 0}, {0, 0, 70}, {70, 0, 0}, 4);
+  const auto beside = clusters({true, false});
+  EXPECT_EQ(beside.firstOfObject[1], alone.firstOfObject[1]);
+  EXPECT_EQ(beside.coarseness, 1);
+  // As fine as its medium asks for, it would.
+  EXPECT_GT(clusters({true, true}).coarseness, 1);
 }
 
 TEST_F(BoundarySolverTest, ErrorFallsWithTheTolerance) {

@@ -71,7 +71,9 @@ bool TruthView::takePicture(std::shared_ptr<const TruthPicture> latest) {
 std::string TruthView::legend() const {
   if (!latest_) return "no truth has come yet";
   std::string text =
-      fmt::format("truth after {:.1f} s, within {:.2g} %", latest_->seconds, 100 * latest_->error);
+      fmt::format("truth after {:.1f} s, within {} %", latest_->seconds,
+                  latest_->error < 0.1 ? fmt::format("{:.2g}", 100 * latest_->error)
+                                       : fmt::format("{:.0f}", 100 * latest_->error));
   if (blocks_) {
     text += fmt::format("; the picture's blocks of {0} x {0} are off by {1:.2f} %", blockEdge,
                         100 * blocks_->relRmse);
