@@ -36,20 +36,23 @@ struct Object {
 /// Light from infinitely far away.
 struct DirectionalLight {
   Vec3 directionToLight{0, 0, 1};  ///< unit
-  Rgb irradiance{1, 1, 1};         ///< on a surface that faces the light
+  Rgb irradiance{1, 1, 1};         ///< on a surface that faces the light, in [0, 1e9]
 };
 
 /// Light from one point; irradiance on a facing surface is intensity / distance² (distance in mm).
 struct PointLight {
   Vec3 positionMm{};
-  Rgb intensity{1, 1, 1};
+  Rgb intensity{1, 1, 1};  ///< in [0, 1e15]
 };
 
 /// Everything that shines.
 struct Lighting {
+  static constexpr std::size_t maxLights = 16;
+  static constexpr std::size_t maxShadowMaps = 48;  ///< 1 a directional light, 6 a point light
+
   std::vector<DirectionalLight> directional;
   std::vector<PointLight> points;
-  Rgb ambient{};  ///< radiance, the same from everywhere
+  Rgb ambient{};  ///< radiance, the same from everywhere, in [0, 1e9]
   /// Radiance, latitude-longitude, top row is +y, centre column looks to -z, u grows towards +x;
   /// none: no environment. Shared by copies and never changed: another picture is another object.
   std::shared_ptr<const Image> environment;
@@ -62,6 +65,12 @@ struct Camera {
   Vec3 up{0, 1, 0};
   float verticalFovDegrees = 30;  ///< in [1, 170]
 };
+
+/// Why the lights, or the camera, cannot be rendered, as a sentence; empty where they can.
+std::string complaintAbout(const DirectionalLight& light);
+std::string complaintAbout(const PointLight& light);
+std::string complaintAbout(const Lighting& lighting);
+std::string complaintAbout(const Camera& camera);
 
 /// What a loader mended, and how often.
 struct Repair {

@@ -1,0 +1,93 @@
+#include "options/field.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace opaline::options {
+
+namespace {
+
+template <typename... Kinds>
+struct Overloaded : Kinds... {
+  using Kinds::operator()...;
+};
+template <typename... Kinds>
+Overloaded(Kinds...) -> Overloaded<Kinds...>;
+
+std::string listed(const std::vector<int>& counts) {
+  std::string text;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (i > 0) text += i + 1 < counts.size() ? ", " : " or ";
+    text += fmt::format("{}", counts[i]);
+  }
+  return text;
+}
+
+template <typename Numbers>
+bool allIn(const Numbers& numbers, const Range& range) {
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [&](auto number) { return range.holds(static_cast<double>(number)); });
+}
+
+}  // namespace
+
+bool Allowed::holds(const Value& value) const {
+  return std::visit(
+      Overloaded{[](bool) { return true; },
+                 [&](int number) {
+                   return range.holds(number) &&
+                          (counts.empty() ||
+                           std::find(counts.begin(), counts.end(), number) != counts.end());
+                 },
+                 // A limit that float rounds is the limit.
+                 [&](float number) {
+                   return range.holds(static_cast<double>(number)) ||
+                          (number == static_cast<float>(range.least) && !range.aboveLeast) ||
+                          number == static_cast<float>(range.most);
+                 },
+                 [&](double number) { return range.holds(number); },
+                 [&](const std::string& text) {
+                   return std::find(choices.begin(), choices.end(), text) != choices.end();
+                 },
+                 [&](const auto& several) { return allIn(several, range); }},
+      value);
+}
+
+std::string requirement(const Allowed& allowed, const Value& like) {
+  const std::string range = describe(allowed.range);
+  return std::visit(
+      Overloaded{
+          [](bool) -> std::string { return "must be true or false"; },
+          [&](int) {
+            return allowed.counts.empty() ? fmt::format("must be a whole number {}", range)
+                                          : fmt::format("must be {}", listed(allowed.counts));
+          },
+          [&](const std::string&) {
+            return fmt::format("must be one of {}", fmt::join(allowed.choices, ", "));
+          },
+          [&](const Size&) { return fmt::format("must be WIDTHxHEIGHT, each {}", range); },
+          [&](const auto& number) {
+            if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(number)>>)
+              return fmt::format("must be {}", range);
+            else
+              return fmt::format("must be three numbers or one for all three, each {}", range);
+          }},
+      like);
+}
+
+std::string textOf(const Value& value) {
+  return std::visit(
+      Overloaded{[](const Size& size) { return fmt::format("{}x{}", size[0], size[1]); },
+                 [](const auto& other) {
+                   using Kind = std::remove_cvref_t<decltype(other)>;
+                   if constexpr (std::is_arithmetic_v<Kind> || std::is_same_v<Kind, std::string>)
+                     return fmt::format("{}", other);
+                   else
+                     return fmt::format("{}", fmt::join(other, ","));
+                 }},
+      value);
+}
+
+}  // namespace opaline::options

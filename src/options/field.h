@@ -1,0 +1,190 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "opaline/types.h"
+#include "options/range.h"
+
+namespace opaline::options {
+
+/// Width and height, pixels.
+using Size = std::array<int, 2>;
+
+/// What an option may be set to. A text is the name of a choice.
+using Value = std::variant<bool, int, float, double, std::string, Size, Rgb, std::array<double, 3>>;
+
+/// What values an option takes.
+struct Allowed {
+  Range range{0, 0};                          ///< of a number, and of each of several
+  std::vector<std::string_view> choices = {};  ///< of a text
+  std::vector<int> counts = {};                ///< of a whole number; empty: all in the range
+
+  bool holds(const Value& value) const;
+};
+
+/// What a value that is not allowed should have been, after a subject: "must be from 0 to 8".
+std::string requirement(const Allowed& allowed, const Value& like);
+
+/// As people write it: "0.01", "1,1,0.5", "1024x768".
+std::string textOf(const Value& value);
+
+/// One option of an Owner: all that the command line, scene files, the window and the checks need to
+/// know of it.
+template <typename Owner>
+struct Field {
+  std::string_view key;      ///< in scene files; on the command line with dashes
+  std::string_view formerKey;  ///< an older name that is still understood, or empty
+  std::string_view help;     ///< one line, without what is allowed and the default
+  Allowed allowed;
+  std::optional<Value> (*get)(const Owner&);  ///< nothing where the option has no value
+  void (*set)(Owner&, const Value&);          ///< of the type that get() returns
+  Value like;                                 ///< a value of that type
+
+  std::optional<Value> standard() const { return get(Owner{}); }
+};
+
+/// All options of an Owner, in the order in which they are shown.
+template <typename Owner>
+const std::vector<Field<Owner>>& fieldsOf();
+
+template <typename Owner>
+const Field<Owner>* findField(std::string_view key) {
+  for (const Field<Owner>& field : fieldsOf<Owner>())
+    if (field.key == key || (!field.formerKey.empty() && field.formerKey == key)) return &field;
+  return nullptr;
+}
+
+/// The first option whose value is not allowed, as a sentence; empty where all are.
+template <typename Owner>
+std::string complaintAboutFields(const Owner& owner) {
+  for (const Field<Owner>& field : fieldsOf<Owner>()) {
+    const std::optional<Value> value = field.get(owner);
+    if (value && !field.allowed.holds(*value))
+      return std::string(field.key) + " " + textOf(*value) + ": " +
+             requirement(field.allowed, *value);
+  }
+  return {};
+}
+
+/// What somebody chose among an Owner's options; the others stay as they are.
+template <typename Owner>
+class Chosen {
+ public:
+  void set(const Field<Owner>& field, Value value) {
+    values_.insert_or_assign(field.key, std::move(value));
+  }
+  void erase(std::string_view key) { values_.erase(key); }
+  bool has(std::string_view key) const { return values_.contains(key); }
+  const Value* find(std::string_view key) const {
+    const auto found = values_.find(key);
+    return found == values_.end() ? nullptr : &found->second;
+  }
+  bool empty() const { return values_.empty(); }
+
+  void applyTo(Owner& owner) const {
+    for (const Field<Owner>& field : fieldsOf<Owner>())
+      if (const Value* value = find(field.key)) field.set(owner, *value);
+  }
+
+  bool operator==(const Chosen&) const = default;
+
+ private:
+  std::map<std::string_view, Value> values_;  // keys are the fields' own
+};
+
+/// Everything that an Owner's options are set to.
+template <typename Owner>
+Chosen<Owner> chosenIn(const Owner& owner) {
+  Chosen<Owner> chosen;
+  for (const Field<Owner>& field : fieldsOf<Owner>())
+    if (std::optional<Value> value = field.get(owner)) chosen.set(field, *std::move(value));
+  return chosen;
+}
+
+/// The names of an enumeration's values, in their order.
+template <typename Enumeration>
+const std::vector<std::string_view>& namesOf();
+
+template <typename Enumeration>
+std::string nameOf(Enumeration value) {
+  return std::string(namesOf<Enumeration>().at(static_cast<std::size_t>(value)));
+}
+
+/// Of a name that is one of its enumeration's.
+template <typename Enumeration>
+Enumeration named(std::string_view name) {
+  const std::vector<std::string_view>& names = namesOf<Enumeration>();
+  std::size_t index = 0;
+  while (index + 1 < names.size() && names[index] != name) ++index;
+  return static_cast<Enumeration>(index);
+}
+
+/// A member of an Owner, or of a member of it.
+template <auto first, auto... rest, typename Owner>
+auto& memberOf(Owner& owner) {
+  if constexpr (sizeof...(rest) == 0)
+    return owner.*first;
+  else
+    return memberOf<rest...>(owner.*first);
+}
+
+template <typename T>
+struct IsOptional : std::false_type {};
+template <typename T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+
+template <typename T>
+std::optional<Value> valueOf(const T& member) {
+  if constexpr (IsOptional<T>::value)
+    return member ? valueOf(*member) : std::nullopt;
+  else if constexpr (std::is_enum_v<T>)
+    return nameOf(member);
+  else
+    return member;
+}
+
+template <typename T>
+void assign(const Value& value, T& member) {
+  if constexpr (IsOptional<T>::value)
+    assign(value, member.emplace());
+  else if constexpr (std::is_enum_v<T>)
+    member = named<T>(std::get<std::string>(value));
+  else
+    member = std::get<T>(value);
+}
+
+template <typename T>
+Value valueLike() {
+  if constexpr (IsOptional<T>::value)
+    return valueLike<typename T::value_type>();
+  else if constexpr (std::is_enum_v<T>)
+    return std::string();
+  else
+    return T{};
+}
+
+/// The option that is the member at the end of `path`.
+template <typename Owner, auto... path>
+Field<Owner> field(std::string_view key, Allowed allowed, std::string_view help,
+                   std::string_view formerKey = {}) {
+  using Member = std::remove_cvref_t<decltype(memberOf<path...>(std::declval<Owner&>()))>;
+  if constexpr (std::is_enum_v<Member>) allowed.choices = namesOf<Member>();
+  return {key,
+          formerKey,
+          help,
+          std::move(allowed),
+          [](const Owner& owner) { return valueOf(memberOf<path...>(owner)); },
+          [](Owner& owner, const Value& value) { assign(value, memberOf<path...>(owner)); },
+          valueLike<Member>()};
+}
+
+}  // namespace opaline::options

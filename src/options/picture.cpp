@@ -1,0 +1,108 @@
+#include "options/picture.h"
+
+namespace opaline::options {
+
+template <>
+const std::vector<std::string_view>& namesOf<Transport>() {
+  static const std::vector<std::string_view> names{"dipole", "better-dipole", "boundary"};
+  return names;
+}
+
+template <>
+const std::vector<std::string_view>& namesOf<Sum>() {
+  static const std::vector<std::string_view> names{"pattern", "tree", "all"};
+  return names;
+}
+
+template <>
+const std::vector<std::string_view>& namesOf<Site>() {
+  static const std::vector<std::string_view> names{"auto", "vertex", "fragment"};
+  return names;
+}
+
+template <>
+const std::vector<std::string_view>& namesOf<core::ToneCurve>() {
+  static const std::vector<std::string_view> names{"none", "neutral"};
+  return names;
+}
+
+namespace {
+
+template <auto... path>
+Field<PictureSettings> of(std::string_view key, Allowed allowed, std::string_view help,
+                          std::string_view formerKey = {}) {
+  return field<PictureSettings, &PictureSettings::render, path...>(key, std::move(allowed), help,
+                                                                   formerKey);
+}
+
+template <auto member>
+Field<PictureSettings> ofPattern(std::string_view key, Range range, std::string_view help) {
+  return of<&RenderOptions::pattern, member>(key, {range}, help);
+}
+
+template <auto member>
+Field<PictureSettings> ofTone(std::string_view key, Allowed allowed, std::string_view help) {
+  return field<PictureSettings, &PictureSettings::tone, member>(key, std::move(allowed), help);
+}
+
+Field<PictureSettings> size() {
+  return {"size",
+          "",
+          "pixels",
+          {.range = {1, 16384}},
+          [](const PictureSettings& settings) -> std::optional<Value> {
+            return Size{settings.render.width, settings.render.height};
+          },
+          [](PictureSettings& settings, const Value& value) {
+            const auto& [width, height] = std::get<Size>(value);
+            settings.render.width = width;
+            settings.render.height = height;
+          },
+          Size{}};
+}
+
+}  // namespace
+
+template <>
+const std::vector<Field<PictureSettings>>& fieldsOf() {
+  using Options = RenderOptions;
+  using Pattern = PatternOptions;
+  static const std::vector<Field<PictureSettings>> table{
+      size(),
+      of<&Options::transport>("transport", {}, "how light travels in the body"),
+      of<&Options::sum>("sum", {}, "over a tree of surfels, all of them, or the paper's pattern"),
+      of<&Options::site>("site", {}, "where light is summed"),
+      of<&Options::tolerance>("tolerance", {{1e-4, 1}}, "error of tree and solution, relative"),
+      of<&Options::maxSurfels>("max_surfels", {{1024, 1 << 22}}, "surfels at most", "max_sources"),
+      of<&Options::bounces>("bounces", {{0, 8}}, "of light that leaves and enters again"),
+      of<&Options::maxClusters>("max_clusters", {{64, 1 << 18}}, "unknowns of boundary transport",
+                                "boundary_surfels"),
+      ofPattern<&Pattern::nearRings>("near_rings", {0, 15}, "samples around the middle one"),
+      ofPattern<&Pattern::nearSpacing>("near_spacing", {1e-3, 100, "mean free paths"},
+                                       "between near samples"),
+      ofPattern<&Pattern::farDistance>("far_distance", {1e-3, 1000, "mean free paths"},
+                                       "of the far samples"),
+      of<&Options::dsmSize>("dsm_size", {{64, 4096}}, "edge of the source map, texels"),
+      of<&Options::shadowSize>("shadow_size", {{64, 8192}}, "edge of a shadow map, texels"),
+      of<&Options::specular>("specular", {}, "reflection on the surface"),
+      of<&Options::roughness>("roughness", {{0.05, 1}}, "of that reflection"),
+      of<&Options::antialias>("antialias", {.range = {1, 8}, .counts = {1, 2, 4, 8}},
+                              "samples a pixel"),
+      ofTone<&core::ToneOptions::exposureStops>("exposure", {{-32, 32, "stops"}}, "not EXR"),
+      ofTone<&core::ToneOptions::curve>("tone", {}, "curve, not EXR"),
+      ofTone<&core::ToneOptions::background>("background", {{0, 1}}, "linear, not EXR"),
+      of<&Options::seconds>("seconds", {{0, 1e6, "s"}}, "time of clip and deformers"),
+  };
+  return table;
+}
+
+std::string complaintAbout(const RenderOptions& options) {
+  if (std::string complaint = complaintAboutFields(PictureSettings{options, {}});
+      !complaint.empty())
+    return complaint;
+  if (options.transport == Transport::Boundary && options.sum == Sum::Pattern)
+    return "boundary transport works with surfels: the pattern needs another transport";
+  return {};
+}
+
+}  // namespace opaline::options

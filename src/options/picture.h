@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "core/tone.h"
+#include "opaline/renderer.h"
+#include "options/field.h"
+
+namespace opaline::options {
+
+/// What decides a picture beside the scene.
+struct PictureSettings {
+  RenderOptions render;
+  core::ToneOptions tone;
+};
+
+template <>
+const std::vector<Field<PictureSettings>>& fieldsOf();
+
+template <>
+const std::vector<std::string_view>& namesOf<Transport>();
+template <>
+const std::vector<std::string_view>& namesOf<Sum>();
+template <>
+const std::vector<std::string_view>& namesOf<Site>();
+template <>
+const std::vector<std::string_view>& namesOf<core::ToneCurve>();
+
+/// Why no picture can be made so, as a sentence; empty where one can.
+std::string complaintAbout(const RenderOptions& options);
+
+}  // namespace opaline::options

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+namespace opaline::options {
+
+/// What a number may be; the ends belong to it unless `aboveLeast`.
+struct Range {
+  double least;
+  double most;
+  const char* unit = "";    ///< written after the numbers: "mm", "degrees"
+  bool aboveLeast = false;  ///< `least` itself is not allowed
+
+  bool holds(double value) const;  ///< false for what is not finite
+};
+
+/// "from 0 to 8", "above 0 and at most 100 mean free paths".
+std::string describe(const Range& range);
+
+}  // namespace opaline::options

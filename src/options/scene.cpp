@@ -1,0 +1,117 @@
+#include "options/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace opaline {
+
+namespace options {
+
+namespace {
+
+constexpr Range scattering{1e-6, 1e6, "per mm"};
+constexpr Range absorption{0, 1e6, "per mm"};
+constexpr Range radiance{0, 1e9};
+// One metre is a thousand millimetres, and intensity goes with their square.
+constexpr Range intensity{0, 1e15};
+
+}  // namespace
+
+template <>
+const std::vector<Field<Medium>>& fieldsOf() {
+  static const std::vector<Field<Medium>> table{
+      field<Medium, &Medium::sigmaSPrimePerMm>("sigma_s_per_mm", {scattering},
+                                               "reduced scattering"),
+      field<Medium, &Medium::sigmaAPerMm>("sigma_a_per_mm", {absorption}, "absorption"),
+      field<Medium, &Medium::eta>("eta", {{1.01, 3}}, "index of refraction"),
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<Camera>>& fieldsOf() {
+  static const std::vector<Field<Camera>> table{
+      field<Camera, &Camera::verticalFovDegrees>("fov_degrees", {{1, 170, "degrees"}},
+                                                 "vertical field of view"),
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<DirectionalLight>>& fieldsOf() {
+  static const std::vector<Field<DirectionalLight>> table{
+      field<DirectionalLight, &DirectionalLight::irradiance>("irradiance", {radiance},
+                                                             "on a surface that faces it"),
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<PointLight>>& fieldsOf() {
+  static const std::vector<Field<PointLight>> table{
+      field<PointLight, &PointLight::intensity>("intensity", {intensity}, "irradiance at 1 mm"),
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<Lighting>>& fieldsOf() {
+  static const std::vector<Field<Lighting>> table{
+      field<Lighting, &Lighting::ambient>("ambient", {radiance}, "radiance from everywhere"),
+  };
+  return table;
+}
+
+}  // namespace options
+
+namespace {
+
+bool isFinite(const Vec3& v) {
+  return std::all_of(v.begin(), v.end(), [](float x) { return std::isfinite(x); });
+}
+
+}  // namespace
+
+std::string complaintAbout(const Medium& medium) {
+  return options::complaintAboutFields(medium);
+}
+
+std::string complaintAbout(const Camera& camera) {
+  if (!isFinite(camera.positionMm) || !isFinite(camera.targetMm) || !isFinite(camera.up))
+    return "position, target and up must be finite";
+  if (camera.positionMm == camera.targetMm) return "it looks at where it is";
+  return options::complaintAboutFields(camera);
+}
+
+std::string complaintAbout(const DirectionalLight& light) {
+  if (!isFinite(light.directionToLight) || light.directionToLight == Vec3{})
+    return "its direction must be finite and not zero";
+  return options::complaintAboutFields(light);
+}
+
+std::string complaintAbout(const PointLight& light) {
+  if (!isFinite(light.positionMm)) return "its position must be finite";
+  return options::complaintAboutFields(light);
+}
+
+std::string complaintAbout(const Lighting& lighting) {
+  const std::size_t directional = lighting.directional.size();
+  const std::size_t points = lighting.points.size();
+  if (directional + points > Lighting::maxLights ||
+      directional + 6 * points > Lighting::maxShadowMaps)
+    return fmt::format(
+        "there are {} directional and {} point lights, but there may be {} lights in all and {} "
+        "shadow maps, 1 for a directional and 6 for a point light",
+        directional, points, Lighting::maxLights, Lighting::maxShadowMaps);
+  for (const DirectionalLight& light : lighting.directional)
+    if (std::string complaint = complaintAbout(light); !complaint.empty())
+      return "a directional light: " + complaint;
+  for (const PointLight& light : lighting.points)
+    if (std::string complaint = complaintAbout(light); !complaint.empty())
+      return "a point light: " + complaint;
+  return options::complaintAboutFields(lighting);
+}
+
+}  // namespace opaline
