@@ -24,11 +24,11 @@
 #include "output.h"
 #include "paths.h"
 #include "scene/deformer_check.h"
-#include "scene/insides.h"
-#include "scene/merged_mesh.h"
+#include "scene/mesh/insides.h"
+#include "scene/mesh/merged_mesh.h"
 #include "scene/not_shown.h"
+#include "scene/repair/topology.h"
 #include "scene/scene_files.h"
-#include "scene/topology.h"
 #include "scene_options.h"
 
 namespace opaline::app {

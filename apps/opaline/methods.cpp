@@ -14,7 +14,7 @@
 #include "reference/path/path_run.h"
 #include "reference/picture.h"
 #include "reference_scene.h"
-#include "scene/insides.h"
+#include "scene/mesh/insides.h"
 #include "truth.h"
 
 namespace opaline::app {

@@ -6,7 +6,7 @@
 
 #include "deform/deformed_mesh.h"
 #include "opaline/error.h"
-#include "scene/normals.h"
+#include "scene/mesh/normals.h"
 
 namespace opaline::app {
 

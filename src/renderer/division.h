@@ -7,7 +7,7 @@
 #include "opaline/log.h"
 #include "opaline/medium.h"
 #include "opaline/scene.h"
-#include "scene/merged_mesh.h"
+#include "scene/mesh/merged_mesh.h"
 #include "surfels/clusters.h"
 #include "surfels/surfels.h"
 

@@ -9,7 +9,7 @@
 #include "renderer/scene_changes.h"
 #include "renderer/scene_motion.h"
 #include "renderer/validate.h"
-#include "scene/merged_mesh.h"
+#include "scene/mesh/merged_mesh.h"
 
 namespace opaline::gpu {
 class Device;

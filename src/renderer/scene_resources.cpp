@@ -16,7 +16,7 @@
 #include "passes/boundary/ray_pass.h"
 #include "passes/boundary/solver_pass.h"
 #include "passes/gather/surfel_pass.h"
-#include "scene/insides.h"
+#include "scene/mesh/insides.h"
 #include "shaders/shared/mesh.h"
 #include "shaders/shared/surfels.h"
 #include "surfels/surfels.h"

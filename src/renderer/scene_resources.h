@@ -9,7 +9,7 @@
 #include "opaline/scene.h"
 #include "passes/products.h"
 #include "renderer/division.h"
-#include "scene/merged_mesh.h"
+#include "scene/mesh/merged_mesh.h"
 
 namespace opaline::gpu {
 class Device;

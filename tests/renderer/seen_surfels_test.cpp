@@ -15,7 +15,7 @@
 #include "renderer/division.h"
 #include "renderer/renderer_fixture.h"
 #include "renderer/shapes.h"
-#include "scene/merged_mesh.h"
+#include "scene/mesh/merged_mesh.h"
 #include "surfels/tree.h"
 
 namespace opaline {

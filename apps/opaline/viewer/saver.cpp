@@ -7,7 +7,7 @@
 
 #include "paths.h"
 #include "picture_options.h"
-#include "scene/scene_writer.h"
+#include "scene/toml/writer.h"
 #include "sequence_frames.h"
 
 namespace opaline::app::viewer {
