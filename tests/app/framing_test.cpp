@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "renderer/camera_view.h"
+#include "renderer/frame/camera_view.h"
 #include "shared_files.h"
 
 namespace opaline::app {

@@ -11,7 +11,7 @@
 
 #include "bssrdf/media.h"
 #include "renderer/boundary_fixture.h"
-#include "renderer/division.h"
+#include "renderer/scene/division.h"
 #include "scene/mesh/merged_mesh.h"
 
 namespace opaline {
