@@ -9,7 +9,7 @@ import pathlib
 import subprocess
 import sys
 
-from repository import ROOT
+ROOT = pathlib.Path(__file__).resolve().parents[1]
 
 # The fastest first.
 TYPES = ("discrete", "integrated", "virtual")

@@ -8,8 +8,8 @@ import sys
 import tempfile
 import unittest
 
-TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
-sys.path.insert(0, str(TOOLS))
+BENCH = pathlib.Path(__file__).resolve().parents[2] / "bench"
+sys.path.insert(0, str(BENCH))
 
 import bench_gpu
 
@@ -54,7 +54,7 @@ class BenchGpu(unittest.TestCase):
             program.chmod(0o755)
         for name in models:
             (self.folder / name).write_text("")
-        return subprocess.run([sys.executable, TOOLS / "bench_gpu.py", self.folder, self.folder, *options],
+        return subprocess.run([sys.executable, BENCH / "bench_gpu.py", self.folder, self.folder, *options],
                               env={**os.environ, "OPALINE_MODELS": str(self.folder)}, capture_output=True, text=True,
                               check=False)
 
