@@ -26,7 +26,8 @@ class Layers(unittest.TestCase):
             ("src/passes/scatter/pattern.cpp", '"passes/scatter/pattern.h"'),
             ("src/passes/scatter/pattern.cpp", '"passes/products.h"'),
             ("src/renderer/renderer.cpp", '"passes/scatter/pattern.h"'),
-            ("apps/opaline/main.cpp", "<CLI/CLI.hpp>"),
+            ("apps/opaline/cli/main.cpp", "<CLI/CLI.hpp>"),
+            ("apps/opaline/film/render.cpp", '"cli/output.h"'),
             ("tests/core/file_test.cpp", '"core/file.h"'),
         ]:
             self.assertEqual(includes(path, header), [], (path, header))
@@ -52,6 +53,8 @@ class Layers(unittest.TestCase):
             ("src/renderer/renderer.cpp", "<imgui.h>"),
             ("src/renderer/renderer.cpp", "<Python.h>"),
             ("src/renderer/renderer.cpp", "<embree3/rtcore.h>"),
+            ("apps/opaline/cli/main.cpp", '"film/film.h"'),
+            ("apps/opaline/film/film.cpp", '"viewer/viewer.h"'),
             ("src/core/file.cpp", '"tests/helpers.h"'),
             ("reference/path.cpp", '"gpu/device.h"'),
             ("src/renderer/renderer.cpp", '"reference/path.h"'),
