@@ -38,7 +38,7 @@ build: dependencies
 demo: build
 	$(OPALINE) render --medium jade -o bear.png
 	$(OPALINE) render --medium gummy-red --deform wobble:0.05:2 --frames 0:119 --size 256x256 --antialias 2 \
-	  --boundary-surfels 2048 --background 0.02,0.02,0.03 -o bear.mp4
+	  --max-clusters 2048 --background 0.02,0.02,0.03 -o bear.mp4
 	$(OPALINE) render --aov dsm-irradiance -o bear-light.exr
 	@echo
 	@echo 'bear.png         the built-in bear, of jade, in the light that comes through it'

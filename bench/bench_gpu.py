@@ -82,7 +82,7 @@ def motion_lines(motion):
 
 def scaling_lines(scaling):
     lines = ["", f"## Scaling, {scaling['scene']}, {scaling['size'][0]} x {scaling['size'][1]}"]
-    for key, value, last in (("surfels", "max_sources", "scatter_growth_per_doubling"), ("sigma_tr", "divisor", None),
+    for key, value, last in (("surfels", "max_surfels", "scatter_growth_per_doubling"), ("sigma_tr", "divisor", None),
                              ("tolerance", "tolerance", "rel_rmse")):
         lines += ["", *table(
             (value, "surfels", "gather ms", "scatter ms", "frame ms", "scatter", "frame", "evaluations", last or ""),

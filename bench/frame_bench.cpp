@@ -76,7 +76,7 @@ struct Way {
   FrameTimes times;
   Site site = Site::Auto;  ///< that was chosen
   std::size_t sources = 0;
-  std::size_t boundarySurfels = 0;
+  std::size_t clusters = 0;
   std::vector<Solution> solutions;
 
   void render(double seconds) {
@@ -87,7 +87,7 @@ struct Way {
     times.add(report.frameMilliseconds, passes);
     site = report.site;
     sources = report.sources;
-    boundarySurfels = report.boundarySurfels;
+    clusters = report.clusters;
     solutions = report.solutions;
   }
 };
@@ -125,7 +125,7 @@ Json describe(Way& way, const Image& finest, const Yardsticks& yardsticks) {
   result["trees"] = way.times.frameMilliseconds() / yardsticks.treeMs;
   if (way.most.trees) result["trees_allowed"] = *way.most.trees;
   if (way.options.transport == Transport::Boundary) {
-    result["boundary_surfels"] = way.boundarySurfels;
+    result["clusters"] = way.clusters;
     for (const Solution& solution : way.solutions) result["steps"].push_back(solution.steps);
   }
 
@@ -224,7 +224,7 @@ void print(const Json& result) {
                verdict(row, "trees"));
     if (row.contains("steps"))
       fmt::print("  {:<24}{:>10} of {} unknowns\n", "solved in steps", row["steps"].dump(),
-                 row["boundary_surfels"].get<std::size_t>());
+                 row["clusters"].get<std::size_t>());
     if (row.contains("evaluations"))
       fmt::print("  {:<24}{:>10.1f} a {}\n", "evaluations", row["evaluations"].get<double>(),
                  row["site"] == "vertex" ? "vertex" : "pixel");

@@ -21,7 +21,8 @@ ALLOWED = {
     "src/core": PLAIN,
     "src/compare": (*PLAIN, "core"),
     "src/bssrdf": ("opaline/medium.h",),
-    "src/scene": ("opaline", "core", "bssrdf", "builtin"),
+    "src/options": ("opaline", "core/tone.h"),
+    "src/scene": ("opaline", "core", "options", "bssrdf", "builtin"),
     "src/environment": ("opaline", "core", "bssrdf"),
     "src/deform": ("opaline", "core", "scene"),
     "src/builtin": ("opaline", "core"),
@@ -33,15 +34,14 @@ ALLOWED = {
     "src/shaders/shared": (),  # GLSL reads these too
     "src/passes": ("opaline", "core", "atlas", "surfels", "soft_body", "bssrdf", "environment", "gpu", "shaders",
                    "passes/products.h"),
-    "src/renderer": ("opaline", "core", "bssrdf", "scene", "environment", "deform", "atlas", "surfels",
+    "src/renderer": ("opaline", "core", "options", "bssrdf", "scene", "environment", "deform", "atlas", "surfels",
                      "soft_body", "gpu", "passes", "shaders"),
     "reference": ("opaline", "core", "bssrdf", "environment"),
     "apps/opaline/cli": (*APP, "atlas"),
     "apps/opaline/film": (*APP, "apps/opaline/cli"),
     "apps/opaline/lab": (*APP, "apps/opaline/cli", "apps/opaline/film"),
     "apps/opaline/viewer": (*APP, "apps/opaline/cli", "apps/opaline/film", "apps/opaline/lab",
-                            "shaders/shaders.h",         # of its own shaders
-                            "shaders/shared/frame.h"),  # how many lights it may offer
+                            "shaders/shaders.h"),  # of its own shaders
     "bench": ("*",),
     "tools/figures": ("*",),
     "python": ("opaline",),

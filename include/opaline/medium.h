@@ -8,7 +8,7 @@ namespace opaline {
 /// A homogeneous, highly scattering medium behind a smooth dielectric boundary, per colour channel.
 struct Medium {
   std::string name;
-  std::array<double, 3> sigmaSPrimePerMm{};  ///< reduced scattering σ_s', mm⁻¹, in [1e-6, 1e6]
+  std::array<double, 3> sigmaSPrimePerMm{};  ///< reduced scattering σ_s', mm⁻¹, in (0, 1e6]
   std::array<double, 3> sigmaAPerMm{};       ///< absorption σ_a, mm⁻¹, in [0, 1e6]
   double eta = 1.3;                          ///< relative index of refraction, in [1.01, 3]
 };

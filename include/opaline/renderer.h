@@ -63,9 +63,9 @@ bool showsMap(Aov aov);
 /// Shape of the pattern of Gong et al. 2008, Figure 5. Lengths are in mean free paths 1/σ_t' of the
 /// channel with the shortest.
 struct PatternOptions {
-  int nearRings = 4;          ///< the near block has (2·nearRings+1)² samples; in [0, 15]
-  float nearSpacing = 2.0F;   ///< between near samples, mean free paths, in (0, 100]
-  float farDistance = 24.0F;  ///< of the eight far samples, mean free paths, in (0, 1000]
+  int nearRings = 4;          ///< the near block has (2·nearRings+1)² samples, in [0, 15]
+  float nearSpacing = 2.0F;   ///< between near samples, mean free paths, in [1e-3, 100]
+  float farDistance = 24.0F;  ///< of the eight far samples, mean free paths, in [1e-3, 1000]
 };
 
 /// Everything about a picture that is not the scene.
@@ -76,8 +76,9 @@ struct RenderOptions {
   Sum sum = Sum::Tree;
   Site site = Site::Auto;
   float tolerance = 0.01F;     ///< of Sum::Tree, of each node relative to exitance, in [1e-4, 1]
-  int maxSources = 262'144;    ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
-  int boundarySurfels = 8192;  ///< most unknowns of Transport::Boundary, in [64, 262144]
+  int maxSurfels = 262'144;    ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
+  int maxClusters = 8192;  ///< most unknowns of Transport::Boundary, in [64, 262144]
+  static constexpr int maxBounces = 8;
   int bounces = 2;  ///< of light that leaves and enters again, of Transport::Boundary, in [0, 8]
   PatternOptions pattern;
   int dsmSize = 512;        ///< edge of the diffusion source map, texels, in [64, 4096]
@@ -87,8 +88,8 @@ struct RenderOptions {
   int treeLevel = 64;   ///< of the nodes in Aov::Surfels: 0 for the objects' roots, leaves where
                         ///< these come first; in [0, 64]
   int antialias = 4;    ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
-  int frames = 1;       ///< how often render() renders the picture, for timing; ≥ 1
-  double seconds = 0;   ///< time of clip and deformers, ≥ 0
+  int frames = 1;  ///< how often render() renders the picture, for timing; in [1, 1000000]
+  double seconds = 0;   ///< time of clip and deformers, s, in [0, 1e6]
   int clip = 0;         ///< which of the scene's clips plays; -1: none, nodes as the file has them
   bool patient = true;  ///< wait until the surface is divided anew for media that changed; else
                         ///< go on with how it was while that is done by another thread
@@ -125,7 +126,7 @@ struct RenderReport {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   std::size_t sources = 0;          ///< surfels, or texels of the map that carry surface
-  std::size_t boundarySurfels = 0;  ///< unknowns of Transport::Boundary
+  std::size_t clusters = 0;         ///< unknowns of Transport::Boundary
   std::vector<Solution>
       solutions;                 ///< of Transport::Boundary in the last frame, one and one a bounce
   std::vector<PassTime> passes;  ///< in the order they ran

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <map>
 #include <optional>
 #include <span>
@@ -43,13 +44,12 @@ template <typename Owner>
 struct Field {
   std::string_view key;      ///< in scene files; on the command line with dashes
   std::string_view formerKey;  ///< an older name that is still understood, or empty
-  std::string_view help;     ///< one line, without what is allowed and the default
+  std::string_view help;       ///< a few words, without what is allowed and the default
+  std::string_view standard;   ///< the default in words where a value does not say it, or empty
   Allowed allowed;
   std::optional<Value> (*get)(const Owner&);  ///< nothing where the option has no value
   void (*set)(Owner&, const Value&);          ///< of the type that get() returns
   Value like;                                 ///< a value of that type
-
-  std::optional<Value> standard() const { return get(Owner{}); }
 };
 
 /// All options of an Owner, in the order in which they are shown.
@@ -61,6 +61,14 @@ const Field<Owner>* findField(std::string_view key) {
   for (const Field<Owner>& field : fieldsOf<Owner>())
     if (field.key == key || (!field.formerKey.empty() && field.formerKey == key)) return &field;
   return nullptr;
+}
+
+/// Of a key that is in the table.
+template <typename Owner>
+const Field<Owner>& fieldOf(std::string_view key) {
+  const Field<Owner>* const found = findField<Owner>(key);
+  assert(found != nullptr);
+  return *found;
 }
 
 /// The first option whose value is not allowed, as a sentence; empty where all are.
@@ -108,6 +116,13 @@ Chosen<Owner> chosenIn(const Owner& owner) {
   for (const Field<Owner>& field : fieldsOf<Owner>())
     if (std::optional<Value> value = field.get(owner)) chosen.set(field, *std::move(value));
   return chosen;
+}
+
+/// The field under an older name too.
+template <typename Owner>
+Field<Owner> formerly(std::string_view formerKey, Field<Owner> field) {
+  field.formerKey = formerKey;
+  return field;
 }
 
 /// The names of an enumeration's values, in their order.
@@ -175,12 +190,13 @@ Value valueLike() {
 /// The option that is the member at the end of `path`.
 template <typename Owner, auto... path>
 Field<Owner> field(std::string_view key, Allowed allowed, std::string_view help,
-                   std::string_view formerKey = {}) {
+                   std::string_view standard = {}) {
   using Member = std::remove_cvref_t<decltype(memberOf<path...>(std::declval<Owner&>()))>;
   if constexpr (std::is_enum_v<Member>) allowed.choices = namesOf<Member>();
   return {key,
-          formerKey,
+          {},
           help,
+          standard,
           std::move(allowed),
           [](const Owner& owner) { return valueOf(memberOf<path...>(owner)); },
           [](Owner& owner, const Value& value) { assign(value, memberOf<path...>(owner)); },

@@ -30,9 +30,9 @@ namespace {
 
 template <auto... path>
 Field<PictureSettings> of(std::string_view key, Allowed allowed, std::string_view help,
-                          std::string_view formerKey = {}) {
+                          std::string_view standard = {}) {
   return field<PictureSettings, &PictureSettings::render, path...>(key, std::move(allowed), help,
-                                                                   formerKey);
+                                                                   standard);
 }
 
 template <auto member>
@@ -41,14 +41,17 @@ Field<PictureSettings> ofPattern(std::string_view key, Range range, std::string_
 }
 
 template <auto member>
-Field<PictureSettings> ofTone(std::string_view key, Allowed allowed, std::string_view help) {
-  return field<PictureSettings, &PictureSettings::tone, member>(key, std::move(allowed), help);
+Field<PictureSettings> ofTone(std::string_view key, Allowed allowed, std::string_view help,
+                              std::string_view standard = {}) {
+  return field<PictureSettings, &PictureSettings::tone, member>(key, std::move(allowed), help,
+                                                                standard);
 }
 
 Field<PictureSettings> size() {
   return {"size",
-          "",
+          {},
           "pixels",
+          {},
           {.range = {1, 16384}},
           [](const PictureSettings& settings) -> std::optional<Value> {
             return Size{settings.render.width, settings.render.height};
@@ -69,37 +72,52 @@ const std::vector<Field<PictureSettings>>& fieldsOf() {
   using Pattern = PatternOptions;
   static const std::vector<Field<PictureSettings>> table{
       size(),
-      of<&Options::transport>("transport", {}, "how light travels in the body"),
-      of<&Options::sum>("sum", {}, "over a tree of surfels, all of them, or the paper's pattern"),
-      of<&Options::site>("site", {}, "where light is summed"),
-      of<&Options::tolerance>("tolerance", {{1e-4, 1}}, "error of tree and solution, relative"),
-      of<&Options::maxSurfels>("max_surfels", {{1024, 1 << 22}}, "surfels at most", "max_sources"),
-      of<&Options::bounces>("bounces", {{0, 8}}, "of light that leaves and enters again"),
-      of<&Options::maxClusters>("max_clusters", {{64, 1 << 18}}, "unknowns of boundary transport",
-                                "boundary_surfels"),
+      of<&Options::transport>("transport", {}, "light"),
+      of<&Options::sum>("sum", {}, "sources"),
+      of<&Options::site>("site", {}, "sums at"),
+      of<&Options::tolerance>("tolerance", {{1e-4, 1}}, "of tree and solution"),
+      of<&Options::bounces>("bounces", {{0, Options::maxBounces}},
+                            "of light that leaves and enters again"),
+      formerly("boundary_surfels", of<&Options::maxClusters>("max_clusters", {{64, 1 << 18}},
+                                                             "unknowns at most")),
+      formerly("max_sources", of<&Options::maxSurfels>("max_surfels", {{1024, 1 << 22}},
+                                                       "sources at most")),
       ofPattern<&Pattern::nearRings>("near_rings", {0, 15}, "samples around the middle one"),
       ofPattern<&Pattern::nearSpacing>("near_spacing", {1e-3, 100, "mean free paths"},
-                                       "between near samples"),
+                                       "between samples"),
       ofPattern<&Pattern::farDistance>("far_distance", {1e-3, 1000, "mean free paths"},
-                                       "of the far samples"),
+                                       "of far ones"),
       of<&Options::dsmSize>("dsm_size", {{64, 4096}}, "edge of the source map, texels"),
       of<&Options::shadowSize>("shadow_size", {{64, 8192}}, "edge of a shadow map, texels"),
       of<&Options::specular>("specular", {}, "reflection on the surface"),
       of<&Options::roughness>("roughness", {{0.05, 1}}, "of that reflection"),
       of<&Options::antialias>("antialias", {.range = {1, 8}, .counts = {1, 2, 4, 8}},
-                              "samples a pixel"),
-      ofTone<&core::ToneOptions::exposureStops>("exposure", {{-32, 32, "stops"}}, "not EXR"),
+                              "samples a pixel", "4; AOVs 1"),
+      ofTone<&core::ToneOptions::exposureStops>("exposure", {{-32, 32, "stops"}}, "not EXR",
+                                                "by the light"),
       ofTone<&core::ToneOptions::curve>("tone", {}, "curve, not EXR"),
-      ofTone<&core::ToneOptions::background>("background", {{0, 1}}, "linear, not EXR"),
+      ofTone<&core::ToneOptions::background>("background", {{0, 1}}, "linear, not EXR",
+                                             "transparent"),
       of<&Options::seconds>("seconds", {{0, 1e6, "s"}}, "time of clip and deformers"),
   };
   return table;
+}
+
+void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options) {
+  PictureSettings settings{options, {}};
+  chosen.applyTo(settings);
+  options = settings.render;
 }
 
 std::string complaintAbout(const RenderOptions& options) {
   if (std::string complaint = complaintAboutFields(PictureSettings{options, {}});
       !complaint.empty())
     return complaint;
+  if (options.treeLevel < 0 || options.treeLevel > 64)
+    return "the level of the tree must be a whole number from 0 to 64";
+  if (options.frames < 1 || options.frames > 1'000'000)
+    return "the number of frames must be a whole number from 1 to 1000000";
+  if (options.clip < -1) return "the clip must be a whole number of at least -1";
   if (options.transport == Transport::Boundary && options.sum == Sum::Pattern)
     return "boundary transport works with surfels: the pattern needs another transport";
   return {};

@@ -26,6 +26,9 @@ const std::vector<std::string_view>& namesOf<Site>();
 template <>
 const std::vector<std::string_view>& namesOf<core::ToneCurve>();
 
+/// As chosen, of what the library renders.
+void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options);
+
 /// Why no picture can be made so, as a sentence; empty where one can.
 std::string complaintAbout(const RenderOptions& options);
 

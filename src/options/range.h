@@ -14,6 +14,9 @@ struct Range {
   bool holds(double value) const;  ///< false for what is not finite
 };
 
+/// As short as it can be: "0.05", "4194304", "1e6".
+std::string numberText(double number);
+
 /// "from 0 to 8", "above 0 and at most 100 mean free paths".
 std::string describe(const Range& range);
 

@@ -11,8 +11,9 @@ namespace options {
 
 namespace {
 
-constexpr Range scattering{1e-6, 1e6, "per mm"};
+constexpr Range scattering{0, 1e6, "per mm", true};
 constexpr Range absorption{0, 1e6, "per mm"};
+constexpr double leastExtinctionPerMm = 1e-6;
 constexpr Range radiance{0, 1e9};
 // One metre is a thousand millimetres, and intensity goes with their square.
 constexpr Range intensity{0, 1e15};
@@ -23,9 +24,19 @@ template <>
 const std::vector<Field<Medium>>& fieldsOf() {
   static const std::vector<Field<Medium>> table{
       field<Medium, &Medium::sigmaSPrimePerMm>("sigma_s_per_mm", {scattering},
-                                               "reduced scattering"),
-      field<Medium, &Medium::sigmaAPerMm>("sigma_a_per_mm", {absorption}, "absorption"),
+                                               "reduced scattering", "medium's"),
+      field<Medium, &Medium::sigmaAPerMm>("sigma_a_per_mm", {absorption}, "absorption",
+                                               "medium's"),
       field<Medium, &Medium::eta>("eta", {{1.01, 3}}, "index of refraction"),
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<LoadOptions>>& fieldsOf() {
+  static const std::vector<Field<LoadOptions>> table{
+      field<LoadOptions, &LoadOptions::diagonalMm>("diagonal_mm", {{1e-6, 1e9, "mm"}},
+                                                   "of the bounding box"),
   };
   return table;
 }
@@ -59,7 +70,7 @@ const std::vector<Field<PointLight>>& fieldsOf() {
 template <>
 const std::vector<Field<Lighting>>& fieldsOf() {
   static const std::vector<Field<Lighting>> table{
-      field<Lighting, &Lighting::ambient>("ambient", {radiance}, "radiance from everywhere"),
+      field<Lighting, &Lighting::ambient>("radiance", {radiance}, "radiance from everywhere"),
   };
   return table;
 }
@@ -75,6 +86,11 @@ bool isFinite(const Vec3& v) {
 }  // namespace
 
 std::string complaintAbout(const Medium& medium) {
+  for (std::size_t c = 0; c < 3; ++c)
+    if (medium.sigmaSPrimePerMm[c] + medium.sigmaAPerMm[c] < options::leastExtinctionPerMm)
+      return fmt::format(
+          "sigma_s_per_mm plus sigma_a_per_mm must be at least {} per mm in every channel",
+          options::numberText(options::leastExtinctionPerMm));
   return options::complaintAboutFields(medium);
 }
 
@@ -111,7 +127,8 @@ std::string complaintAbout(const Lighting& lighting) {
   for (const PointLight& light : lighting.points)
     if (std::string complaint = complaintAbout(light); !complaint.empty())
       return "a point light: " + complaint;
-  return options::complaintAboutFields(lighting);
+  std::string complaint = options::complaintAboutFields(lighting);
+  return complaint.empty() ? complaint : "the ambient light: " + complaint;
 }
 
 }  // namespace opaline

@@ -166,7 +166,7 @@ class Renderer::Implementation {
             .vertices = scene.mesh.vertexCount,
             .sources = asked_.sum == Sum::Pattern ? prepared_.frame()->resources.sources.sourceCount
                                                   : scene.surfels.count,
-            .boundarySurfels = solved ? scene.clusters.count : 0,
+            .clusters = solved ? scene.clusters.count : 0,
             .solutions = solutions_,
             .passes = times.passes(),
             .frameMilliseconds = times.frameMilliseconds(),

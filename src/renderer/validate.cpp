@@ -4,22 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "opaline/error.h"
-#include "renderer/frame/light_views.h"
-#include "renderer/scene/scene_resources.h"
-#include "shaders/shared/frame.h"
+#include "options/picture.h"
 
 namespace opaline {
 
 namespace {
-
-template <typename T>
-void requireWithin(const char* name, T value, T low, T high) {
-  if (value >= low && value <= high) return;  // false for NaN
-  throw UsageError(fmt::format("{} is {}, but must be from {} to {}", name, value, low, high));
-}
 
 template <typename T>
 bool finite(const T& values) {
@@ -43,14 +34,6 @@ void validateMesh(const Object& object) {
                                 object.name, index, mesh.positionsMm.size()));
 }
 
-bool isDirection(const Vec3& v) {
-  return finite(v) && (v[0] != 0 || v[1] != 0 || v[2] != 0);
-}
-
-bool isPower(const Rgb& rgb) {
-  return finite(rgb) && std::all_of(rgb.begin(), rgb.end(), [](float v) { return v >= 0; });
-}
-
 }  // namespace
 
 void requireObject(std::size_t object, std::size_t count) {
@@ -59,28 +42,8 @@ void requireObject(std::size_t object, std::size_t count) {
 }
 
 void validate(const RenderOptions& options) {
-  if (options.transport == Transport::Boundary && options.sum == Sum::Pattern)
-    throw UsageError("boundary transport works with surfels; the pattern needs another transport");
-  requireWithin("the width", options.width, 1, 16384);
-  requireWithin("the height", options.height, 1, 16384);
-  requireWithin("the tolerance", options.tolerance, 1e-4F, 1.0F);
-  requireWithin("the number of sources", options.maxSources, 1024, 1 << 22);
-  requireWithin("the number of boundary surfels", options.boundarySurfels, 64, 1 << 18);
-  requireWithin("the number of bounces", options.bounces, 0, maxBounces);
-  requireWithin("the number of near rings", options.pattern.nearRings, 0, 15);
-  requireWithin("the near spacing", options.pattern.nearSpacing, 1e-3F, 100.0F);
-  requireWithin("the far distance", options.pattern.farDistance, 1e-3F, 1000.0F);
-  requireWithin("the size of the diffusion source map", options.dsmSize, 64, 4096);
-  requireWithin("the size of the shadow maps", options.shadowSize, 64, 8192);
-  requireWithin("the level of the tree", options.treeLevel, 0, 64);
-  requireWithin("the roughness", options.roughness, 0.05F, 1.0F);
-  requireWithin("the number of frames", options.frames, 1, 1'000'000);
-  requireWithin("the time in seconds", options.seconds, 0.0, 1e9);
-  requireWithin("the clip", options.clip, -1, std::numeric_limits<int>::max());
-  if (options.antialias != 1 && options.antialias != 2 && options.antialias != 4 &&
-      options.antialias != 8)
-    throw UsageError(fmt::format(
-        "the number of antialiasing samples is {}, but must be 1, 2, 4 or 8", options.antialias));
+  const std::string complaint = options::complaintAbout(options);
+  if (!complaint.empty()) throw UsageError(complaint);
 }
 
 void validate(const RenderOptions& options, const std::vector<Aov>& aovs) {
@@ -90,45 +53,17 @@ void validate(const RenderOptions& options, const std::vector<Aov>& aovs) {
 }
 
 void validate(const Medium& medium) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double s = medium.sigmaSPrimePerMm[c];
-    const double a = medium.sigmaAPerMm[c];
-    if (!(s > 0) || !(a >= 0) || !std::isfinite(s) || !std::isfinite(a))
-      throw Error(fmt::format(
-          "medium '{}' must have scattering above 0 and absorption of at least 0 per mm in every "
-          "channel, but has {} and {}",
-          medium.name, s, a));
-  }
-  if (!(medium.eta >= 1.01 && medium.eta <= 3))
-    throw Error(
-        fmt::format("the index of refraction of medium '{}' is {}, but must be from 1.01 to 3",
-                    medium.name, medium.eta));
+  const std::string complaint = complaintAbout(medium);
+  if (!complaint.empty()) throw Error(fmt::format("medium '{}': {}", medium.name, complaint));
 }
 
 void validate(const Lighting& lighting) {
-  if (lighting.directional.size() + lighting.points.size() > shared::maxLights ||
-      shadowViewCount(lighting) > shared::maxShadowViews)
-    throw Error(
-        fmt::format("the scene has {} directional and {} point lights, but there may be {} lights "
-                    "in all, and at "
-                    "most {} point lights",
-                    lighting.directional.size(), lighting.points.size(), shared::maxLights,
-                    shared::maxShadowViews / 6));
-  for (const DirectionalLight& light : lighting.directional)
-    if (!isDirection(light.directionToLight) || !isPower(light.irradiance))
-      throw Error(
-          "a directional light needs a direction other than 0,0,0 and an irradiance of at least 0");
-  for (const PointLight& light : lighting.points)
-    if (!finite(light.positionMm) || !isPower(light.intensity))
-      throw Error("a point light needs a finite position and an intensity of at least 0");
-  if (!isPower(lighting.ambient)) throw Error("ambient radiance must be finite and at least 0");
+  if (std::string complaint = complaintAbout(lighting); !complaint.empty()) throw Error(complaint);
 }
 
 void validate(const Camera& camera) {
-  if (!finite(camera.positionMm) || !finite(camera.targetMm) || !finite(camera.up) ||
-      camera.positionMm == camera.targetMm)
-    throw Error("the camera needs a finite position that differs from its target");
-  requireWithin("the field of view in degrees", camera.verticalFovDegrees, 1.0F, 170.0F);
+  const std::string complaint = complaintAbout(camera);
+  if (!complaint.empty()) throw Error("the camera: " + complaint);
 }
 
 void validate(const Scene& scene) {

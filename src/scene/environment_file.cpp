@@ -8,6 +8,21 @@
 #include "opaline/error.h"
 #include "scene/text.h"
 
+namespace opaline::options {
+
+template <>
+const std::vector<Field<scene::EnvironmentFile>>& fieldsOf() {
+  using File = scene::EnvironmentFile;
+  static const std::vector<Field<File>> table{
+      field<File, &File::intensity>("intensity", {{0, 1e6}}, "factor of its radiance"),
+      field<File, &File::rotationDegrees>("rotation_degrees", {{-1e6, 1e6, "degrees"}},
+                                          "about +y"),
+  };
+  return table;
+}
+
+}  // namespace opaline::options
+
 namespace opaline::scene {
 
 std::shared_ptr<const Image> readEnvironment(const EnvironmentFile& from) {

@@ -3,7 +3,15 @@
 #include <memory>
 
 #include "opaline/image.h"
+#include "options/field.h"
 #include "scene/scene_source.h"
+
+namespace opaline::options {
+
+template <>
+const std::vector<Field<scene::EnvironmentFile>>& fieldsOf();
+
+}  // namespace opaline::options
 
 namespace opaline::scene {
 

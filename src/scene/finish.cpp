@@ -7,6 +7,7 @@
 
 #include "bssrdf/media.h"
 #include "opaline/error.h"
+#include "options/scene.h"
 #include "scene/formats.h"
 #include "scene/matrix.h"
 #include "scene/repair/repair.h"
@@ -151,27 +152,9 @@ RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool not
   return raw;
 }
 
-std::string complaintAbout(const Medium& medium) {
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    const double scattering = medium.sigmaSPrimePerMm[channel];
-    const double absorption = medium.sigmaAPerMm[channel];
-    if (!std::isfinite(scattering) || scattering < 0) return "scattering must be at least 0 per mm";
-    if (!std::isfinite(absorption) || absorption < 0) return "absorption must be at least 0 per mm";
-    if (!(scattering + absorption > 0)) {
-      return "scattering and absorption must not both be 0 in a channel";
-    }
-    if (scattering + absorption > 1e9) return "scattering and absorption must be below 1e9 per mm";
-  }
-  if (!(medium.eta >= 1.01 && medium.eta <= 3)) {
-    return fmt::format("the index of refraction must be in [1.01, 3], not {}", medium.eta);
-  }
-  return {};
-}
-
 void requireSensible(const LoadOptions& options) {
-  if (options.diagonalMm && !(*options.diagonalMm > 0 && std::isfinite(*options.diagonalMm))) {
-    throw UsageError(
-        fmt::format("the diagonal must be a length above 0 mm, not {}", *options.diagonalMm));
+  if (const std::string complaint = options::complaintAboutFields(options); !complaint.empty()) {
+    throw UsageError(complaint);
   }
   if (options.medium) {
     const std::string complaint = complaintAbout(*options.medium);

@@ -28,7 +28,4 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
 /// Throws UsageError for options that make no sense.
 void requireSensible(const LoadOptions& options);
 
-/// What is wrong with a medium, empty if nothing.
-std::string complaintAbout(const Medium& medium);
-
 }  // namespace opaline::scene

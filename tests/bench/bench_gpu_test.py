@@ -25,7 +25,7 @@ MOTION = {"rows": [{"motion": "skin", "frame_ms": 2, "ratio": 1.0625, "allowed":
 SCALING_ROW = {"surfels": 9, "gather_ms": 1, "scatter_ms": 2, "nearby_ms": 0, "frame_ms": 3, "scatter_ratio": 1,
                "frame_ratio": 1, "evaluations": 111.5}
 SCALING = {"scene": "bear", "size": [1024, 1024],
-           "surfels": {"rows": [{"max_sources": 65536, "scatter_growth_per_doubling": None, **SCALING_ROW}]},
+           "surfels": {"rows": [{"max_surfels": 65536, "scatter_growth_per_doubling": None, **SCALING_ROW}]},
            "sigma_tr": {"rows": [{"divisor": 100, **SCALING_ROW}]},
            "tolerance": {"rows": [{"tolerance": .003, "rel_rmse": .00125, **SCALING_ROW}]}}
 TABLE1 = {"rows": [{"data": "Teapot", "ftf_fps": 1, "vtf_fps": 2, "tree_fps": 345.5}]}

@@ -141,7 +141,7 @@ class Scaling(ProgramTest):
         self.write("t.ply", tetrahedron(1))
         # Its edges of 10 mm are long beside the mean free path of 0.4 mm.
         return self.succeed("bench", "scaling", "t.ply", "--diagonal-mm", 20, "--sigma-s", "2.5,2.5,2.5", "--sigma-a",
-                            "0.02,0.01,0", "--size", 32, "--frames", 1, "--max-sources", 16384, *options)
+                            "0.02,0.01,0", "--size", 32, "--frames", 1, "--max-surfels", 16384, *options)
 
     def test_series(self):
         run = self.measure("--plot", "plot.svg", "--json")
@@ -158,10 +158,10 @@ class Scaling(ProgramTest):
                 self.assertAlmostEqual(row["scatter_ratio"], row["scatter_ms"] / rows[0]["scatter_ms"], places=9)
 
         # Every budget binds: bisection at least halves what it leaves of one.
-        self.assertEqual([row["max_sources"] for row in series["surfels"]], [1024, 4096, 16384])
+        self.assertEqual([row["max_surfels"] for row in series["surfels"]], [1024, 4096, 16384])
         for row in series["surfels"]:
-            self.assertLessEqual(row["surfels"], row["max_sources"])
-            self.assertGreater(row["surfels"], row["max_sources"] / 3)
+            self.assertLessEqual(row["surfels"], row["max_surfels"])
+            self.assertGreater(row["surfels"], row["max_surfels"] / 3)
 
         # The medium's scattering stays, and with it how finely it is divided.
         self.assertEqual([row["divisor"] for row in series["sigma_tr"]], [1, 10, 100])
@@ -193,8 +193,8 @@ class Scaling(ProgramTest):
     def test_refusals(self):
         self.refused(2, "bench", "scaling", "--models", "here", says="bench table1")
         self.refused(2, "bench", "scaling", "--truth", "a.exr", says="bench methods")
-        self.refused(2, "bench", "methods", "--max-sources", 20000, says="bench scaling")
-        self.refused(2, "bench", "scaling", "--max-sources", 16383, says="from 16384 to 4194304")
+        self.refused(2, "bench", "methods", "--max-surfels", 20000, says="bench scaling")
+        self.refused(2, "bench", "scaling", "--max-surfels", 16383, says="from 16384 to 4194304")
 
 
 if __name__ == "__main__":

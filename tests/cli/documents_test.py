@@ -119,7 +119,7 @@ def made_cheap(words):
         if words[2] == "methods" and "--truth" not in words:
             words = with_value(words, "--seconds", "0.2")
         if words[2] == "scaling":
-            words = with_value(words, "--max-sources", "16384")
+            words = with_value(words, "--max-surfels", "16384")
         if not scene or len(words) > 3 and words[3].startswith("-"):
             words = words[:3] + ["ball.ply"] + words[3:]
     return words

@@ -9,7 +9,7 @@ import unittest
 from images import note_of_exr, note_of_png, read_png
 from program import CUBE_OBJ, PROGRAM, ProgramTest
 
-QUICK = ("--size", "16x16", "--shadow-size", 64, "--transport", "dipole", "--max-sources", 1024)
+QUICK = ("--size", "16x16", "--shadow-size", 64, "--transport", "dipole", "--max-surfels", 1024)
 TEAPOT = ("render", "--builtin", "teapot", *QUICK)
 
 

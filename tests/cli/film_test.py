@@ -19,7 +19,7 @@ from images import read_exr, read_png
 from program import PROGRAM, ProgramTest
 
 # Films are of any transport; this one is quick.
-MODEL = ("--builtin", "teapot", "--shadow-size", 64, "--transport", "dipole", "--max-sources", 1024)
+MODEL = ("--builtin", "teapot", "--shadow-size", 64, "--transport", "dipole", "--max-surfels", 1024)
 MOTION = ("--deform", "wobble:0.1:0.7", "--deform", "twist:0.5:1.5")
 TEAPOT = (*MODEL, "--fov-degrees", 50, "--size", "24x16")
 MOVING = (*TEAPOT, *MOTION)
@@ -160,7 +160,7 @@ def dented(height):
 
 class Sequence(Film):
     HEIGHTS = (.34, .45, .6, .5)
-    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--fov-degrees", 50, "--transport", "dipole", "--max-sources", 1024)
+    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--fov-degrees", 50, "--transport", "dipole", "--max-surfels", 1024)
 
     def setUp(self):
         super().setUp()
@@ -240,7 +240,7 @@ def walker():
 
 
 class Clips(Film):
-    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--max-sources", 1024, "--diagonal-mm", 30, "--fov-degrees", 60,
+    OPTIONS = ("--size", "24x16", "--shadow-size", 64, "--max-surfels", 1024, "--diagonal-mm", 30, "--fov-degrees", 60,
                "--aov", "position", "-o", "a.exr")
 
     def setUp(self):

@@ -11,7 +11,7 @@ import unittest
 from images import read_exr, read_png
 from program import ProgramTest
 
-ENDLESS = ("render", "--builtin", "teapot", "--shadow-size", 64, "--transport", "dipole", "--max-sources", 1024, "--deform", "wobble:0.1", "--frames",
+ENDLESS = ("render", "--builtin", "teapot", "--shadow-size", 64, "--transport", "dipole", "--max-surfels", 1024, "--deform", "wobble:0.1", "--frames",
            "0:999999", "--quiet")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 

@@ -36,7 +36,7 @@ class Pictures(Reference):
         for variable, tolerance in (("position", 2e-3), ("normal", 2e-3), ("depth", 2e-3), ("object", 0)):
             options = ("--aov", variable, "--camera-direction", ".3,.2,1")
             truth = self.reference(*options)
-            found = self.exr("render", "--max-sources", 4096, *options)
+            found = self.exr("render", "--max-surfels", 4096, *options)
             self.assertGreater(len(truth.covered()), 20)
             for a, b in zip(truth.pixels(), found.pixels(), strict=True):
                 self.near(a, b, tolerance)
@@ -44,7 +44,7 @@ class Pictures(Reference):
     def test_lights_are_those_of_render(self):
         for light in (("--directional", "0,1,2:1,2,3"), ("--point", "3,0,20:500,300,100"), ("--ambient", "1,.5,0")):
             options = ("--aov", "irradiance", *light)
-            found = self.exr("render", "--max-sources", 4096, *options).centre()
+            found = self.exr("render", "--max-surfels", 4096, *options).centre()
             for a, b in zip(self.reference(*options).centre(), found, strict=True):
                 self.assertAlmostEqual(a, b, delta=4e-3 * b)  # render keeps irradiance as half floats
 

@@ -7,7 +7,7 @@ import unittest
 from images import read_exr, read_png
 from program import CUBE_OBJ, ProgramTest
 
-REPORT = {"device", "size", "transport", "sum", "site", "triangles", "vertices", "sources", "boundary_surfels",
+REPORT = {"device", "size", "transport", "sum", "site", "triangles", "vertices", "sources", "clusters",
           "solutions", "passes", "frame_ms", "peak_memory_mb", "outputs", "exposure_stops"}
 DIAGONAL = 30
 EDGE = DIAGONAL / math.sqrt(3)
@@ -17,7 +17,7 @@ ENTERING = .96
 BODY = ("cube.obj", "--diagonal-mm", DIAGONAL, "--medium", "marble", "--size", "64x48",
         "--shadow-size", 256, "--quiet")
 # With few sources; the pattern has others.
-CUBE = (*BODY, "--max-sources", 4096)
+CUBE = (*BODY, "--max-surfels", 4096)
 LOUD = tuple(part for part in CUBE if part != "--quiet")
 PATTERN = (*BODY, "--sum", "pattern", "--dsm-size", 128)
 
@@ -71,7 +71,7 @@ class Outputs(Render):
         self.assertEqual((report["transport"], report["sum"], report["site"]), ("dipole", "pattern", "fragment"))
         self.assertEqual((report["triangles"], report["outputs"]), (12, ["a.png"]))
         self.assertTrue(0 < report["sources"] <= 128 * 128)
-        self.assertEqual((report["boundary_surfels"], report["solutions"]), (0, []))
+        self.assertEqual((report["clusters"], report["solutions"]), (0, []))
         self.assertTrue(report["passes"])
         for entry in report["passes"]:
             self.assertTrue(entry["name"] and entry["ms"] >= 0, entry)
@@ -82,7 +82,7 @@ class Outputs(Render):
         for asked, bounces in (((), 2), (("--bounces", 0), 0), (("--transport", "boundary", "--bounces", 1), 1)):
             report = self.succeed("render", *CUBE, *asked, "--json", "-o", "a.png").json()
             self.assertEqual((report["transport"], report["sum"]), ("boundary", "tree"))
-            self.assertTrue(0 < report["boundary_surfels"] <= report["sources"])
+            self.assertTrue(0 < report["clusters"] <= report["sources"])
             # One of the light from outside, and one a bounce of it.
             self.assertEqual(len(report["solutions"]), 1 + bounces)
             for solution in report["solutions"]:
@@ -95,7 +95,7 @@ class Outputs(Render):
             self.assertGreater(report["solutions"][0]["steps"], 0)
 
     def test_the_unknowns_keep_to_their_budget(self):
-        found = [self.succeed("render", *CUBE, "--boundary-surfels", most, "--json").json()["boundary_surfels"]
+        found = [self.succeed("render", *CUBE, "--max-clusters", most, "--json").json()["clusters"]
                  for most in (100, 1000)]
         self.assertTrue(0 < found[0] <= 100 < found[1] <= 1000, found)
 
@@ -104,7 +104,7 @@ class Outputs(Render):
         self.assertEqual((report["transport"], report["sum"]), ("dipole", "pattern"))
         self.write("scene.toml", 'model = "cube.obj"\n[render]\nsum = "pattern"\nsize = [8, 8]\n')
         self.assertEqual(self.succeed("render", "scene.toml", "--json").json()["transport"], "dipole")
-        again = self.succeed("render", "scene.toml", "--sum", "tree", "--max-sources", 4096, "--json").json()
+        again = self.succeed("render", "scene.toml", "--sum", "tree", "--max-surfels", 4096, "--json").json()
         self.assertEqual((again["transport"], again["sum"]), ("boundary", "tree"))
         self.refused(2, "render", "scene.toml", "--transport", "boundary", says=("--transport boundary", "--sum tree"))
         self.write("scene.toml", 'model = "cube.obj"\n[render]\ntransport = "boundary"\n')
@@ -119,14 +119,14 @@ class Outputs(Render):
                     asked = {"transport": transport, "sum": total, "site": site}
                     options = [part for name, value in asked.items() for part in (f"--{name}", value)]
                     # All surfels with all take long where there are many.
-                    few = ("--dsm-size", 128) if total == "pattern" else ("--max-sources", 1024)
+                    few = ("--dsm-size", 128) if total == "pattern" else ("--max-surfels", 1024)
                     report = self.succeed("render", *BODY, *options, *few, "--json", "-o", "a.png").json()
                     self.assertEqual({name: report[name] for name in asked}, asked)
 
     def test_site_auto_looks_at_the_edges(self):
         # The cube's edges of 17 mm are longer than any mean free path of marble, the bear's are not
         # longer than one of 100 mm.
-        few = ("--max-sources", 1024)
+        few = ("--max-surfels", 1024)
         self.assertEqual(self.succeed("render", *BODY, *few, "--json").json()["site"], "fragment")
         bear = self.succeed("render", "--size", "16x16", *few, "--sigma-s", ".01,.01,.01",
                             "--sigma-a", "0,0,0", "--json").json()
@@ -147,7 +147,7 @@ class Outputs(Render):
         self.refused(2, "render", *CUBE, "--device", "99", says="99")
 
     def test_the_validation_layer_has_nothing_to_say(self):
-        for method in (CUBE, PATTERN, (*BODY, "--sum", "all", "--max-sources", 1024), (*CUBE, "--transport", "dipole")):
+        for method in (CUBE, PATTERN, (*BODY, "--sum", "all", "--max-surfels", 1024), (*CUBE, "--transport", "dipole")):
             run = self.succeed("render", *method, "--validation",
                                "--point", "0,0,20:1,1,1", "--directional", "1,1,1", "--ambient", "1,1,1")
             self.assertEqual(run.err, "")
@@ -175,7 +175,7 @@ class Geometry(Render):
         report = self.succeed("render", *CUBE, "--aov", "surfels:0", "--json", "-o", "root.exr").json()
         self.assertLessEqual(len(surfels), report["sources"] / 5)
         self.assertLess(max(surfels), report["sources"])
-        self.assertLess(max(pixel[1] for pixel in whole.covered()), report["boundary_surfels"])
+        self.assertLess(max(pixel[1] for pixel in whole.covered()), report["clusters"])
         root = read_exr((self.folder / "root.exr").read_bytes())
         self.assertEqual({pixel[2] for pixel in root.covered()}, {0})
         self.assertGreater(len({pixel[2] for pixel in self.exr("--aov", "surfels:2").covered()}), 2)
@@ -190,7 +190,7 @@ class Geometry(Render):
         self.assertAlmostEqual(narrow / wide / expected, 1, delta=.15)
 
     def test_the_whole_bear_is_in_the_picture(self):
-        self.succeed("render", "--aov", "depth", "--max-sources", 1024, "--size", "96x96", "-o", "bear.exr")
+        self.succeed("render", "--aov", "depth", "--max-surfels", 1024, "--size", "96x96", "-o", "bear.exr")
         picture = read_exr((self.folder / "bear.exr").read_bytes())
         edge = [*picture.rows[0], *picture.rows[-1], *(row[x] for row in picture.rows for x in (0, -1))]
         self.assertFalse(any(pixel[3] for pixel in edge))
@@ -198,7 +198,7 @@ class Geometry(Render):
 
     def test_a_direction_keeps_the_distance_of_the_scenes_camera(self):
         self.write("near.toml", 'model = "cube.obj"\ndiagonal_mm = 30\n[camera]\nposition_mm = [0, 0, 40]\n')
-        arguments = ("--aov", "depth", "--max-sources", 1024, "--size", "16x15")
+        arguments = ("--aov", "depth", "--max-surfels", 1024, "--size", "16x15")
         for turned in ((), ("--camera-direction", "0,0,-7"), ("--camera-direction", "3,0,0")):
             self.succeed("render", "near.toml", *arguments, *turned, "-o", "near.exr")
             centre = read_exr((self.folder / "near.exr").read_bytes()).centre()
@@ -206,7 +206,7 @@ class Geometry(Render):
 
     def border_and_depth(self, *arguments):
         """Whether anything touches the picture's border, and the depth in its middle, mm."""
-        self.succeed("render", *arguments, "--aov", "depth", "--transport", "dipole", "--max-sources", 1024, "-o", "d.exr")
+        self.succeed("render", *arguments, "--aov", "depth", "--transport", "dipole", "--max-surfels", 1024, "-o", "d.exr")
         return self.border_of("d.exr")
 
     def border_of(self, name):
@@ -244,7 +244,7 @@ class Geometry(Render):
     def test_a_film_has_one_frame_for_all_its_motion(self):
         self.write("cube.obj", CUBE_OBJ)
         cube = ("cube.obj", "--diagonal-mm", 50, "--size", "101x101", "--deform", "squash:-.9:1")
-        self.succeed("render", *cube, "--aov", "depth", "--transport", "dipole", "--max-sources", 1024,
+        self.succeed("render", *cube, "--aov", "depth", "--transport", "dipole", "--max-surfels", 1024,
                      "--frames", "0:2", "--fps", 4, "-o", "f%d.exr")
         rest, stretched, again = (self.border_of(f"f{n}.exr") for n in range(3))
         self.assertFalse(rest[0] or stretched[0] or again[0])
@@ -385,21 +385,21 @@ class SceneFiles(Render):
         report = self.succeed("render", "scene.toml", "--json", "--size", "20x10", "--site", "fragment").json()
         self.assertEqual((report["size"], report["transport"], report["site"]),
                          ([20, 10], "better-dipole", "fragment"))
-        self.write("scene.toml", 'model = "cube.obj"\n[render]\nsize = "36x24"\nmax_sources = 4096\n')
+        self.write("scene.toml", 'model = "cube.obj"\n[render]\nsize = "36x24"\nmax_surfels = 4096\n')
         self.assertEqual(self.succeed("render", "scene.toml", "--json").json()["size"], [36, 24])
         self.write("scene.toml", 'model = "cube.obj"\n[render]\nsize = [8, 8]\ntransport = "boundary"\nsum = "tree"\n'
-                   'bounces = 1\nboundary_surfels = 200\nmax_sources = 4096\n')
+                   'bounces = 1\nmax_clusters = 200\nmax_surfels = 4096\n')
         report = self.succeed("render", "scene.toml", "--json").json()
         self.assertEqual((report["transport"], report["sum"], len(report["solutions"])), ("boundary", "tree", 2))
-        self.assertLessEqual(report["boundary_surfels"], 200)
-        report = self.succeed("render", "scene.toml", "--bounces", 3, "--boundary-surfels", 64, "--json").json()
+        self.assertLessEqual(report["clusters"], 200)
+        report = self.succeed("render", "scene.toml", "--bounces", 3, "--max-clusters", 64, "--json").json()
         self.assertEqual(len(report["solutions"]), 4)
-        self.assertLessEqual(report["boundary_surfels"], 64)
+        self.assertLessEqual(report["clusters"], 64)
 
     def test_what_a_picture_depends_on_can_stand_in_the_file(self):
         said = ("--transport", "dipole", "--size", "24x16", "--diagonal-mm", 30)
         options = {"--background": ("1,0.5,0", "background = [1, 0.5, 0]"),
-                   "--max-sources": ("1024", "max_sources = 1024"),
+                   "--max-surfels": ("1024", "max_surfels = 1024"),
                    "--tolerance": ("1", "tolerance = 1")}
         self.succeed("render", "cube.obj", *said, "-o", "plain.png")
         for option, (value, key) in options.items():

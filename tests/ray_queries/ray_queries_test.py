@@ -35,7 +35,7 @@ class RayQueries(ProgramTest):
 
     def test_the_program_takes_them(self):
         """And finds the surfels that a picture shows, which wants boxes beside the acceleration structure."""
-        self.succeed("render", "--builtin", "bear", "--size", "48x48", "--max-sources", "2048", "--boundary-surfels", "200",
+        self.succeed("render", "--builtin", "bear", "--size", "48x48", "--max-surfels", "2048", "--max-clusters", "200",
                      "--aov", "surfels", "--validation", "--ray-queries", "on", "-o", "surfels.exr", env=HAS_QUERIES)
         seen = images.read_exr((self.folder / "surfels.exr").read_bytes()).covered()
         self.assertGreater(len(seen), 200)
@@ -44,7 +44,7 @@ class RayQueries(ProgramTest):
     def test_the_reflection_is_the_same_without(self):
         """A half-space's, whose frames send rays for nothing but what of the sky is mirrored."""
         for queries in ("on", "off"):
-            self.succeed("render", "--builtin", "teapot", "--size", "64x64", "--max-sources", "4096", "--transport",
+            self.succeed("render", "--builtin", "teapot", "--size", "64x64", "--max-surfels", "4096", "--transport",
                          "better-dipole", "--ambient", "1,1,1", "--roughness", "0.5", "--validation", "--ray-queries", queries,
                          "-o", f"{queries}.exr", env=HAS_QUERIES)
         figures = self.succeed("compare", "on.exr", "off.exr", "--json").json()

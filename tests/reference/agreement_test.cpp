@@ -37,7 +37,7 @@ class AgreementTest : public RendererTest {
     options.shadowSize = 2048;
     options.transport = transport;
     options.sum = sum;
-    options.maxSources = maxSources_;
+    options.maxSurfels = maxSources_;
     options.site = Site::Fragment;
     options.clip = -1;
     if (!std::exchange(isSet_, true)) renderer().setScene(scene_);
@@ -67,7 +67,7 @@ class AgreementTest : public RendererTest {
   }
 
   Scene scene_;
-  int maxSources_ = RenderOptions{}.maxSources;
+  int maxSources_ = RenderOptions{}.maxSurfels;
   bool isSet_ = false;
 };
 

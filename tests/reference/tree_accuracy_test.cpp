@@ -44,7 +44,7 @@ struct AccuracyCase {
   std::vector<SiteBounds> sites;
   std::vector<Deformer> deformers = {};
   double seconds = 0;
-  int maxSources = RenderOptions{}.maxSources;
+  int maxSurfels = RenderOptions{}.maxSurfels;
   int shadowSize = RenderOptions{}.shadowSize;
   bool thinParts = false;  ///< by themselves too
 };
@@ -98,7 +98,7 @@ class Comparison {
     options.transport = Transport::Dipole;
     options.site = site;
     options.seconds = accuracy_.seconds;
-    options.maxSources = accuracy_.maxSources;
+    options.maxSurfels = accuracy_.maxSurfels;
     options.shadowSize = accuracy_.shadowSize;
     return sharedRenderer().renderer->render(options, {Aov::Exitance}).images[0];
   }
@@ -207,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(
                                  .medium = "marble",
                                  .diagonalMm = 200,
                                  .sites = {{Site::Fragment, {0.02, 0.03}}},
-                                 .maxSources = 1'300'000,
+                                 .maxSurfels = 1'300'000,
                                  .shadowSize = 4096},
                     AccuracyCase{.name = "bunny_twisted",
                                  .model = bunny,

@@ -90,8 +90,8 @@ Scene moving() {
 RenderOptions tinyOptions() {
   RenderOptions options;
   options.width = options.height = 32;
-  options.maxSources = 2048;  // coarse: all passes of a frame have something to do
-  options.boundarySurfels = 256;
+  options.maxSurfels = 2048;  // coarse: all passes of a frame have something to do
+  options.maxClusters = 256;
   options.dsmSize = 128;
   options.shadowSize = 128;
   return options;

@@ -178,7 +178,7 @@ TEST_F(BoundaryEnergyTest, TheRimOfABowlHidesPartOfTheSky) {
     above += 2 * cosine * (1 - bssrdf::fresnelReflectance(dense.eta, cosine)) * (1 - least) / steps;
   }
   RenderOptions options = boundaryOptions(48);
-  options.maxSources = 65'536;  // they are no further apart than a mean free path
+  options.maxSurfels = 65'536;  // they are no further apart than a mean free path
   Scene ball = ballOf(10, dense);
   ball.lighting.ambient = {1, 1, 1};
   const std::array<double, 3> open =

@@ -19,7 +19,7 @@ inline RenderOptions boundaryOptions(int edge, int bounces = 0) {
   options.width = options.height = edge;
   options.transport = Transport::Boundary;
   options.bounces = bounces;
-  options.maxSources = 16'384;
+  options.maxSurfels = 16'384;
   return options;
 }
 

@@ -34,14 +34,14 @@ constexpr int sourcesOfBear = 1 << 16;
 
 RenderOptions coarseOptions() {
   RenderOptions options = boundaryOptions(64, 2);
-  options.maxSources = sourcesOfBear;
-  options.boundarySurfels = 2400;  // of 4500
+  options.maxSurfels = sourcesOfBear;
+  options.maxClusters = 2400;  // of 4500
   return options;
 }
 
 RenderOptions fineOptions() {
   RenderOptions options = boundaryOptions(64, 2);
-  options.maxSources = sourcesOfBear;
+  options.maxSurfels = sourcesOfBear;
   options.tolerance = 1e-3F;
   return options;
 }

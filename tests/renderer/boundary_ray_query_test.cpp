@@ -45,8 +45,8 @@ class BoundaryRayQueryTest : public RendererTest {
     withQueries_->setScene(scene);
     without_->setScene(scene);
     RenderOptions options = boundaryOptions(64, 1);
-    options.boundarySurfels = 1500;
-    options.maxSources = 6000;
+    options.maxClusters = 1500;
+    options.maxSurfels = 6000;
     for (const double seconds : times) {
       options.seconds = seconds;
       const RenderResult a = withQueries_->render(options, {Aov::Exitance});

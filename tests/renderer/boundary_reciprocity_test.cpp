@@ -48,7 +48,7 @@ std::array<double, 3> fluxTowards(const Mesh& mesh, const Vector& eye, const Vec
   RenderOptions options = boundaryOptions(96, bounces);
   options.specular = false;
   options.antialias = 4;
-  options.maxSources = 65'536;
+  options.maxSurfels = 65'536;
   const Image radiance = renderBoundary(scene, options, {Aov::Radiance}).images[0];
   std::array<double, 3> sum{};
   for (std::size_t i = 0; i < radiance.rgba.size(); ++i)

@@ -47,7 +47,7 @@ TEST_F(BoundarySolverTest, ResidualIsAsSmallAsAsked) {
       const RenderReport report = renderer().render(options, {Aov::Exitance}).report;
       ASSERT_EQ(report.solutions.size(), 3U);
       EXPECT_EQ(report.transport, Transport::Boundary);
-      EXPECT_GT(report.boundarySurfels, 500U);
+      EXPECT_GT(report.clusters, 500U);
       for (const Solution& solution : report.solutions) {
         EXPECT_LE(worstOf(solution), tolerance) << scene.name << " " << tolerance;
         EXPECT_LE(solution.steps, 8);
@@ -64,16 +64,16 @@ TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
   std::vector<std::string> notes;
   RendererOptions rendererOptions = sharedRenderer().options();
   rendererOptions.log = [&](LogLevel level, std::string_view message) {
-    if (level == LogLevel::Note && message.find("boundary surfels") != std::string_view::npos)
+    if (level == LogLevel::Note && message.find("clusters") != std::string_view::npos)
       notes.emplace_back(message);
   };
   Renderer fresh(rendererOptions);
   fresh.setScene(sceneOf(box({0, 0, 0}, {10, 10, 0.1F}, 4), marble(), {0, 10, 40}, 15));
   for (const int budget : {64, 100'000}) {
     RenderOptions options = boundaryOptions(16);
-    options.boundarySurfels = budget;
+    options.maxClusters = budget;
     notes.clear();
-    EXPECT_GT(fresh.render(options, {Aov::Exitance}).report.boundarySurfels, 0U);
+    EXPECT_GT(fresh.render(options, {Aov::Exitance}).report.clusters, 0U);
     EXPECT_EQ(notes.size(), budget == 64 ? 1U : 0U);
   }
 }
@@ -128,11 +128,11 @@ TEST_F(BoundarySolverTest, NoMoreUnknownsThanAllowed) {
   renderer().setScene(litBowl(marble()));
   RenderOptions options = boundaryOptions(40);
   const RenderResult usual = renderer().render(options, {Aov::Exitance});
-  options.boundarySurfels = 600;
+  options.maxClusters = 600;
   const RenderResult few = renderer().render(options, {Aov::Exitance});
-  EXPECT_LE(few.report.boundarySurfels, 600U);
-  EXPECT_GT(few.report.boundarySurfels, 200U);
-  EXPECT_GT(usual.report.boundarySurfels, 2 * few.report.boundarySurfels);
+  EXPECT_LE(few.report.clusters, 600U);
+  EXPECT_GT(few.report.clusters, 200U);
+  EXPECT_GT(usual.report.clusters, 2 * few.report.clusters);
   EXPECT_LT(errorsOf(few.images[0], usual.images[0]).rms, 0.1);
 }
 
@@ -144,12 +144,12 @@ TEST_F(BoundarySolverTest, ManyUnknownsInASmallBodySayWhatFewDo) {
   bear.lighting.ambient = {1, 1, 1};
   renderer().setScene(bear);
   RenderOptions options = boundaryOptions(32);
-  options.maxSources = 65'536;
+  options.maxSurfels = 65'536;
   const RenderResult many = renderer().render(options, {Aov::Exitance});
-  options.boundarySurfels = 1024;
+  options.maxClusters = 1024;
   const RenderResult few = renderer().render(options, {Aov::Exitance});
-  EXPECT_GT(many.report.boundarySurfels, 3000U);
-  EXPECT_LE(few.report.boundarySurfels, 1024U);
+  EXPECT_GT(many.report.clusters, 3000U);
+  EXPECT_LE(few.report.clusters, 1024U);
   EXPECT_LT(errorsOf(few.images[0], many.images[0]).rms, 0.04);
 }
 

@@ -160,9 +160,9 @@ Scene slabOf(const SlabCase& slab, float side) {
 }
 
 // Of the middle region, where the slab is as good as endless.
-std::array<double, 3> middleOf(const Scene& scene, double halfMm = 2.5, int maxSources = 32'768) {
+std::array<double, 3> middleOf(const Scene& scene, double halfMm = 2.5, int maxSurfels = 32'768) {
   RenderOptions options = boundaryOptions(24);
-  options.maxSources = maxSources;
+  options.maxSurfels = maxSurfels;
   const std::vector<Image> images =
       renderBoundary(scene, options, {Aov::Exitance, Aov::Position}).images;
   return meanWhere(images[0], images[1], [&](const Vector& at) {
@@ -213,7 +213,7 @@ struct HalfSpaceCase {
   std::array<Channel, 3> media;
   std::array<double, 3> normal;
   std::array<double, 3> diffuse;
-  int maxSources;  ///< under the light along the normal
+  int maxSurfels;  ///< under the light along the normal
 };
 
 // A slab six diffusion lengths thick: what gets through is below .001.
@@ -223,7 +223,7 @@ TEST_F(RendererTest, BoundaryOfALargeThickSlabIsThatOfAHalfSpace) {
                                              {marbleRed, marbleBlue, marbleBlue},
                                              {0.8048, 0.7305, 0.7305},
                                              {0.7656, 0.6971, 0.6971},
-                                             RenderOptions{}.maxSources},
+                                             RenderOptions{}.maxSurfels},
                                             {"skin1",
                                              1.3,
                                              {skinRed, skinRed, skinRed},
@@ -243,7 +243,7 @@ TEST_F(RendererTest, BoundaryOfALargeThickSlabIsThatOfAHalfSpace) {
     }
     Scene scene = sceneOf(box({0, 0, 0}, {20, 20, thicknessMm / 2}, 20), medium, {0, 0, 80}, 6);
     scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
-    const std::array<double, 3> normal = middleOf(scene, 5, half.maxSources);
+    const std::array<double, 3> normal = middleOf(scene, 5, half.maxSurfels);
     scene.lighting.directional.clear();
     constexpr auto unitFlux = std::numbers::inv_pi_v<float>;
     scene.lighting.ambient = {unitFlux, unitFlux, unitFlux};

@@ -114,7 +114,7 @@ RenderOptions optionsOf(const Method& method) {
   options.transport = method.transport;
   options.sum = method.sum;
   options.site = method.site;
-  options.boundarySurfels = 512;
+  options.maxClusters = 512;
   return options;
 }
 

@@ -27,11 +27,11 @@ Mesh square(float halfMm, int cells = 1) {
   return sheet({0, 0, 0}, {halfMm, 0, 0}, {0, halfMm, 0}, cells);
 }
 
-RenderOptions optionsAt(Site site, int maxSources) {
+RenderOptions optionsAt(Site site, int maxSurfels) {
   RenderOptions options = smallOptions();
   options.width = options.height = 32;
   options.site = site;
-  options.maxSources = maxSources;
+  options.maxSurfels = maxSurfels;
   return options;
 }
 
@@ -123,12 +123,12 @@ TEST_F(LargeSurfaceTest, ShadowsOnItAreThoseOfAFineGrid) {
   // The border lies where the sources have it, to half of their spacing; the deeper in the shadow,
   // the more that is of what comes from there.
   struct Bound {
-    int maxSources;
+    int maxSurfels;
     float ofBrightest;
     float deep;
   };
   for (const Bound& bound : {Bound{1024, 0.08F, 0.5F}, Bound{4096, 0.04F, 0.12F}}) {
-    options.maxSources = bound.maxSources;
+    options.maxSurfels = bound.maxSurfels;
     const std::vector<Image> coarse = render(options, {Aov::Exitance, Aov::Evaluations});
     int pixels = 0;
     forEachCovered(fine[0], [&](std::size_t i) {
@@ -137,9 +137,9 @@ TEST_F(LargeSurfaceTest, ShadowsOnItAreThoseOfAFineGrid) {
       for (std::size_t c = 0; c < 3; ++c) {
         const float exact = fine[0].rgba[i + c];
         const float off = std::abs(coarse[0].rgba[i + c] - exact);
-        ASSERT_LT(off, bound.ofBrightest * brightest) << bound.maxSources;
+        ASSERT_LT(off, bound.ofBrightest * brightest) << bound.maxSurfels;
         if (exact < 0.05F * brightest) {
-          ASSERT_LT(off, bound.deep * std::max(exact, 1e-3F * brightest)) << bound.maxSources;
+          ASSERT_LT(off, bound.deep * std::max(exact, 1e-3F * brightest)) << bound.maxSurfels;
         }
       }
     });

@@ -53,7 +53,7 @@ RenderOptions mirror() {
   RenderOptions options;
   options.width = options.height = 96;
   options.roughness = 0.05F;
-  options.maxSources = 4096;
+  options.maxSurfels = 4096;
   options.dsmSize = 128;
   return options;
 }

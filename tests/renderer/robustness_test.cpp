@@ -45,8 +45,8 @@ void expectLightIsSound(const std::string& what) {
     for (const Site site : {Site::Vertex, Site::Fragment}) {
       RenderOptions options = smallOptions();
       options.transport = transport;
-      options.boundarySurfels = 1000;
-      options.maxSources = 8192;
+      options.maxClusters = 1000;
+      options.maxSurfels = 8192;
       options.site = site;
       expectSound(sharedRenderer().renderer->render(options, {Aov::Radiance, Aov::Exitance}).images,
                   what + (transport == Transport::Dipole ? ", dipole" : ", boundary"));
@@ -88,11 +88,11 @@ TEST_F(RobustnessTest, OptionsOutOfRangeAreRefused) {
       changed([](RenderOptions& o) { o.tolerance = 0; }),
       changed([](RenderOptions& o) { o.tolerance = 1.1F; }),
       changed([](RenderOptions& o) { o.tolerance = nan; }),
-      changed([](RenderOptions& o) { o.maxSources = 1023; }),
-      changed([](RenderOptions& o) { o.maxSources = -1; }),
-      changed([](RenderOptions& o) { o.maxSources = (1 << 22) + 1; }),
-      changed([](RenderOptions& o) { o.boundarySurfels = 63; }),
-      changed([](RenderOptions& o) { o.boundarySurfels = (1 << 18) + 1; }),
+      changed([](RenderOptions& o) { o.maxSurfels = 1023; }),
+      changed([](RenderOptions& o) { o.maxSurfels = -1; }),
+      changed([](RenderOptions& o) { o.maxSurfels = (1 << 22) + 1; }),
+      changed([](RenderOptions& o) { o.maxClusters = 63; }),
+      changed([](RenderOptions& o) { o.maxClusters = (1 << 18) + 1; }),
       changed([](RenderOptions& o) { o.bounces = -1; }),
       changed([](RenderOptions& o) { o.bounces = 9; }),
       changed([](RenderOptions& o) {
@@ -342,8 +342,8 @@ TEST_F(RobustnessTest, SharedModelsAreBorne) {
     renderer().setScene(scene);
     RenderOptions options = smallOptions();
     options.transport = Transport::Boundary;
-    options.boundarySurfels = 2000;
-    options.maxSources = 20'000;
+    options.maxClusters = 2000;
+    options.maxSurfels = 20'000;
     expectSound(render(options, {Aov::Radiance, Aov::Exitance}), file.filename().string());
   }
 }

@@ -30,8 +30,8 @@ RenderOptions optionsOf(Transport transport, Sum sum = Sum::Tree) {
   options.width = options.height = 48;
   options.transport = transport;
   options.sum = sum;
-  options.maxSources = 4096;
-  options.boundarySurfels = 256;
+  options.maxSurfels = 4096;
+  options.maxClusters = 256;
   options.bounces = 0;
   return options;
 }
@@ -126,8 +126,8 @@ Division divisionOf(const Scene& scene, const RenderOptions& options) {
   const bool boundary = options.transport == Transport::Boundary;
   return divide(scene::mergedMesh(scene),
                 divisionFor(scene, std::vector<bool>(scene.objects.size(), true),
-                            static_cast<std::size_t>(options.maxSources),
-                            boundary ? std::optional(options.boundarySurfels) : std::nullopt));
+                            static_cast<std::size_t>(options.maxSurfels),
+                            boundary ? std::optional(options.maxClusters) : std::nullopt));
 }
 
 // `images`: Surfels, Position, Object.
@@ -177,7 +177,7 @@ TEST_F(SeenSurfelsTest, SurfelsOfManyTrianglesToo) {
   Scene scene = ballAndBox();
   scene.objects[0].mesh = sphere({0, 0, 0}, 4, 4);
   RenderOptions options = optionsOf(Transport::Dipole);
-  options.maxSources = 1024;
+  options.maxSurfels = 1024;
   const Division division = divisionOf(scene, options);
   ASSERT_GT(division.surfels.piecesPerSurfel, 1U);
   expectTrue(render(scene, options, asked), division, Pieces(division, scene::mergedMesh(scene)));

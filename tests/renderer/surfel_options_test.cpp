@@ -21,11 +21,11 @@ using namespace test;
 
 using SurfelOptionsTest = RendererTest;
 
-RenderOptions optionsOf(int maxSources, Sum sum = Sum::Tree) {
+RenderOptions optionsOf(int maxSurfels, Sum sum = Sum::Tree) {
   RenderOptions options = smallOptions();
   options.width = options.height = 32;
   options.dsmSize = 128;
-  options.maxSources = maxSources;
+  options.maxSurfels = maxSurfels;
   options.sum = sum;
   return options;
 }
@@ -90,9 +90,9 @@ TEST_F(SurfelOptionsTest, TheDefaultBudgetServesLargeBodies) {
 // Sums, budgets, transports and tolerances in any order: each picture is the one it was at first.
 TEST_F(SurfelOptionsTest, ChangeFromFrameToFrame) {
   std::vector<RenderOptions> all;
-  for (const int maxSources : {262'144, 1024})
+  for (const int maxSurfels : {262'144, 1024})
     for (const Sum sum : {Sum::Tree, Sum::All, Sum::Pattern})
-      all.push_back(optionsOf(maxSources, sum));
+      all.push_back(optionsOf(maxSurfels, sum));
   all.push_back(all[0]);
   all.back().tolerance = 0.1F;
   all.push_back(all[0]);
@@ -124,8 +124,8 @@ TEST_F(SurfelOptionsTest, GivenPositionsSurviveAnotherBudget) {
   renderer().replacePositions(0, positions);
   Scene moved = scene;
   moved.objects[0].mesh.positionsMm = positions;
-  for (const int maxSources : {262'144, 1024, 262'144}) {
-    const std::vector<Image> images = render(optionsOf(maxSources), {Aov::Exitance, Aov::Position});
+  for (const int maxSurfels : {262'144, 1024, 262'144}) {
+    const std::vector<Image> images = render(optionsOf(maxSurfels), {Aov::Exitance, Aov::Position});
     forEachCovered(images[1],
                    [&](std::size_t i) { ASSERT_LT(std::abs(images[1].rgba[i + 1]), 3.1F); });
     EXPECT_GT(meanOf(images[0])[0], 0);

@@ -222,7 +222,7 @@ TEST_F(TreeFramesTest, CoarseSurfelsAreThoseOfTheirOwnObject) {
       {{-6, 0, 0}, 6, 3, marble()}, {{5.1F, 0, 0}, 5, 3, skin()}, {{0, -5.5F, 6}, 2, 3, clear}};
   for (const Site site : {Site::Fragment, Site::Vertex}) {
     RenderOptions options = treeOptions(64, site);
-    options.maxSources = 1024;
+    options.maxSurfels = 1024;
     EXPECT_LT(largestDeviation(balls, options), 0.05);
   }
 }
@@ -295,11 +295,11 @@ TEST_F(TreeFramesTest, ASceneInTheDarkIsBlack) {
   for (const Sum sum : {Sum::Tree, Sum::All})
     for (const Site site : {Site::Fragment, Site::Vertex})
       for (const Transport transport : {Transport::Dipole, Transport::BetterDipole})
-        for (const int maxSources : {1024, 100'000}) {
+        for (const int maxSurfels : {1024, 100'000}) {
           RenderOptions options = treeOptions(24, site);
           options.sum = sum;
           options.transport = transport;
-          options.maxSources = maxSources;
+          options.maxSurfels = maxSurfels;
           const Image exitance = render(options, {Aov::Exitance})[0];
           EXPECT_GT(forEachCovered(exitance,
                                    [&](std::size_t i) {
@@ -333,10 +333,10 @@ TEST_F(TreeFramesTest, ObjectsAndTrianglesWithoutAreaAreBorne) {
   const Scene clean = litBall();
   for (const Sum sum : {Sum::Tree, Sum::All})
     for (const Site site : {Site::Auto, Site::Fragment, Site::Vertex})
-      for (const int maxSources : {1024, 100'000}) {
+      for (const int maxSurfels : {1024, 100'000}) {
         RenderOptions options = treeOptions(24, site);
         options.sum = sum;
-        options.maxSources = maxSources;
+        options.maxSurfels = maxSurfels;
         const std::vector<Image> images = render(options, {Aov::Exitance, Aov::Radiance});
         expectFinite(images);
         EXPECT_GT(meanOf(images[0])[0], 0.1);

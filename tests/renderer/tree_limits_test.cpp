@@ -28,7 +28,7 @@ RenderOptions fragments() {
 TEST_F(TreeLimitsTest, APlateOfCoarseSurfelsIsTheSameFromBothSides) {
   const Mesh plate = sheet({0, 0, 0}, {400, 0, 0}, {0, 400, 0});
   RenderOptions options = fragments();
-  options.maxSources = 1024;
+  options.maxSurfels = 1024;
   std::vector<std::array<double, 3>> means;
   for (const float z : {1000.0F, -1000.0F}) {
     Scene scene = sceneOf(plate, marble(), {0, 0, z}, 200);
@@ -65,7 +65,7 @@ TEST_F(TreeLimitsTest, AFrameMayHaveAllItsPasses) {
   renderer().setScene(scene);
   RenderOptions options = fragments();
   options.site = Site::Auto;
-  options.maxSources = 4096;
+  options.maxSurfels = 4096;
   options.antialias = 8;
   EXPECT_NO_THROW(render(options, {Aov::Radiance, Aov::Exitance, Aov::Irradiance}));
 }

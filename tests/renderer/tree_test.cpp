@@ -181,7 +181,7 @@ TEST_F(TreeTest, CoarseSurfelsKeepWhatTheySendNearby) {
   for (const Transport transport : {Transport::Dipole, Transport::BetterDipole})
     for (const Site site : {Site::Fragment, Site::Vertex}) {
       RenderOptions options = treeOptions(48, site);
-      options.maxSources = 1024;
+      options.maxSurfels = 1024;
       options.transport = transport;
       options.sum = Sum::Tree;
       const Image exitance = render(options, {Aov::Exitance})[0];
@@ -222,15 +222,15 @@ TEST_F(TreeTest, CoarseSurfelsTellTheSidesOfAThinPlateApart) {
     RenderOptions options = treeOptions(48);
     options.tolerance = 0.003F;
     const std::vector<Image> fine = render(options, {Aov::Exitance, Aov::Position});
-    for (const int maxSources : {2048, 8192}) {  // two triangles a surfel, and one
-      options.maxSources = maxSources;
+    for (const int maxSurfels : {2048, 8192}) {  // two triangles a surfel, and one
+      options.maxSurfels = maxSurfels;
       const Image coarse = render(options, {Aov::Exitance})[0];
       const SumErrors errors = errorsWhere(coarse, fine[0], [&](std::size_t i) {
         const float* place = &fine[1].rgba[i];
         return std::max(std::abs(place[0]), std::abs(place[1])) < halfMm - borderMm;
       });
       EXPECT_GT(errors.pixels, 500);
-      EXPECT_LT(errors.rms, maxSources == 2048 ? 0.08 : 0.01) << side;
+      EXPECT_LT(errors.rms, maxSurfels == 2048 ? 0.08 : 0.01) << side;
     }
   }
 }

@@ -35,31 +35,26 @@ class Numbers {
 };
 
 scene::SceneFileSettings randomSettings(Numbers& random) {
-  scene::SceneFileSettings settings;
-  settings.width = 1 + random.below(16384);
-  settings.height = 1 + random.below(16384);
-  settings.transport = random.below(2) == 0 ? "boundary" : "better-dipole";
-  settings.sum = random.below(2) == 0 ? "tree" : "all";
-  settings.site = random.below(2) == 0 ? "vertex" : "auto";
-  settings.tolerance = random.real(1e-4, 1);
-  settings.maxSources = 1024 + random.below(4'000'000);
-  settings.bounces = random.below(9);
-  settings.boundarySurfels = 64 + random.below(200'000);
-  settings.nearRings = random.below(16);
-  settings.nearSpacing = random.real(1e-3, 100);
-  settings.farDistance = random.real(1e-3, 1000);
-  settings.dsmSize = 64 + random.below(4000);
-  settings.shadowSize = 64 + random.below(8000);
-  settings.specular = random.below(2) == 0;
-  settings.roughness = random.real(0.05, 1);
-  settings.antialias = 1 << random.below(4);
-  settings.exposureStops = random.real(-32, 32);
-  settings.tone = "none";
-  settings.background = {{random.real(0, 1), 0, 1}};
-  settings.device = "a \"GPU\"\t№ 1";
-  settings.seconds = random.within(0, 1e6);
-  settings.clip = "none";
-  return settings;
+  options::PictureSettings picture;
+  RenderOptions& render = picture.render;
+  render.width = 1 + random.below(16384);
+  render.height = 1 + random.below(16384);
+  render.transport = random.below(2) == 0 ? Transport::Boundary : Transport::BetterDipole;
+  render.sum = random.below(2) == 0 ? Sum::Tree : Sum::All;
+  render.site = random.below(2) == 0 ? Site::Vertex : Site::Auto;
+  render.tolerance = random.real(1e-4, 1);
+  render.maxSurfels = 1024 + random.below(4'000'000);
+  render.bounces = random.below(9);
+  render.maxClusters = 64 + random.below(200'000);
+  render.pattern = {random.below(16), random.real(1e-3, 100), random.real(1e-3, 1000)};
+  render.dsmSize = 64 + random.below(4000);
+  render.shadowSize = 64 + random.below(8000);
+  render.specular = random.below(2) == 0;
+  render.roughness = random.real(0.05, 1);
+  render.antialias = 1 << random.below(4);
+  render.seconds = random.within(0, 1e6);
+  picture.tone = {random.real(-32, 32), core::ToneCurve::None, Rgb{random.real(0, 1), 0, 1}};
+  return {options::chosenIn(picture), "a \"GPU\"\t№ 1", "none"};
 }
 
 }  // namespace

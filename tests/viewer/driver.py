@@ -18,7 +18,7 @@ DOUBLE_CLICK_SECONDS = .35
 DOUBLE_CLICK_PIXELS = 10
 
 # Where the sum over the body is not what is looked at.
-COARSE = ("--max-sources", "4096", "--tolerance", "0.1", "--shadow-size", "256")
+COARSE = ("--max-surfels", "4096", "--tolerance", "0.1", "--shadow-size", "256")
 
 # Nor how it is interpolated: light for each corner of a few faces alone.
 CORNERS = ("--transport", "dipole", "--site", "vertex", "--antialias", "1", *COARSE)

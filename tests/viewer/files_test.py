@@ -17,7 +17,7 @@ medium = "wholemilk"
 transport = "dipole"
 site = "vertex"
 antialias = 1
-max_sources = 4096
+max_surfels = 4096
 tolerance = 0.1
 shadow_size = 256
 """

@@ -87,7 +87,7 @@ void surfels(Studio& studio, const char* name) {
   RenderOptions options = usual();
   options.width = 360;
   options.height = 464;
-  options.maxSources = 8192;
+  options.maxSurfels = 8192;
   options.treeLevel = 4;
   options.antialias = 1;
   const Image indices = studio.renderer.render(options, {Aov::Surfels}).images.at(0);

@@ -123,18 +123,31 @@ void CommandLine::section(const std::string& title) {
 }
 
 void CommandLine::flag(const std::string& names, const std::string& help, bool& on) {
+  flag(names, help, [&on] { on = true; });
+}
+
+void CommandLine::flag(const std::string& names, const std::string& help,
+                       std::function<void()> take) {
   Entry entry;
   entry.left = entry.names = spaced(names);
   entry.help = help;
   entry.option = app_->add_flag(names)->disable_flag_override();
   entry.repeatable = true;
-  flagTakers_.emplace_back([option = entry.option, &on] { on = on || option->count() > 0; });
+  flagTakers_.emplace_back([option = entry.option, take = std::move(take)] {
+    if (option->count() > 0) take();
+  });
   entries_.push_back(std::move(entry));
+}
+
+void CommandLine::synonym(const std::string& former, const std::string& option) {
+  synonyms_[former] = option;
 }
 
 void CommandLine::outputFlags(const std::string& what, bool& json, bool& quiet) {
   flag("--json", what + "; no notes", json);
   flag("--quiet", "", quiet);
+  json_ = &json;
+  quiet_ = &quiet;
 }
 
 void CommandLine::value(const std::string& names, const std::string& placeholder,
@@ -184,10 +197,23 @@ bool CommandLine::parse(const std::vector<std::string>& arguments) {
     for (const std::string& text : given) entry.take({name, text});
   }
   for (const auto& take : flagTakers_) take();
+  const bool silent = (json_ != nullptr && *json_) || (quiet_ != nullptr && *quiet_);
+  for (const std::string& note : notes_) noteTaker(silent)(LogLevel::Note, note);
   return true;
 }
 
+void CommandLine::replaceSynonyms(std::vector<std::string>& arguments) {
+  for (std::string& argument : arguments) {
+    const std::string typed = argument.substr(0, argument.find('='));
+    const auto found = synonyms_.find(typed);
+    if (found == synonyms_.end()) continue;
+    argument.replace(0, typed.size(), found->second);
+    notes_.push_back(fmt::format("{} is called {} now", typed, found->second));
+  }
+}
+
 void CommandLine::run(std::vector<std::string> arguments) {
+  replaceSynonyms(arguments);
   std::reverse(arguments.begin(), arguments.end());  // what CLI::App expects
   try {
     app_->parse(std::move(arguments));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -37,6 +38,9 @@ class CommandLine {
   void requiredPositional(const std::string& name, const std::string& help, Taker take);
   void section(const std::string& title);
   void flag(const std::string& names, const std::string& help, bool& on);
+  void flag(const std::string& name, const std::string& help, std::function<void()> take);
+  /// An older name of an option: understood, in no help, and noted where it is used.
+  void synonym(const std::string& former, const std::string& option);
   /// --json and --quiet, which every command takes. `what` goes to standard output; --quiet leaves
   /// notes and progress out, and no warning.
   void outputFlags(const std::string& what, bool& json, bool& quiet);
@@ -66,6 +70,7 @@ class CommandLine {
 
   void addValue(const std::string& names, const std::string& placeholder, const std::string& help,
                 Taker take, bool repeatable);
+  void replaceSynonyms(std::vector<std::string>& arguments);
   void run(std::vector<std::string> arguments);
   void refuseLeftovers() const;
   std::vector<std::string> optionNames() const;
@@ -78,6 +83,10 @@ class CommandLine {
   std::string usage_;  ///< the positional arguments as the help shows them
   std::vector<Entry> entries_;
   std::vector<std::function<void()>> flagTakers_;
+  std::map<std::string, std::string> synonyms_;  ///< option by its older name
+  std::vector<std::string> notes_;
+  const bool* json_ = nullptr;
+  const bool* quiet_ = nullptr;
 };
 
 /// "; did you mean X?" for the candidate that differs least from what was typed, or nothing.

@@ -10,7 +10,7 @@ namespace opaline::app {
 
 void HalfSpaceOption::addTo(CommandLine& line) {
   line.value("--transport", "NAME", "boundary, better-dipole or dipole [boundary]",
-             [this](const Given& given) { transport_ = readChoice(given, transports()); });
+             [this](const Given& given) { transport_ = readChoice(given, choicesOf<Transport>()); });
 }
 
 bssrdf::Model HalfSpaceOption::model() const {
@@ -18,8 +18,7 @@ bssrdf::Model HalfSpaceOption::model() const {
 }
 
 std::string HalfSpaceOption::name() const {
-  return nameOf(transport_ == Transport::Boundary ? Transport::BetterDipole : transport_,
-                transports());
+  return options::nameOf(transport_ == Transport::Boundary ? Transport::BetterDipole : transport_);
 }
 
 std::string HalfSpaceOption::label() const {
@@ -29,7 +28,7 @@ std::string HalfSpaceOption::label() const {
 }
 
 void HalfSpaceOption::describe(Json& json) const {
-  json["transport"] = nameOf(transport_, transports());
+  json["transport"] = options::nameOf(transport_);
   json["half_space"] = name();
 }
 

@@ -8,15 +8,12 @@
 
 #include "bssrdf/media.h"
 #include "bssrdf/profile.h"
-#include "cli/values.h"
+#include "cli/fields.h"
 #include "opaline/error.h"
 
 namespace opaline::app {
 
 namespace {
-
-constexpr Range coefficientRange{0, 1e4, "per mm"};
-constexpr double leastExtinctionPerMm = 1e-4;
 
 Medium namedMedium(const Given& given) {
   if (auto medium = bssrdf::findMedium(given.text)) return *medium;
@@ -32,37 +29,27 @@ Medium namedMedium(const Given& given) {
 void MediumOptions::addTo(CommandLine& line) {
   line.value("--medium", "NAME", "one that opaline media lists",
              [this](const Given& given) { named_ = namedMedium(given); });
-  line.value(
-      "--sigma-s", "R,G,B", "reduced scattering and absorption, 1/mm",
-      [this](const Given& given) { sigmaSPrimePerMm_ = readChannels(given, coefficientRange); });
-  line.value("--sigma-a", "R,G,B", "",
-             [this](const Given& given) { sigmaAPerMm_ = readChannels(given, coefficientRange); });
-  line.value("--eta", "X", "index of refraction, 1.01 to 3 [1.3]", [this](const Given& given) {
-    eta_ = readNumber(given, {1.01, 3});
-  });
+  addField(line, options::fieldOf<Medium>("sigma_s_per_mm"), chosen_, "--sigma-s");
+  addField(line, options::fieldOf<Medium>("sigma_a_per_mm"), chosen_, "--sigma-a");
+  addField(line, options::fieldOf<Medium>("eta"), chosen_);
 }
 
 std::optional<Medium> MediumOptions::medium() const {
-  if (!sigmaSPrimePerMm_ && !sigmaAPerMm_) {
-    if (eta_) {
+  const bool scatters = chosen_.has("sigma_s_per_mm");
+  const bool absorbs = chosen_.has("sigma_a_per_mm");
+  if (!scatters && !absorbs) {
+    if (chosen_.has("eta")) {
       throw UsageError("--eta belongs to --sigma-s and --sigma-a; a named medium has its own");
     }
     return named_;
   }
   if (named_) throw UsageError("--medium and --sigma-s or --sigma-a exclude each other");
-  if (!sigmaAPerMm_) throw UsageError("--sigma-s needs --sigma-a beside it");
-  if (!sigmaSPrimePerMm_) throw UsageError("--sigma-a needs --sigma-s beside it");
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    if (!((*sigmaSPrimePerMm_)[channel] > 0)) {
-      throw UsageError("--sigma-s must be above 0 per mm in every channel");
-    }
-    if ((*sigmaSPrimePerMm_)[channel] + (*sigmaAPerMm_)[channel] < leastExtinctionPerMm) {
-      throw UsageError(
-          fmt::format("--sigma-s plus --sigma-a must be at least {} per mm in every channel",
-                      leastExtinctionPerMm));
-    }
-  }
-  return Medium{"custom", *sigmaSPrimePerMm_, *sigmaAPerMm_, eta_.value_or(1.3)};
+  if (!absorbs) throw UsageError("--sigma-s needs --sigma-a beside it");
+  if (!scatters) throw UsageError("--sigma-a needs --sigma-s beside it");
+  Medium medium;
+  medium.name = "custom";
+  chosen_.applyTo(medium);
+  return medium;
 }
 
 MediumLengths lengthsOf(const Medium& medium) {

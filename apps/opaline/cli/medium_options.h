@@ -6,6 +6,7 @@
 
 #include "cli/command_line.h"
 #include "opaline/medium.h"
+#include "options/scene.h"
 
 namespace opaline::app {
 
@@ -13,16 +14,14 @@ namespace opaline::app {
 class MediumOptions {
  public:
   void addTo(CommandLine& line);
-  bool any() const { return named_ || sigmaSPrimePerMm_ || sigmaAPerMm_ || eta_; }
+  bool any() const { return named_ || !chosen_.empty(); }
   /// What was asked for; nothing when no such option was given. Throws UsageError for a mixture
   /// that describes no medium.
   std::optional<Medium> medium() const;
 
  private:
   std::optional<Medium> named_;
-  std::optional<std::array<double, 3>> sigmaSPrimePerMm_;
-  std::optional<std::array<double, 3>> sigmaAPerMm_;
-  std::optional<double> eta_;
+  options::Chosen<Medium> chosen_;
 };
 
 /// Lengths that follow from a medium, per channel.

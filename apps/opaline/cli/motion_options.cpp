@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "cli/fields.h"
 #include "cli/values.h"
 #include "opaline/error.h"
 #include "scene/deformer_check.h"
@@ -15,7 +16,6 @@ namespace opaline::app {
 namespace {
 
 constexpr int lastFrame = 999999;
-constexpr Range secondsRange{0, 1e6, "s"};
 constexpr const char* noClip = "none";
 
 Choices<DeformerKind> deformerKinds() {
@@ -59,7 +59,7 @@ Deformer readDeformer(const Given& given) {
   }
   const std::string option = given.option + " " + parts[0];
   if (parts.size() == 3) {
-    deformer.periodSeconds = static_cast<float>(readNumber({option, parts[2]}, secondsRange));
+    deformer.periodSeconds = static_cast<float>(readNumber({option, parts[2]}, {0, 1e6, "s"}));
   }
   const scene::AmountRange amounts = scene::amountRange(deformer);
   deformer.amount = static_cast<float>(
@@ -110,8 +110,7 @@ bool moves(const Deformer& deformer) {
 }  // namespace
 
 void MotionOptions::addTo(CommandLine& line, bool films) {
-  line.value("--time", "SECONDS", "of a still, at least 0 [0]",
-             [this](const Given& given) { seconds_ = readNumber(given, secondsRange); });
+  addField(line, options::fieldOf<options::PictureSettings>("seconds"), chosen_, "--time");
   if (films) {
     line.value("--frames", "A:B[:STEP]", "a film; frame n shows time n / fps",
                [this](const Given& given) { frames_ = readFrames(given); });
@@ -126,7 +125,7 @@ void MotionOptions::addTo(CommandLine& line, bool films) {
 }
 
 void MotionOptions::check() const {
-  if (seconds_ && frames_) {
+  if (!chosen_.empty() && frames_) {
     throw UsageError("--time is one moment and --frames are many: use one of the two");
   }
   if (framesPerSecond_ && !frames_) {
@@ -146,7 +145,7 @@ void MotionOptions::applyTo(Scene& scene) const {
 
 void MotionOptions::applyTo(RenderOptions& options, const Scene& scene,
                             const scene::SceneFileSettings& settings) const {
-  options.seconds = seconds_.value_or(settings.seconds.value_or(0));
+  options::apply(chosen_, options);
   if (clip_) {
     options.clip = findClip({"--clip", *clip_}, scene);
   } else if (settings.clip) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/command_line.h"
+#include "options/picture.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "scene/scene_settings.h"
@@ -41,7 +42,7 @@ class MotionOptions {
                const scene::SceneFileSettings& settings) const;
 
  private:
-  std::optional<double> seconds_;
+  options::Chosen<options::PictureSettings> chosen_;  // the time of a still
   std::optional<FrameRange> frames_;
   std::optional<double> framesPerSecond_;
   std::optional<std::string> clip_;

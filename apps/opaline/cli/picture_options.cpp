@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/fields.h"
 #include "cli/frame_names.h"
 #include "cli/paths.h"
 #include "opaline/error.h"
@@ -23,45 +24,19 @@ const Choices<Aov>& aovs() {
   return table;
 }
 
-template <typename T>
-void setFrom(T& value, const std::optional<T>& asked) {
-  if (asked) value = *asked;
-}
+using Chosen = options::Chosen<options::PictureSettings>;
 
-template <typename T>
-void setFromName(T& value, const std::optional<std::string>& name, const Choices<T>& choices) {
-  if (name) value = readChoice(Given{"[render]", *name}, choices);
-}
-
-float readFloat(const Given& given, const Range& range) {
-  return static_cast<float>(readNumber(given, range));
-}
-
-/// The value that --method paper stands for, unless another was asked for beside it.
-template <typename T>
-T paperValue(const std::optional<T>& asked, T paper, const char* option,
-             const Choices<T>& choices) {
-  if (asked && *asked != paper) {
-    throw UsageError(fmt::format("{} {} contradicts --method paper, which means {}", option,
-                                 nameOf(*asked, choices), nameOf(paper, choices)));
+/// Chooses what --method paper means, unless another was asked for beside it.
+void choosePaper(Chosen& chosen, std::string_view key, std::string_view paper) {
+  const options::Value* const asked = chosen.find(key);
+  if (asked && options::textOf(*asked) != paper) {
+    throw UsageError(fmt::format("{} {} contradicts --method paper, which means {}", optionOf(key),
+                                 options::textOf(*asked), paper));
   }
-  return paper;
+  chosen.set(options::fieldOf<options::PictureSettings>(key), std::string(paper));
 }
 
 }  // namespace
-
-const Choices<core::ToneCurve>& toneCurves() {
-  static const Choices<core::ToneCurve> table{{"neutral", core::ToneCurve::Neutral},
-                                              {"none", core::ToneCurve::None}};
-  return table;
-}
-
-const Choices<Transport>& transports() {
-  static const Choices<Transport> table{{"dipole", Transport::Dipole},
-                                        {"better-dipole", Transport::BetterDipole},
-                                        {"boundary", Transport::Boundary}};
-  return table;
-}
 
 const Choices<Transport>& halfSpaceTransports() {
   static const Choices<Transport> table{{"dipole", Transport::Dipole},
@@ -69,64 +44,16 @@ const Choices<Transport>& halfSpaceTransports() {
   return table;
 }
 
-const Choices<Sum>& sums() {
-  static const Choices<Sum> table{
-      {"pattern", Sum::Pattern}, {"tree", Sum::Tree}, {"all", Sum::All}};
-  return table;
-}
-
-const Choices<Site>& sites() {
-  static const Choices<Site> table{
-      {"auto", Site::Auto}, {"vertex", Site::Vertex}, {"fragment", Site::Fragment}};
-  return table;
-}
-
 RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
   RenderOptions options;
-  setFrom(options.width, settings.width);
-  setFrom(options.height, settings.height);
-  setFromName(options.transport, settings.transport, transports());
-  setFromName(options.sum, settings.sum, sums());
-  setFromName(options.site, settings.site, sites());
-  setFrom(options.tolerance, settings.tolerance);
-  setFrom(options.maxSources, settings.maxSources);
-  setFrom(options.bounces, settings.bounces);
-  setFrom(options.boundarySurfels, settings.boundarySurfels);
-  setFrom(options.pattern.nearRings, settings.nearRings);
-  setFrom(options.pattern.nearSpacing, settings.nearSpacing);
-  setFrom(options.pattern.farDistance, settings.farDistance);
-  setFrom(options.dsmSize, settings.dsmSize);
-  setFrom(options.shadowSize, settings.shadowSize);
-  setFrom(options.specular, settings.specular);
-  setFrom(options.roughness, settings.roughness);
-  setFrom(options.antialias, settings.antialias);
+  options::apply(settings.picture, options);
   return options;
 }
 
 scene::SceneFileSettings settingsOf(const RenderOptions& options, const core::ToneOptions& tone,
                                     const Scene& scene) {
   scene::SceneFileSettings settings;
-  settings.width = options.width;
-  settings.height = options.height;
-  settings.transport = nameOf(options.transport, transports());
-  settings.sum = nameOf(options.sum, sums());
-  settings.site = nameOf(options.site, sites());
-  settings.tolerance = options.tolerance;
-  settings.maxSources = options.maxSources;
-  settings.bounces = options.bounces;
-  settings.boundarySurfels = options.boundarySurfels;
-  settings.nearRings = options.pattern.nearRings;
-  settings.nearSpacing = options.pattern.nearSpacing;
-  settings.farDistance = options.pattern.farDistance;
-  settings.dsmSize = options.dsmSize;
-  settings.shadowSize = options.shadowSize;
-  settings.specular = options.specular;
-  settings.roughness = options.roughness;
-  settings.antialias = options.antialias;
-  settings.exposureStops = tone.exposureStops;
-  settings.tone = nameOf(tone.curve, toneCurves());
-  settings.background = tone.background;
-  settings.seconds = options.seconds;
+  settings.picture = options::chosenIn(options::PictureSettings{options, tone});
   if (options.clip < 0) {
     settings.clip = "none";
   } else if (const auto clip = static_cast<std::size_t>(options.clip); clip < scene.clips.size()) {
@@ -136,96 +63,56 @@ scene::SceneFileSettings settingsOf(const RenderOptions& options, const core::To
 }
 
 core::ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& scene) {
-  core::ToneOptions tone;
-  tone.exposureStops =
-      settings.exposureStops ? *settings.exposureStops : automaticExposureStops(scene);
-  setFromName(tone.curve, settings.tone, toneCurves());
-  tone.background = settings.background;
-  return tone;
+  options::PictureSettings found;
+  if (!settings.picture.has("exposure")) found.tone.exposureStops = automaticExposureStops(scene);
+  settings.picture.applyTo(found);
+  return found.tone;
 }
 
 void MethodOptions::addTo(CommandLine& line) {
-  const RenderOptions defaults;
-  line.value("--transport", "NAME", "boundary, better-dipole or dipole [boundary]",
-             [this](const Given& given) { transport_ = readChoice(given, transports()); });
-  line.value("--sum", "NAME", "tree, all (every surfel) or pattern [tree]",
-             [this](const Given& given) { sum_ = readChoice(given, sums()); });
-  line.value("--site", "NAME", "vertex, fragment or auto [auto]",
-             [this](const Given& given) { site_ = readChoice(given, sites()); });
+  constexpr std::array<std::string_view, 3> choices{"transport", "sum", "site"};
+  constexpr std::array<std::string_view, 9> shapes{
+      "tolerance",    "bounces",      "max_clusters", "max_surfels", "near_rings",
+      "near_spacing", "far_distance", "dsm_size",     "shadow_size"};
+  addFields<options::PictureSettings>(line, choices, chosen_);
   line.value("--method", "paper", "dipole, pattern, fragment", [this](const Given& given) {
     paper_ = readChoice<bool>(given, {{"paper", true}});
   });
-  line.value("--tolerance", "X",
-             fmt::format("of nodes and solution, relative, 1e-4 to 1 [{}]", defaults.tolerance),
-             [this](const Given& given) {
-               tolerance_ = readFloat(given, {1e-4, 1});
-             });
-  line.value("--bounces", "N",
-             fmt::format("of light that leaves and enters again, 0 to 8 [{}]", defaults.bounces),
-             [this](const Given& given) { bounces_ = readInteger(given, 0, 8); });
-  line.value("--boundary-surfels", "N",
-             fmt::format("unknowns at most, 64 to 262144 [{}]", defaults.boundarySurfels),
-             [this](const Given& given) { boundarySurfels_ = readInteger(given, 64, 1 << 18); });
-  line.value("--max-sources", "N",
-             fmt::format("surfels at most, 1024 to 4194304 [{}]", defaults.maxSources),
-             [this](const Given& given) { maxSources_ = readInteger(given, 1024, 1 << 22); });
-  line.value("--near-rings", "N",
-             fmt::format("samples around the middle one, 0 to 15 [{}]", defaults.pattern.nearRings),
-             [this](const Given& given) { nearRings_ = readInteger(given, 0, 15); });
-  line.value("--near-spacing", "X",
-             fmt::format("mean free paths [{}], of far ones [{}]", defaults.pattern.nearSpacing,
-                         defaults.pattern.farDistance),
-             [this](const Given& given) {
-               nearSpacing_ = readFloat(given, {1e-3, 100, "mean free paths"});
-             });
-  line.value("--far-distance", "X", "", [this](const Given& given) {
-    farDistance_ = readFloat(given, {1e-3, 1000, "mean free paths"});
-  });
-  line.value(
-      "--dsm-size", "N",
-      fmt::format("texels of the map [{}], of shadows [{}]", defaults.dsmSize, defaults.shadowSize),
-      [this](const Given& given) { dsmSize_ = readInteger(given, 64, 4096); });
-  line.value("--shadow-size", "N", "",
-             [this](const Given& given) { shadowSize_ = readInteger(given, 64, 8192); });
+  addFields<options::PictureSettings>(line, shapes, chosen_);
 }
 
 void MethodOptions::applyTo(RenderOptions& options,
                             const scene::SceneFileSettings& settings) const {
-  setFrom(options.sum, sum_);
-  // The pattern alone means the paper's.
-  if (options.sum == Sum::Pattern && !settings.transport) options.transport = Transport::Dipole;
-  setFrom(options.transport, transport_);
-  setFrom(options.site, site_);
+  Chosen chosen = chosen_;
   if (paper_) {
-    options.transport = paperValue(transport_, Transport::Dipole, "--transport", transports());
-    options.sum = paperValue(sum_, Sum::Pattern, "--sum", sums());
-    options.site = paperValue(site_, Site::Fragment, "--site", sites());
+    choosePaper(chosen, "transport", options::nameOf(Transport::Dipole));
+    choosePaper(chosen, "sum", options::nameOf(Sum::Pattern));
+    choosePaper(chosen, "site", options::nameOf(Site::Fragment));
   }
-  if (options.sum != Sum::Pattern && (nearRings_ || nearSpacing_ || farDistance_)) {
+  options::apply(chosen, options);
+  // The pattern alone means the paper's.
+  if (options.sum == Sum::Pattern && !settings.picture.has("transport") &&
+      !chosen.has("transport")) {
+    options.transport = Transport::Dipole;
+  }
+  if (options.sum != Sum::Pattern &&
+      (chosen.has("near_rings") || chosen.has("near_spacing") || chosen.has("far_distance"))) {
     throw UsageError(
         "--near-rings, --near-spacing and --far-distance shape the pattern and need --sum pattern");
   }
-  if (options.sum != Sum::Tree && tolerance_) {
+  if (options.sum != Sum::Tree && chosen.has("tolerance")) {
     throw UsageError("--tolerance is what the tree may be off and needs --sum tree");
   }
-  if (options.sum == Sum::Pattern && maxSources_) {
-    throw UsageError("--max-sources limits surfels and needs --sum tree or --sum all");
+  if (options.sum == Sum::Pattern && chosen.has("max_surfels")) {
+    throw UsageError("--max-surfels limits surfels and needs --sum tree or --sum all");
   }
-  if (options.transport != Transport::Boundary && (bounces_ || boundarySurfels_)) {
-    throw UsageError("--bounces and --boundary-surfels need --transport boundary");
+  if (options.transport != Transport::Boundary &&
+      (chosen.has("bounces") || chosen.has("max_clusters"))) {
+    throw UsageError("--bounces and --max-clusters need --transport boundary");
   }
   if (options.transport == Transport::Boundary && options.sum == Sum::Pattern) {
     throw UsageError("--transport boundary works with surfels and needs --sum tree or --sum all");
   }
-  setFrom(options.bounces, bounces_);
-  setFrom(options.boundarySurfels, boundarySurfels_);
-  setFrom(options.tolerance, tolerance_);
-  setFrom(options.maxSources, maxSources_);
-  setFrom(options.pattern.nearRings, nearRings_);
-  setFrom(options.pattern.nearSpacing, nearSpacing_);
-  setFrom(options.pattern.farDistance, farDistance_);
-  setFrom(options.dsmSize, dsmSize_);
-  setFrom(options.shadowSize, shadowSize_);
 }
 
 void MethodOptions::requireUse(const RenderOptions& options, Aov aov) const {
@@ -233,66 +120,49 @@ void MethodOptions::requireUse(const RenderOptions& options, Aov aov) const {
     throw UsageError(
         "--aov surfels shows what --sum tree and --sum all sum over; the pattern has none");
   }
-  if (!dsmSize_ || options.sum == Sum::Pattern || showsMap(aov)) return;
+  if (!chosen_.has("dsm_size") || options.sum == Sum::Pattern || showsMap(aov)) return;
   throw UsageError(
       "--dsm-size is of the diffusion source map, which only --sum pattern and --aov irradiance or "
       "dsm-* make");
 }
 
 void LookOptions::addTo(CommandLine& line) {
-  const RenderOptions defaults;
-  line.value("--antialias", "N",
-             fmt::format("samples a pixel: 1, 2, 4 or 8 [{}; AOVs 1]", defaults.antialias),
-             [this](const Given& given) {
-               antialias_ = readChoice<int>(given, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}});
-             });
-  line.flag("--no-specular", "without the reflection on the surface", noSpecular_);
-  line.value("--roughness", "X",
-             fmt::format("of that reflection, 0.05 to 1 [{}]", defaults.roughness),
-             [this](const Given& given) {
-               roughness_ = readFloat(given, {0.05, 1});
-             });
-  line.value("--exposure", "X", "stops, -32 to 32, not EXR [by the light]",
-             [this](const Given& given) {
-               exposureStops_ = readFloat(given, {-32, 32, "stops"});
-             });
-  line.value("--tone", "NAME", "curve: neutral or none, not EXR [neutral]",
-             [this](const Given& given) { curve_ = readChoice(given, toneCurves()); });
-  line.value("--background", "R,G,B", "linear, 0 to 1, not EXR [transparent]",
-             [this](const Given& given) {
-               background_ = readColour(given, {0, 1});
-             });
+  constexpr std::array<std::string_view, 6> keys{"antialias", "specular", "roughness",
+                                                 "exposure",  "tone",     "background"};
+  addFields<options::PictureSettings>(line, keys, chosen_);
+}
+
+bool LookOptions::asksForAntialiasing() const {
+  const options::Value* const samples = chosen_.find("antialias");
+  return samples != nullptr && std::get<int>(*samples) != 1;
+}
+
+bool LookOptions::asksForTone() const {
+  return chosen_.has("exposure") || chosen_.has("tone") || chosen_.has("background");
 }
 
 void LookOptions::applyTo(RenderOptions& options) const {
-  if (noSpecular_ && roughness_) {
+  if (chosen_.has("specular") && chosen_.has("roughness")) {
     throw UsageError("--roughness and --no-specular exclude each other");
   }
-  setFrom(options.antialias, antialias_);
-  options.specular = options.specular && !noSpecular_;
-  setFrom(options.roughness, roughness_);
+  options::apply(chosen_, options);
 }
 
 core::ToneOptions LookOptions::tone(const scene::SceneFileSettings& settings,
                                     const Scene& scene) const {
-  core::ToneOptions options = toneOf(settings, scene);
-  setFrom(options.exposureStops, exposureStops_);
-  setFrom(options.curve, curve_);
-  if (background_) options.background = background_;
-  return options;
+  options::PictureSettings found{{}, toneOf(settings, scene)};
+  chosen_.applyTo(found);
+  return found.tone;
 }
 
 void PictureOptions::addTo(CommandLine& line, const Kinds& kinds) {
-  const RenderOptions defaults;
   line.value("-o,--output", "FILE",
              kinds.films ? ".png, .exr (linear), frame_%04d.png, film.mp4" : ".png, .exr (linear)",
              [this, films = kinds.films](const Given& given) {
                file_ = films ? readOutput(given, {".png", ".exr", ".mp4"})
                              : readOutput(given, {".png", ".exr"});
              });
-  line.value("--size", "WxH",
-             fmt::format("pixels, each 1 to 16384 [{}x{}]", defaults.width, defaults.height),
-             [this](const Given& given) { size_ = readSize(given, 16384); });
+  addField(line, options::fieldOf<options::PictureSettings>("size"), chosen_);
   line.value("--aov", "NAME",
              fmt::format("EXR of radiance exitance irradiance position normal depth object{}",
                          kinds.sourceMap ? " evaluations surfels[:N] dsm-*" : ""),
@@ -321,14 +191,11 @@ void PictureOptions::applyTo(RenderOptions& options) const {
         "--exposure, --tone and --background belong to PNG pictures and films; an EXR file keeps "
         "linear radiance");
   }
-  if (!picture && look_.antialias().value_or(1) != 1) {
+  if (!picture && look_.asksForAntialiasing()) {
     throw UsageError("--antialias belongs to radiance; other AOVs are sampled once a pixel");
   }
-  if (size_) {
-    options.width = (*size_)[0];
-    options.height = (*size_)[1];
-  }
-  setFrom(options.treeLevel, treeLevel_);
+  options::apply(chosen_, options);
+  if (treeLevel_) options.treeLevel = *treeLevel_;
   look_.applyTo(options);
   if (!picture) options.antialias = 1;
 }

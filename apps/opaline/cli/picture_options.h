@@ -10,15 +10,12 @@
 #include "core/file.h"
 #include "core/tone.h"
 #include "opaline/renderer.h"
+#include "options/picture.h"
 #include "scene/scene_settings.h"
 
 namespace opaline::app {
 
-const Choices<Transport>& transports();
 const Choices<Transport>& halfSpaceTransports();  ///< those of which a profile tells all
-const Choices<Sum>& sums();
-const Choices<Site>& sites();
-const Choices<core::ToneCurve>& toneCurves();
 
 /// The [render] table of a scene file over the defaults.
 RenderOptions optionsOf(const scene::SceneFileSettings& settings);
@@ -45,18 +42,7 @@ class MethodOptions {
 
  private:
   bool paper_ = false;
-  std::optional<Transport> transport_;
-  std::optional<Sum> sum_;
-  std::optional<Site> site_;
-  std::optional<float> tolerance_;
-  std::optional<int> bounces_;
-  std::optional<int> boundarySurfels_;
-  std::optional<int> maxSources_;
-  std::optional<int> nearRings_;
-  std::optional<float> nearSpacing_;
-  std::optional<float> farDistance_;
-  std::optional<int> dsmSize_;
-  std::optional<int> shadowSize_;
+  options::Chosen<options::PictureSettings> chosen_;
 };
 
 /// How a picture looks: --antialias, --no-specular, --roughness, --exposure, --tone, --background.
@@ -65,25 +51,21 @@ class LookOptions {
   void addTo(CommandLine& line);
   /// Throws UsageError for a mixture that contradicts itself.
   void applyTo(RenderOptions& options) const;
-  std::optional<int> antialias() const { return antialias_; }
   /// Whether a value was given that only matters to the reflection on the surface.
-  bool asksForReflection() const { return roughness_.has_value(); }
+  bool asksForReflection() const { return chosen_.has("roughness"); }
+  /// Whether more samples than one a pixel were asked for.
+  bool asksForAntialiasing() const;
   /// Whether a value was given that only matters to colours of eight bits.
-  bool asksForTone() const { return exposureStops_ || curve_ || background_; }
+  bool asksForTone() const;
   /// What was asked for, else what the scene file says.
   core::ToneOptions tone(const scene::SceneFileSettings& settings, const Scene& scene) const;
   /// Whether nobody has said how to expose, so that the scene's light decides.
   bool exposesByLight(const scene::SceneFileSettings& settings) const {
-    return !exposureStops_ && !settings.exposureStops;
+    return !chosen_.has("exposure") && !settings.picture.has("exposure");
   }
 
  private:
-  std::optional<int> antialias_;
-  bool noSpecular_ = false;
-  std::optional<float> roughness_;
-  std::optional<float> exposureStops_;
-  std::optional<core::ToneCurve> curve_;
-  std::optional<Rgb> background_;
+  options::Chosen<options::PictureSettings> chosen_;
 };
 
 /// What is written and how it looks.
@@ -122,7 +104,7 @@ class PictureOptions {
  private:
   void takeAov(const Given& given);
 
-  std::optional<std::array<int, 2>> size_;
+  options::Chosen<options::PictureSettings> chosen_;  // the size
   LookOptions look_;
   std::optional<Aov> aov_;
   std::optional<int> treeLevel_;

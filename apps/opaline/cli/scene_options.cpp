@@ -8,10 +8,12 @@
 #include <set>
 #include <utility>
 
+#include "cli/fields.h"
 #include "cli/frame_names.h"
 #include "cli/values.h"
 #include "core/measures.h"
 #include "opaline/error.h"
+#include "options/scene.h"
 #include "scene/environment_file.h"
 #include "scene/framing.h"
 
@@ -20,7 +22,6 @@ namespace opaline::app {
 namespace {
 
 constexpr Range lengthRange{-1e6, 1e6, "mm"};
-constexpr Range lightRange{0, 1e6};
 constexpr double mostDiffusionLengths = 1000;
 constexpr double leastDiffusionLengths = 2;
 
@@ -30,11 +31,11 @@ struct PlacedColour {
   std::optional<Rgb> colour;
 };
 
-PlacedColour readPlacedColour(const Given& given) {
+PlacedColour readPlacedColour(const Given& given, const Range& range) {
   const std::size_t colon = given.text.find(':');
   PlacedColour result{{given.option, given.text.substr(0, colon)}, std::nullopt};
   if (colon != std::string::npos) {
-    result.colour = readColour({given.option, given.text.substr(colon + 1)}, lightRange);
+    result.colour = readColour({given.option, given.text.substr(colon + 1)}, range);
   }
   return result;
 }
@@ -62,7 +63,8 @@ void SceneOptions::addTo(CommandLine& line) {
              });
   line.value("--diagonal-mm", "X", "scale the bounding box's diagonal to X mm",
              [this](const Given& given) {
-               diagonalMm_ = static_cast<float>(readNumber(given, {1e-3, 1e6, "mm"}));
+               diagonalMm_ = static_cast<float>(
+                   readNumber(given, options::fieldOf<LoadOptions>("diagonal_mm").allowed.range));
              });
   medium_.addTo(line);
   line.value("--morph-to", "FILE", "mesh that it turns into: clip \"morph\"",
@@ -113,13 +115,15 @@ void LightOptions::addTo(CommandLine& line) {
   line.repeated(
       "--directional", "DIR[:RGB]", "X,Y,Z towards it; irradiance R,G,B [1,1,1]",
       [this](const Given& given) {
-        const PlacedColour light = readPlacedColour(given);
+        const PlacedColour light = readPlacedColour(
+            given, options::fieldOf<DirectionalLight>("irradiance").allowed.range);
         directional_.push_back({readDirection(light.place), light.colour.value_or(Rgb{1, 1, 1})});
         any_ = true;
       });
   line.repeated("--point", "X,Y,Z:R,G,B", "mm from the box's centre, irradiance at 1 mm",
                 [this](const Given& given) {
-                  const PlacedColour light = readPlacedColour(given);
+                  const PlacedColour light = readPlacedColour(
+                      given, options::fieldOf<PointLight>("intensity").allowed.range);
                   if (!light.colour) {
                     throw UsageError(fmt::format("{} {}: needs an intensity, X,Y,Z:R,G,B",
                                                  given.option, given.text));
@@ -129,7 +133,7 @@ void LightOptions::addTo(CommandLine& line) {
                 });
   line.value("--ambient", "R,G,B", "radiance from everywhere; one number is grey",
              [this](const Given& given) {
-               ambient_ = readColour(given, lightRange);
+               ambient_ = readColour(given, options::fieldOf<Lighting>("radiance").allowed.range);
                any_ = true;
              });
   line.value("--environment", "FILE", "latitude-longitude .hdr or .exr, radiance",
@@ -137,13 +141,10 @@ void LightOptions::addTo(CommandLine& line) {
                environment_ = given.text;
                any_ = true;
              });
-  line.value("--environment-rotation", "DEGREES", "degrees [0], factor [1]",
-             [this](const Given& given) {
-               rotationDegrees_ = readNumber(given, {-1e6, 1e6, "degrees"});
-             });
-  line.value("--environment-intensity", "X", "", [this](const Given& given) {
-    intensity_ = static_cast<float>(readNumber(given, {0, 1e6}));
-  });
+  addField(line, options::fieldOf<scene::EnvironmentFile>("rotation_degrees"), turned_,
+           "--environment-rotation");
+  addField(line, options::fieldOf<scene::EnvironmentFile>("intensity"), turned_,
+           "--environment-intensity");
 }
 
 void LightOptions::applyTo(LoadedScene& loaded) const {
@@ -155,14 +156,13 @@ void LightOptions::applyTo(LoadedScene& loaded) const {
     loaded.scene.lighting = lightingFor(loaded.scene);
   }
   std::optional<scene::EnvironmentFile>& environment = loaded.source.environment;
-  if (!environment && (rotationDegrees_ || intensity_)) {
+  if (!environment && !turned_.empty()) {
     throw UsageError(
         fmt::format("--environment-{} needs an environment: name one with --environment FILE",
-                    rotationDegrees_ ? "rotation" : "intensity"));
+                    turned_.has("intensity") ? "intensity" : "rotation"));
   }
-  if (!environment || !(environment_ || rotationDegrees_ || intensity_)) return;
-  if (rotationDegrees_) environment->rotationDegrees = *rotationDegrees_;
-  if (intensity_) environment->intensity = *intensity_;
+  if (!environment || !(environment_ || !turned_.empty())) return;
+  turned_.applyTo(*environment);
   loaded.scene.lighting.environment = scene::readEnvironment(*environment);
 }
 
@@ -185,10 +185,7 @@ void CameraOptions::addTo(CommandLine& line) {
              [this](const Given& given) { position_ = readPlace(given, lengthRange); });
   line.value("--camera-target", "X,Y,Z", "",
              [this](const Given& given) { target_ = readPlace(given, lengthRange); });
-  line.value("--fov-degrees", "X", "vertical field of view, 1 to 170 [30]",
-             [this](const Given& given) {
-               verticalFovDegrees_ = static_cast<float>(readNumber(given, {1, 170, "degrees"}));
-             });
+  addField(line, options::fieldOf<Camera>("fov_degrees"), chosen_);
 }
 
 void CameraOptions::check() const {
@@ -215,8 +212,8 @@ void CameraOptions::applyTo(Scene& scene) const {
     throw UsageError("--camera-position and --camera-target are the same place");
   }
   if (direction_ || position_ || target_) camera.up = scene::usualUp(camera);
-  if (verticalFovDegrees_) camera.verticalFovDegrees = *verticalFovDegrees_;
-  scene.cameraChosen = scene.cameraChosen || position_ || target_ || verticalFovDegrees_;
+  chosen_.applyTo(camera);
+  scene.cameraChosen = scene.cameraChosen || position_ || target_ || !chosen_.empty();
 }
 
 std::vector<std::string> notesOnSize(const Scene& scene) {

@@ -11,6 +11,7 @@
 #include "opaline/log.h"
 #include "opaline/scene.h"
 #include "opaline/sequence.h"
+#include "scene/environment_file.h"
 #include "scene/scene_settings.h"
 
 namespace opaline::app {
@@ -52,7 +53,7 @@ class SceneOptions {
 class LightOptions {
  public:
   void addTo(CommandLine& line);
-  bool any() const { return any_ || rotationDegrees_ || intensity_; }
+  bool any() const { return any_ || !turned_.empty(); }
   /// As soon as a light was given, only what was given shines. Turn and intensity are of its
   /// environment or else of the scene's own.
   void applyTo(LoadedScene& loaded) const;
@@ -66,15 +67,14 @@ class LightOptions {
   std::vector<PointLight> points_;  ///< relative to the centre of the scene's box
   Rgb ambient_{};
   std::optional<std::filesystem::path> environment_;
-  std::optional<double> rotationDegrees_;
-  std::optional<float> intensity_;
+  options::Chosen<scene::EnvironmentFile> turned_;
 };
 
 /// --camera-direction, --camera-position, --camera-target, --fov-degrees.
 class CameraOptions {
  public:
   void addTo(CommandLine& line);
-  bool any() const { return direction_ || position_ || target_ || verticalFovDegrees_; }
+  bool any() const { return direction_ || position_ || target_ || !chosen_.empty(); }
   /// A direction turns the scene's camera about its target; its distance stays. Whatever else is
   /// given, the camera is chosen. Throws UsageError for a mixture that contradicts itself.
   void applyTo(Scene& scene) const;
@@ -85,7 +85,7 @@ class CameraOptions {
   std::optional<Vec3> direction_;
   std::optional<Vec3> position_;  ///< relative to the centre of the scene's box
   std::optional<Vec3> target_;    ///< the same
-  std::optional<float> verticalFovDegrees_;
+  options::Chosen<Camera> chosen_;
 };
 
 /// A sentence for each medium beside which the scene is so large or so small that its size was

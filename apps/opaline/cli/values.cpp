@@ -35,18 +35,10 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   throw UsageError(fmt::format("{} {}: {}", given.option, given.text, reason));
 }
 
-std::string describe(const Range& range) {
-  const std::string unit = *range.unit == '\0' ? "" : fmt::format(" {}", range.unit);
-  return range.aboveLeast ? fmt::format("above {} and at most {}{}", range.least, range.most, unit)
-                          : fmt::format("from {} to {}{}", range.least, range.most, unit);
-}
-
 double numberIn(const Given& given, std::string_view part, const Range& range) {
   const std::optional<double> value = toNumber(part);
   if (!value) refuse(given, fmt::format("'{}' is not a number", part));
-  const bool inside = std::isfinite(*value) && *value <= range.most &&
-                      (range.aboveLeast ? *value > range.least : *value >= range.least);
-  if (!inside) refuse(given, fmt::format("{} is not {}", part, describe(range)));
+  if (!range.holds(*value)) refuse(given, "must be " + options::describe(range));
   return *value;
 }
 
@@ -61,6 +53,19 @@ std::array<double, 3> numbersIn(const Given& given, const std::vector<std::strin
                                 const Range& range) {
   return {numberIn(given, parts[0], range), numberIn(given, parts[1], range),
           numberIn(given, parts[2], range)};
+}
+
+std::optional<std::array<double, 3>> channelsIn(std::string_view text, const Range& range) {
+  std::vector<std::string_view> parts = split(text, ',');
+  if (parts.size() == 1) parts.resize(3, parts.front());
+  if (parts.size() != 3) return {};
+  std::array<double, 3> channels{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::optional<double> value = toNumber(parts[c]);
+    if (!value || !range.holds(*value)) return {};
+    channels[c] = *value;
+  }
+  return channels;
 }
 
 std::array<double, 3> readTriple(const Given& given, const Range& range) {
@@ -93,15 +98,9 @@ std::array<float, 3> readPlace(const Given& given, const Range& range) {
 }
 
 std::array<double, 3> readChannels(const Given& given, const Range& range) {
-  const std::vector<std::string_view> parts = split(given.text, ',');
-  if (parts.size() == 1) {
-    const double grey = numberIn(given, parts[0], range);
-    return {grey, grey, grey};
-  }
-  if (parts.size() != 3) {
-    refuse(given, "needs three numbers with commas between them, or one for all three");
-  }
-  return numbersIn(given, parts, range);
+  const auto channels = channelsIn(given.text, range);
+  if (!channels) refuse(given, options::requirement({range}, Rgb{}));
+  return *channels;
 }
 
 std::array<float, 3> readColour(const Given& given, const Range& range) {
@@ -116,14 +115,41 @@ std::array<float, 3> readDirection(const Given& given) {
           static_cast<float>(v[2] / length)};
 }
 
-std::array<int, 2> readSize(const Given& given, int most) {
+std::array<int, 2> readSize(const Given& given, const Range& range) {
   const std::vector<std::string_view> parts = split(given.text, 'x');
-  const auto width = toInteger(parts[0]);
-  const auto height = parts.size() == 2 ? toInteger(parts[1]) : std::nullopt;
-  if (!width || !height || *width < 1 || *height < 1 || *width > most || *height > most) {
-    refuse(given, fmt::format("must be WIDTHxHEIGHT, each from 1 to {} pixels", most));
-  }
-  return {*width, *height};
+  options::Size size{};
+  for (std::size_t i = 0; i < size.size() && parts.size() == size.size(); ++i)
+    size[i] = toInteger(parts[i]).value_or(0);
+  const options::Allowed allowed{range};
+  if (!allowed.holds(size)) refuse(given, options::requirement(allowed, size));
+  return size;
+}
+
+options::Value readValue(const Given& given, const options::Allowed& allowed,
+                         const options::Value& like) {
+  const auto read = [&](const auto& kind) -> options::Value {
+    using Kind = std::remove_cvref_t<decltype(kind)>;
+    if constexpr (std::is_same_v<Kind, int>) {
+      const std::optional<int> number = toInteger(given.text);
+      if (!number || !allowed.holds(*number)) refuse(given, options::requirement(allowed, like));
+      return *number;
+    } else if constexpr (std::is_floating_point_v<Kind>) {
+      return static_cast<Kind>(readNumber(given, allowed.range));
+    } else if constexpr (std::is_same_v<Kind, options::Size>) {
+      return readSize(given, allowed.range);
+    } else if constexpr (std::is_same_v<Kind, std::string>) {
+      if (!allowed.holds(given.text))
+        refuseChoice(given, {allowed.choices.begin(), allowed.choices.end()});
+      return given.text;
+    } else if constexpr (std::is_same_v<Kind, Rgb>) {
+      return readColour(given, allowed.range);
+    } else if constexpr (std::is_same_v<Kind, bool>) {
+      return true;
+    } else {
+      return readChannels(given, allowed.range);
+    }
+  };
+  return std::visit(read, like);
 }
 
 void refuseChoice(const Given& given, const std::vector<std::string>& choices) {

@@ -7,16 +7,11 @@
 #include <vector>
 
 #include "cli/command_line.h"
+#include "options/field.h"
 
 namespace opaline::app {
 
-/// What a number may be; the ends belong to it unless `aboveLeast`.
-struct Range {
-  double least;
-  double most;
-  const char* unit = "";    ///< written after the numbers: "mm", "degrees"
-  bool aboveLeast = false;  ///< `least` itself is not allowed
-};
+using options::Range;
 
 /// A finite number in the range. Throws UsageError that names the option, the reason and the range,
 /// as all readers here do.
@@ -34,8 +29,12 @@ std::array<float, 3> readColour(const Given& given, const Range& range);
 /// X,Y,Z of any length but 0, made a unit vector.
 std::array<float, 3> readDirection(const Given& given);
 
-/// WIDTHxHEIGHT, each in [1, most].
-std::array<int, 2> readSize(const Given& given, int most);
+/// WIDTHxHEIGHT, each in the range.
+std::array<int, 2> readSize(const Given& given, const Range& range);
+
+/// A value of the type of `like`.
+options::Value readValue(const Given& given, const options::Allowed& allowed,
+                         const options::Value& like);
 
 /// Throws UsageError that lists the choices.
 [[noreturn]] void refuseChoice(const Given& given, const std::vector<std::string>& choices);
@@ -53,13 +52,16 @@ T readChoice(const Given& given, const Choices<T>& choices) {
   refuseChoice(given, names);
 }
 
-/// The name that stands for a value in a table of choices.
-template <typename T>
-std::string nameOf(const T& value, const Choices<T>& choices) {
-  for (const auto& [name, meaning] : choices) {
-    if (meaning == value) return name;
-  }
-  return {};
+/// All that an enumeration can be.
+template <typename Enumeration>
+const Choices<Enumeration>& choicesOf() {
+  static const Choices<Enumeration> choices = [] {
+    Choices<Enumeration> made;
+    for (const std::string_view name : options::namesOf<Enumeration>())
+      made.emplace_back(name, options::named<Enumeration>(name));
+    return made;
+  }();
+  return choices;
 }
 
 }  // namespace opaline::app

@@ -17,7 +17,8 @@ namespace {
 using core::Digest;
 
 // Every structure is taken apart whole: whoever gives it another member is told by the compiler
-// that the stamp must know of it, or that it does not decide pixels.
+// that the stamp must know of it, or that it does not decide pixels. Options are read off their
+// table.
 
 template <typename T, typename Add>
 void addEach(Digest& digest, const std::vector<T>& values, const Add& add) {
@@ -125,23 +126,19 @@ void addScene(Digest& digest, const Scene& scene) {
   addMotion(digest, scene);
 }
 
-void addOptions(Digest& digest, const RenderOptions& options) {
-  // How often, when and how patiently it is rendered changes no pixel.
-  const auto& [width, height, transport, sum, site, tolerance, maxSources, boundarySurfels, bounces,
-               pattern, dsmSize, shadowSize, specular, roughness, treeLevel, antialias, frames,
-               seconds, clip, patient, reuseLight] = options;
-  const auto& [nearRings, nearSpacing, farDistance] = pattern;
-  const auto add = [&](const auto&... values) { (digest.add(values), ...); };
-  add(width, height, transport, sum, site, tolerance, maxSources, boundarySurfels, bounces,
-      nearRings, nearSpacing, farDistance, dsmSize, shadowSize, specular, roughness, treeLevel,
-      antialias, clip);
-}
-
-void addTone(Digest& digest, const core::ToneOptions& tone) {
-  const auto& [exposureStops, curve, background] = tone;
-  digest.add(exposureStops);
-  digest.add(curve);
-  addIfThere(digest, background, [&](const Rgb& colour) { digest.add(colour); });
+void addSettings(Digest& digest, const RenderOptions& options,
+                 const std::optional<core::ToneOptions>& tone) {
+  digest.add(tone.has_value());
+  const options::PictureSettings settings{options, tone.value_or(core::ToneOptions{})};
+  for (const auto& field : options::fieldsOf<options::PictureSettings>()) {
+    // Each frame of a film has its own time.
+    if (field.key == "seconds") continue;
+    const std::optional<options::Value> value = field.get(settings);
+    const std::string text = value ? options::textOf(*value) : "";
+    digest.addBytes(text.c_str(), text.size() + 1);
+  }
+  digest.add(options.treeLevel);
+  digest.add(options.clip);
 }
 
 void addFile(Digest& digest, const std::filesystem::path& file) {
@@ -165,9 +162,9 @@ Json readable(const PictureMakers& makers) {
           {"diagonal_mm", diagonalMm(makers.scene)},
           {"media", std::move(media)},
           {"size", {options.width, options.height}},
-          {"transport", nameOf(options.transport, transports())},
-          {"sum", nameOf(options.sum, sums())},
-          {"site", nameOf(options.site, sites())}};
+          {"transport", options::nameOf(options.transport)},
+          {"sum", options::nameOf(options.sum)},
+          {"site", options::nameOf(options.site)}};
 }
 
 }  // namespace
@@ -177,9 +174,8 @@ std::function<std::string(int frame)> frameStamps(const PictureMakers& makers,
   Digest ofAll;
   ofAll.addBytes(OPALINE_VERSION, sizeof(OPALINE_VERSION));
   addScene(ofAll, makers.scene);
-  addOptions(ofAll, makers.options);
+  addSettings(ofAll, makers.options, makers.tone);
   ofAll.add(makers.aov);
-  addIfThere(ofAll, makers.tone, [&](const core::ToneOptions& tone) { addTone(ofAll, tone); });
   return [ofAll, frames, json = readable(makers), sequence = makers.sequence](int frame) {
     Digest digest = ofAll;
     digest.add(frames.seconds(frame));

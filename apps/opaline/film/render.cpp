@@ -156,7 +156,7 @@ Json emptyReportJson(const Job& job, const std::vector<std::string>& outputs) {
   nothing.sum = job.options.sum;
   nothing.site = job.options.site;
   Json json = renderReportJson(nothing, job.options, outputs);
-  for (const char* unknown : {"device", "triangles", "vertices", "sources", "boundary_surfels",
+  for (const char* unknown : {"device", "triangles", "vertices", "sources", "clusters",
                               "frame_ms", "peak_memory_mb"}) {
     json[unknown] = nullptr;
   }

@@ -38,7 +38,7 @@ struct BenchCommand {
   std::optional<int> every;
   std::optional<std::filesystem::path> truth;
   bool all = false;
-  std::optional<int> maxSources;
+  std::optional<int> maxSurfels;
   std::optional<std::filesystem::path> plot;
   bool quiet = false;
   bool json = false;
@@ -64,8 +64,8 @@ struct BenchCommand {
                [this](const Given& given) { every = readInteger(given, 1, 64); });
     line.flag("--all", "the sum over every surfel too; slow without a GPU", all);
     line.section("scaling: the tree's cost by surfels, sigma_tr and tolerance, 5 frames each");
-    line.value("--max-sources", "N", "largest budget, 16384 to 4194304 [1048576]",
-               [this](const Given& given) { maxSources = readInteger(given, 1 << 14, 1 << 22); });
+    line.value("--max-surfels", "N", "largest budget, 16384 to 4194304 [1048576]",
+               [this](const Given& given) { maxSurfels = readInteger(given, 1 << 14, 1 << 22); });
     line.section("methods and scaling");
     scene.addTo(line);
     lights.addTo(line);
@@ -99,8 +99,8 @@ struct BenchCommand {
     if (every.value_or(1) != 1 && seconds != 0.0)
       throw UsageError(
           "--every leaves out pixels that blocks against the truth need; it goes with --seconds 0");
-    if (*suite != Suite::Scaling && maxSources)
-      throw UsageError("--max-sources belongs to bench scaling");
+    if (*suite != Suite::Scaling && maxSurfels)
+      throw UsageError("--max-surfels belongs to bench scaling");
     if (*suite == Suite::Table1 && (edge || plot))
       throw UsageError("--size and --plot belong to bench methods and bench scaling");
     if (*suite == Suite::Table1 && (scene.any() || lights.any() || camera.any()))
@@ -164,7 +164,7 @@ struct BenchCommand {
     order.status = statusTaker(quiet);
     order.scene = loadScene(order.log);
     order.edgePixels = edge.value_or(order.edgePixels);
-    order.mostSurfels = maxSources.value_or(order.mostSurfels);
+    order.mostSurfels = maxSurfels.value_or(order.mostSurfels);
     order.frames = frames.value_or(order.frames);
     order.device = device.value_or("");
     const Scaling scaling = measureScaling(order);

@@ -76,8 +76,8 @@ MethodRow measure(Renderer& renderer, const MethodsOrder& order, const RenderOpt
   options.frames = order.frames + 1;  // the first does not count
   MethodRow row;
   row.transport = options.transport;
-  row.sum = nameOf(options.sum, sums());
-  row.site = nameOf(options.site, sites());
+  row.sum = options::nameOf(options.sum);
+  row.site = options::nameOf(options.site);
   const RenderReport report = renderer.render(options).report;
   row.frameMilliseconds = report.frameMilliseconds;
   device = report.device;
@@ -165,7 +165,7 @@ Methods measureMethods(const MethodsOrder& order) {
   const std::optional<Image> truth = truthFor(order, geometry, methods);
   methods.hasTruth = truth.has_value();
   for (const Transport transport : profilesMeasured) {
-    const std::string name = nameOf(transport, transports());
+    const std::string name = options::nameOf(transport);
     order.status(fmt::format("integrating the {}", name));
     const Image exact = exactExitance(order, geometry, transport, order.every);
     if (order.truth) requireSameView(*order.truth, exact);
@@ -184,7 +184,7 @@ Methods measureMethods(const MethodsOrder& order) {
   for (const Site site : sitesMeasured) {
     const RenderOptions options = optionsFor(order, Transport::Boundary, Sum::Tree, site);
     // Without an inside it is the better dipole, which is there.
-    if (renderer.render(options, {Aov::Exitance}).report.boundarySurfels == 0) break;
+    if (renderer.render(options, {Aov::Exitance}).report.clusters == 0) break;
     order.status("measuring boundary transport");
     methods.rows.push_back(measure(renderer, order, options, nullptr, truth, methods.device));
   }
@@ -195,7 +195,7 @@ Methods measureMethods(const MethodsOrder& order) {
 Json toJson(const Methods& methods) {
   Json rows = Json::array();
   for (const MethodRow& row : methods.rows) {
-    rows.push_back({{"transport", nameOf(row.transport, transports())},
+    rows.push_back({{"transport", options::nameOf(row.transport)},
                     {"sum", row.sum},
                     {"site", row.site},
                     {"frame_ms", orNull(row.frameMilliseconds)},
@@ -220,7 +220,7 @@ std::string toReadable(const Methods& methods) {
   for (const MethodRow& row : methods.rows) {
     text +=
         fmt::format("{:<16}{:<10}{:<10}{:>12}{:>13}{:>14}{:>18}\n",
-                    nameOf(row.transport, transports()), row.sum, row.site,
+                    options::nameOf(row.transport), row.sum, row.site,
                     row.frameMilliseconds ? fmt::format("{:.1f} ms", *row.frameMilliseconds) : "",
                     row.evaluations ? fmt::format("{:.1f}", *row.evaluations) : "",
                     percent(row.integralError), percent(row.truthError));

@@ -221,7 +221,7 @@ Made makeIntegral(const ReferenceCommand& command, const Job& job) {
                       progress->show(done, 0);
                     });
   return {std::move(truth.picture),
-          {{"transport", nameOf(job.options.transport, transports())},
+          {{"transport", options::nameOf(job.options.transport)},
            {"tolerance", command.toleranceOf()},
            {"patches", truth.patches}}};
 }

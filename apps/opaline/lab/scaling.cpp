@@ -93,7 +93,7 @@ std::vector<ScalingRow> measureBudgets(const ScalingOrder& order, double denserB
     const int budget = order.mostSurfels / part;
     // No notes: that the budget binds is meant.
     ways.push_back(makeWay(order, budget, scene, rendererFor(order, scene, {})));
-    ways.back().options.maxSources = budget;
+    ways.back().options.maxSurfels = budget;
   }
   measureInTurns(ways, order, "measuring budgets of surfels");
   return rowsOf(ways);

@@ -71,7 +71,7 @@ std::string line(const std::vector<ScalingRow>& rows, std::size_t at, const std:
 }  // namespace
 
 Json toJson(const Scaling& scaling) {
-  Json budgets = seriesJson(scaling.budgets, "max_sources");
+  Json budgets = seriesJson(scaling.budgets, "max_surfels");
   for (std::size_t i = 0; i < scaling.budgets.size(); ++i) {
     const auto growth = growthPerDoubling(scaling.budgets, i);
     budgets[i]["scatter_growth_per_doubling"] = growth ? Json(*growth) : Json(nullptr);

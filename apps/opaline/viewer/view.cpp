@@ -46,7 +46,8 @@ struct ViewCommand {
     camera.addTo(line);
     look.addTo(line);
     line.value("--size", "WxH", "of the window, pixels [as it was left]",
-               [this](const Given& given) { size = readSize(given, 16384); });
+               [this](const Given& given) { size = readSize(
+                     given, options::fieldOf<options::PictureSettings>("size").allowed.range); });
     line.section("Motion");
     motion.addTo(line, false);
     line.section("Method");
@@ -74,8 +75,8 @@ struct ViewCommand {
     motion.applyTo(session.options, loaded.scene, loaded.settings);
     session.tone = look.tone(loaded.settings, loaded.scene);
     session.exposesByLight = look.exposesByLight(loaded.settings);
-    if (loaded.settings.width && loaded.settings.height) {
-      session.pictureSize = {*loaded.settings.width, *loaded.settings.height};
+    if (const options::Value* given = loaded.settings.picture.find("size")) {
+      session.pictureSize = std::get<options::Size>(*given);
     }
   }
 };

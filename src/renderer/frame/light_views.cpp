@@ -6,6 +6,9 @@
 
 namespace opaline {
 
+static_assert(shared::maxLights == Lighting::maxLights);
+static_assert(shared::maxShadowViews == Lighting::maxShadowMaps);
+
 namespace {
 
 constexpr std::uint32_t viewsOfPoint = 6;

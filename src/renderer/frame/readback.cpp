@@ -143,7 +143,7 @@ void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site s
                        const CameraView& camera, FrameResources& resources) {
   if (!states_)
     states_ = gpu::Buffer(device, {.name = "solutions on the host",
-                                   .bytes = (maxBounces + 1) * sizeof(shared::SolverState),
+                                   .bytes = (RenderOptions::maxBounces + 1) * sizeof(shared::SolverState),
                                    .memory = gpu::Memory::Readback});
   camera_ = camera;
   entries_.clear();

@@ -74,11 +74,11 @@ void noteCoarseness(const Division& division, bool asked, const LogCallback& log
             "the budget of {} surfels leaves them {:.1f} times as large as the medium asks "
             "for; {}",
             division.order.maxSurfels, coarsest,
-            asked ? "raise --max-sources for more accuracy" : "this device has no room for more"));
+            asked ? "raise --max-surfels for more accuracy" : "this device has no room for more"));
   if (division.clusters && division.clusters->coarseness > notableCoarseness)
     log(LogLevel::Note,
-        fmt::format("the budget of {} boundary surfels leaves them {:.1f} times as large as shape "
-                    "and medium ask for; raise --boundary-surfels for more accuracy",
+        fmt::format("the budget of {} clusters leaves them {:.1f} times as large as shape "
+                    "and medium ask for; raise --max-clusters for more accuracy",
                     division.order.maxClusters, division.clusters->coarseness));
 }
 

@@ -37,9 +37,9 @@ SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan&
                                   const Lighting& lighting) const {
   SceneNeeds needs = resources_ ? resources_->needs : SceneNeeds{};
   if (plan.map) needs.mapSize = options.dsmSize;
-  if (options.transport == Transport::Boundary) needs.maxClusters = options.boundarySurfels;
+  if (options.transport == Transport::Boundary) needs.maxClusters = options.maxClusters;
   if (mirrorsSky(plan, lighting) && !needs.maxClusters) needs.rays = true;
-  if (options.sum != Sum::Pattern || needs.rays) needs.maxSurfels = options.maxSources;
+  if (options.sum != Sum::Pattern || needs.rays) needs.maxSurfels = options.maxSurfels;
   return needs;
 }
 

@@ -175,7 +175,7 @@ void takeClusters(gpu::Device& device, const surfels::Surface& surface, const Di
   }
   resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, division.surfels,
                                                          resources.triangleHasInside);
-  resources.solver = passes::SolverPass::makeSolver(device, resources.clusters, maxBounces + 1);
+  resources.solver = passes::SolverPass::makeSolver(device, resources.clusters, RenderOptions::maxBounces + 1);
 }
 
 }  // namespace

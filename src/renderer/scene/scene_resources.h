@@ -20,9 +20,6 @@ namespace opaline {
 /// As the atlas wants it; `merged` outlives it.
 atlas::Surface surfaceOf(const scene::MergedMesh& merged);
 
-/// Of light that leaves and enters again, at most.
-constexpr int maxBounces = 8;
-
 /// What sums need of a scene beside its mesh.
 struct SceneNeeds {
   std::optional<int> mapSize;      ///< an atlas for a diffusion source map of that edge, texels

@@ -25,10 +25,7 @@ inline constexpr Keys<3> point{"type", "position_mm", "intensity"};
 inline constexpr Keys<2> ambient{"type", "radiance"};
 inline constexpr Keys<3> environment{"file", "intensity", "rotation_degrees"};
 inline constexpr Keys<5> camera{"direction", "position_mm", "target_mm", "up", "fov_degrees"};
-inline constexpr Keys<22> render{
-    "size",        "transport",        "sum",        "site",         "tolerance",    "max_sources",
-    "bounces",     "boundary_surfels", "near_rings", "near_spacing", "far_distance", "dsm_size",
-    "shadow_size", "specular",         "roughness",  "antialias",    "exposure",     "tone",
-    "background",  "device",           "seconds",    "clip"};
+// Beside the fields of options::PictureSettings.
+inline constexpr Keys<2> render{"device", "clip"};
 
 }  // namespace opaline::scene::keys

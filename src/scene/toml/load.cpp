@@ -8,6 +8,7 @@
 #include "bssrdf/media.h"
 #include "core/file.h"
 #include "opaline/error.h"
+#include "options/scene.h"
 #include "scene/deformer_check.h"
 #include "scene/environment_file.h"
 #include "scene/finish.h"
@@ -104,21 +105,16 @@ void readMedia(const TomlTable& root, Assembly& to) {
   for (const auto& [name, table] : media->subtables()) {
     table.requireKeys(keys::medium);
     Medium medium;
-    const auto scattering = table.numbers("sigma_s_per_mm", 3);
-    const auto absorption = table.numbers("sigma_a_per_mm", 3);
+    const options::Chosen<Medium> chosen = chosenIn<Medium>(table);
     if (const auto measured = table.text("measured")) {
       const auto known = bssrdf::findMedium(*measured);
       if (!known) table.fail("measured", "names no medium; `opaline media` lists them");
       medium = *known;
-    } else if (!scattering || !absorption) {
+    } else if (!chosen.has("sigma_s_per_mm") || !chosen.has("sigma_a_per_mm")) {
       table.fail("", "needs 'measured', or both 'sigma_s_per_mm' and 'sigma_a_per_mm'");
     }
     medium.name = cleanText(name);
-    if (scattering) std::copy_n(scattering->begin(), 3, medium.sigmaSPrimePerMm.begin());
-    if (absorption) std::copy_n(absorption->begin(), 3, medium.sigmaAPerMm.begin());
-    medium.eta = table.number("eta", 1.01, 3).value_or(medium.eta);
-    const std::string complaint = complaintAbout(medium);
-    if (!complaint.empty()) table.fail("", "makes no sense: " + complaint);
+    chosen.applyTo(medium);
     to.media.emplace(name, medium);
   }
 }
@@ -150,7 +146,8 @@ RawScene loadModelOf(const TomlTable& table, std::string_view key, bool isOnly, 
   if (!model) {
     table.fail("", fmt::format("has no '{}', a file or builtin:bear or builtin:teapot", key));
   }
-  const auto diagonal = table.number("diagonal_mm", 1e-6, 1e9);
+  const auto diagonal = table.number(
+      "diagonal_mm", options::fieldOf<LoadOptions>("diagonal_mm").allowed.range);
   std::optional<std::filesystem::path> morphTo = to.options.morphTo;
   if (const auto name = table.text("morph_to"); name && !morphTo) morphTo = beside(to.file, *name);
   ModelSource& source = to.source.models.emplace_back();
@@ -236,13 +233,14 @@ void readDeformers(const TomlTable& root, Assembly& to) {
     table.requireKeys(keys::deform);
     const auto kind = table.choice("kind", deformerNames);
     if (!kind) table.fail("", "has no 'kind': twist, bend, squash or wobble");
-    const auto amount = table.number("amount", -100, 100);
+    const auto amount = table.number("amount", {-1e9, 1e9});
     if (!amount) table.fail("", "has no 'amount'");
     Deformer deformer;
     const auto name = std::find(deformerNames.begin(), deformerNames.end(), *kind);
     deformer.kind = static_cast<DeformerKind>(name - deformerNames.begin());
     deformer.amount = static_cast<float>(*amount);
-    deformer.periodSeconds = static_cast<float>(table.number("period_seconds", 0, 1e6).value_or(0));
+    deformer.periodSeconds = 
+        static_cast<float>(table.number("period_seconds", {0, 1e6, "s"}).value_or(0));
     const std::string complaint = complaintAbout(deformer);
     if (!complaint.empty()) table.fail("", "makes no sense: " + complaint);
     to.scene.deformers.push_back(deformer);
@@ -259,25 +257,30 @@ std::optional<Vec3> placeFrom(const TomlTable& table, std::string_view key, cons
 void readLight(const TomlTable& table, Assembly& to) {
   constexpr keys::Keys<3> types{"directional", "point", "ambient"};
   const auto type = table.choice("type", types);
-  const auto need = [&](auto value, std::string_view key) {
-    if (!value) table.fail("", fmt::format("of type '{}' has no '{}'", *type, key));
-    return *value;
+  const auto need = [&](std::string_view key) {
+    if (!table.has(key)) table.fail("", fmt::format("of type '{}' has no '{}'", *type, key));
   };
   if (!type) table.fail("", "has no 'type': directional, point or ambient");
   Lighting& lighting = to.scene.lighting;
   if (*type == "directional") {
     table.requireKeys(keys::directional);
-    lighting.directional.push_back(
-        {need(table.direction("direction_to_light"), "direction_to_light"),
-         table.color("irradiance").value_or(Rgb{1, 1, 1})});
+    need("direction_to_light");
+    DirectionalLight light{.directionToLight = *table.direction("direction_to_light")};
+    chosenIn<DirectionalLight>(table).applyTo(light);
+    lighting.directional.push_back(light);
   } else if (*type == "point") {
     table.requireKeys(keys::point);
-    lighting.points.push_back({need(placeFrom(table, "position_mm", to), "position_mm"),
-                               need(table.color("intensity"), "intensity")});
+    need("position_mm");
+    need("intensity");
+    PointLight light{.positionMm = *placeFrom(table, "position_mm", to)};
+    chosenIn<PointLight>(table).applyTo(light);
+    lighting.points.push_back(light);
   } else {
     table.requireKeys(keys::ambient);
-    const Rgb radiance = need(table.color("radiance"), "radiance");
-    for (std::size_t c = 0; c < 3; ++c) lighting.ambient[c] += radiance[c];
+    need("radiance");
+    Lighting ambient;
+    chosenIn<Lighting>(table).applyTo(ambient);
+    for (std::size_t c = 0; c < 3; ++c) lighting.ambient[c] += ambient.ambient[c];
   }
 }
 
@@ -294,8 +297,7 @@ void readLighting(const TomlTable& root, Assembly& to) {
   const auto file = environment->text("file");
   if (!file) environment->fail("", "has no 'file'");
   EnvironmentFile from{beside(to.file, *file)};
-  from.intensity = static_cast<float>(environment->number("intensity", 0, 1e6).value_or(1));
-  from.rotationDegrees = environment->number("rotation_degrees", -1e6, 1e6).value_or(0);
+  chosenIn<EnvironmentFile>(*environment).applyTo(from);
   to.scene.lighting.environment = readEnvironment(from);
   to.source.environment = std::move(from);
 }
@@ -344,10 +346,10 @@ void readCamera(const TomlTable& root, Assembly& to) {
     if (*up == Vec3{}) table->fail("up", "must not be zero");
     camera.up = *up;
   }
-  const auto fov = table->number("fov_degrees", 1, 170);
-  if (fov) camera.verticalFovDegrees = static_cast<float>(*fov);
+  const options::Chosen<Camera> chosen = chosenIn<Camera>(*table);
+  chosen.applyTo(camera);
   to.scene.camera = camera;
-  to.scene.cameraChosen = to.scene.cameraChosen || position || target || fov;
+  to.scene.cameraChosen = to.scene.cameraChosen || position || target || !chosen.empty();
 }
 
 LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& options) {
@@ -356,7 +358,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   const TomlTable root(file, parsed, "the scene");
   root.requireKeys(keys::root);
   LoadedScene loaded;
-  loaded.settings = readSettings(root);
+  loaded.settings = readSettings(root, options.log);
   Assembly assembly{file, options};
   assembly.source.sceneFile = file;
   readMedia(root, assembly);

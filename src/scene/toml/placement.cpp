@@ -47,7 +47,7 @@ std::optional<Placement> readPlacement(const TomlTable& table) {
   if (!parts) return std::nullopt;
   placement.translationMm = table.vector("translation_mm").value_or(Vec3{0, 0, 0});
   placement.rotationDegrees = table.vector("rotation_degrees").value_or(Vec3{0, 0, 0});
-  placement.scale = table.number("scale", 1e-6, 1e6).value_or(1);
+  placement.scale = table.number("scale", {1e-6, 1e6}).value_or(1);
   return placement;
 }
 

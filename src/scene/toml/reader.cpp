@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "opaline/error.h"
 #include "scene/text.h"
@@ -20,9 +22,13 @@ void TomlTable::fail(std::string_view key, const std::string& reason) const {
       fmt::format("{}, line {}: {} {}", cleanText(file_.string(), 1000), line, subject, reason));
 }
 
-void TomlTable::requireKeys(std::span<const std::string_view> known) const {
+void TomlTable::requireKeys(std::span<const std::string_view> known,
+                            std::span<const std::string_view> hidden) const {
+  const auto holds = [](std::span<const std::string_view> keys, std::string_view key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
   for (const auto& [key, value] : table_) {
-    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    if (holds(known, key.str()) || holds(hidden, key.str())) continue;
     fail(key.str(), fmt::format("is no known key; the nearest is '{}'",
                                 nearest(key.str(), known).value_or("")));
   }
@@ -45,32 +51,81 @@ std::optional<std::string> TomlTable::choice(std::string_view key,
   return chosen;
 }
 
-std::optional<bool> TomlTable::flag(std::string_view key) const {
-  const toml::node* node = table_.get(key);
-  if (node == nullptr) return std::nullopt;
-  if (!node->is_boolean()) fail(key, "must be true or false");
-  return node->value<bool>();
+namespace {
+
+/// "1024x1024", as it is typed on the command line.
+std::optional<options::Size> sizeFromText(std::string_view text) {
+  options::Size edges{};
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, edges[0]);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+  const auto height = std::from_chars(width.ptr + 1, end, edges[1]);
+  if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
+  return edges;
 }
 
-std::optional<double> TomlTable::number(std::string_view key, double low, double high) const {
+void read(const toml::node& node, double& to, bool& good) {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  good = good && value.has_value();
+  to = value.value_or(0);
+}
+
+void read(const toml::node& node, float& to, bool& good) {
+  double value = 0;
+  read(node, value, good);
+  good = good && std::abs(value) <= double{std::numeric_limits<float>::max()};
+  if (good) to = static_cast<float>(value);
+}
+
+void read(const toml::node& node, int& to, bool& good) {
+  const auto value = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
+  good = good && value && *value >= std::numeric_limits<int>::min() &&
+         *value <= std::numeric_limits<int>::max();
+  if (good) to = static_cast<int>(*value);
+}
+
+void read(const toml::node& node, bool& to, bool& good) {
+  good = node.is_boolean();
+  to = node.value<bool>().value_or(false);
+}
+
+void read(const toml::node& node, std::string& to, bool& good) {
+  good = node.is_string();
+  to = node.value<std::string>().value_or("");
+}
+
+template <typename Number, std::size_t count>
+void read(const toml::node& node, std::array<Number, count>& to, bool& good) {
+  if (const toml::array* list = node.as_array()) {
+    good = list->size() == count;
+    for (std::size_t i = 0; good && i < count; ++i) read(*list->get(i), to[i], good);
+  } else if (count == 3) {
+    read(node, to[0], good);
+    to.fill(to[0]);
+  } else if constexpr (std::is_same_v<std::array<Number, count>, options::Size>) {
+    const auto size = sizeFromText(node.value<std::string>().value_or(""));
+    good = size.has_value();
+    to = size.value_or(to);
+  }
+}
+
+}  // namespace
+
+std::optional<options::Value> TomlTable::value(std::string_view key,
+                                               const options::Allowed& allowed,
+                                               const options::Value& like) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_number()) fail(key, "must be a number");
-  const auto value = node->value<double>();
-  if (!value || !(*value >= low && *value <= high)) {
-    fail(key, fmt::format("must be in [{}, {}]", low, high));
-  }
+  options::Value value = like;
+  bool good = true;
+  std::visit([&](auto& member) { read(*node, member, good); }, value);
+  if (!good || !allowed.holds(value)) fail(key, options::requirement(allowed, like));
   return value;
 }
 
-std::optional<int> TomlTable::integer(std::string_view key, int low, int high) const {
-  const toml::node* node = table_.get(key);
-  if (node == nullptr) return std::nullopt;
-  const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
-  if (!value || *value < low || *value > high) {
-    fail(key, fmt::format("must be a whole number in [{}, {}]", low, high));
-  }
-  return static_cast<int>(*value);
+std::optional<double> TomlTable::number(std::string_view key, const options::Range& range) const {
+  const auto found = value(key, {range}, 0.0);
+  return found ? std::optional(std::get<double>(*found)) : std::nullopt;
 }
 
 std::optional<std::vector<double>> TomlTable::numbers(std::string_view key,
@@ -103,18 +158,6 @@ std::optional<Vec3> TomlTable::direction(std::string_view key) const {
   // What was rounded to float at unit length comes back as it was.
   if (std::abs(size - 1) < 1e-6) return toFloat(v);
   return toFloat((1 / size) * v);
-}
-
-std::optional<Rgb> TomlTable::color(std::string_view key) const {
-  const toml::node* node = table_.get(key);
-  if (node == nullptr) return std::nullopt;
-  if (node->is_number()) {
-    const auto value = static_cast<float>(number(key, 0, 1e30).value_or(0));
-    return Rgb{value, value, value};
-  }
-  const auto rgb = vector(key);
-  if (rgb && *std::min_element(rgb->begin(), rgb->end()) < 0) fail(key, "must not be negative");
-  return rgb;
 }
 
 std::optional<TomlTable> TomlTable::table(std::string_view key) const {

@@ -11,6 +11,7 @@
 #include <toml++/toml.h>
 
 #include "opaline/types.h"
+#include "options/field.h"
 
 namespace opaline::scene {
 
@@ -21,8 +22,9 @@ class TomlTable {
   TomlTable(const std::filesystem::path& file, const toml::table& table, std::string place)
       : file_(file), table_(table), place_(std::move(place)) {}
 
-  /// Throws Error for a key that is not among `known`, naming the nearest.
-  void requireKeys(std::span<const std::string_view> known) const;
+  /// Throws Error for a key that is not among `known`, naming the nearest, nor among `hidden`.
+  void requireKeys(std::span<const std::string_view> known,
+                   std::span<const std::string_view> hidden = {}) const;
 
   bool has(std::string_view key) const { return table_.contains(key); }
   bool holdsText(std::string_view key) const {
@@ -31,16 +33,15 @@ class TomlTable {
   std::optional<std::string> text(std::string_view key) const;
   std::optional<std::string> choice(std::string_view key,
                                     std::span<const std::string_view> choices) const;
-  std::optional<bool> flag(std::string_view key) const;
-  std::optional<double> number(std::string_view key, double low, double high) const;
-  std::optional<int> integer(std::string_view key, int low, int high) const;
+  /// A value of the type of `like`. Three numbers may be one for all three, and a size a text.
+  std::optional<options::Value> value(std::string_view key, const options::Allowed& allowed,
+                                      const options::Value& like) const;
+  std::optional<double> number(std::string_view key, const options::Range& range) const;
   /// As many finite numbers as are asked for.
   std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count) const;
   std::optional<Vec3> vector(std::string_view key) const;
   /// A vector that is not zero, at unit length to the rounding of float.
   std::optional<Vec3> direction(std::string_view key) const;
-  /// Three numbers of at least 0, or one for all three.
-  std::optional<Rgb> color(std::string_view key) const;
   std::optional<TomlTable> table(std::string_view key) const;
   /// The entries of an array of tables.
   std::vector<TomlTable> tables(std::string_view key) const;
@@ -55,5 +56,16 @@ class TomlTable {
   const toml::table& table_;
   std::string place_;  ///< "[camera]" for messages
 };
+
+/// What the table says of an Owner's options, by their older names too.
+template <typename Owner>
+options::Chosen<Owner> chosenIn(const TomlTable& table) {
+  options::Chosen<Owner> chosen;
+  for (const options::Field<Owner>& field : options::fieldsOf<Owner>())
+    for (const std::string_view key : {field.formerKey, field.key})
+      if (auto value = key.empty() ? std::nullopt : table.value(key, field.allowed, field.like))
+        chosen.set(field, *std::move(value));
+  return chosen;
+}
 
 }  // namespace opaline::scene

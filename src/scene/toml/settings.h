@@ -5,8 +5,8 @@
 
 namespace opaline::scene {
 
-/// The [render] table of a scene.
-SceneFileSettings readSettings(const TomlTable& root);
+/// The [render] table of a scene. The log gets a note on keys that have another name now.
+SceneFileSettings readSettings(const TomlTable& root, const LogCallback& log);
 
 /// Throws Error where the settings name a clip that the scene does not have.
 void requireClip(const TomlTable& root, const LoadedScene& loaded);

@@ -10,7 +10,9 @@
 
 #include "bssrdf/media.h"
 #include "opaline/error.h"
+#include "options/scene.h"
 #include "scene/deformer_check.h"
+#include "scene/environment_file.h"
 #include "scene/finish.h"
 #include "scene/text.h"
 #include "scene/toml/spelling.h"
@@ -44,6 +46,27 @@ class Text {
   template <typename Numbers>
   void list(std::string_view key, const Numbers& values) {
     raw(key, toml_text::list(values, key));
+  }
+
+  void value(std::string_view key, bool on) { raw(key, on ? "true" : "false"); }
+  void value(std::string_view key, int number) { raw(key, fmt::format("{}", number)); }
+  void value(std::string_view key, float number) { this->number(key, number); }
+  void value(std::string_view key, double number) { this->number(key, number); }
+  void value(std::string_view key, const std::string& words) { text(key, words); }
+  void value(std::string_view key, const options::Size& size) {
+    raw(key, fmt::format("[{}, {}]", size[0], size[1]));
+  }
+  template <typename Number>
+  void value(std::string_view key, const std::array<Number, 3>& numbers) {
+    list(key, numbers);
+  }
+
+  /// Of an Owner's options those that were chosen.
+  template <typename Owner>
+  void fields(const options::Chosen<Owner>& chosen) {
+    for (const options::Field<Owner>& field : options::fieldsOf<Owner>())
+      if (const options::Value* found = chosen.find(field.key))
+        std::visit([&](const auto& member) { value(field.key, member); }, *found);
   }
 
   const std::string& lines() const { return lines_; }
@@ -167,9 +190,7 @@ void addObjects(const SceneDescription& scene, Text& to) {
   for (const auto& [name, medium] : names.all()) {
     if (isKnown(name, medium)) continue;
     to.header(fmt::format("[media.{}]", toml_text::key(name, "the medium")));
-    to.list("sigma_s_per_mm", medium.sigmaSPrimePerMm);
-    to.list("sigma_a_per_mm", medium.sigmaAPerMm);
-    to.number("eta", medium.eta);
+    to.fields(options::chosenIn(medium));
   }
   for (const auto& [object, medium] : media) {
     const auto placement = scene.source.placements.find(object);
@@ -181,9 +202,10 @@ void addObjects(const SceneDescription& scene, Text& to) {
   }
 }
 
-void requireLight(const Rgb& colour, std::string_view what) {
-  if (std::ranges::min(colour) >= 0) return;
-  throw Error(fmt::format("the {} of a light is negative, which a scene file cannot say", what));
+template <typename Part>
+void requireSensible(const Part& part, std::string_view what) {
+  const std::string complaint = complaintAbout(part);
+  if (!complaint.empty()) throw Error(fmt::format("{}: {}", what, complaint));
 }
 
 void addLight(std::string_view type, Text& to) {
@@ -193,44 +215,43 @@ void addLight(std::string_view type, Text& to) {
 
 void addLighting(const SceneDescription& scene, const fs::path& file, Text& to) {
   for (const DirectionalLight& light : scene.directional) {
-    requireLight(light.irradiance, "irradiance");
+    requireSensible(light, "a directional light");
     addLight("directional", to);
     to.list("direction_to_light", light.directionToLight);
-    to.list("irradiance", light.irradiance);
+    to.fields(options::chosenIn(light));
   }
   for (const PointLight& light : scene.points) {
-    requireLight(light.intensity, "intensity");
+    requireSensible(light, "a point light");
     addLight("point", to);
     to.raw("position_mm", toml_text::offset(light.positionMm, scene.centreMm, "position_mm"));
-    to.list("intensity", light.intensity);
+    to.fields(options::chosenIn(light));
   }
   const auto& environment = scene.source.environment;
   const bool nothingElse = scene.directional.empty() && scene.points.empty() && !environment;
   // In a file without lights those of the model shine, or the usual ones.
   if (scene.ambient != Rgb{} || nothingElse) {
-    requireLight(scene.ambient, "radiance");
+    const Lighting ambient{.ambient = scene.ambient};
+    if (const std::string complaint = complaintAbout(ambient); !complaint.empty()) {
+      throw Error(complaint);
+    }
     addLight("ambient", to);
-    to.list("radiance", scene.ambient);
+    to.fields(options::chosenIn(ambient));
   }
   if (!environment) return;
   to.header("[environment]");
   to.text("file", written(environment->file, file));
-  if (environment->intensity != 1) to.number("intensity", environment->intensity);
-  if (environment->rotationDegrees != 0) {
-    to.number("rotation_degrees", environment->rotationDegrees);
-  }
+  to.fields(options::chosenIn(*environment));
 }
 
 void addCamera(const SceneDescription& scene, Text& to) {
   const Camera& camera = scene.camera;
-  if (camera.positionMm == camera.targetMm || camera.up == Vec3{}) {
-    throw Error("the camera looks at where it is, or has no up direction");
-  }
+  requireSensible(camera, "the camera");
+  if (camera.up == Vec3{}) throw Error("the camera has no up direction");
   to.header("[camera]");
   to.raw("position_mm", toml_text::offset(camera.positionMm, scene.centreMm, "position_mm"));
   to.raw("target_mm", toml_text::offset(camera.targetMm, scene.centreMm, "target_mm"));
   to.list("up", camera.up);
-  to.number("fov_degrees", camera.verticalFovDegrees);
+  to.fields(options::chosenIn(camera));
 }
 
 void addDeformers(const SceneDescription& scene, Text& to) {
@@ -247,39 +268,9 @@ void addDeformers(const SceneDescription& scene, Text& to) {
 void addSettings(const SceneFileSettings& settings, Text& to) {
   if (settings == SceneFileSettings{}) return;
   to.header("[render]");
-  const auto text = [&](std::string_view key, const std::optional<std::string>& value) {
-    if (value) to.text(key, *value);
-  };
-  const auto integer = [&](std::string_view key, std::optional<int> value) {
-    if (value) to.raw(key, fmt::format("{}", *value));
-  };
-  const auto number = [&](std::string_view key, const auto& value) {
-    if (value) to.number(key, *value);
-  };
-  if (settings.width && settings.height) {
-    to.raw("size", fmt::format("[{}, {}]", *settings.width, *settings.height));
-  }
-  text("transport", settings.transport);
-  text("sum", settings.sum);
-  text("site", settings.site);
-  number("tolerance", settings.tolerance);
-  integer("max_sources", settings.maxSources);
-  integer("bounces", settings.bounces);
-  integer("boundary_surfels", settings.boundarySurfels);
-  integer("near_rings", settings.nearRings);
-  number("near_spacing", settings.nearSpacing);
-  number("far_distance", settings.farDistance);
-  integer("dsm_size", settings.dsmSize);
-  integer("shadow_size", settings.shadowSize);
-  if (settings.specular) to.raw("specular", *settings.specular ? "true" : "false");
-  number("roughness", settings.roughness);
-  integer("antialias", settings.antialias);
-  number("exposure", settings.exposureStops);
-  text("tone", settings.tone);
-  if (settings.background) to.list("background", *settings.background);
-  text("device", settings.device);
-  number("seconds", settings.seconds);
-  text("clip", settings.clip);
+  to.fields(settings.picture);
+  if (settings.device) to.text("device", *settings.device);
+  if (settings.clip) to.text("clip", *settings.clip);
 }
 
 }  // namespace

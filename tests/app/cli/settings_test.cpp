@@ -23,7 +23,7 @@ RenderOptions understood(const scene::SceneFileSettings& settings, const Scene& 
 
 void expectSame(const RenderOptions& a, const RenderOptions& b) {
   // As many names as there are options, so that a new one does not compile before it is here.
-  const auto& [width, height, transport, sum, site, tolerance, maxSources, boundarySurfels, bounces,
+  const auto& [width, height, transport, sum, site, tolerance, maxSurfels, maxClusters, bounces,
                pattern, dsmSize, shadowSize, specular, roughness, treeLevel, antialias, frames,
                seconds, clip, patient, reuseLight] = b;
   const auto& [nearRings, nearSpacing, farDistance] = pattern;
@@ -33,8 +33,8 @@ void expectSame(const RenderOptions& a, const RenderOptions& b) {
   EXPECT_EQ(a.sum, sum);
   EXPECT_EQ(a.site, site);
   EXPECT_EQ(a.tolerance, tolerance);
-  EXPECT_EQ(a.maxSources, maxSources);
-  EXPECT_EQ(a.boundarySurfels, boundarySurfels);
+  EXPECT_EQ(a.maxSurfels, maxSurfels);
+  EXPECT_EQ(a.maxClusters, maxClusters);
   EXPECT_EQ(a.bounces, bounces);
   EXPECT_EQ(a.pattern.nearRings, nearRings);
   EXPECT_EQ(a.pattern.nearSpacing, nearSpacing);
@@ -60,8 +60,8 @@ TEST(Settings, OptionsComeBack) {
   options.sum = Sum::All;
   options.site = Site::Vertex;
   options.tolerance = 0.123F;
-  options.maxSources = 4321;
-  options.boundarySurfels = 777;
+  options.maxSurfels = 4321;
+  options.maxClusters = 777;
   options.bounces = 5;
   options.pattern = {3, 1.5F, 17};
   options.dsmSize = 99;
@@ -103,7 +103,7 @@ TEST(Settings, ExposureFollowsTheLightUnlessItIsSaid) {
   EXPECT_EQ(toneOf(settings, bright).exposureStops, -1);
   EXPECT_EQ(PictureOptions().noteOnExposure(settings, toneOf(settings, bright)),
             "the light asks for an exposure of -1 stops; --exposure 0 leaves it as it is");
-  settings.exposureStops = 0.0F;
+  settings.picture.set(options::fieldOf<options::PictureSettings>("exposure"), 0.0F);
   EXPECT_EQ(toneOf(settings, bright).exposureStops, 0);
   EXPECT_EQ(PictureOptions().noteOnExposure(settings, toneOf(settings, bright)), std::nullopt);
 }

@@ -36,7 +36,7 @@ class Film : public test::RendererTestBase<testing::Test> {
     order.options.width = 24;
     order.options.height = 16;
     order.options.transport = Transport::Dipole;
-    order.options.maxSources = 1024;
+    order.options.maxSurfels = 1024;
     order.quiet = true;
     return order;
   }

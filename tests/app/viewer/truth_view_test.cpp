@@ -18,7 +18,7 @@ Session litBall() {
   session.scene.lighting.directional.push_back({{0.8F, 0, 0.6F}, {1, 2, 3}});
   session.options.transport = Transport::Dipole;
   session.options.antialias = 1;
-  session.options.maxSources = 1024;
+  session.options.maxSurfels = 1024;
   session.options.shadowSize = 64;
   return session;
 }

@@ -92,9 +92,9 @@ transport = "better-dipole"
 sum = "all"
 site = "vertex"
 tolerance = 0.02
-max_sources = 5000
+max_surfels = 5000
 bounces = 5
-boundary_surfels = 6000
+max_clusters = 6000
 near_rings = 3
 near_spacing = 0.5
 far_distance = 20
@@ -131,28 +131,30 @@ device = "llvmpipe"
   EXPECT_NEAR(scene.camera.targetMm[1], 10, 1e-4);
   EXPECT_EQ(scene.camera.verticalFovDegrees, 45);
   EXPECT_EQ(scene.camera.up, (Vec3{0, 0.5F, 2}));
-  const scene::SceneFileSettings& s = loaded.settings;
-  EXPECT_EQ(s.width, 640);
-  EXPECT_EQ(s.height, 480);
-  EXPECT_EQ(s.transport, "better-dipole");
-  EXPECT_EQ(s.sum, "all");
-  EXPECT_EQ(s.site, "vertex");
-  EXPECT_EQ(s.tolerance, 0.02F);
-  EXPECT_EQ(s.maxSources, 5000);
-  EXPECT_EQ(s.bounces, 5);
-  EXPECT_EQ(s.boundarySurfels, 6000);
-  EXPECT_EQ(s.nearRings, 3);
-  EXPECT_EQ(s.nearSpacing, 0.5F);
-  EXPECT_EQ(s.farDistance, 20.0F);
-  EXPECT_EQ(s.dsmSize, 256);
-  EXPECT_EQ(s.shadowSize, 2048);
-  EXPECT_EQ(s.specular, false);
-  EXPECT_EQ(s.roughness, 0.5F);
-  EXPECT_EQ(s.antialias, 8);
-  EXPECT_EQ(s.exposureStops, -1.5F);
-  EXPECT_EQ(s.tone, "none");
-  EXPECT_EQ(s.background, (Rgb{0, 0.25F, 1}));
-  EXPECT_EQ(s.device, "llvmpipe");
+  options::PictureSettings picture;
+  loaded.settings.picture.applyTo(picture);
+  const auto& [render, tone] = picture;
+  EXPECT_EQ(render.width, 640);
+  EXPECT_EQ(render.height, 480);
+  EXPECT_EQ(render.transport, Transport::BetterDipole);
+  EXPECT_EQ(render.sum, Sum::All);
+  EXPECT_EQ(render.site, Site::Vertex);
+  EXPECT_EQ(render.tolerance, 0.02F);
+  EXPECT_EQ(render.maxSurfels, 5000);
+  EXPECT_EQ(render.bounces, 5);
+  EXPECT_EQ(render.maxClusters, 6000);
+  EXPECT_EQ(render.pattern.nearRings, 3);
+  EXPECT_EQ(render.pattern.nearSpacing, 0.5F);
+  EXPECT_EQ(render.pattern.farDistance, 20.0F);
+  EXPECT_EQ(render.dsmSize, 256);
+  EXPECT_EQ(render.shadowSize, 2048);
+  EXPECT_EQ(render.specular, false);
+  EXPECT_EQ(render.roughness, 0.5F);
+  EXPECT_EQ(render.antialias, 8);
+  EXPECT_EQ(tone.exposureStops, -1.5F);
+  EXPECT_EQ(tone.curve, core::ToneCurve::None);
+  EXPECT_EQ(tone.background, (Rgb{0, 0.25F, 1}));
+  EXPECT_EQ(loaded.settings.device, "llvmpipe");
 }
 
 TEST_F(Toml, DeformersAreAppliedInTheirOrder) {
@@ -174,7 +176,7 @@ seconds = 1.5
   EXPECT_EQ(loaded.scene.deformers[1].kind, DeformerKind::Wobble);
   EXPECT_EQ(loaded.scene.deformers[1].amount, 0.25F);
   EXPECT_EQ(loaded.scene.deformers[1].periodSeconds, 3);
-  EXPECT_EQ(loaded.settings.seconds, 1.5);
+  EXPECT_EQ(*loaded.settings.picture.find("seconds"), options::Value(1.5));
   EXPECT_FALSE(loaded.settings.clip);
 }
 
@@ -219,7 +221,7 @@ TEST_F(Toml, DefaultsStayWhereNothingIsSaid) {
   EXPECT_EQ(loaded.scene.lighting.directional.size(), defaultLighting().directional.size());
   EXPECT_NEAR(diagonalMm(loaded.scene), 50, 1e-3);
   EXPECT_EQ(loaded.scene.objects[0].medium.name, "ketchup");
-  EXPECT_FALSE(loaded.settings.width.has_value());
+  EXPECT_TRUE(loaded.settings.picture.empty());
   EXPECT_EQ(loadScene(folder / "a.toml").objects.size(), 1U);
 }
 
@@ -227,8 +229,7 @@ TEST_F(Toml, SizeAsTextOrList) {
   for (const char* size : {"'640x480'", "[640, 480]"}) {
     const auto settings =
         load(std::string("model = 'cube.ply'\n[render]\nsize = ") + size + "\n").settings;
-    EXPECT_EQ(settings.width, 640);
-    EXPECT_EQ(settings.height, 480);
+    EXPECT_EQ(*settings.picture.find("size"), options::Value(options::Size{640, 480}));
   }
 }
 
@@ -310,12 +311,12 @@ TEST_F(Toml, WrongValuesNameKeyAndLine) {
       {"model = 'cube.ply'\n[render]\nsize = [2.5, 5]\n", "WIDTHxHEIGHT"},
       {"model = 'cube.ply'\n[render]\nantialias = 3\n", "1, 2, 4 or 8"},
       {"model = 'cube.ply'\n[render]\nspecular = 1\n", "true or false"},
-      {"model = 'cube.ply'\n[render]\ndsm_size = 99999999999999999\n", "[64, 4096]"},
-      {"model = 'cube.ply'\n[render]\nsite = 'pixel'\n", "'fragment'"},
+      {"model = 'cube.ply'\n[render]\ndsm_size = 99999999999999999\n", "from 64 to 4096"},
+      {"model = 'cube.ply'\n[render]\nsite = 'pixel'\n", "fragment"},
       {"model = 'cube.ply'\n[media.a]\nmeasured = 'lava'\n", "'measured'"},
       {"model = 'cube.ply'\n[media.a]\neta = 1.3\n", "sigma_s_per_mm"},
       {"model = 'cube.ply'\n[media.a]\nsigma_s_per_mm=[1,1,1]\nsigma_a_per_mm=[-1,1,1]\n",
-       "absorption"},
+       "sigma_a_per_mm"},
       {"model = 'cube.ply'\nmedia = 3\n", "table"},
       {"model = 'cube.ply'\n[objects.cube]\nmedium = 'x'\n", "'x'"},
       {"model = 'cube.ply'\n[objects.cube]\ntransform = [1,2]\n", "16"},
@@ -326,7 +327,7 @@ TEST_F(Toml, WrongValuesNameKeyAndLine) {
       {"model = 'cube.ply'\n[[lights]]\ntype = 'directional'\ndirection_to_light = [0,0,0]\n",
        "zero"},
       {"model = 'cube.ply'\n[camera]\nposition_mm = [0,0,0]\n", "looks"},
-      {"model = 'cube.ply'\n[camera]\nfov_degrees = 0\n", "[1, 170]"},
+      {"model = 'cube.ply'\n[camera]\nfov_degrees = 0\n", "from 1 to 170"},
       {"model = 'cube.ply'\n[camera]\nup = [0, 0, 0]\n", "'up'"},
       {"model = 'cube.ply'\n[render]\nbackground = [0, 2, 0]\n", "'background'"},
       {"model = 'cube.ply\n", "line 1"},

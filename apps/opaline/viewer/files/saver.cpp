@@ -22,10 +22,12 @@ std::string saved(const std::filesystem::path& file, const core::Target& wanted)
 std::string saveScene(const Session& session, const core::Target& target, int width, int height) {
   scene::SceneFileSettings settings =
       settingsOf(sized(session.options, width, height), session.tone, session.scene);
-  if (session.exposesByLight) settings.exposureStops.reset();
+  if (session.exposesByLight) settings.picture.erase("exposure");
   // Between the last file and the end, the last is shown; render knows no such time.
-  if (session.sequence && settings.seconds) {
-    settings.seconds = std::min(*settings.seconds, lastSecond(*session.sequence));
+  if (session.sequence) {
+    settings.picture.set(
+        options::fieldOf<options::PictureSettings>("seconds"),
+        std::min(session.options.seconds, lastSecond(*session.sequence)));
   }
   return saved(scene::writeScene(target, scene::describe(session.scene, session.source, settings)),
                target);

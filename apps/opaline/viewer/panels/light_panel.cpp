@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "scene/environment_file.h"
-#include "shaders/shared/frame.h"
 #include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 
@@ -21,8 +20,8 @@ constexpr float toDegrees = 180 / std::numbers::pi_v<float>;
 // Whether the renderer takes the scene with so many lights. A point light has a shadow view for
 // each side of a cube about it.
 bool within(std::size_t directional, std::size_t points) {
-  return directional + points <= shared::maxLights &&
-         directional + 6 * points <= shared::maxShadowViews;
+  return directional + points <= Lighting::maxLights &&
+         directional + 6 * points <= Lighting::maxShadowMaps;
 }
 
 // A direction as turn about the vertical, from +z towards +x, and height above the horizon.

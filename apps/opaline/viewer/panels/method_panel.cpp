@@ -2,29 +2,30 @@
 
 #include "cli/picture_options.h"
 #include "viewer/panels/controls.h"
+#include "viewer/panels/option_control.h"
 #include "viewer/panels/panels.h"
 
 namespace opaline::app::viewer {
 
 namespace {
 
-bool drawPattern(PatternOptions& pattern) {
-  bool changed = controls::integer("near rings", pattern.nearRings, 0, 15,
-                                   "The near block has (2 n + 1) squared samples. Gong et al. "
-                                   "2008, Figure 5.");
-  changed |= controls::slider("near spacing", pattern.nearSpacing, 0.1F, 10, "%.2f paths",
-                              "Between near samples, in mean free paths of the channel where they "
-                              "are shortest.");
-  changed |= controls::slider("far distance", pattern.farDistance, 1, 100, "%.1f paths",
-                              "Of the eight far samples, in mean free paths.");
+bool drawPattern(RenderOptions& options) {
+  bool changed = drawOption("near rings", options, "near_rings",
+                            "The near block has (2 n + 1) squared samples. Gong et al. 2008, "
+                            "Figure 5.");
+  changed |= drawOption("near spacing", options, "near_spacing",
+                        "Between near samples, in mean free paths of the channel where they are "
+                        "shortest.");
+  changed |= drawOption("far distance", options, "far_distance",
+                        "Of the eight far samples, in mean free paths.");
   return changed;
 }
 
 bool drawBoundary(RenderOptions& options) {
-  bool changed = controls::integer("bounces", options.bounces, 0, 8,
-                                   "Of light that leaves the body and enters it again.");
+  bool changed = drawOption("bounces", options, "bounces",
+                            "Of light that leaves the body and enters it again.");
   static const Choices<int> most{{"2048", 2048}, {"4096", 4096}, {"8192", 8192}, {"16384", 16384}};
-  changed |= controls::choice("boundary surfels", options.boundarySurfels, most,
+  changed |= controls::choice("clusters", options.maxClusters, most,
                               "Most unknowns of the equation on the body's surface. Thin parts "
                               "want many.");
   return changed;
@@ -35,27 +36,27 @@ bool drawBoundary(RenderOptions& options) {
 void drawMethodPanel(Session& session) {
   if (!controls::section("Method", false)) return;
   RenderOptions& options = session.options;
-  bool changed = controls::choice(
-      "transport", options.transport, transports(),
+  bool changed = drawOption(
+      "transport", options, "transport",
       "How light travels in the body: boundary solves diffusion on the body as it is; the dipoles "
       "take every place for an endless flat slab (Jensen et al. 2001; d'Eon 2012).");
   // Boundary transport and the pattern exclude each other: the last choice wins.
   if (changed && options.transport == Transport::Boundary && options.sum == Sum::Pattern) {
     options.sum = Sum::Tree;
   }
-  if (controls::choice("sum", options.sum, sums(),
-                       "Over which sources: a tree of surfels within the tolerance, all of them, "
-                       "or the pattern of Gong et al. 2008.")) {
+  if (drawOption("sum", options, "sum",
+                 "Over which sources: a tree of surfels within the tolerance, all of them, "
+                 "or the pattern of Gong et al. 2008.")) {
     changed = true;
     if (options.sum == Sum::Pattern && options.transport == Transport::Boundary) {
       options.transport = Transport::Dipole;
     }
   }
-  changed |= controls::choice("site", options.site, sites(),
+  changed |= drawOption("site", options, "site",
                               "Where light is summed: at vertices, at pixels, or at vertices where "
                               "edges are no longer than a mean free path.");
   if (options.sum == Sum::Tree) {
-    changed |= controls::slider("tolerance", options.tolerance, 1e-4F, 1, "%.4f",
+    changed |= drawOption("tolerance", options, "tolerance",
                                 "What a group of sources may be off, relative to the exitance.");
   }
   if (options.transport == Transport::Boundary) {
@@ -64,7 +65,7 @@ void drawMethodPanel(Session& session) {
                        "A tolerance of 0.05 will do while light, medium or body move, where this "
                        "device needs more than 150 ms for boundary transport.");
   }
-  if (options.sum == Sum::Pattern) changed |= drawPattern(options.pattern);
+  if (options.sum == Sum::Pattern) changed |= drawPattern(options);
   if (controls::button("Gong et al. 2008", "The paper's method: dipole, pattern, fragment.")) {
     options = paperOptions(options);
     changed = true;

@@ -52,7 +52,7 @@ void drawTimePanel(const Session& session, const TimingHistory& history) {
     const RenderReport& report = *session.report;
     controls::text(report.device.name);
     ImGui::Text("%zu triangles, %zu sources", report.triangles, report.sources);
-    if (report.boundarySurfels > 0) ImGui::Text("%zu boundary surfels", report.boundarySurfels);
+    if (report.clusters > 0) ImGui::Text("%zu clusters", report.clusters);
     ImGui::Text("%.0f MB of the device's memory", report.peakMemoryMegabytes);
   }
   if (!ImGui::BeginTable("passes", 3, ImGuiTableFlags_SizingFixedFit)) return;

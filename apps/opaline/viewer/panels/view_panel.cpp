@@ -2,6 +2,7 @@
 
 #include "cli/picture_options.h"
 #include "viewer/panels/controls.h"
+#include "viewer/panels/option_control.h"
 #include "viewer/panels/panels.h"
 
 namespace opaline::app::viewer {
@@ -28,7 +29,7 @@ Choices<Variable> shownVariables(const RenderOptions& options) {
     table.push_back({"tree levels", {Aov::Surfels, SurfelIndex::Node}});
   }
   if (options.transport == Transport::Boundary) {
-    table.push_back({"boundary surfels", {Aov::Surfels, SurfelIndex::Cluster}});
+    table.push_back({"clusters", {Aov::Surfels, SurfelIndex::Cluster}});
   }
   for (const auto& [name, aov] : Choices<Aov>{{"map: position", Aov::DsmPosition},
                                               {"map: normal", Aov::DsmNormal},
@@ -73,16 +74,14 @@ void drawViewPanel(Session& session) {
                          "What suits lights and sky, whatever the camera sees.")) {
     exposeByLight(session);
   }
-  controls::choice("tone", session.tone.curve, toneCurves(),
+  controls::choice("tone", session.tone.curve, choicesOf<core::ToneCurve>(),
                    "Neutral bends only what is brighter than white (Khronos 2024).");
-  static const Choices<int> samples{{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}};
-  changed |= controls::choice("samples a pixel", options.antialias, samples,
-                              "Of the picture at rest; 1 while it moves.");
-  changed |= controls::checkbox("reflection on the surface", options.specular,
-                                "GGX reflection of lights and environment (Walter et al. 2007).");
+  changed |= drawOption("samples a pixel", options, "antialias",
+                        "Of the picture at rest; 1 while it moves.");
+  changed |= drawOption("reflection on the surface", options, "specular",
+                        "GGX reflection of lights and environment (Walter et al. 2007).");
   if (options.specular) {
-    changed |=
-        controls::slider("roughness", options.roughness, 0.05F, 1, "%.2f", "Of that reflection.");
+    changed |= drawOption("roughness", options, "roughness", "Of that reflection.");
   }
   controls::checkbox("scale bar", session.scaleBar,
                      "Millimetres in the picture, beside how far light travels in the medium.");

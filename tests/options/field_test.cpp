@@ -1,0 +1,191 @@
+#include "options/field.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "options/picture.h"
+#include "options/scene.h"
+
+namespace opaline::options {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Range, HoldsItsEndsAndNothingThatIsNotFinite) {
+  const Range range{1, 2};
+  EXPECT_TRUE(range.holds(1));
+  EXPECT_TRUE(range.holds(2));
+  EXPECT_FALSE(range.holds(std::nextafter(1.0, 0.0)));
+  EXPECT_FALSE(range.holds(std::nextafter(2.0, 3.0)));
+  EXPECT_FALSE(range.holds(std::nan("")));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE((Range{0, infinity}.holds(infinity)));
+  EXPECT_FALSE((Range{1, 2, "", true}.holds(1)));
+}
+
+TEST(Range, IsDescribedWithItsUnit) {
+  EXPECT_EQ(describe({0, 1000, "mean free paths"}), "from 0 to 1000 mean free paths");
+  EXPECT_EQ(describe({0, 100, "mm", true}), "above 0 and at most 100 mm");
+}
+
+TEST(Range, NumbersAreAsShortAsTheyCanBe) {
+  EXPECT_EQ(numberText(1e6), "1e6");
+  EXPECT_EQ(numberText(1e-6), "1e-6");
+  EXPECT_EQ(numberText(1e15), "1e15");
+  EXPECT_EQ(numberText(-32), "-32");
+  EXPECT_EQ(numberText(4'194'304), "4194304");
+  EXPECT_EQ(numberText(1.01), "1.01");
+}
+
+TEST(Requirement, SaysWhatAValueMustBe) {
+  EXPECT_EQ(requirement({{1e-4, 1}}, 0.0F), "must be from 0.0001 to 1");
+  EXPECT_EQ(requirement({{0, 8}}, 0), "must be a whole number from 0 to 8");
+  EXPECT_EQ(requirement({.range = {1, 8}, .counts = {1, 2, 4, 8}}, 0), "must be 1, 2, 4 or 8");
+  EXPECT_EQ(requirement({.choices = {"auto", "vertex"}}, std::string()),
+            "must be one of auto, vertex");
+  EXPECT_EQ(requirement({{0, 1}}, Rgb{}),
+            "must be three numbers or one for all three, each from 0 to 1");
+  EXPECT_EQ(requirement({{1, 16384}}, Size{}), "must be WIDTHxHEIGHT, each from 1 to 16384");
+}
+
+TEST(Text, IsWhatPeopleType) {
+  EXPECT_EQ(textOf(0.01F), "0.01");
+  EXPECT_EQ(textOf(true), "true");
+  EXPECT_EQ(textOf(Size{640, 480}), "640x480");
+  EXPECT_EQ(textOf(Rgb{0, 0.25F, 1}), "0,0.25,1");
+}
+
+template <typename Owner>
+class Table : public testing::Test {};
+
+using Owners = testing::Types<PictureSettings, Medium, Camera, DirectionalLight, PointLight,
+                              Lighting, LoadOptions>;
+TYPED_TEST_SUITE(Table, Owners);
+
+TYPED_TEST(Table, HasEachKeyOnce) {
+  std::set<std::string_view> keys;
+  for (const Field<TypeParam>& field : fieldsOf<TypeParam>()) {
+    EXPECT_TRUE(keys.insert(field.key).second) << field.key;
+    EXPECT_TRUE(field.formerKey.empty() || keys.insert(field.formerKey).second) << field.key;
+    EXPECT_EQ(findField<TypeParam>(field.key), &field);
+    EXPECT_FALSE(field.help.empty()) << field.key;
+  }
+  EXPECT_EQ(findField<TypeParam>("no_such_key"), nullptr);
+}
+
+TYPED_TEST(Table, DefaultsAreAllowedExceptAMediumOfNothing) {
+  TypeParam owner{};
+  if constexpr (std::is_same_v<TypeParam, Medium>) owner.sigmaSPrimePerMm = {1, 1, 1};
+  EXPECT_EQ(complaintAboutFields(owner), "");
+}
+
+// Of a number outside the range: the same in place of each of several.
+Value outside(const Field<PictureSettings>& field, double number) {
+  return std::visit(
+      [&](auto value) -> Value {
+        using Kind = decltype(value);
+        if constexpr (std::is_same_v<Kind, bool>)
+          return value;
+        else if constexpr (std::is_arithmetic_v<Kind>)
+          return static_cast<Kind>(number);
+        else if constexpr (std::is_same_v<Kind, std::string>)
+          return std::string("no such name");
+        else
+          return Kind{static_cast<typename Kind::value_type>(number)};
+      },
+      field.like);
+}
+
+TEST(Picture, WhatIsOutOfRangeIsRefusedWithOneSentence) {
+  for (const Field<PictureSettings>& field : fieldsOf<PictureSettings>()) {
+    if (std::holds_alternative<bool>(field.like) || std::holds_alternative<std::string>(field.like))
+      continue;
+    const Range& range = field.allowed.range;
+    for (const double number : {range.least - 1, range.most + 1}) {
+      PictureSettings settings;
+      field.set(settings, outside(field, number));
+      EXPECT_EQ(complaintAboutFields(settings),
+                std::string(field.key) + " " + textOf(*field.get(settings)) + ": " +
+                    requirement(field.allowed, field.like));
+      const bool ofTone = field.key == "exposure" || field.key == "background";
+      EXPECT_EQ(complaintAbout(settings.render).empty(), ofTone) << field.key;
+    }
+  }
+}
+
+TEST(Picture, NotANumberIsOutOfEveryRange) {
+  RenderOptions options;
+  options.tolerance = std::nanf("");
+  EXPECT_EQ(complaintAbout(options), "tolerance nan: must be from 0.0001 to 1");
+}
+
+TEST(Picture, ChosenOptionsAreAppliedAndOthersStay) {
+  Chosen<PictureSettings> chosen;
+  EXPECT_TRUE(chosen.empty());
+  chosen.set(fieldOf<PictureSettings>("bounces"), 5);
+  chosen.set(fieldOf<PictureSettings>("site"), std::string("fragment"));
+  RenderOptions options;
+  options.roughness = 0.5F;
+  apply(chosen, options);
+  EXPECT_EQ(options.bounces, 5);
+  EXPECT_EQ(options.site, Site::Fragment);
+  EXPECT_EQ(options.roughness, 0.5F);
+  chosen.erase("bounces");
+  EXPECT_FALSE(chosen.has("bounces"));
+}
+
+TEST(Picture, OlderNamesAreUnderstood) {
+  EXPECT_EQ(findField<PictureSettings>("max_sources"), findField<PictureSettings>("max_surfels"));
+  EXPECT_EQ(findField<PictureSettings>("boundary_surfels"),
+            findField<PictureSettings>("max_clusters"));
+}
+
+TEST(Medium, IsRefusedWhereItsCoefficientsMakeNoSense) {
+  Medium medium{"wax", {1, 1, 1}, {0.1, 0.1, 0.1}, 1.3};
+  EXPECT_EQ(complaintAbout(medium), "");
+  medium.sigmaSPrimePerMm[1] = 0;
+  EXPECT_THAT(complaintAbout(medium), HasSubstr("sigma_s_per_mm 1,0,1"));
+  medium.sigmaSPrimePerMm[1] = 1;
+  medium.sigmaAPerMm[2] = -1;
+  EXPECT_THAT(complaintAbout(medium), HasSubstr("sigma_a_per_mm"));
+  medium.sigmaAPerMm[2] = std::nan("");
+  EXPECT_THAT(complaintAbout(medium), HasSubstr("sigma_a_per_mm"));
+  medium.sigmaAPerMm[2] = 0;
+  medium.eta = 1;
+  EXPECT_EQ(complaintAbout(medium), "eta 1: must be from 1.01 to 3");
+}
+
+TEST(Lights, AreRefusedWhereTheyMakeNoSense) {
+  EXPECT_THAT(complaintAbout(DirectionalLight{.directionToLight = {}}), HasSubstr("not zero"));
+  EXPECT_THAT(complaintAbout(DirectionalLight{.irradiance = {-1, 0, 0}}),
+              HasSubstr("irradiance -1,0,0: must be"));
+  EXPECT_THAT(complaintAbout(PointLight{.positionMm = {0, std::nanf(""), 0}}),
+              HasSubstr("finite"));
+  Lighting lighting;
+  lighting.directional.resize(Lighting::maxLights);
+  EXPECT_EQ(complaintAbout(lighting), "");
+  lighting.directional.emplace_back();
+  EXPECT_THAT(complaintAbout(lighting), HasSubstr("16 lights"));
+  lighting.directional.clear();
+  lighting.points.resize(8);
+  EXPECT_EQ(complaintAbout(lighting), "");
+  lighting.points.emplace_back();
+  EXPECT_THAT(complaintAbout(lighting), HasSubstr("48 shadow maps"));
+  lighting.points.clear();
+  lighting.ambient = {0, -1, 0};
+  EXPECT_THAT(complaintAbout(lighting), HasSubstr("the ambient light: radiance 0,-1,0"));
+}
+
+TEST(Camera, IsRefusedWhereItMakesNoSense) {
+  EXPECT_EQ(complaintAbout(Camera{.positionMm = {0, 0, 1}}), "");
+  EXPECT_THAT(complaintAbout(Camera{}), HasSubstr("where it is"));
+  EXPECT_EQ(complaintAbout(Camera{.positionMm = {0, 0, 1}, .verticalFovDegrees = 171}),
+            "fov_degrees 171: must be from 1 to 170 degrees");
+}
+
+}  // namespace
+}  // namespace opaline::options
