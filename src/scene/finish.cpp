@@ -85,6 +85,10 @@ Bounds boundsOf(const RawScene& raw) {
   return box.bounds();
 }
 
+Double3 exactMiddleOf(const Bounds& bounds) {
+  return 0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm));
+}
+
 double diagonalOf(const Bounds& bounds) {
   return length(toDouble(bounds.maxMm) - toDouble(bounds.minMm));
 }

@@ -103,7 +103,7 @@ struct Job {
 };
 
 Job prepare(const RenderCommand& command, core::Target output, const LogCallback& log) {
-  LoadedScene loaded = command.scene.load(log);
+  scene::LoadedScene loaded = command.scene.load(log);
   command.lights.applyTo(loaded);
   auto& [scene, settings, sequence, source] = loaded;
   RenderOptions options = command.options(settings);

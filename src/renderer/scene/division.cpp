@@ -53,7 +53,7 @@ DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHas
 }
 
 Division divide(const scene::MergedMesh& merged, const DivisionOrder& order) {
-  const surfels::Surface surface{merged.positionsMm, merged.triangles, merged.objectOfTriangle};
+  const core::RestSurface surface = scene::surfaceOf(merged);
   Division made{order, surfels::makeSurfels(surface, order.spacingOfObjectMm, order.maxSurfels),
                 std::nullopt};
   if (order.maxClusters > 0)

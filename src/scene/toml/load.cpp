@@ -363,8 +363,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   loadModels(root, assembly);
   readObjects(root, assembly);
   readDeformers(root, assembly);
-  const Bounds bounds = boundsOf(assembly.scene);
-  assembly.centre = toFloat(0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm)));
+  assembly.centre = middleOf(boundsOf(assembly.scene));
   readLighting(root, assembly);
   frameBuiltIn(assembly);
   readCamera(root, assembly);
