@@ -4,6 +4,7 @@
 
 #include "opaline/scene.h"
 #include "scene/raw_scene.h"
+#include "scene/vector_math.h"
 
 namespace opaline::scene {
 
