@@ -180,7 +180,7 @@ PositionsByObject positionsOf(const MeshSequence* sequence, double seconds) {
 Job prepare(const ReferenceCommand& command, core::Target output, const LogCallback& log) {
   scene::LoadedScene loaded = command.scene.load(log);
   command.lights.applyTo(loaded);
-  auto& [scene, settings, sequence, source] = loaded;
+  auto& [scene, settings, source, sequence] = loaded;
   RenderOptions options = command.options(settings);
   rf::requireSound(command.pictureOptions(options));
   command.camera.applyTo(scene);
