@@ -17,9 +17,6 @@ class Device;
 
 namespace opaline {
 
-/// As the atlas wants it; `merged` outlives it.
-atlas::Surface surfaceOf(const scene::MergedMesh& merged);
-
 /// What sums need of a scene beside its mesh.
 struct SceneNeeds {
   std::optional<int> mapSize;      ///< an atlas for a diffusion source map of that edge, texels
