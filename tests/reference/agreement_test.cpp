@@ -37,7 +37,7 @@ class AgreementTest : public RendererTest {
     options.shadowSize = 2048;
     options.transport = transport;
     options.sum = sum;
-    options.maxSurfels = maxSources_;
+    options.maxSurfels = maxSurfels_;
     options.site = Site::Fragment;
     options.clip = -1;
     if (!std::exchange(isSet_, true)) renderer().setScene(scene_);
@@ -67,7 +67,7 @@ class AgreementTest : public RendererTest {
   }
 
   Scene scene_;
-  int maxSources_ = RenderOptions{}.maxSurfels;
+  int maxSurfels_ = RenderOptions{}.maxSurfels;
   bool isSet_ = false;
 };
 
@@ -147,7 +147,7 @@ TEST_F(AgreementTest, FinerSurfelsComeNearerToTheIntegral) {
   const Image truth = exact({Aov::Exitance}, Transport::Dipole)[0];
   double before = 0;
   for (const int surfels : {1024, 4096, 16384}) {
-    maxSources_ = surfels;
+    maxSurfels_ = surfels;
     const double now =
         differenceOf(rendered({Aov::Exitance}, Sum::All, Transport::Dipole)[0], truth).relative;
     RecordProperty("relative_rmse_of_" + std::to_string(surfels), std::to_string(now));

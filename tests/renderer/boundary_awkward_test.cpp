@@ -35,7 +35,7 @@ TEST_F(BoundaryAwkwardTest, AnOpenSheetIsABetterDipole) {
     options.site = site;
     const RenderResult asked = renderBoundary(scene, options, {Aov::Exitance});
     EXPECT_EQ(asked.report.transport, Transport::BetterDipole);
-    EXPECT_EQ(asked.report.boundarySurfels, 0U);
+    EXPECT_EQ(asked.report.clusters, 0U);
     const Image& boundary = asked.images[0];
     options.transport = Transport::BetterDipole;
     const Image dipole = renderBoundary(scene, options, {Aov::Exitance}).images[0];
