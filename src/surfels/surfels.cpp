@@ -11,7 +11,7 @@ namespace opaline::surfels {
 namespace {
 
 // How much coarser the largest pieces become from one try to the next that fits the budget.
-constexpr double coarser = 1.1;
+constexpr double coarserPieces = 1.1;
 
 struct Cut {
   std::vector<Piece> pieces;
@@ -69,7 +69,7 @@ Cut cut(const Surface& surface, std::span<const double> wantedMm, std::size_t bu
       result.pieces = std::move(*pieces);
       return result;
     }
-    share /= coarser * coarser;
+    share /= coarserPieces * coarserPieces;
   }
 }
 
