@@ -59,6 +59,7 @@ check:
 	$(PYTHON) tools/check_links.py
 	$(PYTHON) tools/check_format.py
 	$(PYTHON) -m unittest discover -q -s tests/tools -p '*_test.py'
+	$(PYTHON) -m unittest discover -q -s tests/bench -p '*_test.py'
 
 test: everything check
 	$(PYTHON) tools/check_tidy.py $(BUILD)
@@ -77,7 +78,7 @@ bench: everything
 	$(BUILD)/bin/opaline_soft_body_bench
 
 bench-gpu: everything
-	$(PYTHON) tools/bench_gpu.py $(BUILD)/bin build --device "$(DEVICE)"
+	$(PYTHON) bench/bench_gpu.py $(BUILD)/bin build --device "$(DEVICE)"
 
 figures: everything $(TRUTHS)
 	$(PYTHON) tools/make_pictures.py --build $(BUILD) $(PICTURES)
