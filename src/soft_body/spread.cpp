@@ -92,7 +92,7 @@ Spread makeSpread(const Cage& cage) {
       for (int x = 0; x < lookup.size()[0]; ++x) {
         spread.firstPart.push_back(static_cast<std::uint32_t>(spread.parts.size()));
         const std::uint32_t node = lookup.at(x, y, z);
-        if (node != none)
+        if (node != noNode)
           spread.parts.push_back({node, 1});
         else
           carryOn(neighboursOf(lookup, x, y, z), spread.parts);
