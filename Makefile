@@ -66,7 +66,8 @@ test: everything check
 	scripts/fetch-ray-query-device.sh build/ray-query-device
 	$(PYTHON) tools/run_tests.py release --jobs 3
 
-quick: everything
+quick: configure
+	cmake --build --preset release --target opaline_quick_tests
 	$(PYTHON) tools/run_tests.py release --jobs 2 --quick
 
 lint: everything

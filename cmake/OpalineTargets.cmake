@@ -39,6 +39,8 @@ function(opaline_precompile_test_library)
   target_precompile_headers(opaline_test_library PRIVATE <gtest/gtest.h>)
 endfunction()
 
+add_custom_target(opaline_quick_tests)  # what `make quick` runs
+
 # opaline_test(core QUICK SOURCES a_test.cpp LIBRARIES opaline_core): one program of GoogleTest's. With SHARDS n its
 # cases are dealt out to n processes that may run beside each other; a process for each case would spend most of its
 # time on opening a device and making pipelines. What is QUICK is run by `make quick` too.
@@ -62,6 +64,7 @@ function(opaline_test name)
     endforeach()
   endif()
   if(ARG_QUICK)
+    add_dependencies(opaline_quick_tests test_${name})
     set_tests_properties(${name} PROPERTIES LABELS quick)
   endif()
 endfunction()
