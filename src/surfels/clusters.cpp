@@ -28,7 +28,8 @@ struct Below {
 
 class Divider {
  public:
-  Divider(const Surface& surface, const Surfels& surfels, std::span<const double> largestMm)
+  Divider(const core::RestSurface& surface, const SurfelDivision& surfels,
+          std::span<const double> largestMm)
       : surfels_(surfels) {
     measure(surface, largestMm);
     below_.resize(surfels.tree.links.size());
@@ -36,7 +37,7 @@ class Divider {
     }
   }
 
-  Clusters divide(double scale) {
+  ClusterDivision divide(double scale) {
     scale_ = scale;
     made_ = {};
     const std::vector<std::uint32_t>& roots = surfels_.tree.rootOfObject;
@@ -56,7 +57,7 @@ class Divider {
   std::uint32_t count() const { return static_cast<std::uint32_t>(made_.firstSurfel.size()); }
   std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(made_.tree.links.size()); }
 
-  void measure(const Surface& surface, std::span<const double> largestMm) {
+  void measure(const core::RestSurface& surface, std::span<const double> largestMm) {
     const std::vector<double> thickness = thicknessMm(surface, surfels_);
     areaMm2_.resize(surfels_.count());
     for (std::size_t surfel = 0; surfel < areaMm2_.size(); ++surfel)
@@ -118,12 +119,12 @@ class Divider {
     made_.tree.links[made] = Tree::setBit | nodeCount();
   }
 
-  const Surfels& surfels_;
+  const SurfelDivision& surfels_;
   std::vector<double> areaMm2_;   // of each surfel
   std::vector<double> wantedMm_;  // edge of a cluster there
   std::vector<Below> below_;
   double scale_ = 1;
-  Clusters made_;
+  ClusterDivision made_;
 };
 
 }  // namespace
@@ -132,11 +133,11 @@ double usualClusterMm(double areaOfObjectMm2) {
   return std::sqrt(areaOfObjectMm2 / usualClusters);
 }
 
-Clusters makeClusters(const Surface& surface, const Surfels& surfels,
-                      std::span<const double> largestMm, std::size_t maxClusters) {
+ClusterDivision makeClusters(const core::RestSurface& surface, const SurfelDivision& surfels,
+                             std::span<const double> largestMm, std::size_t maxClusters) {
   Divider divider(surface, surfels, largestMm);
   double scale = 1;
-  Clusters clusters = divider.divide(scale);
+  ClusterDivision clusters = divider.divide(scale);
   while (clusters.count() > maxClusters && clusters.count() > clusters.tree.rootOfObject.size()) {
     // Their number goes with the square of the scale.
     scale *= std::max(

@@ -13,7 +13,7 @@ namespace opaline::surfels {
 
 /// Nodes of the tree of surfels that together hold each surfel once, and the tree above them: what
 /// needs fewer places than there are surfels. They follow the surface where it is thin.
-struct Clusters {
+struct ClusterDivision {
   std::vector<std::uint32_t> firstSurfel;    ///< one more than there are clusters
   std::vector<std::uint32_t> firstOfObject;  ///< cluster; one more than there are objects
   Tree tree;                                 ///< every leaf is one cluster
@@ -29,7 +29,7 @@ double usualClusterMm(double areaOfObjectMm2);
 /// As large as usual, no larger than `largestMm`, one an object, nor than the body is thick there,
 /// unless that makes more than `maxClusters`: then all are coarser by the same factor. Every object
 /// has one at least.
-Clusters makeClusters(const Surface& surface, const Surfels& surfels,
-                      std::span<const double> largestMm, std::size_t maxClusters);
+ClusterDivision makeClusters(const core::RestSurface& surface, const SurfelDivision& surfels,
+                             std::span<const double> largestMm, std::size_t maxClusters);
 
 }  // namespace opaline::surfels

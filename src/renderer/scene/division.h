@@ -30,8 +30,8 @@ DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHas
 /// A surface in surfels and, where they were ordered, clusters of them; on the host.
 struct Division {
   DivisionOrder order;
-  surfels::Surfels surfels;
-  std::optional<surfels::Clusters> clusters;
+  surfels::SurfelDivision surfels;
+  std::optional<surfels::ClusterDivision> clusters;
 };
 
 /// Pure, so for any thread; takes tenths of a second for 100,000 triangles.
