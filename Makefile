@@ -13,12 +13,14 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build test check bench bench-gpu figures accuracy contact-sheet format asan package dependencies
+.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan package dependencies configure
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
 	@echo 'make build     build $(OPALINE)'
-	@echo 'make test      build, check every rule of the house, run all tests'
+	@echo 'make test      build all there is, check every rule of the house, run all tests'
+	@echo 'make quick     unit tests and golden pictures of what has changed since they last passed'
+	@echo 'make lint      clang-tidy on every source file, whatever was clean before'
 	@echo 'make bench     times of every pass on this machine'
 	@echo 'make bench-gpu all figures of docs/performance.md on a GPU, into build/; DEVICE=name chooses it'
 	@echo 'make figures   the pictures of docs/, from the models; PICTURES=name.jpg chooses, PICTURES=--all makes the long ones too'
@@ -31,18 +33,23 @@ help:
 dependencies:
 	@scripts/install-dependencies.sh
 
-build: dependencies
+configure: dependencies
 	cmake --preset release $(LAUNCHER)
+
+build: configure
+	cmake --build --preset release --target opaline
+
+everything: configure
 	cmake --build --preset release
 
 demo: build
 	$(OPALINE) render --medium jade -o bear.png
-	$(OPALINE) render --medium gummy-red --deform wobble:0.05:2 --frames 0:119 --size 256x256 --antialias 2 \
+	$(OPALINE) render --medium gummy-red --deform wobble:0.05:2 --frames 0:59 --size 256x256 --antialias 2 \
 	  --max-clusters 2048 --background 0.02,0.02,0.03 -o bear.mp4
 	$(OPALINE) render --aov dsm-irradiance -o bear-light.exr
 	@echo
 	@echo 'bear.png         the built-in bear, of jade, in the light that comes through it'
-	@echo 'bear.mp4         the same bear of red gummy, wobbling for four seconds'
+	@echo 'bear.mp4         the same bear of red gummy, wobbling for two seconds'
 	@echo 'bear-light.exr   the light that has entered its skin, laid out flat'
 	@echo 'Next: $(OPALINE) render YOUR_MODEL.glb --medium wholemilk --diagonal-mm 50 -o picture.png'
 
@@ -54,20 +61,27 @@ check:
 	$(PYTHON) -m unittest discover -q -s tests/tools -p '*_test.py'
 	$(PYTHON) -m unittest discover -q -s tests/bench -p '*_test.py'
 
-test: build check
+test: everything check
 	$(PYTHON) tools/check_tidy.py $(BUILD)
 	scripts/fetch-ray-query-device.sh build/ray-query-device
 	$(PYTHON) tools/run_tests.py release --jobs 3
 
-bench: build
+quick: configure
+	cmake --build --preset release --target opaline_quick_tests
+	$(PYTHON) tools/run_tests.py release --jobs 2 --quick
+
+lint: everything
+	$(PYTHON) tools/check_tidy.py $(BUILD) --all
+
+bench: everything
 	$(BUILD)/bin/opaline_frame_bench
 	$(BUILD)/bin/opaline_motion_bench
 	$(BUILD)/bin/opaline_soft_body_bench
 
-bench-gpu: build
+bench-gpu: everything
 	$(PYTHON) bench/bench_gpu.py $(BUILD)/bin build --device "$(DEVICE)"
 
-figures: build $(TRUTHS)
+figures: everything $(TRUTHS)
 	$(PYTHON) tools/make_pictures.py --build $(BUILD) $(PICTURES)
 
 # What boundary transport is shown beside: 8 minutes in all.

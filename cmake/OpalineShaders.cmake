@@ -33,7 +33,7 @@ function(opaline_shaders target)
       DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file} DEPFILE ${words}.d
       COMMENT "Compiling shader ${entry}" VERBATIM)
     file(GENERATE OUTPUT ${source} CONTENT
-      "#include \"shaders/shaders.h\"\n\nnamespace opaline::shaders {\n\nnamespace {\nconstexpr std::uint32_t words[] = {\n#include \"${words}\"\n};\n}  // namespace\n\nconst std::span<const std::uint32_t> ${name}(words);\n\n}  // namespace opaline::shaders\n")
+      "#include \"shaders/shaders.h\"\n\nnamespace opaline::shaders {\n\nnamespace {\nconstexpr std::uint32_t ${name}_words[] = {\n#include \"${words}\"\n};\n}  // namespace\n\nconst std::span<const std::uint32_t> ${name}(${name}_words);\n\n}  // namespace opaline::shaders\n")
     set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${words})
     string(APPEND declarations "extern const std::span<const std::uint32_t> ${name};\n")
     list(APPEND sources ${source})

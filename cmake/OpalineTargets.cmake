@@ -3,8 +3,11 @@
 
 add_library(opaline_warnings INTERFACE)
 target_compile_options(opaline_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+  -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wnon-virtual-dtor
   -Wold-style-cast -Woverloaded-virtual -Wno-missing-field-initializers -Werror)
+# In a unity build the names of a file are seen by those that are read after it.
+target_compile_options(opaline_warnings INTERFACE
+  $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wshadow=local;-Wno-subobject-linkage,-Wshadow>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(opaline_warnings INTERFACE -Wno-restrict)  # false positives, GCC bug 105651
 endif()
@@ -36,14 +39,32 @@ function(opaline_precompile_test_library)
   target_precompile_headers(opaline_test_library PRIVATE <gtest/gtest.h>)
 endfunction()
 
-# opaline_test(core SOURCES a_test.cpp LIBRARIES opaline_core)
+add_custom_target(opaline_quick_tests)  # what `make quick` runs
+
+# opaline_test(core QUICK SOURCES a_test.cpp LIBRARIES opaline_core): one program of GoogleTest's. With SHARDS n its
+# cases are dealt out to n processes that may run beside each other; a process for each case would spend most of its
+# time on opening a device and making pipelines. What is QUICK is run by `make quick` too.
 function(opaline_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK" "SHARDS" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
   target_link_libraries(test_${name} PRIVATE opaline_warnings ${ARG_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
   opaline_compile_quickly(test_${name})
   target_precompile_headers(test_${name} REUSE_FROM opaline_test_library)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(test_${name} PRIVATE OPALINE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. NO_PRETTY_VALUES DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
+  if(NOT ARG_SHARDS)
+    add_test(NAME ${name} COMMAND test_${name})
+    set_tests_properties(${name} PROPERTIES TIMEOUT 1800)
+  else()
+    foreach(shard RANGE 1 ${ARG_SHARDS})
+      math(EXPR index "${shard} - 1")
+      add_test(NAME ${name}.${shard} COMMAND test_${name})
+      set_tests_properties(${name}.${shard} PROPERTIES TIMEOUT 1800 COST 50
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${index}")
+    endforeach()
+  endif()
+  if(ARG_QUICK)
+    add_dependencies(opaline_quick_tests test_${name})
+    set_tests_properties(${name} PROPERTIES LABELS quick)
+  endif()
 endfunction()

@@ -2,9 +2,9 @@
 """clang-tidy on every source file of the product, in parallel. Most of its time goes into reading headers,
 so files with the same compiler flags are read many at once, as one translation unit. Two files may give the
 same name to different things: those that do not compile together are read apart. What was clean and has not
-changed since, with all the headers it includes, is not read again.
-Usage: check_tidy.py BUILD_FOLDER"""
+changed since, with all the headers it includes, is not read again, unless --all asks for it."""
 
+import argparse
 import concurrent.futures
 import hashlib
 import itertools
@@ -19,7 +19,7 @@ import sys
 import clang_tools
 from repository import ROOT, finish
 
-FILES_AT_ONCE = 24
+FILES_AT_ONCE = 48
 
 
 def our_dependencies(build):
@@ -52,23 +52,31 @@ class Source:
         self.path, self.flags, self.mark = path, flags, mark
 
 
+def files_of(unit):
+    """The source files of a unit of a unity build; of any other, itself."""
+    if unit.parent.name != "Unity":
+        return [unit]
+    return [pathlib.Path(name).resolve() for name in re.findall(r'^#include "(.+)"', unit.read_text(), re.MULTILINE)]
+
+
 def sources(build, salt):
     """Every source file that is ours, once."""
     dependencies = our_dependencies(build)
     seen = set()
     for entry in json.loads((build / "compile_commands.json").read_text()):
-        path = pathlib.Path(entry["directory"], entry["file"]).resolve()
-        if not path.is_relative_to(ROOT) or path.is_relative_to(build) or path in seen:
-            continue
-        if path.is_relative_to(ROOT / "tests"):  # reading the test library takes longer than all else
-            continue
-        seen.add(path)
         words = shlex.split(entry["command"])
         at = words.index("-o")
         files = dependencies.get(words[at + 1])
-        known = files is not None and path in files and all(file.is_file() for file in files)
-        mark = build / "tidy" / fingerprint(salt, entry["command"], files) if known else None
-        yield Source(path, tuple(words[1:at]), mark)
+        for path in files_of(pathlib.Path(entry["directory"], entry["file"]).resolve()):
+            if not path.is_relative_to(ROOT) or path.is_relative_to(build) or path in seen:
+                continue
+            if path.is_relative_to(ROOT / "tests"):  # reading the test library takes longer than all else
+                continue
+            seen.add(path)
+            known = files is not None and path in files and all(file.is_file() for file in files)
+            name = str(path.relative_to(ROOT)).encode()
+            mark = build / "tidy" / fingerprint(salt + name, entry["command"], files) if known else None
+            yield Source(path, tuple(words[1:at]), mark)
 
 
 def batches(waiting):
@@ -105,13 +113,18 @@ def tidy(program, build, batch):
 
 
 def main():
-    build = pathlib.Path(sys.argv[1]).resolve()
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("build", type=pathlib.Path, help="folder of a build whose objects are up to date")
+    parser.add_argument("--all", action="store_true", help="read what was clean before, too")
+    arguments = parser.parse_args()
+    build = arguments.build.resolve()
     program = clang_tools.find("clang-tidy")
     if program is None:
         return
     salt = (ROOT / ".clang-tidy").read_bytes() + clang_tools.VERSION.encode()
     (build / "tidy").mkdir(exist_ok=True)
-    waiting = [source for source in sources(build, salt) if source.mark is None or not source.mark.exists()]
+    waiting = [source for source in sources(build, salt)
+               if arguments.all or source.mark is None or not source.mark.exists()]
     findings, done = [], 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
         # The largest first, so that no processor waits long for the last.

@@ -110,13 +110,13 @@ int roundedUp(int value, int multiple) {
 }
 
 // Where the tiles lie: shelves of falling height in a square.
-struct Layout {
+struct BoxLayout {
   int size = 0;
   std::vector<TexelBox> tiles;
 };
 
-Layout layOut(const std::vector<TexelBox>& charts, int reach, int alignment) {
-  Layout layout;
+BoxLayout layOutBoxes(const std::vector<TexelBox>& charts, int reach, int alignment) {
+  BoxLayout layout;
   double area = 0;
   int widest = 0;
   for (const TexelBox& chart : charts) {
@@ -303,10 +303,10 @@ Neighbourhoods makeNeighbourhoods(const core::RestSurface& surface, const Atlas&
 
   Neighbourhoods result;
   result.reach = std::max(options.reach, minReach);
-  Layout layout = layOut(boxes, result.reach, options.alignment);
+  BoxLayout layout = layOutBoxes(boxes, result.reach, options.alignment);
   while (layout.size > options.maxSize && result.reach > minReach) {
     result.reach = std::max(minReach, result.reach * 4 / 5);
-    layout = layOut(boxes, result.reach, options.alignment);
+    layout = layOutBoxes(boxes, result.reach, options.alignment);
   }
   result.size = roundedUp(std::max(layout.size, 1), options.alignment);
   for (std::size_t chart = 0; chart < boxes.size(); ++chart)

@@ -12,7 +12,7 @@ namespace opaline {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Radiance of white that is left as it is. Pictures lit from behind, as most of translucent things
 // are, show little of their brightest side, so that it may be brighter than white.

@@ -12,7 +12,7 @@ namespace opaline {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::array<std::size_t, 9> bandOf = {0, 1, 1, 1, 2, 2, 2, 2, 2};
 
 /// Integrals over a solid angle of the monomials that the basis is made of.

@@ -14,8 +14,6 @@ namespace opaline::gpu {
 
 namespace {
 
-constexpr std::size_t maxColors = 8;
-
 VkDescriptorBufferInfo bufferInfoOf(const Binding& binding, const VkPhysicalDeviceLimits& limits) {
   assert(binding.offset < binding.buffer->bytes());
   const std::size_t rest = binding.buffer->bytes() - binding.offset;

@@ -14,8 +14,6 @@ namespace opaline::gpu {
 
 namespace {
 
-constexpr std::size_t maxColors = 8;
-
 /// The values of constant_id 0, 1, 2, …; must outlive the pipeline's creation.
 class Specialization {
  public:

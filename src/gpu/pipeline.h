@@ -2,6 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -40,6 +41,9 @@ struct ComputePipelineOptions {
   std::uint32_t pushConstantBytes = 0;        ///< at most 128
   std::vector<std::uint32_t> specialization;  ///< value of constant_id 0, 1, 2, …
 };
+
+/// Targets that a pass draws into at once.
+constexpr std::size_t maxColors = 8;
 
 enum class CullMode { None, Front, Back };
 enum class DepthMode { Off, Write, TestEqual, Test };

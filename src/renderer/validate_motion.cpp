@@ -17,17 +17,17 @@ namespace {
 }
 
 template <typename T>
-bool finite(const T& values) {
+bool allFinite(const T& values) {
   return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
 }
 
-bool finite(const std::vector<Vec3>& list) {
-  return std::all_of(list.begin(), list.end(), [](const Vec3& v) { return finite(v); });
+bool allFinite(const std::vector<Vec3>& list) {
+  return std::all_of(list.begin(), list.end(), [](const Vec3& v) { return allFinite(v); });
 }
 
-bool finite(const Affine& map) {
+bool allFinite(const Affine& map) {
   return std::all_of(map.columns.begin(), map.columns.end(),
-                     [](const Vec3& column) { return finite(column); });
+                     [](const Vec3& column) { return allFinite(column); });
 }
 
 void validateNodes(const Scene& scene) {
@@ -36,8 +36,8 @@ void validateNodes(const Scene& scene) {
     if (node.parent < -1 || (node.parent >= 0 && static_cast<std::size_t>(node.parent) >= n))
       refuse(scene, fmt::format("the parent of node {} is {}, but must be an earlier one or -1", n,
                                 node.parent));
-    if (!finite(node.translation) || !finite(node.rotation) || !finite(node.scale) ||
-        !finite(node.morphWeights) || (node.matrix && !finite(*node.matrix)))
+    if (!allFinite(node.translation) || !allFinite(node.rotation) || !allFinite(node.scale) ||
+        !allFinite(node.morphWeights) || (node.matrix && !allFinite(*node.matrix)))
       refuse(scene, fmt::format("node {} has numbers that are not finite", n));
   }
 }
@@ -57,7 +57,7 @@ void validateTrack(const Scene& scene, const Clip& clip, const Track& track) {
   if (track.node >= scene.nodes.size())
     refuse(scene,
            fmt::format("clip '{}' moves node {}, which does not exist", clip.name, track.node));
-  if (track.seconds.empty() || !finite(track.seconds) || !finite(track.values) ||
+  if (track.seconds.empty() || !allFinite(track.seconds) || !allFinite(track.values) ||
       !std::is_sorted(track.seconds.begin(), track.seconds.end()))
     refuse(scene, fmt::format("clip '{}' has a track whose times are not finite and ascending",
                               clip.name));
@@ -80,7 +80,7 @@ void validateSkin(const Scene& scene, const Object& object, const Rig& rig) {
                                 "joints",
                                 object.name, influence.joint, influence.weight, rig.joints.size()));
   for (const Joint& joint : rig.joints)
-    if (joint.node >= scene.nodes.size() || !finite(joint.inverseBind))
+    if (joint.node >= scene.nodes.size() || !allFinite(joint.inverseBind))
       refuse(scene,
              fmt::format("a joint of object '{}' is node {}, which does not exist, or is not "
                          "finite",
@@ -90,12 +90,12 @@ void validateSkin(const Scene& scene, const Object& object, const Rig& rig) {
 void validateRig(const Scene& scene, const Object& object, const Rig& rig) {
   const std::size_t vertices = object.mesh.positionsMm.size();
   const auto fits = [&](const std::vector<Vec3>& list, bool mayBeEmpty) {
-    return (list.size() == vertices || (mayBeEmpty && list.empty())) && finite(list);
+    return (list.size() == vertices || (mayBeEmpty && list.empty())) && allFinite(list);
   };
   if (rig.node >= scene.nodes.size())
     refuse(scene, fmt::format("object '{}' hangs on node {}, which does not exist", object.name,
                               rig.node));
-  bool whole = fits(rig.positions, false) && fits(rig.normals, false) && finite(rig.toScene);
+  bool whole = fits(rig.positions, false) && fits(rig.normals, false) && allFinite(rig.toScene);
   for (const MorphTarget& target : rig.targets)
     whole = whole && fits(target.positions, true) && fits(target.normals, true);
   if (!whole)

@@ -41,7 +41,7 @@ Format formatOf(const std::filesystem::path& file, std::string_view start) {
   return Format::Unknown;
 }
 
-RawScene read(const Input& input) {
+RawScene readByName(const Input& input) {
   const std::string_view start(reinterpret_cast<const char*>(input.bytes.data()),
                                std::min<std::size_t>(input.bytes.size(), 4));
   switch (formatOf(input.file, start)) {
@@ -72,7 +72,7 @@ RawScene loadModel(const std::filesystem::path& file, const LogCallback& log) {
   const std::vector<std::byte> bytes = core::readFile(file, longestFileBytes);
   const std::string name = cleanText(file.string(), 1000);
   if (bytes.empty()) throw Error(fmt::format("{}: the file is empty", name));
-  RawScene scene = read({file, bytes, log});
+  RawScene scene = readByName({file, bytes, log});
   if (!scene.notShown.empty()) {
     note(log, fmt::format("{}: not shown: {}", name, textOf(scene.notShown)));
   }

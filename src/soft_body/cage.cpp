@@ -10,18 +10,18 @@ namespace opaline::soft_body {
 
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t noNumber = std::numeric_limits<std::uint32_t>::max();
 
 // Numbers corners as cubes come to need them.
 class Corners {
  public:
   explicit Corners(const Voxels& voxels)
       : wide_{voxels.counts[0] + 1, voxels.counts[1] + 1},
-        numbers_(std::size_t{wide_[0]} * wide_[1] * (voxels.counts[2] + 1), none) {}
+        numbers_(std::size_t{wide_[0]} * wide_[1] * (voxels.counts[2] + 1), noNumber) {}
 
   std::uint32_t number(const std::array<std::uint32_t, 3>& at, Cage& cage) {
     std::uint32_t& number = numbers_[at[0] + wide_[0] * (at[1] + std::size_t{wide_[1]} * at[2])];
-    if (number == none) {
+    if (number == noNumber) {
       number = static_cast<std::uint32_t>(cage.nodes.size());
       cage.nodes.push_back(at);
     }

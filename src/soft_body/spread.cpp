@@ -9,7 +9,7 @@ namespace opaline::soft_body {
 
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t noNode = std::numeric_limits<std::uint32_t>::max();
 
 // Which node lies at a place of the grid.
 class Lookup {
@@ -19,7 +19,7 @@ class Lookup {
               static_cast<int>(cage.counts[2]) + 3},
         nodes_(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
                    static_cast<std::size_t>(size_[2]),
-               none) {
+               noNode) {
     for (std::uint32_t n = 0; n < cage.nodes.size(); ++n)
       nodes_[index(static_cast<int>(cage.nodes[n][0]) + 1, static_cast<int>(cage.nodes[n][1]) + 1,
                    static_cast<int>(cage.nodes[n][2]) + 1)] = n;
@@ -29,7 +29,7 @@ class Lookup {
 
   std::uint32_t at(int x, int y, int z) const {
     const bool inside = x >= 0 && y >= 0 && z >= 0 && x < size_[0] && y < size_[1] && z < size_[2];
-    return inside ? nodes_[index(x, y, z)] : none;
+    return inside ? nodes_[index(x, y, z)] : noNode;
   }
 
  private:
@@ -55,7 +55,7 @@ std::vector<Neighbour> neighboursOf(const Lookup& lookup, int x, int y, int z) {
     for (int j = -2; j <= 2; ++j)
       for (int i = -2; i <= 2; ++i) {
         const std::uint32_t node = lookup.at(x + i, y + j, z + k);
-        if (node == none) continue;
+        if (node == noNode) continue;
         touches = touches || (std::abs(i) <= 1 && std::abs(j) <= 1 && std::abs(k) <= 1);
         all.push_back({node,
                        {1, static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)},
@@ -92,7 +92,7 @@ Spread makeSpread(const Cage& cage) {
       for (int x = 0; x < lookup.size()[0]; ++x) {
         spread.firstPart.push_back(static_cast<std::uint32_t>(spread.parts.size()));
         const std::uint32_t node = lookup.at(x, y, z);
-        if (node != none)
+        if (node != noNode)
           spread.parts.push_back({node, 1});
         else
           carryOn(neighboursOf(lookup, x, y, z), spread.parts);

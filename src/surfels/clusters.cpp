@@ -17,7 +17,7 @@ constexpr double usualClusters = 3000;
 constexpr double leastPart = 0.25;
 
 // How much coarser clusters become from one try to the next that fits the budget.
-constexpr double coarser = 1.05;
+constexpr double coarserClusters = 1.05;
 
 // What is below a node of the tree of surfels.
 struct Below {
@@ -141,7 +141,7 @@ ClusterDivision makeClusters(const core::RestSurface& surface, const SurfelDivis
   while (clusters.count() > maxClusters && clusters.count() > clusters.tree.rootOfObject.size()) {
     // Their number goes with the square of the scale.
     scale *= std::max(
-        coarser,
+        coarserClusters,
         std::sqrt(static_cast<double>(clusters.count()) / static_cast<double>(maxClusters)) * 0.9);
     clusters = divider.divide(scale);
   }

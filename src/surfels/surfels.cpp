@@ -11,7 +11,7 @@ namespace opaline::surfels {
 namespace {
 
 // How much coarser the largest pieces become from one try to the next that fits the budget.
-constexpr double coarser = 1.1;
+constexpr double coarserPieces = 1.1;
 
 struct Cut {
   std::vector<Piece> pieces;
@@ -71,7 +71,7 @@ Cut cut(const core::RestSurface& surface, std::span<const double> wantedMm, std:
       result.pieces = std::move(*pieces);
       return result;
     }
-    share /= coarser * coarser;
+    share /= coarserPieces * coarserPieces;
   }
 }
 

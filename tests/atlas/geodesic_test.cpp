@@ -17,7 +17,7 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Vector toVector(const Vec3& p) {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};

@@ -108,7 +108,7 @@ std::uint32_t sourceAt(const Neighbourhoods& map, int x, int y) {
                     static_cast<std::size_t>(x)];
 }
 
-double distance(const Vector& a, const Vector& b) {
+double gap(const Vector& a, const Vector& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
@@ -339,7 +339,7 @@ TEST(Neighbourhood, SurroundsTheChartsOfClosedSurfaces) {
             if (next == Neighbourhoods::nothing) continue;
             ++pairs;
             const std::optional<Vector> beside = texels.near(next);
-            if (!beside || distance(*place, *beside) > 3 * texelMm) ++torn;
+            if (!beside || gap(*place, *beside) > 3 * texelMm) ++torn;
           }
         }
     }

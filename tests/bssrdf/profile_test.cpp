@@ -16,7 +16,7 @@ namespace {
 
 using test::integrate;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<Profile> allProfiles(Model model) {

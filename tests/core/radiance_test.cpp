@@ -19,7 +19,7 @@ std::string resolution(int width, int height) {
   return "-Y " + std::to_string(height) + " +X " + std::to_string(width) + "\n";
 }
 
-Image read(const std::string& bytes) {
+Image readRadiance(const std::string& bytes) {
   const TemporaryFolder folder;
   writeBytes(folder / "sky.hdr", bytes);
   return readHdrImage(folder / "sky.hdr");
@@ -27,8 +27,9 @@ Image read(const std::string& bytes) {
 
 // RGBE: mantissa · 2^(exponent - 136). 128 · 2^-7 = 1; 137 · 2^9 = 70144, a sun.
 TEST(Radiance, PlainPixels) {
-  const Image image = read(head + resolution(2, 2) + "\x80\x40\x20\x81" + "\x89\x89\x89\x91" +
-                           std::string("\xff\xff\xff\x00", 4) + std::string("\x01\x00\x00\x01", 4));
+  const Image image =
+      readRadiance(head + resolution(2, 2) + "\x80\x40\x20\x81" + "\x89\x89\x89\x91" +
+                   std::string("\xff\xff\xff\x00", 4) + std::string("\x01\x00\x00\x01", 4));
   ASSERT_EQ(image.width, 2);
   ASSERT_EQ(image.height, 2);
   EXPECT_THAT(std::vector<float>(image.rgba.begin(), image.rgba.begin() + 12),
@@ -58,7 +59,8 @@ std::string runLengthRow(int width) {
 
 TEST(Radiance, RunLengthRows) {
   const int width = 300;
-  const Image image = read(head + resolution(width, 2) + runLengthRow(width) + runLengthRow(width));
+  const Image image =
+      readRadiance(head + resolution(width, 2) + runLengthRow(width) + runLengthRow(width));
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < width; ++x) {
       EXPECT_EQ(image.pixel(x, y)[0], 0.25F);
@@ -71,23 +73,24 @@ TEST(Radiance, RunLengthRows) {
 
 TEST(Radiance, OldRepeats) {
   // One pixel, 3 repeats, then 256 more by a second count.
-  const Image image = read(head + resolution(260, 1) + "\x80\x80\x80\x81" + "\x01\x01\x01\x03" +
-                           "\x01\x01\x01\x01");
+  const Image image = readRadiance(head + resolution(260, 1) + "\x80\x80\x80\x81" +
+                                   "\x01\x01\x01\x03" + "\x01\x01\x01\x01");
   for (int x = 0; x < 260; ++x) EXPECT_EQ(image.pixel(x, 0)[1], 1.0F);
 }
 
 TEST(Radiance, ExposureIsTakenOut) {
-  const Image image = read("#?RGBE\nEXPOSURE=2\nEXPOSURE= 0.25\nFORMAT=32-bit_rle_rgbe\n\n" +
-                           resolution(1, 1) + "\x80\x80\x80\x81");
+  const Image image =
+      readRadiance("#?RGBE\nEXPOSURE=2\nEXPOSURE= 0.25\nFORMAT=32-bit_rle_rgbe\n\n" +
+                   resolution(1, 1) + "\x80\x80\x80\x81");
   EXPECT_EQ(image.pixel(0, 0)[0], 2.0F);
 }
 
 TEST(Radiance, EveryTruncationIsAnError) {
   const TemporaryFolder folder;
   const std::string whole = head + resolution(20, 2) + runLengthRow(20) + runLengthRow(20);
-  EXPECT_NO_THROW(read(whole));
+  EXPECT_NO_THROW(readRadiance(whole));
   for (std::size_t length = 0; length < whole.size(); ++length) {
-    EXPECT_THROW(read(whole.substr(0, length)), Error) << length;
+    EXPECT_THROW(readRadiance(whole.substr(0, length)), Error) << length;
   }
 }
 
@@ -96,7 +99,7 @@ TEST(Radiance, HostileResolutionsAreErrors) {
        {"-Y 16384 +X 16384", "-Y 16385 +X 1", "-Y 2147483648 +X 1", "-Y 99999999999999999999 +X 1",
         "-Y 0 +X 1", "-Y -1 +X 1", "+Y 1 +X 1", "-Y 1 +X 1 ", ""}) {
     const std::string bytes = fmt::format("{}{}\n\x80\x80\x80\x81", head, line);
-    EXPECT_THAT(messageOf([&] { read(bytes); }), HasSubstr("sky.hdr")) << line;
+    EXPECT_THAT(messageOf([&] { readRadiance(bytes); }), HasSubstr("sky.hdr")) << line;
   }
 }
 
@@ -106,7 +109,8 @@ TEST(Radiance, HostileHeadersAreErrors) {
        {std::string("FORMAT=32-bit_rle_xyze"), std::string("EXPOSURE=0"), std::string("EXPOSURE=x"),
         std::string("EXPOSURE=1e-300"), endless}) {
     const std::string bytes = fmt::format("#?RADIANCE\n{}\n\n-Y 1 +X 1\n\x80\x80\x80\x81", line);
-    EXPECT_THAT(messageOf([&] { read(bytes); }), HasSubstr("sky.hdr")) << line.substr(0, 80);
+    EXPECT_THAT(messageOf([&] { readRadiance(bytes); }), HasSubstr("sky.hdr"))
+        << line.substr(0, 80);
   }
 }
 
@@ -119,14 +123,14 @@ TEST(Radiance, HostileRunsAreErrors) {
         std::string_view("\x01\x01\x01\x02", 4),                  // repeats nothing
         std::string_view("\x80\x80\x80\x81\x01\x01\x01\x08", 8)}) {
     const std::string bytes = fmt::format("{}{}", intro, row);
-    EXPECT_THAT(messageOf([&] { read(bytes); }), HasSubstr("sky.hdr"));
+    EXPECT_THAT(messageOf([&] { readRadiance(bytes); }), HasSubstr("sky.hdr"));
   }
 }
 
 TEST(Radiance, OtherFilesAreErrors) {
   const TemporaryFolder folder;
-  EXPECT_THAT(messageOf([] { read(""); }), HasSubstr("empty"));
-  EXPECT_THAT(messageOf([] { read("\x89PNG\r\n\x1a\n"); }), HasSubstr("neither"));
+  EXPECT_THAT(messageOf([] { readRadiance(""); }), HasSubstr("empty"));
+  EXPECT_THAT(messageOf([] { readRadiance("\x89PNG\r\n\x1a\n"); }), HasSubstr("neither"));
   EXPECT_THAT(messageOf([&] { readHdrImage(folder.path()); }), HasSubstr("folder"));
   EXPECT_THAT(messageOf([&] { readHdrImage(folder / "none.hdr"); }), HasSubstr("none.hdr"));
 }

@@ -6,19 +6,12 @@
 #include <numbers>
 
 #include "deform/deformer.h"
+#include "deform/vectors.h"
 
 namespace opaline::deform {
 namespace {
 
 using scene::Double3;
-
-constexpr float root = 0.70710678F;
-
-void expectVector(const Double3& actual, const Double3& expected, double tolerance = 1e-6) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    EXPECT_NEAR(actual[axis], expected[axis], tolerance) << "axis " << axis;
-  }
-}
 
 /// A triangle at a node that moves along x.
 Scene riggedTriangle() {

@@ -1,4 +1,5 @@
 #include "deform/deformer.h"
+#include "deform/vectors.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ using scene::operator+;
 using scene::operator-;
 using scene::operator*;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// 4 × 10 × 2, about the axis x = 1, z = −2, from y = 5: a diagonal of √120.
 const Bounds box{{-1, 5, -3}, {3, 15, -1}};
@@ -21,12 +22,6 @@ const double diagonal = std::sqrt(120.0);
 
 Double3 place(const Deformer& deformer, double seconds, const Double3& p) {
   return deformed(deformer, box, seconds, {p, {0, 1, 0}}).position;
-}
-
-void expectVector(const Double3& actual, const Double3& expected, double tolerance = 1e-6) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    EXPECT_NEAR(actual[axis], expected[axis], tolerance) << "axis " << axis;
-  }
 }
 
 /// Of the map, by central differences.

@@ -1,4 +1,5 @@
 #include "deform/pose.h"
+#include "deform/vectors.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +8,6 @@
 
 namespace opaline::deform {
 namespace {
-
-constexpr float root = 0.70710678F;
 
 Scene oneNode(Track track, float seconds) {
   Scene scene;
@@ -25,13 +24,6 @@ Pose poseOf(const Scene& scene, double seconds, int clip = 0) {
 
 double translationX(const Scene& scene, double seconds) {
   return poseOf(scene, seconds).world[0].column[3][0];
-}
-
-void expectVector(const scene::Double3& actual, const scene::Double3& expected,
-                  double tolerance = 1e-6) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    EXPECT_NEAR(actual[axis], expected[axis], tolerance) << "axis " << axis;
-  }
 }
 
 Track translation(Interpolation interpolation, std::vector<float> values) {

@@ -12,7 +12,7 @@
 namespace opaline {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float piF = std::numbers::pi_v<float>;
 constexpr float hundredth = 0.0051F;  // of a stop, as which it is given, and rounding
 
 Scene emptyScene() {
@@ -51,14 +51,14 @@ TEST(Exposure, OrdinaryLightIsLeftAsItIs) {
 TEST(Exposure, WhiteComesToTheNearerEndOfWhatIsOrdinary) {
   EXPECT_FLOAT_EQ(stopsOf({.ambient = grey(10)}), -2);
   EXPECT_FLOAT_EQ(stopsOf({.ambient = grey(0.0625F)}), 2);
-  EXPECT_FLOAT_EQ(stopsOf({.directional = {{{0, 0.6F, 0.8F}, grey(10 * pi)}}}), -2);
-  EXPECT_NEAR(stopsOf({.directional = {{{0, 0, 1}, grey(7.5F * pi)}}, .ambient = grey(2.5F)}), -2,
+  EXPECT_FLOAT_EQ(stopsOf({.directional = {{{0, 0.6F, 0.8F}, grey(10 * piF)}}}), -2);
+  EXPECT_NEAR(stopsOf({.directional = {{{0, 0, 1}, grey(7.5F * piF)}}, .ambient = grey(2.5F)}), -2,
               hundredth);
   // Two lamps at right angles light a surface between them by the diagonal of both.
-  EXPECT_NEAR(stopsOf({.directional = {{{1, 0, 0}, grey(10 * pi)}, {{0, 1, 0}, grey(10 * pi)}}}),
+  EXPECT_NEAR(stopsOf({.directional = {{{1, 0, 0}, grey(10 * piF)}, {{0, 1, 0}, grey(10 * piF)}}}),
               -2.5F, hundredth);
   // From opposite sides they do not add up.
-  EXPECT_NEAR(stopsOf({.directional = {{{1, 0, 0}, grey(10 * pi)}, {{-1, 0, 0}, grey(10 * pi)}}}),
+  EXPECT_NEAR(stopsOf({.directional = {{{1, 0, 0}, grey(10 * piF)}, {{-1, 0, 0}, grey(10 * piF)}}}),
               -2, hundredth);
 }
 
@@ -98,10 +98,10 @@ TEST(Exposure, PointLightsCountAtTheMiddleOfTheBody) {
     return automaticExposureStops(scene);
   };
   // 20 mm away: E = intensity / 400.
-  EXPECT_NEAR(stopsAt({30, 0, 0}, 400 * 10 * pi), -2, hundredth);
+  EXPECT_NEAR(stopsAt({30, 0, 0}, 400 * 10 * piF), -2, hundredth);
   // However near: as at half the diagonal, 5 mm.
-  EXPECT_NEAR(stopsAt({11, 0, 0}, 25 * 10 * pi), -2, hundredth);
-  EXPECT_NEAR(stopsAt({10, 0, 0}, 25 * 10 * pi), -2, hundredth);
+  EXPECT_NEAR(stopsAt({11, 0, 0}, 25 * 10 * piF), -2, hundredth);
+  EXPECT_NEAR(stopsAt({10, 0, 0}, 25 * 10 * piF), -2, hundredth);
 }
 
 TEST(Exposure, IsFiniteForAnyLight) {

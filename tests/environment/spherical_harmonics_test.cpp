@@ -13,7 +13,7 @@
 namespace opaline {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 using Direction = std::array<double, 3>;
 

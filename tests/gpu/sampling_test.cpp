@@ -16,7 +16,7 @@ namespace {
 using SamplingTest = GpuTest;
 using Color = std::array<float, 4>;
 
-constexpr VkFormat color32 = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr VkFormat sampledFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 Buffer resultBuffer(Device& device, std::size_t floats) {
   return makeBuffer(device, "results", std::vector<float>(floats, -1.0F),
@@ -37,7 +37,7 @@ TEST_F(SamplingTest, LayersThatWereDrawnOneByOneAreSampledTogether) {
   options.width = 8;
   options.height = 8;
   options.layers = 3;
-  options.format = color32;
+  options.format = sampledFormat;
   options.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   options.kind = ImageKind::Array;
   GpuImage image(device(), options);
@@ -66,7 +66,7 @@ TEST_F(SamplingTest, LevelsAreSampledEachOnItsOwn) {
   options.height = 4;
   options.layers = 2;
   options.mipLevels = 3;
-  options.format = color32;
+  options.format = sampledFormat;
   options.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   options.kind = ImageKind::Array;
   GpuImage image(device(), options);
@@ -128,7 +128,7 @@ TEST_F(SamplingTest, SamplerFiltersAsAsked) {
   options.width = 2;
   options.height = 1;
   options.layers = 1;
-  options.format = color32;
+  options.format = sampledFormat;
   options.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
   options.kind = ImageKind::Array;
   GpuImage image(device(), options);

@@ -21,7 +21,7 @@ namespace {
 using TexelTest = GpuTest;
 using Texel = std::array<float, 4>;
 
-constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+constexpr VkBufferUsageFlags texelUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 constexpr VkBufferUsageFlags texels = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
 
 Pipeline turnAround() {
@@ -50,8 +50,8 @@ TEST_F(TexelTest, EveryTexelArrives) {
     values.push_back({number, -number, std::bit_cast<float>(0x20000000U | i),
                       std::bit_cast<float>(0xA0000000U | i)});
   }
-  Buffer from = makeBuffer(device(), "from", values, storage | texels);
-  Buffer to = makeBuffer(device(), "to", std::vector<Texel>(count + 1), storage);
+  Buffer from = makeBuffer(device(), "from", values, texelUsage | texels);
+  Buffer to = makeBuffer(device(), "to", std::vector<Texel>(count + 1), texelUsage);
   const Pipeline pipeline = turnAround();
   CommandList list(device(), "texels");
   list.begin();
@@ -69,15 +69,15 @@ TEST_F(TexelTest, EveryTexelArrives) {
   EXPECT_EQ(results[count], Texel{});
 }
 
-// Each dispatch reads as texels what other invocations of the one before wrote as storage, and the
-// one after it overwrites them.
+// Each dispatch reads as texels what other invocations of the one before wrote as texelUsage, and
+// the one after it overwrites them.
 TEST_F(TexelTest, DispatchesReadWhatEarlierOnesWrote) {
   constexpr std::uint32_t count = 1U << 15U;
   std::vector<Texel> values;
   for (std::uint32_t i = 0; i < count; ++i)
     values.push_back({static_cast<float>(i), 1, 2, static_cast<float>(i)});
-  Buffer a = makeBuffer(device(), "a", values, storage | texels);
-  Buffer b = makeBuffer(device(), "b", std::vector<Texel>(count), storage | texels);
+  Buffer a = makeBuffer(device(), "a", values, texelUsage | texels);
+  Buffer b = makeBuffer(device(), "b", std::vector<Texel>(count), texelUsage | texels);
   const Pipeline pipeline = turnAround();
   CommandList list(device(), "chain");
   constexpr int turns = 10;
@@ -94,8 +94,9 @@ TEST_F(TexelTest, DispatchesReadWhatEarlierOnesWrote) {
 
 // What is left of a buffer after its last whole texel is not read.
 TEST_F(TexelTest, ABufferMayEndWithinATexel) {
-  Buffer from = makeBuffer(device(), "odd", std::vector<float>(4 * 64 + 3, 7.0F), storage | texels);
-  Buffer to = makeBuffer(device(), "to", std::vector<Texel>(64), storage);
+  Buffer from =
+      makeBuffer(device(), "odd", std::vector<float>(4 * 64 + 3, 7.0F), texelUsage | texels);
+  Buffer to = makeBuffer(device(), "to", std::vector<Texel>(64), texelUsage);
   const Pipeline pipeline = turnAround();
   CommandList list(device(), "texels");
   list.begin();
@@ -106,11 +107,11 @@ TEST_F(TexelTest, ABufferMayEndWithinATexel) {
 
 TEST_F(TexelTest, ABufferThatMovesKeepsItsTexels) {
   Buffer made =
-      makeBuffer(device(), "moved", std::vector<Texel>(64, Texel{1, 2, 3, 4}), storage | texels);
+      makeBuffer(device(), "moved", std::vector<Texel>(64, Texel{1, 2, 3, 4}), texelUsage | texels);
   Buffer from = std::move(made);
-  Buffer other = makeBuffer(device(), "other", std::vector<Texel>(1), storage | texels);
+  Buffer other = makeBuffer(device(), "other", std::vector<Texel>(1), texelUsage | texels);
   other = std::move(from);
-  Buffer to = makeBuffer(device(), "to", std::vector<Texel>(64), storage);
+  Buffer to = makeBuffer(device(), "to", std::vector<Texel>(64), texelUsage);
   const Pipeline pipeline = turnAround();
   CommandList list(device(), "texels");
   list.begin();

@@ -16,7 +16,7 @@ namespace {
 using Profiles = std::array<bssrdf::Profile, 3>;
 using Sums = std::array<double, 3>;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Profiles profilesOf(const Medium& medium, bssrdf::Model model) {
   Profiles profiles;

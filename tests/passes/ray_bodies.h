@@ -15,6 +15,7 @@
 
 namespace opaline::passes::test {
 
+using opaline::test::cross;
 using opaline::test::Vector;
 
 /// A surface at rest, which is divided, and where its vertices have moved since.
@@ -63,10 +64,6 @@ inline Vector twisted(const Vector& p) {
   const double angle = p[1] * 3.14 / 40;
   return {std::cos(angle) * p[0] + std::sin(angle) * p[2], p[1],
           std::cos(angle) * p[2] - std::sin(angle) * p[0]};
-}
-
-inline Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// What a shader is given: distances in lengths of the direction.

@@ -25,7 +25,7 @@ using reference::Geometry;
 using reference::Integral;
 using reference::Irradiance;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Simpson's rule on intervals that grow from `from` by a constant factor.
 double quadrature(const std::function<double(double)>& f, double from, double to) {

@@ -24,7 +24,7 @@
 namespace opaline::reference {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 int particlesOfTests() {
   const char* wanted = std::getenv("OPALINE_PATH_PARTICLES");  // for a closer look by hand

@@ -118,7 +118,7 @@ void PrintTo(const BlocksCase& blocks, std::ostream* to) {
   *to << blocks.name;
 }
 
-Scene sceneOf(const BlocksCase& blocks) {
+Scene sceneOfBlocks(const BlocksCase& blocks) {
   LoadOptions load;
   load.diagonalMm = 50.0F;
   load.medium = bssrdf::findMedium(blocks.medium);
@@ -146,7 +146,7 @@ class BoundaryBlocksTest : public RendererTestBase<testing::TestWithParam<Blocks
     options.width = options.height = edge;
     options.transport = Transport::Boundary;
     options.bounces = bounces;
-    return render(sceneOf(GetParam()), options, {Aov::Exitance})[0];
+    return render(sceneOfBlocks(GetParam()), options, {Aov::Exitance})[0];
   }
 
   static void expectNear(const Image& found, const Truth& truth, std::size_t withReentry) {

@@ -27,7 +27,7 @@ Medium thinMilk() {
   return {"thin milk", {0.8, 0.6, 0.4}, {0.003, 0.002, 0.001}, 1.3};
 }
 
-Scene litPeanut() {
+Scene densePeanut() {
   Scene scene = sceneOf(peanut(24, 4), thinMilk(), {20, 12, 44}, 12.5F);
   scene.lighting.directional = {{toVec3(unit({-0.6, 0.5, 0.4})), {1, 1, 1}}};
   return scene;
@@ -76,7 +76,7 @@ double errorOfClusters(const RenderResult& found, const boundary::TriangleCluste
 }
 
 TEST_F(BoundaryDenseTest, EveryPairSaysTheSame) {
-  const Scene scene = litPeanut();
+  const Scene scene = densePeanut();
   const reference::Scene body = referenceOf(scene);
   const reference::Geometry geometry(body);
   std::vector<std::uint32_t> own(scene.objects[0].mesh.triangles.size());

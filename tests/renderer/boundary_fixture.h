@@ -29,10 +29,6 @@ inline RenderResult renderBoundary(const Scene& scene, const RenderOptions& opti
   return sharedRenderer().renderer->render(options, aovs);
 }
 
-inline Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// A convex or star-shaped body around the origin, by what it is that far away in each direction.
 template <typename RadiusMm>
 Mesh starShaped(const RadiusMm& radiusMm, int levels) {

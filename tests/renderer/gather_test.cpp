@@ -17,7 +17,7 @@ namespace {
 
 using namespace test;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 using GatherTest = RendererTest;
 

@@ -26,7 +26,7 @@ using RobustnessTest = RendererTest;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-Scene ball() {
+Scene plainBall() {
   Scene scene = sceneOf(sphere({0, 0, 0}, 5, 3), marble(), {0, 0, 20}, 6);
   scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
   scene.lighting.ambient = {0.1F, 0.1F, 0.1F};
@@ -74,7 +74,7 @@ RenderOptions changed(const Change& change) {
 }
 
 TEST_F(RobustnessTest, OptionsOutOfRangeAreRefused) {
-  renderer().setScene(ball());
+  renderer().setScene(plainBall());
   const std::vector<RenderOptions> wrong{
       changed([](RenderOptions& o) { o.width = 0; }),
       changed([](RenderOptions& o) { o.width = 16385; }),
@@ -119,7 +119,7 @@ TEST_F(RobustnessTest, OptionsOutOfRangeAreRefused) {
 
 template <typename Change>
 Scene changedScene(const Change& change) {
-  Scene scene = ball();
+  Scene scene = plainBall();
   change(scene);
   return scene;
 }
@@ -157,7 +157,7 @@ TEST_F(RobustnessTest, ScenesThatMakeNoSenseAreRefused) {
 
 /// The ball on one joint with one clip.
 Scene riggedBall() {
-  Scene scene = ball();
+  Scene scene = plainBall();
   Object& object = scene.objects[0];
   Node node;
   node.morphWeights = {1};
@@ -257,7 +257,7 @@ TEST_F(RobustnessTest, NothingIsRenderedWithoutAScene) {
 }
 
 TEST_F(RobustnessTest, AsManyLightsAsThereMayBe) {
-  Scene scene = ball();
+  Scene scene = plainBall();
   scene.lighting.directional.assign(8, {{0, 0, 1}, {1, 1, 1}});
   scene.lighting.points.assign(6, {{3, 4, 15}, {50, 50, 50}});
   const Image many = render(scene, smallOptions(), {Aov::DsmIrradiance})[0];
@@ -273,7 +273,7 @@ TEST_F(RobustnessTest, SizesAtTheEdges) {
   struct Sizes {
     int width, height, dsm, shadow;
   };
-  renderer().setScene(ball());
+  renderer().setScene(plainBall());
   for (const Sizes& sizes : {Sizes{1, 1, 64, 64},
                              {3, 500, 128, 64},
                              {500, 3, 128, 256},
@@ -296,7 +296,7 @@ TEST_F(RobustnessTest, SizesAtTheEdges) {
 }
 
 TEST_F(RobustnessTest, TrianglesWithoutAreaAndIsolatedVerticesAreBorne) {
-  Scene scene = ball();
+  Scene scene = plainBall();
   Mesh& mesh = scene.objects[0].mesh;
   mesh.triangles.push_back({0, 0, 1});
   mesh.triangles.push_back({4, 4, 4});
@@ -310,7 +310,7 @@ TEST_F(RobustnessTest, TrianglesWithoutAreaAndIsolatedVerticesAreBorne) {
 TEST_F(RobustnessTest, AwkwardBodiesAreBorne) {
   for (const awkward::Shape& shape : awkward::all()) {
     if (shape.triangles.empty()) continue;
-    Scene scene = ball();
+    Scene scene = plainBall();
     scene.objects[0].mesh = {shape.positions, {}, shape.triangles};
     scene.objects[0].mesh.normals.assign(shape.positions.size(), {0, 0, 1});
     renderer().setScene(scene);
@@ -318,7 +318,7 @@ TEST_F(RobustnessTest, AwkwardBodiesAreBorne) {
   }
   for (const double scattering : {1e-3, 0.05, 100.0})
     for (const double absorption : {0.0, 0.01, 10.0}) {
-      Scene scene = ball();
+      Scene scene = plainBall();
       Medium& medium = scene.objects[0].medium;
       medium.sigmaSPrimePerMm = {scattering, scattering, 1};
       medium.sigmaAPerMm = {absorption, 2 * absorption, absorption};
@@ -338,7 +338,7 @@ TEST_F(RobustnessTest, SharedModelsAreBorne) {
     load.diagonalMm = 50;
     load.medium = marble();
     Scene scene = loadScene(file, load);
-    scene.lighting = ball().lighting;
+    scene.lighting = plainBall().lighting;
     renderer().setScene(scene);
     RenderOptions options = smallOptions();
     options.transport = Transport::Boundary;

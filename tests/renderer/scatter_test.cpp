@@ -20,7 +20,7 @@ namespace {
 
 using namespace test;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 bssrdf::Model modelOf(Transport transport) {
   return transport == Transport::Dipole ? bssrdf::Model::Dipole : bssrdf::Model::BetterDipole;

@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double entering(double eta, double cosine) {
   return cosine * (1 - bssrdf::fresnelReflectance(eta, cosine));

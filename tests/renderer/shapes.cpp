@@ -6,14 +6,6 @@
 
 namespace opaline::test {
 
-namespace {
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-}  // namespace
-
 Mesh sphere(const Vec3& centreMm, float radiusMm, int levels) {
   const Icosphere ball = icosphere(levels);
   Mesh mesh;

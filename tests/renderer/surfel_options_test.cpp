@@ -30,7 +30,7 @@ RenderOptions optionsOf(int maxSurfels, Sum sum = Sum::Tree) {
   return options;
 }
 
-Scene litBall() {
+Scene ballInOneLight() {
   Scene scene = sceneOf(sphere({0, 0, 0}, 6, 3), skin(), {0, 3, 24}, 7);
   scene.lighting.directional = {{{0.45F, 0.35F, -0.82F}, {3, 3, 3}}};
   return scene;
@@ -43,7 +43,7 @@ TEST_F(SurfelOptionsTest, ABudgetThatBindsIsKeptAndSaid) {
     if (level == LogLevel::Note) notes.emplace_back(message);
   };
   Renderer fresh(rendererOptions);
-  fresh.setScene(litBall());
+  fresh.setScene(ballInOneLight());
   const std::size_t wanted = fresh.render(optionsOf(262'144)).report.sources;
   EXPECT_TRUE(notes.empty()) << notes.front();
   for (const int budget : {1024, 1500}) {
@@ -101,8 +101,8 @@ TEST_F(SurfelOptionsTest, ChangeFromFrameToFrame) {
   all.back().transport = Transport::BetterDipole;
   std::vector<Image> first;
   for (const RenderOptions& options : all)
-    first.push_back(render(litBall(), options, {Aov::Exitance})[0]);
-  renderer().setScene(litBall());
+    first.push_back(render(ballInOneLight(), options, {Aov::Exitance})[0]);
+  renderer().setScene(ballInOneLight());
   for (const std::size_t step : {1U, 5U}) {
     std::size_t at = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -117,7 +117,7 @@ TEST_F(SurfelOptionsTest, ChangeFromFrameToFrame) {
 }
 
 TEST_F(SurfelOptionsTest, GivenPositionsSurviveAnotherBudget) {
-  const Scene scene = litBall();
+  const Scene scene = ballInOneLight();
   renderer().setScene(scene);
   std::vector<Vec3> positions = scene.objects[0].mesh.positionsMm;
   for (Vec3& p : positions) p[1] *= 0.5F;

@@ -23,7 +23,7 @@ using namespace test;
 
 using TreeFramesTest = RendererTest;
 
-RenderOptions treeOptions(int edge, Site site = Site::Fragment) {
+RenderOptions treeFrameOptions(int edge, Site site = Site::Fragment) {
   RenderOptions options = smallOptions();
   options.width = options.height = edge;
   options.site = site;
@@ -54,7 +54,7 @@ Rgb exitanceAt(Scene scene, const Vector& pointMm, const View& view, Site site) 
   scene.camera.verticalFovDegrees = view.fovDegrees;
   Renderer& renderer = *sharedRenderer().renderer;
   renderer.setScene(scene);
-  RenderOptions options = treeOptions(1, site);
+  RenderOptions options = treeFrameOptions(1, site);
   options.width = view.width;
   options.height = view.height;
   const std::vector<Image> images = renderer.render(options, {Aov::Exitance, Aov::Position}).images;
@@ -100,7 +100,7 @@ TEST_F(TreeFramesTest, ErrorDoesNotFlickerAsTheBodyMoves) {
   scene.deformers = {{DeformerKind::Wobble, 0.08F, 1}, {DeformerKind::Twist, 1.0F, 0.5F}};
   renderer().setScene(scene);
   for (const Site site : {Site::Fragment, Site::Vertex}) {
-    RenderOptions options = treeOptions(48, site);
+    RenderOptions options = treeFrameOptions(48, site);
     std::vector<float> before;
     double squares = 0;  // relative to the picture's mean
     double largest = 0;  // relative to what is there
@@ -137,7 +137,7 @@ TEST_F(TreeFramesTest, AFrameIsTheSameWhateverWasPlayedBefore) {
   Scene scene = litBall();
   scene.deformers = {{DeformerKind::Wobble, 0.08F, 1}, {DeformerKind::Bend, 1.0F, 0.7F}};
   for (const Site site : {Site::Fragment, Site::Vertex}) {
-    RenderOptions options = treeOptions(48, site);
+    RenderOptions options = treeFrameOptions(48, site);
     renderer().setScene(scene);
     std::vector<Image> played;
     for (int frame = 0; frame < 6; ++frame) {
@@ -210,7 +210,7 @@ TEST_F(TreeFramesTest, EveryObjectIsOfItsOwnMedium) {
                                   {{6, 4, 0}, 2, 4, dense},
                                   {{-1, -4, 2}, 0.6F, 4, skin()}};
   for (const Site site : {Site::Fragment, Site::Vertex})
-    EXPECT_LT(largestDeviation(balls, treeOptions(64, site)), 0.01);
+    EXPECT_LT(largestDeviation(balls, treeFrameOptions(64, site)), 0.01);
 }
 
 // Balls that nearly touch, with surfels many mean free paths apart: what is nearby is of the same
@@ -221,7 +221,7 @@ TEST_F(TreeFramesTest, CoarseSurfelsAreThoseOfTheirOwnObject) {
   const std::vector<BallOf> balls{
       {{-6, 0, 0}, 6, 3, marble()}, {{5.1F, 0, 0}, 5, 3, skin()}, {{0, -5.5F, 6}, 2, 3, clear}};
   for (const Site site : {Site::Fragment, Site::Vertex}) {
-    RenderOptions options = treeOptions(64, site);
+    RenderOptions options = treeFrameOptions(64, site);
     options.maxSurfels = 1024;
     EXPECT_LT(largestDeviation(balls, options), 0.05);
   }
@@ -235,7 +235,7 @@ TEST_F(TreeFramesTest, AutoChoosesTheSiteForEachObject) {
   scene.lighting.ambient = {0.2F, 0.2F, 0.2F};
   renderer().setScene(scene);
   for (const Sum sum : {Sum::Tree, Sum::All}) {
-    RenderOptions options = treeOptions(64, Site::Vertex);
+    RenderOptions options = treeFrameOptions(64, Site::Vertex);
     options.sum = sum;
     const Image vertex = render(options, {Aov::Exitance})[0];
     options.site = Site::Fragment;
@@ -263,7 +263,7 @@ TEST_F(TreeFramesTest, OthersChangeNothingButByTheirShadows) {
     return scene;
   };
   for (const Site site : {Site::Fragment, Site::Vertex}) {
-    const RenderOptions options = treeOptions(64, site);
+    const RenderOptions options = treeFrameOptions(64, site);
     const Image alone = render(lit(ballsOf({ball})), options, {Aov::Exitance})[0];
     const std::vector<Image> among = render(lit(ballsOf({{{4, 0, 0}, 4.9F, 4, marble()}, ball})),
                                             options, {Aov::Exitance, Aov::Object});
@@ -296,7 +296,7 @@ TEST_F(TreeFramesTest, ASceneInTheDarkIsBlack) {
     for (const Site site : {Site::Fragment, Site::Vertex})
       for (const Transport transport : {Transport::Dipole, Transport::BetterDipole})
         for (const int maxSurfels : {1024, 100'000}) {
-          RenderOptions options = treeOptions(24, site);
+          RenderOptions options = treeFrameOptions(24, site);
           options.sum = sum;
           options.transport = transport;
           options.maxSurfels = maxSurfels;
@@ -334,7 +334,7 @@ TEST_F(TreeFramesTest, ObjectsAndTrianglesWithoutAreaAreBorne) {
   for (const Sum sum : {Sum::Tree, Sum::All})
     for (const Site site : {Site::Auto, Site::Fragment, Site::Vertex})
       for (const int maxSurfels : {1024, 100'000}) {
-        RenderOptions options = treeOptions(24, site);
+        RenderOptions options = treeFrameOptions(24, site);
         options.sum = sum;
         options.maxSurfels = maxSurfels;
         const std::vector<Image> images = render(options, {Aov::Exitance, Aov::Radiance});

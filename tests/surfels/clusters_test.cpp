@@ -29,9 +29,9 @@ using namespace test;
 constexpr std::size_t unlimited = 1'000'000;
 
 /// By the words of tree.h: depth first, the leaves in the order of the clusters.
-class Walk {
+class ClusterWalk {
  public:
-  explicit Walk(const Tree& tree) : tree_(tree), heights_(tree.links.size(), 0) {}
+  explicit ClusterWalk(const Tree& tree) : tree_(tree), heights_(tree.links.size(), 0) {}
 
   std::uint32_t clusters() const { return next_; }
   const std::vector<std::uint32_t>& heights() const { return heights_; }
@@ -67,7 +67,7 @@ class Walk {
 };
 
 void expectTree(const ClusterDivision& made) {
-  Walk walk(made.tree);
+  ClusterWalk walk(made.tree);
   const std::vector<std::uint32_t>& roots = made.tree.rootOfObject;
   ASSERT_EQ(roots.front(), 0U);
   ASSERT_EQ(roots.back(), made.tree.links.size());

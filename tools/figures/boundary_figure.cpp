@@ -20,7 +20,7 @@ namespace opaline::figures {
 
 namespace {
 
-constexpr int panelPixels = 256;
+constexpr int mapPixels = 256;
 constexpr int blockPixels = 8;
 constexpr double mapTop = 0.5;
 
@@ -66,10 +66,10 @@ RenderOptions boundary() {
 
 /// Without the scale at the right: the same for all of them.
 core::Image8 mapAlone(const core::Image8& drawn) {
-  core::Image8 map{panelPixels, panelPixels, {}};
-  for (int y = 0; y < panelPixels; ++y) {
+  core::Image8 map{mapPixels, mapPixels, {}};
+  for (int y = 0; y < mapPixels; ++y) {
     const auto row = drawn.rgba.begin() + std::ptrdiff_t{4} * y * drawn.width;
-    map.rgba.insert(map.rgba.end(), row, row + std::ptrdiff_t{4} * panelPixels);
+    map.rgba.insert(map.rgba.end(), row, row + std::ptrdiff_t{4} * mapPixels);
   }
   return map;
 }
@@ -98,7 +98,7 @@ void compareTransports(Studio& studio, const char* name, Scene scene, const Trut
   for (auto [what, options] :
        {std::pair{"paper", paperMethod()}, std::pair{"dipole", dipoleExact()},
         std::pair{"boundary", boundary()}}) {
-    options.width = options.height = panelPixels;
+    options.width = options.height = mapPixels;
     const Image found = studio.renderer.render(options, {Aov::Exitance}).images.at(0);
     show(what, found, found);
   }

@@ -85,7 +85,7 @@ struct RenderCommand {
 };
 
 /// What is settled before anything is rendered.
-struct Job {
+struct RenderJob {
   Scene scene;
   scene::SceneFileSettings settings;
   RenderOptions options;
@@ -102,7 +102,7 @@ struct Job {
   }
 };
 
-Job prepare(const RenderCommand& command, core::Target output, const LogCallback& log) {
+RenderJob prepareRender(const RenderCommand& command, core::Target output, const LogCallback& log) {
   scene::LoadedScene loaded = command.scene.load(log);
   command.lights.applyTo(loaded);
   auto& [scene, settings, source, sequence] = loaded;
@@ -128,13 +128,13 @@ struct Done {
   std::size_t validationMessages = 0;
 };
 
-Renderer makeRenderer(const RenderCommand& command, const Job& job, const LogCallback& log) {
+Renderer makeRenderer(const RenderCommand& command, const RenderJob& job, const LogCallback& log) {
   Renderer renderer(command.device.rendererOptions(job.settings.device.value_or(""), log));
   renderer.setScene(job.scene);
   return renderer;
 }
 
-Done makeStill(const RenderCommand& command, const Job& job, const LogCallback& log) {
+Done makeStill(const RenderCommand& command, const RenderJob& job, const LogCallback& log) {
   Renderer renderer = makeRenderer(command, job, log);
   if (job.sequence) {
     std::vector<Vec3> positionsMm;
@@ -150,7 +150,7 @@ Done makeStill(const RenderCommand& command, const Job& job, const LogCallback& 
 }
 
 /// A report of frames all of which were there already.
-Json emptyReportJson(const Job& job, const std::vector<std::string>& outputs) {
+Json emptyReportJson(const RenderJob& job, const std::vector<std::string>& outputs) {
   RenderReport nothing;
   nothing.transport = job.options.transport;
   nothing.sum = job.options.sum;
@@ -163,7 +163,7 @@ Json emptyReportJson(const Job& job, const std::vector<std::string>& outputs) {
   return json;
 }
 
-Done renderMissing(const RenderCommand& command, const Job& job, FilmOrder order,
+Done renderMissing(const RenderCommand& command, const RenderJob& job, FilmOrder order,
                    const LogCallback& log) {
   if (!job.sequence && !moves(job.scene, job.options.clip)) {
     log(LogLevel::Note,
@@ -179,7 +179,7 @@ Done renderMissing(const RenderCommand& command, const Job& job, FilmOrder order
   return {renderReportJson(report, job.options, outputsOf(order)), renderer.validationMessages()};
 }
 
-FilmOrder filmOrder(const RenderCommand& command, const Job& job, const FrameRange& frames) {
+FilmOrder filmOrder(const RenderCommand& command, const RenderJob& job, const FrameRange& frames) {
   FilmOrder order;
   order.frames = frames;
   order.output = job.output;
@@ -196,7 +196,7 @@ FilmOrder filmOrder(const RenderCommand& command, const Job& job, const FrameRan
 }
 
 /// Each frame's file is what is written of a row.
-void requireNoInput(const RenderCommand& command, const Job& job,
+void requireNoInput(const RenderCommand& command, const RenderJob& job,
                     const std::optional<FrameRange>& frames) {
   std::vector<Output> outputs;
   if (job.output.existing == core::Existing::Replace) {
@@ -209,7 +209,7 @@ void requireNoInput(const RenderCommand& command, const Job& job,
   requireNoInput(outputs, job.inputs);
 }
 
-Done makeFrames(const RenderCommand& command, const Job& job, const FrameRange& frames,
+Done makeFrames(const RenderCommand& command, const RenderJob& job, const FrameRange& frames,
                 const LogCallback& log) {
   const FilmOrder order = filmOrder(command, job, frames);
   const FramesThere there = countThere(order);
@@ -250,7 +250,7 @@ void runRender(const Arguments& arguments) {
   }
   if (command.report) core::requireWritable(*command.report);
 
-  Job job = prepare(command, std::move(output), log);
+  RenderJob job = prepareRender(command, std::move(output), log);
   job.aimCamera(frames);
   requireNoInput(command, job, frames);
   Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);

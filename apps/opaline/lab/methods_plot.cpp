@@ -44,9 +44,9 @@ SvgMark markFor(const MethodRow& row, bool full) {
           full};
 }
 
-class Plot {
+class MethodsPlot {
  public:
-  explicit Plot(const Methods& methods)
+  explicit MethodsPlot(const Methods& methods)
       : sheet_(frame_, methods.scene + ": error of exitance against the time of a frame") {
     for (const MethodRow& row : methods.rows) {
       if (!row.frameMilliseconds) continue;
@@ -119,7 +119,7 @@ class Plot {
 }  // namespace
 
 std::string plotSvg(const Methods& methods) {
-  Plot plot(methods);
+  MethodsPlot plot(methods);
   if (!plot.empty()) {
     plot.addGrid();
     for (const MethodRow& row : methods.rows) plot.addRow(row);

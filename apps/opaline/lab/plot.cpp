@@ -22,7 +22,7 @@ constexpr double bottom = 60;
 /// What lies further below the peak is of no interest.
 constexpr double mostDecades = 8;
 constexpr std::array<const char*, 3> colours{"#c8372d", "#2c8a4b", "#2b5fc0"};
-constexpr std::array<const char*, 3> channelNames{"red", "green", "blue"};
+constexpr std::array<const char*, 3> colourNames{"red", "green", "blue"};
 
 struct Axes {
   double mostRadiusMm = 1;
@@ -58,7 +58,7 @@ Axes axesFor(const ProfileSamples& samples) {
 }
 
 /// 1, 2 or 5 times a power of ten, so that four to ten of it fit.
-double niceStep(double length) {
+double gridStep(double length) {
   const double power = std::pow(10, std::floor(std::log10(length / 4)));
   for (const double factor : {5.0, 2.0}) {
     if (length / (factor * power) >= 4) return factor * power;
@@ -76,7 +76,7 @@ std::string grid(const Axes& axes) {
         left, sheetWidth - right, axes.y(decade), axes.y(decade), left - 10, axes.y(decade) + 5,
         decade);
   }
-  const double step = niceStep(axes.mostRadiusMm);
+  const double step = gridStep(axes.mostRadiusMm);
   for (int i = 0; i * step <= axes.mostRadiusMm * (1 + 1e-9); ++i) {
     svg += fmt::format(
         "<line class=\"g\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"/>"
@@ -97,7 +97,7 @@ std::string curve(const ProfileSamples& samples, const Axes& axes, std::size_t c
   return fmt::format(
       "<polyline fill=\"none\" stroke=\"{0}\" stroke-width=\"2\" points=\"{1}\"/>"
       "<text x=\"{2}\" y=\"{3}\" text-anchor=\"end\" style=\"fill:{0}\">{4}</text>\n",
-      colours[channel], points, sheetWidth - right - 10, height, channelNames[channel]);
+      colours[channel], points, sheetWidth - right - 10, height, colourNames[channel]);
 }
 
 }  // namespace

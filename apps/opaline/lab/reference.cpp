@@ -163,7 +163,7 @@ struct ReferenceCommand {
 };
 
 /// What is settled before anything is computed.
-struct Job {
+struct ReferenceJob {
   rf::Scene scene;
   RenderOptions options;
   core::ToneOptions tone;
@@ -177,7 +177,8 @@ PositionsByObject positionsOf(const MeshSequence* sequence, double seconds) {
   return positionsMm;
 }
 
-Job prepare(const ReferenceCommand& command, core::Target output, const LogCallback& log) {
+ReferenceJob prepareReference(const ReferenceCommand& command, core::Target output,
+                              const LogCallback& log) {
   scene::LoadedScene loaded = command.scene.load(log);
   command.lights.applyTo(loaded);
   auto& [scene, settings, source, sequence] = loaded;
@@ -210,7 +211,7 @@ struct Made {
   double blockError = 0;        ///< of --path
 };
 
-Made makeIntegral(const ReferenceCommand& command, const Job& job) {
+Made makeIntegral(const ReferenceCommand& command, const ReferenceJob& job) {
   const rf::Geometry geometry(job.scene);
   const rf::Irradiance irradiance(geometry);
   std::optional<Progress> progress;
@@ -226,7 +227,7 @@ Made makeIntegral(const ReferenceCommand& command, const Job& job) {
            {"patches", truth.patches}}};
 }
 
-Made makePath(const ReferenceCommand& command, const Job& job, const LogCallback& log) {
+Made makePath(const ReferenceCommand& command, const ReferenceJob& job, const LogCallback& log) {
   const rf::Geometry geometry(job.scene);
   const rf::Irradiance irradiance(geometry);
   Made made;
@@ -236,8 +237,8 @@ Made makePath(const ReferenceCommand& command, const Job& job, const LogCallback
   return made;
 }
 
-Json reportJson(const ReferenceCommand& command, const Job& job, const Made& made, double seconds,
-                const std::filesystem::path& file) {
+Json reportJson(const ReferenceCommand& command, const ReferenceJob& job, const Made& made,
+                double seconds, const std::filesystem::path& file) {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   for (const rf::Body& body : job.scene.bodies) {
@@ -278,7 +279,7 @@ void runReference(const Arguments& arguments) {
   core::requireWritable(output);
   if (command.report) core::requireWritable(*command.report);
 
-  const Job job = prepare(command, std::move(output), log);
+  const ReferenceJob job = prepareReference(command, std::move(output), log);
   const Made made = command.integral ? makeIntegral(command, job) : makePath(command, job, log);
   const std::filesystem::path file = writePicture(job.output, made.picture.image, job.tone);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

@@ -23,7 +23,7 @@ constexpr double finestTolerance = 1e-4;
 using SharedRenderer = std::shared_ptr<Renderer>;
 
 /// A row while it is measured.
-struct Way {
+struct ScalingWay {
   ScalingRow row;
   SharedRenderer renderer;
   RenderOptions options;
@@ -46,8 +46,9 @@ SharedRenderer rendererFor(const ScalingOrder& order, const Scene& scene, const 
   return renderer;
 }
 
-Way makeWay(const ScalingOrder& order, double value, const Scene& scene, SharedRenderer renderer) {
-  Way way;
+ScalingWay makeWay(const ScalingOrder& order, double value, const Scene& scene,
+                   SharedRenderer renderer) {
+  ScalingWay way;
   way.row.value = value;
   way.row.medium = scene.objects.at(0).medium;
   way.renderer = std::move(renderer);
@@ -57,17 +58,17 @@ Way makeWay(const ScalingOrder& order, double value, const Scene& scene, SharedR
 
 /// One frame of each way after the other, again and again, so that what else the machine does falls
 /// on all of them alike.
-void measureInTurns(std::vector<Way>& ways, const ScalingOrder& order, const char* status) {
+void measureInTurns(std::vector<ScalingWay>& ways, const ScalingOrder& order, const char* status) {
   Frame done;
   for (int frame = 0; frame <= order.frames; ++frame) {
     order.status(status);
-    for (Way& way : ways) {
+    for (ScalingWay& way : ways) {
       way.options.seconds = frame / framesPerSecond;
       renderFrame(*way.renderer, way.options, {Aov::Radiance}, done);
       way.medians.add(done);
     }
   }
-  for (Way& way : ways) {
+  for (ScalingWay& way : ways) {
     way.options.seconds = 0;
     renderFrame(*way.renderer, way.options, {Aov::Evaluations}, done);
     way.row.evaluations = compare::meanOverCovered(done.images[0]);
@@ -79,16 +80,16 @@ void measureInTurns(std::vector<Way>& ways, const ScalingOrder& order, const cha
   }
 }
 
-std::vector<ScalingRow> rowsOf(const std::vector<Way>& ways) {
+std::vector<ScalingRow> rowsOf(const std::vector<ScalingWay>& ways) {
   std::vector<ScalingRow> rows;
   rows.reserve(ways.size());
-  for (const Way& way : ways) rows.push_back(way.row);
+  for (const ScalingWay& way : ways) rows.push_back(way.row);
   return rows;
 }
 
 std::vector<ScalingRow> measureBudgets(const ScalingOrder& order, double denserBy) {
   const Scene scene = withDenserMedia(order.scene, denserBy);
-  std::vector<Way> ways;
+  std::vector<ScalingWay> ways;
   for (const int part : budgetParts) {
     const int budget = order.mostSurfels / part;
     // No notes: that the budget binds is meant.
@@ -100,7 +101,7 @@ std::vector<ScalingRow> measureBudgets(const ScalingOrder& order, double denserB
 }
 
 std::vector<ScalingRow> measureDiffusion(const ScalingOrder& order) {
-  std::vector<Way> ways;
+  std::vector<ScalingWay> ways;
   for (const double divisor : sigmaTrDivisors) {
     const Scene scene = withSmallerSigmaTr(order.scene, divisor);
     const LogCallback log = ways.empty() ? order.log : LogCallback{};  // notes once
@@ -118,7 +119,7 @@ Image exitanceOf(Renderer& renderer, const RenderOptions& options) {
 
 std::vector<ScalingRow> measureTolerances(const ScalingOrder& order, DeviceDescription& device) {
   const SharedRenderer renderer = rendererFor(order, order.scene, {});
-  std::vector<Way> ways;
+  std::vector<ScalingWay> ways;
   for (const double tolerance : tolerancesMeasured) {
     ways.push_back(makeWay(order, tolerance, order.scene, renderer));
     ways.back().options.tolerance = static_cast<float>(tolerance);
@@ -127,7 +128,7 @@ std::vector<ScalingRow> measureTolerances(const ScalingOrder& order, DeviceDescr
   RenderOptions options = optionsFor(order);
   options.tolerance = static_cast<float>(finestTolerance);
   const Image finest = exitanceOf(*renderer, options);
-  for (Way& way : ways) {
+  for (ScalingWay& way : ways) {
     const Image found = exitanceOf(*renderer, way.options);
     const auto figures = compare::figuresOver(found, finest, compare::commonPixels(found, finest));
     if (figures) way.row.error = figures->all.relRmse;

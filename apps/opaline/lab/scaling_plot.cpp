@@ -13,7 +13,7 @@ namespace opaline::app {
 namespace {
 
 /// 1, 2 or 5 times a power of ten, so that at most eight of it reach `most`.
-double niceStep(double most) {
+double tickStep(double most) {
   const double power = std::pow(10, std::floor(std::log10(most / 8)));
   for (const double factor : {1.0, 2.0, 5.0})
     if (factor * power * 8 >= most) return factor * power;
@@ -22,9 +22,9 @@ double niceStep(double most) {
 
 /// Across, how far a series has gone from its first row, logarithmic; upwards, time as a multiple
 /// of that row's.
-class Plot {
+class ScalingPlot {
  public:
-  explicit Plot(const Scaling& scaling)
+  explicit ScalingPlot(const Scaling& scaling)
       : sheet_(frame_, scaling.scene + ": time against what makes the tree's sum harder") {
     for (const auto* rows : {&scaling.budgets, &scaling.diffusion, &scaling.tolerances})
       for (const ScalingRow& row : *rows) {
@@ -32,7 +32,7 @@ class Plot {
         for (const double times : timesOf(row, rows->front())) most_ = std::max(most_, times);
       }
     mostDecades_ = std::ceil(mostDecades_ - 1e-9);
-    const double step = niceStep(most_);
+    const double step = tickStep(most_);
     most_ = step * std::ceil(most_ / step);
     for (double decade = 0; decade <= mostDecades_; decade += 1)
       sheet_.addUprightGridLine(decade / mostDecades_, fmt::format("×{:g}", std::pow(10, decade)));
@@ -88,7 +88,7 @@ class Plot {
 }  // namespace
 
 std::string plotSvg(const Scaling& scaling) {
-  Plot plot(scaling);
+  ScalingPlot plot(scaling);
   plot.addSeries(scaling.budgets, "surfels", SvgColour::Blue);
   plot.addSeries(scaling.diffusion, "smaller σ_tr", SvgColour::Red);
   plot.addSeries(scaling.tolerances, "tolerance", SvgColour::Green);

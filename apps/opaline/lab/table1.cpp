@@ -76,7 +76,7 @@ struct Renderers {
 };
 
 /// One kind of frame and what its frames took.
-struct Way {
+struct Table1Way {
   Renderer& renderer;
   RenderOptions options;
   double& perSecond;
@@ -85,15 +85,15 @@ struct Way {
 
 /// One frame of each way after the other, again and again, so that what else the machine does falls
 /// on all alike. The time goes on, so that no frame can be that before.
-void measureInTurns(std::span<Way> ways, double clipSeconds, int frames) {
+void measureInTurns(std::span<Table1Way> ways, double clipSeconds, int frames) {
   Frame done;
   for (int frame = 0; frame <= frames; ++frame)
-    for (Way& way : ways) {
+    for (Table1Way& way : ways) {
       way.options.seconds = clipSeconds * frame / framesPerClip;
       renderFrame(way.renderer, way.options, {Aov::Radiance}, done);
       way.medians.add(done);
     }
-  for (Way& way : ways) {
+  for (Table1Way& way : ways) {
     const double median = way.medians.frameMilliseconds();
     way.perSecond = median > 0 ? 1000 / median : 0;
   }
@@ -108,9 +108,9 @@ Table1Row measureRow(Renderers& renderers, const PaperRow& paper, const Table1Or
   renderers.paper.setScene(scene);
   renderers.tree.setScene(scene);
   std::array ways{
-      Way{renderers.paper, paperOptions(Site::Fragment), row.fragmentPerSecond, {}},
-      Way{renderers.paper, paperOptions(Site::Vertex), row.vertexPerSecond, {}},
-      Way{renderers.tree, treeOptions(), row.treePerSecond, {}},
+      Table1Way{renderers.paper, paperOptions(Site::Fragment), row.fragmentPerSecond, {}},
+      Table1Way{renderers.paper, paperOptions(Site::Vertex), row.vertexPerSecond, {}},
+      Table1Way{renderers.tree, treeOptions(), row.treePerSecond, {}},
   };
   measureInTurns(ways, scene.clips.empty() ? 1 : double{scene.clips.front().seconds}, order.frames);
   const RenderReport report = renderers.tree.report();

@@ -16,7 +16,7 @@ struct MeanCounts {
   std::uint32_t piecesPerSurfel;
 };
 
-struct VertexConstants {
+struct CarryConstants {
   std::uint32_t vertexCount;
   ScatterSite site;
 };
@@ -38,7 +38,7 @@ CarryPass::CarryPass(gpu::Device& device)
       vertices_(device, gpu::ComputePipelineOptions{.name = "clusters to vertices",
                                                     .shader = shaders::boundary_carry_vertices_comp,
                                                     .bindings = slots(11, {3}),
-                                                    .pushConstantBytes = sizeof(VertexConstants)}),
+                                                    .pushConstantBytes = sizeof(CarryConstants)}),
       fragments_(device, gpu::ComputePipelineOptions{
                              .name = "clusters to fragments",
                              .shader = shaders::boundary_carry_fragments_comp,
@@ -76,7 +76,7 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
                           Binding::read(6, vertices.positions), Binding::read(7, vertices.normals),
                           Binding::read(8, vertices.corners), Binding::read(9, vertices.order),
                           Binding::write(10, vertices.exitances)});
-  commands.pushConstants(VertexConstants{vertices.count, site});
+  commands.pushConstants(CarryConstants{vertices.count, site});
   commands.dispatchLinear(vertices.count);
   commands.endPass();
 }

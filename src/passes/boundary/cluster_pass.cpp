@@ -22,7 +22,7 @@ using gpu::BindingType;
 // Rays of a cluster that ask what it sees.
 constexpr std::uint32_t raysOutwards = 24;
 
-constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+constexpr VkBufferUsageFlags clusterBuffer = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 struct ClusterCounts {
   std::uint32_t clusters;
@@ -142,12 +142,14 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.raysOutwards = raysOutwards;
   clusters.surfelNodes = static_cast<std::uint32_t>(surfels.tree.links.size());
   clusters.firstOfHeight = made.tree.firstOfHeight;
-  clusters.ranges = gpu::makeBuffer(device, "ranges of clusters",
-                                    rangesOf(made, surface, surfels, triangleHasInside), storage);
+  clusters.ranges =
+      gpu::makeBuffer(device, "ranges of clusters",
+                      rangesOf(made, surface, surfels, triangleHasInside), clusterBuffer);
   clusters.clusterOfSurfel =
-      gpu::makeBuffer(device, "cluster of each surfel", clusterOfSurfel(made), storage);
-  clusters.links = gpu::makeBuffer(device, "links of clusters", made.tree.links, storage);
-  clusters.byHeight = gpu::makeBuffer(device, "clusters by height", made.tree.byHeight, storage);
+      gpu::makeBuffer(device, "cluster of each surfel", clusterOfSurfel(made), clusterBuffer);
+  clusters.links = gpu::makeBuffer(device, "links of clusters", made.tree.links, clusterBuffer);
+  clusters.byHeight =
+      gpu::makeBuffer(device, "clusters by height", made.tree.byHeight, clusterBuffer);
   clusters.clusters = makeRoom<shared::Cluster>(device, "clusters", count);
   clusters.nodes = makeRoom<shared::ClusterNode>(device, "tree of clusters", nodes);
   clusters.entries = makeRoom<shared::Entry>(device, "light that enters",

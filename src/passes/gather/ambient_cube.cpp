@@ -12,16 +12,16 @@ namespace opaline::passes {
 namespace {
 
 // Bands up to 2 bend so little that linear filtering of 32² texels a face is exact to 0.1 %.
-constexpr std::uint32_t faceSize = 32;
+constexpr std::uint32_t ambientFaceSize = 32;
 
 std::vector<float> makeFace(const ShCoefficients& radiance, const std::array<double, 3>& kernel,
                             std::uint32_t face) {
   std::vector<float> texels;
-  texels.reserve(std::size_t{4} * faceSize * faceSize);
-  for (std::uint32_t y = 0; y < faceSize; ++y)
-    for (std::uint32_t x = 0; x < faceSize; ++x) {
-      const Vec3 normal = cubeDirection(face, (static_cast<float>(x) + 0.5F) / faceSize,
-                                        (static_cast<float>(y) + 0.5F) / faceSize);
+  texels.reserve(std::size_t{4} * ambientFaceSize * ambientFaceSize);
+  for (std::uint32_t y = 0; y < ambientFaceSize; ++y)
+    for (std::uint32_t x = 0; x < ambientFaceSize; ++x) {
+      const Vec3 normal = cubeDirection(face, (static_cast<float>(x) + 0.5F) / ambientFaceSize,
+                                        (static_cast<float>(y) + 0.5F) / ambientFaceSize);
       for (const double value : ambientIrradiance(radiance, kernel, normal))
         texels.push_back(static_cast<float>(value));
       texels.push_back(1);
@@ -35,8 +35,8 @@ gpu::GpuImage makeAmbientCubes(gpu::Device& device, const ShCoefficients& radian
                                const std::vector<double>& etas) {
   gpu::GpuImage cubes(device,
                       {.name = "ambient cube map",
-                       .width = faceSize,
-                       .height = faceSize,
+                       .width = ambientFaceSize,
+                       .height = ambientFaceSize,
                        .layers = static_cast<std::uint32_t>(6 * etas.size()),
                        .format = VK_FORMAT_R32G32B32A32_SFLOAT,
                        .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,

@@ -22,7 +22,7 @@ static_assert(surfels::Tree::leafBit == shared::leafBit);
 static_assert(surfels::Tree::setBit == shared::setBit);
 static_assert(surfels::Tree::countShift == shared::leafCountShift);
 
-constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+constexpr VkBufferUsageFlags surfelBuffer = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
 struct SurfelCounts {
   std::uint32_t surfels;
@@ -106,17 +106,19 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivisi
   surfels.count = made.count();
   surfels.piecesPerSurfel = made.piecesPerSurfel;
   surfels.firstOfHeight = made.tree.firstOfHeight;
-  surfels.pieces = gpu::makeBuffer(device, "pieces of surfels", packPieces(made, surface), storage);
-  surfels.links = gpu::makeBuffer(device, "links of the tree", made.tree.links, storage);
-  surfels.byHeight = gpu::makeBuffer(device, "nodes by height", made.tree.byHeight, storage);
-  surfels.vertexOrder = gpu::makeBuffer(device, "order of vertices", made.vertexOrder, storage);
+  surfels.pieces =
+      gpu::makeBuffer(device, "pieces of surfels", packPieces(made, surface), surfelBuffer);
+  surfels.links = gpu::makeBuffer(device, "links of the tree", made.tree.links, surfelBuffer);
+  surfels.byHeight = gpu::makeBuffer(device, "nodes by height", made.tree.byHeight, surfelBuffer);
+  surfels.vertexOrder =
+      gpu::makeBuffer(device, "order of vertices", made.vertexOrder, surfelBuffer);
   surfels.sources = makeRoom<shared::Source>(device, "sources",
                                              std::size_t{shared::sourcesPerSurfel} * surfels.count);
   surfels.normals = makeRoom<shared::vec4>(device, "normals of surfels", surfels.count);
   surfels.places = makeRoom<shared::vec4>(device, "places of surfels", surfels.count);
   surfels.corners =
-      gpu::makeBuffer(device, "objects of surfels", cornersOf(made, surface), storage);
-  surfels.order = gpu::makeBuffer(device, "order of surfels", inOrder(surfels.count), storage);
+      gpu::makeBuffer(device, "objects of surfels", cornersOf(made, surface), surfelBuffer);
+  surfels.order = gpu::makeBuffer(device, "order of surfels", inOrder(surfels.count), surfelBuffer);
   surfels.nodes = makeRoom<shared::TreeNode>(device, "tree", made.tree.links.size());
   surfels.boxes = makeRoom<shared::NodeBox>(device, "boxes of the tree", made.tree.links.size());
   return surfels;

@@ -13,7 +13,7 @@ using gpu::Binding;
 using gpu::BindingSlot;
 using gpu::BindingType;
 
-struct VertexConstants {
+struct NearbyConstants {
   std::uint32_t vertexCount;
   ScatterSite site;
 };
@@ -51,7 +51,7 @@ NearbyPass::Pipelines NearbyPass::makePipelines(gpu::Device& device, ScatterTran
                                                     {3, BindingType::StorageBuffer},
                                                     {11, BindingType::StorageBuffer},
                                                     {12, BindingType::StorageBuffer}}),
-                            .pushConstantBytes = sizeof(VertexConstants),
+                            .pushConstantBytes = sizeof(NearbyConstants),
                             .specialization = specialization,
                         }),
           gpu::Pipeline(device, gpu::ComputePipelineOptions{
@@ -78,7 +78,7 @@ void NearbyPass::overPlaces(gpu::CommandList& commands, ScatterTransport transpo
        Binding::texels(8, inputs.surfels.nodes), Binding::texels(9, inputs.surfels.sources),
        Binding::read(10, inputs.surfels.normals), Binding::read(11, places.normals),
        Binding::read(12, places.order)});
-  commands.pushConstants(VertexConstants{places.count, site});
+  commands.pushConstants(NearbyConstants{places.count, site});
   commands.dispatchLinear(places.count);
   commands.endPass();
 }

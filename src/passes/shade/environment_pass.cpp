@@ -15,7 +15,7 @@ namespace opaline::passes {
 
 namespace {
 
-constexpr std::uint32_t faceSize = 128;
+constexpr std::uint32_t skyFaceSize = 128;
 constexpr std::uint32_t tileSize = 8;
 constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
 
@@ -89,14 +89,14 @@ gpu::GpuImage EnvironmentPass::makeBlack(gpu::Device& device) {
 gpu::GpuImage EnvironmentPass::makeCube(gpu::Device& device, const Image& latLong,
                                         float roughness) const {
   gpu::GpuImage map = uploadWithLevels(device, latLong);
-  gpu::GpuImage cube = makeCubeImage(device, faceSize, VK_IMAGE_USAGE_STORAGE_BIT);
+  gpu::GpuImage cube = makeCubeImage(device, skyFaceSize, VK_IMAGE_USAGE_STORAGE_BIT);
   gpu::CommandList commands(device, "reflected environment");
   commands.begin();
   commands.bind(pipeline_);
   commands.bindResources(
       {gpu::Binding::sampled(0, map, sampler_), gpu::Binding::writeImage(1, cube)});
   commands.pushConstants(roughness * roughness);
-  commands.dispatch(faceSize / tileSize, faceSize / tileSize, 6);
+  commands.dispatch(skyFaceSize / tileSize, skyFaceSize / tileSize, 6);
   commands.submit();
   commands.wait();
   return cube;

@@ -28,7 +28,7 @@ float normalised(const unsigned char* bytes) {
   return std::max(value, -1.0F);
 }
 
-float toFloat(const unsigned char* bytes, int type, bool normalise) {
+float floatAt(const unsigned char* bytes, int type, bool normalise) {
   switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
       return normalise ? normalised<std::int8_t>(bytes)
@@ -184,7 +184,7 @@ std::vector<float> GltfAccessors::floats(int accessor, int components,
                                          std::optional<std::size_t> count) {
   return read<float>(accessor, components, count,
                      [](const tinygltf::Accessor& of, const unsigned char* bytes) {
-                       return toFloat(bytes, of.componentType, of.normalized);
+                       return floatAt(bytes, of.componentType, of.normalized);
                      });
 }
 

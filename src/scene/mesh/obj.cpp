@@ -36,7 +36,7 @@ class TextStream : private std::streambuf, public std::istream {
 /// All faces of one material name.
 struct Group {
   std::string name;
-  std::vector<std::uint32_t> corners;  ///< index into Reader::pairs
+  std::vector<std::uint32_t> corners;  ///< index into ObjReader::pairs
   std::vector<std::uint32_t> sizes;
 };
 
@@ -48,7 +48,7 @@ struct Corner {
   std::int64_t normal = noNormal;
 };
 
-struct Reader {
+struct ObjReader {
   const Input& input;
   std::vector<Vec3> positions{};
   std::vector<Vec3> normals{};
@@ -103,28 +103,28 @@ struct Reader {
 tinyobj::callback_t callbacks() {
   tinyobj::callback_t callback;
   callback.vertex_cb = [](void* reader, float x, float y, float z, float) {
-    static_cast<Reader*>(reader)->positions.push_back({x, y, z});
+    static_cast<ObjReader*>(reader)->positions.push_back({x, y, z});
   };
   callback.normal_cb = [](void* reader, float x, float y, float z) {
-    static_cast<Reader*>(reader)->normals.push_back({x, y, z});
+    static_cast<ObjReader*>(reader)->normals.push_back({x, y, z});
   };
   callback.index_cb = [](void* reader, tinyobj::index_t* indices, int count) {
-    static_cast<Reader*>(reader)->face({indices, static_cast<std::size_t>(count)});
+    static_cast<ObjReader*>(reader)->face({indices, static_cast<std::size_t>(count)});
   };
   callback.usemtl_cb = [](void* reader, const char* name, int) {
     std::string_view line(name);
-    static_cast<Reader*>(reader)->use(std::string(nextWord(line)));
+    static_cast<ObjReader*>(reader)->use(std::string(nextWord(line)));
   };
   callback.object_cb = [](void* reader, const char* name) {
-    static_cast<Reader*>(reader)->part = name;
+    static_cast<ObjReader*>(reader)->part = name;
   };
   callback.group_cb = [](void* reader, const char** names, int count) {
-    static_cast<Reader*>(reader)->part = count > 0 ? names[0] : "";
+    static_cast<ObjReader*>(reader)->part = count > 0 ? names[0] : "";
   };
   return callback;
 }
 
-std::vector<NotShown> notShownOf(const Reader& reader, const ObjExtras& extras) {
+std::vector<NotShown> notShownOf(const ObjReader& reader, const ObjExtras& extras) {
   std::vector<NotShown> result;
   for (const Group& group : reader.groups) {
     const bool isMaterial = !group.sizes.empty() && !group.name.empty();
@@ -147,7 +147,7 @@ std::vector<NotShown> notShownOf(const Reader& reader, const ObjExtras& extras) 
 /// Numbers the distinct corners that a set of groups uses.
 class VertexTable {
  public:
-  VertexTable(const Reader& reader, bool withNormals)
+  VertexTable(const ObjReader& reader, bool withNormals)
       : reader_(reader), withNormals_(withNormals) {}
 
   std::uint32_t indexOf(const Corner& corner, RawMesh& mesh) {
@@ -168,13 +168,13 @@ class VertexTable {
   }
 
  private:
-  const Reader& reader_;
+  const ObjReader& reader_;
   bool withNormals_;
   std::unordered_map<std::uint64_t, std::uint32_t> known_;
 };
 
 /// Positions that no face names join the first mesh, so that they are seen and counted.
-void addUnused(const Reader& reader, RawMesh& mesh) {
+void addUnused(const ObjReader& reader, RawMesh& mesh) {
   std::vector<bool> used(reader.positions.size());
   for (const Corner& corner : reader.corners)
     used[static_cast<std::size_t>(corner.position)] = true;
@@ -185,7 +185,7 @@ void addUnused(const Reader& reader, RawMesh& mesh) {
   }
 }
 
-RawMesh buildMesh(const Reader& reader, std::span<const Group* const> groups) {
+RawMesh buildMesh(const ObjReader& reader, std::span<const Group* const> groups) {
   bool withNormals = false;
   for (const Group* group : groups) {
     withNormals = withNormals || std::any_of(group->corners.begin(), group->corners.end(),
@@ -217,7 +217,7 @@ RawScene loadObj(const Input& input) {
   const std::optional<std::string> joined = joinedLines(textOf(input));
   const std::string_view text = joined ? *joined : textOf(input);
   const ObjExtras extras = requireSoundLines(input, text);
-  Reader reader{input};
+  ObjReader reader{input};
   reader.use("");
   TextStream stream(text);
   std::string warning;

@@ -16,14 +16,14 @@ using testing::HasSubstr;
 
 using test::GltfBuilder;
 
-const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-const std::vector<std::uint16_t> faces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+const std::vector<float> tetrahedronCorners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+const std::vector<std::uint16_t> tetrahedronFaces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
 
 class GltfAnimation : public testing::Test {
  protected:
   GltfAnimation() {
-    position = b.vectors(corners);
-    index = b.add(faces, "SCALAR", 1);
+    position = b.vectors(tetrahedronCorners);
+    index = b.add(tetrahedronFaces, "SCALAR", 1);
     // Outwards from the middle, more or less.
     normal = b.vectors({-1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1});
     mesh("");
@@ -231,7 +231,7 @@ TEST_F(GltfAnimation, RigsFollowRepairs) {
   std::vector<float> normals{0, 0, 1};
   const std::vector<float> out{-1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   for (int copy = 0; copy < 2; ++copy) {
-    positions.insert(positions.end(), corners.begin(), corners.end());
+    positions.insert(positions.end(), tetrahedronCorners.begin(), tetrahedronCorners.end());
     for (const float n : out) normals.push_back(-n);
   }
   position = b.vectors(positions);
@@ -264,7 +264,7 @@ TEST_F(GltfAnimation, RigsFollowRepairs) {
 
 TEST_F(GltfAnimation, VerticesThatMoveApartStayTwo) {
   // The first corner twice, with another offset each.
-  std::vector<float> positions = corners;
+  std::vector<float> positions = tetrahedronCorners;
   positions.insert(positions.end(), {0, 0, 0});
   position = b.vectors(positions);
   normal = b.vectors({-1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1, -1, -1, -1});

@@ -26,13 +26,13 @@ class Obj : public testing::Test {
   test::TemporaryFolder folder;
 };
 
-const std::string corners =
+const std::string cubeCorners =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\n";
 // Counter-clockwise from outside.
 const std::string quads = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 
 TEST_F(Obj, PolygonsBecomeTriangles) {
-  const Scene scene = load("# a cube\no cube\n" + corners + "s off\ng a b\n" + quads);
+  const Scene scene = load("# a cube\no cube\n" + cubeCorners + "s off\ng a b\n" + quads);
   test::expectSound(scene);
   const Mesh& mesh = scene.objects[0].mesh;
   EXPECT_EQ(mesh.positionsMm.size(), 8U);
@@ -42,9 +42,9 @@ TEST_F(Obj, PolygonsBecomeTriangles) {
 }
 
 TEST_F(Obj, NegativeAndForwardIndicesAndComments) {
-  const Mesh forward = load(quads + corners).objects[0].mesh;
+  const Mesh forward = load(quads + cubeCorners).objects[0].mesh;
   EXPECT_EQ(forward.triangles.size(), 12U);
-  const Mesh mesh = load(corners +
+  const Mesh mesh = load(cubeCorners +
                          "f -8 -6 -5 -7 # 5 of six\nf -4 -3 -1 -2\nf -8 -7 -3 -4\n"
                          "f -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n")
                         .objects[0]
@@ -63,7 +63,7 @@ TEST_F(Obj, NormalsAndTextureCoordinates) {
 }
 
 TEST_F(Obj, MaterialsThatAreMediaMakeObjects) {
-  const Scene scene = load(corners +
+  const Scene scene = load(cubeCorners +
                            "usemtl Ketchup\nf 1 3 4 2\nf 5 6 8 7\nusemtl red paint\nf 1 2 6 5\n"
                            "usemtl other\nf 3 7 8 4\nusemtl ketchup\nf 1 5 7 3\nf 2 4 8 6\n");
   ASSERT_EQ(scene.objects.size(), 2U);
@@ -74,30 +74,30 @@ TEST_F(Obj, MaterialsThatAreMediaMakeObjects) {
 }
 
 TEST_F(Obj, UnusedVerticesAreCounted) {
-  EXPECT_EQ(test::countOf(load(corners + "v 9 9 9\n" + quads).repairs, "unused vertices"), 1U);
+  EXPECT_EQ(test::countOf(load(cubeCorners + "v 9 9 9\n" + quads).repairs, "unused vertices"), 1U);
 }
 
 TEST_F(Obj, BadLinesAreNamed) {
-  EXPECT_THAT(errorOf(corners + "f 1 2 9\n"), HasSubstr("vertex 9"));
-  EXPECT_THAT(errorOf(corners + "f 1 2 -9\n"), HasSubstr("8 vertices"));
-  EXPECT_THAT(errorOf(corners + "f 1 2 0\n"), HasSubstr("line 9"));
-  EXPECT_THAT(errorOf(corners + "f 1 2 4294967297\n"), HasSubstr("4294967297"));
-  EXPECT_THAT(errorOf(corners + "f 1//5 2//5 3//5\n"), HasSubstr("normal 5"));
-  EXPECT_THAT(errorOf(corners + "f 1 2 x\n"), HasSubstr("'x'"));
-  EXPECT_THAT(errorOf("v 0 nan 0\n" + corners + quads), HasSubstr("line 1"));
-  EXPECT_THAT(errorOf("v 0 inf 0\n" + corners + quads), HasSubstr("finite"));
-  EXPECT_THAT(errorOf("v 0 1e39 0\n" + corners + quads), HasSubstr("1e39"));
-  EXPECT_THAT(errorOf("v 0 1\n" + corners + quads), HasSubstr("line 1"));
-  EXPECT_THAT(errorOf(corners), HasSubstr("no faces"));
-  EXPECT_THAT(errorOf(corners + "f 1 1 1\nf 1 2\n"), HasSubstr("degenerate"));
+  EXPECT_THAT(errorOf(cubeCorners + "f 1 2 9\n"), HasSubstr("vertex 9"));
+  EXPECT_THAT(errorOf(cubeCorners + "f 1 2 -9\n"), HasSubstr("8 vertices"));
+  EXPECT_THAT(errorOf(cubeCorners + "f 1 2 0\n"), HasSubstr("line 9"));
+  EXPECT_THAT(errorOf(cubeCorners + "f 1 2 4294967297\n"), HasSubstr("4294967297"));
+  EXPECT_THAT(errorOf(cubeCorners + "f 1//5 2//5 3//5\n"), HasSubstr("normal 5"));
+  EXPECT_THAT(errorOf(cubeCorners + "f 1 2 x\n"), HasSubstr("'x'"));
+  EXPECT_THAT(errorOf("v 0 nan 0\n" + cubeCorners + quads), HasSubstr("line 1"));
+  EXPECT_THAT(errorOf("v 0 inf 0\n" + cubeCorners + quads), HasSubstr("finite"));
+  EXPECT_THAT(errorOf("v 0 1e39 0\n" + cubeCorners + quads), HasSubstr("1e39"));
+  EXPECT_THAT(errorOf("v 0 1\n" + cubeCorners + quads), HasSubstr("line 1"));
+  EXPECT_THAT(errorOf(cubeCorners), HasSubstr("no faces"));
+  EXPECT_THAT(errorOf(cubeCorners + "f 1 1 1\nf 1 2\n"), HasSubstr("degenerate"));
   EXPECT_THAT(errorOf("hello"), HasSubstr("no vertices"));
-  EXPECT_THAT(errorOf(corners + std::string("f 1 2 3\0 4\n", 11)), HasSubstr("zero bytes"));
+  EXPECT_THAT(errorOf(cubeCorners + std::string("f 1 2 3\0 4\n", 11)), HasSubstr("zero bytes"));
 }
 
 TEST_F(Obj, LinesThatAreContinuedAreJoined) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     const std::string next = "\\" + end;
-    std::string text = "# kept in C:\\cubes\\\n" + corners;
+    std::string text = "# kept in C:\\cubes\\\n" + cubeCorners;
     text += "f 1 3 " + next + "\t4 2" + next + "# of six\n";
     text += "f 5 " + next + next + "6 8 7 # from C:\\\n";
     text += "f" + next + " 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6" + next;
@@ -105,7 +105,7 @@ TEST_F(Obj, LinesThatAreContinuedAreJoined) {
     EXPECT_EQ(mesh.triangles.size(), 12U);
     EXPECT_NEAR(test::signedVolume(mesh.positionsMm, mesh.triangles), 1, 1e-6);
   }
-  EXPECT_THAT(errorOf(corners + "f 1 \\\n 2 3\n\nf 1 \\\r\n 2 x"), HasSubstr("line 12: 'x'"));
+  EXPECT_THAT(errorOf(cubeCorners + "f 1 \\\n 2 3\n\nf 1 \\\r\n 2 x"), HasSubstr("line 12: 'x'"));
   EXPECT_THAT(errorOf("v 0 \\\n0 \\\n\nv 1 1 1\n"), HasSubstr("line 1: ''"));
 }
 
@@ -119,9 +119,9 @@ TEST_F(Obj, WhatIsNotShownIsCounted) {
     }
     return said;
   };
-  EXPECT_EQ(notShown(corners + "o cube\n" + quads), "");
-  EXPECT_EQ(notShown(corners + "o cube\nusemtl wax\n" + quads), "");
-  EXPECT_EQ(notShown("mtllib a.mtl\n" + corners +
+  EXPECT_EQ(notShown(cubeCorners + "o cube\n" + quads), "");
+  EXPECT_EQ(notShown(cubeCorners + "o cube\nusemtl wax\n" + quads), "");
+  EXPECT_EQ(notShown("mtllib a.mtl\n" + cubeCorners +
                      "v 2 2 2 .5 .5 .5\no lid\nusemtl glaze\nf 1 3 4 2\nf 5 6 8 7\nusemtl wood\n"
                      "g pot\nf 1 2 6 5\nf 3 7 8 4\ng none\no pot\nf 1 5 7 3\nusemtl glaze\n"
                      "f 2 4 8 6\n"),
@@ -131,7 +131,7 @@ TEST_F(Obj, WhatIsNotShownIsCounted) {
 
 TEST_F(Obj, BadUtf8InNamesIsHarmless) {
   const Scene scene =
-      load("mtllib ../\xFF.mtl\no \xC3\x28\n" + corners + "usemtl \xFF\xFE\n" + quads);
+      load("mtllib ../\xFF.mtl\no \xC3\x28\n" + cubeCorners + "usemtl \xFF\xFE\n" + quads);
   test::expectSound(scene);
 }
 

@@ -30,7 +30,7 @@ class Ply : public testing::Test {
   test::TemporaryFolder folder;
 };
 
-const std::string tetrahedron =
+const std::string tetrahedronText =
     "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty float x\n"
     "property float y\nproperty float z\nelement face 4\nproperty list uchar int vertex_indices\n"
     "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
@@ -45,7 +45,7 @@ TEST_F(Ply, AsciiIsScaledToFiftyMillimetresWithANote) {
   std::vector<std::string> notes;
   LoadOptions options;
   options.log = [&](LogLevel, std::string_view message) { notes.emplace_back(message); };
-  const Scene scene = load(tetrahedron, options);
+  const Scene scene = load(tetrahedronText, options);
   test::expectSound(scene);
   EXPECT_NEAR(diagonalMm(scene), 50, 1e-4);
   ASSERT_EQ(notes.size(), 1U);
@@ -53,13 +53,13 @@ TEST_F(Ply, AsciiIsScaledToFiftyMillimetresWithANote) {
   EXPECT_EQ(scene.name, "a");
   EXPECT_EQ(scene.objects[0].medium.name, "marble");
   EXPECT_TRUE(scene.repairs.empty());
-  EXPECT_NEAR(diagonalMm(load(tetrahedron, exactly(7))), 7, 1e-5);
+  EXPECT_NEAR(diagonalMm(load(tetrahedronText, exactly(7))), 7, 1e-5);
 }
 
 TEST_F(Ply, OldMacintoshAndWindowsLineEnds) {
   for (const std::string end : {"\r", "\r\n"}) {
     std::string text;
-    for (const char c : tetrahedron) text += c == '\n' ? end : std::string(1, c);
+    for (const char c : tetrahedronText) text += c == '\n' ? end : std::string(1, c);
     EXPECT_EQ(load(text).objects[0].mesh.triangles.size(), 4U);
   }
 }
@@ -202,20 +202,20 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 TEST_F(Ply, BadContentsAreNamed) {
   EXPECT_THAT(errorOf(""), HasSubstr("empty"));
   EXPECT_THAT(errorOf("plx\nformat ascii 1.0\n"), HasSubstr("no PLY"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "3 1 2 3", "3 1 2 4")), HasSubstr("vertex 4"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "3 1 2 3", "3 1 2 -1")), HasSubstr("vertex -1"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "3 1 2 3", "-3 1 2 3")), HasSubstr("-3"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "1 0 0", "1 nan 0")), HasSubstr("not finite"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "1 0 0", "1 inf 0")), HasSubstr("not finite"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "1 0 0", "1 1e999 0")), HasSubstr("not finite"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "1 0 0", "1 zero 0")), HasSubstr("zero"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "ascii", "utf8")), HasSubstr("utf8"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "float x", "quad x")), HasSubstr("property"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "float x", "float a")), HasSubstr("x, y and z"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "element face 4", "element face 0")),
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "3 1 2 3", "3 1 2 4")), HasSubstr("vertex 4"));
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "3 1 2 3", "3 1 2 -1")), HasSubstr("vertex -1"));
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "3 1 2 3", "-3 1 2 3")), HasSubstr("-3"));
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "1 0 0", "1 nan 0")), HasSubstr("not finite"));
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "1 0 0", "1 inf 0")), HasSubstr("not finite"));
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "1 0 0", "1 1e999 0")), HasSubstr("not finite"));
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "1 0 0", "1 zero 0")), HasSubstr("zero"));
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "ascii", "utf8")), HasSubstr("utf8"));
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "float x", "quad x")), HasSubstr("property"));
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "float x", "float a")), HasSubstr("x, y and z"));
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "element face 4", "element face 0")),
               HasSubstr("no face"));
-  EXPECT_THAT(errorOf(replaced(tetrahedron, "end_header\n", "")), HasSubstr("header"));
-  std::string flat = tetrahedron.substr(0, tetrahedron.find("3 0 2 1"));
+  EXPECT_THAT(errorOf(replaced(tetrahedronText, "end_header\n", "")), HasSubstr("header"));
+  std::string flat = tetrahedronText.substr(0, tetrahedronText.find("3 0 2 1"));
   EXPECT_THAT(errorOf(flat + "3 0 0 1\n3 2 2 2\n3 0 1 0\n2 0 1\n"), HasSubstr("degenerate"));
 }
 
@@ -228,18 +228,18 @@ TEST_F(Ply, PathsThatAreNoFilesAreNamed) {
 }
 
 TEST_F(Ply, MagicWinsOverTheExtension) {
-  test::writeBytes(folder / "a.obj", tetrahedron);
+  test::writeBytes(folder / "a.obj", tetrahedronText);
   EXPECT_EQ(loadScene(folder / "a.obj").objects[0].mesh.triangles.size(), 4U);
 }
 
 TEST_F(Ply, OptionsAreChecked) {
-  EXPECT_THROW(load(tetrahedron, exactly(0)), UsageError);
-  EXPECT_THROW(load(tetrahedron, exactly(NAN)), UsageError);
+  EXPECT_THROW(load(tetrahedronText, exactly(0)), UsageError);
+  EXPECT_THROW(load(tetrahedronText, exactly(NAN)), UsageError);
   LoadOptions options;
   options.medium = Medium{"mine", {1, 1, 1}, {0.1, 0.1, 0.1}, 1.4};
-  EXPECT_EQ(load(tetrahedron, options).objects[0].medium.name, "mine");
+  EXPECT_EQ(load(tetrahedronText, options).objects[0].medium.name, "mine");
   options.medium->eta = 0.5;
-  EXPECT_THROW(load(tetrahedron, options), UsageError);
+  EXPECT_THROW(load(tetrahedronText, options), UsageError);
 }
 
 }  // namespace

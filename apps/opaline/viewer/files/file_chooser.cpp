@@ -12,11 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool isFolder(const fs::path& path) {
-  std::error_code error;
-  return fs::is_directory(path, error);
-}
-
 fs::path workingFolder() {
   std::error_code error;
   fs::path folder = fs::current_path(error);

@@ -19,13 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* popup = "file";
+constexpr const char* filePopup = "file";
 constexpr long page = 12;  // entries that a key for pages goes on by
-
-bool isFolder(const fs::path& path) {
-  std::error_code error;
-  return fs::is_directory(path, error);
-}
 
 bool isThere(const fs::path& path) {
   std::error_code error;
@@ -271,17 +266,17 @@ void FileDialog::drawAll() {
 }
 
 std::optional<FileAnswer> FileDialog::draw() {
-  if (!question_ && !ImGui::IsPopupOpen(popup)) return std::nullopt;
+  if (!question_ && !ImGui::IsPopupOpen(filePopup)) return std::nullopt;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float font = ImGui::GetFontSize();
   ImGui::SetNextWindowSize(
       {std::min(0.94F * screen.x, 46 * font), std::min(0.94F * screen.y, 36 * font)});
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-  if (!ImGui::IsPopupOpen(popup)) ImGui::OpenPopup(popup);
+  if (!ImGui::IsPopupOpen(filePopup)) ImGui::OpenPopup(filePopup);
   constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoNav |
                                      ImGuiWindowFlags_NoSavedSettings;
-  if (ImGui::BeginPopupModal(popup, nullptr, flags)) {
+  if (ImGui::BeginPopupModal(filePopup, nullptr, flags)) {
     if (question_) drawAll();
     if (!question_ || answer_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

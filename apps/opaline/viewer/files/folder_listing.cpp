@@ -71,6 +71,11 @@ std::size_t characterBytes(const std::string& text, std::size_t at) {
 
 }  // namespace
 
+bool isFolder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
 std::string shownName(const fs::path& name) {
   const std::string& bytes = name.native();
   std::string shown;

@@ -27,6 +27,9 @@ struct FolderListing {
 FolderListing listFolder(const std::filesystem::path& folder,
                          const std::vector<std::string>& extensions, bool hidden);
 
+/// False, too, of what cannot be looked at.
+bool isFolder(const std::filesystem::path& path);
+
 /// A name in one line of valid UTF-8: what cannot be shown of it becomes '?'.
 std::string shownName(const std::filesystem::path& name);
 

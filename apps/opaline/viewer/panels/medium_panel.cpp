@@ -104,7 +104,7 @@ bool drawCoefficients(const char* name, std::array<double, 3>& perMm, float low,
 }
 
 // Taken up when the mouse lets go: every size is another scene.
-void drawSize(Session& session) {
+void drawBodySize(Session& session) {
   float mm = session.draggedDiagonalMm.value_or(session.diagonalMm);
   if (controls::length("size", mm, 1, 10'000,
                        "Diagonal of the model's box. Light reaches equally far into a small body "
@@ -165,7 +165,7 @@ void drawMediumPanel(Session& session) {
   if (edited) medium.name = "custom";
   changed = changed || edited;
   if (changed) session.edits.medium[session.object] = true;
-  drawSize(session);
+  drawBodySize(session);
   showLengths(medium);
 }
 

@@ -14,7 +14,7 @@ namespace opaline::app::viewer {
 
 namespace {
 
-constexpr const char* popup = "question";
+constexpr const char* questionPopup = "question";
 
 }  // namespace
 
@@ -38,15 +38,15 @@ void Question::useKeys(const std::vector<KeyPress>& presses) {
 }
 
 void Question::draw() {
-  if (!text_ && !ImGui::IsPopupOpen(popup)) return;
-  if (!ImGui::IsPopupOpen(popup)) ImGui::OpenPopup(popup);
+  if (!text_ && !ImGui::IsPopupOpen(questionPopup)) return;
+  if (!ImGui::IsPopupOpen(questionPopup)) ImGui::OpenPopup(questionPopup);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float font = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   constexpr ImGuiWindowFlags flags =
       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoTitleBar |
       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings;
-  if (!ImGui::BeginPopupModal(popup, nullptr, flags)) return;
+  if (!ImGui::BeginPopupModal(questionPopup, nullptr, flags)) return;
   std::optional<bool> given;
   if (text_) {
     const controls::Group group("Question");

@@ -18,7 +18,7 @@ using Size = std::optional<std::array<int, 2>>;
 constexpr int mostPixels = 16384;
 constexpr int mostFrames = 1'000'000;
 
-void drawSize(Session& session) {
+void drawPictureSize(Session& session) {
   static const Choices<Size> usual{
       {"as in the window", std::nullopt},  {"1280 x 720", Size({1280, 720})},
       {"1920 x 1080", Size({1920, 1080})}, {"3840 x 2160", Size({3840, 2160})},
@@ -86,7 +86,7 @@ void drawSavePanel(Session& session, const Saver& saver) {
     choose("film...", FileUse::SaveFilm, "As MP4: the frames below.");
   }
   ImGui::TextDisabled("P and S save %s, or its next free name.", session.saveName.c_str());
-  drawSize(session);
+  drawPictureSize(session);
   drawBackground(session);
   drawFilm(session);
 }

@@ -6,7 +6,7 @@ namespace opaline::app::viewer {
 
 namespace {
 
-constexpr const char* attempt = "watch the device";
+constexpr const char* watching = "watch the device";
 
 }  // namespace
 
@@ -14,7 +14,7 @@ QueueWatch::QueueWatch(const VulkanDevice& device) : device_(device) {
   VkFenceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
   info.flags = VK_FENCE_CREATE_SIGNALED_BIT;
-  check(vkCreateFence(device_.device, &info, nullptr, &done_), attempt);
+  check(vkCreateFence(device_.device, &info, nullptr, &done_), watching);
 }
 
 QueueWatch::~QueueWatch() {
@@ -23,10 +23,10 @@ QueueWatch::~QueueWatch() {
 }
 
 void QueueWatch::begin() {
-  check(vkWaitForFences(device_.device, 1, &done_, VK_TRUE, UINT64_MAX), attempt);
-  check(vkResetFences(device_.device, 1, &done_), attempt);
+  check(vkWaitForFences(device_.device, 1, &done_, VK_TRUE, UINT64_MAX), watching);
+  check(vkResetFences(device_.device, 1, &done_), watching);
   // Of no work of its own, so signalled when all before it is done.
-  check(vkQueueSubmit(device_.queue, 0, nullptr, done_), attempt);
+  check(vkQueueSubmit(device_.queue, 0, nullptr, done_), watching);
 }
 
 bool QueueWatch::isDone() const {
