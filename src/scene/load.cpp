@@ -11,7 +11,7 @@
 #include "scene/finish.h"
 #include "scene/formats.h"
 #include "scene/joined_models.h"
-#include "scene/morph_to.h"
+#include "scene/mesh/morph_to.h"
 #include "scene/not_shown.h"
 #include "scene/scene_settings.h"
 #include "scene/text.h"
@@ -84,7 +84,7 @@ LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
   if (files.size() == 1) return loadSceneFile(files.front(), options);
   requireSensible(options);
   if (options.morphTo) {
-    throw UsageError(fmt::format("--morph-to {} is for a scene of one model",
+    throw UsageError(fmt::format("LoadOptions::morphTo {} is for a scene of one model",
                                  cleanText(options.morphTo->string(), 1000)));
   }
   RawScene all;

@@ -58,7 +58,8 @@ struct Need {
 
 class Divider {
  public:
-  Divider(const Surface& surface, const Surfels& surfels, std::span<const double> largestMm)
+  Divider(const core::RestSurface& surface, const SurfelDivision& surfels,
+          std::span<const double> largestMm)
       : surfels_(surfels) {
     measure(surface, largestMm);
     below_.resize(surfels_.tree.links.size());
@@ -94,7 +95,7 @@ class Divider {
   }
 
   // What is not opened.
-  Clusters collect() {
+  ClusterDivision collect() {
     made_ = {};
     const std::vector<std::uint32_t>& roots = surfels_.tree.rootOfObject;
     for (std::size_t object = 0; object + 1 < roots.size(); ++object) {
@@ -113,7 +114,7 @@ class Divider {
   std::uint32_t count() const { return static_cast<std::uint32_t>(made_.firstSurfel.size()); }
   std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(made_.tree.links.size()); }
 
-  void measure(const Surface& surface, std::span<const double> largestMm) {
+  void measure(const core::RestSurface& surface, std::span<const double> largestMm) {
     thicknessMm_ = thicknessMm(surface, surfels_);
     areaMm2_.resize(surfels_.count());
     for (std::size_t surfel = 0; surfel < areaMm2_.size(); ++surfel)
@@ -198,13 +199,13 @@ class Divider {
     made_.tree.links[made] = Tree::setBit | nodeCount();
   }
 
-  const Surfels& surfels_;
+  const SurfelDivision& surfels_;
   std::vector<double> areaMm2_;      // of each surfel
   std::vector<double> thicknessMm_;  // under each surfel
   std::vector<Edges> edges_;         // of each object
   std::vector<Below> below_;         // of each node
   std::vector<bool> opened_;         // each node
-  Clusters made_;
+  ClusterDivision made_;
 };
 
 }  // namespace
@@ -213,12 +214,12 @@ double usualClusterMm(double areaOfObjectMm2) {
   return std::sqrt(areaOfObjectMm2 / usualClusters);
 }
 
-Clusters makeClusters(const Surface& surface, const Surfels& surfels,
-                      std::span<const double> largestMm, std::size_t maxClusters) {
+ClusterDivision makeClusters(const core::RestSurface& surface, const SurfelDivision& surfels,
+                             std::span<const double> largestMm, std::size_t maxClusters) {
   Divider divider(surface, surfels, largestMm);
   const std::size_t wanted = divider.open(std::numeric_limits<std::size_t>::max());
   if (wanted > maxClusters) divider.open(maxClusters);
-  Clusters clusters = divider.collect();
+  ClusterDivision clusters = divider.collect();
   clusters.wanted = wanted;
   return clusters;
 }

@@ -14,7 +14,7 @@ namespace opaline::surfels {
 
 /// Nodes of the tree of surfels that together hold each surfel once, and the tree above them: what
 /// needs fewer places than there are surfels. They follow the surface where it is thin.
-struct Clusters {
+struct ClusterDivision {
   std::vector<std::uint32_t> firstSurfel;    ///< one more than there are clusters
   std::vector<std::uint32_t> firstOfObject;  ///< cluster; one more than there are objects
   Tree tree;                                 ///< every leaf is one cluster
@@ -33,7 +33,7 @@ double usualClusterMm(double areaOfObjectMm2);
 /// Where that makes more than `maxClusters`, those go first to what is large against the usual edge
 /// and against the thickness, and what `largestMm` asks for waits until shapes have all that they
 /// ask for. Every object has one at least.
-Clusters makeClusters(const Surface& surface, const Surfels& surfels,
-                      std::span<const double> largestMm, std::size_t maxClusters);
+ClusterDivision makeClusters(const core::RestSurface& surface, const SurfelDivision& surfels,
+                             std::span<const double> largestMm, std::size_t maxClusters);
 
 }  // namespace opaline::surfels

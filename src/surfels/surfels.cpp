@@ -10,7 +10,7 @@ namespace opaline::surfels {
 
 namespace {
 
-// How much coarser the pieces become from one try to the next that fits the budget.
+// How much coarser the largest pieces become from one try to the next that fits the budget.
 constexpr double coarser = 1.1;
 
 struct Cut {
@@ -18,7 +18,8 @@ struct Cut {
   std::vector<double> spacingOfObjectMm;
 };
 
-std::vector<double> largestTriangleOfObjectMm(const Surface& surface, std::size_t objects) {
+std::vector<double> largestTriangleOfObjectMm(const core::RestSurface& surface,
+                                              std::size_t objects) {
   std::vector<double> largest(objects, 0);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     double& mm = largest[surface.objectOfTriangle[t]];
@@ -27,43 +28,54 @@ std::vector<double> largestTriangleOfObjectMm(const Surface& surface, std::size_
   return largest;
 }
 
-// Pieces of a spacing h have at most the area √3/2 h², that of an equilateral triangle: the spacing
-// below which there would be too many for sure, in terms of the wanted one.
-double firstFactor(const Surface& surface, std::span<const double> wantedMm, std::size_t budget) {
-  double pieces = 0;
+// The fewest pieces that each object may have at the spacing wanted. Pieces of a spacing h have at
+// most the area √3/2 h², that of an equilateral triangle, and bisecting halves a spacing at most.
+std::vector<double> leastPiecesOfObject(const core::RestSurface& surface,
+                                        std::span<const double> wantedMm,
+                                        std::span<const double> largestMm) {
+  std::vector<double> pieces(wantedMm.size(), 0);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const double mm = wantedMm[surface.objectOfTriangle[t]];
-    pieces += areaMm2(surface, t) / (std::sqrt(3.0) / 2 * mm * mm);
+    pieces[surface.objectOfTriangle[t]] += areaMm2(surface, t) / (std::sqrt(3.0) / 2 * mm * mm);
   }
-  return std::max(1.0, std::sqrt(pieces / static_cast<double>(budget)));
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    pieces[i] = std::max(pieces[i], largestMm[i] / wantedMm[i]);
+  return pieces;
 }
 
-// As fine as the budget allows; it holds every triangle as one piece.
-Cut cut(const Surface& surface, std::span<const double> wantedMm, std::size_t budget) {
-  Cut result{.pieces = {}, .spacingOfObjectMm = {wantedMm.begin(), wantedMm.end()}};
-  const double factor = firstFactor(surface, wantedMm, budget);
-  for (double& mm : result.spacingOfObjectMm) mm *= factor;
-  // So coarse that no triangle is divided.
+// The largest share such that objects which take what they want, or one share where that is less,
+// take no more than the budget together.
+double fairShare(std::vector<double> wanted, double budget) {
+  std::sort(wanted.begin(), wanted.end());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const double share = budget / static_cast<double>(wanted.size() - i);
+    if (wanted[i] > share) return share;
+    budget -= wanted[i];
+  }
+  return wanted.back();
+}
+
+// As fine as wanted, or as the budget allows: a large object takes nothing from a small one that
+// needs less than its share. The budget holds every triangle as one piece.
+Cut cut(const core::RestSurface& surface, std::span<const double> wantedMm, std::size_t budget) {
   const std::vector<double> largestMm = largestTriangleOfObjectMm(surface, wantedMm.size());
+  const std::vector<double> wanted = leastPiecesOfObject(surface, wantedMm, largestMm);
+  double share = fairShare(wanted, static_cast<double>(budget));
+  Cut result;
   while (true) {
-    std::optional<std::vector<Piece>> pieces = subdivide(surface, result.spacingOfObjectMm, budget);
-    if (pieces) {
+    result.spacingOfObjectMm.assign(wantedMm.begin(), wantedMm.end());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      result.spacingOfObjectMm[i] *= std::max(1.0, std::sqrt(wanted[i] / share));
+    if (std::optional<std::vector<Piece>> pieces =
+            subdivide(surface, result.spacingOfObjectMm, budget)) {
       result.pieces = std::move(*pieces);
       return result;
     }
-    bool whole = true;
-    for (std::size_t i = 0; i < wantedMm.size(); ++i) {
-      result.spacingOfObjectMm[i] *= coarser;
-      whole = whole && result.spacingOfObjectMm[i] >= largestMm[i];
-    }
-    if (whole) {
-      for (std::size_t i = 0; i < wantedMm.size(); ++i)
-        result.spacingOfObjectMm[i] = std::max(result.spacingOfObjectMm[i], largestMm[i] * coarser);
-    }
+    share /= coarser * coarser;
   }
 }
 
-Vec3 placeOf(const Surface& surface, const Piece& piece) {
+Vec3 placeOf(const core::RestSurface& surface, const Piece& piece) {
   const Triangle& triangle = surface.triangles[piece.triangle];
   const Vec3& a = surface.positionsMm[triangle[0]];
   const Vec3& b = surface.positionsMm[triangle[1]];
@@ -82,7 +94,7 @@ Vec3 placeOf(const Surface& surface, const Piece& piece) {
 
 // The sides of parts thinner than what is joined, surfels or clusters, are further apart than such
 // a group is large.
-void tellSidesApart(const Surface& surface, std::span<const Piece> pieces,
+void tellSidesApart(const core::RestSurface& surface, std::span<const Piece> pieces,
                     std::uint32_t piecesPerSurfel, std::span<TreeItem> items) {
   double area = 0;
   for (const TreeItem& item : items) {
@@ -100,7 +112,7 @@ void tellSidesApart(const Surface& surface, std::span<const Piece> pieces,
 }
 
 // The pieces of each object as the tree's items, filled up with empty ones to whole surfels.
-std::vector<std::vector<TreeItem>> itemsOfObjects(const Surface& surface,
+std::vector<std::vector<TreeItem>> itemsOfObjects(const core::RestSurface& surface,
                                                   std::vector<Piece>& pieces, std::size_t objects,
                                                   std::uint32_t piecesPerSurfel) {
   std::vector<std::vector<TreeItem>> items(objects);
@@ -122,7 +134,8 @@ std::vector<std::vector<TreeItem>> itemsOfObjects(const Surface& surface,
 }
 
 // In the order in which the surfels' triangles meet them.
-std::vector<std::uint32_t> orderVertices(const Surface& surface, std::span<const Piece> pieces) {
+std::vector<std::uint32_t> orderVertices(const core::RestSurface& surface,
+                                         std::span<const Piece> pieces) {
   std::vector<std::uint32_t> order;
   std::vector<bool> met(surface.positionsMm.size(), false);
   const auto meet = [&](std::uint32_t vertex) {
@@ -138,7 +151,7 @@ std::vector<std::uint32_t> orderVertices(const Surface& surface, std::span<const
 }
 
 // Where surfels join triangles they are as large as the surface over their number.
-void coarsenToMean(const Surface& surface, Surfels& surfels) {
+void coarsenToMean(const core::RestSurface& surface, SurfelDivision& surfels) {
   std::vector<double> area(surfels.spacingOfObjectMm.size(), 0);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
     area[surface.objectOfTriangle[t]] += areaMm2(surface, t);
@@ -150,7 +163,7 @@ void coarsenToMean(const Surface& surface, Surfels& surfels) {
 }
 
 // With every triangle one piece.
-std::size_t leastSurfels(const Surface& surface, std::size_t objects,
+std::size_t leastSurfels(const core::RestSurface& surface, std::size_t objects,
                          std::uint32_t piecesPerSurfel) {
   std::vector<std::size_t> triangles(objects, 0);
   for (const std::uint32_t object : surface.objectOfTriangle) ++triangles[object];
@@ -162,10 +175,10 @@ std::size_t leastSurfels(const Surface& surface, std::size_t objects,
 
 }  // namespace
 
-Surfels makeSurfels(const Surface& surface, std::span<const double> wantedSpacingMm,
-                    std::size_t maxSurfels) {
+SurfelDivision makeSurfels(const core::RestSurface& surface,
+                           std::span<const double> wantedSpacingMm, std::size_t maxSurfels) {
   const std::size_t objects = wantedSpacingMm.size();
-  Surfels surfels;
+  SurfelDivision surfels;
   while (leastSurfels(surface, objects, surfels.piecesPerSurfel) > maxSurfels &&
          surfels.piecesPerSurfel < surface.triangles.size()) {
     surfels.piecesPerSurfel *= 2;

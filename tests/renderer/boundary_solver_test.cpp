@@ -11,8 +11,8 @@
 
 #include "bssrdf/media.h"
 #include "renderer/boundary_fixture.h"
-#include "renderer/division.h"
-#include "scene/merged_mesh.h"
+#include "renderer/scene/division.h"
+#include "scene/mesh/merged_mesh.h"
 
 namespace opaline {
 namespace {
@@ -77,7 +77,7 @@ TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
   };
   EXPECT_GT(clustersWithin(64), 60U);
   ASSERT_EQ(notes.size(), 1U);
-  const std::string option = "--boundary-surfels ";
+  const std::string option = "RenderOptions::boundarySurfels to ";
   ASSERT_NE(notes[0].find(option), std::string::npos) << notes[0];
   const int enough = std::stoi(notes[0].substr(notes[0].find(option) + option.size()));
   EXPECT_EQ(clustersWithin(enough), static_cast<std::size_t>(enough));

@@ -26,7 +26,8 @@ class Layers(unittest.TestCase):
             ("src/passes/scatter/pattern.cpp", '"passes/scatter/pattern.h"'),
             ("src/passes/scatter/pattern.cpp", '"passes/products.h"'),
             ("src/renderer/renderer.cpp", '"passes/scatter/pattern.h"'),
-            ("apps/opaline/main.cpp", "<CLI/CLI.hpp>"),
+            ("apps/opaline/cli/main.cpp", "<CLI/CLI.hpp>"),
+            ("apps/opaline/film/render.cpp", '"cli/output.h"'),
             ("tests/core/file_test.cpp", '"core/file.h"'),
         ]:
             self.assertEqual(includes(path, header), [], (path, header))
@@ -43,8 +44,8 @@ class Layers(unittest.TestCase):
             ("src/gpu/device.cpp", '"opaline/scene.h"'),
             ("src/gpu/device.cpp", '"bssrdf/media.h"'),
             ("src/gpu/device.cpp", '"passes/products.h"'),
-            ("src/scene/gltf.cpp", '"atlas/atlas.h"'),
-            ("src/scene/gltf.cpp", "<vulkan/vulkan.h>"),
+            ("src/scene/gltf/load.cpp", '"atlas/atlas.h"'),
+            ("src/scene/gltf/load.cpp", "<vulkan/vulkan.h>"),
             ("src/passes/scatter/pattern.cpp", '"passes/gather/dsm.h"'),
             ("src/passes/scatter/pattern.cpp", '"renderer/frame.h"'),
             ("src/core/file.cpp", "<CLI/CLI.hpp>"),
@@ -52,6 +53,8 @@ class Layers(unittest.TestCase):
             ("src/renderer/renderer.cpp", "<imgui.h>"),
             ("src/renderer/renderer.cpp", "<Python.h>"),
             ("src/renderer/renderer.cpp", "<embree3/rtcore.h>"),
+            ("apps/opaline/cli/main.cpp", '"film/film.h"'),
+            ("apps/opaline/film/film.cpp", '"viewer/viewer.h"'),
             ("src/core/file.cpp", '"tests/helpers.h"'),
             ("reference/path.cpp", '"gpu/device.h"'),
             ("src/renderer/renderer.cpp", '"reference/path.h"'),
@@ -77,6 +80,13 @@ class Names(unittest.TestCase):
             self.assertEqual(len(check_names.check_text("a.cpp", line)), 1, line)
         for line in ["a/work/b", "frame_work/x", "/dev/full", "homework", "https://x.org/home/a"]:
             self.assertEqual(check_names.check_text("a.cpp", line), [], line)
+
+    def test_the_library_names_no_option_of_the_command_line(self):
+        line = 'throw UsageError("--morph-to is for one model");'
+        self.assertEqual(len(check_names.check_text("src/scene/load.cpp", line)), 1)
+        self.assertEqual(check_names.check_text("apps/opaline/cli/scene_options.cpp", line), [])
+        for line in ['"LoadOptions::morphTo is for one model"', '"a" + std::to_string(--count) + "b"', "// --morph-to"]:
+            self.assertEqual(check_names.check_text("src/scene/load.cpp", line), [], line)
 
 
 class Links(unittest.TestCase):

@@ -5,31 +5,32 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "json.h"
+#include "cli/json.h"
 #include "opaline/renderer.h"
-#include "viewer/dashboard.h"
-#include "viewer/file_chooser.h"
-#include "viewer/loader.h"
-#include "viewer/opening.h"
-#include "viewer/overlay.h"
-#include "viewer/picture_input.h"
-#include "viewer/picture_view.h"
-#include "viewer/poke.h"
-#include "viewer/presenter.h"
-#include "viewer/presenting_device.h"
-#include "viewer/question.h"
-#include "viewer/saver.h"
-#include "viewer/sequence_player.h"
-#include "viewer/session.h"
-#include "viewer/stage.h"
-#include "viewer/timing_history.h"
-#include "viewer/truth_view.h"
-#include "viewer/undo_list.h"
-#include "viewer/user_interface.h"
-#include "viewer/viewer_state.h"
-#include "viewer/window.h"
+#include "viewer/files/file_chooser.h"
+#include "viewer/files/saver.h"
+#include "viewer/panels/dashboard.h"
+#include "viewer/panels/question.h"
+#include "viewer/panels/timing_history.h"
+#include "viewer/picture/overlay.h"
+#include "viewer/picture/picture_input.h"
+#include "viewer/picture/picture_view.h"
+#include "viewer/picture/poke.h"
+#include "viewer/session/loader.h"
+#include "viewer/session/opening.h"
+#include "viewer/session/sequence_player.h"
+#include "viewer/session/session.h"
+#include "viewer/session/stage.h"
+#include "viewer/session/truth_view.h"
+#include "viewer/session/undo_list.h"
+#include "viewer/session/viewer_state.h"
+#include "viewer/window/presenter.h"
+#include "viewer/window/presenting_device.h"
+#include "viewer/window/user_interface.h"
+#include "viewer/window/window.h"
 
 namespace opaline::app::viewer {
 
@@ -68,7 +69,7 @@ class Viewer {
   void light(const std::filesystem::path& file);
   void takeFile(FileAnswer answer);
   bool leaves();
-  void say(std::string text, bool isError = false);
+  void say(std::string_view text, bool isError = false);
   void resize(std::optional<float> diagonalMm);
   void keepState();
   bool movesItself() const;

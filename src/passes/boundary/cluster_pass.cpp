@@ -41,7 +41,7 @@ struct SurveyCounts {
   std::uint32_t surfelNodes;
 };
 
-std::vector<std::uint32_t> leafOfCluster(const surfels::Clusters& made) {
+std::vector<std::uint32_t> leafOfCluster(const surfels::ClusterDivision& made) {
   std::vector<std::uint32_t> leaf(made.count());
   for (std::uint32_t node = 0; node < made.tree.links.size(); ++node) {
     const surfels::NodeLink link = surfels::linkOf(made.tree, node);
@@ -50,9 +50,9 @@ std::vector<std::uint32_t> leafOfCluster(const surfels::Clusters& made) {
   return leaf;
 }
 
-std::vector<shared::ClusterRange> rangesOf(const surfels::Clusters& made,
-                                           const surfels::Surface& surface,
-                                           const surfels::Surfels& surfels,
+std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
+                                           const core::RestSurface& surface,
+                                           const surfels::SurfelDivision& surfels,
                                            const std::vector<bool>& triangleHasInside) {
   const auto hasInside = [&](const surfels::Piece& piece) {
     return triangleHasInside[piece.triangle];
@@ -72,7 +72,7 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::Clusters& made,
   return ranges;
 }
 
-std::vector<std::uint32_t> clusterOfSurfel(const surfels::Clusters& made) {
+std::vector<std::uint32_t> clusterOfSurfel(const surfels::ClusterDivision& made) {
   std::vector<std::uint32_t> cluster(made.firstSurfel.back());
   for (std::uint32_t i = 0; i < made.count(); ++i)
     for (std::uint32_t s = made.firstSurfel[i]; s < made.firstSurfel[i + 1]; ++s) cluster[s] = i;
@@ -131,8 +131,9 @@ ClusterPass::ClusterPass(gpu::Device& device)
                                                        {7, BindingType::StorageBuffer}},
                                           .pushConstantBytes = sizeof(SurveyCounts)}) {}
 
-Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters& made,
-                                   const surfels::Surface& surface, const surfels::Surfels& surfels,
+Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
+                                   const core::RestSurface& surface,
+                                   const surfels::SurfelDivision& surfels,
                                    const std::vector<bool>& triangleHasInside) {
   const std::size_t count = made.count();
   const std::size_t nodes = made.tree.links.size();

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "deform/pose.h"
+#include "opaline/scene.h"
+#include "scene/vector_math.h"
+
+namespace opaline::deform {
+
+/// The vertices of one object at one time, in double precision; its triangles stay.
+struct DeformedVertices {
+  std::vector<scene::Double3> positionsMm;
+  std::vector<scene::Double3> normals;  ///< unit
+};
+
+/// Whether an object's normals have to be taken from its moved triangles: where they are those of
+/// the triangles, or a morph target moves positions and does not say what becomes of the normals.
+bool normalsFromTriangles(const Object& object);
+
+/// The positions alone, which is less work.
+std::vector<scene::Double3> deformedPositions(const Scene& scene, std::size_t object,
+                                              const Pose& pose, const Bounds& restBox,
+                                              double seconds);
+
+/// Of a body whose vertices somebody put there before the deformers act.
+std::vector<scene::Double3> deformedPositions(const std::vector<Deformer>& deformers,
+                                              const std::vector<Vec3>& positionsMm,
+                                              const Bounds& restBox, double seconds);
+
+/// Morphs, skins, then applies the scene's deformers. Normals follow by cofactors; where they
+/// cannot, they are those of the triangles at their final places: each triangle's own for a
+/// facetted mesh, otherwise smooth, weighted by angle.
+DeformedVertices deformedVertices(const Scene& scene, std::size_t object, const Pose& pose,
+                                  const Bounds& restBox, double seconds);
+
+/// The same at a time of a clip (-1: none).
+DeformedVertices deformedVertices(const Scene& scene, std::size_t object, int clip, double seconds);
+
+}  // namespace opaline::deform

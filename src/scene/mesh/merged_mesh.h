@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/rest_surface.h"
+#include "opaline/scene.h"
+
+namespace opaline::scene {
+
+/// All objects of a scene end to end, in the rest pose, as one surface.
+struct MergedMesh {
+  std::vector<Vec3> positionsMm;
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> objectOfTriangle;
+};
+
+MergedMesh mergedMesh(const Scene& scene);
+
+/// The mesh outlives it.
+core::RestSurface surfaceOf(const MergedMesh& merged);
+
+}  // namespace opaline::scene
