@@ -37,7 +37,7 @@ void noteClusters(const Division& division, const LogCallback& log) {
           "medium ask for; {}",
           division.order.maxClusters, division.clusters->coarseness(),
           wanted <= static_cast<std::size_t>(mostClusters)
-              ? fmt::format("raise RenderOptions::boundarySurfels to {} for all of them", wanted)
+              ? fmt::format("raise RenderOptions::boundarySurfels to {}, which is enough", wanted)
               : "raise RenderOptions::boundarySurfels for more accuracy"));
 }
 
