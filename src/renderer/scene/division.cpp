@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bssrdf/profile.h"
+#include "options/picture.h"
 
 namespace opaline {
 
@@ -26,6 +27,20 @@ double longestMeanFreePathMm(const Medium& medium) {
   for (int channel = 0; channel < 3; ++channel)
     longest = std::max(longest, bssrdf::coefficients(medium, channel).meanFreePathMm);
   return longest;
+}
+
+void noteClusters(const Division& division, const LogCallback& log) {
+  if (!division.clusters || !(division.clusters->coarseness() > notableCoarseness)) return;
+  const std::size_t wanted = division.clusters->wanted;
+  log(LogLevel::Note,
+      fmt::format(
+          "the budget of {} clusters leaves them {:.1f} times as large as shape and "
+          "medium ask for; {}",
+          division.order.maxClusters, division.clusters->coarseness(),
+          options::fieldOf<options::PictureSettings>("max_clusters").allowed.range.holds(
+              static_cast<double>(wanted))
+              ? fmt::format("raise RenderOptions::maxClusters to {}, which is enough", wanted)
+              : "raise RenderOptions::maxClusters for more accuracy"));
 }
 
 }  // namespace
@@ -75,11 +90,7 @@ void noteCoarseness(const Division& division, bool asked, const LogCallback& log
                     division.order.maxSurfels, coarsest,
                     asked ? "raise RenderOptions::maxSurfels for more accuracy"
                           : "this device has no room for more"));
-  if (division.clusters && division.clusters->coarseness > notableCoarseness)
-    log(LogLevel::Note,
-        fmt::format("the budget of {} clusters leaves them {:.1f} times as large as shape "
-                    "and medium ask for; raise RenderOptions::maxClusters for more accuracy",
-                    division.order.maxClusters, division.clusters->coarseness));
+  noteClusters(division, log);
 }
 
 }  // namespace opaline
