@@ -34,7 +34,7 @@ ALLOWED = {
     "reference": ("opaline", "core", "bssrdf", "environment"),
     "apps": ("opaline", "core", "compare", "bssrdf", "scene", "deform", "atlas", "reference"),
     "apps/opaline/viewer": ("opaline", "core", "compare", "bssrdf", "scene", "deform", "reference",
-                            "shaders/shaders.h",         # of its own shaders
+                            "shaders/picture.vert.h", "shaders/picture.frag.h",
                             "shaders/shared/frame.h"),  # how many lights it may offer
     "bench": ("*",),
     "tools/figures": ("*",),

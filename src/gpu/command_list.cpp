@@ -192,8 +192,9 @@ void CommandList::use(GpuImage& image, Access access) {
   flushBarriers();
 }
 
-void CommandList::bind(const Pipeline& pipeline) {
+void CommandList::bindPipeline(const Pipeline& pipeline) {
   assert(recording_ && pipeline);
+  if (pipeline_ == &pipeline) return;
   pipeline_ = &pipeline;
   vkCmdBindPipeline(commands_, pipeline.bindPoint(), pipeline.handle());
 }
@@ -219,6 +220,7 @@ void CommandList::orderBindings(std::span<const Binding> bindings) {
 
 void CommandList::bindResources(std::span<const Binding> bindings) {
   assert(recording_ && pipeline_ != nullptr && bindings.size() <= maxSlots);
+  if (bindings.empty()) return;
   orderBindings(bindings);
   std::array<VkWriteDescriptorSet, maxSlots> writes;
   std::array<VkDescriptorBufferInfo, maxSlots> buffers;
@@ -282,9 +284,8 @@ void CommandList::build(AccelerationStructure& structure, Buffer& corners, bool 
   structure.recordBodies(commands_);
 }
 
-void CommandList::pushConstants(const void* data, std::uint32_t bytes) {
-  assert(recording_ && pipeline_ != nullptr);
-  assert(bytes % 4 == 0 && bytes <= pipeline_->pushConstantBytes());
+void CommandList::pushBytes(const void* data, std::uint32_t bytes) {
+  assert(bytes == pipeline_->pushConstantBytes());
   vkCmdPushConstants(commands_, pipeline_->layout(), pipeline_->stages(), 0, bytes, data);
 }
 

@@ -1,14 +1,10 @@
 // What the shaders of boundary transport share. Needs, before it, BINDING_OBJECTS and BINDING_MEDIA.
 #ifndef OPALINE_LIB_BOUNDARY
 #define OPALINE_LIB_BOUNDARY
+#include "lib/bodies.glsl"
 #include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
-#include "shared/frame.h"
-#include "shared/medium.h"
-
-layout(std430, set = 0, binding = BINDING_OBJECTS) readonly buffer Objects { ObjectData objects[]; };
-layout(std430, set = 0, binding = BINDING_MEDIA) readonly buffer Media { MediumData media[]; };
 
 // Whether a node may be taken for what is below it: from further than its radius over the opening
 // angle. Where light falls off within the node, that is felt to be larger; twice

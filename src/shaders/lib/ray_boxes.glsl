@@ -7,7 +7,7 @@
 #ifndef OPALINE_LIB_RAY_BOXES
 #define OPALINE_LIB_RAY_BOXES
 
-layout(set = 0, binding = BINDING_RAYS) uniform samplerBuffer rayBoxes;  // RayBox
+layout(set = 0, binding = BINDING_RAYS) uniform samplerBuffer rayHierarchy;  // RayBox
 
 struct Ray {
   vec3 origin;
@@ -82,8 +82,8 @@ RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDista
     uint piece = 0u;
     uint end = 0u;
     do {
-      vec4 low = texelFetch(rayBoxes, 2 * int(node));
-      vec4 high = texelFetch(rayBoxes, 2 * int(node) + 1);
+      vec4 low = texelFetch(rayHierarchy, 2 * int(node));
+      vec4 high = texelFetch(rayHierarchy, 2 * int(node) + 1);
       uint link = floatBitsToUint(low.w);
       bool met = meetsBox(ray, low.xyz, high.xyz, hit.distance);
       bool leaf = isLeaf(link);

@@ -3,7 +3,6 @@
 #define OPALINE_SHARED_BOUNDARY_H
 
 #ifdef __cplusplus
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec4.hpp>
 namespace opaline::shared {
@@ -134,16 +133,6 @@ struct SolverState {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ClusterRange) == 20);
-static_assert(sizeof(Cluster) == 112);
-static_assert(sizeof(Entry) == 64);
-static_assert(sizeof(BeamPoint) == 48);
-static_assert(sizeof(Meeting) == 8);
-static_assert(sizeof(Mirrored) == 32);
-static_assert(sizeof(ClusterNode) == 80);
-static_assert(sizeof(DensityNode) == 48);
-static_assert(sizeof(BeamNode) == 96);
-static_assert(sizeof(SolverState) == 1600);
 }  // namespace opaline::shared
 #endif
 
