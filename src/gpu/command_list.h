@@ -91,11 +91,13 @@ class CommandList {
   void dispatch(std::uint32_t groupsX, std::uint32_t groupsY = 1, std::uint32_t groupsZ = 1);
 
   /// At least `count` invocations of a shader with 64 in a group; see shaders/lib/linear.glsl.
-  void dispatchLinear(std::uint32_t count);
+  /// `rounds`: about how often one goes through its innermost loop at most. What might take a
+  /// device longer than a display waits for it goes by several dispatches, here and below.
+  void dispatchLinear(std::uint32_t count, std::uint32_t rounds = 1);
 
   /// An invocation for each pixel of an image at least, of a shader with 64 in a group that are a
   /// tile of 8×8.
-  void dispatchTiles(const GpuImage& image);
+  void dispatchTiles(const GpuImage& image, std::uint32_t rounds = 1);
 
   /// The targets become attachments (with their barriers); viewport and scissor cover all of them.
   void beginRendering(std::span<const ColorTarget> colors, const DepthTarget* depth = nullptr);
@@ -104,6 +106,8 @@ class CommandList {
     beginRendering(std::span<const ColorTarget>(colors.begin(), colors.size()), depth);
   }
   void endRendering();
+  /// A triangle that covers the targets; `rounds` of the fragment shader.
+  void drawEverywhere(std::uint32_t rounds);
   void draw(std::uint32_t vertices, std::uint32_t firstVertex = 0);
   /// 32-bit indices; ordered with use(indices, Access::Index) before beginRendering.
   void drawIndexed(Buffer& indices, std::uint32_t count);
@@ -130,6 +134,7 @@ class CommandList {
   void order(Buffer& buffer, AccessScope scope);
   void order(GpuImage& image, const AccessScope& scope);
   void flushBarriers();
+  void dispatchRows(std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t rounds);
   void bindPipeline(const Pipeline& pipeline);
   void bindResources(std::span<const Binding> bindings);
   void orderBindings(std::span<const Binding> bindings);
@@ -153,6 +158,7 @@ class CommandList {
   bool submitted_ = false;
   bool inPass_ = false;
   bool rendering_ = false;
+  VkExtent2D extent_{};  // of the targets
 
   const Pipeline* pipeline_ = nullptr;
   // What is bound at each slot, graphics and compute apart.

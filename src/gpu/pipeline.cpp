@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "gpu/device.h"
+#include "gpu/device_choice.h"
 #include "gpu/vulkan_result.h"
 #include "opaline/error.h"
 
@@ -90,15 +91,8 @@ VkPipelineDepthStencilStateCreateInfo depthOf(DepthMode mode) {
   return info;
 }
 
-VkPipelineColorBlendAttachmentState blendOf(bool additive) {
+VkPipelineColorBlendAttachmentState withoutBlending() {
   VkPipelineColorBlendAttachmentState blend{};
-  blend.blendEnable = additive ? VK_TRUE : VK_FALSE;
-  blend.srcColorBlendFactor = VK_BLEND_FACTOR_ONE;
-  blend.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
-  blend.colorBlendOp = VK_BLEND_OP_ADD;
-  blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-  blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-  blend.alphaBlendOp = VK_BLEND_OP_ADD;
   blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                          VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   return blend;
@@ -130,7 +124,7 @@ VkPipeline createGraphics(const Device& device, const std::string& name,
   samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
   const VkPipelineDepthStencilStateCreateInfo depth = depthOf(options.depth);
   std::array<VkPipelineColorBlendAttachmentState, maxColors> blends;
-  blends.fill(blendOf(options.additive));
+  blends.fill(withoutBlending());
   VkPipelineColorBlendStateCreateInfo blending{};
   blending.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
   blending.attachmentCount = colors;
@@ -194,6 +188,7 @@ Pipeline::Pipeline(Device& device, const std::string& name, const Shader& shader
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
   info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT, specialization);
   info.layout = layout_;
+  info.flags = VK_PIPELINE_CREATE_DISPATCH_BASE_BIT;  // see CommandList::dispatchLinear
   check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_),
         fmt::format("create the pipeline \"{}\"", name));
   device.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline_), name);
@@ -245,6 +240,9 @@ void Pipeline::createLayout(const std::string& name, std::span<const Shader> sha
     }
   }
   assert(pushConstantBytes_ <= 128 && pushConstantBytes_ % 4 == 0);
+  assert(std::count_if(slots.begin(), slots.end(), [](const auto& slot) {
+           return slot.descriptorType == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+         }) <= storageBuffersOfStage);
   VkDescriptorSetLayoutCreateInfo setInfo{};
   setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
   setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;

@@ -26,7 +26,6 @@ struct GraphicsOptions {
   VkFormat depthFormat = VK_FORMAT_UNDEFINED;
   DepthMode depth = DepthMode::Off;  ///< reversed depth: Write passes what is nearer
   CullMode cull = CullMode::None;    ///< front is counter-clockwise as seen
-  bool additive = false;             ///< colour is added to what is there
 };
 
 /// A pipeline without vertex input (vertices are pulled from storage buffers), with dynamic
@@ -70,7 +69,7 @@ class Pipeline {
 };
 
 template <typename Constants>
-std::span<const std::byte> bytesOf(const Constants& constants) {
+std::span<const std::byte> wordsOf(const Constants& constants) {
   if constexpr (std::is_empty_v<Constants>)
     return {};
   else
@@ -86,7 +85,7 @@ class Compute : public Pipeline {
   /// Of a variant of S.
   Compute(Device& device, const std::string& name, const Shader& variant,
           const typename S::Constants& constants = {})
-      : Pipeline(device, name, variant, bytesOf(constants)) {}
+      : Pipeline(device, name, variant, wordsOf(constants)) {}
 };
 
 /// A pipeline of the vertex shader V and the fragment shader F, which has the constants.
@@ -100,7 +99,7 @@ class Graphics : public Pipeline {
 
   Graphics(Device& device, const std::string& name, const GraphicsOptions& options,
            const typename F::Constants& constants = {})
-      : Pipeline(device, name, V::shader(), F::shader(), options, bytesOf(constants)) {}
+      : Pipeline(device, name, V::shader(), F::shader(), options, wordsOf(constants)) {}
 };
 
 }  // namespace opaline::gpu

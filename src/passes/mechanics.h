@@ -37,6 +37,9 @@ inline gpu::TexelsOrRays rays(RayHierarchy& hierarchy) {
   return hierarchy.boxes;
 }
 
+/// Rounds of an invocation that walks a tree, or sends a ray through one: some hundreds.
+constexpr std::uint32_t roundsOfWalk = 1024;
+
 /// A tree's nodes of one height, as its list by height has them.
 struct NodeRange {
   std::uint32_t first;

@@ -9,7 +9,9 @@
 #include "gpu/transfer.h"
 #include "shaders/add.comp.h"
 #include "shaders/fill_image.comp.h"
+#include "shaders/invocations.comp.h"
 #include "shaders/scale.comp.h"
+#include "shaders/tiles.comp.h"
 
 namespace opaline::gpu {
 namespace {
@@ -92,6 +94,33 @@ TEST_F(ComputeTest, OneBufferMayStandAtTwoSlots) {
   list.wait();
   EXPECT_EQ(readAs<std::uint32_t>(device(), input), std::vector<std::uint32_t>(64, 7U));
   EXPECT_EQ(readAs<std::uint32_t>(device(), output), std::vector<std::uint32_t>(64, 15U));
+}
+
+// However many dispatches long work is cut into: each invocation runs once.
+TEST_F(ComputeTest, LongWorkIsCutWithoutGapsOrOverlaps) {
+  const Compute<shaders::Invocations> invocations(device(), "invocations");
+  const Compute<shaders::Tiles> tiles(device(), "tiles");
+  for (const std::uint32_t rounds : {1U, 1U << 12U, 1U << 20U, ~0U}) {
+    constexpr std::uint32_t count = 100'001;
+    Buffer runs = zeros(device(), "runs", count);
+    GpuImage image(device(),
+                   {.name = "runs",
+                    .width = 250,
+                    .height = 131,
+                    .format = VK_FORMAT_R32_SFLOAT,
+                    .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                             VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    uploadImage(device(), image, bytesOf(std::vector<float>(std::size_t{250} * 131)));
+    CommandList list(device(), "cut");
+    list.begin();
+    list.bind(invocations, {.runs = runs}, {.count = count});
+    list.dispatchLinear(count, rounds);
+    list.bind(tiles, {.runs = image});
+    list.dispatchTiles(image, rounds);
+    list.submit();
+    EXPECT_EQ(readAs<std::uint32_t>(device(), runs), std::vector<std::uint32_t>(count, 1U));
+    EXPECT_EQ(readAs<float>(device(), image, 4), std::vector<float>(std::size_t{250} * 131, 1.0F));
+  }
 }
 
 TEST_F(ComputeTest, StorageImageIsWritten) {

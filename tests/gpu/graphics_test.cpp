@@ -178,28 +178,6 @@ TEST_F(GraphicsTest, DepthModesCompareAndWriteAsTheyAreNamed) {
   }
 }
 
-TEST_F(GraphicsTest, AdditiveBlendingAddsWhatOverlaps) {
-  GraphicsOptions pipelineOptions{.colorFormats = {color32}};
-  pipelineOptions.additive = true;
-  const Triangles pipeline(device(), "triangles", pipelineOptions);
-  std::vector<Vertex> both = everywhere(0, Color{0.5F, 1, -0.25F, 0.125F});
-  for (const Vertex& vertex : upperLeft(0, Color{1, 2, 3, 4})) both.push_back(vertex);
-  Buffer triangles = vertices(both);
-  GpuImage color = image("color", color32);
-  CommandList list(device(), "frame");
-  list.begin();
-  list.bind(pipeline, {.vertices = triangles}, {});
-  ColorTarget target{&color};
-  target.clearValue[0] = 10;
-  list.beginRendering({target});
-  list.draw(6);
-  list.endRendering();
-  list.submit();
-  const auto seen = colors(color);
-  EXPECT_EQ(at(seen, 1, 1), (Color{11.5F, 3, 2.75F, 4.125F}));
-  EXPECT_EQ(at(seen, side - 1, side - 1), (Color{10.5F, 1, -0.25F, 0.125F}));
-}
-
 TEST_F(GraphicsTest, SeveralTargetsHaveTheirOwnClearValuesAndOutputs) {
   const Graphics<shaders::TrianglesVert, shaders::TwoTargetsFrag> pipeline(
       device(), "two targets", {.colorFormats = {color32, VK_FORMAT_R32G32_SFLOAT}},
@@ -241,6 +219,22 @@ TEST_F(GraphicsTest, DepthAloneNeedsNoFragmentShader) {
   const auto depths = readAs<float>(device(), depth, 4);
   EXPECT_EQ(depths.front(), 0.125F);
   EXPECT_EQ(depths.back(), 0.0625F);
+}
+
+TEST_F(GraphicsTest, LongDrawsAreCutWithoutGaps) {
+  Buffer all = vertices(everywhere(0, green));
+  const Triangles pipeline(device(), "triangles", {.colorFormats = {color32}});
+  for (const std::uint32_t rounds : {1U, 1U << 25U, ~0U}) {
+    GpuImage color = image("color", color32);
+    CommandList list(device(), "frame");
+    list.begin();
+    list.bind(pipeline, {.vertices = all}, {});
+    list.beginRendering({ColorTarget{&color}});
+    list.drawEverywhere(rounds);
+    list.endRendering();
+    list.submit();
+    EXPECT_EQ(colors(color), std::vector<Color>(std::size_t{side} * side, green)) << rounds;
+  }
 }
 
 // What needs no barrier may be bound between the draws of one rendering scope.

@@ -11,8 +11,9 @@ namespace opaline::passes {
 namespace {
 
 // Mesa's software device ends the loops of an invocation after 65,535 rounds in all, without a
-// word. As many nodes as have fewer points, and no dispatch is long.
-constexpr std::uint32_t nodesPerDispatch = 65535 / (shared::maxPoints + 5);
+// word. As many nodes as have fewer points.
+constexpr std::uint32_t roundsPerDispatch = 65535;
+constexpr std::uint32_t nodesPerDispatch = roundsPerDispatch / (shared::maxPoints + 5);
 
 }  // namespace
 
@@ -111,7 +112,7 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .nodeCount = clusters.surfelNodes,
                  .mirrors = beam.mirrors});
-  commands.dispatchLinear(clusters.count);
+  commands.dispatchLinear(clusters.count, shared::maxPoints * roundsOfWalk);
 }
 
 void BeamPass::bringMirrored(gpu::CommandList& commands, Clusters& clusters) const {
@@ -163,7 +164,7 @@ void BeamPass::sum(gpu::CommandList& commands, const gpu::Compute<S>& pipeline,
                    .adds = adds || from > 0,
                    .firstNode = from,
                    .endNode = from + nodesPerDispatch});
-    commands.dispatchLinear(clusters.count);
+    commands.dispatchLinear(clusters.count, roundsPerDispatch);
   }
 }
 

@@ -42,7 +42,7 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
                  .order = vertices.order,
                  .vertexExitances = vertices.exitances},
                 {.vertexCount = vertices.count, .site = site});
-  commands.dispatchLinear(vertices.count);
+  commands.dispatchLinear(vertices.count, roundsOfWalk);
   commands.endPass();
 }
 
@@ -61,7 +61,7 @@ void CarryPass::overFragments(gpu::CommandList& commands, ScatterSite site, Scen
                  .surfaceNormal = {surface.normal, nearest_},
                  .exitance = exitance.image},
                 {.site = site});
-  commands.dispatchTiles(exitance.image);
+  commands.dispatchTiles(exitance.image, roundsOfWalk);
   commands.endPass();
 }
 

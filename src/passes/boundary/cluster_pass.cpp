@@ -165,7 +165,7 @@ void ClusterPass::enclose(gpu::CommandList& commands, const Inputs& inputs,
                  .clusters = clusters.clusters,
                  .clusterNodes = clusters.nodes},
                 {.clusterCount = clusters.count, .openingAngle = inputs.openingAngle});
-  commands.dispatchLinear(clusters.count);
+  commands.dispatchLinear(clusters.count, roundsOfWalk);
 }
 
 void ClusterPass::survey(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,
@@ -183,7 +183,7 @@ void ClusterPass::survey(gpu::CommandList& commands, const Inputs& inputs, bool 
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .raysOutwards = looksAround ? clusters.raysOutwards : 0,
                  .nodeCount = clusters.surfelNodes});
-  commands.dispatchLinear(clusters.count);
+  commands.dispatchLinear(clusters.count, (raysOutwards + 1) * roundsOfWalk);
 }
 
 }  // namespace opaline::passes

@@ -112,7 +112,7 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                  .first = firstFluence,
                  .step = step,
                  .solution = order.solution});
-  commands.dispatchLinear(clusters.count);
+  commands.dispatchLinear(clusters.count, roundsOfWalk);
 }
 
 }  // namespace opaline::passes

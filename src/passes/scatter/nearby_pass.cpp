@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "passes/mechanics.h"
 
 namespace opaline::passes {
 
@@ -35,7 +36,7 @@ void NearbyPass::overPlaces(gpu::CommandList& commands, ScatterTransport transpo
                  .normals = places.normals,
                  .order = places.order},
                 {.vertexCount = places.count, .site = site});
-  commands.dispatchLinear(places.count);
+  commands.dispatchLinear(places.count, roundsOfWalk);
   commands.endPass();
 }
 
@@ -56,7 +57,7 @@ void NearbyPass::overFragments(gpu::CommandList& commands, ScatterTransport tran
                  .sources = inputs.surfels.sources,
                  .surfelNormals = inputs.surfels.normals},
                 {.site = site});
-  commands.dispatchTiles(exitance.image);
+  commands.dispatchTiles(exitance.image, roundsOfWalk);
   commands.endPass();
 }
 

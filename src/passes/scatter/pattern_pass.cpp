@@ -50,7 +50,7 @@ void PatternPass::overVertices(gpu::CommandList& commands, ScatterTransport tran
                    .charts = sources.charts,
                    .farPlaces = sources.farPlaces},
                   {.vertexCount = mesh.vertexCount, .medium = medium});
-    commands.dispatchLinear(mesh.vertexCount);
+    commands.dispatchLinear(mesh.vertexCount, shared::maxPatternEntries);
   }
   commands.endPass();
 }
@@ -71,7 +71,7 @@ void PatternPass::overFragments(gpu::CommandList& commands, ScatterTransport tra
                    .nearFlux = {sources.nearFlux, linear_}},
                   {.medium = medium});
     commands.beginRendering({{.image = &exitance.image, .clear = medium == 0}});
-    commands.draw(3);
+    commands.drawEverywhere(shared::maxPatternEntries);
     commands.endRendering();
   }
   commands.endPass();

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "passes/mechanics.h"
 
 namespace opaline::passes {
 
 namespace {
 
-// Surfels summed by one dispatch, so that none runs into the time limit of a display's device.
+// Surfels summed by one invocation, which Mesa's software device lets go through 65,535 rounds.
 constexpr std::uint32_t surfelsPerDispatch = 8192;
 
 template <typename Dispatch>
@@ -56,7 +57,7 @@ void SurfelSumPass::treeOverPlaces(gpu::CommandList& commands, const Order& orde
          .sources = over.surfels.sources,
          .order = over.places.order},
         {.vertexCount = over.places.count, .tolerance = order.tolerance, .site = order.site});
-    commands.dispatchLinear(over.places.count);
+    commands.dispatchLinear(over.places.count, roundsOfWalk);
     commands.endPass();
   }
 }
@@ -73,7 +74,7 @@ void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& o
                  .nodes = over.surfels.nodes,
                  .sources = over.surfels.sources},
                 {.tolerance = order.tolerance, .site = order.site});
-  commands.dispatchTiles(over.exitance.image);
+  commands.dispatchTiles(over.exitance.image, roundsOfWalk);
   commands.endPass();
 }
 
@@ -92,7 +93,7 @@ void SurfelSumPass::allOverPlaces(gpu::CommandList& commands, const Order& order
                    .firstSurfel = first,
                    .endSurfel = end,
                    .site = order.site});
-    commands.dispatchLinear(over.places.count);
+    commands.dispatchLinear(over.places.count, surfelsPerDispatch);
   });
   commands.endPass();
 }
@@ -109,7 +110,7 @@ void SurfelSumPass::allOverFragments(gpu::CommandList& commands, const Order& or
                    .media = over.tables.media,
                    .sources = over.surfels.sources},
                   {.firstSurfel = first, .endSurfel = end, .site = order.site});
-    commands.dispatchTiles(over.exitance.image);
+    commands.dispatchTiles(over.exitance.image, surfelsPerDispatch);
   });
   commands.endPass();
 }

@@ -52,7 +52,7 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .rays = rays,
                  .raysInAll = rays * inputs.samples,
                  .alpha = alpha});
-  commands.dispatchTiles(sky.share);
+  commands.dispatchTiles(sky.share, rays * roundsOfWalk);
   commands.endPass();
 }
 

@@ -1,6 +1,7 @@
 #include "passes/shade/seen_surfels_pass.h"
 
 #include "gpu/device.h"
+#include "passes/mechanics.h"
 
 namespace opaline::passes {
 
@@ -30,7 +31,7 @@ void SeenSurfelsPass::record(gpu::CommandList& commands, const Inputs& inputs,
        .rayHierarchy = inputs.rays.boxes,
        .clusterOfSurfel = clusters ? inputs.clusters->clusterOfSurfel : inputs.surfels.order},
       {.treeLevel = inputs.treeLevel, .hasClusters = clusters});
-  commands.dispatchTiles(seen.image);
+  commands.dispatchTiles(seen.image, roundsOfWalk);
   commands.endPass();
 }
 

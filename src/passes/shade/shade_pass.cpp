@@ -41,7 +41,7 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .alpha = inputs.roughness * inputs.roughness,
                  .specular = inputs.specular,
                  .skyIsMirrored = inputs.mirrorsSky});
-  commands.dispatchTiles(radiance);
+  commands.dispatchTiles(radiance, shared::maxLights);
   commands.endPass();
 }
 

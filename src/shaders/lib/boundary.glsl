@@ -14,10 +14,13 @@ bool isFar(float squaredMm2, float radius, float sigmaPerMm, float openingAngle)
   return squaredMm2 * (openingAngle * openingAngle) > felt * felt;
 }
 
+// Places nearer to each other are one: one over their distance, cubed, is no number that is too large.
+const float leastSquaredMm2 = 1e-18;
+
 // A cluster of that area as a disc fills less of the solid angle than its area over the squared
 // distance: what that is to be multiplied by, on the disc's axis.
 float coverageOfDisc(float squaredMm2, float areaMm2) {
-  float x2 = squaredMm2 * pi / max(areaMm2, 1e-30);
+  float x2 = min(squaredMm2 * pi / max(areaMm2, 1e-30), 1e12);
   // 2x² (1 - x/√(1+x²)) without its cancellation.
   float root = sqrt(1.0 + x2);
   return 2.0 * x2 / (root * (root + sqrt(x2)));

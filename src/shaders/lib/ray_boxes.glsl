@@ -54,9 +54,10 @@ void meetPiece(Ray ray, uint piece, float minDistance, inout RayHit hit) {
   vec4 a4 = texelFetch(pieceCorners, at);
   vec4 b4 = texelFetch(pieceCorners, at + 1);
   vec4 c4 = texelFetch(pieceCorners, at + 2);
-  vec3 a = ray.turn * (a4.xyz - ray.origin);
-  vec3 b = ray.turn * (b4.xyz - ray.origin);
-  vec3 c = ray.turn * (c4.xyz - ray.origin);
+  // Whichever corner of a piece a place is, it has to become the same, bit by bit.
+  precise vec3 a = ray.turn * (a4.xyz - ray.origin);
+  precise vec3 b = ray.turn * (b4.xyz - ray.origin);
+  precise vec3 c = ray.turn * (c4.xyz - ray.origin);
   // Twice the areas of the ray with each edge, all of one sign where it passes between them. No
   // rounding gives one of the wrong sign, as long as none is left out.
   precise vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);

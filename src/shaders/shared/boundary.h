@@ -127,9 +127,8 @@ struct SolverState {
   vec4 wanted;                        // rgb: norm below which the residual is small enough
   vec4 residual;                      // rgb: relative to the right-hand side
   uint steps;                         // that were made
-  uint done;                          // 1: nothing more to do
-  uint unused0;
-  uint unused1;
+  uint done[2];                       // after the last even and odd step, 1: nothing more to do
+  uint unused;
 };
 
 #ifdef __cplusplus
