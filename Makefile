@@ -52,6 +52,7 @@ check:
 	$(PYTHON) tools/check_links.py
 	$(PYTHON) tools/check_format.py
 	$(PYTHON) -m unittest discover -q -s tests/tools -p '*_test.py'
+	$(PYTHON) -m unittest discover -q -s tests/bench -p '*_test.py'
 
 test: build check
 	$(PYTHON) tools/check_tidy.py $(BUILD)
@@ -64,7 +65,7 @@ bench: build
 	$(BUILD)/bin/opaline_soft_body_bench
 
 bench-gpu: build
-	$(PYTHON) tools/bench_gpu.py $(BUILD)/bin build --device "$(DEVICE)"
+	$(PYTHON) bench/bench_gpu.py $(BUILD)/bin build --device "$(DEVICE)"
 
 figures: build $(TRUTHS)
 	$(PYTHON) tools/make_pictures.py --build $(BUILD) $(PICTURES)

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "opaline/renderer.h"
-#include "renderer/timing.h"
+#include "renderer/frame/timing.h"
 
 namespace opaline::bench {
 

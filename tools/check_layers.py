@@ -8,6 +8,10 @@ import sys
 from repository import ROOT, finish, read_text, tracked_files
 
 PLAIN = ("opaline/error.h", "opaline/image.h", "opaline/log.h", "opaline/types.h")
+APP = ("opaline", "core", "compare", "bssrdf", "scene", "deform", "reference")
+
+# Below these, includes begin with a folder of theirs.
+PROGRAMS = ("apps/opaline",)
 
 # Folder (longest match wins) -> what it may include of ours. A folder name allows all below it, a
 # name that ends in .h just that header. A folder may always include itself; * allows everything
@@ -32,8 +36,10 @@ ALLOWED = {
     "src/renderer": ("opaline", "core", "bssrdf", "scene", "environment", "deform", "atlas", "surfels",
                      "soft_body", "gpu", "passes", "shaders"),
     "reference": ("opaline", "core", "bssrdf", "environment"),
-    "apps": ("opaline", "core", "compare", "bssrdf", "scene", "deform", "atlas", "reference"),
-    "apps/opaline/viewer": ("opaline", "core", "compare", "bssrdf", "scene", "deform", "reference",
+    "apps/opaline/cli": (*APP, "atlas"),
+    "apps/opaline/film": (*APP, "apps/opaline/cli"),
+    "apps/opaline/lab": (*APP, "apps/opaline/cli", "apps/opaline/film"),
+    "apps/opaline/viewer": (*APP, "apps/opaline/cli", "apps/opaline/film", "apps/opaline/lab",
                             "shaders/picture.vert.h", "shaders/picture.frag.h",
                             "shaders/shared/frame.h"),  # how many lights it may offer
     "bench": ("*",),
@@ -92,6 +98,9 @@ def own_target(path, header):
     """The file of ours an include means, as it is written below src/ or include/; None if foreign."""
     if header.split("/")[0] in OUR_FOLDERS and "/" in header:
         return header
+    for program in PROGRAMS:
+        if within(path, program) and "/" in header and f"{program}/{header.split('/')[0]}" in ALLOWED:
+            return f"{program}/{header}"
     beside = posixpath.normpath(posixpath.join(posixpath.dirname(path), header))
     if (ROOT / beside).is_file():
         return re.sub(r"^(src|include)/", "", beside)

@@ -71,6 +71,8 @@ def main():
     parser.add_argument("--only", nargs="*", help="names of models to render, without their ending [all]")
     parser.add_argument("--media", nargs="*", help="[every built-in medium]")
     parser.add_argument("--diagonals-mm", type=float, nargs="*", default=[5, 50, 500])
+    parser.add_argument("--every", type=int, default=1, help="of each model, renders one in so many of media and sizes, "
+                        "others of the next model [1]")
     parser.add_argument("--size", type=int, default=128, help="edge of a picture in pixels [128]")
     parser.add_argument("--limit", type=float, default=60, help="seconds that one may take [60]")
     parser.add_argument("--columns", type=int, default=12)
@@ -81,13 +83,14 @@ def main():
     media = arguments.media or [medium["name"] for medium in json.loads(
         subprocess.run([arguments.program, "media", "--json"], check=True, capture_output=True).stdout)["media"]]
     options = ("--size", f"{arguments.size}x{arguments.size}", "--aov", "exitance", "--quiet", *arguments.options)
+    font = subprocess.run(["fc-match", "-f", "%{file}", "sans"], check=True, capture_output=True, text=True).stdout
     wrong, times = [], []
-    for medium in media:
-        for diagonal in arguments.diagonals_mm:
+    bodies = [model for model in models(arguments.models, arguments.work)
+              if not arguments.only or model.stem in arguments.only]
+    for m, medium in enumerate(media):
+        for d, diagonal in enumerate(arguments.diagonals_mm):
             tiles = []
-            for model in models(arguments.models, arguments.work):
-                if arguments.only and model.stem not in arguments.only:
-                    continue
+            for model in bodies[-(m + d) % arguments.every::arguments.every]:
                 name = f"{model.stem}{model.suffix.replace('.', '_')}-{medium}-{diagonal:g}"
                 exr, png, took = (arguments.work / f"{name}.{end}" for end in ("exr", "png", "seconds"))
                 if not took.exists():
@@ -100,8 +103,10 @@ def main():
                 if fault:
                     wrong.append(f"{name}: {fault}")
                 tiles += ["-label", f"{model.stem[:18]} {seconds:.1f}s", str(png) if png.exists() else "xc:red"]
+            if not tiles:
+                continue
             sheet = arguments.work / f"sheet-{medium}-{diagonal:g}.png"
-            subprocess.run(["montage", "-pointsize", "10", *tiles, "-tile", f"{arguments.columns}x", "-geometry",
+            subprocess.run(["montage", "-font", font, "-pointsize", "10", *tiles, "-tile", f"{arguments.columns}x", "-geometry",
                             f"{arguments.size}x{arguments.size}+2+2", str(sheet)], check=True)
             print(sheet)
     print("slowest: " + ", ".join(f"{name} {seconds:.1f} s" for seconds, name in sorted(times, reverse=True)[:5]))

@@ -5,7 +5,7 @@
 #include "deform/deformer.h"
 #include "deform/smooth_groups.h"
 #include "scene/matrix.h"
-#include "scene/normals.h"
+#include "scene/mesh/normals.h"
 
 namespace opaline::deform {
 

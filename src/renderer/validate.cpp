@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "opaline/error.h"
-#include "renderer/light_views.h"
-#include "renderer/scene_resources.h"
+#include "renderer/frame/light_views.h"
+#include "renderer/scene/scene_resources.h"
 #include "shaders/shared/frame.h"
 
 namespace opaline {

@@ -9,7 +9,7 @@
 #include "opaline/error.h"
 #include "scene/formats.h"
 #include "scene/matrix.h"
-#include "scene/repair.h"
+#include "scene/repair/repair.h"
 #include "scene/rig.h"
 #include "scene/text.h"
 #include "scene/vector_math.h"

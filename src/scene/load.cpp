@@ -11,7 +11,7 @@
 #include "scene/finish.h"
 #include "scene/formats.h"
 #include "scene/joined_models.h"
-#include "scene/morph_to.h"
+#include "scene/mesh/morph_to.h"
 #include "scene/not_shown.h"
 #include "scene/scene_settings.h"
 #include "scene/text.h"

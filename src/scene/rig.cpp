@@ -7,7 +7,7 @@
 
 #include "opaline/error.h"
 #include "scene/matrix.h"
-#include "scene/normals.h"
+#include "scene/mesh/normals.h"
 
 namespace opaline::scene {
 

@@ -10,7 +10,7 @@ namespace opaline::surfels {
 
 namespace {
 
-// How much coarser the pieces become from one try to the next that fits the budget.
+// How much coarser the largest pieces become from one try to the next that fits the budget.
 constexpr double coarser = 1.1;
 
 struct Cut {
@@ -27,39 +27,49 @@ std::vector<double> largestTriangleOfObjectMm(const Surface& surface, std::size_
   return largest;
 }
 
-// Pieces of a spacing h have at most the area √3/2 h², that of an equilateral triangle: the spacing
-// below which there would be too many for sure, in terms of the wanted one.
-double firstFactor(const Surface& surface, std::span<const double> wantedMm, std::size_t budget) {
-  double pieces = 0;
+// The fewest pieces that each object may have at the spacing wanted. Pieces of a spacing h have at
+// most the area √3/2 h², that of an equilateral triangle, and bisecting halves a spacing at most.
+std::vector<double> leastPiecesOfObject(const Surface& surface, std::span<const double> wantedMm,
+                                        std::span<const double> largestMm) {
+  std::vector<double> pieces(wantedMm.size(), 0);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const double mm = wantedMm[surface.objectOfTriangle[t]];
-    pieces += areaMm2(surface, t) / (std::sqrt(3.0) / 2 * mm * mm);
+    pieces[surface.objectOfTriangle[t]] += areaMm2(surface, t) / (std::sqrt(3.0) / 2 * mm * mm);
   }
-  return std::max(1.0, std::sqrt(pieces / static_cast<double>(budget)));
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    pieces[i] = std::max(pieces[i], largestMm[i] / wantedMm[i]);
+  return pieces;
 }
 
-// As fine as the budget allows; it holds every triangle as one piece.
+// The largest share such that objects which take what they want, or one share where that is less,
+// take no more than the budget together.
+double fairShare(std::vector<double> wanted, double budget) {
+  std::sort(wanted.begin(), wanted.end());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const double share = budget / static_cast<double>(wanted.size() - i);
+    if (wanted[i] > share) return share;
+    budget -= wanted[i];
+  }
+  return wanted.back();
+}
+
+// As fine as wanted, or as the budget allows: a large object takes nothing from a small one that
+// needs less than its share. The budget holds every triangle as one piece.
 Cut cut(const Surface& surface, std::span<const double> wantedMm, std::size_t budget) {
-  Cut result{.pieces = {}, .spacingOfObjectMm = {wantedMm.begin(), wantedMm.end()}};
-  const double factor = firstFactor(surface, wantedMm, budget);
-  for (double& mm : result.spacingOfObjectMm) mm *= factor;
-  // So coarse that no triangle is divided.
   const std::vector<double> largestMm = largestTriangleOfObjectMm(surface, wantedMm.size());
+  const std::vector<double> wanted = leastPiecesOfObject(surface, wantedMm, largestMm);
+  double share = fairShare(wanted, static_cast<double>(budget));
+  Cut result;
   while (true) {
-    std::optional<std::vector<Piece>> pieces = subdivide(surface, result.spacingOfObjectMm, budget);
-    if (pieces) {
+    result.spacingOfObjectMm.assign(wantedMm.begin(), wantedMm.end());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      result.spacingOfObjectMm[i] *= std::max(1.0, std::sqrt(wanted[i] / share));
+    if (std::optional<std::vector<Piece>> pieces =
+            subdivide(surface, result.spacingOfObjectMm, budget)) {
       result.pieces = std::move(*pieces);
       return result;
     }
-    bool whole = true;
-    for (std::size_t i = 0; i < wantedMm.size(); ++i) {
-      result.spacingOfObjectMm[i] *= coarser;
-      whole = whole && result.spacingOfObjectMm[i] >= largestMm[i];
-    }
-    if (whole) {
-      for (std::size_t i = 0; i < wantedMm.size(); ++i)
-        result.spacingOfObjectMm[i] = std::max(result.spacingOfObjectMm[i], largestMm[i] * coarser);
-    }
+    share /= coarser * coarser;
   }
 }
 

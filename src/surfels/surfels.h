@@ -26,7 +26,7 @@ struct Surfels {
 };
 
 /// Divides the surface as finely as wanted, a spacing for each object, mm (spacingOfMm), or as
-/// `maxSurfels` allows, in which case all objects become coarser by the same factor.
+/// `maxSurfels` allows: objects that want fewest get all, what is left is shared evenly.
 Surfels makeSurfels(const Surface& surface, std::span<const double> wantedSpacingMm,
                     std::size_t maxSurfels);
 

@@ -7,7 +7,7 @@
 #include "deform/allocations.h"
 #include "deform/deformed_mesh.h"
 #include "opaline/error.h"
-#include "scene/gltf_builder.h"
+#include "scene/gltf/builder.h"
 
 // Files of our own, from the bytes to the posed vertices.
 

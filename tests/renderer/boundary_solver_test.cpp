@@ -11,8 +11,8 @@
 
 #include "bssrdf/media.h"
 #include "renderer/boundary_fixture.h"
-#include "renderer/division.h"
-#include "scene/merged_mesh.h"
+#include "renderer/scene/division.h"
+#include "scene/mesh/merged_mesh.h"
 
 namespace opaline {
 namespace {

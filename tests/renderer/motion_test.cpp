@@ -19,8 +19,8 @@
 #include "gpu/transfer.h"
 #include "opaline/renderer.h"
 #include "passes/deform/deform_pass.h"
-#include "renderer/scene_motion.h"
-#include "renderer/scene_resources.h"
+#include "renderer/motion/scene_motion.h"
+#include "renderer/scene/scene_resources.h"
 #include "renderer/shapes.h"
 
 namespace opaline {

@@ -12,10 +12,10 @@
 #include <set>
 #include <vector>
 
-#include "renderer/division.h"
 #include "renderer/renderer_fixture.h"
+#include "renderer/scene/division.h"
 #include "renderer/shapes.h"
-#include "scene/merged_mesh.h"
+#include "scene/mesh/merged_mesh.h"
 #include "surfels/tree.h"
 
 namespace opaline {

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "opaline/error.h"
-#include "scene/gltf_builder.h"
+#include "scene/gltf/builder.h"
 #include "scene/scene_settings.h"
-#include "scene/scene_writer.h"
 #include "scene/shapes.h"
+#include "scene/toml/writer.h"
 
 namespace opaline {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "opaline/error.h"
 #include "opaline/scene.h"
+#include "scene/repair/topology.h"
 #include "scene/shapes.h"
-#include "scene/topology.h"
 #include "shared_files.h"
 
 namespace opaline {

@@ -5,7 +5,7 @@
 
 #include "opaline/error.h"
 #include "opaline/scene.h"
-#include "scene/glb.h"
+#include "scene/gltf/glb.h"
 #include "scene/shapes.h"
 
 // Damaged files either load, and then soundly, or are refused with an Error. The seed is fixed;

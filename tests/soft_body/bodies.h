@@ -4,7 +4,7 @@
 
 #include "opaline/scene.h"
 #include "opaline/soft_body.h"
-#include "renderer/soft_body_motion.h"
+#include "renderer/motion/soft_body_motion.h"
 
 namespace opaline::test {
 

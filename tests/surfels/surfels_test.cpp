@@ -109,11 +109,32 @@ TEST(Surfels, MostOfABudgetThatBindsIsUsed) {
   }
 }
 
-TEST(Surfels, ABudgetThatBindsMakesAllObjectsCoarserByTheSameFactor) {
+std::vector<std::uint32_t> countOfObjects(const Surfels& made) {
+  std::vector<std::uint32_t> counts(made.firstOfObject.size());
+  std::adjacent_difference(made.firstOfObject.begin(), made.firstOfObject.end(), counts.begin());
+  counts.erase(counts.begin());
+  return counts;
+}
+
+TEST(Surfels, ALargeObjectTakesNothingFromASmallOne) {
   const Body body = bodyOf(awkward::twoObjects());
-  const std::vector<double> wanted{1e-3, 4e-3};
-  const Surfels made = makeSurfels(body.surface(), wanted, 20'000);
-  EXPECT_NEAR(made.spacingOfObjectMm[1] / made.spacingOfObjectMm[0], 4, 1e-9);
+  const std::vector<std::uint32_t> alone =
+      countOfObjects(makeSurfels(body.surface(), std::vector<double>{1e9, 0.02}, 1'000'000));
+  const Surfels made = makeSurfels(body.surface(), std::vector<double>{1e-4, 0.02}, 4 * alone[1]);
+  EXPECT_EQ(made.spacingOfObjectMm[1], 0.02);
+  EXPECT_EQ(countOfObjects(made)[1], alone[1]);
+  EXPECT_GT(made.spacingOfObjectMm[0], 1e-4);
+  EXPECT_GT(countOfObjects(made)[0], alone[1]);
+}
+
+TEST(Surfels, ObjectsThatAllWantMoreThanTheirShareGetAboutAsMany) {
+  const Body body = bodyOf(awkward::twoObjects());
+  const std::vector<std::uint32_t> counts =
+      countOfObjects(makeSurfels(body.surface(), std::vector<double>{1e-4, 4e-4}, 20'000));
+  // Triangles of a size are all halved at once.
+  EXPECT_GT(counts[0], counts[1] / 2);
+  EXPECT_LT(counts[0], counts[1] * 2);
+  EXPECT_GT(counts[0] + counts[1], 20'000U * 45 / 100);
 }
 
 TEST(Surfels, JoinTrianglesWhereThereAreMoreThanTheBudget) {

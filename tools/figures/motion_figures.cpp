@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "figures.h"
-#include "film_encoder.h"
+#include "film/film_encoder.h"
 #include "opaline/soft_body.h"
 
 namespace opaline::figures {

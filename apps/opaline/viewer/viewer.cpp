@@ -10,15 +10,15 @@
 
 #include <GLFW/glfw3.h>
 
+#include "cli/json.h"
 #include "core/file.h"
-#include "framing.h"
-#include "json.h"
+#include "film/framing.h"
+#include "film/render_report.h"
 #include "opaline/error.h"
-#include "render_report.h"
-#include "viewer/controls.h"
-#include "viewer/folder_listing.h"
-#include "viewer/orbit.h"
-#include "viewer/work_under_way.h"
+#include "viewer/files/folder_listing.h"
+#include "viewer/panels/controls.h"
+#include "viewer/picture/orbit.h"
+#include "viewer/session/work_under_way.h"
 
 namespace opaline::app::viewer {
 

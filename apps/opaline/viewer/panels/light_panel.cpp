@@ -9,7 +9,7 @@
 
 #include "scene/environment_file.h"
 #include "shaders/shared/frame.h"
-#include "viewer/controls.h"
+#include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 
 namespace opaline::app::viewer {

@@ -10,10 +10,10 @@
 
 #include "bssrdf/media.h"
 #include "bssrdf/profile.h"
+#include "cli/medium_options.h"
 #include "core/measures.h"
 #include "core/tone.h"
-#include "medium_options.h"
-#include "viewer/controls.h"
+#include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 
 namespace opaline::app::viewer {

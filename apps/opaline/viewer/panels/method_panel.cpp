@@ -1,7 +1,7 @@
 #include <imgui.h>
 
-#include "picture_options.h"
-#include "viewer/controls.h"
+#include "cli/picture_options.h"
+#include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 
 namespace opaline::app::viewer {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/controls.h"
+#include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 
 namespace opaline::app::viewer {

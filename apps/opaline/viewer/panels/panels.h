@@ -1,9 +1,9 @@
 #pragma once
 
-#include "viewer/saver.h"
-#include "viewer/session.h"
-#include "viewer/timing_history.h"
-#include "viewer/truth_view.h"
+#include "viewer/files/saver.h"
+#include "viewer/panels/timing_history.h"
+#include "viewer/session/session.h"
+#include "viewer/session/truth_view.h"
 
 namespace opaline::app::viewer {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "viewer/controls.h"
+#include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 
 namespace opaline::app::viewer {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "viewer/controls.h"
+#include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 
 namespace opaline::app::viewer {

@@ -1,0 +1,36 @@
+#include "cli/half_space_option.h"
+
+#include <fmt/format.h>
+
+#include "cli/picture_options.h"
+#include "cli/values.h"
+#include "reference/transport.h"
+
+namespace opaline::app {
+
+void HalfSpaceOption::addTo(CommandLine& line) {
+  line.value("--transport", "NAME", "boundary, better-dipole or dipole [boundary]",
+             [this](const Given& given) { transport_ = readChoice(given, transports()); });
+}
+
+bssrdf::Model HalfSpaceOption::model() const {
+  return reference::modelOf(transport_);
+}
+
+std::string HalfSpaceOption::name() const {
+  return nameOf(transport_ == Transport::Boundary ? Transport::BetterDipole : transport_,
+                transports());
+}
+
+std::string HalfSpaceOption::label() const {
+  return transport_ == Transport::Boundary
+             ? fmt::format("{}, the half-space of boundary transport", name())
+             : name();
+}
+
+void HalfSpaceOption::describe(Json& json) const {
+  json["transport"] = nameOf(transport_, transports());
+  json["half_space"] = name();
+}
+
+}  // namespace opaline::app

@@ -1,0 +1,258 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "atlas/atlas.h"
+#include "atlas/draw.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/json.h"
+#include "cli/medium_options.h"
+#include "cli/output.h"
+#include "cli/paths.h"
+#include "cli/scene_options.h"
+#include "core/file.h"
+#include "core/image_file.h"
+#include "core/measures.h"
+#include "core/tone.h"
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "scene/deformer_check.h"
+#include "scene/mesh/insides.h"
+#include "scene/mesh/merged_mesh.h"
+#include "scene/not_shown.h"
+#include "scene/repair/topology.h"
+#include "scene/scene_files.h"
+
+namespace opaline::app {
+
+namespace {
+
+constexpr int atlasPictureTexels = 1024;
+
+struct InfoCommand {
+  SceneOptions scene;
+  std::optional<std::filesystem::path> atlas;
+  bool quiet = false;
+  bool json = false;
+
+  void addTo(CommandLine& line) {
+    line.section("Scene");
+    scene.addTo(line);
+    line.section("Options");
+    line.value("--atlas", "FILE.png", "make the equiareal atlas, say how it came out, draw it",
+               [this](const Given& given) { atlas = readOutput(given, {".png"}); });
+    line.outputFlags("one JSON object on standard output", json, quiet);
+  }
+};
+
+std::array<double, 3> sizeMm(const Object& object) {
+  Scene alone;
+  alone.objects.push_back(object);
+  const Bounds bounds = boundsOf(alone);
+  return {bounds.maxMm[0] - bounds.minMm[0], bounds.maxMm[1] - bounds.minMm[1],
+          bounds.maxMm[2] - bounds.minMm[2]};
+}
+
+std::ptrdiff_t trianglesWithoutInside(const Object& object) {
+  const std::vector<bool> inside =
+      scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
+  return std::count(inside.begin(), inside.end(), false);
+}
+
+Json objectsJson(const Scene& scene) {
+  Json objects = Json::array();
+  for (const Object& object : scene.objects) {
+    objects.push_back({{"name", object.name},
+                       {"triangles", object.mesh.triangles.size()},
+                       {"vertices", object.mesh.positionsMm.size()},
+                       {"size_mm", sizeMm(object)},
+                       {"triangles_without_inside", trianglesWithoutInside(object)},
+                       {"medium", mediumJson(object.medium)}});
+  }
+  return objects;
+}
+
+Json clipsJson(const Scene& scene) {
+  Json clips = Json::array();
+  for (const Clip& clip : scene.clips) {
+    clips.push_back({{"name", clip.name}, {"seconds", clip.seconds}});
+  }
+  return clips;
+}
+
+std::string motionText(const Scene& scene) {
+  std::string text;
+  for (const Clip& clip : scene.clips) {
+    text += fmt::format("clip {}: {:.4g} s\n", clip.name, clip.seconds);
+  }
+  for (const Deformer& deformer : scene.deformers) {
+    text +=
+        fmt::format("deform {}: {:.4g}",
+                    scene::deformerNames[static_cast<std::size_t>(deformer.kind)], deformer.amount);
+    if (deformer.periodSeconds > 0)
+      text += fmt::format(", period {:.4g} s", deformer.periodSeconds);
+    text += "\n";
+  }
+  return text;
+}
+
+Json devicesJson() {
+  Json devices = Json::array();
+  for (const DeviceDescription& device : listDevices()) {
+    Json entry{{"index", devices.size()}};
+    entry.update(deviceJson(device));
+    entry["ray_queries"] = device.rayQueries;
+    devices.push_back(std::move(entry));
+  }
+  return devices;
+}
+
+Json atlasJson(const atlas::AtlasStatistics& statistics) {
+  return {{"charts", statistics.charts},
+          {"coverage", statistics.coverage},
+          {"area_distortion_rms", statistics.areaDistortionRms},
+          {"seconds", statistics.seconds}};
+}
+
+Json collect(const Scene& scene) {
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  for (const Object& object : scene.objects) {
+    triangles += object.mesh.triangles.size();
+    vertices += object.mesh.positionsMm.size();
+  }
+  Json repairs = Json::array();
+  for (const Repair& repair : scene.repairs) {
+    repairs.push_back({{"what", repair.what}, {"count", repair.count}});
+  }
+  Json notShown = Json::array();
+  for (const NotShown& kind : scene.notShown) {
+    notShown.push_back({{"what", kind.what}, {"count", kind.count}, {"names", kind.names}});
+  }
+  const scene::MeshFacts facts = scene::factsOf(scene);
+  const Bounds bounds = boundsOf(scene);
+  return {{"name", scene.name},
+          {"triangles", triangles},
+          {"vertices", vertices},
+          {"closed", facts.closed},
+          {"boundary_loops", facts.boundaryLoops},
+          {"components", facts.components},
+          {"bounds_min_mm", bounds.minMm},
+          {"bounds_max_mm", bounds.maxMm},
+          {"diagonal_mm", diagonalMm(scene)},
+          {"clips", clipsJson(scene)},
+          {"repairs", std::move(repairs)},
+          {"not_shown", std::move(notShown)},
+          {"objects", objectsJson(scene)},
+          {"devices", devicesJson()}};
+}
+
+/// Draws the atlas into a file and says how it came out.
+Json drawAtlas(const Scene& scene, const std::filesystem::path& file) {
+  const scene::MergedMesh surface = scene::mergedMesh(scene);
+  const atlas::Atlas atlas =
+      atlas::makeAtlas({surface.positionsMm, surface.triangles, surface.objectOfTriangle});
+  core::ToneOptions plain;
+  plain.curve = core::ToneCurve::None;
+  core::writePng(file, core::toneMap(atlas::drawAtlas(atlas, atlasPictureTexels), plain));
+  return atlasJson(atlas.statistics);
+}
+
+// Three lengths in one unit.
+std::string lengthsText(const std::array<double, 3>& mm, const char* between, int digits) {
+  const core::LengthUnit unit =
+      core::lengthUnitFor(std::max({std::abs(mm[0]), std::abs(mm[1]), std::abs(mm[2])}));
+  return fmt::format("{}{}{}{}{} {}", core::lengthNumber(mm[0], unit, digits), between,
+                     core::lengthNumber(mm[1], unit, digits), between,
+                     core::lengthNumber(mm[2], unit, digits), unit.name);
+}
+
+std::string sceneText(const Scene& scene, const Json& facts) {
+  std::string text = fmt::format(
+      "{}: {} triangles, {} vertices, {}, components: {}\n", scene.name,
+      facts["triangles"].get<std::size_t>(), facts["vertices"].get<std::size_t>(),
+      facts["closed"].get<bool>()
+          ? "closed"
+          : fmt::format("open ({} boundary loops)", facts["boundary_loops"].get<std::size_t>()),
+      facts["components"].get<std::size_t>());
+  const Bounds bounds = boundsOf(scene);
+  const auto corner = [](const Vec3& mm) { return lengthsText({mm[0], mm[1], mm[2]}, ", ", 4); };
+  text += fmt::format("from {} to {}, diagonal {}\n", corner(bounds.minMm), corner(bounds.maxMm),
+                      core::lengthText(diagonalMm(scene), 4));
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const MediumLengths lengths = lengthsOf(object.medium);
+    const std::array<double, 3> size = sizeMm(object);
+    text += fmt::format("object {}: {} of {}, mean free path {}, diffusion length {}\n",
+                        object.name, lengthsText(size, " x ", 4), object.medium.name,
+                        lengthsText(lengths.meanFreePathMm, " ", 3),
+                        lengthsText(lengths.diffusionMm, " ", 3));
+    const auto open = facts["objects"][i]["triangles_without_inside"].get<std::size_t>();
+    if (open > 0)
+      text += fmt::format(
+          "{} {} is open and has no inside for --transport boundary: light scatters there as in a "
+          "half-space, by better-dipole\n",
+          open < object.mesh.triangles.size() ? "a part of object" : "object", object.name);
+  }
+  text += motionText(scene);
+  for (const Repair& repair : scene.repairs) {
+    text += fmt::format("mended: {} {}\n", repair.count, repair.what);
+  }
+  if (!scene.notShown.empty()) {
+    text += fmt::format("not shown: {}\n", scene::textOf(scene.notShown));
+  }
+  return text;
+}
+
+std::string restText(const Json& facts) {
+  std::string text;
+  if (facts.contains("atlas")) {
+    const Json& atlas = facts["atlas"];
+    text +=
+        fmt::format("atlas: {} charts, {:.1f} % covered, area distortion {:.4f} rms, {:.2f} s\n",
+                    atlas["charts"].get<std::size_t>(), 100 * atlas["coverage"].get<double>(),
+                    atlas["area_distortion_rms"].get<double>(), atlas["seconds"].get<double>());
+  }
+  for (const Json& device : facts["devices"]) {
+    text += fmt::format("device {}: {}, {}, {}{}\n", device["index"].get<std::size_t>(),
+                        device["name"].get<std::string>(), device["type"].get<std::string>(),
+                        device["driver"].get<std::string>(),
+                        device["ray_queries"].get<bool>() ? ", ray queries" : "");
+  }
+  if (facts["devices"].empty()) text += "no Vulkan device\n";
+  return text;
+}
+
+}  // namespace
+
+void runInfo(const Arguments& arguments) {
+  CommandLine line("info",
+                   "Says what is in a scene and how large beside its medium's mean free path, what "
+                   "was mended in it, and which devices there are.");
+  InfoCommand command;
+  command.addTo(line);
+  if (!line.parse(arguments)) return;
+  if (command.atlas) core::requireWritable(*command.atlas);
+
+  const LogCallback log = noteTaker(command.quiet);
+  const LoadedScene loaded = command.scene.load(log);
+  const Scene& scene = loaded.scene;
+  if (command.atlas) requireNoInput({{"--atlas", *command.atlas}}, scene::filesOf(loaded.source));
+  for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
+  Json facts = collect(scene);
+  if (command.atlas) {
+    facts["atlas"] = drawAtlas(scene, *command.atlas);
+    log(LogLevel::Note, fmt::format("wrote {}", command.atlas->string()));
+  }
+  printOut(command.json ? toText(facts) : sceneText(scene, facts) + restText(facts));
+}
+
+}  // namespace opaline::app

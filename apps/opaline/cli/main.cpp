@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/output.h"
+#include "opaline/error.h"
+
+namespace {
+
+using namespace opaline::app;
+
+struct Command {
+  const char* name;
+  const char* summary;
+  void (*run)(const Arguments&);
+};
+
+constexpr std::array commands{
+    Command{"render", "a still as PNG or EXR, or a film; needs no window", runRender},
+    Command{"view", "a window on a scene: light, medium, motion, method by hand", runView},
+    Command{"compare", "error figures between two images, and a heat map", runCompare},
+    Command{"reference", "the same still on the CPU, exactly: what render is judged by",
+            runReference},
+    Command{"bench", "times of this machine's device beside those of the paper", runBench},
+    Command{"info", "what is in a scene, what was mended, its atlas, the devices", runInfo},
+    Command{"media", "the media and what follows from their coefficients", runMedia},
+    Command{"profile", "diffuse reflectance of a medium over the radius", runProfile},
+};
+
+std::string helpText() {
+  std::string text =
+      "opaline COMMAND [SCENE] [options]\n"
+      "Renders deformable translucent objects in real time. SCENE is a .glb, .gltf,\n"
+      ".obj, .ply or .toml file; without one it is the built-in bear.\n"
+      "Commands:\n";
+  for (const Command& command : commands) {
+    text += fmt::format("  {:<10}{}\n", command.name, command.summary);
+  }
+  return text +
+         "opaline COMMAND --help lists a command's options; opaline --version.\n"
+         "Exit status: 0 done, 2 a mistake in the arguments, 1 anything else.\n";
+}
+
+void dispatch(const Arguments& arguments) {
+  if (arguments.empty()) {
+    throw opaline::UsageError("no command is given; opaline --help lists the commands");
+  }
+  const std::string& name = arguments[0];
+  if (name == "--help" || name == "-h" || name == "help") return printOut(helpText());
+  if (name == "--version") return printOut("opaline " OPALINE_VERSION "\n");
+  std::vector<std::string> names;
+  for (const Command& command : commands) {
+    if (name == command.name) return command.run({arguments.begin() + 1, arguments.end()});
+    names.emplace_back(command.name);
+  }
+  throw opaline::UsageError(fmt::format("there is no command {}{}; opaline --help lists them", name,
+                                        suggestion(name, names)));
+}
+
+int fail(const char* sentence, int status) {
+  printError(sentence);
+  return status;
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  guardStandardStreams();
+  leaveOnlyWholeFilesWhenInterrupted();
+  try {
+    dispatch({values + (count > 0 ? 1 : 0), values + count});
+    return 0;
+  } catch (const ReaderLeft&) {
+    return 1;
+  } catch (const opaline::UsageError& error) {
+    return fail(error.what(), 2);
+  } catch (const std::bad_alloc&) {
+    return fail("not enough memory", 1);
+  } catch (const std::exception& error) {
+    return fail(error.what(), 1);
+  }
+}

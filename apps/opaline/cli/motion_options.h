@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command_line.h"
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "scene/scene_settings.h"
+
+namespace opaline::app {
+
+/// Which frames: the first, every step-th after it, and the last; frame n shows time n / perSecond.
+struct FrameRange {
+  int first = 0;
+  int last = 0;  ///< a whole number of steps behind the first
+  double perSecond = 30;
+  int step = 1;
+
+  std::size_t count() const { return static_cast<std::size_t>((last - first) / step) + 1; }
+  double seconds(int frame) const { return frame / perSecond; }
+};
+
+/// --time, --frames, --fps, --clip, --deform.
+class MotionOptions {
+ public:
+  /// Without `films` only what makes stills.
+  void addTo(CommandLine& line, bool films = true);
+  /// Throws UsageError for a mixture that contradicts itself.
+  void check() const;
+
+  /// Nothing when one still is asked for.
+  std::optional<FrameRange> frames() const;
+
+  /// Appends the deformers that were asked for.
+  void applyTo(Scene& scene) const;
+  /// Sets time and clip: what was asked for, else what the scene file says. Throws UsageError for a
+  /// clip that the scene does not have.
+  void applyTo(RenderOptions& options, const Scene& scene,
+               const scene::SceneFileSettings& settings) const;
+
+ private:
+  std::optional<double> seconds_;
+  std::optional<FrameRange> frames_;
+  std::optional<double> framesPerSecond_;
+  std::optional<std::string> clip_;
+  std::vector<Deformer> deformers_;
+};
+
+/// Whether a picture of the scene depends on the time.
+bool moves(const Scene& scene, int clip);
+
+}  // namespace opaline::app

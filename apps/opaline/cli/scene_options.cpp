@@ -1,0 +1,240 @@
+#include "cli/scene_options.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "cli/frame_names.h"
+#include "cli/values.h"
+#include "core/measures.h"
+#include "opaline/error.h"
+#include "scene/environment_file.h"
+#include "scene/framing.h"
+
+namespace opaline::app {
+
+namespace {
+
+constexpr Range lengthRange{-1e6, 1e6, "mm"};
+constexpr Range lightRange{0, 1e6};
+constexpr double mostDiffusionLengths = 1000;
+constexpr double leastDiffusionLengths = 2;
+
+/// X,Y,Z:R,G,B, the colour optional or not.
+struct PlacedColour {
+  Given place;
+  std::optional<Rgb> colour;
+};
+
+PlacedColour readPlacedColour(const Given& given) {
+  const std::size_t colon = given.text.find(':');
+  PlacedColour result{{given.option, given.text.substr(0, colon)}, std::nullopt};
+  if (colon != std::string::npos) {
+    result.colour = readColour({given.option, given.text.substr(colon + 1)}, lightRange);
+  }
+  return result;
+}
+
+Vec3 middleOf(const Bounds& bounds) {
+  Vec3 middle{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    middle[axis] = (bounds.minMm[axis] + bounds.maxMm[axis]) / 2;
+  }
+  return middle;
+}
+
+Vec3 sum(const Vec3& a, const Vec3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+}  // namespace
+
+void SceneOptions::addTo(CommandLine& line) {
+  line.positionals("SCENE", ".glb, .gltf, .obj, .ply, .toml, or frame_%04d.ply",
+                   [this](const Given& given) { files_.emplace_back(given.text); });
+  line.value("--builtin", "NAME", "bear or teapot, instead of SCENE [bear]",
+             [this](const Given& given) {
+               builtIn_ = readChoice<std::string>(given, {{"bear", "bear"}, {"teapot", "teapot"}});
+             });
+  line.value("--diagonal-mm", "X", "scale the bounding box's diagonal to X mm",
+             [this](const Given& given) {
+               diagonalMm_ = static_cast<float>(readNumber(given, {1e-3, 1e6, "mm"}));
+             });
+  medium_.addTo(line);
+  line.value("--morph-to", "FILE", "mesh that it turns into: clip \"morph\"",
+             [this](const Given& given) { morphTo_ = given.text; });
+}
+
+bool SceneOptions::any() const {
+  return !files_.empty() || builtIn_ || diagonalMm_ || morphTo_ || medium_.any();
+}
+
+std::string SceneOptions::name() const {
+  if (files_.empty()) return builtIn_.value_or("bear");
+  const std::string stem = files_.front().stem().string();
+  const std::optional<FrameNames> names = FrameNames::parse(stem);
+  return names ? names->common() : stem;
+}
+
+LoadedScene SceneOptions::load(const LogCallback& log) const {
+  if (!files_.empty() && builtIn_) {
+    throw UsageError(fmt::format("--builtin {} and the scene {} exclude each other", *builtIn_,
+                                 files_.front().string()));
+  }
+  if (morphTo_ && files_.empty()) {
+    throw UsageError(fmt::format("--morph-to {}: a built-in scene has no counterpart, name a SCENE",
+                                 morphTo_->string()));
+  }
+  LoadOptions options;
+  options.diagonalMm = diagonalMm_;
+  options.medium = medium_.medium();
+  options.morphTo = morphTo_;
+  options.log = log;
+  if (files_.empty()) {
+    const bool teapot = builtIn_ == "teapot";
+    return {teapot ? builtInTeapot(options) : builtInBear(options),
+            {},
+            {},
+            scene::sourceOf(teapot ? "builtin:teapot" : "builtin:bear", options)};
+  }
+  if (files_.size() == 1 && MeshSequence::isPattern(files_.front())) {
+    auto sequence = std::make_shared<const MeshSequence>(files_.front(), options);
+    return {sequence->scene(), {}, sequence, scene::sourceOf(files_.front(), options)};
+  }
+  auto [scene, settings, source, sequence] = scene::loadSceneFiles(files_, options);
+  return {std::move(scene), std::move(settings), std::move(sequence), std::move(source)};
+}
+
+void LightOptions::addTo(CommandLine& line) {
+  line.repeated(
+      "--directional", "DIR[:RGB]", "X,Y,Z towards it; irradiance R,G,B [1,1,1]",
+      [this](const Given& given) {
+        const PlacedColour light = readPlacedColour(given);
+        directional_.push_back({readDirection(light.place), light.colour.value_or(Rgb{1, 1, 1})});
+        any_ = true;
+      });
+  line.repeated("--point", "X,Y,Z:R,G,B", "mm from the box's centre, irradiance at 1 mm",
+                [this](const Given& given) {
+                  const PlacedColour light = readPlacedColour(given);
+                  if (!light.colour) {
+                    throw UsageError(fmt::format("{} {}: needs an intensity, X,Y,Z:R,G,B",
+                                                 given.option, given.text));
+                  }
+                  points_.push_back({readPlace(light.place, lengthRange), *light.colour});
+                  any_ = true;
+                });
+  line.value("--ambient", "R,G,B", "radiance from everywhere; one number is grey",
+             [this](const Given& given) {
+               ambient_ = readColour(given, lightRange);
+               any_ = true;
+             });
+  line.value("--environment", "FILE", "latitude-longitude .hdr or .exr, radiance",
+             [this](const Given& given) {
+               environment_ = given.text;
+               any_ = true;
+             });
+  line.value("--environment-rotation", "DEGREES", "degrees [0], factor [1]",
+             [this](const Given& given) {
+               rotationDegrees_ = readNumber(given, {-1e6, 1e6, "degrees"});
+             });
+  line.value("--environment-intensity", "X", "", [this](const Given& given) {
+    intensity_ = static_cast<float>(readNumber(given, {0, 1e6}));
+  });
+}
+
+void LightOptions::applyTo(LoadedScene& loaded) const {
+  if (any_) {
+    loaded.source.environment.reset();
+    if (environment_) {
+      loaded.source.environment = scene::EnvironmentFile{std::filesystem::absolute(*environment_)};
+    }
+    loaded.scene.lighting = lightingFor(loaded.scene);
+  }
+  std::optional<scene::EnvironmentFile>& environment = loaded.source.environment;
+  if (!environment && (rotationDegrees_ || intensity_)) {
+    throw UsageError(
+        fmt::format("--environment-{} needs an environment: name one with --environment FILE",
+                    rotationDegrees_ ? "rotation" : "intensity"));
+  }
+  if (!environment || !(environment_ || rotationDegrees_ || intensity_)) return;
+  if (rotationDegrees_) environment->rotationDegrees = *rotationDegrees_;
+  if (intensity_) environment->intensity = *intensity_;
+  loaded.scene.lighting.environment = scene::readEnvironment(*environment);
+}
+
+Lighting LightOptions::lightingFor(const Scene& scene) const {
+  Lighting lighting;
+  lighting.directional = directional_;
+  const Vec3 middle = middleOf(boundsOf(scene));
+  for (PointLight light : points_) {
+    light.positionMm = sum(middle, light.positionMm);
+    lighting.points.push_back(light);
+  }
+  lighting.ambient = ambient_;
+  return lighting;
+}
+
+void CameraOptions::addTo(CommandLine& line) {
+  line.value("--camera-direction", "X,Y,Z", "from the target to the camera [0,0,1]",
+             [this](const Given& given) { direction_ = readDirection(given); });
+  line.value("--camera-position", "X,Y,Z", "mm from the box's centre",
+             [this](const Given& given) { position_ = readPlace(given, lengthRange); });
+  line.value("--camera-target", "X,Y,Z", "",
+             [this](const Given& given) { target_ = readPlace(given, lengthRange); });
+  line.value("--fov-degrees", "X", "vertical field of view, 1 to 170 [30]",
+             [this](const Given& given) {
+               verticalFovDegrees_ = static_cast<float>(readNumber(given, {1, 170, "degrees"}));
+             });
+}
+
+void CameraOptions::check() const {
+  if (!direction_ || !position_) return;
+  throw UsageError(
+      "--camera-direction and --camera-position exclude each other: a direction keeps the distance "
+      "and a position has one");
+}
+
+void CameraOptions::applyTo(Scene& scene) const {
+  check();
+  Camera& camera = scene.camera;
+  const double distanceMm = scene::distanceToTargetMm(camera);
+  const Vec3 middle = middleOf(boundsOf(scene));
+  if (target_) camera.targetMm = sum(middle, *target_);
+  if (position_) camera.positionMm = sum(middle, *position_);
+  if (direction_) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      camera.positionMm[axis] = static_cast<float>(double{camera.targetMm[axis]} +
+                                                   distanceMm * double{(*direction_)[axis]});
+    }
+  }
+  if (!(scene::distanceToTargetMm(camera) > 0)) {
+    throw UsageError("--camera-position and --camera-target are the same place");
+  }
+  if (direction_ || position_ || target_) camera.up = scene::usualUp(camera);
+  if (verticalFovDegrees_) camera.verticalFovDegrees = *verticalFovDegrees_;
+  scene.cameraChosen = scene.cameraChosen || position_ || target_ || verticalFovDegrees_;
+}
+
+std::vector<std::string> notesOnSize(const Scene& scene) {
+  std::vector<std::string> notes;
+  std::set<std::string> seen;
+  const double diagonal = diagonalMm(scene);
+  for (const Object& object : scene.objects) {
+    const auto length = lengthsOf(object.medium).longestDiffusionMm;
+    if (!length || !seen.insert(object.medium.name).second) continue;
+    const double ratio = diagonal / *length;
+    if (ratio >= leastDiffusionLengths && ratio <= mostDiffusionLengths) continue;
+    notes.push_back(fmt::format(
+        "the model measures {}, {:.3g} diffusion lengths of {} ({}): it will look {}; "
+        "--diagonal-mm sets its size",
+        core::lengthText(diagonal, 4), ratio, object.medium.name, core::lengthText(*length),
+        ratio > mostDiffusionLengths ? "opaque" : "like fog"));
+  }
+  return notes;
+}
+
+}  // namespace opaline::app

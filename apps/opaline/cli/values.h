@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cli/command_line.h"
+
+namespace opaline::app {
+
+/// What a number may be; the ends belong to it unless `aboveLeast`.
+struct Range {
+  double least;
+  double most;
+  const char* unit = "";    ///< written after the numbers: "mm", "degrees"
+  bool aboveLeast = false;  ///< `least` itself is not allowed
+};
+
+/// A finite number in the range. Throws UsageError that names the option, the reason and the range,
+/// as all readers here do.
+double readNumber(const Given& given, const Range& range);
+
+int readInteger(const Given& given, int least, int most);
+
+/// X,Y,Z, each in the range.
+std::array<float, 3> readPlace(const Given& given, const Range& range);
+
+/// R,G,B, each in the range, or one number for all three.
+std::array<double, 3> readChannels(const Given& given, const Range& range);
+std::array<float, 3> readColour(const Given& given, const Range& range);
+
+/// X,Y,Z of any length but 0, made a unit vector.
+std::array<float, 3> readDirection(const Given& given);
+
+/// WIDTHxHEIGHT, each in [1, most].
+std::array<int, 2> readSize(const Given& given, int most);
+
+/// Throws UsageError that lists the choices.
+[[noreturn]] void refuseChoice(const Given& given, const std::vector<std::string>& choices);
+
+template <typename T>
+using Choices = std::vector<std::pair<std::string, T>>;
+
+template <typename T>
+T readChoice(const Given& given, const Choices<T>& choices) {
+  std::vector<std::string> names;
+  for (const auto& [name, meaning] : choices) {
+    if (name == given.text) return meaning;
+    names.push_back(name);
+  }
+  refuseChoice(given, names);
+}
+
+/// The name that stands for a value in a table of choices.
+template <typename T>
+std::string nameOf(const T& value, const Choices<T>& choices) {
+  for (const auto& [name, meaning] : choices) {
+    if (meaning == value) return name;
+  }
+  return {};
+}
+
+}  // namespace opaline::app

@@ -1,0 +1,69 @@
+#include "film/film.h"
+
+#include "cli/frame_names.h"
+#include "cli/progress.h"
+#include "core/file.h"
+#include "core/image_file.h"
+#include "film/film_encoder.h"
+#include "film/film_job.h"
+#include "film/film_output.h"
+#include "film/picture_stamp.h"
+
+namespace opaline::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool isWhole(const FilmOrder& order, int frame) {
+  return core::isWholeImage(fileOf(order.output.path, frame), order.options.width,
+                            order.options.height);
+}
+
+bool carriesItsStamp(const FilmOrder& order, int frame) {
+  if (!order.stamp) return true;
+  const auto note = core::readImageNote(fileOf(order.output.path, frame));
+  return note && isSamePicture(*note, order.stamp(frame));
+}
+
+}  // namespace
+
+bool isThere(const FilmOrder& order, int frame) {
+  return order.resume && isWhole(order, frame) && carriesItsStamp(order, frame);
+}
+
+void requireFilmWritable(const core::Target& output, const FrameRange& frames) {
+  core::requireWritable({fileOf(output.path, frames.first), output.existing});
+  if (isFilm(output.path)) requireFfmpeg();
+}
+
+std::vector<std::string> outputsOf(const FilmOrder& order) {
+  const fs::path& output = order.output.path;
+  if (isFilm(output)) return {output.string()};
+  std::vector<std::string> files;
+  for (int frame = order.frames.first; frame <= order.frames.last; frame += order.frames.step) {
+    files.push_back(fileOf(output, frame).string());
+  }
+  return files;
+}
+
+FramesThere countThere(const FilmOrder& order) {
+  FramesThere there;
+  if (!order.resume) return there;
+  for (int frame = order.frames.first; frame <= order.frames.last; frame += order.frames.step) {
+    if (!isWhole(order, frame)) continue;
+    ++(carriesItsStamp(order, frame) ? there.kept : there.otherwiseMade);
+  }
+  return there;
+}
+
+std::size_t renderFilm(Renderer& renderer, const FilmOrder& order) {
+  FilmJob job(order);
+  Progress bar(order.frames.count(), order.quiet);
+  job.step(renderer, order.frames.count(), [&](const FilmProgress& progress) {
+    bar.show(progress.written + progress.skipped, progress.skipped);
+  });
+  return order.frames.count() - job.progress().skipped;
+}
+
+}  // namespace opaline::app

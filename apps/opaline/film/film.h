@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/motion_options.h"
+#include "core/file.h"
+#include "core/tone.h"
+#include "opaline/renderer.h"
+
+namespace opaline::app {
+
+/// Many frames, and where they go.
+struct FilmOrder {
+  FrameRange frames;
+  core::Target output{""};  ///< a film, .mp4, or a name with a mark for the number
+  Aov aov = Aov::Radiance;
+  RenderOptions options;   ///< but for the time
+  core::ToneOptions tone;  ///< of what is not EXR
+  bool resume = false;     ///< leave out what is there already; not for a film
+  /// What each picture carries, if anything; where that differs, it is not the picture. Is called
+  /// on several threads.
+  std::function<std::string(int frame)> stamp;
+  bool quiet = false;
+  /// Called before each frame is submitted, where something beside the time is to be set.
+  std::function<void(Renderer& renderer, int frame)> place;
+};
+
+/// Throws Error now, before hours of work, when the output could not be written or ffmpeg is not
+/// there.
+void requireFilmWritable(const core::Target& output, const FrameRange& frames);
+
+/// Whether the file of that frame need not be made.
+bool isThere(const FilmOrder& order, int frame);
+
+/// All files the order is about.
+std::vector<std::string> outputsOf(const FilmOrder& order);
+
+struct FramesThere {
+  std::size_t kept = 0;
+  std::size_t otherwiseMade = 0;  ///< whole pictures that carry another stamp or none
+};
+
+/// How many frames need not be made, as their files are there, and how many are others.
+FramesThere countThere(const FilmOrder& order);
+
+/// Renders the others, each while those before are still being written. Returns how many.
+std::size_t renderFilm(Renderer& renderer, const FilmOrder& order);
+
+}  // namespace opaline::app

@@ -1,0 +1,110 @@
+#include "film/film_job.h"
+
+#include <cassert>
+#include <deque>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include "cli/frame_names.h"
+#include "core/file.h"
+#include "opaline/error.h"
+
+namespace opaline::app {
+
+namespace {
+
+/// The frames that were submitted and not collected.
+class FramesUnderWay {
+ public:
+  explicit FramesUnderWay(Renderer& renderer) : renderer_(renderer) {}
+  ~FramesUnderWay() {
+    try {
+      Frame unused;
+      while (!numbers_.empty()) collect(unused);
+    } catch (const std::exception&) {
+      // Only on the way out with an error that came first; a failed device says so again.
+    }
+  }
+  FramesUnderWay(const FramesUnderWay&) = delete;
+  FramesUnderWay& operator=(const FramesUnderWay&) = delete;
+
+  std::size_t count() const { return numbers_.size(); }
+
+  void submit(int number, const RenderOptions& options, const std::vector<Aov>& aovs) {
+    renderer_.submit(options, aovs);
+    numbers_.push_back(number);
+  }
+
+  /// The oldest; returns its number.
+  int collect(Frame& frame) {
+    const int number = numbers_.front();
+    numbers_.pop_front();
+    renderer_.collect(frame);
+    return number;
+  }
+
+ private:
+  Renderer& renderer_;
+  std::deque<int> numbers_;
+};
+
+}  // namespace
+
+FilmJob::FilmJob(FilmOrder order)
+    : order_(std::move(order)), output_(order_), next_(order_.frames.first) {
+  const core::Target& target = order_.output;
+  if (!isFilm(target.path)) core::requireWritable({fileOf(target.path, next_), target.existing});
+}
+
+FilmProgress FilmJob::progress() const {
+  return {output_.written(), skipped_, order_.frames.count()};
+}
+
+void FilmJob::step(Renderer& renderer, std::size_t frames,
+                   const std::function<void(const FilmProgress&)>& progress) {
+  assert(!done_);
+  RenderOptions options = order_.options;
+  const std::vector<Aov> aovs{order_.aov};
+  FramesUnderWay underWay(renderer);
+  const auto showProgress = [&] {
+    if (progress) progress(this->progress());
+  };
+  const auto collectOldest = [&] {
+    Frame frame = output_.take();
+    const int number = underWay.collect(frame);
+    output_.push(number, std::move(frame));
+    showProgress();
+  };
+  const auto collectAll = [&] {
+    while (underWay.count() > 0) collectOldest();
+  };
+  const auto renderNext = [&] {
+    const int frame = next_;
+    next_ += order_.frames.step;
+    if (isThere(order_, frame)) {
+      ++skipped_;
+      showProgress();
+      return;
+    }
+    if (underWay.count() == Renderer::framesInFlight) collectOldest();
+    options.seconds = order_.frames.seconds(frame);
+    if (order_.place) order_.place(renderer, frame);
+    underWay.submit(frame, options, aovs);
+    --frames;
+  };
+  try {
+    while (frames > 0 && next_ <= order_.frames.last) renderNext();
+  } catch (const Error&) {
+    collectAll();
+    output_.flush();  // what was rendered before is not lost
+    throw;
+  }
+  collectAll();
+  if (next_ <= order_.frames.last) return;
+  output_.finish();
+  done_ = true;
+  showProgress();
+}
+
+}  // namespace opaline::app

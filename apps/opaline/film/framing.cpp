@@ -1,0 +1,165 @@
+#include "film/framing.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <thread>
+#include <utility>
+
+#include "deform/deformed_mesh.h"
+#include "deform/pose.h"
+#include "film/sequence_frames.h"
+#include "opaline/error.h"
+#include "scene/framing.h"
+#include "scene/vector_math.h"
+
+namespace opaline::app {
+
+namespace {
+
+using scene::Double3;
+using scene::Framing;
+using scene::operator*;
+using scene::operator+;
+
+/// Of the picture's half width and height, that stays free around what had to be stepped back for.
+constexpr double freeMargin = 0.03;
+
+/// Of a longer film some are looked at: what moves between them stays in the margin.
+constexpr std::int64_t mostMoments = 1024;
+
+/// Calls use(position) for all vertices of the scene as it is at that time.
+template <typename Use>
+void forEachPosition(const Scene& scene, const Bounds& box, int clip, double seconds,
+                     const GivenPositions& positionsMm, const Use& use) {
+  deform::Pose pose = deform::makePose(scene);
+  deform::poseAt(scene, clip, seconds, pose);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const auto given = positionsMm.find(i);
+    const auto positions =
+        given == positionsMm.end()
+            ? deform::deformedPositions(scene, i, pose, box, seconds)
+            : deform::deformedPositions(scene.deformers, given->second, box, seconds);
+    for (const Double3& p : positions) use(p);
+  }
+}
+
+/// What the moments ask for, each margin for itself.
+struct Needs {
+  Framing tight;
+  Framing loose;
+};
+
+void add(const Scene& scene, const Bounds& box, const Framed& framed, const Moment& moment,
+         Needs& to) {
+  GivenPositions positionsMm;
+  try {
+    if (moment.number) framed.sequence->read(*moment.number, positionsMm[0]);
+  } catch (const Error&) {
+    return;
+  }
+  forEachPosition(scene, box, framed.clip, moment.seconds, positionsMm, [&](const Double3& p) {
+    to.tight.add(p);
+    to.loose.add(p);
+  });
+}
+
+Needs needsOf(const Scene& scene, const Framed& framed) {
+  const Bounds box = boundsOf(scene);
+  const Needs none{{scene.camera, framed.aspect, 0}, {scene.camera, framed.aspect, freeMargin}};
+  const std::size_t workers = std::clamp<std::size_t>(
+      std::min<std::size_t>(framed.moments.size(), std::thread::hardware_concurrency()), 1, 8);
+  std::vector<Needs> parts(workers, none);
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&](Needs& part) {
+    for (std::size_t i = next++; i < framed.moments.size(); i = next++) {
+      add(scene, box, framed, framed.moments[i], part);
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < workers; ++i) others.emplace_back([&, i] { work(parts[i]); });
+    work(parts[0]);
+  }
+  Needs all = none;
+  for (const Needs& part : parts) {
+    all.tight.add(part.tight);
+    all.loose.add(part.loose);
+  }
+  return all;
+}
+
+}  // namespace
+
+double aspectOf(const RenderOptions& options) {
+  return static_cast<double>(options.width) / options.height;
+}
+
+std::vector<Moment> momentsOf(const FrameRange& frames, const MeshSequence* sequence) {
+  std::vector<Moment> moments;
+  const auto count = static_cast<std::int64_t>(frames.count());
+  const std::int64_t looks = std::min(count, mostMoments);
+  for (std::int64_t i = 0; i < looks; ++i) {
+    // The first, the last, and those between as evenly as they come.
+    const std::int64_t place = looks > 1 ? i * (count - 1) / (looks - 1) : 0;
+    const int frame = static_cast<int>(frames.first + place * frames.step);
+    moments.push_back({frames.seconds(frame), {}});
+    if (sequence != nullptr) moments.back().number = numberOfFrame(*sequence, frame);
+  }
+  return moments;
+}
+
+std::vector<Moment> momentOf(double seconds, const MeshSequence* sequence) {
+  if (sequence == nullptr) return {{seconds, {}}};
+  return {{seconds, numberAt(*sequence, seconds)}};
+}
+
+std::vector<Moment> someMoments(double lengthSeconds, const MeshSequence* sequence) {
+  const int count = sequence != nullptr ? 8 : 32;
+  std::vector<Moment> moments;
+  for (int i = 0; i < count; ++i) {
+    moments.push_back({lengthSeconds * i / count, {}});
+    if (sequence != nullptr) {
+      moments.back().number = nearestNumber(*sequence, moments.back().seconds);
+    }
+  }
+  return moments;
+}
+
+void showAll(Scene& scene, const Framed& framed) {
+  if (scene.cameraChosen) return;
+  Framed needed = framed;
+  const bool stands = framed.sequence == nullptr && !moves(scene, framed.clip);
+  if (stands && needed.moments.size() > 1) needed.moments.resize(1);
+  const Needs needs = needsOf(scene, needed);
+  if (needs.tight.distanceMm() <= scene::distanceToTargetMm(scene.camera)) return;
+  scene::standBack(scene.camera, needs.loose.distanceMm());
+}
+
+void frame(Scene& scene, int clip, double seconds, const GivenPositions& positionsMm,
+           double aspect) {
+  Double3 low{INFINITY, INFINITY, INFINITY};
+  Double3 high{-INFINITY, -INFINITY, -INFINITY};
+  std::vector<Double3> all;
+  forEachPosition(scene, boundsOf(scene), clip, seconds, positionsMm, [&](const Double3& p) {
+    if (!scene::isFinite(p)) return;
+    all.push_back(p);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], p[axis]);
+      high[axis] = std::max(high[axis], p[axis]);
+    }
+  });
+  if (all.empty()) return;
+  Camera& camera = scene.camera;
+  const Vec3 target = scene::toFloat(0.5 * (low + high));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    camera.positionMm[axis] += target[axis] - camera.targetMm[axis];
+  }
+  camera.targetMm = target;
+  Framing framing(camera, aspect, freeMargin);
+  for (const Double3& p : all) framing.add(p);
+  scene::standBack(camera, framing.distanceMm());
+}
+
+}  // namespace opaline::app

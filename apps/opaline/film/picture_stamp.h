@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/motion_options.h"
+#include "core/tone.h"
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "opaline/sequence.h"
+
+namespace opaline::app {
+
+/// What decides the pixels of a row of pictures, but the device: devices differ by roundings, and a
+/// row may be shared among them.
+struct PictureMakers {
+  const Scene& scene;
+  RenderOptions options;  ///< but for the time
+  Aov aov = Aov::Radiance;
+  std::optional<core::ToneOptions> tone;         ///< none: linear, as EXR is
+  std::shared_ptr<const MeshSequence> sequence;  ///< whose files the frames show
+};
+
+/// The stamp of each frame: what made it, as JSON of printable ASCII, for people and programs to
+/// read, and a digest of everything that decides the pixels: the scene as it was read, whatever its
+/// files are called, and the version of the program. May be called on several threads.
+std::function<std::string(int frame)> frameStamps(const PictureMakers& makers,
+                                                  const FrameRange& frames);
+
+/// Whether two stamps have the same digest.
+bool isSamePicture(const std::string& stamp, const std::string& other);
+
+}  // namespace opaline::app

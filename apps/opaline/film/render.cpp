@@ -1,0 +1,268 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/device_options.h"
+#include "cli/frame_names.h"
+#include "cli/json.h"
+#include "cli/motion_options.h"
+#include "cli/output.h"
+#include "cli/paths.h"
+#include "cli/picture_options.h"
+#include "cli/scene_options.h"
+#include "core/file.h"
+#include "film/film.h"
+#include "film/film_output.h"
+#include "film/framing.h"
+#include "film/picture_stamp.h"
+#include "film/render_report.h"
+#include "film/sequence_frames.h"
+#include "opaline/error.h"
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "scene/scene_files.h"
+
+namespace opaline::app {
+
+namespace {
+
+struct RenderCommand {
+  SceneOptions scene;
+  LightOptions lights;
+  CameraOptions camera;
+  MotionOptions motion;
+  MethodOptions method;
+  PictureOptions picture;
+  DeviceOptions device;
+  std::optional<std::filesystem::path> report;
+  bool resume = false;
+  bool quiet = false;
+  bool json = false;
+
+  void addTo(CommandLine& line) {
+    line.section("Scene");
+    scene.addTo(line);
+    line.section("Light; the first of these replaces all the scene has");
+    lights.addTo(line);
+    line.section("Picture");
+    camera.addTo(line);
+    picture.addTo(line, {});
+    line.section("Motion");
+    motion.addTo(line);
+    line.flag("--resume", "leave out frames that are there and the same", resume);
+    line.section("Method");
+    method.addTo(line);
+    line.section("Run");
+    device.addTo(line);
+    line.value("--report", "FILE.json", "what was done, and how long it took",
+               [this](const Given& given) { report = readOutput(given, {".json"}); });
+    line.outputFlags("the report on standard output", json, quiet);
+  }
+
+  /// Refuses what contradicts itself, before any work.
+  void check() const {
+    camera.check();
+    motion.check();
+    picture.requireNameFor(motion.frames().has_value(), resume);
+    static_cast<void>(options({}));
+  }
+
+  RenderOptions options(const scene::SceneFileSettings& settings) const {
+    RenderOptions options = optionsOf(settings);
+    method.applyTo(options, settings);
+    picture.applyTo(options);
+    method.requireUse(options, picture.aov());
+    // A report gives the time of a warm frame, so it takes a second one.
+    options.frames = report || json ? 2 : 1;
+    return options;
+  }
+};
+
+/// What is settled before anything is rendered.
+struct Job {
+  Scene scene;
+  scene::SceneFileSettings settings;
+  RenderOptions options;
+  core::ToneOptions tone;
+  core::Target output;
+  std::vector<std::filesystem::path> inputs;
+  std::shared_ptr<const MeshSequence> sequence;
+
+  /// Also refuses what is beyond the sequence.
+  void aimCamera(const std::optional<FrameRange>& frames) {
+    showAll(scene, {options.clip, aspectOf(options), sequence.get(),
+                    frames ? momentsOf(*frames, sequence.get())
+                           : momentOf(options.seconds, sequence.get())});
+  }
+};
+
+Job prepare(const RenderCommand& command, core::Target output, const LogCallback& log) {
+  LoadedScene loaded = command.scene.load(log);
+  command.lights.applyTo(loaded);
+  auto& [scene, settings, sequence, source] = loaded;
+  RenderOptions options = command.options(settings);
+  command.camera.applyTo(scene);
+  command.motion.applyTo(scene);
+  command.motion.applyTo(options, scene, settings);
+  for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
+  const core::ToneOptions tone = command.picture.tone(settings, scene);
+  const auto exposure = command.picture.noteOnExposure(settings, tone);
+  if (exposure) log(LogLevel::Note, *exposure);
+  return {std::move(scene),       std::move(settings), options, tone, std::move(output),
+          scene::filesOf(source), std::move(sequence)};
+}
+
+std::string onDevice(const DeviceDescription& device) {
+  return fmt::format("rendered on {} ({})", device.name, device.type);
+}
+
+/// What was made, and what Vulkan's validation layer said about it.
+struct Done {
+  Json report;
+  std::size_t validationMessages = 0;
+};
+
+Renderer makeRenderer(const RenderCommand& command, const Job& job, const LogCallback& log) {
+  Renderer renderer(command.device.rendererOptions(job.settings.device.value_or(""), log));
+  renderer.setScene(job.scene);
+  return renderer;
+}
+
+Done makeStill(const RenderCommand& command, const Job& job, const LogCallback& log) {
+  Renderer renderer = makeRenderer(command, job, log);
+  if (job.sequence) {
+    std::vector<Vec3> positionsMm;
+    job.sequence->read(numberAt(*job.sequence, job.options.seconds), positionsMm);
+    renderer.replacePositions(0, positionsMm);
+  }
+  const RenderResult result = renderer.render(job.options, {command.picture.aov()});
+  const std::filesystem::path file = writePicture(job.output, result.images.at(0), job.tone);
+  log(LogLevel::Note,
+      fmt::format("wrote {}, {}", nameText(file, job.output.path), onDevice(result.report.device)));
+  return {renderReportJson(result.report, job.options, {file.string()}),
+          renderer.validationMessages()};
+}
+
+/// A report of frames all of which were there already.
+Json emptyReportJson(const Job& job, const std::vector<std::string>& outputs) {
+  RenderReport nothing;
+  nothing.transport = job.options.transport;
+  nothing.sum = job.options.sum;
+  nothing.site = job.options.site;
+  Json json = renderReportJson(nothing, job.options, outputs);
+  for (const char* unknown : {"device", "triangles", "vertices", "sources", "boundary_surfels",
+                              "frame_ms", "peak_memory_mb"}) {
+    json[unknown] = nullptr;
+  }
+  return json;
+}
+
+Done renderMissing(const RenderCommand& command, const Job& job, FilmOrder order,
+                   const LogCallback& log) {
+  if (!job.sequence && !moves(job.scene, job.options.clip)) {
+    log(LogLevel::Note,
+        "nothing in the scene moves, so all frames are the same picture; --deform wobble:0.1 makes "
+        "it move");
+  }
+  Renderer renderer = makeRenderer(command, job, log);
+  if (job.sequence) order.place = placeBySequence(job.sequence, order.frames);
+  const std::size_t made = renderFilm(renderer, order);
+  const RenderReport report = renderer.report();
+  log(LogLevel::Note, fmt::format("wrote {} frames to {}, {}", made, job.output.path.string(),
+                                  onDevice(report.device)));
+  return {renderReportJson(report, job.options, outputsOf(order)), renderer.validationMessages()};
+}
+
+FilmOrder filmOrder(const RenderCommand& command, const Job& job, const FrameRange& frames) {
+  FilmOrder order;
+  order.frames = frames;
+  order.output = job.output;
+  order.aov = command.picture.aov();
+  order.options = job.options;
+  order.tone = job.tone;
+  order.resume = command.resume;
+  order.quiet = command.quiet;
+  if (isFilm(job.output.path)) return order;
+  PictureMakers makers{job.scene, job.options, order.aov, order.tone, job.sequence};
+  if (command.picture.isExr()) makers.tone.reset();
+  order.stamp = frameStamps(makers, frames);
+  return order;
+}
+
+/// Each frame's file is what is written of a row.
+void requireNoInput(const RenderCommand& command, const Job& job,
+                    const std::optional<FrameRange>& frames) {
+  std::vector<Output> outputs;
+  if (job.output.existing == core::Existing::Replace) {
+    const FrameRange range = frames.value_or(FrameRange{});
+    for (int frame = range.first; frame <= range.last; frame += range.step) {
+      outputs.push_back({"-o", fileOf(job.output.path, frame)});
+    }
+  }
+  if (command.report) outputs.push_back({"--report", *command.report});
+  requireNoInput(outputs, job.inputs);
+}
+
+Done makeFrames(const RenderCommand& command, const Job& job, const FrameRange& frames,
+                const LogCallback& log) {
+  const FilmOrder order = filmOrder(command, job, frames);
+  const FramesThere there = countThere(order);
+  if (there.kept > 0) {
+    log(LogLevel::Note,
+        fmt::format("{} of {} frames were there already", there.kept, frames.count()));
+  }
+  if (there.otherwiseMade > 0) {
+    log(LogLevel::Note, fmt::format("{} of {} frames were not made by this scene and these options "
+                                    "and are made anew",
+                                    there.otherwiseMade, frames.count()));
+  }
+  Done done = there.kept < frames.count() ? renderMissing(command, job, order, log)
+                                          : Done{emptyReportJson(job, outputsOf(order))};
+  done.report["frames"] = {frames.first, frames.last};
+  done.report["frame_step"] = frames.step;
+  done.report["fps"] = frames.perSecond;
+  return done;
+}
+
+}  // namespace
+
+void runRender(const Arguments& arguments) {
+  CommandLine line("render",
+                   "Renders stills and films. Lengths in mm, light in linear RGB, defaults in [].");
+  RenderCommand command;
+  command.addTo(line);
+  if (!line.parse(arguments)) return;
+  command.check();
+
+  const LogCallback log = noteTaker(command.quiet);
+  const std::optional<FrameRange> frames = command.motion.frames();
+  core::Target output = command.picture.target(command.scene.name(), frames);
+  if (frames) {
+    requireFilmWritable(output, *frames);
+  } else {
+    core::requireWritable(output);
+  }
+  if (command.report) core::requireWritable(*command.report);
+
+  Job job = prepare(command, std::move(output), log);
+  job.aimCamera(frames);
+  requireNoInput(command, job, frames);
+  Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
+  done.report["exposure_stops"] =
+      command.picture.isExr() ? Json() : shortJson(job.tone.exposureStops);
+  const std::string report = toText(done.report);
+  if (command.report) core::writeWhole(*command.report, report);
+  if (command.json) printOut(report);
+  if (done.validationMessages > 0) {
+    throw Error(
+        fmt::format("--validation: the validation layer had {} messages", done.validationMessages));
+  }
+}
+
+}  // namespace opaline::app

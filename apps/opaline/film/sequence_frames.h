@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "cli/motion_options.h"
+#include "film/positions_ahead.h"
+#include "opaline/renderer.h"
+#include "opaline/sequence.h"
+
+namespace opaline::app {
+
+/// The number of the file that a frame shows: frame n is firstNumber() + n. Throws UsageError
+/// beyond the last.
+int numberOfFrame(const MeshSequence& sequence, int frame);
+
+/// The same of a still at that time, at the usual speed, as a still has no other.
+int numberAt(const MeshSequence& sequence, double seconds);
+
+/// The same, but the last from the end on.
+int nearestNumber(const MeshSequence& sequence, double seconds);
+
+/// When the last file is shown, and when the next one would be.
+double lastSecond(const MeshSequence& sequence);
+double secondsOf(const MeshSequence& sequence);
+
+/// The files from now on, up to that number, each so many behind the one before.
+PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber,
+                           int step = 1);
+
+/// For FilmOrder::place: puts the body where the frame's file has it. Throws as numberOfFrame().
+std::function<void(Renderer& renderer, int frame)> placeBySequence(
+    std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames);
+
+}  // namespace opaline::app

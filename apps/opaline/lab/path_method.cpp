@@ -1,0 +1,153 @@
+#include "lab/path_method.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "cli/paths.h"
+#include "cli/progress.h"
+#include "cli/values.h"
+#include "core/file.h"
+#include "lab/truth.h"
+#include "opaline/error.h"
+
+namespace opaline::app {
+
+namespace {
+
+namespace rf = opaline::reference;
+using Clock = std::chrono::steady_clock;
+
+constexpr double secondsBetweenCheckpoints = 30;
+constexpr std::size_t longestCheckpointBytes = std::size_t{4} << 30U;
+
+constexpr std::array orders{std::pair{"unscattered", rf::Order::Unscattered},
+                            std::pair{"single", rf::Order::Single},
+                            std::pair{"multiple", rf::Order::Multiple}};
+
+}  // namespace
+
+void PathMethod::addTo(CommandLine& line) {
+  const auto value = [&](const char* name, const char* placeholder, const char* help, auto take) {
+    line.value(name, placeholder, help, [this, take](const Given& given) {
+      take(given);
+      any_ = true;
+    });
+  };
+  line.flag("--path", "volumetric transport, followed from the lights", wanted_);
+  value("--samples", "N", "particles of each channel at most", [this](const Given& given) {
+    const double particles = readNumber(given, {1, 1e15});
+    if (particles != std::floor(particles))
+      throw UsageError(fmt::format("--samples {}: must be a whole number", given.text));
+    limits_.particles = static_cast<std::uint64_t>(particles);
+  });
+  value("--seconds", "S", "that it may take", [this](const Given& given) {
+    limits_.seconds = readNumber(given, {0.01, 1e7, "s"});
+  });
+  value("--error", "X", "until 8x8 blocks are that exact, rms [0.02]", [this](const Given& given) {
+    limits_.error = readNumber(given, {1e-5, 1});
+  });
+  value("--bounces", "N", "of light that left a body and meets one [1000]",
+        [this](const Given& given) { options_.bounces = readInteger(given, 0, 1000000); });
+  value("--anisotropy", "G", "of Henyey and Greenstein, -0.99 to 0.99 [0]",
+        [this](const Given& given) {
+          options_.anisotropy = readNumber(given, {-0.99, 0.99});
+        });
+  value("--cell-mm", "X", "edge of what light is counted on [by medium]",
+        [this](const Given& given) {
+          options_.cellMm = readNumber(given, {1e-4, 1e6, "mm"});
+        });
+  value("--seed", "N", "of the random numbers [1]", [this](const Given& given) {
+    options_.seed = static_cast<std::uint64_t>(readInteger(given, 0, 1'000'000'000));
+  });
+  value("--checkpoint", "FILE", "kept while it runs; a later run goes on from it",
+        [this](const Given& given) { checkpoint_ = given.text; });
+}
+
+void PathMethod::check(const std::filesystem::path& output,
+                       const std::optional<std::filesystem::path>& report) const {
+  if (any_ && !wanted_) {
+    throw UsageError(
+        "--samples, --seconds, --error, --bounces, --anisotropy, --cell-mm, --seed and "
+        "--checkpoint belong to --path");
+  }
+  const auto isCheckpoint = [&](const std::filesystem::path& file) {
+    return checkpoint_ && checkpoint_->lexically_normal() == file.lexically_normal();
+  };
+  if (isCheckpoint(output) || (report && isCheckpoint(*report))) {
+    throw UsageError(fmt::format("--checkpoint {}: the {} would take its place; name another file",
+                                 checkpoint_->string(),
+                                 isCheckpoint(output) ? "picture" : "report"));
+  }
+}
+
+void PathMethod::resume(rf::PathTracer& tracer) const {
+  std::error_code ignored;
+  if (!checkpoint_ || !std::filesystem::exists(*checkpoint_, ignored)) return;
+  try {
+    tracer.restore(core::readFile(*checkpoint_, longestCheckpointBytes));
+  } catch (const Error& error) {
+    throw Error(fmt::format("--checkpoint {}: {}; name another file to start anew",
+                            checkpoint_->string(), error.what()));
+  }
+}
+
+double PathMethod::run(rf::PathTracer& tracer, const rf::BlockError& error, bool quiet) const {
+  constexpr std::size_t steps = 1000;
+  const rf::PathLimits ends = orUsual(limits_);
+  Progress progress(steps, quiet, "step");
+  const auto before =
+      static_cast<std::size_t>(steps * shareDone(ends, tracer.particles(), 0, error()));
+  Clock::time_point saved = Clock::now();
+  const auto save = [&] {
+    if (!checkpoint_) return;
+    const std::vector<std::byte> bytes = tracer.save();
+    core::writeWhole(*checkpoint_,
+                     std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  };
+  const double reached =
+      rf::runPaths(tracer, error, ends, [&](std::uint64_t particles, double seconds, double now) {
+        progress.show(static_cast<std::size_t>(steps * shareDone(ends, particles, seconds, now)),
+                      before);
+        if (std::chrono::duration<double>(Clock::now() - saved).count() < secondsBetweenCheckpoints)
+          return;
+        save();
+        saved = Clock::now();
+      });
+  save();
+  return reached;
+}
+
+rf::Picture PathMethod::make(const rf::Geometry& geometry, const rf::Irradiance& irradiance,
+                             const rf::PictureOptions& picture, bool quiet, const LogCallback& log,
+                             Json& report) const {
+  if (checkpoint_) core::requireWritable(*checkpoint_);
+  const auto begin = Clock::now();
+  rf::PathTracer tracer(geometry, options_);
+  resume(tracer);
+  const rf::CameraRays rays(geometry.scene().camera, picture.width, picture.height);
+  const rf::BlockError error(tracer, geometry, rays, picture.width, picture.height);
+  const double reached = run(tracer, error, quiet);
+
+  report["particles"] = tracer.particles();
+  report["block_error"] = reached;
+  report["seconds_of_tracing"] = std::chrono::duration<double>(Clock::now() - begin).count();
+  report["cells"] = tracer.cells().count();
+  report["bounces"] = options_.bounces;
+  report["anisotropy"] = options_.anisotropy;
+  for (int c = 0; c < 3; ++c) {
+    report["emitted_flux"].push_back(tracer.emittedFlux(c));
+    report["lost_share"].push_back(tracer.lostShare(c));
+    for (const auto& [name, order] : orders)
+      report["left_flux"][name].push_back(tracer.leftFlux(c, order));
+  }
+  warnOfLostLight(tracer, log);
+  return pathTruth(tracer, geometry, irradiance, picture);
+}
+
+}  // namespace opaline::app

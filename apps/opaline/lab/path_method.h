@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "cli/command_line.h"
+#include "cli/json.h"
+#include "opaline/log.h"
+#include "reference/geometry.h"
+#include "reference/irradiance.h"
+#include "reference/path/path_run.h"
+#include "reference/path/path_tracer.h"
+#include "reference/picture.h"
+
+namespace opaline::app {
+
+/// --path of the reference and what goes with it.
+class PathMethod {
+ public:
+  void addTo(CommandLine& line);
+
+  bool wanted() const { return wanted_; }
+  /// Throws UsageError for options of --path without it, and for a checkpoint in whose place the
+  /// picture or the report would be written.
+  void check(const std::filesystem::path& output,
+             const std::optional<std::filesystem::path>& report) const;
+  /// The checkpoint's file is written while it runs.
+  const std::optional<std::filesystem::path>& checkpoint() const { return checkpoint_; }
+
+  /// Follows light until a limit is reached and makes the picture of what left. `report` gets what
+  /// there is to say.
+  reference::Picture make(const reference::Geometry& geometry,
+                          const reference::Irradiance& irradiance,
+                          const reference::PictureOptions& picture, bool quiet,
+                          const LogCallback& log, Json& report) const;
+
+ private:
+  void resume(reference::PathTracer& tracer) const;
+  double run(reference::PathTracer& tracer, const reference::BlockError& error, bool quiet) const;
+
+  bool wanted_ = false;
+  bool any_ = false;  ///< of the options that need it
+  reference::PathOptions options_;
+  reference::PathLimits limits_;
+  std::optional<std::filesystem::path> checkpoint_;
+};
+
+}  // namespace opaline::app

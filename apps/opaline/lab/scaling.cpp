@@ -1,0 +1,154 @@
+#include "lab/scaling.h"
+
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "cli/output.h"
+#include "compare/figures.h"
+#include "lab/frame_medians.h"
+#include "lab/scaling_scenes.h"
+
+namespace opaline::app {
+
+namespace {
+
+constexpr double framesPerSecond = 30;
+constexpr std::array budgetParts{16, 4, 1};
+constexpr std::array sigmaTrDivisors{1.0, 10.0, 100.0};
+constexpr std::array tolerancesMeasured{0.1, 0.03, 0.01, 0.003};
+/// The smallest that there is.
+constexpr double finestTolerance = 1e-4;
+
+using SharedRenderer = std::shared_ptr<Renderer>;
+
+/// A row while it is measured.
+struct Way {
+  ScalingRow row;
+  SharedRenderer renderer;
+  RenderOptions options;
+  FrameMedians medians;
+};
+
+RenderOptions optionsFor(const ScalingOrder& order) {
+  RenderOptions options;
+  options.width = options.height = order.edgePixels;
+  options.transport = Transport::Dipole;
+  options.sum = Sum::Tree;
+  options.site = Site::Fragment;
+  options.antialias = 1;
+  return options;
+}
+
+SharedRenderer rendererFor(const ScalingOrder& order, const Scene& scene, const LogCallback& log) {
+  auto renderer = std::make_shared<Renderer>(RendererOptions{.device = order.device, .log = log});
+  renderer->setScene(scene);
+  return renderer;
+}
+
+Way makeWay(const ScalingOrder& order, double value, const Scene& scene, SharedRenderer renderer) {
+  Way way;
+  way.row.value = value;
+  way.row.medium = scene.objects.at(0).medium;
+  way.renderer = std::move(renderer);
+  way.options = optionsFor(order);
+  return way;
+}
+
+/// One frame of each way after the other, again and again, so that what else the machine does falls
+/// on all of them alike.
+void measureInTurns(std::vector<Way>& ways, const ScalingOrder& order, const char* status) {
+  Frame done;
+  for (int frame = 0; frame <= order.frames; ++frame) {
+    order.status(status);
+    for (Way& way : ways) {
+      way.options.seconds = frame / framesPerSecond;
+      renderFrame(*way.renderer, way.options, {Aov::Radiance}, done);
+      way.medians.add(done);
+    }
+  }
+  for (Way& way : ways) {
+    way.options.seconds = 0;
+    renderFrame(*way.renderer, way.options, {Aov::Evaluations}, done);
+    way.row.evaluations = compare::meanOverCovered(done.images[0]);
+    way.row.surfels = way.renderer->report().sources;
+    way.row.gatherMilliseconds = way.medians.passMilliseconds({"gather", "tree"});
+    way.row.scatterMilliseconds = way.medians.passMilliseconds({"estimate", "scatter"});
+    way.row.nearbyMilliseconds = way.medians.passMilliseconds({"nearby"});
+    way.row.frameMilliseconds = way.medians.frameMilliseconds();
+  }
+}
+
+std::vector<ScalingRow> rowsOf(const std::vector<Way>& ways) {
+  std::vector<ScalingRow> rows;
+  rows.reserve(ways.size());
+  for (const Way& way : ways) rows.push_back(way.row);
+  return rows;
+}
+
+std::vector<ScalingRow> measureBudgets(const ScalingOrder& order, double denserBy) {
+  const Scene scene = withDenserMedia(order.scene, denserBy);
+  std::vector<Way> ways;
+  for (const int part : budgetParts) {
+    const int budget = order.mostSurfels / part;
+    // No notes: that the budget binds is meant.
+    ways.push_back(makeWay(order, budget, scene, rendererFor(order, scene, {})));
+    ways.back().options.maxSources = budget;
+  }
+  measureInTurns(ways, order, "measuring budgets of surfels");
+  return rowsOf(ways);
+}
+
+std::vector<ScalingRow> measureDiffusion(const ScalingOrder& order) {
+  std::vector<Way> ways;
+  for (const double divisor : sigmaTrDivisors) {
+    const Scene scene = withSmallerSigmaTr(order.scene, divisor);
+    const LogCallback log = ways.empty() ? order.log : LogCallback{};  // notes once
+    ways.push_back(makeWay(order, divisor, scene, rendererFor(order, scene, log)));
+  }
+  measureInTurns(ways, order, "measuring longer ways of light");
+  return rowsOf(ways);
+}
+
+Image exitanceOf(Renderer& renderer, const RenderOptions& options) {
+  Frame done;
+  renderFrame(renderer, options, {Aov::Exitance}, done);
+  return std::move(done.images[0]);
+}
+
+std::vector<ScalingRow> measureTolerances(const ScalingOrder& order, DeviceDescription& device) {
+  const SharedRenderer renderer = rendererFor(order, order.scene, {});
+  std::vector<Way> ways;
+  for (const double tolerance : tolerancesMeasured) {
+    ways.push_back(makeWay(order, tolerance, order.scene, renderer));
+    ways.back().options.tolerance = static_cast<float>(tolerance);
+  }
+  measureInTurns(ways, order, "measuring tolerances");
+  RenderOptions options = optionsFor(order);
+  options.tolerance = static_cast<float>(finestTolerance);
+  const Image finest = exitanceOf(*renderer, options);
+  for (Way& way : ways) {
+    const Image found = exitanceOf(*renderer, way.options);
+    const auto figures = compare::figuresOver(found, finest, compare::commonPixels(found, finest));
+    if (figures) way.row.error = figures->all.relRmse;
+  }
+  device = renderer->report().device;
+  return rowsOf(ways);
+}
+
+}  // namespace
+
+Scaling measureScaling(const ScalingOrder& order) {
+  Scaling scaling;
+  scaling.scene = order.scene.name;
+  scaling.edgePixels = order.edgePixels;
+  scaling.denserBy = densityFor(order.scene, order.mostSurfels);
+  scaling.finestTolerance = finestTolerance;
+  scaling.diffusion = measureDiffusion(order);
+  scaling.tolerances = measureTolerances(order, scaling.device);
+  scaling.budgets = measureBudgets(order, scaling.denserBy);
+  clearStatus();
+  return scaling;
+}
+
+}  // namespace opaline::app

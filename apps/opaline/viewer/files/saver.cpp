@@ -1,0 +1,97 @@
+#include "viewer/files/saver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/paths.h"
+#include "cli/picture_options.h"
+#include "film/sequence_frames.h"
+#include "scene/toml/writer.h"
+
+namespace opaline::app::viewer {
+
+namespace {
+
+std::string saved(const std::filesystem::path& file, const core::Target& wanted) {
+  return fmt::format("saved {}", nameText(file, wanted.path));
+}
+
+// Which `opaline render` draws as the picture.
+std::string saveScene(const Session& session, const core::Target& target, int width, int height) {
+  scene::SceneFileSettings settings =
+      settingsOf(sized(session.options, width, height), session.tone, session.scene);
+  if (session.exposesByLight) settings.exposureStops.reset();
+  // Between the last file and the end, the last is shown; render knows no such time.
+  if (session.sequence && settings.seconds) {
+    settings.seconds = std::min(*settings.seconds, lastSecond(*session.sequence));
+  }
+  return saved(scene::writeScene(target, scene::describe(session.scene, session.source, settings)),
+               target);
+}
+
+}  // namespace
+
+std::optional<std::string> Saver::save(Save wanted, const Session& session, int width, int height) {
+  const auto named = [&](const char* ending) {
+    if (!session.saveTo) {
+      return core::Target(session.saveName + ending, core::Existing::TakeNextName);
+    }
+    return core::Target(session.saveTo->file, session.saveTo->mayReplace
+                                                  ? core::Existing::Replace
+                                                  : core::Existing::TakeNextName);
+  };
+  switch (wanted) {
+    case Save::Picture:
+      return savePicture(session, named(".png"), width, height);
+    case Save::Exr:
+      return savePicture(session, named(".exr"), width, height);
+    case Save::Scene:
+      return saveScene(session, named(".toml"), width, height);
+    case Save::Film:
+      startFilm(session, named(".mp4"), width, height);
+      return std::nullopt;
+    case Save::NoFilm:
+      cancelFilm();
+      return "the film was stopped";
+    case Save::Nothing:
+      break;
+  }
+  return std::nullopt;
+}
+
+std::string Saver::savePicture(const Session& session, const core::Target& target, int width,
+                               int height) {
+  const RenderResult result = renderer_.render(sized(session.options, width, height));
+  return saved(writePicture(target, result.images.front(), session.tone), target);
+}
+
+void Saver::startFilm(const Session& session, const core::Target& target, int width, int height) {
+  // Films have an even number of pixels each way.
+  FilmOrder order;
+  order.options = sized(session.options, std::max(2, width / 2 * 2), std::max(2, height / 2 * 2));
+  order.frames = filmFrames(session);
+  order.output = target;
+  order.tone = session.tone;
+  order.quiet = true;
+  if (session.sequence) order.place = placeBySequence(session.sequence, order.frames);
+  requireFilmWritable(order.output, order.frames);
+  film_.emplace(std::move(order));
+  filmTarget_ = target;
+}
+
+std::optional<std::string> Saver::step() {
+  try {
+    film_->step(renderer_);
+  } catch (...) {
+    film_.reset();
+    throw;
+  }
+  if (!film_->isDone()) return std::nullopt;
+  std::string done = saved(film_->file(), filmTarget_);
+  film_.reset();
+  return done;
+}
+
+}  // namespace opaline::app::viewer

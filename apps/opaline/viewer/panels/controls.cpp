@@ -1,0 +1,225 @@
+#include "viewer/panels/controls.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "core/measures.h"
+#include "viewer/window/glyphs.h"
+
+namespace opaline::app::viewer::controls {
+
+namespace {
+
+std::vector<Place> noted;
+std::string within;
+Sections sections;
+
+// Leaves room for the name to the right of the next control. A name that would leave the control
+// too little goes above it; then it is hidden from the control's own label, which this returns.
+std::string leaveRoomFor(const char* name) {
+  const float line = ImGui::GetContentRegionAvail().x;
+  const float usual = 0.38F * line;
+  const float needed =
+      ImGui::CalcTextSize(name, nullptr, true).x + ImGui::GetStyle().ItemInnerSpacing.x;
+  const float least = 7 * ImGui::GetFontSize();
+  if (needed > usual && line - needed < least) {
+    const std::string_view all = name;
+    ImGui::TextWrapped("%s", std::string(all.substr(0, all.find("##"))).c_str());
+    ImGui::SetNextItemWidth(line);
+    return "##" + std::string(all);
+  }
+  ImGui::SetNextItemWidth(line - std::max(usual, needed));
+  return name;
+}
+
+}  // namespace
+
+void beginFrame() {
+  noted.clear();
+  within.clear();
+}
+
+const std::vector<Place>& places() {
+  return noted;
+}
+
+void note(const char* name) {
+  if (!ImGui::IsItemVisible()) return;
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 size = ImGui::GetItemRectSize();
+  noted.push_back({within.empty() ? name : within + "/" + name, low.x, low.y, size.x, size.y});
+}
+
+void tip(const char* text) {
+  if (text == nullptr || ImGui::IsItemActive() ||
+      !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+    return;
+  }
+  // Beneath what it is about, or above; never over it, nor where the mouse is on its way to.
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  const float gap = 0.3F * ImGui::GetFontSize();
+  const float wrap = std::min(22 * ImGui::GetFontSize(), screen.x - 2 * (padding.x + gap));
+  const ImVec2 written = ImGui::CalcTextSize(text, nullptr, false, wrap);
+  const ImVec2 size(written.x + 2 * padding.x, written.y + 2 * padding.y);
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const float beneath = ImGui::GetItemRectMax().y + gap;
+  const float above = low.y - gap - size.y;
+  const bool fits = beneath + size.y <= screen.y || above < 0;
+  ImGui::SetNextWindowPos(
+      {std::max(0.0F, std::min(low.x, screen.x - size.x - gap)), fits ? beneath : above});
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(padding.x + wrap);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void text(const std::string& shown) {
+  glyphs::want(shown);
+  ImGui::TextWrapped("%s", shown.c_str());
+}
+
+void sameLineFor(const char* next) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  const float width = ImGui::CalcTextSize(next, nullptr, true).x + 2 * style.FramePadding.x;
+  if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right) ImGui::SameLine();
+}
+
+bool section(const char* name, bool open) {
+  within.clear();
+  const auto known = sections.try_emplace(name, open).first;
+  ImGui::SetNextItemOpen(known->second, ImGuiCond_Once);
+  known->second = ImGui::CollapsingHeader(name);
+  note(name);
+  within = name;
+  return known->second;
+}
+
+Sections openSections() {
+  return sections;
+}
+
+void setOpenSections(const Sections& open) {
+  sections = open;
+}
+
+Group::Group(const char* name) : before_(std::exchange(within, name)) {}
+
+Group::~Group() {
+  within = std::move(before_);
+}
+
+bool button(const char* name, const char* about) {
+  const bool pressed = ImGui::Button(name);
+  note(name);
+  tip(about);
+  return pressed;
+}
+
+bool checkbox(const char* name, bool& on, const char* about) {
+  const bool changed = ImGui::Checkbox(name, &on);
+  note(name);
+  tip(about);
+  return changed;
+}
+
+bool slider(const char* name, float& value, float low, float high, const char* format,
+            const char* about) {
+  const std::string label = leaveRoomFor(name);
+  const bool wide = low > 0 && high >= 1000 * low;
+  const bool changed =
+      ImGui::SliderFloat(label.c_str(), &value, low, high, format,
+                         wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  note(name);
+  tip(about);
+  // A number that was typed may lie outside.
+  if (changed) value = std::isfinite(value) ? std::clamp(value, low, high) : low;
+  return changed;
+}
+
+bool length(const char* name, float& mm, float lowMm, float highMm, const char* about) {
+  const core::LengthUnit unit = core::lengthUnitFor(static_cast<double>(mm));
+  const auto scale = static_cast<float>(unit.mm);
+  float value = mm / scale;
+  const std::string format = std::string("%.4g ") + unit.name;
+  if (!slider(name, value, lowMm / scale, highMm / scale, format.c_str(), about)) return false;
+  mm = value * scale;
+  return true;
+}
+
+bool stops(const char* name, float& value, float low, float high, const char* about) {
+  return slider(name, value, low, high, value == 0 ? "%.0f stops" : "%+.3g stops", about);
+}
+
+bool integer(const char* name, int& value, int low, int high, const char* about) {
+  const std::string label = leaveRoomFor(name);
+  const bool changed = ImGui::SliderInt(label.c_str(), &value, low, high);
+  note(name);
+  tip(about);
+  if (changed) value = std::clamp(value, low, high);
+  return changed;
+}
+
+bool typed(const char* name, int& value, int low, int high, const char* about) {
+  static int held = 0;  // of the one field that is typed in
+  const std::string label = leaveRoomFor(name);
+  int now = value;
+  ImGui::InputInt(label.c_str(), &now, 0, 0);
+  note(name);
+  if (ImGui::IsItemActive()) held = now;
+  const bool done = ImGui::IsItemDeactivatedAfterEdit();
+  tip(about);
+  if (!done) return false;
+  const int wanted = std::clamp(now == value ? held : now, low, high);
+  const bool changed = wanted != value;
+  value = wanted;
+  return changed;
+}
+
+bool light(const char* name, Rgb& value, const char* about) {
+  const std::string label = leaveRoomFor(name);
+  constexpr ImGuiColorEditFlags flags =
+      ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoOptions;
+  const bool changed = ImGui::ColorEdit3(label.c_str(), value.data(), flags);
+  note(name);
+  tip(about);
+  if (changed) {
+    for (float& channel : value) {
+      channel = std::isfinite(channel) ? std::clamp(channel, 0.0F, 1e6F) : 0;
+    }
+  }
+  return changed;
+}
+
+bool choice(const char* name, int& chosen, const std::vector<std::string>& names,
+            const char* about) {
+  const std::string label = leaveRoomFor(name);
+  for (const std::string& entry : names) glyphs::want(entry);
+  const auto count = static_cast<int>(names.size());
+  const char* present =
+      chosen >= 0 && chosen < count ? names[static_cast<std::size_t>(chosen)].c_str() : "";
+  const bool open = ImGui::BeginCombo(label.c_str(), present, ImGuiComboFlags_HeightLarge);
+  note(name);
+  if (!open) {
+    tip(about);
+    return false;
+  }
+  bool changed = false;
+  for (int i = 0; i < count; ++i) {
+    const std::string& text = names[static_cast<std::size_t>(i)];
+    if (ImGui::Selectable(text.c_str(), i == chosen)) {
+      changed = i != chosen;
+      chosen = i;
+    }
+    note((std::string(name) + "/" + text).c_str());
+  }
+  ImGui::EndCombo();
+  return changed;
+}
+
+}  // namespace opaline::app::viewer::controls

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cli/values.h"
+#include "opaline/types.h"
+
+/// The controls that panels are made of: Dear ImGui's, each with a tooltip, and each noting where
+/// it stands, so that the window can be driven from outside.
+namespace opaline::app::viewer::controls {
+
+struct Place {
+  std::string name;  ///< of the panel and the control: "Medium/eta"
+  float x = 0;
+  float y = 0;
+  float width = 0;
+  float height = 0;
+};
+
+/// Begins a frame's list of places.
+void beginFrame();
+/// The controls that could be seen since.
+const std::vector<Place>& places();
+
+/// A section that folds, and is open at first where it says so, unless setOpenSections() said
+/// otherwise; its name stands before the names of its controls.
+bool section(const char* name, bool open);
+using Sections = std::map<std::string, bool>;  ///< by name, whether it is open
+Sections openSections();
+void setOpenSections(const Sections& sections);
+
+/// What stands in no section: its name stands before the names of the controls while it lives.
+class Group {
+ public:
+  explicit Group(const char* name);
+  ~Group();
+  Group(const Group&) = delete;
+  Group& operator=(const Group&) = delete;
+
+ private:
+  std::string before_;
+};
+
+/// What the last control is for; shown beside it while the mouse rests on it.
+void tip(const char* text);
+
+/// Lines of any script, as long as they are.
+void text(const std::string& shown);
+
+/// Goes on in the same line where it has room for a button of that name.
+void sameLineFor(const char* next);
+
+bool button(const char* name, const char* about);
+bool checkbox(const char* name, bool& on, const char* about);
+/// `format` as of printf, with the unit. Logarithmic where `low` > 0 and `high` ≥ 1000 `low`.
+bool slider(const char* name, float& value, float low, float high, const char* format,
+            const char* about);
+/// A length in the unit that suits it.
+bool length(const char* name, float& mm, float lowMm, float highMm, const char* about);
+/// An exposure.
+bool stops(const char* name, float& value, float low, float high, const char* about);
+bool integer(const char* name, int& value, int low, int high, const char* about);
+/// A number that is typed, taken up with Enter or where the field is left.
+bool typed(const char* name, int& value, int low, int high, const char* about);
+/// Light: hue and strength apart, any strength.
+bool light(const char* name, Rgb& value, const char* about);
+/// A name out of some.
+bool choice(const char* name, int& chosen, const std::vector<std::string>& names,
+            const char* about);
+
+template <typename T>
+bool choice(const char* name, T& value, const Choices<T>& choices, const char* about) {
+  std::vector<std::string> names;
+  int chosen = 0;
+  for (const auto& [text, meaning] : choices) {
+    if (meaning == value) chosen = static_cast<int>(names.size());
+    names.push_back(text);
+  }
+  if (!choice(name, chosen, names, about)) return false;
+  value = choices[static_cast<std::size_t>(chosen)].second;
+  return true;
+}
+
+/// Notes the control that was drawn last under a name.
+void note(const char* name);
+
+}  // namespace opaline::app::viewer::controls

@@ -1,0 +1,124 @@
+#include "viewer/panels/dashboard.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include <GLFW/glfw3.h>
+
+#include "viewer/panels/controls.h"
+#include "viewer/panels/panels.h"
+#include "viewer/picture/label_layout.h"
+#include "viewer/picture/overlay.h"
+#include "viewer/picture/picture_input.h"
+#include "viewer/picture/projection.h"
+
+namespace opaline::app::viewer {
+
+void Dashboard::layOut(const Session& session) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto width = static_cast<int>(io.DisplaySize.x);
+  const auto height = static_cast<int>(io.DisplaySize.y);
+  const int panel = panels_ ? std::min(static_cast<int>(24 * ImGui::GetFontSize()), width / 2) : 0;
+  right_ = width - panel;
+  area_ = {0, 0, right_, height};
+  // What is seen is what is saved.
+  if (session.pictureSize && !area_.empty()) {
+    area_ = fitted(area_, (*session.pictureSize)[0], (*session.pictureSize)[1]);
+  }
+}
+
+void Dashboard::useKeys(const std::vector<KeyPress>& presses, Session& session, bool hasScene,
+                        bool filming) {
+  const bool typing = ImGui::GetIO().WantTextInput;
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) keyList_ = false;
+  for (const KeyPress& press : presses) {
+    if (typing) continue;
+    if (press.typed == U'?') keyList_ = !keyList_;
+    if (press.key == GLFW_KEY_ESCAPE) keyList_ = false;
+    if (press.control && press.key == GLFW_KEY_O) session.wantedFile = FileUse::OpenScene;
+    if (!hasScene) continue;
+    if (press.control && press.key == GLFW_KEY_Z) session.wantedSteps = press.shift ? 1 : -1;
+    if (press.control && press.key == GLFW_KEY_Y) session.wantedSteps = 1;
+    if (press.control && press.key == GLFW_KEY_S) session.wantedFile = FileUse::SaveScene;
+    if (!press.control && !press.repeated) {
+      if (press.key == GLFW_KEY_TAB) panels_ = !panels_;
+      if (press.key == GLFW_KEY_P) session.wanted = Save::Picture;
+      if (press.key == GLFW_KEY_S) session.wanted = Save::Scene;
+    }
+    if (!filming) PictureInput::useKey(press, session, area_);
+  }
+}
+
+void Dashboard::drawTop(Session& session, const UndoList& undo) {
+  controls::text(session.name);
+  controls::sameLineFor("? lists the keys");
+  ImGui::TextDisabled("? lists the keys");
+  if (controls::button("open...",
+                       "A model or a scene. Or drop its file on the window. Key: Ctrl O.")) {
+    session.wantedFile = FileUse::OpenScene;
+  }
+  const auto step = [&](const char* name, bool possible, int steps, const char* about) {
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!possible);
+    if (controls::button(name, about)) session.wantedSteps = steps;
+    ImGui::EndDisabled();
+  };
+  step("undo", undo.canUndo(), -1,
+       "Takes the last edit back; where the camera stands is none. Key: Ctrl Z.");
+  step("redo", undo.canRedo(), 1, "Does it again. Keys: Ctrl Shift Z, Ctrl Y.");
+  ImGui::SameLine();
+  ImGui::TextDisabled("or drop a file");
+}
+
+void Dashboard::drawPanels(Session& session, const TruthView& truth, const TimingHistory& history,
+                           const Saver& saver, const UndoList& undo) const {
+  if (!panels_) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  ImGui::SetNextWindowPos({static_cast<float>(right_), 0});
+  ImGui::SetNextWindowSize({io.DisplaySize.x - static_cast<float>(right_), io.DisplaySize.y});
+  // Without NoNavInputs, Tab would also go from one control to the next.
+  constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                     ImGuiWindowFlags_NoNavInputs;
+  ImGui::Begin("panels", nullptr, flags);
+  drawTop(session, undo);
+  for (const std::string& note : session.notes) controls::text(note);
+  // Controls of two panels may share a name.
+  int panel = 0;
+  const auto apart = [&panel](const auto& draw) {
+    ImGui::PushID(++panel);
+    draw();
+    ImGui::PopID();
+  };
+  apart([&] { drawMediumPanel(session); });
+  apart([&] { drawLightPanel(session); });
+  apart([&] { drawMethodPanel(session); });
+  apart([&] { drawMotionPanel(session); });
+  apart([&] { drawTruthPanel(session, truth); });
+  apart([&] { drawViewPanel(session); });
+  apart([&] { drawTimePanel(session, history); });
+  apart([&] { drawSavePanel(session, saver); });
+  ImGui::End();
+}
+
+void Dashboard::drawOverPicture(const Session& session, const TruthView& truth,
+                                const LightHandles& handles,
+                                const std::vector<Caption>& captions) const {
+  LabelLayout labels({static_cast<float>(area_.x), static_cast<float>(area_.y),
+                      static_cast<float>(area_.width), static_cast<float>(area_.height)});
+  labels.take(boxOf(captions, area_));
+  if (session.shown != Shown::Picture) return drawLegend(truth.legend(), area_, labels);
+  const Projection projection(session.scene.camera, area_);
+  if (showsScene(session)) {
+    if (session.scaleBar) drawScaleBar(session, projection, area_, labels);
+    if (session.gizmos) handles.draw(session, projection, *ImGui::GetBackgroundDrawList());
+  }
+  if (session.divided) drawDivider(session, area_, labels);
+}
+
+void Dashboard::drawKeyList() const {
+  if (keyList_) drawKeys(area_);
+}
+
+}  // namespace opaline::app::viewer

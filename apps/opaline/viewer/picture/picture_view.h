@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include "opaline/renderer.h"
+#include "viewer/picture/host_picture.h"
+#include "viewer/picture/picture_painter.h"
+#include "viewer/session/session.h"
+#include "viewer/session/stage.h"
+#include "viewer/session/truth_view.h"
+
+namespace opaline::app::viewer {
+
+/// What the picture's area of the window shows: picture, variable, truth or heat map.
+class PictureView {
+ public:
+  PictureView(const VulkanDevice& device, VkRenderPass renderPass)
+      : painter_(device, renderPass), variable_(device) {}
+
+  /// Takes up the variable that the stage's last frame brought, if any.
+  void take(const Stage& stage, const Session& session);
+  void draw(VkCommandBuffer commands, const Session& session, const Stage& stage,
+            const TruthView& truth, const Area& area) const;
+
+ private:
+  void drawShown(VkCommandBuffer commands, const Session& session, const Stage& stage,
+                 const TruthView& truth, const Area& area) const;
+
+  PicturePainter painter_;
+  HostPicture variable_;
+  Aov variableShown_ = Aov::Radiance;  // what variable_ is of
+};
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "opaline/scene.h"
+#include "viewer/picture/picture_painter.h"
+
+namespace opaline::app::viewer {
+
+/// Where a camera looks: three unit directions at right angles.
+struct ViewFrame {
+  explicit ViewFrame(const Camera& camera);
+
+  glm::vec3 position{};
+  glm::vec3 right{};
+  glm::vec3 up{};
+  glm::vec3 ahead{};
+  float distanceMm = 0;  ///< to the target
+};
+
+/// A half-line in the scene.
+struct Ray {
+  glm::vec3 origin{};
+  glm::vec3 direction{};  ///< unit
+};
+
+/// How the scene lies in an area of the window.
+class Projection {
+ public:
+  Projection(const Camera& camera, const Area& area);
+
+  const ViewFrame& view() const { return view_; }
+  /// Nothing for what lies behind the camera.
+  std::optional<glm::vec2> toWindow(const glm::vec3& placeMm) const;
+  Ray through(const glm::vec2& pixel) const;
+  /// Edge of a pixel at a distance along the viewing axis, mm.
+  float pixelMm(float depthMm) const;
+
+ private:
+  ViewFrame view_;
+  Area area_;
+  float tangent_;  // of half the vertical field of view
+};
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,34 @@
+#include "viewer/session/loader.h"
+
+#include <exception>
+#include <utility>
+
+namespace opaline::app::viewer {
+
+Loader::~Loader() {
+  if (thread_.joinable()) thread_.join();
+}
+
+void Loader::start(const SceneOptions& source) {
+  if (thread_.joinable()) thread_.join();
+  done_ = false;
+  result_ = {.source = source};
+  thread_ = std::thread([this] {
+    try {
+      result_.loaded = result_.source.load(
+          [this](LogLevel, std::string_view note) { result_.notes.emplace_back(note); });
+    } catch (const std::exception& error) {
+      result_.error = error.what();
+    }
+    done_ = true;
+    whenDone_();
+  });
+}
+
+std::optional<Loader::Result> Loader::take() {
+  if (!thread_.joinable() || !done_) return std::nullopt;
+  thread_.join();
+  return std::exchange(result_, {});
+}
+
+}  // namespace opaline::app::viewer

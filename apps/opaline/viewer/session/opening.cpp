@@ -1,0 +1,101 @@
+#include "viewer/session/opening.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/motion_options.h"
+#include "cli/paths.h"
+#include "scene/environment_file.h"
+
+namespace opaline::app::viewer {
+
+namespace {
+
+// A light at the same place of a body that has become so many times as large, as bright on it.
+PointLight scaled(PointLight light, float factor) {
+  for (float& component : light.positionMm) component *= factor;
+  for (float& channel : light.intensity) channel *= factor * factor;
+  return light;
+}
+
+// All of it has to be drawn for the first time.
+Edits newScene(const Scene& scene) {
+  Edits edits;
+  edits.medium.assign(scene.objects.size(), false);
+  edits.picture = true;
+  return edits;
+}
+
+}  // namespace
+
+Session opened(Loader::Result result, const Prepare& prepare) {
+  LoadedScene& loaded = *result.loaded;
+  Session made;
+  made.name = result.source.name();
+  made.saveName = made.name;
+  made.asked = std::move(result.source);
+  made.notes = std::move(result.notes);
+  prepare(loaded, made);
+  if (!made.tone.background) made.tone.background = Rgb{0.03F, 0.03F, 0.035F};
+  made.scene = std::move(loaded.scene);
+  made.source = std::move(loaded.source);
+  if (const auto& from = made.source.environment) {
+    made.environment = from->rotationDegrees == 0
+                           ? made.scene.lighting.environment
+                           : scene::readEnvironment({from->file, from->intensity});
+  }
+  made.diagonalMm = diagonalMm(made.scene);
+  made.sequence = std::move(loaded.sequence);
+  made.playback.lengthSeconds = lengthOfMotion(made);
+  made.playback.playing =
+      (made.sequence || moves(made.scene, made.options.clip)) && made.options.seconds == 0;
+  made.edits = newScene(made.scene);
+  return made;
+}
+
+Session resized(const Session& edited, Loader::Result result) {
+  Scene& loaded = result.loaded->scene;
+  Session made = edited;
+  made.asked = std::move(result.source);
+  made.notes = std::move(result.notes);
+  made.source = std::move(result.loaded->source);
+  made.source.environment = edited.source.environment;
+  made.sequence = std::move(result.loaded->sequence);
+  made.positionsMm.clear();
+  made.diagonalMm = diagonalMm(loaded);
+  made.report.reset();
+
+  Scene& scene = made.scene;
+  for (std::size_t i = 0; i < scene.objects.size() && i < loaded.objects.size(); ++i) {
+    loaded.objects[i].medium = scene.objects[i].medium;
+  }
+  scene.objects = std::move(loaded.objects);
+  scene.nodes = std::move(loaded.nodes);
+  scene.clips = std::move(loaded.clips);
+  scene.repairs = std::move(loaded.repairs);
+  // The file may have changed meanwhile.
+  if (made.object >= scene.objects.size()) made.object = 0;
+  const float factor = made.diagonalMm / edited.diagonalMm;
+  for (PointLight& light : scene.lighting.points) light = scaled(light, factor);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    scene.camera.positionMm[axis] *= factor;
+    scene.camera.targetMm[axis] *= factor;
+  }
+  made.edits = newScene(scene);
+  return made;
+}
+
+bool isEnvironment(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  return extension == ".hdr" || extension == ".exr";
+}
+
+void takeEnvironment(const std::filesystem::path& file, Session& session) {
+  const scene::EnvironmentFile dropped{std::filesystem::absolute(file)};
+  session.scene.lighting.environment = scene::readEnvironment(dropped);
+  session.environment = session.scene.lighting.environment;
+  session.source.environment = dropped;
+  session.edits.lighting = true;
+}
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,78 @@
+#include "viewer/session/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "film/sequence_frames.h"
+#include "opaline/exposure.h"
+
+namespace opaline::app::viewer {
+
+bool showsScene(const Session& session) {
+  return session.shown == Shown::Picture && session.aov < Aov::DsmPosition;
+}
+
+void exposeByLight(Session& session) {
+  if (session.exposesByLight) session.tone.exposureStops = automaticExposureStops(session.scene);
+}
+
+RenderOptions sized(const RenderOptions& options, int width, int height) {
+  RenderOptions sized = options;
+  sized.width = width;
+  sized.height = height;
+  return sized;
+}
+
+RenderOptions coarser(const RenderOptions& options) {
+  RenderOptions coarse = options;
+  // Where most time is won for least colour: fewer bounces or a looser tolerance shift it more.
+  coarse.tolerance = std::max(options.tolerance, 0.05F);
+  return coarse;
+}
+
+RenderOptions paperOptions(const RenderOptions& options) {
+  RenderOptions paper = options;
+  paper.transport = Transport::Dipole;
+  paper.sum = Sum::Pattern;
+  paper.site = Site::Fragment;
+  return paper;
+}
+
+float lengthOfMotion(const Session& session) {
+  constexpr float usual = 4;
+  const Scene& scene = session.scene;
+  const int clip = session.options.clip;
+  if (session.sequence) return static_cast<float>(secondsOf(*session.sequence));
+  if (clip >= 0 && static_cast<std::size_t>(clip) < scene.clips.size()) {
+    const float seconds = scene.clips[static_cast<std::size_t>(clip)].seconds;
+    if (seconds > 0) return seconds;
+  }
+  float longest = 0;
+  for (const Deformer& deformer : scene.deformers) {
+    longest = std::max(longest, deformer.periodSeconds);
+  }
+  return longest > 0 ? longest : usual;
+}
+
+bool movesInTime(const Session& session) {
+  return session.sequence || moves(session.scene, session.options.clip);
+}
+
+FrameRange filmFrames(const Session& session) {
+  const FilmSettings& film = session.film;
+  FrameRange frames;
+  frames.perSecond = film.perSecond;
+  if (!film.once) {
+    frames.first = film.first;
+    frames.last = std::max(film.first, film.last);
+  } else if (session.sequence) {
+    frames.last = session.sequence->frameCount() - 1;  // a file a frame, at any rate
+  } else {
+    const double count = static_cast<double>(session.playback.lengthSeconds) * film.perSecond;
+    frames.last = std::max(0, static_cast<int>(std::lround(count)) - 1);
+  }
+  return frames;
+}
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "opaline/renderer.h"
+#include "opaline/vulkan.h"
+#include "viewer/picture/host_picture.h"
+#include "viewer/session/session.h"
+#include "viewer/window/queue_watch.h"
+
+namespace opaline::app::viewer {
+
+/// Keeps a renderer in step with a session and has it make the pictures the window shows.
+///
+/// Where the window is drawn by the renderer's device, a frame is waited for only when the one
+/// after the next begins. Where it has a device of its own, nothing is waited for: one picture at a
+/// time is under way, and is brought over when it is done.
+class Stage {
+ public:
+  Stage(Renderer& renderer, const VulkanDevice& window);
+
+  /// From now on it is this session's scene.
+  void setScene(const Scene& scene);
+  bool hasScene() const { return hasScene_; }
+
+  /// Hands the session's edits to the renderer and has it draw the picture, and the paper's where
+  /// the session is divided; the variable that the session shows, where that is another, comes a
+  /// frame later. While something is `moving`, pictures come fast: one sample a pixel, and coarser
+  /// light where the session allows it and its transport took long. Not while it is busy.
+  void draw(Session& session, int width, int height, bool moving);
+  /// Whether there is a picture to be taken up, now or once it is done.
+  bool isUnderWay() const { return apart_ && !waiting_.empty(); }
+  /// Whether it is not done yet, so that nobody should wait for it.
+  bool isBusy() const { return isUnderWay() && !watch_.isDone(); }
+  /// Since when it is busy with that picture.
+  std::chrono::steady_clock::time_point busySince() const { return busySince_; }
+  /// Takes up a picture that is done.
+  void takeUp();
+  /// Waits for what is under way.
+  void finish();
+
+  const DeviceImage& picture() const { return apart_ ? hostPicture_.shown() : picture_; }
+  /// The paper's picture, while the session is divided.
+  std::optional<DeviceImage> paper() const;
+  /// Whether the light in it is found more coarsely than the session says.
+  bool isCoarse() const { return coarse_; }
+  /// The last frame that finished, of the session's own method.
+  const Frame& lastFrame() const { return frame_; }
+  /// The variable in it and its values; none where only radiance was wanted.
+  Aov variable() const { return variable_; }
+  const Image* variableImage() const;
+  std::size_t framesFinished() const { return framesFinished_; }
+  RenderReport report() const { return renderer_.report(); }
+
+ private:
+  struct Waiting {
+    bool own = true;  // of the session's method, not the paper's
+    Aov variable = Aov::Radiance;
+  };
+
+  bool handOver(Session& session);
+  void submit(const RenderOptions& options, Aov variable, bool own);
+  void collect();
+
+  Renderer& renderer_;
+  const bool apart_;  // the window has a device of its own
+  bool hasScene_ = false;
+  bool divided_ = false;
+  DeviceImage picture_;
+  DeviceImage paper_;
+  HostPicture hostPicture_;
+  HostPicture hostPaper_;
+  QueueWatch watch_;  // of the frames under way
+  Frame frame_;
+  Frame other_;  // of the paper's method
+  Aov variable_ = Aov::Radiance;
+  std::vector<Waiting> waiting_;  // frames under way, oldest first
+  std::chrono::steady_clock::time_point busySince_;
+  bool coarse_ = false;
+  bool resting_ = true;  // the frame drawn last was not in motion
+  double restMs_ = 0;    // of the last one at rest that found its light
+  std::size_t framesFinished_ = 0;
+  std::vector<Aov> aovs_;
+};
+
+}  // namespace opaline::app::viewer

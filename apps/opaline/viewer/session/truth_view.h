@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "compare/figures.h"
+#include "core/image_file.h"
+#include "core/tone.h"
+#include "lab/truth_job.h"
+#include "opaline/image.h"
+#include "opaline/renderer.h"
+#include "viewer/picture/host_picture.h"
+#include "viewer/session/session.h"
+
+namespace opaline::app::viewer {
+
+/// The truth of what the window shows, computed in the background, beside the picture it is the
+/// truth of, and how far they are apart.
+class TruthView {
+ public:
+  explicit TruthView(const VulkanDevice& device) : truth_(device), heatMap_(device) {}
+
+  /// Of the session as it is now. The picture it is compared with is rendered at once, without
+  /// reflections, by `renderer`, where no frame is under way.
+  void start(const Session& session, Renderer& renderer, TruthOrder::Method method, int width,
+             int height);
+  void cancel();
+  /// At the last update(), so that who waits while it runs does not miss its end.
+  bool running() const { return running_; }
+  double progress() const { return job_ ? job_->progress() : 0; }
+
+  /// Takes up what has come since; true where there is something new to see, or it has ended.
+  bool update();
+
+  bool hasPicture() const { return !truth_.empty(); }
+  const DeviceImage& truth() const { return truth_.shown(); }
+  const DeviceImage& heatMap() const { return heatMap_.shown(); }
+  const std::optional<compare::Figures>& figures() const { return figures_; }
+  const std::optional<compare::BlockFigures>& blocks() const { return blocks_; }
+  const std::shared_ptr<const TruthPicture>& latest() const { return latest_; }
+  /// What its pictures are of and how far the window's is from it, in a sentence.
+  std::string legend() const;
+  /// Writes the last picture of it, or its heat map; the sentence that says so. Throws Error.
+  std::string save(TruthFile what, const core::Target& target, const core::ToneOptions& tone) const;
+  std::string error() const { return job_ ? job_->error() : std::string(); }
+
+ private:
+  bool takePicture(std::shared_ptr<const TruthPicture> latest);
+
+  std::unique_ptr<TruthJob> job_;
+  bool running_ = false;
+  Image picture_;  // that the truth is held against
+  std::shared_ptr<const TruthPicture> latest_;
+  HostPicture truth_;
+  HostPicture heatMap_;
+  core::Image8 drawnHeatMap_;
+  std::optional<compare::Figures> figures_;
+  std::optional<compare::BlockFigures> blocks_;
+};
+
+}  // namespace opaline::app::viewer

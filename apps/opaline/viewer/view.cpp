@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+#include "cli/device_options.h"
+#include "cli/json.h"
+#include "cli/motion_options.h"
+#include "cli/output.h"
+#include "cli/paths.h"
+#include "cli/picture_options.h"
+#include "cli/scene_options.h"
+#include "cli/values.h"
+#include "opaline/error.h"
+#include "viewer/viewer.h"
+
+namespace opaline::app {
+
+namespace {
+
+struct ViewCommand {
+  SceneOptions scene;
+  LightOptions lights;
+  CameraOptions camera;
+  MotionOptions motion;
+  MethodOptions method;
+  LookOptions look;
+  std::optional<std::array<int, 2>> size;
+  DeviceOptions device;
+  std::optional<std::filesystem::path> controls;
+  bool quiet = false;
+  bool json = false;
+
+  void addTo(CommandLine& line) {
+    line.section("Scene");
+    scene.addTo(line);
+    line.section("Light; the first of these replaces all the scene has");
+    lights.addTo(line);
+    line.section("Picture");
+    camera.addTo(line);
+    look.addTo(line);
+    line.value("--size", "WxH", "of the window, pixels [as it was left]",
+               [this](const Given& given) { size = readSize(given, 16384); });
+    line.section("Motion");
+    motion.addTo(line, false);
+    line.section("Method");
+    method.addTo(line);
+    line.section("Run");
+    device.addTo(line);
+    line.outputFlags("what the last picture was, at the end", json, quiet);
+    line.value("--controls", "FILE.json", "keep there where each control stands, to drive it",
+               [this](const Given& given) { controls = readOutput(given, {".json"}); });
+  }
+
+  /// Also refuses what contradicts itself.
+  RenderOptions options(const scene::SceneFileSettings& settings) const {
+    RenderOptions options = optionsOf(settings);
+    method.applyTo(options, settings);
+    look.applyTo(options);
+    return options;
+  }
+
+  void prepare(LoadedScene& loaded, viewer::Session& session) const {
+    lights.applyTo(loaded);
+    camera.applyTo(loaded.scene);
+    motion.applyTo(loaded.scene);
+    session.options = options(loaded.settings);
+    motion.applyTo(session.options, loaded.scene, loaded.settings);
+    session.tone = look.tone(loaded.settings, loaded.scene);
+    session.exposesByLight = look.exposesByLight(loaded.settings);
+    if (loaded.settings.width && loaded.settings.height) {
+      session.pictureSize = {*loaded.settings.width, *loaded.settings.height};
+    }
+  }
+};
+
+/// $XDG_CONFIG_HOME/opaline, by default ~/.config/opaline; empty where there is no such folder and
+/// none can be made.
+std::filesystem::path configFolder() {
+  const char* const config = std::getenv("XDG_CONFIG_HOME");
+  const char* const home = std::getenv("HOME");
+  std::filesystem::path folder;
+  if (config != nullptr && *config == '/') {
+    folder = config;
+  } else if (home != nullptr && *home == '/') {
+    folder = std::filesystem::path(home) / ".config";
+  } else {
+    return {};
+  }
+  folder /= "opaline";
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  return std::filesystem::is_directory(folder, error) ? folder : std::filesystem::path();
+}
+
+}  // namespace
+
+void runView(const Arguments& arguments) {
+  CommandLine line("view",
+                   "Opens a window on a scene. Lengths in mm, light in linear RGB, "
+                   "defaults in [].");
+  ViewCommand command;
+  command.addTo(line);
+  if (!line.parse(arguments)) return;
+  command.motion.check();
+  static_cast<void>(command.options({}));  // before any window
+  const LogCallback log = noteTaker(command.quiet);
+  viewer::ViewerOptions options;
+  options.source = command.scene;
+  // What was asked for is about the first scene; the next ones are as their files say.
+  options.prepare = [next = command](LoadedScene& loaded, viewer::Session& session) mutable {
+    std::exchange(next, {}).prepare(loaded, session);
+  };
+  options.renderer = command.device.rendererOptions("", log);
+  options.size = command.size;
+  options.configFolder = configFolder();
+  options.controls = command.controls;
+  viewer::Viewer viewer(options);
+  viewer.run();
+  if (command.json) printOut(toText(viewer.report()));
+  if (viewer.validationMessages() > 0) {
+    throw Error(fmt::format("--validation: the validation layer had {} messages",
+                            viewer.validationMessages()));
+  }
+}
+
+}  // namespace opaline::app

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <imgui.h>
+#include <vulkan/vulkan.h>
+
+#include <deque>
+
+#include "opaline/vulkan.h"
+#include "viewer/window/presenter.h"
+#include "viewer/window/window.h"
+
+namespace opaline::app::viewer {
+
+/// Dear ImGui in a window: its fonts, colours, input and drawing.
+class UserInterface {
+ public:
+  UserInterface(const VulkanDevice& device, const Presenter& presenter, const Window& window);
+  ~UserInterface();
+  UserInterface(const UserInterface&) = delete;
+  UserInterface& operator=(const UserInterface&) = delete;
+
+  /// Between these two, ImGui's own functions say what there is to see. Where texts want other
+  /// characters than before (see glyphs.h), fonts that have them are loaded first.
+  void begin();
+  void end();
+  /// Draws it over what the commands have drawn.
+  void draw(VkCommandBuffer commands) const;
+
+ private:
+  void beginDrawing();
+  void makeFonts();
+  void uploadFonts() const;
+
+  VulkanDevice device_;
+  const Presenter& presenter_;
+  const Window& window_;
+  std::deque<ImVector<ImWchar>> ranges_;  // of the fonts, which refer to them where they are
+  VkDescriptorPool pool_ = VK_NULL_HANDLE;
+};
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,194 @@
+#include "viewer/window/window.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+// After vulkan.h, so that it declares what it has for Vulkan.
+#include <GLFW/glfw3.h>
+
+#include "opaline/error.h"
+
+namespace opaline::app::viewer {
+
+namespace {
+
+std::string lastError() {
+  const char* text = nullptr;
+  glfwGetError(&text);
+  return text != nullptr ? text : "no reason was given";
+}
+
+Window& windowOf(GLFWwindow* handle) {
+  return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+}
+
+// GLFW names a key after what stands there on a keyboard of the United States. What the user reads
+// on it is what is meant, as far as it is a Latin letter.
+int letterOf(int key, int code) {
+  const char* const name = glfwGetKeyName(key, code);
+  if (name == nullptr || name[0] == 0 || name[1] != 0) return key;
+  if (name[0] >= 'a' && name[0] <= 'z') return GLFW_KEY_A + (name[0] - 'a');
+  return key;
+}
+
+}  // namespace
+
+Window::Window(int width, int height, const char* title) {
+  if (glfwInit() == GLFW_FALSE) {
+    throw Error(fmt::format(
+        "view found no display to open a window on ({}); opaline render makes pictures without one",
+        lastError()));
+  }
+  if (glfwVulkanSupported() == GLFW_FALSE) {
+    glfwTerminate();
+    throw Error("view found no Vulkan driver that draws into windows; install one, or use render");
+  }
+  glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  window_ = glfwCreateWindow(width, height, title, nullptr, nullptr);
+  if (window_ == nullptr) {
+    const std::string reason = lastError();
+    glfwTerminate();
+    throw Error(
+        fmt::format("view could not open a window: {}; opaline render works without one", reason));
+  }
+  glfwSetWindowSizeLimits(window_, 320, 240, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
+    Window& window = windowOf(handle);
+    for (int i = 0; i < count; ++i) window.dropped_.emplace_back(paths[i]);
+  });
+  takeInput();
+  glfwSetWindowRefreshCallback(window_,
+                               [](GLFWwindow* handle) { windowOf(handle).refresh_ = true; });
+  glfwSetFramebufferSizeCallback(
+      window_, [](GLFWwindow* handle, int, int) { windowOf(handle).refresh_ = true; });
+}
+
+void Window::takeInput() {
+  glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int code, int action, int mods) {
+    Window& window = windowOf(handle);
+    window.takeUse();
+    if (action == GLFW_RELEASE) return;
+    const auto held = [mods](int modifier) { return (mods & modifier) != 0; };
+    window.keys_.push_back({letterOf(key, code), 0, held(GLFW_MOD_CONTROL), held(GLFW_MOD_SHIFT),
+                            held(GLFW_MOD_ALT), action == GLFW_REPEAT});
+    window.pressed_ = window.pressed_ || action == GLFW_PRESS;
+  });
+  glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned int typed) {
+    windowOf(handle).keys_.push_back({.typed = typed});
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int, int action, int) {
+    Window& window = windowOf(handle);
+    window.takeUse();
+    window.pressed_ = window.pressed_ || action == GLFW_PRESS;
+  });
+  glfwSetScrollCallback(window_,
+                        [](GLFWwindow* handle, double, double) { windowOf(handle).takeUse(); });
+}
+
+void Window::takeUse() {
+  refresh_ = true;
+  ++inputs_;
+}
+
+Window::~Window() {
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+std::vector<std::string> Window::instanceExtensions() {
+  std::uint32_t count = 0;
+  const char** names = glfwGetRequiredInstanceExtensions(&count);
+  if (names == nullptr) {
+    throw Error(
+        fmt::format("view cannot draw into windows with this Vulkan driver: {}", lastError()));
+  }
+  return {names, names + count};
+}
+
+std::vector<std::string> Window::deviceExtensions() {
+  return {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
+}
+
+VkSurfaceKHR Window::makeSurface(VkInstance instance) const {
+  VkSurfaceKHR surface = VK_NULL_HANDLE;
+  if (glfwCreateWindowSurface(instance, window_, nullptr, &surface) != VK_SUCCESS) {
+    throw Error(fmt::format("view could not draw into its window: {}", lastError()));
+  }
+  return surface;
+}
+
+std::array<int, 2> Window::size() const {
+  if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != GLFW_FALSE) return {};
+  const auto unscaled = [this](std::uint32_t pixels) {
+    return static_cast<int>(std::lround(static_cast<float>(pixels) / scale()));
+  };
+  return {unscaled(pixels().width), unscaled(pixels().height)};
+}
+
+VkExtent2D Window::pixels() const {
+  int width = 0;
+  int height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+}
+
+float Window::scale() const {
+  float x = 1;
+  float y = 1;
+  glfwGetWindowContentScale(window_, &x, &y);
+  return x > 0 ? x : 1;
+}
+
+bool Window::wantsToClose() const {
+  return glfwWindowShouldClose(window_) != GLFW_FALSE;
+}
+
+void Window::close() {
+  glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+void Window::stay() {
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
+}
+
+void Window::setTitle(const std::string& title) {
+  glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::poll() {
+  glfwPollEvents();
+}
+
+void Window::wait(double seconds) {
+  if (seconds > 0) {
+    glfwWaitEventsTimeout(seconds);
+  } else {
+    glfwWaitEvents();
+  }
+}
+
+void Window::wake() {
+  glfwPostEmptyEvent();
+}
+
+std::vector<std::filesystem::path> Window::takeDropped() {
+  return std::exchange(dropped_, {});
+}
+
+std::vector<KeyPress> Window::takeKeys() {
+  return std::exchange(keys_, {});
+}
+
+bool Window::takePress() {
+  return std::exchange(pressed_, false);
+}
+
+bool Window::takeRefresh() {
+  return std::exchange(refresh_, false);
+}
+
+}  // namespace opaline::app::viewer

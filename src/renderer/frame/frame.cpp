@@ -1,0 +1,274 @@
+#include "renderer/frame/frame.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "renderer/frame/camera_view.h"
+
+namespace opaline {
+
+namespace {
+
+passes::ScatterTransport scatterTransport(Transport transport) {
+  return transport == Transport::Dipole ? passes::ScatterTransport::Dipole
+                                        : passes::ScatterTransport::BetterDipole;
+}
+
+passes::ScatterSite scatterSite(Site site) {
+  switch (site) {
+    case Site::Vertex:
+      return passes::ScatterSite::Vertices;
+    case Site::Fragment:
+      return passes::ScatterSite::Fragments;
+    case Site::Auto:
+      break;
+  }
+  return passes::ScatterSite::PerObject;
+}
+
+// The solver's residuals in tolerances: less than 1, because what is seen may be far darker than
+// where the light enters.
+constexpr float residualOfLight = 0.3F;
+constexpr float residualOfBounce = 1;
+
+constexpr float widestOpening = 0.5F;
+
+// Of nodes in the sums over clusters: their error goes with its square and a half, so that it
+// follows the tolerance.
+float openingAngleOf(float tolerance) {
+  return std::clamp(0.25F * std::pow(tolerance / 0.01F, 0.4F), 0.05F, widestOpening);
+}
+
+// Light that enters again is a tenth or two of all, so that its points may be taken together from
+// nearer.
+float openingAngleOfBounce(float ofLight) {
+  return std::min(1.4F * ofLight, widestOpening);
+}
+
+// What every step of a frame needs.
+struct FrameContext {
+  gpu::CommandList& commands;
+  const Passes& passes;
+  const FramePlan& plan;
+  passes::DeformedMesh& mesh;
+  FrameResources& resources;
+
+  void deform(SceneMotion& motion) const {
+    motion.record(commands, passes.deform, plan.clip, plan.seconds, mesh);
+  }
+
+  void fit(const FrameUpload& upload) const {
+    passes.fit.record(commands, upload.buffer, upload.offset, mesh, resources.view);
+  }
+
+  void gather(passes::Surfels& surfels) const {
+    if (!plan.scatter && !plan.map) return;
+    passes.shadow.record(commands, resources.view, mesh, resources.shadows);
+    if (plan.map)
+      passes.map.record(commands, {resources.view, mesh, resources.tables, resources.shadows},
+                        resources.sources);
+    if (plan.sum != Sum::Pattern && plan.scatter)
+      passes.surfels.record(commands, {resources.view, mesh, resources.tables, resources.shadows},
+                            surfels);
+  }
+
+  passes::SurfelSumPass::Order order() const {
+    return {scatterTransport(plan.transport), scatterSite(plan.site), plan.tolerance};
+  }
+
+  bool boundary() const { return plan.transport == Transport::Boundary; }
+
+  // What leaves through the clusters: of the light that enters from outside, and of what leaves and
+  // enters again.
+  void solveBoundary(SceneResources& scene) const {
+    passes::Clusters& clusters = scene.clusters;
+    const float openingAngle = openingAngleOf(plan.tolerance);
+    passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+    passes.clusters.record(commands,
+                           {resources.view, mesh, resources.tables, resources.shadows,
+                            scene.surfels, scene.rays, openingAngle},
+                           plan.bounces > 0 || !plan.skyIsDark, clusters);
+    for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
+      const bool again = bounce > 0;
+      const passes::BeamPass::Inputs inputs{
+          resources.view, resources.tables, scene.surfels, scene.rays,
+          again ? openingAngleOfBounce(openingAngle) : openingAngle};
+      if (again)
+        passes.beams.recordReentry(commands, inputs, clusters, bounce == 1);
+      else
+        passes.beams.recordLights(commands, inputs,
+                                  {.sky = !plan.skyIsDark, .bounces = plan.bounces > 0}, clusters);
+      const float tolerance = (again ? residualOfBounce : residualOfLight) * plan.tolerance;
+      passes.solver.record(commands,
+                           {.solution = static_cast<std::uint32_t>(bounce),
+                            .openingAngle = openingAngle,
+                            .tolerance = tolerance},
+                           resources.tables, clusters, scene.solver);
+      passes.beams.recordExitance(commands, resources.tables, clusters, again);
+    }
+  }
+
+  // Sums the half-space where its mean over clusters is taken from.
+  void meansOverClusters(SceneResources& scene) const {
+    using From = passes::CarryPass::From;
+    if (plan.site == Site::Vertex)
+      return passes.carry.recordMeans(commands, From::Vertices, resources.exitance.vertices,
+                                      scene.surfels, scene.clusters);
+    const passes::Places surfels =
+        passes::placesOf(scene.surfels, scene.clusters.exitancesOfSurfels);
+    sumOver(surfels, Sum::Tree, {order().transport, passes::ScatterSite::Vertices, plan.tolerance},
+            scene.surfels);
+    passes.carry.recordMeans(commands, From::Surfels, surfels.exitances, scene.surfels,
+                             scene.clusters);
+  }
+
+  void sumOver(const passes::Places& places, Sum sum, const passes::SurfelSumPass::Order& how,
+               passes::Surfels& surfels) const {
+    const passes::SurfelSumPass::OverPlaces over{resources.tables, surfels, places};
+    if (sum == Sum::Tree)
+      passes.sum.treeOverPlaces(commands, how, over);
+    else
+      passes.sum.allOverPlaces(commands, how, over);
+    if (surfels.coarse)
+      passes.nearby.overPlaces(commands, how.transport, how.site, nearbyInputs(surfels), places);
+  }
+
+  // Everything where the site is the vertices; else what is always summed there.
+  void scatterAtVertices(SceneResources& scene) const {
+    if (plan.sum == Sum::Pattern) {
+      using Part = passes::PatternPass::VertexPart;
+      return passes.pattern.overVertices(
+          commands, scatterTransport(plan.transport),
+          plan.site == Site::Vertex ? Part::Everything : Part::FarSamples, resources.tables,
+          resources.sources, mesh, resources.exitance);
+    }
+    const passes::Places vertices = passes::verticesOf(mesh, scene.surfels, resources.exitance);
+    // The tree's rough sum is wanted by fragments too.
+    if (plan.sum == Sum::Tree || plan.site != Site::Fragment)
+      sumOver(vertices, plan.sum, order(), scene.surfels);
+    if (!boundary()) return;
+    meansOverClusters(scene);
+    if (plan.site != Site::Fragment)
+      passes.carry.overVertices(commands, order().site, resources.tables, scene.clusters, vertices);
+  }
+
+  void scatterAtFragments(SceneResources& scene) const {
+    passes::Surfels& surfels = scene.surfels;
+    if (plan.sum == Sum::Pattern)
+      return passes.pattern.overFragments(commands, scatterTransport(plan.transport),
+                                          resources.tables, resources.sources, resources.surface,
+                                          resources.exitance);
+    const passes::SurfelSumPass::Fragments over{resources.tables, surfels, resources.surface,
+                                                resources.exitance};
+    if (plan.sum == Sum::Tree)
+      passes.sum.treeOverFragments(commands, order(), over);
+    else
+      passes.sum.allOverFragments(commands, order(), over);
+    if (surfels.coarse)
+      passes.nearby.overFragments(commands, order().transport, order().site, nearbyInputs(surfels),
+                                  resources.surface, resources.exitance);
+    if (boundary())
+      passes.carry.overFragments(commands, order().site, resources.tables, scene.clusters,
+                                 resources.surface, resources.exitance);
+  }
+
+  passes::NearbyPass::Inputs nearbyInputs(passes::Surfels& surfels) const {
+    return {resources.view, resources.tables, resources.shadows, surfels};
+  }
+
+  void seeSurface(const glm::vec2& jitter, SceneResources& scene) const {
+    passes.surface.record(
+        commands,
+        {resources.view, mesh, resources.sources.charts, jitter, resources.exitance.vertices},
+        resources.surface);
+    if (plan.scatter && plan.site != Site::Vertex) scatterAtFragments(scene);
+  }
+
+  void findSurfels(SceneResources& scene) const {
+    // Boundary transport has recorded the rays, in this frame or in that whose light it takes.
+    if (!boundary()) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+    passes.rays.recordBoxes(commands, scene.surfels, scene.rays);
+    passes.seenSurfels.record(
+        commands,
+        {resources.tables, resources.surface, scene.surfels, scene.rays,
+         boundary() ? &scene.clusters : nullptr, static_cast<std::uint32_t>(plan.treeLevel)},
+        resources.seenSurfels);
+  }
+
+  void shade(std::uint32_t sample, std::uint32_t samples, SceneResources& scene) const {
+    if (plan.mirrorsSky)
+      passes.reflectedSky.record(commands,
+                                 {resources.view, resources.tables, resources.surface,
+                                  scene.surfels, scene.rays, sample, samples, plan.roughness},
+                                 resources.sky);
+    passes.shade.record(
+        commands,
+        {resources.view, resources.tables, resources.shadows, resources.surface,
+         visibleExitance(plan.site, resources), resources.environmentCube, resources.sky, sample,
+         samples, plan.roughness, plan.specular, plan.mirrorsSky},
+        resources.radiance);
+  }
+};
+
+}  // namespace
+
+gpu::GpuImage& visibleExitance(Site site, FrameResources& resources) {
+  return site == Site::Vertex ? resources.surface.exitance : resources.exitance.image;
+}
+
+Passes::Passes(gpu::Device& device)
+    : deform(device),
+      fit(device),
+      shadow(device),
+      map(device),
+      surfels(device),
+      surface(device),
+      pattern(device),
+      sum(device),
+      nearby(device),
+      rays(device),
+      clusters(device),
+      beams(device),
+      solver(device),
+      carry(device),
+      environment(device),
+      reflectedSky(device),
+      shade(device),
+      seenSurfels(device) {}
+
+void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
+                 const FrameUpload& upload, SceneMotion& motion, SceneResources& scene,
+                 FrameResources& resources) {
+  assert(plan.site != Site::Auto || plan.sum != Sum::Pattern);
+  assert(plan.map || plan.sum != Sum::Pattern);
+  assert(!plan.seenSurfels || (plan.centre && plan.sum != Sum::Pattern && plan.scatter));
+  assert(plan.samples == 0 || plan.scatter);
+  const FrameContext context{commands, passes, plan, scene.mesh, resources};
+  if (plan.light) context.deform(motion);
+  context.fit(upload);
+  if (plan.light) context.gather(scene.surfels);
+  if (plan.light && plan.scatter) {
+    if (plan.transport == Transport::Boundary)
+      context.solveBoundary(scene);
+    else if (plan.mirrorsSky)
+      passes.rays.record(commands, scene.mesh, scene.surfels, scene.rays);
+    context.scatterAtVertices(scene);
+  }
+
+  if (plan.samples > 0) {
+    const VkExtent2D extent = resources.radiance.extent();
+    const glm::vec2 pixel(2 / static_cast<float>(extent.width),
+                          2 / static_cast<float>(extent.height));
+    const auto samples = static_cast<std::uint32_t>(plan.samples);
+    const std::span<const glm::vec2> pattern = samplePattern(plan.samples);
+    for (std::uint32_t sample = 0; sample < samples; ++sample) {
+      context.seeSurface(pattern[sample] * pixel, scene);
+      context.shade(sample, samples, scene);
+    }
+  }
+  if (plan.centre) context.seeSurface({0, 0}, scene);
+  if (plan.seenSurfels) context.findSurfels(scene);
+}
+
+}  // namespace opaline

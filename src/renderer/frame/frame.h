@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gpu/command_list.h"
+#include "gpu/transfer.h"
+#include "opaline/renderer.h"
+#include "passes/boundary/beam_pass.h"
+#include "passes/boundary/carry_pass.h"
+#include "passes/boundary/cluster_pass.h"
+#include "passes/boundary/ray_pass.h"
+#include "passes/boundary/solver_pass.h"
+#include "passes/deform/deform_pass.h"
+#include "passes/gather/diffusion_source_pass.h"
+#include "passes/gather/fit_pass.h"
+#include "passes/gather/shadow_pass.h"
+#include "passes/gather/surfel_pass.h"
+#include "passes/scatter/nearby_pass.h"
+#include "passes/scatter/pattern_pass.h"
+#include "passes/scatter/surface_pass.h"
+#include "passes/scatter/surfel_sum_pass.h"
+#include "passes/shade/environment_pass.h"
+#include "passes/shade/reflected_sky_pass.h"
+#include "passes/shade/seen_surfels_pass.h"
+#include "passes/shade/shade_pass.h"
+#include "renderer/frame/frame_plan.h"
+#include "renderer/frame/frame_resources.h"
+#include "renderer/motion/scene_motion.h"
+#include "renderer/scene/scene_resources.h"
+
+namespace opaline {
+
+/// The passes' pipelines, made once for a device.
+struct Passes {
+  explicit Passes(gpu::Device& device);
+
+  passes::DeformPass deform;
+  passes::FitPass fit;
+  passes::ShadowPass shadow;
+  passes::DiffusionSourcePass map;
+  passes::SurfelPass surfels;
+  passes::SurfacePass surface;
+  passes::PatternPass pattern;
+  passes::SurfelSumPass sum;
+  passes::NearbyPass nearby;
+  passes::RayPass rays;
+  passes::ClusterPass clusters;
+  passes::BeamPass beams;
+  passes::SolverPass solver;
+  passes::CarryPass carry;
+  passes::EnvironmentPass environment;
+  passes::ReflectedSkyPass reflectedSky;
+  passes::ShadePass shade;
+  passes::SeenSurfelsPass seenSurfels;
+};
+
+/// The image that a frame leaves the exitance of visible pixels in.
+gpu::GpuImage& visibleExitance(Site site, FrameResources& resources);
+
+/// What the host sets for a frame, in memory that the device reads.
+struct FrameUpload {
+  gpu::Buffer& buffer;
+  std::size_t offset;  ///< of a shared::FrameData, see passes::FitPass
+};
+
+/// Records one frame: the surface where it is at that time, shadows, gathering, scattering at
+/// vertices, all of which a plan without `light` leaves out, then for every antialiasing sample the
+/// visible surface, scattering at fragments and shading. A plan that does not `scatter` leaves the
+/// exitance as it was.
+void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
+                 const FrameUpload& upload, SceneMotion& motion, SceneResources& scene,
+                 FrameResources& resources);
+
+}  // namespace opaline

@@ -1,0 +1,65 @@
+#include "renderer/frame/frame_plan.h"
+
+#include <algorithm>
+
+#include "renderer/frame/readback.h"
+
+namespace opaline {
+
+namespace {
+
+bool needsMap(const RenderOptions& options, const std::vector<Aov>& aovs) {
+  return options.sum == Sum::Pattern || std::any_of(aovs.begin(), aovs.end(), showsMap);
+}
+
+bool isDark(const Lighting& sky) {
+  return !sky.environment && sky.ambient == Rgb{0, 0, 0};
+}
+
+// What is asked for, or where all objects agree, that; Auto where they do not.
+Site chooseSite(const FramePlan& plan, const SceneResources& scene) {
+  if (plan.site != Site::Auto) return plan.site;
+  std::size_t atVertices = 0;
+  for (std::size_t i = 0; i < scene.objects; ++i)
+    if (wantsVertices(scene, i)) ++atVertices;
+  if (atVertices == scene.objects) return Site::Vertex;
+  return atVertices == 0 || plan.sum == Sum::Pattern ? Site::Fragment : Site::Auto;
+}
+
+}  // namespace
+
+FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture) {
+  const auto asked = [&](Aov aov) {
+    return std::find(aovs.begin(), aovs.end(), aov) != aovs.end();
+  };
+  return {.transport = options.transport,
+          .sum = options.sum,
+          .site = options.site,
+          .tolerance = options.tolerance,
+          .bounces = options.bounces,
+          .scatter = picture || std::any_of(aovs.begin(), aovs.end(), needsScattering),
+          .map = needsMap(options, aovs),
+          .samples = picture || asked(Aov::Radiance) ? options.antialias : 0,
+          .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),
+          .seenSurfels = asked(Aov::Surfels),
+          .treeLevel = options.treeLevel,
+          .specular = options.specular,
+          .roughness = options.roughness,
+          .clip = options.clip,
+          .seconds = options.seconds};
+}
+
+bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {
+  return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern && !isDark(lighting);
+}
+
+void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan) {
+  plan.site = chooseSite(plan, scene);
+  plan.skyIsDark = isDark(lighting);
+  plan.mirrorsSky = mirrorsSky(plan, lighting);
+  // Where nothing has an inside, boundary transport is what it falls back to.
+  if (plan.transport == Transport::Boundary && !scene.hasInside())
+    plan.transport = Transport::BetterDipole;
+}
+
+}  // namespace opaline

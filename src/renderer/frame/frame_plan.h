@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "renderer/scene/scene_resources.h"
+
+namespace opaline {
+
+/// What a frame is to do.
+struct FramePlan {
+  Transport transport = Transport::Dipole;
+  Sum sum = Sum::Tree;
+  Site site = Site::Fragment;  ///< Auto: as each object has it, not for Sum::Pattern
+  float tolerance = 0.01F;     ///< of Sum::Tree, and of the solver of Transport::Boundary
+  int bounces = 2;             ///< of Transport::Boundary
+  bool skyIsDark = false;      ///< no light but that of lights
+  bool scatter = true;         ///< find the exitance; what is seen without light needs none
+  bool map = false;            ///< draw the diffusion source map, whoever wants it
+  int samples = 4;             ///< of radiance, 0 for none
+  bool centre = false;         ///< leave the visible surface and exitance of the pixels' centres
+  bool seenSurfels = false;    ///< find the surfels at the pixels' centres, not for Sum::Pattern
+  int treeLevel = 0;           ///< of the nodes that hold them
+  bool specular = true;
+  float roughness = 0.25F;
+  int clip = 0;
+  double seconds = 0;
+  bool mirrorsSky = false;  ///< in the reflection, where the scene leaves it free; else all of it
+  bool light = true;        ///< else the resources hold what this frame's light does, from before
+};
+
+/// What follows from what is asked for alone. `picture`: the radiance is wanted, whether or not it
+/// is among the variables.
+FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture);
+
+/// Whether what the plan makes reflects the sky where the scene leaves it free. The method of 2008
+/// knows no surfels that rays could meet, and reflects all of it.
+bool mirrorsSky(const FramePlan& plan, const Lighting& lighting);
+
+/// What depends on the scene as well: the site, and the transport that its objects allow.
+void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan);
+
+}  // namespace opaline

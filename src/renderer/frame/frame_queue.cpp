@@ -1,0 +1,61 @@
+#include "renderer/frame/frame_queue.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+#include "gpu/device.h"
+#include "opaline/error.h"
+#include "renderer/scene/scene_resources.h"
+#include "shaders/shared/frame.h"
+
+namespace opaline {
+
+namespace {
+
+// Every pass of a frame: deform, normals, fit, shadow, map, neighbours, surfels, tree; of boundary
+// transport the rays' boxes, clusters, their rays, rays and sources of every light, sources of
+// every bounce, as many solutions, means and what is carried to vertices; estimate, scatter and
+// nearby at the vertices and at the surfels; and surface, scatter, nearby, carry and shade for each
+// look, of which there are as many as antialiasing samples and one at the pixels' centres; and the
+// surfels seen there.
+constexpr std::uint32_t maxPassesOfFrame =
+    8 + (3 + 2 * (shared::maxLights + 1) + 3 * (maxBounces + 1) + 2) + 2 * 3 + 5 * (8 + 1) + 1;
+
+}  // namespace
+
+FrameSlot::FrameSlot(gpu::Device& device) : commands(device, "frame", maxPassesOfFrame) {}
+
+FrameQueue::FrameQueue(gpu::Device& device) : slots_{FrameSlot(device), FrameSlot(device)} {}
+
+void FrameQueue::requireRoom() const {
+  if (waiting_ < slots_.size()) return;
+  throw UsageError(fmt::format(
+      "{} frames are under way, which is all there may be; collect one first", waiting_));
+}
+
+void FrameQueue::submit() {
+  slots_[next_].commands.submit();
+  next_ = (next_ + 1) % slots_.size();
+  ++waiting_;
+}
+
+void FrameQueue::collect(Frame& frame, FrameTimes& times) {
+  if (isEmpty()) throw UsageError("no frame is under way; submit one first");
+  FrameSlot& slot = slots_[(next_ + slots_.size() - waiting_) % slots_.size()];
+  --waiting_;
+  slot.commands.wait();
+  slot.readback.finish(frame.images);
+  slot.readback.finishSolutions(frame.solutions);
+  frame.provisional = slot.provisional;
+  const std::vector<gpu::PassTiming>& timings = slot.commands.timings();
+  frame.milliseconds = slot.commands.frameMilliseconds();
+  frame.passes.resize(timings.size());
+  for (std::size_t i = 0; i < timings.size(); ++i) {
+    frame.passes[i].name = timings[i].name;
+    frame.passes[i].milliseconds = timings[i].milliseconds;
+  }
+  times.add(frame.milliseconds, timings);
+}
+
+}  // namespace opaline

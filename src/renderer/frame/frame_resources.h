@@ -1,0 +1,54 @@
+#pragma once
+
+#include "environment/spherical_harmonics.h"
+#include "gpu/image.h"
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "passes/products.h"
+#include "renderer/scene/scene_resources.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline {
+
+struct Passes;
+
+/// What the passes of a frame read and write; depends on scene and options, not on the frame.
+struct FrameResources {
+  passes::SceneTables tables;
+  passes::FrameView view;
+  passes::ShadowMaps shadows;
+  passes::DiffusionSources sources;  ///< where the plan asks for the map
+  passes::VisibleSurface surface;
+  passes::Exitance exitance;
+  ShCoefficients ambient{};  ///< radiance from all around
+  gpu::GpuImage environmentCube;
+  passes::ReflectedSky sky;
+  gpu::GpuImage radiance;           ///< the picture
+  passes::SeenSurfels seenSurfels;  ///< empty until a plan asks for them
+};
+
+/// Makes everything for these options; of the picture, what is there stays.
+void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
+                        const Lighting& lighting, const RenderOptions& options,
+                        FrameResources& resources);
+
+/// Drops everything but the picture.
+void keepOnlyPicture(FrameResources& resources);
+
+/// Makes again what light from all around is, which looks at every pixel of the environment; the
+/// tables depend on it.
+void remakeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
+               const RenderOptions& options, FrameResources& resources);
+
+/// Makes again what depends on media and on light from all around.
+void remakeTables(gpu::Device& device, const SceneResources& scene, const RenderOptions& options,
+                  FrameResources& resources);
+
+/// Makes again what depends on how many lights there are of which kind.
+void remakeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,
+                   FrameResources& resources);
+
+}  // namespace opaline

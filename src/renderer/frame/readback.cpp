@@ -1,0 +1,256 @@
+#include "renderer/frame/readback.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "gpu/device.h"
+#include "shaders/shared/boundary.h"
+
+namespace opaline {
+
+namespace {
+
+using Halves = std::array<std::uint16_t, 4>;
+
+// The images that a variable is made from.
+std::array<gpu::GpuImage*, 3> imagesOf(Aov aov, Site site, FrameResources& resources) {
+  gpu::GpuImage* const position = &resources.surface.position;
+  gpu::GpuImage* const coverage = &resources.sources.coverage;
+  switch (aov) {
+    case Aov::Radiance:
+      return {&resources.radiance, nullptr, nullptr};
+    case Aov::Exitance:
+    case Aov::Evaluations:
+      return {position, &visibleExitance(site, resources), nullptr};
+    case Aov::Irradiance:
+      return {position, &resources.surface.place, &resources.sources.nearFlux};
+    case Aov::Position:
+    case Aov::Depth:
+    case Aov::Object:
+      return {position, nullptr, nullptr};
+    case Aov::Normal:
+      return {position, &resources.surface.normal, nullptr};
+    case Aov::Surfels:
+      return {position, &resources.seenSurfels.image, nullptr};
+    case Aov::DsmPosition:
+    case Aov::DsmArea:
+      return {coverage, &resources.sources.positionArea, nullptr};
+    case Aov::DsmNormal:
+      return {coverage, &resources.sources.normal, nullptr};
+    case Aov::DsmIrradiance:
+      return {coverage, &resources.sources.irradianceObject, nullptr};
+  }
+  return {};
+}
+
+std::size_t bytesOf(const gpu::GpuImage& image) {
+  constexpr std::size_t alignment = 16;
+  const std::size_t bytes = std::size_t{image.extent().width} * image.extent().height *
+                            gpu::bytesPerTexel(image.options().format);
+  return (bytes + alignment - 1) / alignment * alignment;
+}
+
+void resize(Image& image, VkExtent2D extent) {
+  image.width = static_cast<int>(extent.width);
+  image.height = static_cast<int>(extent.height);
+  image.rgba.resize(std::size_t{4} * extent.width * extent.height);
+}
+
+// Sets every pixel to what `colour` says of its index, covered where `covered` says so.
+template <typename Colour, typename Covered>
+void fill(Image& image, const Covered& covered, const Colour& colour) {
+  for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
+    const bool hit = covered(i);
+    const glm::vec3 value = hit ? colour(i) : glm::vec3(0);
+    float* pixel = &image.rgba[4 * i];
+    pixel[0] = value.x;
+    pixel[1] = value.y;
+    pixel[2] = value.z;
+    pixel[3] = hit ? 1.0F : 0.0F;
+  }
+}
+
+// What a shader reads by linear filtering with clamped coordinates.
+glm::vec4 sampleLinear(const glm::vec4* map, VkExtent2D extent, const glm::vec2& uv) {
+  const auto edge = [](float place, std::uint32_t size) {
+    const auto texels = static_cast<float>(size);
+    const float at = std::clamp(place * texels - 0.5F, 0.0F, texels - 1);
+    const auto low = std::min(static_cast<std::uint32_t>(at), size > 1 ? size - 2 : 0);
+    return std::tuple(low, std::min(low + 1, size - 1), at - static_cast<float>(low));
+  };
+  const auto [x0, x1, fx] = edge(uv.x, extent.width);
+  const auto [y0, y1, fy] = edge(uv.y, extent.height);
+  const auto at = [&](std::uint32_t x, std::uint32_t y) {
+    return map[std::size_t{y} * extent.width + x];
+  };
+  return glm::mix(glm::mix(at(x0, y0), at(x1, y0), fx), glm::mix(at(x0, y1), at(x1, y1), fx), fy);
+}
+
+glm::vec3 unpack(const Halves& half) {
+  return {glm::unpackHalf1x16(half[0]), glm::unpackHalf1x16(half[1]), glm::unpackHalf1x16(half[2])};
+}
+
+// The accumulated samples hold colour times coverage.
+void makeRadiance(Image& image, const glm::vec4* sums) {
+  for (std::size_t i = 0; i < image.rgba.size() / 4; ++i) {
+    const float coverage = sums[i].a;
+    const glm::vec3 colour = coverage > 0 ? glm::vec3(sums[i]) / coverage : glm::vec3(sums[i]);
+    float* pixel = &image.rgba[4 * i];
+    pixel[0] = colour.x;
+    pixel[1] = colour.y;
+    pixel[2] = colour.z;
+    pixel[3] = coverage > 0 ? std::min(coverage, 1.0F) : coverage;
+  }
+}
+
+}  // namespace
+
+bool needsCentre(Aov aov) {
+  switch (aov) {
+    case Aov::Exitance:
+    case Aov::Evaluations:
+    case Aov::Irradiance:
+    case Aov::Position:
+    case Aov::Normal:
+    case Aov::Depth:
+    case Aov::Object:
+    case Aov::Surfels:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool needsScattering(Aov aov) {
+  switch (aov) {
+    case Aov::Radiance:
+    case Aov::Exitance:
+    case Aov::Evaluations:
+    case Aov::Surfels:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site site,
+                       const CameraView& camera, FrameResources& resources) {
+  if (!states_)
+    states_ = gpu::Buffer(device, {.name = "solutions on the host",
+                                   .bytes = (maxBounces + 1) * sizeof(shared::SolverState),
+                                   .memory = gpu::Memory::Readback});
+  camera_ = camera;
+  entries_.clear();
+  std::size_t bytes = 0;
+  for (const Aov aov : aovs) {
+    Entry entry{.aov = aov};
+    const std::array<gpu::GpuImage*, 3> images = imagesOf(aov, site, resources);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      if (images[i] == nullptr) continue;
+      entry.sources[i] = {bytes, images[i]->extent()};
+      bytes += bytesOf(*images[i]);
+    }
+    entries_.push_back(entry);
+  }
+  if (bytes == 0 || (buffer_ && buffer_.bytes() >= bytes)) return;
+  buffer_ = {};
+  buffer_ =
+      gpu::Buffer(device, {.name = "readback", .bytes = bytes, .memory = gpu::Memory::Readback});
+}
+
+void Readback::record(gpu::CommandList& commands, Site site, FrameResources& resources) {
+  if (entries_.empty()) return;
+  for (const Entry& entry : entries_) {
+    const std::array<gpu::GpuImage*, 3> images = imagesOf(entry.aov, site, resources);
+    for (std::size_t i = 0; i < images.size(); ++i)
+      if (images[i] != nullptr)
+        commands.copyFromImage(*images[i], buffer_, 0, 0, entry.sources[i].offset);
+  }
+  commands.use(buffer_, gpu::Access::HostRead);
+}
+
+template <typename T>
+const T* Readback::texels(const Source& source) const {
+  return reinterpret_cast<const T*>(buffer_.mapped().data() + source.offset);
+}
+
+void Readback::make(const Entry& entry, Image& image) const {
+  const Source& first = entry.sources[0];
+  const Source& second = entry.sources[1];
+  const Source& third = entry.sources[2];
+  resize(image, first.extent);
+  const auto* visible = texels<glm::vec4>(first);
+  const auto seen = [&](std::size_t i) { return visible[i].w > 0; };
+  const auto* objects = texels<std::uint32_t>(first);
+  const auto onMap = [&](std::size_t i) { return objects[i] != 0; };
+  const auto floats = [values = texels<glm::vec4>(second)](std::size_t i) {
+    return glm::vec3(values[i]);
+  };
+  const auto halves = [values = texels<Halves>(second)](std::size_t i) {
+    return unpack(values[i]);
+  };
+  switch (entry.aov) {
+    case Aov::Radiance:
+      return makeRadiance(image, visible);
+    case Aov::Exitance:
+    case Aov::Surfels:
+      return fill(image, seen, floats);
+    case Aov::Evaluations:
+      return fill(image, seen,
+                  [&](std::size_t i) { return glm::vec3(texels<glm::vec4>(second)[i].w); });
+    case Aov::Irradiance:
+      return fill(image, seen, [&](std::size_t i) {
+        const glm::vec4 mean =
+            sampleLinear(texels<glm::vec4>(third), third.extent, texels<glm::vec2>(second)[i]);
+        return mean.a > 0 ? glm::vec3(mean) / mean.a : glm::vec3(0);
+      });
+    case Aov::Position:
+      return fill(image, seen, [&](std::size_t i) { return glm::vec3(visible[i]); });
+    case Aov::Depth:
+      return fill(image, seen, [&](std::size_t i) {
+        return glm::vec3(glm::dot(glm::vec3(visible[i]) - camera_.position, camera_.axis));
+      });
+    case Aov::Object:
+      return fill(image, seen, [&](std::size_t i) { return glm::vec3(visible[i].w - 1); });
+    case Aov::Normal:
+      return fill(image, seen, halves);
+    case Aov::DsmPosition:
+    case Aov::DsmIrradiance:
+      return fill(image, onMap, floats);
+    case Aov::DsmNormal:
+      return fill(image, onMap, halves);
+    case Aov::DsmArea:
+      return fill(image, onMap,
+                  [&](std::size_t i) { return glm::vec3(texels<glm::vec4>(second)[i].w); });
+  }
+}
+
+void Readback::finish(std::vector<Image>& images) const {
+  images.resize(entries_.size());
+  for (std::size_t i = 0; i < entries_.size(); ++i) make(entries_[i], images[i]);
+}
+
+void Readback::recordSolutions(gpu::CommandList& commands, int count, passes::Solver& solver) {
+  solutions_ = count;
+  if (count == 0) return;
+  commands.copyBuffer(solver.states, states_,
+                      static_cast<std::size_t>(count) * sizeof(shared::SolverState));
+  commands.use(states_, gpu::Access::HostRead);
+}
+
+void Readback::finishSolutions(std::vector<Solution>& solutions) const {
+  solutions.resize(static_cast<std::size_t>(solutions_));
+  for (std::size_t i = 0; i < solutions.size(); ++i) {
+    const shared::SolverState& state = states_.mappedAs<shared::SolverState>()[i];
+    solutions[i] = {static_cast<int>(state.steps),
+                    {state.residual.x, state.residual.y, state.residual.z}};
+  }
+}
+
+}  // namespace opaline

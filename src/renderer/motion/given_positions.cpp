@@ -1,0 +1,132 @@
+#include "renderer/motion/given_positions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "gpu/device.h"
+#include "opaline/error.h"
+#include "opaline/renderer.h"
+#include "renderer/validate.h"
+
+namespace opaline {
+
+namespace {
+
+constexpr std::uint32_t slices = Renderer::framesInFlight + 1;
+constexpr std::size_t bytesPerPosition = sizeof(Vec3);
+
+// What the deform pass takes; false for NaN too.
+bool isUsable(const Vec3& p) {
+  constexpr float limitMm = 1e18F;
+  return std::abs(p[0]) < limitMm && std::abs(p[1]) < limitMm && std::abs(p[2]) < limitMm;
+}
+
+}  // namespace
+
+GivenPositions::GivenPositions(std::vector<ObjectRange> ranges)
+    : ranges_(std::move(ranges)), objects_(ranges_.size()) {
+  if (!ranges_.empty()) vertices_ = ranges_.back().firstVertex + ranges_.back().vertexCount;
+}
+
+GivenPositions::Given& GivenPositions::at(std::size_t object) {
+  requireObject(object, objects_.size());
+  return objects_[object];
+}
+
+std::size_t GivenPositions::stagingOffset(std::size_t object) const {
+  return (std::size_t{slice_} * vertices_ + ranges_[object].firstVertex) * bytesPerPosition;
+}
+
+void GivenPositions::makeRoom(gpu::Device& device, passes::Motion& motion) {
+  if (hasRoom_) return;
+  device.waitIdle();
+  motion.replaced = gpu::Buffer(device, {.name = "given positions",
+                                         .bytes = vertices_ * bytesPerPosition,
+                                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+  hasRoom_ = true;
+}
+
+void GivenPositions::give(gpu::Device& device, std::size_t object,
+                          std::span<const Vec3> positionsMm, passes::Motion& motion) {
+  Given& given = at(object);
+  if (positionsMm.size() != ranges_[object].vertexCount)
+    throw UsageError(fmt::format("object {} has {} vertices, but {} positions are given", object,
+                                 ranges_[object].vertexCount, positionsMm.size()));
+  const auto bad = std::find_if_not(positionsMm.begin(), positionsMm.end(), isUsable);
+  if (bad != positionsMm.end())
+    throw UsageError(
+        fmt::format("the position given for vertex {} of object {} is not finite, or "
+                    "beyond 1e18 mm",
+                    bad - positionsMm.begin(), object));
+  makeRoom(device, motion);
+  if (!staging_)
+    staging_ = gpu::Buffer(device, {.name = "given positions (staging)",
+                                    .bytes = std::size_t{slices} * vertices_ * bytesPerPosition,
+                                    .memory = gpu::Memory::Upload});
+  std::memcpy(staging_.mapped().data() + stagingOffset(object), positionsMm.data(),
+              positionsMm.size_bytes());
+  given.source = Source::Host;
+  given.pending = true;
+}
+
+void GivenPositions::give(gpu::Device& device, std::size_t object, const DevicePositions& positions,
+                          passes::Motion& motion) {
+  Given& given = at(object);
+  constexpr std::uint32_t leastStride = 12;
+  if (positions.buffer == VK_NULL_HANDLE || positions.offsetBytes % 4 != 0 ||
+      positions.strideBytes % 4 != 0 || positions.strideBytes < leastStride)
+    throw UsageError(fmt::format(
+        "the buffer of positions for object {} needs an offset and a stride that are multiples of "
+        "4 bytes, and a stride of at least 12",
+        object));
+  const std::size_t steps = std::max(ranges_[object].vertexCount, 1U) - 1;
+  const std::size_t ownBytes = positions.strideBytes * steps + bytesPerPosition;
+  const std::size_t limit = device.limits().maxStorageBufferRange;
+  if (ownBytes > limit || positions.offsetBytes > limit - ownBytes)
+    throw UsageError(fmt::format(
+        "the positions for object {} are {} bytes from byte {} on, but {} reads at most {} from "
+        "one buffer",
+        object, ownBytes, positions.offsetBytes, device.info().name, limit));
+  const std::size_t bytes = positions.offsetBytes + ownBytes;
+  makeRoom(device, motion);
+  given.source = Source::Device;
+  given.buffer = gpu::Buffer::borrowed(positions.buffer, bytes);
+  given.offset = static_cast<std::uint32_t>(positions.offsetBytes / 4);
+  given.stride = positions.strideBytes / 4;
+  given.live = positions.live;
+}
+
+void GivenPositions::restore(std::size_t object) {
+  at(object).source = Source::Pose;
+}
+
+bool GivenPositions::readsDevice() const {
+  return std::any_of(objects_.begin(), objects_.end(), [](const Given& given) {
+    return given.source == Source::Device && given.live;
+  });
+}
+
+void GivenPositions::record(gpu::CommandList& commands, const passes::DeformPass& pass,
+                            passes::Motion& motion) {
+  bool copied = false;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    Given& given = objects_[i];
+    const ObjectRange& range = ranges_[i];
+    if (range.vertexCount == 0) continue;
+    if (given.source == Source::Host && given.pending) {
+      commands.copyBuffer(staging_, motion.replaced, range.vertexCount * bytesPerPosition,
+                          stagingOffset(i), range.firstVertex * bytesPerPosition);
+      given.pending = false;
+      copied = true;
+    } else if (given.source == Source::Device) {
+      pass.replace(commands, given.buffer, given.offset, given.stride, range.firstVertex,
+                   range.vertexCount, motion);
+    }
+  }
+  if (copied) slice_ = (slice_ + 1) % slices;
+}
+
+}  // namespace opaline

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/command_list.h"
+#include "opaline/types.h"
+#include "opaline/vulkan.h"
+#include "passes/deform/deform_pass.h"
+#include "passes/products.h"
+#include "renderer/motion/motion_tables.h"
+
+namespace opaline {
+
+/// Positions that the caller gives instead of a pose, from host memory or a buffer of the device.
+/// Memory for them is taken at the first use.
+class GivenPositions {
+ public:
+  explicit GivenPositions(std::vector<ObjectRange> ranges);
+
+  /// Throw UsageError for an object that does not exist or positions that do not fit it.
+  void give(gpu::Device& device, std::size_t object, std::span<const Vec3> positionsMm,
+            passes::Motion& motion);
+  void give(gpu::Device& device, std::size_t object, const DevicePositions& positions,
+            passes::Motion& motion);
+  void restore(std::size_t object);
+
+  bool isGiven(std::size_t object) const { return objects_[object].source != Source::Pose; }
+  /// Whether any are in a buffer of the device, where they may change from frame to frame.
+  bool readsDevice() const;
+
+  /// Copies what is new to where the deform pass reads it.
+  void record(gpu::CommandList& commands, const passes::DeformPass& pass, passes::Motion& motion);
+
+ private:
+  enum class Source { Pose, Host, Device };
+  struct Given {
+    Source source = Source::Pose;
+    bool pending = false;  // Host: written, not yet copied
+    gpu::Buffer buffer;    // Device: borrowed
+    std::uint32_t offset = 0;
+    std::uint32_t stride = 3;  // floats
+    bool live = true;
+  };
+
+  Given& at(std::size_t object);
+  std::size_t stagingOffset(std::size_t object) const;
+  void makeRoom(gpu::Device& device, passes::Motion& motion);
+
+  std::vector<ObjectRange> ranges_;
+  std::vector<Given> objects_;
+  std::uint32_t vertices_ = 0;
+  bool hasRoom_ = false;
+  gpu::Buffer staging_;      // one slice a frame under way and one that is being written
+  std::uint32_t slice_ = 0;  // that is being written
+};
+
+}  // namespace opaline

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "deform/pose.h"
+#include "gpu/command_list.h"
+#include "gpu/transfer.h"
+#include "opaline/scene.h"
+#include "passes/deform/deform_pass.h"
+#include "passes/products.h"
+#include "renderer/motion/given_positions.h"
+#include "renderer/motion/motion_tables.h"
+#include "shaders/shared/deform.h"
+
+namespace opaline {
+
+/// How a scene on the device moves: evaluates the pose of its nodes for every frame, which is all
+/// the host does of it, and has the device do the rest. The scene outlives it; its deformers may
+/// change.
+class SceneMotion {
+ public:
+  SceneMotion(gpu::Device& device, const Scene& scene, const scene::MergedMesh& merged);
+
+  /// Moves `mesh` to where it is at that time; allocates nothing.
+  void record(gpu::CommandList& commands, const passes::DeformPass& pass, int clip, double seconds,
+              passes::DeformedMesh& mesh);
+
+  GivenPositions& given() { return given_; }
+  passes::Motion& tables() { return motion_; }
+
+ private:
+  void fillFrame(double seconds);
+  void fillPose(int clip, double seconds);
+  void upload(gpu::CommandList& commands);
+
+  const Scene& scene_;
+  std::vector<ObjectRange> ranges_;
+  passes::Motion motion_;
+  GivenPositions given_;
+  deform::Pose pose_;
+  std::vector<scene::Matrix4> joints_;  // of one object
+  std::vector<bool> restMirrors_;       // by object
+  bool hasHeight_ = false;              // else there is nothing to twist or bend
+  // What goes to the device for a frame.
+  shared::DeformFrame frame_{};
+  std::vector<float> weights_;
+  std::vector<shared::vec4> matrices_;
+  std::vector<shared::ObjectMotion> objects_;
+  gpu::UploadRing ring_;
+};
+
+}  // namespace opaline

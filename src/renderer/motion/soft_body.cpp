@@ -1,0 +1,89 @@
+#include "opaline/soft_body.h"
+
+#include <fmt/format.h>
+
+#include "gpu/device.h"
+#include "opaline/error.h"
+#include "opaline/renderer.h"
+#include "opaline/vulkan.h"
+#include "renderer/motion/soft_body_motion.h"
+
+namespace opaline {
+
+class SoftBody::Implementation {
+ public:
+  Implementation(Renderer& renderer, std::size_t object, std::span<const Vec3> restMm,
+                 std::span<const Triangle> triangles, const SoftBodyOptions& options)
+      : renderer_(renderer),
+        scene_(renderer.sceneNumber()),
+        object_(object),
+        motion_(renderer.device(), fitting(renderer, object, restMm), triangles, options) {
+    replacePositions();
+  }
+
+  // Frames that read the positions may still be under way.
+  ~Implementation() {
+    renderer_.device().waitIdle();
+    if (renderer_.sceneNumber() == scene_) renderer_.restorePositions(object_);
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  void step(double seconds) {
+    if (renderer_.sceneNumber() != scene_)
+      throw UsageError("the scene has been set anew since this soft body was made of its object");
+    if (motion_.step(seconds)) replacePositions();
+  }
+
+  SoftBodyMotion& motion() { return motion_; }
+
+ private:
+  static std::span<const Vec3> fitting(const Renderer& renderer, std::size_t object,
+                                       std::span<const Vec3> restMm) {
+    const std::size_t vertices = renderer.vertexCount(object);
+    if (restMm.size() != vertices)
+      throw UsageError(fmt::format("object {} has {} vertices, but its soft body {} positions",
+                                   object, vertices, restMm.size()));
+    return restMm;
+  }
+
+  void replacePositions() {
+    renderer_.replacePositions(
+        object_, DevicePositions{.buffer = motion_.state().positions.handle(), .live = false});
+  }
+
+  Renderer& renderer_;
+  std::uint64_t scene_;
+  std::size_t object_;
+  SoftBodyMotion motion_;
+};
+
+SoftBody::SoftBody(Renderer& renderer, std::size_t object, std::span<const Vec3> restMm,
+                   std::span<const Triangle> triangles, const SoftBodyOptions& options)
+    : implementation_(
+          std::make_unique<Implementation>(renderer, object, restMm, triangles, options)) {}
+SoftBody::~SoftBody() = default;
+SoftBody::SoftBody(SoftBody&&) noexcept = default;
+SoftBody& SoftBody::operator=(SoftBody&&) noexcept = default;
+
+void SoftBody::grab(const Vec3& pointMm, float radiusMm) {
+  implementation_->motion().grab(pointMm, radiusMm);
+}
+
+void SoftBody::pull(const Vec3& toMm) {
+  implementation_->motion().pull(toMm);
+}
+
+void SoftBody::release() {
+  implementation_->motion().release();
+}
+
+void SoftBody::step(double seconds) {
+  implementation_->step(seconds);
+}
+
+bool SoftBody::moves() const {
+  return implementation_->motion().moves();
+}
+
+}  // namespace opaline

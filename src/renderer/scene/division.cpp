@@ -1,0 +1,85 @@
+#include "renderer/scene/division.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "bssrdf/profile.h"
+
+namespace opaline {
+
+namespace {
+
+// Size of surfels in mean free paths, with some room for surfaces that stretch.
+constexpr double sizeInFreePaths = 0.65;
+
+// Largest edge of clusters, in mean free paths of the channel where they are longest: on larger
+// ones light that enters lies too near the surface for them.
+constexpr double clusterInFreePaths = 4;
+
+// Clusters up to that much larger than wanted look the same.
+constexpr double notableCoarseness = 1.5;
+
+double longestMeanFreePathMm(const Medium& medium) {
+  double longest = 0;
+  for (int channel = 0; channel < 3; ++channel)
+    longest = std::max(longest, bssrdf::coefficients(medium, channel).meanFreePathMm);
+  return longest;
+}
+
+}  // namespace
+
+double shortestMeanFreePathMm(const Medium& medium) {
+  double shortest = bssrdf::coefficients(medium, 0).meanFreePathMm;
+  for (int channel = 1; channel < 3; ++channel)
+    shortest = std::min(shortest, bssrdf::coefficients(medium, channel).meanFreePathMm);
+  return shortest;
+}
+
+DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHasInside,
+                          std::size_t maxSurfels, std::optional<int> maxClusters) {
+  DivisionOrder order{.maxSurfels = maxSurfels};
+  for (const Object& object : scene.objects)
+    order.spacingOfObjectMm.push_back(sizeInFreePaths * shortestMeanFreePathMm(object.medium));
+  if (!maxClusters) return order;
+  order.maxClusters = static_cast<std::size_t>(*maxClusters);
+  // Without an inside nothing is solved: what such an object sends to others has only its shape.
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    order.largestClusterOfObjectMm.push_back(
+        objectHasInside[i] ? clusterInFreePaths * longestMeanFreePathMm(scene.objects[i].medium)
+                           : std::numeric_limits<double>::infinity());
+  return order;
+}
+
+Division divide(const scene::MergedMesh& merged, const DivisionOrder& order) {
+  const surfels::Surface surface{merged.positionsMm, merged.triangles, merged.objectOfTriangle};
+  Division made{order, surfels::makeSurfels(surface, order.spacingOfObjectMm, order.maxSurfels),
+                std::nullopt};
+  if (order.maxClusters > 0)
+    made.clusters = surfels::makeClusters(surface, made.surfels, order.largestClusterOfObjectMm,
+                                          order.maxClusters);
+  return made;
+}
+
+void noteCoarseness(const Division& division, bool asked, const LogCallback& log) {
+  if (!log) return;
+  double coarsest = 1;
+  for (std::size_t i = 0; i < division.order.spacingOfObjectMm.size(); ++i)
+    coarsest = std::max(
+        coarsest, division.surfels.spacingOfObjectMm[i] / division.order.spacingOfObjectMm[i]);
+  if (coarsest > 1)
+    log(LogLevel::Note,
+        fmt::format(
+            "the budget of {} surfels leaves them {:.1f} times as large as the medium asks "
+            "for; {}",
+            division.order.maxSurfels, coarsest,
+            asked ? "raise --max-sources for more accuracy" : "this device has no room for more"));
+  if (division.clusters && division.clusters->coarseness > notableCoarseness)
+    log(LogLevel::Note,
+        fmt::format("the budget of {} boundary surfels leaves them {:.1f} times as large as shape "
+                    "and medium ask for; raise --boundary-surfels for more accuracy",
+                    division.order.maxClusters, division.clusters->coarseness));
+}
+
+}  // namespace opaline

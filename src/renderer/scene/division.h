@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "opaline/log.h"
+#include "opaline/medium.h"
+#include "opaline/scene.h"
+#include "scene/mesh/merged_mesh.h"
+#include "surfels/clusters.h"
+#include "surfels/surfels.h"
+
+namespace opaline {
+
+/// How finely a scene's surface is to be divided for the media it is of.
+struct DivisionOrder {
+  std::vector<double> spacingOfObjectMm;         ///< of surfels
+  std::vector<double> largestClusterOfObjectMm;  ///< empty without clusters
+  std::size_t maxSurfels = 0;
+  std::size_t maxClusters = 0;
+
+  bool operator==(const DivisionOrder&) const = default;
+};
+
+/// Clusters where `maxClusters` says so; only then is it asked which objects have an inside.
+DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHasInside,
+                          std::size_t maxSurfels, std::optional<int> maxClusters);
+
+/// A surface in surfels and, where they were ordered, clusters of them; on the host.
+struct Division {
+  DivisionOrder order;
+  surfels::Surfels surfels;
+  std::optional<surfels::Clusters> clusters;
+};
+
+/// Pure, so for any thread; takes tenths of a second for 100,000 triangles.
+Division divide(const scene::MergedMesh& merged, const DivisionOrder& order);
+
+/// Says what the budgets of surfels and of clusters leave to be wished for. `asked`: that of
+/// surfels is the one that was asked for, not the device's.
+void noteCoarseness(const Division& division, bool asked, const LogCallback& log);
+
+/// Shortest mean free path of the three channels, mm.
+double shortestMeanFreePathMm(const Medium& medium);
+
+}  // namespace opaline

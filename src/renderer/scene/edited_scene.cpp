@@ -1,0 +1,85 @@
+#include "renderer/scene/edited_scene.h"
+
+#include <fmt/format.h>
+
+#include "gpu/device.h"
+#include "opaline/error.h"
+
+namespace opaline {
+
+void EditedScene::set(gpu::Device& device, const Scene& scene) {
+  ++number_;
+  motion_.reset();
+  scene_.reset();  // before memory for the next is taken
+  scene_ = scene;
+  try {
+    merged_ = scene::mergedMesh(*scene_);
+    motion_.emplace(device, *scene_, merged_);
+  } catch (...) {
+    scene_.reset();  // half a scene is none
+    throw;
+  }
+}
+
+const Scene& EditedScene::scene() const {
+  if (!scene_) throw Error("no scene is set; call setScene first");
+  return *scene_;
+}
+
+Scene& EditedScene::edit() {
+  scene();
+  return *scene_;
+}
+
+const Object& EditedScene::object(std::size_t index) const {
+  requireObject(index, scene().objects.size());
+  return scene_->objects[index];
+}
+
+SceneMotion& EditedScene::motion() {
+  scene();
+  return *motion_;
+}
+
+void EditedScene::setCamera(const Camera& camera) {
+  validate(camera);
+  edit().camera = camera;
+}
+
+void EditedScene::setLighting(const Lighting& lighting) {
+  validate(lighting);
+  Lighting& present = edit().lighting;
+  ++changes_.lights;
+  if (lighting.ambient != present.ambient || lighting.environment != present.environment)
+    ++changes_.sky;
+  present = lighting;
+}
+
+void EditedScene::setMedium(std::size_t object, const Medium& medium) {
+  validate(medium);
+  requireObject(object, scene().objects.size());
+  edit().objects[object].medium = medium;
+  ++changes_.media;
+}
+
+void EditedScene::setDeformers(const std::vector<Deformer>& deformers) {
+  validate(deformers);
+  edit().deformers = deformers;
+  ++changes_.pose;
+}
+
+void EditedScene::restorePositions(std::size_t object) {
+  motion().given().restore(object);
+  ++changes_.pose;
+}
+
+void EditedScene::moveTo(int clip, double seconds) {
+  const auto clips = static_cast<int>(scene().clips.size());
+  if (clip > 0 && clip >= clips)
+    throw UsageError(fmt::format("there is no clip {}: the scene has {}", clip, clips));
+  if (motion_->given().readsDevice() || seconds != seconds_ || clip != clip_) ++changes_.pose;
+  seconds_ = seconds;
+  clip_ = clip;
+}
+
+}  // namespace opaline

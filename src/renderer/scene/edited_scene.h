@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "opaline/scene.h"
+#include "renderer/motion/scene_motion.h"
+#include "renderer/scene/scene_changes.h"
+#include "renderer/validate.h"
+#include "scene/mesh/merged_mesh.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline {
+
+/// The scene that was set, as its edits have left it. Whoever makes something of it sees by its
+/// changes what to make again. Everything but set() throws Error while there is none.
+class EditedScene {
+ public:
+  EditedScene() = default;
+  EditedScene(const EditedScene&) = delete;
+  EditedScene& operator=(const EditedScene&) = delete;
+
+  /// The device is idle. After an exception there is none.
+  void set(gpu::Device& device, const Scene& scene);
+  /// How often one was set.
+  std::uint64_t number() const { return number_; }
+
+  const Scene& scene() const;
+  const Object& object(std::size_t index) const;
+  const scene::MergedMesh& merged() const { return merged_; }
+  SceneMotion& motion();
+  const SceneChanges& changes() const { return changes_; }
+
+  void setCamera(const Camera& camera);
+  void setLighting(const Lighting& lighting);
+  void setMedium(std::size_t object, const Medium& medium);
+  void setDeformers(const std::vector<Deformer>& deformers);
+  template <typename Positions>
+  void replacePositions(gpu::Device& device, std::size_t object, const Positions& positions) {
+    motion().given().give(device, object, positions, motion().tables());
+    ++changes_.pose;
+  }
+  void restorePositions(std::size_t object);
+
+  /// Throws UsageError for a clip that it does not have.
+  void moveTo(int clip, double seconds);
+  /// Its surface has been divided anew.
+  void noteDivision() { ++changes_.media; }
+
+ private:
+  Scene& edit();
+
+  std::uint64_t number_ = 0;
+  std::optional<Scene> scene_;
+  scene::MergedMesh merged_;
+  std::optional<SceneMotion> motion_;
+  SceneChanges changes_;
+  double seconds_ = -1;
+  int clip_ = 0;
+};
+
+}  // namespace opaline

@@ -1,0 +1,87 @@
+#include "renderer/scene/prepared_scene.h"
+
+#include <utility>
+
+#include "gpu/device.h"
+#include "renderer/frame/frame.h"
+#include "renderer/frame/light_views.h"
+
+namespace opaline {
+
+PreparedScene::PreparedScene(gpu::Device& device, const Passes& passes, LogCallback log)
+    : device_(device), log_(std::move(log)), frames_(device, passes) {}
+
+PreparedFrame& PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
+                                      EditedScene& scene) {
+  const Lighting& lighting = scene.scene().lighting;
+  const SceneNeeds needs = needsOf(options, plan, lighting);
+  if (!resources_ || resources_->needs != needs)
+    make(scene, needs);
+  else
+    followMedia(scene, options.patient);
+  if (needs.maxClusters) resources_->clusters.lights = lightCount(lighting);
+  frame_ = nullptr;
+  frame_ = &frames_.of(options, *resources_, lighting, scene.changes());
+  if (plan.seenSurfels) makeRoomForSeenSurfels();
+  return *frame_;
+}
+
+void PreparedScene::clear() {
+  frame_ = nullptr;
+  frames_.clear();
+  divider_.forget();
+  resources_.reset();
+}
+
+SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan& plan,
+                                  const Lighting& lighting) const {
+  SceneNeeds needs = resources_ ? resources_->needs : SceneNeeds{};
+  if (plan.map) needs.mapSize = options.dsmSize;
+  if (options.transport == Transport::Boundary) needs.maxClusters = options.boundarySurfels;
+  if (mirrorsSky(plan, lighting) && !needs.maxClusters) needs.rays = true;
+  if (options.sum != Sum::Pattern || needs.rays) needs.maxSurfels = options.maxSources;
+  return needs;
+}
+
+void PreparedScene::make(const EditedScene& scene, const SceneNeeds& needs) {
+  device_.waitIdle();
+  clear();
+  resources_ = makeSceneResources(device_, scene.scene(), scene.merged(), needs, log_);
+  media_ = scene.changes().media;
+  orderDivision(scene);
+}
+
+void PreparedScene::followMedia(EditedScene& scene, bool patient) {
+  if (media_ != scene.changes().media) {
+    takeMedia(scene.scene(), *resources_);
+    orderDivision(scene);
+  }
+  media_ = scene.changes().media;
+  if (!isProvisional()) return;
+  divider_.want(wanted_, scene.merged());
+  const std::optional<Division> division = divider_.take(patient);
+  if (!division || !(division->order == wanted_)) return;
+  device_.waitIdle();
+  takeDivision(device_, *division, *resources_);
+  scene.noteDivision();  // tables name where surfels lie
+  media_ = scene.changes().media;
+}
+
+void PreparedScene::orderDivision(const EditedScene& scene) {
+  if (resources_->needs.maxSurfels) wanted_ = orderFor(device_, scene.scene(), *resources_);
+}
+
+bool PreparedScene::isProvisional() const {
+  return resources_->needs.maxSurfels && !(resources_->divided == wanted_);
+}
+
+// Most frames are not asked which surfels they show.
+void PreparedScene::makeRoomForSeenSurfels() {
+  if (!resources_->rays.boxes)
+    resources_->rays = passes::RayPass::makeBoxes(device_, resources_->surfels);
+  FrameResources& made = frame_->resources;
+  if (!made.seenSurfels.image)
+    made.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, made.surface);
+}
+
+}  // namespace opaline

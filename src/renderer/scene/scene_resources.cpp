@@ -1,0 +1,262 @@
+#include "renderer/scene/scene_resources.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "gpu/device.h"
+#include "gpu/transfer.h"
+#include "passes/boundary/cluster_pass.h"
+#include "passes/boundary/ray_pass.h"
+#include "passes/boundary/solver_pass.h"
+#include "passes/gather/surfel_pass.h"
+#include "scene/mesh/insides.h"
+#include "shaders/shared/mesh.h"
+#include "shaders/shared/surfels.h"
+#include "surfels/surfels.h"
+
+namespace opaline {
+
+namespace {
+
+// Without an atlas there is one corner for each vertex, and all share a chart without size.
+std::vector<shared::AtlasCorner> makePlainCorners(const scene::MergedMesh& mesh) {
+  std::vector<shared::AtlasCorner> corners(mesh.positionsMm.size());
+  for (std::uint32_t i = 0; i < corners.size(); ++i) corners[i].vertex = i;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const std::uint32_t vertex : mesh.triangles[t])
+      corners[vertex].object = mesh.objectOfTriangle[t];
+  return corners;
+}
+
+std::vector<shared::AtlasCorner> makeCorners(const atlas::Atlas& atlas,
+                                             const scene::MergedMesh& mesh) {
+  std::vector<shared::AtlasCorner> corners(atlas.vertices.size());
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = {.vertex = atlas.vertices[i].vertex,
+                  .u = atlas.vertices[i].uv[0],
+                  .v = atlas.vertices[i].uv[1]};
+  for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
+    for (const std::uint32_t corner : atlas.triangles[t]) {
+      corners[corner].object = mesh.objectOfTriangle[t];
+      corners[corner].chart = atlas.chartOfTriangle[t];
+    }
+  return corners;
+}
+
+// One corner for each vertex: the first of those it has.
+std::vector<shared::AtlasCorner> cornerOfVertex(const std::vector<shared::AtlasCorner>& corners,
+                                                std::size_t vertices) {
+  std::vector<shared::AtlasCorner> chosen(vertices, shared::AtlasCorner{});
+  for (auto corner = corners.rbegin(); corner != corners.rend(); ++corner)
+    chosen[corner->vertex] = *corner;
+  return chosen;
+}
+
+SizeOfObject sizeOf(const Mesh& mesh) {
+  SizeOfObject size;
+  for (const Triangle& t : mesh.triangles) {
+    const glm::dvec3 a = glm::make_vec3(mesh.positionsMm[t[0]].data());
+    const glm::dvec3 b = glm::make_vec3(mesh.positionsMm[t[1]].data());
+    const glm::dvec3 c = glm::make_vec3(mesh.positionsMm[t[2]].data());
+    const double areaMm2 = 0.5 * glm::length(glm::cross(b - a, c - a));
+    const double edgeMm = (glm::length(b - a) + glm::length(c - b) + glm::length(a - c)) / 3;
+    size.areaMm2 += areaMm2;
+    size.meanEdgeMm += edgeMm;
+    size.meanEdgeByAreaMm += areaMm2 * edgeMm;
+  }
+  if (!mesh.triangles.empty()) size.meanEdgeMm /= static_cast<double>(mesh.triangles.size());
+  if (size.areaMm2 > 0) size.meanEdgeByAreaMm /= size.areaMm2;
+  return size;
+}
+
+bool same(const Medium& a, const Medium& b) {
+  return a.sigmaSPrimePerMm == b.sigmaSPrimePerMm && a.sigmaAPerMm == b.sigmaAPerMm &&
+         a.eta == b.eta;
+}
+
+void listMedia(const Scene& scene, SceneResources& resources) {
+  resources.media.clear();
+  resources.mediumOfObject.clear();
+  for (const Object& object : scene.objects) {
+    auto found = std::find_if(resources.media.begin(), resources.media.end(),
+                              [&](const Medium& medium) { return same(medium, object.medium); });
+    if (found == resources.media.end()) found = resources.media.insert(found, object.medium);
+    resources.mediumOfObject.push_back(static_cast<std::uint32_t>(found - resources.media.begin()));
+  }
+}
+
+void measure(const Scene& scene, SceneResources& resources) {
+  for (const Object& object : scene.objects) resources.sizeOfObject.push_back(sizeOf(object.mesh));
+}
+
+void makeMesh(gpu::Device& device, SceneResources& resources) {
+  const scene::MergedMesh& merged = *resources.merged;
+  const bool mapped = resources.needs.mapSize.has_value();
+  const std::vector<shared::AtlasCorner> corners =
+      mapped ? makeCorners(resources.atlas, merged) : makePlainCorners(merged);
+  const std::vector<Triangle>& triangles = mapped ? resources.atlas.triangles : merged.triangles;
+
+  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  const std::size_t vectorBytes = merged.positionsMm.size() * sizeof(glm::vec4);
+  passes::DeformedMesh& mesh = resources.mesh;
+  mesh.positions =
+      gpu::Buffer(device, {.name = "positions", .bytes = vectorBytes, .usage = storage});
+  mesh.normals = gpu::Buffer(device, {.name = "normals", .bytes = vectorBytes, .usage = storage});
+  mesh.bounds =
+      gpu::Buffer(device, {.name = "bounds", .bytes = 6 * sizeof(std::uint32_t), .usage = storage});
+  mesh.corners = gpu::makeBuffer(device, "corners", corners, storage);
+  mesh.vertexCorners = gpu::makeBuffer(device, "corner of each vertex",
+                                       cornerOfVertex(corners, merged.positionsMm.size()), storage);
+  mesh.indices = gpu::makeBuffer(device, "indices", triangles, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  mesh.vertexCount = static_cast<std::uint32_t>(merged.positionsMm.size());
+  mesh.indexCount = static_cast<std::uint32_t>(3 * triangles.size());
+}
+
+// Spacing of sources in mean free paths from which on sums over them want what NearbyPass adds. A
+// lattice of that spacing is off by about 2 e^{-2π / this}.
+constexpr double coarseInFreePaths = 0.8;
+
+// Where a medium's light is summed over surfels of another's size, they may be coarse.
+void noteSpacing(SceneResources& resources) {
+  resources.surfels.coarse = false;
+  // Two triangles fill two of a surfel's sources.
+  const double sourcesPerSurfel =
+      resources.surfels.piecesPerSurfel == 2 ? 2 : shared::sourcesPerSurfel;
+  for (std::size_t i = 0; i < resources.objects; ++i) {
+    SurfelsOfObject& object = resources.surfelsOfObject[i];
+    const double sources = std::max(1.0, sourcesPerSurfel * object.count);
+    object.sourceSpacingMm = std::sqrt(resources.sizeOfObject[i].areaMm2 / sources);
+    const Medium& medium = resources.media[resources.mediumOfObject[i]];
+    object.coarse = object.sourceSpacingMm > coarseInFreePaths * shortestMeanFreePathMm(medium);
+    resources.surfels.coarse = resources.surfels.coarse || object.coarse;
+  }
+}
+
+// As many surfels as asked for, or as many as the device reads the sources of from one buffer.
+std::size_t budgetOf(const gpu::Device& device, int maxSurfels) {
+  constexpr std::size_t bytes = shared::sourcesPerSurfel * sizeof(shared::Source);
+  const std::size_t range = std::min(std::size_t{device.limits().maxStorageBufferRange},
+                                     device.limits().maxTexelBufferElements * sizeof(glm::vec4));
+  return std::min(static_cast<std::size_t>(maxSurfels), range / bytes);
+}
+
+void findInsides(const Scene& scene, SceneResources& resources, const LogCallback& log) {
+  for (const Object& object : scene.objects) {
+    const std::vector<bool> inside =
+        scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
+    resources.triangleHasInside.insert(resources.triangleHasInside.end(), inside.begin(),
+                                       inside.end());
+    const bool any = std::find(inside.begin(), inside.end(), true) != inside.end();
+    const bool open = std::find(inside.begin(), inside.end(), false) != inside.end();
+    resources.objectHasInside.push_back(any);
+    if (open && log)
+      log(LogLevel::Note,
+          fmt::format("{} '{}' is open and has no inside for boundary transport: light scatters "
+                      "there as in a half-space, by better-dipole",
+                      any ? "a part of object" : "object", object.name));
+  }
+}
+
+void takeClusters(gpu::Device& device, const surfels::Surface& surface, const Division& division,
+                  SceneResources& resources) {
+  const surfels::Clusters& made = *division.clusters;
+  for (std::size_t i = 0; i < resources.objects; ++i) {
+    SurfelsOfObject& object = resources.surfelsOfObject[i];
+    object.clusterRoot = made.tree.rootOfObject[i];
+    object.clusterEndNode = made.tree.rootOfObject[i + 1];
+    object.hasInside = resources.objectHasInside[i];
+  }
+  resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, division.surfels,
+                                                         resources.triangleHasInside);
+  resources.solver = passes::SolverPass::makeSolver(device, resources.clusters, maxBounces + 1);
+}
+
+}  // namespace
+
+atlas::Surface surfaceOf(const scene::MergedMesh& merged) {
+  return {.positionsMm = merged.positionsMm,
+          .triangles = merged.triangles,
+          .objectOfTriangle = merged.objectOfTriangle};
+}
+
+// Mean edge by area, in mean free paths: of a fine mesh that stands on a coarse floor it is the
+// floor's.
+constexpr double longestByArea = 3;
+
+bool wantsVertices(const SceneResources& resources, std::size_t object) {
+  const SizeOfObject& size = resources.sizeOfObject[object];
+  const double freePathMm =
+      shortestMeanFreePathMm(resources.media[resources.mediumOfObject[object]]);
+  return size.meanEdgeMm <= freePathMm && size.meanEdgeByAreaMm <= longestByArea * freePathMm;
+}
+
+bool SceneResources::hasInside() const {
+  return std::any_of(surfelsOfObject.begin(), surfelsOfObject.end(),
+                     [](const SurfelsOfObject& object) { return object.hasInside; });
+}
+
+SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
+                                  const scene::MergedMesh& merged, const SceneNeeds& needs,
+                                  const LogCallback& log) {
+  SceneResources resources;
+  resources.merged = &merged;
+  resources.needs = needs;
+  resources.objects = static_cast<std::uint32_t>(scene.objects.size());
+  resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
+  listMedia(scene, resources);
+  measure(scene, resources);
+  if (needs.mapSize) resources.atlas = atlas::makeAtlas(surfaceOf(merged), {*needs.mapSize});
+  makeMesh(device, resources);
+  if (needs.maxClusters) findInsides(scene, resources, log);
+  if (needs.maxSurfels) {
+    const Division division = divide(merged, orderFor(device, scene, resources));
+    noteCoarseness(division,
+                   division.order.maxSurfels == static_cast<std::size_t>(*needs.maxSurfels), log);
+    takeDivision(device, division, resources);
+  }
+  return resources;
+}
+
+void takeMedia(const Scene& scene, SceneResources& resources) {
+  listMedia(scene, resources);
+  if (resources.needs.maxSurfels) noteSpacing(resources);
+}
+
+DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
+                       const SceneResources& resources) {
+  return divisionFor(scene, resources.objectHasInside,
+                     budgetOf(device, *resources.needs.maxSurfels), resources.needs.maxClusters);
+}
+
+void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources) {
+  const scene::MergedMesh& merged = *resources.merged;
+  const surfels::Surface surface{merged.positionsMm, merged.triangles, merged.objectOfTriangle};
+  resources.divided = division.order;
+  resources.surfels = {};  // before memory for the next is taken
+  resources.rays = {};
+  resources.clusters = {};
+  resources.solver = {};
+  resources.surfelsOfObject.assign(resources.objects, {});
+  const surfels::Surfels& made = division.surfels;
+  for (std::size_t i = 0; i < resources.objects; ++i) {
+    SurfelsOfObject& object = resources.surfelsOfObject[i];
+    object.first = made.firstOfObject[i];
+    object.count = made.firstOfObject[i + 1] - object.first;
+    object.root = made.tree.rootOfObject[i];
+    object.endNode = made.tree.rootOfObject[i + 1];
+  }
+  resources.surfels = passes::SurfelPass::makeSurfels(device, made, surface);
+  noteSpacing(resources);
+  if (division.clusters) takeClusters(device, surface, division, resources);
+  if (division.clusters || resources.needs.rays)
+    resources.rays = passes::RayPass::makeHierarchy(device, resources.surfels, made, surface);
+}
+
+}  // namespace opaline

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "atlas/atlas.h"
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "passes/products.h"
+#include "renderer/scene/division.h"
+#include "scene/mesh/merged_mesh.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline {
+
+/// As the atlas wants it; `merged` outlives it.
+atlas::Surface surfaceOf(const scene::MergedMesh& merged);
+
+/// Of light that leaves and enters again, at most.
+constexpr int maxBounces = 8;
+
+/// What sums need of a scene beside its mesh.
+struct SceneNeeds {
+  std::optional<int> mapSize;      ///< an atlas for a diffusion source map of that edge, texels
+  std::optional<int> maxSurfels;   ///< surfels and their tree
+  std::optional<int> maxClusters;  ///< clusters of surfels, for boundary transport
+  bool rays = false;               ///< where there are no clusters; wants surfels
+
+  bool operator==(const SceneNeeds&) const = default;
+};
+
+/// Where an object's surfels lie among all.
+struct SurfelsOfObject {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  std::uint32_t root = 0;            ///< among the tree's nodes
+  std::uint32_t endNode = 0;         ///< the node after its tree
+  double sourceSpacingMm = 0;        ///< root of the mean area that a source stands for
+  bool coarse = false;               ///< sources are too far apart for the medium
+  std::uint32_t clusterRoot = 0;     ///< among the nodes of clusters
+  std::uint32_t clusterEndNode = 0;  ///< the node after its tree
+  bool hasInside = false;            ///< in some part; only found out where there are clusters
+};
+
+/// Of an object at rest.
+struct SizeOfObject {
+  double areaMm2 = 0;
+  double meanEdgeMm = 0;        ///< each triangle counted once
+  double meanEdgeByAreaMm = 0;  ///< each by its area
+};
+
+/// A scene on the device: what depends on the rest pose alone. Objects are laid end to end and
+/// share one atlas.
+struct SceneResources {
+  const scene::MergedMesh* merged = nullptr;  ///< that it was made from
+  SceneNeeds needs;                           ///< that it was made for
+  passes::DeformedMesh mesh;
+  atlas::Atlas atlas;         ///< empty where no map is needed
+  passes::Surfels surfels;    ///< empty where none are needed
+  passes::RayHierarchy rays;  ///< where clusters or rays are needed, or surfels have been asked for
+  passes::Clusters clusters;  ///< these two where clusters are needed
+  passes::Solver solver;
+  std::vector<SurfelsOfObject> surfelsOfObject;  ///< one an object, where there are surfels
+  std::uint32_t objects = 0;
+  std::uint32_t triangles = 0;
+  std::vector<Medium> media;  ///< the different ones
+  std::vector<std::uint32_t> mediumOfObject;
+  std::vector<SizeOfObject> sizeOfObject;
+  std::vector<bool> triangleHasInside;  ///< of all objects; these two where clusters are needed
+  std::vector<bool> objectHasInside;    ///< in some part
+  DivisionOrder divided;                ///< that the surfels were made for
+
+  /// Whether any object has, so that boundary transport is of use.
+  bool hasInside() const;
+};
+
+/// `merged` is of the scene and outlives the resources. Notes go to `log`.
+SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
+                                  const scene::MergedMesh& merged, const SceneNeeds& needs,
+                                  const LogCallback& log = {});
+
+/// Takes up what the scene's media have become; the surface stays divided as it is.
+void takeMedia(const Scene& scene, SceneResources& resources);
+
+/// How finely the surface should be divided for them.
+DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
+                       const SceneResources& resources);
+
+/// Divides the surface anew. No frame is under way.
+void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources);
+
+/// Whether light is summed well enough at an object's vertices (Gong et al. 2008): edges are no
+/// longer than a mean free path, and no large part of the surface has far longer ones.
+bool wantsVertices(const SceneResources& resources, std::size_t object);
+
+}  // namespace opaline

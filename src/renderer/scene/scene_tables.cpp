@@ -1,0 +1,177 @@
+#include "renderer/scene/scene_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bssrdf/fresnel.h"
+#include "bssrdf/profile.h"
+#include "environment/spherical_harmonics.h"
+#include "gpu/device.h"
+#include "gpu/transfer.h"
+#include "passes/gather/ambient_cube.h"
+#include "passes/scatter/nearby_shares.h"
+#include "passes/shade/specular_albedo.h"
+#include "shaders/profile_packing.h"
+#include "shaders/shared/boundary.h"
+#include "shaders/shared/frame.h"
+#include "shaders/shared/medium.h"
+#include "shaders/shared/nearby.h"
+
+namespace opaline {
+
+namespace {
+
+bssrdf::Model modelOf(Transport transport) {
+  return transport == Transport::Dipole ? bssrdf::Model::Dipole : bssrdf::Model::BetterDipole;
+}
+
+std::vector<double> differentEtas(const std::vector<Medium>& media) {
+  std::vector<double> etas;
+  for (const Medium& medium : media)
+    if (std::find(etas.begin(), etas.end(), medium.eta) == etas.end()) etas.push_back(medium.eta);
+  return etas;
+}
+
+// The medium as Transport::Boundary sees it: Grosjean's diffusion, as the better dipole's.
+shared::BoundaryMedium insideOf(const Medium& medium) {
+  const std::array<bssrdf::Profile, 3> profiles =
+      bssrdf::makeProfiles(bssrdf::Model::BetterDipole, medium);
+  shared::BoundaryMedium inside{};
+  for (int c = 0; c < 3; ++c) {
+    const bssrdf::Profile& profile = profiles[static_cast<std::size_t>(c)];
+    const bssrdf::Coefficients coefficients = bssrdf::coefficients(medium, c);
+    inside.diffusion[c] = static_cast<float>(profile.diffusionMm);
+    inside.sigma[c] = static_cast<float>(profile.sigmaTrPerMm);
+    inside.extinction[c] = static_cast<float>(coefficients.sigmaTPrimePerMm);
+    inside.albedo[c] = static_cast<float>(coefficients.albedo);
+  }
+  const double eta = medium.eta;
+  inside.diffusion.w = static_cast<float>((1 + bssrdf::threeC2(eta)) / (1 - bssrdf::twoC1(eta)));
+  inside.sigma.w = static_cast<float>(bssrdf::meanCosineInside(eta));
+  inside.extinction.w = static_cast<float>(bssrdf::meanTransmittance(eta));
+  inside.albedo.w = static_cast<float>(std::sqrt(1 - 1 / (eta * eta)));
+  return inside;
+}
+
+bool followsLight(const shared::MediumData& medium) {
+  for (int c = 0; c < 3; ++c)
+    if (medium.inside.albedo[c] < shared::albedoNotFollowed) return true;
+  return false;
+}
+
+// Entries from one medium's pattern to the next: a multiple of every device's alignment of uniform
+// blocks, which is at most 256 bytes.
+constexpr std::size_t patternStride = (std::size_t{shared::maxPatternEntries} + 15) / 16 * 16;
+
+// Collects the tables of all media.
+class TableBuilder {
+ public:
+  TableBuilder(const SceneResources& resources, const std::optional<PatternLayout>& pattern,
+               const RenderOptions& options)
+      : options_(options),
+        texelMm_(pattern ? texelEdgeMm(resources, options) : 0),
+        etas_(differentEtas(resources.media)) {
+    for (const double eta : etas_) {
+      const std::vector<float> entries =
+          passes::specularAlbedo(eta, static_cast<double>(options.roughness));
+      albedo_.insert(albedo_.end(), entries.begin(), entries.end());
+    }
+    for (std::size_t i = 0; i < resources.media.size(); ++i)
+      add(resources.media[i], pattern ? &pattern->extentOfMedium[i] : nullptr);
+  }
+
+  const std::vector<double>& etas() const { return etas_; }
+  const std::vector<shared::MediumData>& media() const { return media_; }
+  const std::vector<shared::PatternEntry>& pattern() const { return pattern_; }
+  const std::vector<float>& albedo() const { return albedo_; }
+
+ private:
+  void add(const Medium& medium, const passes::PatternExtent* extent) {
+    const bssrdf::Model model = modelOf(options_.transport);
+    const std::array<bssrdf::Profile, 3> profiles = bssrdf::makeProfiles(model, medium);
+    const passes::PatternMask mask = extent != nullptr
+                                         ? passes::makePatternMask(profiles, *extent, texelMm_)
+                                         : passes::PatternMask{};
+    const auto eta = static_cast<std::uint32_t>(std::find(etas_.begin(), etas_.end(), medium.eta) -
+                                                etas_.begin());
+    media_.push_back({.profile = shaders::packProfile(profiles),
+                      .inside = insideOf(medium),
+                      .boundary = {static_cast<float>(medium.eta),
+                                   static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
+                                   static_cast<float>(mask.nearSquareMm2),
+                                   static_cast<float>(mask.farSquareMm2)},
+                      .tables = {eta, mask.nearSamples, 0, eta * passes::specularAlbedoEntries}});
+    pattern_.insert(pattern_.end(), mask.entries.begin(), mask.entries.end());
+    pattern_.resize(media_.size() * patternStride);
+  }
+
+  const RenderOptions& options_;
+  double texelMm_;
+  std::vector<double> etas_;
+  std::vector<shared::MediumData> media_;
+  std::vector<shared::PatternEntry> pattern_;
+  std::vector<float> albedo_;
+};
+
+// Exitance that nothing visible depends on, as a part of that of the body's mean irradiance.
+constexpr double darkestOfMean = 1e-4;
+
+void setSum(const SurfelsOfObject& surfels, const std::array<bssrdf::Profile, 3>& profiles,
+            double areaMm2, shared::ObjectData& object) {
+  const double reachMm =
+      surfels.coarse ? static_cast<double>(shared::reachInSpacings) * surfels.sourceSpacingMm : 0;
+  object.darkest.w = static_cast<float>(reachMm);
+  for (int c = 0; c < 3; ++c) {
+    const bssrdf::Profile& profile = profiles[static_cast<std::size_t>(c)];
+    if (areaMm2 > 0)
+      object.darkest[c] = static_cast<float>(darkestOfMean * profile.totalReflectance() / areaMm2);
+    if (!surfels.coarse) continue;
+    const passes::NearbyShares shares = passes::nearbyShares(profile, reachMm);
+    object.nearbyDisc[c] = static_cast<float>(shares.disc);
+    object.nearbyInner[c] = static_cast<float>(shares.innerRing);
+    object.nearbyOuter[c] = static_cast<float>(shares.outerRing);
+    object.nearbyKept[c] = static_cast<float>(shares.kept);
+  }
+}
+
+std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Transport transport) {
+  std::vector<shared::ObjectData> objects(resources.objects);
+  for (std::uint32_t i = 0; i < resources.objects; ++i) {
+    objects[i].table = {resources.mediumOfObject[i], 0, 0, wantsVertices(resources, i) ? 0U : 1U};
+    if (resources.surfelsOfObject.empty()) continue;
+    const SurfelsOfObject& surfels = resources.surfelsOfObject[i];
+    objects[i].table.y = surfels.first;
+    objects[i].table.z = surfels.count;
+    objects[i].tree = {surfels.root, surfels.endNode, 0, 0};
+    objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, surfels.hasInside ? 1U : 0U,
+                           0};
+    setSum(surfels,
+           bssrdf::makeProfiles(modelOf(transport), resources.media[resources.mediumOfObject[i]]),
+           resources.sizeOfObject[i].areaMm2, objects[i]);
+  }
+  return objects;
+}
+
+}  // namespace
+
+passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
+                                    const std::optional<PatternLayout>& pattern,
+                                    const ShCoefficients& ambient, const RenderOptions& options) {
+  const TableBuilder builder(resources, pattern, options);
+  constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  passes::SceneTables tables;
+  tables.objects =
+      gpu::makeBuffer(device, "objects", makeObjects(resources, options.transport), storage);
+  tables.media = gpu::makeBuffer(device, "media", builder.media(), storage);
+  tables.pattern =
+      gpu::makeBuffer(device, "pattern", builder.pattern(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+  tables.patternStride = patternStride * sizeof(shared::PatternEntry);
+  tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
+  tables.followsLight = std::any_of(builder.media().begin(), builder.media().end(), followsLight);
+  tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
+  tables.ambientCubes = passes::makeAmbientCubes(device, ambient, builder.etas());
+  return tables;
+}
+
+}  // namespace opaline

@@ -1,0 +1,182 @@
+#include "scene/gltf/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/file.h"
+#include "opaline/error.h"
+#include "scene/gltf/prescan.h"
+#include "scene/text.h"
+
+namespace opaline::scene {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the library asks of the file system goes through here.
+struct FileAccess {
+  std::string folder;  ///< canonical
+  GltfPrescan prescan;
+  std::size_t bytesRead = 0;
+  std::string refusal;  ///< why the last file was not given
+};
+
+/// The path relative to the model's folder, if the model may read it.
+std::optional<fs::path> allowed(FileAccess& access, const std::string& path) {
+  // The library also looks in the working directory.
+  if (!path.starts_with(access.folder + "/")) return std::nullopt;
+  const std::string name = path.substr(access.folder.size() + 1);
+  if (!access.prescan.bufferFiles.contains(name)) return std::nullopt;
+  const fs::path relative(name);
+  const bool climbs = std::any_of(relative.begin(), relative.end(),
+                                  [](const fs::path& part) { return part == ".."; });
+  const std::string shown = cleanText(name, 100);
+  if (relative.is_absolute() || climbs || name.find('\0') != std::string::npos) {
+    access.refusal = fmt::format("its buffer '{}' lies outside of the model's folder", shown);
+    return std::nullopt;
+  }
+  std::error_code problem;
+  const fs::path real = fs::canonical(fs::path(access.folder) / relative, problem);
+  if (problem) {
+    access.refusal = fmt::format("its buffer '{}' does not exist", shown);
+    return std::nullopt;
+  }
+  const fs::path root(access.folder);
+  if (std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end()) {
+    access.refusal = fmt::format("its buffer '{}' leads out of the model's folder", shown);
+    return std::nullopt;
+  }
+  return real;
+}
+
+bool fileExists(const std::string& path, void* user) {
+  return allowed(*static_cast<FileAccess*>(user), path).has_value();
+}
+
+bool readWholeFile(std::vector<unsigned char>* out, std::string*, const std::string& path,
+                   void* user) {
+  auto& access = *static_cast<FileAccess*>(user);
+  const auto file = allowed(access, path);
+  if (!file) return false;
+  try {
+    const std::vector<std::byte> bytes = core::readFile(*file, longestFileBytes - access.bytesRead);
+    access.bytesRead += bytes.size();
+    out->resize(bytes.size());
+    if (!bytes.empty()) std::memcpy(out->data(), bytes.data(), bytes.size());
+    return true;
+  } catch (const Error& error) {
+    access.refusal = error.what();
+    return false;
+  }
+}
+
+bool ignoreImage(tinygltf::Image*, const int, std::string*, std::string*, int, int,
+                 const unsigned char*, int, void*) {
+  return true;
+}
+
+std::uint32_t littleEndian32(std::span<const std::byte> bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) {
+    value = (value << 8U) | std::to_integer<std::uint32_t>(bytes[at + i]);
+  }
+  return value;
+}
+
+/// The JSON chunk of a binary file, or all of a text file.
+std::string_view jsonOf(const Input& input, bool binary) {
+  const auto* text = reinterpret_cast<const char*>(input.bytes.data());
+  if (!binary) return {text, input.bytes.size()};
+  constexpr std::size_t headerBytes = 20;
+  if (input.bytes.size() < headerBytes) failGltf(input, "the file ends inside its header");
+  const std::uint32_t version = littleEndian32(input.bytes, 4);
+  if (version != 2) failGltf(input, fmt::format("it is of glTF version {}, not 2", version));
+  if (littleEndian32(input.bytes, 8) > input.bytes.size()) {
+    failGltf(input, "the file is shorter than its header says, it is damaged or incomplete");
+  }
+  const std::uint32_t size = littleEndian32(input.bytes, 12);
+  if (size > input.bytes.size() - headerBytes) {
+    failGltf(input, "the JSON chunk is longer than the file");
+  }
+  return {text + headerBytes, size};
+}
+
+/// The first sentence of what the library complains about, empty if that is nothing serious: a
+/// skin's inverse bind matrices are optional (glTF 2.0, section 5.28), the library finds them
+/// missing and goes on.
+std::string firstComplaint(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (!line.empty() && line != "'inverseBindMatrices' property is missing in Skin.") {
+      return cleanText(line, 200);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+void failGltf(const Input& input, const std::string& reason) {
+  throw Error(fmt::format("{}: {}", cleanText(input.file.string(), 1000), reason));
+}
+
+tinygltf::Model readGltf(const Input& input) {
+  const std::string_view start(reinterpret_cast<const char*>(input.bytes.data()),
+                               std::min<std::size_t>(input.bytes.size(), 4));
+  const bool binary = start == "glTF";
+  FileAccess access;
+  access.prescan = prescanGltf(input, jsonOf(input, binary));
+  std::error_code problem;
+  const fs::path parent = input.file.parent_path();
+  access.folder = fs::canonical(parent.empty() ? fs::path(".") : parent, problem).string();
+  if (problem) failGltf(input, "its folder cannot be found");
+
+  tinygltf::TinyGLTF reader;
+  reader.SetImageLoader(ignoreImage, nullptr);
+  reader.SetFsCallbacks({fileExists, [](const std::string& path, void*) { return path; },
+                         readWholeFile, nullptr, &access});
+  tinygltf::Model model;
+  std::string error;
+  std::string warning;
+  bool whole = false;
+  const auto size = static_cast<unsigned>(input.bytes.size());
+  try {
+    whole = binary ? reader.LoadBinaryFromMemory(
+                         &model, &error, &warning,
+                         reinterpret_cast<const unsigned char*>(input.bytes.data()), size,
+                         access.folder)
+                   : reader.LoadASCIIFromString(&model, &error, &warning,
+                                                reinterpret_cast<const char*>(input.bytes.data()),
+                                                size, access.folder);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& exception) {
+    // A value of another type than the library expects.
+    failGltf(input, fmt::format("its JSON is no glTF: {}", firstComplaint(exception.what())));
+  }
+  if (!access.refusal.empty()) failGltf(input, access.refusal);
+  const std::string complaint = firstComplaint(error);
+  if (!whole || !complaint.empty()) {
+    // The library knows no channel without a node.
+    const auto& used = access.prescan.extensionsUsed;
+    if (std::find(used.begin(), used.end(), "KHR_animation_pointer") != used.end() &&
+        complaint.find("'node'") != std::string::npos) {
+      failGltf(input,
+               "it is animated with KHR_animation_pointer, which is not supported: export it "
+               "without");
+    }
+    failGltf(input, fmt::format("it is no sound glTF: {}",
+                                complaint.empty() ? "unknown reason" : complaint));
+  }
+  if (!model.asset.version.starts_with("2.")) {
+    failGltf(input, fmt::format("it is of glTF version '{}', not 2.0",
+                                cleanText(model.asset.version, 20)));
+  }
+  return model;
+}
+
+}  // namespace opaline::scene

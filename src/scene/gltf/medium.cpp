@@ -1,0 +1,133 @@
+#include "scene/gltf/medium.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bssrdf/media.h"
+#include "bssrdf/profile.h"
+#include "scene/finish.h"
+#include "scene/text.h"
+
+namespace opaline::scene {
+
+namespace {
+
+using Numbers3 = std::array<double, 3>;
+
+std::optional<double> number(const tinygltf::Value& object, const std::string& key) {
+  if (!object.Has(key) || !object.Get(key).IsNumber()) return std::nullopt;
+  return object.Get(key).GetNumberAsDouble();
+}
+
+std::optional<Numbers3> numbers3(const tinygltf::Value& object, const std::string& key) {
+  if (!object.Has(key)) return std::nullopt;
+  const tinygltf::Value& list = object.Get(key);
+  if (!list.IsArray() || list.ArrayLen() != 3) return std::nullopt;
+  Numbers3 result{};
+  for (int i = 0; i < 3; ++i) {
+    if (!list.Get(i).IsNumber()) return std::nullopt;
+    result[static_cast<std::size_t>(i)] = list.Get(i).GetNumberAsDouble();
+  }
+  return result;
+}
+
+const tinygltf::Value& extension(const tinygltf::Material& material, const std::string& name) {
+  static const tinygltf::Value none;
+  const auto found = material.extensions.find(name);
+  return found == material.extensions.end() ? none : found->second;
+}
+
+double etaOf(const tinygltf::Material& material) {
+  if (const auto eta = number(material.extras, "eta")) return *eta;
+  // Below 1.01 the dipole has no boundary; 1.5 is the extension's own default.
+  const double ior = number(extension(material, "KHR_materials_ior"), "ior").value_or(1.5);
+  return std::clamp(ior, 1.01, 3.0);
+}
+
+std::optional<Medium> fromExtras(const tinygltf::Material& material) {
+  const auto scattering = numbers3(material.extras, "sigma_s_prime_per_mm");
+  const auto absorption = numbers3(material.extras, "sigma_a_per_mm");
+  if (!scattering || !absorption) return std::nullopt;
+  return Medium{cleanText(material.name), *scattering, *absorption, etaOf(material)};
+}
+
+/// The albedo α' whose dipole reflects `reflectance` of diffuse light in all, by bisection of
+/// Jensen et al. 2001, Eq. 4 integrated over the plane, which grows with α'.
+double albedoOf(double reflectance, double eta) {
+  double low = 0;
+  double high = 1;
+  for (int step = 0; step < 60; ++step) {
+    const double albedo = 0.5 * (low + high);
+    Medium medium{"", {albedo, albedo, albedo}, {1 - albedo, 1 - albedo, 1 - albedo}, eta};
+    const bssrdf::Profile profile =
+        bssrdf::makeProfile(bssrdf::Model::Dipole, bssrdf::coefficients(medium, 0));
+    (profile.totalReflectance() < reflectance ? low : high) = albedo;
+  }
+  return reflectance >= 1 ? 1.0 : 0.5 * (low + high);
+}
+
+/// KHR_materials_volume: light falls to attenuationColor after attenuationDistance metres, which is
+/// exp(-σ_t' d); KHR_materials_volume_scatter: multiscatterColor is the diffuse reflectance.
+struct Volume {
+  double attenuationDistance;
+  Numbers3 attenuationColor;
+  Numbers3 multiscatterColor;
+};
+
+std::optional<Volume> volumeOf(const tinygltf::Material& material) {
+  const tinygltf::Value& volume = extension(material, "KHR_materials_volume");
+  const tinygltf::Value& scatter = extension(material, "KHR_materials_volume_scatter");
+  const auto distance = number(volume, "attenuationDistance");
+  const auto attenuation = numbers3(volume, "attenuationColor");
+  const auto reflectance = numbers3(scatter, "multiscatterColor");
+  if (!distance || !attenuation || !reflectance || !(*distance > 0)) return std::nullopt;
+  return Volume{*distance, *attenuation, *reflectance};
+}
+
+std::optional<Medium> fromVolume(const tinygltf::Material& material) {
+  const std::optional<Volume> volume = volumeOf(material);
+  if (!volume) return std::nullopt;
+  Medium medium;
+  medium.name = cleanText(material.name);
+  medium.eta = etaOf(material);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double left = std::clamp(volume->attenuationColor[c], 1e-6, 0.9999);
+    const double extinctionPerMm = -std::log(left) / (1000 * volume->attenuationDistance);
+    const double albedo = albedoOf(std::clamp(volume->multiscatterColor[c], 0.0, 1.0), medium.eta);
+    medium.sigmaSPrimePerMm[c] = albedo * extinctionPerMm;
+    medium.sigmaAPerMm[c] = (1 - albedo) * extinctionPerMm;
+  }
+  return medium;
+}
+
+}  // namespace
+
+bool saysMediumByVolume(const tinygltf::Material& material) {
+  return volumeOf(material).has_value();
+}
+
+Medium gltfMedium(const Input& input, const tinygltf::Model& model, int material,
+                  std::string_view meshName, std::string_view nodeName) {
+  const tinygltf::Material none;
+  if (material != -1 &&
+      (material < 0 || static_cast<std::size_t>(material) >= model.materials.size())) {
+    failGltf(input, fmt::format("material {} does not exist", material));
+  }
+  const tinygltf::Material& of =
+      material < 0 ? none : model.materials[static_cast<std::size_t>(material)];
+  std::optional<Medium> medium = fromExtras(of);
+  for (const std::string_view name : {std::string_view(of.name), meshName, nodeName}) {
+    if (!medium && !name.empty()) medium = bssrdf::findMedium(name);
+  }
+  if (!medium) medium = fromVolume(of);
+  if (!medium) return defaultMedium();
+  const std::string complaint = complaintAbout(*medium);
+  if (!complaint.empty()) {
+    failGltf(input, fmt::format("material '{}': {}", cleanText(of.name, 60), complaint));
+  }
+  return *medium;
+}
+
+}  // namespace opaline::scene

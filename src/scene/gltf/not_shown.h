@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/gltf/file.h"
+#include "scene/gltf/nodes.h"
+#include "scene/not_shown.h"
+
+namespace opaline::scene {
+
+/// What of the nodes that are drawn, their materials and the file's extensions no picture shows.
+std::vector<NotShown> notShownOf(const tinygltf::Model& model, const GltfNodes& nodes);
+
+}  // namespace opaline::scene

@@ -1,0 +1,158 @@
+#include "scene/gltf/prescan.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "opaline/error.h"
+#include "scene/gltf/extensions.h"
+#include "scene/gltf/file.h"
+#include "scene/text.h"
+
+namespace opaline::scene {
+
+namespace {
+
+constexpr std::size_t deepestNesting = 200;
+constexpr std::size_t mostValues = 4'000'000;
+constexpr std::uint64_t largestCount = 0x7fffffff;
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+std::string percentDecoded(std::string_view uri) {
+  std::string decoded;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
+    const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
+    if (low < 0) {
+      decoded += uri[i];
+    } else {
+      decoded += static_cast<char>(16 * high + low);
+      i += 2;
+    }
+  }
+  return decoded;
+}
+
+/// Follows the places root.buffers[i].uri; keeps nothing else.
+class Scanner : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  GltfPrescan found;
+  std::string problem;
+
+  std::size_t buffersWithoutUri() const { return embedded_; }
+
+  bool null() override { return value(); }
+  bool boolean(bool) override { return value(); }
+  bool number_integer(number_integer_t number) override {
+    if (number < 0 && isExtent()) {
+      problem = fmt::format("'{}' of its data must not be negative", lastKey_);
+    }
+    return value();
+  }
+  bool number_unsigned(number_unsigned_t number) override {
+    if (number > largestCount && isExtent() && lastKey_ == "count") {
+      problem = fmt::format("'count' is {}, but at most {} are possible", number, largestCount);
+    }
+    return value();
+  }
+  bool number_float(number_float_t, const string_t&) override { return value(); }
+  bool binary(binary_t&) override { return value(); }
+  bool string(string_t& text) override {
+    if (depth_ == 2 && root_ == "extensionsRequired") found.extensionsRequired.push_back(text);
+    if (depth_ == 2 && root_ == "extensionsUsed") found.extensionsUsed.push_back(text);
+    if (inBuffer() && lastKey_ == "uri") {
+      bufferHasUri_ = !text.empty();
+      if (!text.starts_with("data:")) found.bufferFiles.insert(percentDecoded(text));
+    }
+    return value();
+  }
+  bool start_object(std::size_t) override {
+    ++depth_;
+    if (inBuffer()) bufferHasUri_ = false;
+    return value();
+  }
+  bool key(string_t& name) override {
+    if (depth_ == 1) {
+      root_ = name.substr(0, 32);
+      inBuffers_ = name == "buffers";
+      inData_ = inBuffers_ || name == "bufferViews" || name == "accessors";
+    }
+    lastKey_ = name.substr(0, 16);
+    return true;
+  }
+  bool end_object() override {
+    if (inBuffer() && !bufferHasUri_) ++embedded_;
+    --depth_;
+    return true;
+  }
+  bool start_array(std::size_t) override {
+    ++depth_;
+    return value();
+  }
+  bool end_array() override {
+    --depth_;
+    return true;
+  }
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::json::exception& error) override {
+    const std::string_view what(error.what());
+    const std::size_t start = what.find("] ");
+    problem =
+        fmt::format("its JSON is damaged at byte {}: {}", position,
+                    cleanText(start == std::string_view::npos ? what : what.substr(start + 2)));
+    return false;
+  }
+
+ private:
+  /// An object directly in root.buffers.
+  bool inBuffer() const { return inBuffers_ && depth_ == 3; }
+
+  /// A number that tinygltf would take for 0, or cut to 32 bits, where it is out of range.
+  bool isExtent() const {
+    return inData_ && (lastKey_ == "count" || lastKey_ == "byteOffset" ||
+                       lastKey_ == "byteLength" || lastKey_ == "byteStride");
+  }
+
+  bool value() {
+    if (depth_ > deepestNesting) {
+      problem = fmt::format("its JSON is nested deeper than {} levels", deepestNesting);
+    } else if (++values_ > mostValues) {
+      problem = fmt::format("its JSON holds more than {} values", mostValues);
+    }
+    return problem.empty();
+  }
+
+  std::size_t depth_ = 0;
+  std::size_t values_ = 0;
+  std::size_t embedded_ = 0;
+  bool inBuffers_ = false;
+  bool inData_ = false;  ///< in root.buffers, root.bufferViews or root.accessors
+  bool bufferHasUri_ = false;
+  std::string root_;  ///< the key in the root that all this belongs to
+  std::string lastKey_;
+};
+
+}  // namespace
+
+GltfPrescan prescanGltf(const Input& input, std::string_view json) {
+  Scanner scanner;
+  const bool whole = nlohmann::json::sax_parse(json.begin(), json.end(), &scanner);
+  if (!whole || !scanner.problem.empty()) {
+    failGltf(input, scanner.problem.empty() ? "its JSON is damaged" : scanner.problem);
+  }
+  // Extensions may say what else looks damaged.
+  requireKnownExtensions(input, scanner.found.extensionsRequired);
+  // Each would get a copy of the binary chunk.
+  if (scanner.buffersWithoutUri() > 1) failGltf(input, "more than one buffer lacks a uri");
+  return std::move(scanner.found);
+}
+
+}  // namespace opaline::scene

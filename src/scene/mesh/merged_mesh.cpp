@@ -1,0 +1,21 @@
+#include "scene/mesh/merged_mesh.h"
+
+namespace opaline::scene {
+
+MergedMesh mergedMesh(const Scene& scene) {
+  MergedMesh merged;
+  std::uint32_t index = 0;
+  for (const Object& object : scene.objects) {
+    const auto base = static_cast<std::uint32_t>(merged.positionsMm.size());
+    const Mesh& mesh = object.mesh;
+    merged.positionsMm.insert(merged.positionsMm.end(), mesh.positionsMm.begin(),
+                              mesh.positionsMm.end());
+    for (const Triangle& t : mesh.triangles) {
+      merged.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    }
+    merged.objectOfTriangle.resize(merged.triangles.size(), index++);
+  }
+  return merged;
+}
+
+}  // namespace opaline::scene

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/numbered_name.h"
+#include "opaline/scene.h"
+#include "scene/matrix.h"
+#include "scene/mesh/same_topology.h"
+#include "scene/raw_scene.h"
+
+namespace opaline::scene {
+
+/// The numbered files of a sequence, and how their vertices become those of the scene that is made
+/// of the first: loadFirst(), inMillimetres(), followRepairs(), whatever places it, finished(),
+/// followPlace(). Then read() knows what was done to the first.
+class MeshFiles {
+ public:
+  /// As MeshSequence; a sequence cannot be morphed.
+  MeshFiles(const std::filesystem::path& pattern,
+            const std::optional<std::filesystem::path>& morphTo);
+
+  int first() const { return first_; }
+  int last() const { return last_; }
+  std::filesystem::path file(int number) const;
+
+  RawScene loadFirst(const LogCallback& log);
+  void followRepairs(const RawScene& repaired);
+  /// Leaves a scene without a rig.
+  void followPlace(Scene& scene);
+
+  /// As MeshSequence::read().
+  void read(int number, std::vector<Vec3>& positionsMm) const;
+
+ private:
+  std::filesystem::path folder_;
+  std::optional<core::NumberedName> name_;
+  int first_ = 0;
+  int last_ = 0;
+  FaceList faces_;
+  std::vector<std::uint32_t> origin_;  // per vertex of the scene the file's
+  Matrix4 toScene_;
+};
+
+}  // namespace opaline::scene

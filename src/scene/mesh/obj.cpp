@@ -1,0 +1,251 @@
+#include <fmt/format.h>
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <istream>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <streambuf>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "bssrdf/media.h"
+#include "scene/formats.h"
+#include "scene/mesh/obj_lines.h"
+#include "scene/mesh/triangulate.h"
+#include "scene/not_shown.h"
+#include "scene/text.h"
+
+namespace opaline::scene {
+
+namespace {
+
+/// A stream over text that stays where it is.
+class TextStream : private std::streambuf, public std::istream {
+ public:
+  explicit TextStream(std::string_view text) : std::istream(this) {
+    // streambuf takes a mutable pointer but only reads through it here.
+    char* begin = const_cast<char*>(text.data());
+    setg(begin, begin, begin + text.size());
+  }
+};
+
+/// All faces of one material name.
+struct Group {
+  std::string name;
+  std::vector<std::uint32_t> corners;  ///< index into Reader::pairs
+  std::vector<std::uint32_t> sizes;
+};
+
+constexpr std::int64_t noNormal = std::numeric_limits<std::int64_t>::min();
+
+/// A position and a normal, by index from 0.
+struct Corner {
+  std::int64_t position = 0;
+  std::int64_t normal = noNormal;
+};
+
+struct Reader {
+  const Input& input;
+  std::vector<Vec3> positions{};
+  std::vector<Vec3> normals{};
+  std::vector<Corner> corners{};
+  std::vector<Group> groups{};
+  std::map<std::string, std::size_t, std::less<>> groupOf{};
+  std::size_t current = 0;
+  std::string part{};             ///< of `o` or `g`, that faces belong to
+  std::set<std::string> parts{};  ///< that have faces
+
+  void use(const std::string& material) {
+    const auto [entry, isNew] = groupOf.try_emplace(material, groups.size());
+    if (isNew) groups.push_back({material, {}, {}});
+    current = entry->second;
+  }
+
+  /// From 1-based, or negative and counted from the last so far, to 0-based.
+  static std::int64_t resolve(int index, std::size_t countSoFar) {
+    return index > 0 ? std::int64_t{index} - 1 : static_cast<std::int64_t>(countSoFar) + index;
+  }
+
+  void face(std::span<const tinyobj::index_t> indices) {
+    std::uint32_t size = 0;
+    for (const tinyobj::index_t& index : indices) {
+      if (index.vertex_index == 0) break;  // the words of a comment
+      Corner corner{resolve(index.vertex_index, positions.size()), noNormal};
+      if (index.normal_index != 0) corner.normal = resolve(index.normal_index, normals.size());
+      groups[current].corners.push_back(static_cast<std::uint32_t>(corners.size()));
+      corners.push_back(corner);
+      ++size;
+    }
+    groups[current].sizes.push_back(size);
+    if (!part.empty()) parts.insert(part);
+  }
+
+  /// Only at the end, since a face may stand before its vertices.
+  void checkRange() const {
+    for (const Corner& corner : corners) {
+      if (corner.position < 0 || corner.position >= static_cast<std::int64_t>(positions.size())) {
+        failObj(input, fmt::format("a face names vertex {}, but there are {} vertices",
+                                   corner.position + 1, positions.size()));
+      }
+      if (corner.normal == noNormal) continue;
+      if (corner.normal < 0 || corner.normal >= static_cast<std::int64_t>(normals.size())) {
+        failObj(input, fmt::format("a face names normal {}, but there are {} normals",
+                                   corner.normal + 1, normals.size()));
+      }
+    }
+  }
+};
+
+tinyobj::callback_t callbacks() {
+  tinyobj::callback_t callback;
+  callback.vertex_cb = [](void* reader, float x, float y, float z, float) {
+    static_cast<Reader*>(reader)->positions.push_back({x, y, z});
+  };
+  callback.normal_cb = [](void* reader, float x, float y, float z) {
+    static_cast<Reader*>(reader)->normals.push_back({x, y, z});
+  };
+  callback.index_cb = [](void* reader, tinyobj::index_t* indices, int count) {
+    static_cast<Reader*>(reader)->face({indices, static_cast<std::size_t>(count)});
+  };
+  callback.usemtl_cb = [](void* reader, const char* name, int) {
+    std::string_view line(name);
+    static_cast<Reader*>(reader)->use(std::string(nextWord(line)));
+  };
+  callback.object_cb = [](void* reader, const char* name) {
+    static_cast<Reader*>(reader)->part = name;
+  };
+  callback.group_cb = [](void* reader, const char** names, int count) {
+    static_cast<Reader*>(reader)->part = count > 0 ? names[0] : "";
+  };
+  return callback;
+}
+
+std::vector<NotShown> notShownOf(const Reader& reader, const ObjExtras& extras) {
+  std::vector<NotShown> result;
+  for (const Group& group : reader.groups) {
+    const bool isMaterial = !group.sizes.empty() && !group.name.empty();
+    if (isMaterial && !bssrdf::findMedium(group.name)) {
+      addNotShown(result, "materials", group.name);
+    }
+  }
+  for (const std::string& file : extras.materialFiles) {
+    addNotShown(result, "material files", file);
+  }
+  if (reader.parts.size() > 1) {
+    for (const std::string& part : reader.parts) {
+      addNotShown(result, "groups as objects of their own", part);
+    }
+  }
+  if (extras.coloredVertices > 0) addNotShown(result, "vertex colours", {});
+  return result;
+}
+
+/// Numbers the distinct corners that a set of groups uses.
+class VertexTable {
+ public:
+  VertexTable(const Reader& reader, bool withNormals)
+      : reader_(reader), withNormals_(withNormals) {}
+
+  std::uint32_t indexOf(const Corner& corner, RawMesh& mesh) {
+    const std::int64_t normal = withNormals_ ? corner.normal : noNormal;
+    const std::uint64_t key =
+        (static_cast<std::uint64_t>(corner.position) << 32U) | static_cast<std::uint32_t>(normal);
+    const auto [entry, isNew] =
+        known_.try_emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
+    if (isNew) {
+      mesh.positions.push_back(reader_.positions[static_cast<std::size_t>(corner.position)]);
+      if (withNormals_) {
+        // A zero normal is replaced by a smooth one on repair.
+        mesh.normals.push_back(
+            normal == noNormal ? Vec3{0, 0, 0} : reader_.normals[static_cast<std::size_t>(normal)]);
+      }
+    }
+    return entry->second;
+  }
+
+ private:
+  const Reader& reader_;
+  bool withNormals_;
+  std::unordered_map<std::uint64_t, std::uint32_t> known_;
+};
+
+/// Positions that no face names join the first mesh, so that they are seen and counted.
+void addUnused(const Reader& reader, RawMesh& mesh) {
+  std::vector<bool> used(reader.positions.size());
+  for (const Corner& corner : reader.corners)
+    used[static_cast<std::size_t>(corner.position)] = true;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v]) continue;
+    mesh.positions.push_back(reader.positions[v]);
+    if (!mesh.normals.empty()) mesh.normals.push_back({0, 0, 0});
+  }
+}
+
+RawMesh buildMesh(const Reader& reader, std::span<const Group* const> groups) {
+  bool withNormals = false;
+  for (const Group* group : groups) {
+    withNormals = withNormals || std::any_of(group->corners.begin(), group->corners.end(),
+                                             [&](std::uint32_t corner) {
+                                               return reader.corners[corner].normal != noNormal;
+                                             });
+  }
+  RawMesh mesh;
+  VertexTable table(reader, withNormals);
+  Triangulator triangulator;
+  std::vector<std::uint32_t> polygon;
+  for (const Group* group : groups) {
+    std::span<const std::uint32_t> rest(group->corners);
+    for (const std::uint32_t size : group->sizes) {
+      polygon.clear();
+      for (const std::uint32_t corner : rest.first(size)) {
+        polygon.push_back(table.indexOf(reader.corners[corner], mesh));
+      }
+      rest = rest.subspan(size);
+      triangulator.add(mesh, polygon);
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+RawScene loadObj(const Input& input) {
+  const std::optional<std::string> joined = joinedLines(textOf(input));
+  const std::string_view text = joined ? *joined : textOf(input);
+  const ObjExtras extras = requireSoundLines(input, text);
+  Reader reader{input};
+  reader.use("");
+  TextStream stream(text);
+  std::string warning;
+  std::string error;
+  tinyobj::LoadObjWithCallback(stream, callbacks(), &reader, nullptr, &warning, &error);
+  if (!error.empty()) failObj(input, cleanText(error));
+  if (reader.positions.empty()) failObj(input, "it has no vertices, so it is no OBJ file");
+  reader.checkRange();
+
+  // Materials that are no medium all become marble: one object.
+  std::map<std::string, std::vector<const Group*>> byMedium;
+  for (const Group& group : reader.groups) {
+    if (group.sizes.empty()) continue;
+    const auto medium = bssrdf::findMedium(group.name);
+    byMedium[medium ? medium->name : ""].push_back(&group);
+  }
+  if (byMedium.empty()) failObj(input, "it has no faces");
+  RawScene scene;
+  for (const auto& [medium, groups] : byMedium) {
+    RawObject object;
+    object.name = medium.empty() ? cleanText(input.file.stem().string()) : medium;
+    object.medium = bssrdf::findMedium(medium).value_or(defaultMedium());
+    object.mesh = buildMesh(reader, groups);
+    scene.objects.push_back(std::move(object));
+  }
+  addUnused(reader, scene.objects[0].mesh);
+  scene.notShown = notShownOf(reader, extras);
+  return scene;
+}
+
+}  // namespace opaline::scene

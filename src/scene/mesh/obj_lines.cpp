@@ -1,0 +1,150 @@
+#include "scene/mesh/obj_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "opaline/error.h"
+#include "scene/text.h"
+
+namespace opaline::scene {
+
+namespace {
+
+struct Line {
+  std::string_view text;
+  std::size_t size = 0;  ///< with the break
+};
+
+Line nextLine(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const bool pair = text.substr(end, 2) == "\r\n";
+  const Line line{text.substr(0, end), std::min(end + (pair ? 2 : 1), text.size())};
+  text.remove_prefix(line.size);
+  return line;
+}
+
+bool hasComment(std::string_view line) {
+  for (std::string_view word = nextWord(line); !word.empty(); word = nextWord(line)) {
+    if (word.starts_with('#')) return true;
+  }
+  return false;
+}
+
+std::size_t countLines(std::string_view text) {
+  std::size_t count = 0;
+  for (; !text.empty(); ++count) nextLine(text);
+  return count;
+}
+
+bool isNumber(std::string_view word) {
+  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+  double value = 0;
+  const auto [stop, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (stop != word.data() + word.size() || word.empty()) return false;
+  if (problem == std::errc::result_out_of_range) return word.find("e-") != std::string_view::npos;
+  return problem == std::errc{} && std::abs(value) <= double{std::numeric_limits<float>::max()};
+}
+
+void checkNumbers(const Input& input, std::string_view line, std::size_t number) {
+  for (int i = 0; i < 3; ++i) {
+    const std::string_view word = nextWord(line);
+    if (!isNumber(word)) {
+      failObj(input, fmt::format("line {}: '{}' is no finite number", number, cleanText(word, 40)));
+    }
+  }
+}
+
+std::size_t countNumbers(std::string_view line) {
+  std::size_t count = 0;
+  while (isNumber(nextWord(line))) ++count;
+  return count;
+}
+
+/// A corner is v, v/vt, v//vn or v/vt/vn, each a whole number other than 0.
+bool isCorner(std::string_view word) {
+  for (int part = 0; part < 3; ++part) {
+    const std::size_t end = std::min(word.find('/'), word.size());
+    const std::string_view digits = word.substr(0, end);
+    int value = 0;
+    const auto [stop, problem] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool absent = digits.empty() && part == 1 && end < word.size();
+    if (!absent &&
+        (problem != std::errc{} || stop != digits.data() + digits.size() || value == 0)) {
+      return false;
+    }
+    if (end == word.size()) return true;
+    word.remove_prefix(end + 1);
+  }
+  return false;
+}
+
+void checkCorners(const Input& input, std::string_view line, std::size_t number) {
+  for (std::string_view word = nextWord(line); !word.empty(); word = nextWord(line)) {
+    if (word.starts_with('#')) return;
+    if (!isCorner(word)) {
+      failObj(input,
+              fmt::format("line {}: '{}' is no corner of a face", number, cleanText(word, 40)));
+    }
+  }
+}
+
+}  // namespace
+
+void failObj(const Input& input, const std::string& reason) {
+  throw Error(fmt::format("{}: {}", cleanText(input.file.string(), 1000), reason));
+}
+
+std::string_view textOf(const Input& input) {
+  return {reinterpret_cast<const char*>(input.bytes.data()), input.bytes.size()};
+}
+
+std::string_view nextWord(std::string_view& line) {
+  const std::size_t begin = std::min(line.find_first_not_of(" \t\r"), line.size());
+  line.remove_prefix(begin);
+  const std::size_t end = std::min(line.find_first_of(" \t\r"), line.size());
+  const std::string_view word = line.substr(0, end);
+  line.remove_prefix(end);
+  return word;
+}
+
+std::optional<std::string> joinedLines(std::string_view text) {
+  std::optional<std::string> joined;
+  std::size_t begin = 0;
+  for (std::string_view rest = text; !rest.empty();) {
+    const Line line = nextLine(rest);
+    if (line.text.ends_with('\\') && !hasComment(line.text)) {
+      if (!joined) joined.emplace(text);
+      const std::size_t end = line.text.size() - 1;
+      joined->replace(begin + end, line.size - end, line.size - end, ' ');
+    }
+    begin += line.size;
+  }
+  return joined;
+}
+
+ObjExtras requireSoundLines(const Input& input, std::string_view text) {
+  if (text.find('\0') != std::string_view::npos) {
+    failObj(input, "it contains zero bytes, so it is no OBJ file");
+  }
+  ObjExtras extras;
+  std::string_view file = textOf(input);
+  for (std::size_t number = 1; !text.empty();) {
+    const Line whole = nextLine(text);
+    std::string_view line = whole.text;
+    const std::string_view keyword = nextWord(line);
+    if (keyword == "v" || keyword == "vn") checkNumbers(input, line, number);
+    if (keyword == "f") checkCorners(input, line, number);
+    if (keyword == "v" && countNumbers(line) >= 6) ++extras.coloredVertices;
+    if (keyword == "mtllib") extras.materialFiles.emplace_back(nextWord(line));
+    number += countLines(file.substr(0, whole.size));
+    file.remove_prefix(whole.size);
+  }
+  return extras;
+}
+
+}  // namespace opaline::scene

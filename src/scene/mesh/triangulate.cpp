@@ -1,0 +1,120 @@
+#include "scene/mesh/triangulate.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "scene/hash.h"
+
+namespace opaline::scene {
+
+namespace {
+
+using Double2 = std::array<double, 2>;
+
+constexpr std::size_t mostSteps = 300'000'000;
+
+/// Newell's method: the mean normal of any polygon, not of unit length.
+Double3 polygonNormal(const RawMesh& mesh, std::span<const std::uint32_t> corners) {
+  const Double3 origin = toDouble(mesh.positions[corners[0]]);
+  Double3 normal{};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Double3 a = toDouble(mesh.positions[corners[i]]) - origin;
+    const Double3 b = toDouble(mesh.positions[corners[(i + 1) % corners.size()]]) - origin;
+    normal = normal + cross(a, b);
+  }
+  return normal;
+}
+
+double turn(const Double2& a, const Double2& b, const Double2& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// Drops the axis along which the polygon's normal is longest; keeps its turn.
+Double2 flatten(const Double3& p, const Double3& normal) {
+  const double x = std::abs(normal[0]);
+  const double y = std::abs(normal[1]);
+  const double z = std::abs(normal[2]);
+  if (z >= x && z >= y) return {normal[2] > 0 ? p[0] : -p[0], p[1]};
+  if (y >= x) return {normal[1] > 0 ? p[2] : -p[2], p[0]};
+  return {normal[0] > 0 ? p[1] : -p[1], p[2]};
+}
+
+/// Every corner turns left, and once around: no two corners lie on the wrong side of the fan.
+bool isConvex(std::span<const Double2> p) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const std::size_t next = (i + 1) % p.size();
+    if (turn(p[i], p[next], p[(i + 2) % p.size()]) < 0) return false;
+    if (turn(p[0], p[i], p[next]) < 0) return false;
+  }
+  return true;
+}
+
+bool contains(const Double2& a, const Double2& b, const Double2& c, const Double2& p) {
+  if (p == a || p == b || p == c) return false;
+  return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+}
+
+void addFan(RawMesh& mesh, std::span<const std::uint32_t> corners) {
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    mesh.triangles.push_back({corners[0], corners[i], corners[i + 1]});
+  }
+}
+
+}  // namespace
+
+bool Triangulator::clipEars(RawMesh& mesh, std::span<const std::uint32_t> corners) {
+  ring_.resize(corners.size());
+  std::iota(ring_.begin(), ring_.end(), std::uint32_t{0});
+  const std::size_t before = mesh.triangles.size();
+  std::size_t at = 0;
+  std::size_t failures = 0;
+  while (ring_.size() > 3) {
+    const std::size_t n = ring_.size();
+    at %= n;
+    const std::uint32_t a = ring_[(at + n - 1) % n];
+    const std::uint32_t b = ring_[at];
+    const std::uint32_t c = ring_[(at + 1) % n];
+    bool ear = turn(flat_[a], flat_[b], flat_[c]) > 0;
+    for (std::size_t i = 0; ear && i < n; ++i) {
+      ++steps_;
+      const std::uint32_t p = ring_[i];
+      if (p != a && p != b && p != c) ear = !contains(flat_[a], flat_[b], flat_[c], flat_[p]);
+    }
+    ++steps_;
+    if (ear) {
+      mesh.triangles.push_back({corners[a], corners[b], corners[c]});
+      ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(at));
+      steps_ += n / 8;
+      failures = 0;
+    } else {
+      ++at;
+      if (++failures > n || steps_ > mostSteps) {
+        mesh.triangles.resize(before);
+        return false;
+      }
+    }
+  }
+  mesh.triangles.push_back({corners[ring_[0]], corners[ring_[1]], corners[ring_[2]]});
+  return true;
+}
+
+void Triangulator::add(RawMesh& mesh, std::span<const std::uint32_t> corners) {
+  ++mesh.polygons;
+  mix(mesh.polygonHash, corners.size());
+  for (const std::uint32_t v : corners) mix(mesh.polygonHash, v);
+  if (corners.size() < 3) {
+    ++mesh.badPolygons;
+    return;
+  }
+  if (corners.size() > 3 && steps_ < mostSteps) {
+    const Double3 normal = polygonNormal(mesh, corners);
+    flat_.clear();
+    for (const std::uint32_t v : corners) {
+      flat_.push_back(flatten(toDouble(mesh.positions[v]), normal));
+    }
+    if (!isConvex(flat_) && clipEars(mesh, corners)) return;
+  }
+  addFan(mesh, corners);
+}
+
+}  // namespace opaline::scene

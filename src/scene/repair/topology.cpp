@@ -1,0 +1,184 @@
+#include "scene/repair/topology.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace opaline::scene {
+
+DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
+  std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+}
+
+std::uint32_t DisjointSets::find(std::uint32_t member) {
+  while (parent_[member] != member) {
+    parent_[member] = parent_[parent_[member]];
+    member = parent_[member];
+  }
+  return member;
+}
+
+void DisjointSets::join(std::uint32_t a, std::uint32_t b) {
+  a = find(a);
+  b = find(b);
+  if (a < b) {
+    parent_[b] = a;
+  } else {
+    parent_[a] = b;
+  }
+}
+
+std::vector<HalfEdge> sortedHalfEdges(std::span<const Triangle> triangles) {
+  std::vector<HalfEdge> edges;
+  edges.reserve(3 * triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::uint8_t c = 0; c < 3; ++c) {
+      const std::uint32_t from = triangles[t][c];
+      const std::uint32_t to = triangles[t][(c + 1U) % 3U];
+      edges.push_back({std::min(from, to), std::max(from, to), t, c, from < to});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+    if (a.low != b.low) return a.low < b.low;
+    if (a.high != b.high) return a.high < b.high;
+    return a.triangle < b.triangle;
+  });
+  return edges;
+}
+
+std::vector<std::uint32_t> equalPositions(std::span<const Vec3> positions) {
+  std::vector<std::uint32_t> order(positions.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return positions[a] != positions[b] ? positions[a] < positions[b] : a < b;
+  });
+  std::vector<std::uint32_t> first(positions.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+std::vector<Triangle> renamed(std::span<const Triangle> triangles,
+                              std::span<const std::uint32_t> names) {
+  std::vector<Triangle> result(triangles.size());
+  std::transform(triangles.begin(), triangles.end(), result.begin(), [&](const Triangle& t) {
+    return Triangle{names[t[0]], names[t[1]], names[t[2]]};
+  });
+  return result;
+}
+
+namespace {
+
+/// Sides without a partner, named by the places of their ends.
+struct OpenSide {
+  std::uint32_t lowPlace = 0;
+  std::uint32_t highPlace = 0;
+  std::uint32_t low = 0;
+  std::uint32_t high = 0;
+};
+
+std::vector<OpenSide> openSides(std::span<const Triangle> triangles,
+                                std::span<const std::uint32_t> places) {
+  std::vector<OpenSide> open;
+  forEachEdge(sortedHalfEdges(triangles), [&](std::span<const HalfEdge> edge) {
+    if (edge.size() != 1) return;
+    OpenSide side{places[edge[0].low], places[edge[0].high], edge[0].low, edge[0].high};
+    if (side.lowPlace > side.highPlace) {
+      std::swap(side.lowPlace, side.highPlace);
+      std::swap(side.low, side.high);
+    }
+    open.push_back(side);
+  });
+  std::sort(open.begin(), open.end(), [](const OpenSide& a, const OpenSide& b) {
+    return a.lowPlace != b.lowPlace ? a.lowPlace < b.lowPlace : a.highPlace < b.highPlace;
+  });
+  return open;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> sewn(std::span<const Vec3> positions,
+                                std::span<const Triangle> triangles) {
+  const std::vector<std::uint32_t> places = equalPositions(positions);
+  const std::vector<OpenSide> open = openSides(triangles, places);
+  DisjointSets sets(positions.size());
+  for (std::size_t i = 1; i < open.size(); ++i) {
+    if (open[i].lowPlace == open[i - 1].lowPlace && open[i].highPlace == open[i - 1].highPlace) {
+      sets.join(open[i].low, open[i - 1].low);
+      sets.join(open[i].high, open[i - 1].high);
+    }
+  }
+  std::vector<std::uint32_t> names(positions.size());
+  for (std::uint32_t v = 0; v < names.size(); ++v) names[v] = sets.find(v);
+  return names;
+}
+
+namespace {
+
+std::uint32_t cornerName(std::uint32_t triangle, std::uint32_t corner) {
+  return 3 * triangle + corner % 3;
+}
+
+/// Corners around one vertex that hang together through triangles form a fan; two boundary sides
+/// belong to one loop when they share a fan. So loops that touch in a point are counted apart.
+std::size_t countLoops(std::span<const Triangle> triangles, std::span<const HalfEdge> edges,
+                       std::size_t& boundarySides) {
+  DisjointSets corners(3 * triangles.size());
+  forEachEdge(edges, [&](std::span<const HalfEdge> edge) {
+    if (edge.size() != 2) return;
+    const auto [t0, c0] = std::pair{edge[0].triangle, std::uint32_t{edge[0].corner}};
+    const auto [t1, c1] = std::pair{edge[1].triangle, std::uint32_t{edge[1].corner}};
+    const bool opposed = edge[0].forward != edge[1].forward;
+    corners.join(cornerName(t0, c0), cornerName(t1, opposed ? c1 + 1 : c1));
+    corners.join(cornerName(t0, c0 + 1), cornerName(t1, opposed ? c1 : c1 + 1));
+  });
+  DisjointSets loops(3 * triangles.size());
+  std::vector<std::uint32_t> starts;
+  forEachEdge(edges, [&](std::span<const HalfEdge> edge) {
+    if (edge.size() != 1) return;
+    const std::uint32_t from = corners.find(cornerName(edge[0].triangle, edge[0].corner));
+    const std::uint32_t to = corners.find(cornerName(edge[0].triangle, edge[0].corner + 1U));
+    loops.join(from, to);
+    starts.push_back(from);
+  });
+  boundarySides = starts.size();
+  for (std::uint32_t& start : starts) start = loops.find(start);
+  std::sort(starts.begin(), starts.end());
+  return static_cast<std::size_t>(std::unique(starts.begin(), starts.end()) - starts.begin());
+}
+
+}  // namespace
+
+MeshFacts factsOf(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
+  const std::vector<Triangle> surface = renamed(triangles, sewn(positions, triangles));
+  DisjointSets vertices(positions.size());
+  for (const Triangle& t : surface) {
+    vertices.join(t[0], t[1]);
+    vertices.join(t[0], t[2]);
+  }
+  std::vector<bool> used(positions.size());
+  for (const Triangle& t : surface) used[t[0]] = used[t[1]] = used[t[2]] = true;
+  MeshFacts facts;
+  for (std::uint32_t v = 0; v < used.size(); ++v) {
+    if (used[v] && vertices.find(v) == v) ++facts.components;
+  }
+  std::size_t boundarySides = 0;
+  facts.boundaryLoops = countLoops(surface, sortedHalfEdges(surface), boundarySides);
+  facts.closed = boundarySides == 0 && !triangles.empty();
+  return facts;
+}
+
+MeshFacts factsOf(const Scene& scene) {
+  MeshFacts sum;
+  sum.closed = !scene.objects.empty();
+  for (const Object& object : scene.objects) {
+    const MeshFacts facts = factsOf(object.mesh.positionsMm, object.mesh.triangles);
+    sum.closed = sum.closed && facts.closed;
+    sum.boundaryLoops += facts.boundaryLoops;
+    sum.components += facts.components;
+  }
+  return sum;
+}
+
+}  // namespace opaline::scene

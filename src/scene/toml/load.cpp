@@ -1,0 +1,395 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "bssrdf/media.h"
+#include "core/file.h"
+#include "opaline/error.h"
+#include "scene/deformer_check.h"
+#include "scene/environment_file.h"
+#include "scene/finish.h"
+#include "scene/formats.h"
+#include "scene/framing.h"
+#include "scene/joined_models.h"
+#include "scene/mesh/mesh_files.h"
+#include "scene/mesh/morph_to.h"
+#include "scene/mesh/sequence_state.h"
+#include "scene/raw_scene.h"
+#include "scene/scene_settings.h"
+#include "scene/text.h"
+#include "scene/toml/keys.h"
+#include "scene/toml/placement.h"
+#include "scene/toml/reader.h"
+#include "scene/toml/settings.h"
+#include "scene/vector_math.h"
+
+namespace opaline::scene {
+
+namespace {
+
+/// A .toml scene being put together; lengths in millimetres.
+struct Assembly {
+  const std::filesystem::path& file;
+  const LoadOptions& options;
+  RawScene scene{};
+  SceneSource source{};
+  std::vector<Repair> repairs{};
+  std::optional<MeshFiles> meshes{};  ///< where the model is a sequence
+  std::map<std::string, Medium, std::less<>> media{};
+  std::vector<double> modelDiagonalsMm{};  ///< before anything is placed
+  Vec3 centre{};
+  /// How far a built-in scene's own camera stands from its target.
+  std::optional<double> builtInDistanceDiagonals{};
+};
+
+std::filesystem::path beside(const std::filesystem::path& file, const std::string& name) {
+  const std::filesystem::path path(name);
+  return path.is_absolute() ? path : file.parent_path() / path;
+}
+
+/// Nesting that toml++ would follow with recursion of its own.
+void requireShallow(const std::filesystem::path& file, std::string_view text) {
+  constexpr std::size_t deepest = 100;
+  std::size_t open = 0;
+  std::size_t dots = 0;
+  for (const char c : text) {
+    if (c == '[' || c == '{') ++open;
+    if ((c == ']' || c == '}') && open > 0) --open;
+    if (c == '\n') dots = 0;
+    if (c == '.') ++dots;
+    if (open > deepest || dots > 4 * deepest) {
+      throw Error(fmt::format("{}: it is nested too deep", cleanText(file.string(), 1000)));
+    }
+  }
+}
+
+toml::table parse(const std::filesystem::path& file) {
+  constexpr std::size_t longestToml = 4U << 20U;
+  const std::vector<std::byte> bytes = core::readFile(file, longestToml);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  requireShallow(file, text);
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    throw Error(fmt::format("{}, line {}: {}", cleanText(file.string(), 1000),
+                            error.source().begin.line, cleanText(error.description())));
+  }
+}
+
+RawScene fromBuiltIn(Scene&& built) {
+  RawScene raw;
+  for (Object& object : built.objects) {
+    RawMesh mesh;
+    mesh.positions = std::move(object.mesh.positionsMm);
+    mesh.normals = std::move(object.mesh.normals);
+    mesh.triangles = std::move(object.mesh.triangles);
+    raw.objects.push_back(
+        {std::move(object.name), std::move(mesh), std::move(object.medium), std::nullopt});
+  }
+  raw.mmPerUnit = 1.0;
+  return raw;
+}
+
+RawScene takeBuiltIn(Scene&& built, Assembly& to) {
+  to.builtInDistanceDiagonals = distanceToTargetMm(built.camera) / double{diagonalMm(built)};
+  return fromBuiltIn(std::move(built));
+}
+
+void readMedia(const TomlTable& root, Assembly& to) {
+  const auto media = root.table("media");
+  if (!media) return;
+  for (const auto& [name, table] : media->subtables()) {
+    table.requireKeys(keys::medium);
+    Medium medium;
+    const auto scattering = table.numbers("sigma_s_per_mm", 3);
+    const auto absorption = table.numbers("sigma_a_per_mm", 3);
+    if (const auto measured = table.text("measured")) {
+      const auto known = bssrdf::findMedium(*measured);
+      if (!known) table.fail("measured", "names no medium; `opaline media` lists them");
+      medium = *known;
+    } else if (!scattering || !absorption) {
+      table.fail("", "needs 'measured', or both 'sigma_s_per_mm' and 'sigma_a_per_mm'");
+    }
+    medium.name = cleanText(name);
+    if (scattering) std::copy_n(scattering->begin(), 3, medium.sigmaSPrimePerMm.begin());
+    if (absorption) std::copy_n(absorption->begin(), 3, medium.sigmaAPerMm.begin());
+    medium.eta = table.number("eta", 1.01, 3).value_or(medium.eta);
+    const std::string complaint = complaintAbout(medium);
+    if (!complaint.empty()) table.fail("", "makes no sense: " + complaint);
+    to.media.emplace(name, medium);
+  }
+}
+
+Medium mediumNamed(const TomlTable& table, std::string_view key, const std::string& name,
+                   const Assembly& from) {
+  const auto own = from.media.find(name);
+  if (own != from.media.end()) return own->second;
+  const auto known = bssrdf::findMedium(name);
+  if (!known) {
+    table.fail(key, fmt::format("names '{}', which is neither under [media] nor measured",
+                                cleanText(name, 60)));
+  }
+  return *known;
+}
+
+/// Of all objects of a model, where the table says one.
+void setMedium(const TomlTable& table, RawScene& model, const Assembly& from) {
+  const auto medium = table.text("medium");
+  if (!medium) return;
+  for (RawObject& object : model.objects) {
+    object.medium = mediumNamed(table, "medium", *medium, from);
+  }
+}
+
+/// In millimetres, from the table that names it under `key`.
+RawScene loadModelOf(const TomlTable& table, std::string_view key, bool isOnly, Assembly& to) {
+  const auto model = table.text(key);
+  if (!model) {
+    table.fail("", fmt::format("has no '{}', a file or builtin:bear or builtin:teapot", key));
+  }
+  const auto diagonal = table.number("diagonal_mm", 1e-6, 1e9);
+  std::optional<std::filesystem::path> morphTo = to.options.morphTo;
+  if (const auto name = table.text("morph_to"); name && !morphTo) morphTo = beside(to.file, *name);
+  ModelSource& source = to.source.models.emplace_back();
+  source = {*model, diagonal, morphTo, {}};
+  LoadOptions builtInOptions;
+  builtInOptions.log = to.options.log;
+  if (diagonal) builtInOptions.diagonalMm = static_cast<float>(*diagonal);
+  builtInOptions.morphTo = morphTo;
+  if (*model == "builtin:bear") return takeBuiltIn(builtInBear(builtInOptions), to);
+  if (*model == "builtin:teapot") return takeBuiltIn(builtInTeapot(builtInOptions), to);
+  if (model->starts_with("builtin:")) {
+    table.fail(key, "names no built-in model; there are builtin:bear and builtin:teapot");
+  }
+  const std::filesystem::path path = beside(to.file, *model);
+  if (path.extension() == ".toml") table.fail(key, "must not be another .toml scene");
+  const bool noteUnit = !diagonal && !to.options.diagonalMm;
+  if (MeshSequence::isPattern(path)) {
+    if (!isOnly) table.fail(key, "stands for numbered meshes, which must be a scene's only model");
+    to.meshes.emplace(path, morphTo);
+  }
+  RawScene raw = to.meshes ? to.meshes->loadFirst(to.options.log) : loadModel(path, to.options.log);
+  if (morphTo) addMorph(raw, path, *morphTo, to.options.log);
+  raw = inMillimetres(std::move(raw), path, noteUnit, to.options.log, to.repairs);
+  if (to.meshes) to.meshes->followRepairs(raw);
+  source.file = path;
+  if (diagonal) scaleBy(raw, *diagonal / diagonalOf(boundsOf(raw)), to.file.string());
+  return raw;
+}
+
+/// The model that the root names, or those of [[models]], each where its table puts it.
+void loadModels(const TomlTable& root, Assembly& to) {
+  const std::vector<TomlTable> tables = root.tables("models");
+  if (tables.empty()) {
+    to.scene = loadModelOf(root, "model", true, to);
+    to.modelDiagonalsMm.push_back(diagonalOf(boundsOf(to.scene)));
+    return setMedium(root, to.scene, to);
+  }
+  for (const std::string_view key : {"model", "diagonal_mm", "morph_to"}) {
+    if (root.has(key)) root.fail(key, "cannot stand beside [[models]], each of which has its own");
+  }
+  if (to.options.morphTo && tables.size() > 1) {
+    throw UsageError("--morph-to is for a scene of one model; in [[models]] each has its morph_to");
+  }
+  for (const TomlTable& table : tables) {
+    table.requireKeys(keys::model);
+    RawScene model = loadModelOf(table, "file", tables.size() == 1, to);
+    to.modelDiagonalsMm.push_back(diagonalOf(boundsOf(model)));
+    setMedium(root, model, to);
+    setMedium(table, model, to);
+    ModelSource& source = to.source.models.back();
+    source.placement = readPlacement(table);
+    if (source.placement) place(model, *source.placement, table);
+    join(to.scene, std::move(model));
+  }
+  if (tables.size() > 1) to.builtInDistanceDiagonals.reset();
+}
+
+void readObjects(const TomlTable& root, Assembly& to) {
+  const auto objects = root.table("objects");
+  if (!objects) return;
+  std::vector<std::string_view> names;
+  for (const RawObject& object : to.scene.objects) names.emplace_back(object.name);
+  const auto tables = objects->subtables();
+  for (const auto& [name, table] : tables) {
+    table.requireKeys(keys::object);
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      table.fail("", fmt::format("names no object of the model; the nearest is '{}'",
+                                 nearest(name, names).value_or("")));
+    }
+    const auto medium = table.text("medium");
+    const std::optional<Placement> placement = readPlacement(table);
+    if (placement) to.source.placements.emplace(name, *placement);
+    for (RawObject& object : to.scene.objects) {
+      if (object.name != name) continue;
+      if (medium) object.medium = mediumNamed(table, "medium", *medium, to);
+      if (placement) place(object, *placement, table);
+    }
+  }
+}
+
+void readDeformers(const TomlTable& root, Assembly& to) {
+  for (const TomlTable& table : root.tables("deform")) {
+    table.requireKeys(keys::deform);
+    const auto kind = table.choice("kind", deformerNames);
+    if (!kind) table.fail("", "has no 'kind': twist, bend, squash or wobble");
+    const auto amount = table.number("amount", -100, 100);
+    if (!amount) table.fail("", "has no 'amount'");
+    Deformer deformer;
+    const auto name = std::find(deformerNames.begin(), deformerNames.end(), *kind);
+    deformer.kind = static_cast<DeformerKind>(name - deformerNames.begin());
+    deformer.amount = static_cast<float>(*amount);
+    deformer.periodSeconds = static_cast<float>(table.number("period_seconds", 0, 1e6).value_or(0));
+    const std::string complaint = complaintAbout(deformer);
+    if (!complaint.empty()) table.fail("", "makes no sense: " + complaint);
+    to.scene.deformers.push_back(deformer);
+  }
+}
+
+/// A place that is given from the centre. In double precision every place can be given.
+std::optional<Vec3> placeFrom(const TomlTable& table, std::string_view key, const Assembly& of) {
+  const auto offset = table.numbers(key, 3);
+  if (!offset) return std::nullopt;
+  return toFloat(toDouble(of.centre) + Double3{(*offset)[0], (*offset)[1], (*offset)[2]});
+}
+
+void readLight(const TomlTable& table, Assembly& to) {
+  constexpr keys::Keys<3> types{"directional", "point", "ambient"};
+  const auto type = table.choice("type", types);
+  const auto need = [&](auto value, std::string_view key) {
+    if (!value) table.fail("", fmt::format("of type '{}' has no '{}'", *type, key));
+    return *value;
+  };
+  if (!type) table.fail("", "has no 'type': directional, point or ambient");
+  Lighting& lighting = to.scene.lighting;
+  if (*type == "directional") {
+    table.requireKeys(keys::directional);
+    lighting.directional.push_back(
+        {need(table.direction("direction_to_light"), "direction_to_light"),
+         table.color("irradiance").value_or(Rgb{1, 1, 1})});
+  } else if (*type == "point") {
+    table.requireKeys(keys::point);
+    lighting.points.push_back({need(placeFrom(table, "position_mm", to), "position_mm"),
+                               need(table.color("intensity"), "intensity")});
+  } else {
+    table.requireKeys(keys::ambient);
+    const Rgb radiance = need(table.color("radiance"), "radiance");
+    for (std::size_t c = 0; c < 3; ++c) lighting.ambient[c] += radiance[c];
+  }
+}
+
+void readLighting(const TomlTable& root, Assembly& to) {
+  const std::vector<TomlTable> lights = root.tables("lights");
+  const auto environment = root.table("environment");
+  if (root.has("lights") || environment) {
+    to.scene.lighting = {};
+    to.scene.hasLights = true;
+  }
+  for (const TomlTable& light : lights) readLight(light, to);
+  if (!environment) return;
+  environment->requireKeys(keys::environment);
+  const auto file = environment->text("file");
+  if (!file) environment->fail("", "has no 'file'");
+  EnvironmentFile from{beside(to.file, *file)};
+  from.intensity = static_cast<float>(environment->number("intensity", 0, 1e6).value_or(1));
+  from.rotationDegrees = environment->number("rotation_degrees", -1e6, 1e6).value_or(0);
+  to.scene.lighting.environment = readEnvironment(from);
+  to.source.environment = std::move(from);
+}
+
+/// The camera that a built-in scene brings, for what has become of its model.
+void frameBuiltIn(Assembly& to) {
+  if (!to.builtInDistanceDiagonals) return;
+  const double distance = *to.builtInDistanceDiagonals * diagonalOf(boundsOf(to.scene));
+  Camera camera;
+  camera.targetMm = to.centre;
+  camera.positionMm = toFloat(toDouble(to.centre) + Double3{0, 0, distance});
+  to.scene.camera = camera;
+}
+
+void readCamera(const TomlTable& root, Assembly& to) {
+  const auto table = root.table("camera");
+  if (!table) return;
+  table->requireKeys(keys::camera);
+  const auto direction = table->direction("direction");
+  const auto position = placeFrom(*table, "position_mm", to);
+  const auto target = placeFrom(*table, "target_mm", to);
+  if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
+  const bool placed = direction || position || target;
+  const std::optional<Camera> own = to.scene.camera;
+  Scene box;
+  for (const RawObject& object : to.scene.objects) {
+    box.objects.push_back({"", {object.mesh.positions, {}, {}}, {}});
+  }
+  Camera camera = placed || !to.scene.camera ? defaultCamera(box, direction.value_or(Vec3{0, 0, 1}))
+                                             : *to.scene.camera;
+  if (direction && own) {
+    camera.targetMm = own->targetMm;
+    camera.positionMm =
+        toFloat(toDouble(own->targetMm) + distanceToTargetMm(*own) * toDouble(*direction));
+  }
+  if (position) camera.positionMm = *position;
+  if (target) camera.targetMm = *target;
+  if (target && direction) {
+    const double away = distanceToTargetMm(own.value_or(defaultCamera(box)));
+    camera.positionMm = toFloat(toDouble(*target) + away * toDouble(*direction));
+  }
+  const Double3 view = toDouble(camera.targetMm) - toDouble(camera.positionMm);
+  if (!(length(view) > 0)) table->fail("", "looks at where it is");
+  if (placed) camera.up = usualUp(camera);
+  if (const auto up = table->vector("up")) {
+    if (*up == Vec3{}) table->fail("up", "must not be zero");
+    camera.up = *up;
+  }
+  const auto fov = table->number("fov_degrees", 1, 170);
+  if (fov) camera.verticalFovDegrees = static_cast<float>(*fov);
+  to.scene.camera = camera;
+  to.scene.cameraChosen = to.scene.cameraChosen || position || target || fov;
+}
+
+LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& options) {
+  requireSensible(options);
+  const toml::table parsed = parse(file);
+  const TomlTable root(file, parsed, "the scene");
+  root.requireKeys(keys::root);
+  LoadedScene loaded;
+  loaded.settings = readSettings(root);
+  Assembly assembly{file, options};
+  assembly.source.sceneFile = file;
+  readMedia(root, assembly);
+  loadModels(root, assembly);
+  readObjects(root, assembly);
+  readDeformers(root, assembly);
+  const Bounds bounds = boundsOf(assembly.scene);
+  assembly.centre = toFloat(0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm)));
+  readLighting(root, assembly);
+  frameBuiltIn(assembly);
+  readCamera(root, assembly);
+  if (options.diagonalMm) {
+    const double factor = double{*options.diagonalMm} / diagonalOf(boundsOf(assembly.scene));
+    rescale(assembly.source, factor, assembly.modelDiagonalsMm);
+  }
+  loaded.source = withAbsolutePaths(std::move(assembly.source));
+  loaded.scene = finished(std::move(assembly.scene), file, std::move(assembly.repairs), options);
+  if (assembly.meshes) {
+    assembly.meshes->followPlace(loaded.scene);
+    loaded.sequence = std::make_shared<MeshSequence>(
+        MeshSequence::State{std::move(*assembly.meshes), loaded.scene});
+  }
+  requireClip(root, loaded);
+  return loaded;
+}
+
+}  // namespace
+
+LoadedScene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options) {
+  if (file.extension() != ".toml" && file.extension() != ".TOML") {
+    return {loadScene(file, options), {}, sourceOf(file, options)};
+  }
+  return loadToml(file, options);
+}
+
+}  // namespace opaline::scene

@@ -1,0 +1,327 @@
+#include "scene/toml/writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "bssrdf/media.h"
+#include "opaline/error.h"
+#include "scene/deformer_check.h"
+#include "scene/finish.h"
+#include "scene/text.h"
+#include "scene/toml/spelling.h"
+#include "scene/vector_math.h"
+
+namespace opaline::scene {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view heading =
+    "# A scene of Opaline, which `opaline render` draws. Lengths are mm, angles degrees, light is\n"
+    "# linear RGB, scattering and absorption are per mm; places are counted from the middle of "
+    "the\n"
+    "# box around all objects at rest. Paths are relative to this file.\n\n";
+
+/// A file that grows line by line.
+class Text {
+ public:
+  void line(std::string_view words) { lines_ += fmt::format("{}\n", words); }
+  void header(std::string_view words) { lines_ += fmt::format("\n{}\n", words); }
+  void raw(std::string_view key, std::string_view value) {
+    lines_ += fmt::format("{} = {}\n", key, value);
+  }
+  void text(std::string_view key, std::string_view value) { raw(key, toml_text::text(value, key)); }
+  template <typename Number>
+  void number(std::string_view key, Number value) {
+    raw(key, toml_text::number(value, key));
+  }
+  template <typename Numbers>
+  void list(std::string_view key, const Numbers& values) {
+    raw(key, toml_text::list(values, key));
+  }
+
+  const std::string& lines() const { return lines_; }
+
+ private:
+  std::string lines_{heading};
+};
+
+bool isSame(const Medium& a, const Medium& b) {
+  return a.sigmaSPrimePerMm == b.sigmaSPrimePerMm && a.sigmaAPerMm == b.sigmaAPerMm &&
+         a.eta == b.eta;
+}
+
+bool isKnown(const std::string& name, const Medium& medium) {
+  const auto known = bssrdf::findMedium(name);
+  return known && known->name == name && isSame(*known, medium);
+}
+
+/// The media of a scene, each under a name of its own.
+class MediaNames {
+ public:
+  explicit MediaNames(const SceneDescription& scene) {
+    // The tables' own keep their names, whoever else is called so.
+    for (const auto& [object, medium] : scene.media) {
+      if (isKnown(medium.name, medium)) names_.emplace(medium.name, medium);
+    }
+    for (const auto& [object, medium] : scene.media) {
+      const std::string complaint = complaintAbout(medium);
+      if (!complaint.empty()) {
+        throw Error(fmt::format("the medium of object '{}' makes no sense: {}", cleanText(object),
+                                complaint));
+      }
+      names_.emplace(nameOf(medium), medium);
+    }
+  }
+
+  /// The one that it has or would get.
+  std::string nameOf(const Medium& medium) const {
+    const std::string own = medium.name.empty() ? "medium" : cleanText(medium.name);
+    std::string name = own;
+    for (int number = 2; names_.contains(name) && !isSame(names_.at(name), medium); ++number) {
+      name = fmt::format("{} {}", own, number);
+    }
+    return name;
+  }
+
+  const std::map<std::string, Medium>& all() const { return names_; }
+
+ private:
+  std::map<std::string, Medium> names_;
+};
+
+/// Below the folder of the scene or beside it; a path that has only the root in common would not
+/// be found again any better if it were relative.
+std::string written(const fs::path& path, const fs::path& sceneFile) {
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(sceneFile).parent_path(), error);
+  if (error) return fs::absolute(path).string();
+  // The file itself may be a link that is meant to change.
+  const fs::path parent = fs::weakly_canonical(fs::absolute(path).parent_path(), error);
+  if (error) return fs::absolute(path).string();
+  const fs::path whole = parent / path.filename();
+  const auto [inFolder, inWhole] =
+      std::mismatch(folder.begin(), folder.end(), whole.begin(), whole.end());
+  const auto common = std::distance(folder.begin(), inFolder);
+  if (common <= 1 && folder != folder.root_path()) return whole.string();
+  const fs::path relative = whole.lexically_relative(folder);
+  // "builtin:" at the start would mean no file.
+  const bool ambiguous = relative.string().starts_with("builtin:");
+  return ambiguous ? (fs::path(".") / relative).string() : relative.string();
+}
+
+void addModel(const ModelSource& model, std::string_view key, const fs::path& file, Text& to) {
+  to.text(key, model.isBuiltIn() ? model.file.string() : written(model.file, file));
+  if (model.diagonalMm) to.number("diagonal_mm", *model.diagonalMm);
+  if (model.morphTo) to.text("morph_to", written(*model.morphTo, file));
+}
+
+/// A model that stands as it is needs no table.
+bool needTables(const std::vector<ModelSource>& models) {
+  return models.size() != 1 || models.front().placement;
+}
+
+void addPlacement(const Placement& placement, Text& to) {
+  if (placement.rows) return to.list("transform", *placement.rows);
+  if (placement.translationMm != Vec3{}) to.list("translation_mm", placement.translationMm);
+  if (placement.rotationDegrees != Vec3{}) to.list("rotation_degrees", placement.rotationDegrees);
+  if (placement.scale != 1) to.number("scale", placement.scale);
+}
+
+void addModels(const std::vector<ModelSource>& models, const fs::path& file, Text& to) {
+  for (const ModelSource& model : models) {
+    to.header("[[models]]");
+    addModel(model, "file", file, to);
+    if (model.placement) addPlacement(*model.placement, to);
+  }
+}
+
+/// Media by the objects' names, which is how a scene file tells objects apart.
+std::map<std::string, std::string> mediaOfObjects(const SceneDescription& scene,
+                                                  const MediaNames& names) {
+  std::map<std::string, std::string> media;
+  for (const auto& [object, medium] : scene.media) {
+    const auto [entry, isFirst] = media.try_emplace(object, names.nameOf(medium));
+    if (isFirst || entry->second == names.nameOf(medium)) continue;
+    throw Error(
+        fmt::format("several objects are called '{}' and are of different media, which a scene "
+                    "file cannot say: give them names of their own in the model",
+                    cleanText(object)));
+  }
+  return media;
+}
+
+void addObjects(const SceneDescription& scene, Text& to) {
+  const MediaNames names(scene);
+  const std::map<std::string, std::string> media = mediaOfObjects(scene, names);
+  const bool alike = std::all_of(media.begin(), media.end(), [&](const auto& entry) {
+    return entry.second == media.begin()->second;
+  });
+  if (alike && !media.empty()) to.text("medium", media.begin()->second);
+  for (const auto& [name, medium] : names.all()) {
+    if (isKnown(name, medium)) continue;
+    to.header(fmt::format("[media.{}]", toml_text::key(name, "the medium")));
+    to.list("sigma_s_per_mm", medium.sigmaSPrimePerMm);
+    to.list("sigma_a_per_mm", medium.sigmaAPerMm);
+    to.number("eta", medium.eta);
+  }
+  for (const auto& [object, medium] : media) {
+    const auto placement = scene.source.placements.find(object);
+    const bool isPlaced = placement != scene.source.placements.end();
+    if (alike && !isPlaced) continue;
+    to.header(fmt::format("[objects.{}]", toml_text::key(object, "the object")));
+    if (!alike) to.text("medium", medium);
+    if (isPlaced) addPlacement(placement->second, to);
+  }
+}
+
+void requireLight(const Rgb& colour, std::string_view what) {
+  if (std::ranges::min(colour) >= 0) return;
+  throw Error(fmt::format("the {} of a light is negative, which a scene file cannot say", what));
+}
+
+void addLight(std::string_view type, Text& to) {
+  to.header("[[lights]]");
+  to.text("type", type);
+}
+
+void addLighting(const SceneDescription& scene, const fs::path& file, Text& to) {
+  for (const DirectionalLight& light : scene.directional) {
+    requireLight(light.irradiance, "irradiance");
+    addLight("directional", to);
+    to.list("direction_to_light", light.directionToLight);
+    to.list("irradiance", light.irradiance);
+  }
+  for (const PointLight& light : scene.points) {
+    requireLight(light.intensity, "intensity");
+    addLight("point", to);
+    to.raw("position_mm", toml_text::offset(light.positionMm, scene.centreMm, "position_mm"));
+    to.list("intensity", light.intensity);
+  }
+  const auto& environment = scene.source.environment;
+  const bool nothingElse = scene.directional.empty() && scene.points.empty() && !environment;
+  // In a file without lights those of the model shine, or the usual ones.
+  if (scene.ambient != Rgb{} || nothingElse) {
+    requireLight(scene.ambient, "radiance");
+    addLight("ambient", to);
+    to.list("radiance", scene.ambient);
+  }
+  if (!environment) return;
+  to.header("[environment]");
+  to.text("file", written(environment->file, file));
+  if (environment->intensity != 1) to.number("intensity", environment->intensity);
+  if (environment->rotationDegrees != 0) {
+    to.number("rotation_degrees", environment->rotationDegrees);
+  }
+}
+
+void addCamera(const SceneDescription& scene, Text& to) {
+  const Camera& camera = scene.camera;
+  if (camera.positionMm == camera.targetMm || camera.up == Vec3{}) {
+    throw Error("the camera looks at where it is, or has no up direction");
+  }
+  to.header("[camera]");
+  to.raw("position_mm", toml_text::offset(camera.positionMm, scene.centreMm, "position_mm"));
+  to.raw("target_mm", toml_text::offset(camera.targetMm, scene.centreMm, "target_mm"));
+  to.list("up", camera.up);
+  to.number("fov_degrees", camera.verticalFovDegrees);
+}
+
+void addDeformers(const SceneDescription& scene, Text& to) {
+  for (const Deformer& deformer : scene.deformers) {
+    const std::string complaint = complaintAbout(deformer);
+    if (!complaint.empty()) throw Error("a deformer makes no sense: " + complaint);
+    to.header("[[deform]]");
+    to.text("kind", deformerNames[static_cast<std::size_t>(deformer.kind)]);
+    to.number("amount", deformer.amount);
+    if (deformer.periodSeconds != 0) to.number("period_seconds", deformer.periodSeconds);
+  }
+}
+
+void addSettings(const SceneFileSettings& settings, Text& to) {
+  if (settings == SceneFileSettings{}) return;
+  to.header("[render]");
+  const auto text = [&](std::string_view key, const std::optional<std::string>& value) {
+    if (value) to.text(key, *value);
+  };
+  const auto integer = [&](std::string_view key, std::optional<int> value) {
+    if (value) to.raw(key, fmt::format("{}", *value));
+  };
+  const auto number = [&](std::string_view key, const auto& value) {
+    if (value) to.number(key, *value);
+  };
+  if (settings.width && settings.height) {
+    to.raw("size", fmt::format("[{}, {}]", *settings.width, *settings.height));
+  }
+  text("transport", settings.transport);
+  text("sum", settings.sum);
+  text("site", settings.site);
+  number("tolerance", settings.tolerance);
+  integer("max_sources", settings.maxSources);
+  integer("bounces", settings.bounces);
+  integer("boundary_surfels", settings.boundarySurfels);
+  integer("near_rings", settings.nearRings);
+  number("near_spacing", settings.nearSpacing);
+  number("far_distance", settings.farDistance);
+  integer("dsm_size", settings.dsmSize);
+  integer("shadow_size", settings.shadowSize);
+  if (settings.specular) to.raw("specular", *settings.specular ? "true" : "false");
+  number("roughness", settings.roughness);
+  integer("antialias", settings.antialias);
+  number("exposure", settings.exposureStops);
+  text("tone", settings.tone);
+  if (settings.background) to.list("background", *settings.background);
+  text("device", settings.device);
+  number("seconds", settings.seconds);
+  text("clip", settings.clip);
+}
+
+}  // namespace
+
+SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSettings settings) {
+  const Lighting& lighting = scene.lighting;
+  if (lighting.environment && !source.environment) {
+    throw Error("the environment was read from no file that a scene file could name");
+  }
+  SceneDescription description;
+  description.source = std::move(source);
+  if (!lighting.environment) description.source.environment.reset();
+  const Bounds bounds = boundsOf(scene);
+  description.centreMm = toFloat(0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm)));
+  for (const Object& object : scene.objects) {
+    description.media.push_back({object.name, object.medium});
+  }
+  description.directional = lighting.directional;
+  description.points = lighting.points;
+  description.ambient = lighting.ambient;
+  description.camera = scene.camera;
+  description.deformers = scene.deformers;
+  description.settings = std::move(settings);
+  return description;
+}
+
+fs::path writeScene(const core::Target& target, const SceneDescription& description) {
+  const fs::path& file = target.path;
+  if (file.extension() != ".toml") {
+    throw UsageError(
+        fmt::format("{}: the name of a scene file ends in .toml", cleanText(file.string(), 1000)));
+  }
+  Text text;
+  const std::vector<ModelSource>& models = description.source.models;
+  if (!needTables(models)) addModel(models.front(), "model", file, text);
+  addObjects(description, text);
+  if (needTables(models)) addModels(models, file, text);
+  addLighting(description, file, text);
+  addCamera(description, text);
+  addDeformers(description, text);
+  addSettings(description.settings, text);
+  return core::writeWhole(target, text.lines());
+}
+
+}  // namespace opaline::scene

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include "cli/motion_options.h"
+#include "cli/picture_options.h"
+
+namespace opaline::app {
+namespace {
+
+Scene withClips() {
+  Scene scene;
+  scene.clips = {{"walk", 1, {}}, {"run", 2, {}}};
+  return scene;
+}
+
+/// As the command line understands a file, where no option is given.
+RenderOptions understood(const scene::SceneFileSettings& settings, const Scene& scene) {
+  RenderOptions options = optionsOf(settings);
+  MethodOptions().applyTo(options, settings);
+  PictureOptions().applyTo(options);
+  MotionOptions().applyTo(options, scene, settings);
+  return options;
+}
+
+void expectSame(const RenderOptions& a, const RenderOptions& b) {
+  // As many names as there are options, so that a new one does not compile before it is here.
+  const auto& [width, height, transport, sum, site, tolerance, maxSources, boundarySurfels, bounces,
+               pattern, dsmSize, shadowSize, specular, roughness, treeLevel, antialias, frames,
+               seconds, clip, patient, reuseLight] = b;
+  const auto& [nearRings, nearSpacing, farDistance] = pattern;
+  EXPECT_EQ(a.width, width);
+  EXPECT_EQ(a.height, height);
+  EXPECT_EQ(a.transport, transport);
+  EXPECT_EQ(a.sum, sum);
+  EXPECT_EQ(a.site, site);
+  EXPECT_EQ(a.tolerance, tolerance);
+  EXPECT_EQ(a.maxSources, maxSources);
+  EXPECT_EQ(a.boundarySurfels, boundarySurfels);
+  EXPECT_EQ(a.bounces, bounces);
+  EXPECT_EQ(a.pattern.nearRings, nearRings);
+  EXPECT_EQ(a.pattern.nearSpacing, nearSpacing);
+  EXPECT_EQ(a.pattern.farDistance, farDistance);
+  EXPECT_EQ(a.dsmSize, dsmSize);
+  EXPECT_EQ(a.shadowSize, shadowSize);
+  EXPECT_EQ(a.specular, specular);
+  EXPECT_EQ(a.roughness, roughness);
+  EXPECT_EQ(a.antialias, antialias);
+  EXPECT_EQ(a.seconds, seconds);
+  EXPECT_EQ(a.clip, clip);
+  static_cast<void>(frames);      // how often a picture is made for its time
+  static_cast<void>(treeLevel);   // of a variable, not of the picture
+  static_cast<void>(patient);     // how a program that waits for the picture gets it
+  static_cast<void>(reuseLight);  // the same picture, sooner
+}
+
+TEST(Settings, OptionsComeBack) {
+  RenderOptions options;
+  options.width = 321;
+  options.height = 123;
+  options.transport = Transport::BetterDipole;
+  options.sum = Sum::All;
+  options.site = Site::Vertex;
+  options.tolerance = 0.123F;
+  options.maxSources = 4321;
+  options.boundarySurfels = 777;
+  options.bounces = 5;
+  options.pattern = {3, 1.5F, 17};
+  options.dsmSize = 99;
+  options.shadowSize = 101;
+  options.specular = false;
+  options.roughness = 0.7F;
+  options.antialias = 8;
+  options.seconds = 1.23;
+  for (const int clip : {-1, 0, 1}) {
+    options.clip = clip;
+    expectSame(understood(settingsOf(options, {}, withClips()), withClips()), options);
+  }
+  expectSame(understood(settingsOf({}, {}, {}), {}), {});
+  // What the file of the paper's method says is not taken for the pattern alone.
+  options.sum = Sum::Pattern;
+  expectSame(understood(settingsOf(options, {}, withClips()), withClips()), options);
+}
+
+TEST(Settings, ToneComesBack) {
+  core::ToneOptions tone;
+  tone.exposureStops = -1.25F;
+  tone.curve = core::ToneCurve::None;
+  tone.background = Rgb{0.25F, 0.5F, 1};
+  for (const core::ToneOptions& wanted : {tone, core::ToneOptions{}}) {
+    const scene::SceneFileSettings settings = settingsOf({}, wanted, {});
+    for (const core::ToneOptions& found :
+         {toneOf(settings, {}), PictureOptions().tone(settings, {})}) {
+      EXPECT_EQ(found.exposureStops, wanted.exposureStops);
+      EXPECT_EQ(found.curve, wanted.curve);
+      EXPECT_EQ(found.background, wanted.background);
+    }
+  }
+}
+
+TEST(Settings, ExposureFollowsTheLightUnlessItIsSaid) {
+  Scene bright;
+  bright.lighting.ambient = {5, 5, 5};  // radiance of white, twice the brightest that is left
+  scene::SceneFileSettings settings;
+  EXPECT_EQ(toneOf(settings, bright).exposureStops, -1);
+  EXPECT_EQ(PictureOptions().noteOnExposure(settings, toneOf(settings, bright)),
+            "the light asks for an exposure of -1 stops; --exposure 0 leaves it as it is");
+  settings.exposureStops = 0.0F;
+  EXPECT_EQ(toneOf(settings, bright).exposureStops, 0);
+  EXPECT_EQ(PictureOptions().noteOnExposure(settings, toneOf(settings, bright)), std::nullopt);
+}
+
+}  // namespace
+}  // namespace opaline::app

@@ -1,0 +1,496 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "bssrdf/profile.h"
+#include "opaline/error.h"
+#include "opaline/scene.h"
+#include "scene/gltf/glb.h"
+#include "scene/shapes.h"
+
+namespace opaline {
+namespace {
+
+using testing::HasSubstr;
+
+/// A tetrahedron of floats: 48 bytes of positions, then 12 indices of 16 bits.
+const std::vector<float> tetrahedron{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+const std::vector<std::uint16_t> faces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+
+std::string tetrahedronBytes() {
+  return test::raw(tetrahedron) + test::raw(faces);
+}
+
+/// Parts of a file around the tetrahedron, each to be replaced.
+struct Parts {
+  std::string nodes = R"({"mesh":0,"name":"tetra"})";
+  std::string meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1}]})";
+  std::string accessors =
+      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},
+         {"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})";
+  std::string views = R"({"buffer":0,"byteOffset":0,"byteLength":48},
+                         {"buffer":0,"byteOffset":48,"byteLength":24})";
+  std::string buffers = R"({"byteLength":72})";
+  std::string scene = R"("scene":0,"scenes":[{"nodes":[0]}],)";
+  std::string more{};
+
+  std::string json() const {
+    return R"({"asset":{"version":"2.0"},)" + scene + R"("nodes":[)" + nodes + R"(],"meshes":[)" +
+           meshes + R"(],"accessors":[)" + accessors + R"(],"bufferViews":[)" + views +
+           R"(],"buffers":[)" + buffers + "]" + more + "}";
+  }
+};
+
+class Gltf : public testing::Test {
+ protected:
+  Scene loadBytes(const std::string& bytes, const LoadOptions& options = {}) {
+    test::writeBytes(folder / "a.glb", bytes);
+    return loadScene(folder / "a.glb", options);
+  }
+  Scene load(const Parts& parts, const std::string& binary = tetrahedronBytes()) {
+    LoadOptions options;
+    options.log = [&](LogLevel, std::string_view message) { notes.emplace_back(message); };
+    return loadBytes(test::glb(parts.json(), binary), options);
+  }
+  std::string errorOf(const Parts& parts, const std::string& binary = tetrahedronBytes()) {
+    std::string message = test::messageOf([&] { load(parts, binary); });
+    EXPECT_THAT(message, HasSubstr("a.glb"));
+    EXPECT_LT(message.size(), 500U);
+    return message;
+  }
+  static double volumeMm3(const Scene& scene) {
+    double sum = 0;
+    for (const Object& object : scene.objects) {
+      sum += test::signedVolume(object.mesh.positionsMm, object.mesh.triangles);
+    }
+    return sum;
+  }
+  test::TemporaryFolder folder;
+  std::vector<std::string> notes;
+};
+
+TEST_F(Gltf, MetresBecomeMillimetresAndMissingNormalsAreFlat) {
+  const Scene scene = load({});
+  test::expectSound(scene);
+  EXPECT_TRUE(scene.repairs.empty());
+  EXPECT_EQ(scene.objects[0].name, "tetra");
+  EXPECT_EQ(scene.objects[0].medium.name, "marble");
+  EXPECT_EQ(boundsOf(scene).maxMm, (Vec3{1000, 1000, 1000}));
+  const Mesh& mesh = scene.objects[0].mesh;
+  ASSERT_EQ(mesh.positionsMm.size(), 12U);
+  EXPECT_EQ(mesh.normals[0], (Vec3{0, 0, -1}));
+  EXPECT_EQ(mesh.normals[2], (Vec3{0, 0, -1}));
+  EXPECT_NEAR(volumeMm3(scene), 1e9 / 6, 1e3);
+  EXPECT_TRUE(notes.empty());
+}
+
+TEST_F(Gltf, TransformsAreAppliedDownTheTree) {
+  Parts parts;
+  // A quarter turn about z, a shift, then a mirror.
+  parts.nodes = R"({"children":[1],"translation":[1,0,0],"rotation":[0,0,0.70710678,0.70710678]},
+                   {"mesh":0,"scale":[-2,1,1]})";
+  const Scene scene = load(parts);
+  EXPECT_TRUE(scene.repairs.empty());
+  // x in [-2,0] becomes y, y in [0,1] becomes -x.
+  const Bounds bounds = boundsOf(scene);
+  EXPECT_NEAR(bounds.minMm[0], 0, 1e-3);
+  EXPECT_NEAR(bounds.maxMm[0], 1000, 1e-3);
+  EXPECT_NEAR(bounds.minMm[1], -2000, 1e-3);
+  EXPECT_NEAR(volumeMm3(scene), 2e9 / 6, 1e4);
+  parts.nodes = R"({"mesh":0,"matrix":[0,1,0,0, -1,0,0,0, 0,0,1,0, 5,0,0,1]})";
+  EXPECT_NEAR(boundsOf(load(parts)).minMm[0], 4000, 1e-2);
+}
+
+TEST_F(Gltf, InstancesPrimitivesAndMedia) {
+  Parts parts;
+  parts.nodes = R"({"mesh":0,"name":"left"},{"mesh":0,"name":"ketchup","translation":[3,0,0]})";
+  parts.scene = R"("scenes":[{"nodes":[0,1]}],)";
+  parts.meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1},
+                                   {"attributes":{"POSITION":0},"mode":0},
+                                   {"attributes":{"POSITION":0},"indices":1,"material":0}]})";
+  parts.more = R"(,"materials":[{"name":"SkimMilk"}])";
+  const Scene scene = load(parts);
+  ASSERT_EQ(scene.objects.size(), 4U);
+  EXPECT_EQ(scene.objects[0].medium.name, "marble");
+  EXPECT_EQ(scene.objects[1].medium.name, "skimmilk");
+  EXPECT_EQ(scene.objects[2].medium.name, "ketchup");
+  EXPECT_EQ(scene.objects[0].name, "left (marble)");
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("points and lines")));
+}
+
+TEST_F(Gltf, StripsFansAndMissingIndices) {
+  const std::string square = test::raw<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
+  Parts parts;
+  parts.accessors = R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"})";
+  parts.views = R"({"buffer":0,"byteLength":48})";
+  parts.buffers = R"({"byteLength":48})";
+  for (const int mode : {5, 6}) {
+    parts.meshes =
+        fmt::format(R"({{"primitives":[{{"attributes":{{"POSITION":0}},"mode":{}}}]}})", mode);
+    const Scene scene = load(parts, square);
+    EXPECT_EQ(scene.objects[0].mesh.triangles.size(), 2U);
+    if (mode == 5) {
+      for (const Vec3& n : scene.objects[0].mesh.normals) EXPECT_EQ(n, (Vec3{0, 0, 1}));
+    }
+  }
+}
+
+TEST_F(Gltf, AllComponentTypesNormalisedOrNot) {
+  struct Case {
+    int type;
+    bool normalised;
+    std::string bytes;  // of 0 0 0, 1 0 0, 0 1 0 or their like
+  };
+  const auto three = [](auto one) {
+    using T = decltype(one);
+    return test::raw(std::vector<T>{0, 0, 0, one, 0, 0, 0, one, 0});
+  };
+  const Case cases[] = {
+      {5120, true, three(std::int8_t{127})},    {5121, true, three(std::uint8_t{255})},
+      {5122, true, three(std::int16_t{32767})}, {5123, true, three(std::uint16_t{65535})},
+      {5120, false, three(std::int8_t{1})},     {5121, false, three(std::uint8_t{1})},
+      {5122, false, three(std::int16_t{1})},    {5123, false, three(std::uint16_t{1})},
+      {5125, false, three(std::uint32_t{1})},   {5126, false, three(1.0F)},
+  };
+  for (const Case& of : cases) {
+    Parts parts;
+    parts.accessors = fmt::format(
+        R"({{"bufferView":0,"componentType":{},"normalized":{},"count":3,"type":"VEC3"}})", of.type,
+        of.normalised);
+    parts.meshes = R"({"primitives":[{"attributes":{"POSITION":0}}]})";
+    parts.views = fmt::format(R"({{"buffer":0,"byteLength":{}}})", of.bytes.size());
+    parts.buffers = fmt::format(R"({{"byteLength":{}}})", of.bytes.size());
+    EXPECT_EQ(boundsOf(load(parts, of.bytes)).maxMm, (Vec3{1000, 1000, 0})) << of.type;
+  }
+}
+
+TEST_F(Gltf, MorphTargetsByDefaultWeightsNodeBeforeMesh) {
+  Parts parts;
+  parts.accessors += R"(,{"componentType":5126,"count":4,"type":"VEC3",
+      "sparse":{"count":1,"indices":{"bufferView":2,"componentType":5121},
+                "values":{"bufferView":3}}})";
+  parts.views += R"(,{"buffer":0,"byteOffset":72,"byteLength":1},
+                     {"buffer":0,"byteOffset":76,"byteLength":12})";
+  parts.buffers = R"({"byteLength":88})";
+  parts.meshes = R"({"weights":[0.5],"primitives":[{"attributes":{"POSITION":0},"indices":1,
+                     "targets":[{"POSITION":2}]}]})";
+  const std::string binary =
+      tetrahedronBytes() + std::string("\x03\0\0\0", 4) + test::raw<float>({0, 0, 4});
+  EXPECT_NEAR(boundsOf(load(parts, binary)).maxMm[2], 3000, 1e-2);
+  parts.nodes = R"({"mesh":0,"weights":[1]})";
+  EXPECT_NEAR(boundsOf(load(parts, binary)).maxMm[2], 5000, 1e-2);
+}
+
+TEST_F(Gltf, SkinsIgnoreTheirNodeAndWeightsAreBroughtToOne) {
+  Parts parts;
+  parts.scene = R"("scenes":[{"nodes":[0,1]}],)";
+  parts.nodes = R"({"mesh":0,"skin":0,"translation":[100,0,0]},{"translation":[0,0,2]})";
+  parts.meshes = R"({"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},
+                     "indices":1}]})";
+  parts.accessors += R"(,{"bufferView":2,"componentType":5121,"count":4,"type":"VEC4"},
+                         {"bufferView":3,"componentType":5126,"count":4,"type":"VEC4"})";
+  parts.views += R"(,{"buffer":0,"byteOffset":72,"byteLength":16},
+                     {"buffer":0,"byteOffset":88,"byteLength":64})";
+  parts.buffers = R"({"byteLength":152})";
+  parts.more = R"(,"skins":[{"joints":[1]}])";
+  std::vector<float> weights(16, 0);
+  for (std::size_t v = 0; v < 4; ++v) weights[4 * v] = 0.25F;
+  const std::string binary = tetrahedronBytes() + std::string(16, '\0') + test::raw(weights);
+  const Bounds bounds = boundsOf(load(parts, binary));
+  EXPECT_EQ(bounds.minMm, (Vec3{0, 0, 2000}));
+  EXPECT_EQ(bounds.maxMm, (Vec3{1000, 1000, 3000}));
+  EXPECT_THAT(errorOf(parts, tetrahedronBytes() + std::string(16, '\5') + test::raw(weights)),
+              HasSubstr("joint 5"));
+}
+
+TEST_F(Gltf, CamerasAndLights) {
+  Parts parts;
+  parts.scene = R"("scenes":[{"nodes":[0,1,2,3,4]}],)";
+  parts.nodes = R"({"mesh":0},{"camera":0,"translation":[0.25,0.25,5]},
+      {"extensions":{"KHR_lights_punctual":{"light":0}},"rotation":[0,0.70710678,0,0.70710678]},
+      {"extensions":{"KHR_lights_punctual":{"light":1}},"translation":[0,0,2]},
+      {"extensions":{"KHR_lights_punctual":{"light":2}}})";
+  parts.more =
+      R"(,"cameras":[{"type":"perspective","perspective":{"yfov":0.7853981634,"znear":0.1}}],
+      "extensions":{"KHR_lights_punctual":{"lights":[
+        {"type":"directional","intensity":3,"color":[1,0.5,0]},
+        {"type":"point","intensity":7},{"type":"spot","name":"S","spot":{}}]}})";
+  const Scene scene = load(parts);
+  EXPECT_EQ(scene.camera.positionMm, (Vec3{250, 250, 5000}));
+  EXPECT_NEAR(scene.camera.verticalFovDegrees, 45, 1e-4);
+  EXPECT_NEAR(scene.camera.targetMm[2], 500, 1e-2);
+  ASSERT_EQ(scene.lighting.directional.size(), 1U);
+  // A light shines along its -z; the node turns +z to +x.
+  EXPECT_NEAR(scene.lighting.directional[0].directionToLight[0], 1, 1e-6);
+  EXPECT_EQ(scene.lighting.directional[0].irradiance, (Rgb{3, 1.5F, 0}));
+  ASSERT_EQ(scene.lighting.points.size(), 1U);
+  EXPECT_EQ(scene.lighting.points[0].positionMm, (Vec3{0, 0, 2000}));
+  // At one metre 7 candela give 7 lux.
+  EXPECT_NEAR(scene.lighting.points[0].intensity[0] / 1e6, 7, 1e-5);
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("spot")));
+}
+
+TEST_F(Gltf, MediumFromExtrasNameOrVolume) {
+  Parts parts;
+  parts.meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]})";
+  const std::string volume = R"("extensions":{"KHR_materials_ior":{"ior":1.4},
+      "KHR_materials_volume":{"attenuationDistance":0.001,"attenuationColor":[0.5,0.25,0.125]},
+      "KHR_materials_volume_scatter":{"multiscatterColor":[0.9,0.5,0]}})";
+  parts.more = R"(,"materials":[{"name":"own",)" + volume + R"(,"extras":{
+      "sigma_s_prime_per_mm":[1,2,3],"sigma_a_per_mm":[0,0.5,1]}}])";
+  Medium medium = load(parts).objects[0].medium;
+  EXPECT_EQ(medium.name, "own");
+  EXPECT_EQ(medium.sigmaSPrimePerMm[2], 3);
+  EXPECT_EQ(medium.sigmaAPerMm[1], 0.5);
+  EXPECT_EQ(medium.eta, 1.4);
+
+  parts.more = R"(,"materials":[{"name":"MARBLE",)" + volume + "}]";
+  EXPECT_EQ(load(parts).objects[0].medium.eta, 1.5);
+
+  parts.more = R"(,"materials":[{"name":"wax of mine",)" + volume + "}]";
+  medium = load(parts).objects[0].medium;
+  const double reflectance[] = {0.9, 0.5, 0};
+  for (int c = 0; c < 3; ++c) {
+    const bssrdf::Coefficients of = bssrdf::coefficients(medium, c);
+    // After one millimetre 1/2, 1/4, 1/8 is left.
+    EXPECT_NEAR(of.sigmaTPrimePerMm, (c + 1) * std::log(2.0), 1e-9);
+    EXPECT_NEAR(bssrdf::makeProfile(bssrdf::Model::Dipole, of).totalReflectance(), reflectance[c],
+                1e-6);
+  }
+  parts.more = R"(,"materials":[{"extras":{"sigma_s_prime_per_mm":[1,2,-3],
+      "sigma_a_per_mm":[0,0.5,1]}}])";
+  EXPECT_THAT(errorOf(parts), HasSubstr("scattering"));
+}
+
+TEST_F(Gltf, ExternalBuffersOnlyFromTheOwnFolder) {
+  namespace fs = std::filesystem;
+  fs::create_directories(folder / "models/parts");
+  const std::string bytes = tetrahedronBytes();
+  test::writeBytes(folder / "models/parts/a b.bin", bytes);
+  test::writeBytes(folder / "secret.bin", bytes);
+  fs::create_symlink(folder / "secret.bin", folder / "models/link.bin");
+  const auto load = [&](const std::string& uri) {
+    Parts parts;
+    parts.buffers = R"({"byteLength":72,"uri":")" + uri + R"("})";
+    test::writeBytes(folder / "models/a.gltf", parts.json());
+    return loadScene(folder / "models/a.gltf");
+  };
+  test::expectSound(load("parts/a%20b.bin"));
+  for (const std::string& uri :
+       {std::string("../secret.bin"), std::string("parts/../../secret.bin"),
+        (folder / "secret.bin").string(), std::string("link.bin"), std::string("none.bin"),
+        std::string("%2e%2e/secret.bin"), std::string("parts")}) {
+    EXPECT_THAT(test::messageOf([&] { load(uri); }), HasSubstr("a.gltf")) << uri;
+  }
+  EXPECT_THAT(test::messageOf([&] { load("../secret.bin"); }), HasSubstr("outside"));
+  EXPECT_THAT(test::messageOf([&] { load("link.bin"); }), HasSubstr("out of"));
+}
+
+TEST_F(Gltf, ChainOfFiftyThousandNodesIsWalked) {
+  Parts parts;
+  parts.nodes.clear();
+  constexpr int length = 50'000;
+  for (int i = 0; i < length; ++i) {
+    parts.nodes += fmt::format(R"({{"children":[{}],"translation":[0.001,0,0]}},)", i + 1);
+  }
+  parts.nodes += R"({"mesh":0})";
+  EXPECT_NEAR(boundsOf(load(parts)).minMm[0], 50'000, 1);
+}
+
+TEST_F(Gltf, GraphsThatAreNoTreesAreErrors) {
+  Parts parts;
+  parts.nodes = R"({"mesh":0,"children":[1]},{"children":[0]})";
+  EXPECT_THAT(errorOf(parts), HasSubstr("cycle"));
+  parts.nodes = R"({"mesh":0,"children":[0]})";
+  EXPECT_THAT(errorOf(parts), HasSubstr("cycle"));
+  parts.nodes = R"({"mesh":0,"children":[2]},{"children":[2]},{})";
+  EXPECT_THAT(errorOf(parts), HasSubstr("two parents"));
+  parts.nodes = R"({"mesh":0,"children":[7]})";
+  EXPECT_THAT(errorOf(parts), HasSubstr("child 7"));
+  parts.nodes = R"({"mesh":3})";
+  EXPECT_THAT(errorOf(parts), HasSubstr("mesh 3"));
+  parts = {};
+  parts.scene = R"("scene":9,"scenes":[{"nodes":[0]}],)";
+  EXPECT_THAT(errorOf(parts), HasSubstr("scene 9"));
+  parts.scene = R"("scenes":[{"nodes":[]}],)";
+  EXPECT_THAT(errorOf(parts), HasSubstr("no triangle mesh"));
+}
+
+std::string withAccessor0(const std::string& accessor) {
+  return accessor + R"(,{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})";
+}
+
+TEST_F(Gltf, AccessorsThatLieAreErrors) {
+  const char* accessors[] = {
+      R"({"bufferView":0,"componentType":5126,"count":5,"type":"VEC3"})",
+      R"({"bufferView":0,"componentType":5126,"count":4000000000000,"type":"VEC3"})",
+      R"({"bufferView":0,"componentType":5126,"count":18446744073709551615,"type":"VEC3"})",
+      R"({"bufferView":0,"byteOffset":18446744073709551612,"componentType":5126,"count":4,"type":"VEC3"})",
+      R"({"bufferView":0,"byteOffset":4,"componentType":5126,"count":4,"type":"VEC3"})",
+      R"({"bufferView":9,"componentType":5126,"count":4,"type":"VEC3"})",
+      R"({"bufferView":-7,"componentType":5126,"count":4,"type":"VEC3"})",
+      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})",
+      R"({"bufferView":0,"componentType":1,"count":4,"type":"VEC3"})",
+      R"({"componentType":5126,"count":4000000000,"type":"VEC3"})",
+      R"({"componentType":5126,"count":4,"type":"VEC3"})",  // all at one place
+      R"({"bufferView":0,"componentType":5126,"count":-4,"type":"VEC3"})",
+      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":-1,"indices":{"bufferView":1,"componentType":5123},"values":{"bufferView":0}}})",
+      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":4,"indices":{"bufferView":1,"byteOffset":-5,"componentType":5123},"values":{"bufferView":0}}})",
+      R"({"bufferView":0,"componentType":5126,"count":2,"type":"VEC3","sparse":{"count":2,"indices":{"bufferView":1,"componentType":5123},"values":{"bufferView":0}}})",
+  };
+  for (const char* accessor : accessors) {
+    Parts parts;
+    parts.accessors = withAccessor0(accessor);
+    EXPECT_NE(errorOf(parts), "") << accessor;
+  }
+}
+
+TEST_F(Gltf, BufferViewsAndBuffersThatLieAreErrors) {
+  const std::string second = R"(,{"buffer":0,"byteOffset":48,"byteLength":24})";
+  for (const char* view :
+       {R"({"buffer":0,"byteOffset":60,"byteLength":48})", R"({"buffer":5,"byteLength":48})",
+        R"({"buffer":0,"byteOffset":18446744073709551600,"byteLength":48})",
+        R"({"buffer":0,"byteLength":18446744073709551615,"byteOffset":8})",
+        R"({"buffer":0,"byteLength":48,"byteStride":4})"}) {
+    Parts parts;
+    parts.views = view + second;
+    EXPECT_NE(errorOf(parts), "") << view;
+  }
+  Parts parts;
+  parts.buffers = R"({"byteLength":4000000000000})";
+  errorOf(parts);
+  parts.buffers = R"({"byteLength":72},{"byteLength":72})";
+  EXPECT_THAT(errorOf(parts), HasSubstr("more than one buffer"));
+  parts.buffers = R"({"byteLength":72,"uri":"data:application/octet-stream;base64,AAAA"})";
+  errorOf(parts);
+}
+
+TEST_F(Gltf, BadNumbersAndIndicesAreErrors) {
+  std::vector<std::uint16_t> wild = faces;
+  wild[7] = 4;
+  EXPECT_THAT(errorOf({}, test::raw(tetrahedron) + test::raw(wild)), HasSubstr("vertex 4"));
+  std::vector<float> broken = tetrahedron;
+  broken[4] = NAN;
+  EXPECT_THAT(errorOf({}, test::raw(broken) + test::raw(faces)), HasSubstr("finite"));
+  Parts parts;
+  parts.nodes = R"({"mesh":0,"scale":[1e300,1e300,1e300]})";
+  errorOf(parts);
+  parts.nodes = R"({"mesh":0,"scale":[1e37,1e37,1e37]})";
+  EXPECT_THAT(errorOf(parts), HasSubstr("too large"));
+  parts.nodes = R"({"mesh":0,"scale":[0,0,0]})";
+  EXPECT_THAT(errorOf(parts), HasSubstr("degenerate"));
+  parts.nodes = R"({"mesh":0,"translation":[1,2]})";
+  EXPECT_THAT(errorOf(parts), HasSubstr("node 0"));
+}
+
+TEST_F(Gltf, ManyInstancesAreRefusedBeforeMemoryIs) {
+  Parts parts;
+  const int count = 3000;
+  parts.nodes.clear();
+  std::string list;
+  for (int i = 0; i < count; ++i) {
+    parts.nodes += i == 0 ? R"({"mesh":0})" : R"(,{"mesh":0})";
+    list += (i == 0 ? "" : ",") + std::to_string(i);
+  }
+  parts.scene = R"("scenes":[{"nodes":[)" + list + "]}],";
+  // Fans of 16,000 triangles, each with vertices of its own for want of normals.
+  std::vector<std::uint16_t> fan(16'000);
+  for (std::size_t i = 0; i < fan.size(); ++i) fan[i] = static_cast<std::uint16_t>(i % 4);
+  parts.accessors = R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},
+                       {"bufferView":1,"componentType":5123,"count":16000,"type":"SCALAR"})";
+  parts.views = R"({"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":32000})";
+  parts.buffers = R"({"byteLength":32048})";
+  parts.meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":6}]})";
+  EXPECT_THAT(errorOf(parts, test::raw(tetrahedron) + test::raw(fan)), HasSubstr("more than"));
+}
+
+TEST_F(Gltf, BrokenContainersAndJsonAreErrors) {
+  const std::string whole = test::glb(Parts{}.json(), tetrahedronBytes());
+  for (std::size_t size = 1; size < whole.size(); size += 11) {
+    EXPECT_NE(test::messageOf([&] { loadBytes(whole.substr(0, size)); }), "");
+  }
+  const auto textError = [&](const std::string& json) {
+    test::writeBytes(folder / "a.gltf", json);
+    return test::messageOf([&] { loadScene(folder / "a.gltf"); });
+  };
+  EXPECT_THAT(textError(std::string(100'000, '[')), HasSubstr("nested"));
+  EXPECT_THAT(textError("{\"a\":" + std::string(100'000, '{')), HasSubstr("JSON"));
+  EXPECT_THAT(textError("{\"asset\":{\"version\":\"2.0\"},\"x\":\"\xFF\xFE\"}"), HasSubstr("JSON"));
+  EXPECT_THAT(textError("{ \"a\": 1 }"), HasSubstr("asset"));
+  EXPECT_THAT(textError(R"({"asset":{"version":"1.0"}})"), HasSubstr("'1.0'"));
+  EXPECT_THAT(textError(R"({"asset":{"version":"2.0"},"nodes":[5]})"), HasSubstr("glTF"));
+  EXPECT_THAT(
+      textError(R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":5}]}]})"),
+      HasSubstr("a.gltf"));
+  EXPECT_THAT(textError("hello"), HasSubstr("JSON"));
+}
+
+TEST_F(Gltf, WhatIsNotShownIsCounted) {
+  Parts parts;
+  parts.nodes = R"({"mesh":0},{"mesh":0},{"mesh":1},{"camera":0},{"camera":1},)"
+                R"({"extensions":{"KHR_lights_punctual":{"light":0}}})";
+  parts.scene = R"("scene":0,"scenes":[{"nodes":[0,1,2,3,4,5]}],)";
+  parts.meshes =
+      R"({"name":"body","primitives":[{"attributes":{"POSITION":0,"COLOR_0":0},"indices":1,"material":0},)"
+      R"({"attributes":{"POSITION":0},"mode":1,"material":2}]},)"
+      R"({"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":1}]})";
+  parts.more =
+      R"(,"textures":[{}],"materials":[{"name":"skin","alphaMode":"MASK","pbrMetallicRoughness":)"
+      R"({"metallicFactor":0,"baseColorTexture":{"index":0}},"normalTexture":{"index":0},)"
+      R"("extensions":{"KHR_materials_ior":{"ior":1.4},"KHR_materials_sheen":{}}},)"
+      R"({"emissiveFactor":[1,0,0],"pbrMetallicRoughness":{"baseColorFactor":[1,0.5,1,1],)"
+      R"("baseColorTexture":{"index":0}}},{"name":"unused","alphaMode":"BLEND"}],)"
+      R"("cameras":[{"type":"perspective","name":"a","perspective":{"yfov":1,"znear":1}},)"
+      R"({"type":"perspective","name":"b","perspective":{"yfov":1,"znear":1}}],)"
+      R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{},"name":"lamp"}]}},)"
+      R"("extensionsUsed":["KHR_lights_punctual","KHR_materials_sheen","ACME_fog"])";
+  const Scene scene = load(parts);
+  std::string said;
+  for (const NotShown& kind : scene.notShown) {
+    said += kind.what + " " + std::to_string(kind.count);
+    for (const std::string& name : kind.names) said += " " + name;
+    said += "\n";
+  }
+  EXPECT_EQ(
+      said,
+      "points and lines 1 body\nvertex colours 1 body\nbase-colour textures 2 skin material 1\n"
+      "normal textures 1 skin\nalpha 1 skin\nKHR_materials_sheen 1 skin\n"
+      "base colours 1 material 1\nmetals 1 material 1\nemission 1 material 1\n"
+      "extensions 1 ACME_fog\ncameras after the first 1 b\nspot lights 1 lamp\n");
+  EXPECT_EQ(scene.camera.verticalFovDegrees, static_cast<float>(180 / std::numbers::pi));
+  EXPECT_TRUE(scene.cameraChosen);
+}
+
+TEST_F(Gltf, RequiredExtensionsThatAreUnknownAreNamed) {
+  Parts parts;
+  parts.more = R"(,"extensionsRequired":["KHR_mesh_quantization","KHR_draco_mesh_compression",)"
+               R"("KHR_texture_transform","ACME_\u0007cloth","ACME_\u0007cloth"])";
+  const std::string message = errorOf(parts);
+  EXPECT_THAT(message, HasSubstr("requires 'ACME_\uFFFDcloth' and 'KHR_draco_mesh_compression', "
+                                 "which are not supported"));
+  EXPECT_THAT(message, HasSubstr("KHR_lights_punctual"));
+  // What else would be said of such a file comes of not knowing them.
+  EXPECT_THAT(test::messageOf([&] {
+                loadBytes(test::glb(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4},)"
+                                    R"({"byteLength":4}],"accessors":[{"componentType":5126}],)"
+                                    R"("extensionsRequired":["EXT_meshopt_compression"]})",
+                                    "1234"));
+              }),
+              HasSubstr("requires 'EXT_meshopt_compression', which is not supported"));
+  EXPECT_THAT(message, Not(HasSubstr("KHR_texture_transform")));
+  parts.more = R"(,"extensionsRequired":["KHR_mesh_quantization","KHR_materials_unlit"])";
+  EXPECT_FALSE(load(parts).objects.empty());
+}
+
+TEST_F(Gltf, ImagesAreNotRead) {
+  Parts parts;
+  parts.more = R"(,"images":[{"uri":"/dev/zero"},{"bufferView":0,"mimeType":"image/png"},
+      {"uri":"data:image/png;base64,AAAA"}],"textures":[{"source":0}])";
+  test::expectSound(load(parts));
+}
+
+}  // namespace
+}  // namespace opaline

@@ -1,0 +1,401 @@
+#include "scene/toml/writer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <toml++/toml.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "bssrdf/media.h"
+#include "opaline/error.h"
+#include "scene/gltf/glb.h"
+#include "scene/random_scene.h"
+#include "scene/scene_settings.h"
+#include "scene/shapes.h"
+#include "scene/toml/keys.h"
+
+namespace opaline {
+namespace {
+
+namespace fs = std::filesystem;
+using scene::SceneDescription;
+using testing::HasSubstr;
+
+/// The current folder, back where it was at the end.
+class CurrentFolder {
+ public:
+  explicit CurrentFolder(const fs::path& folder) { fs::current_path(folder); }
+  ~CurrentFolder() { fs::current_path(before_); }
+  CurrentFolder(const CurrentFolder&) = delete;
+  CurrentFolder& operator=(const CurrentFolder&) = delete;
+
+ private:
+  fs::path before_ = fs::current_path();
+};
+
+const std::vector<std::string> names{"plain", "dots.and\"quotes\"\\'", "bär🐻]{[x"};
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+/// Cubes of 10 mm in a row, one for each name.
+std::string rowOfCubes(const std::vector<std::string>& objects) {
+  const scene::RawMesh mesh = test::cube({0, 0, 0}, 0.01F);
+  std::string binary;
+  for (const Vec3& p : mesh.positions) binary += test::raw<float>({p[0], p[1], p[2]});
+  for (const Triangle& t : mesh.triangles) binary += test::raw<std::uint32_t>({t[0], t[1], t[2]});
+  std::string nodes;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    nodes += (i > 0 ? R"(,{"mesh":0,"name":")" : R"({"mesh":0,"name":")") + escaped(objects[i]) +
+             R"(","translation":[)" + std::to_string(0.023 * static_cast<double>(i)) + ",0.1," +
+             std::to_string(-0.0071 * static_cast<double>(i)) + "]}";
+  }
+  return test::glb(
+      R"({"asset":{"version":"2.0"},"nodes":[)" + nodes +
+          R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[)"
+          R"({"bufferView":0,"componentType":5126,"count":8,"type":"VEC3"},)"
+          R"({"bufferView":1,"componentType":5125,"count":36,"type":"SCALAR"}],"bufferViews":[)"
+          R"({"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":144}],)"
+          R"("buffers":[{"byteLength":240}]})",
+      binary);
+}
+
+void expectSameMedium(const Medium& a, const Medium& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.sigmaSPrimePerMm, b.sigmaSPrimePerMm);
+  EXPECT_EQ(a.sigmaAPerMm, b.sigmaAPerMm);
+  EXPECT_EQ(a.eta, b.eta);
+}
+
+void expectSameLighting(const Lighting& a, const Lighting& b) {
+  ASSERT_EQ(a.directional.size(), b.directional.size());
+  for (std::size_t i = 0; i < a.directional.size(); ++i) {
+    EXPECT_EQ(a.directional[i].directionToLight, b.directional[i].directionToLight);
+    EXPECT_EQ(a.directional[i].irradiance, b.directional[i].irradiance);
+  }
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    EXPECT_EQ(a.points[i].positionMm, b.points[i].positionMm);
+    EXPECT_EQ(a.points[i].intensity, b.points[i].intensity);
+  }
+  EXPECT_EQ(a.ambient, b.ambient);
+  ASSERT_EQ(a.environment == nullptr, b.environment == nullptr);
+  if (a.environment) {
+    EXPECT_EQ(a.environment->rgba, b.environment->rgba);
+  }
+}
+
+void expectSame(const Scene& a, const Scene& b) {
+  ASSERT_EQ(a.objects.size(), b.objects.size());
+  for (std::size_t i = 0; i < a.objects.size(); ++i) {
+    EXPECT_EQ(a.objects[i].name, b.objects[i].name);
+    EXPECT_EQ(a.objects[i].mesh.positionsMm, b.objects[i].mesh.positionsMm);
+    EXPECT_EQ(a.objects[i].mesh.normals, b.objects[i].mesh.normals);
+    EXPECT_EQ(a.objects[i].mesh.triangles, b.objects[i].mesh.triangles);
+    expectSameMedium(a.objects[i].medium, b.objects[i].medium);
+  }
+  expectSameLighting(a.lighting, b.lighting);
+  EXPECT_EQ(a.camera.positionMm, b.camera.positionMm);
+  EXPECT_EQ(a.camera.targetMm, b.camera.targetMm);
+  EXPECT_EQ(a.camera.up, b.camera.up);
+  EXPECT_EQ(a.camera.verticalFovDegrees, b.camera.verticalFovDegrees);
+  ASSERT_EQ(a.deformers.size(), b.deformers.size());
+  for (std::size_t i = 0; i < a.deformers.size(); ++i) {
+    EXPECT_EQ(a.deformers[i].kind, b.deformers[i].kind);
+    EXPECT_EQ(a.deformers[i].amount, b.deformers[i].amount);
+    EXPECT_EQ(a.deformers[i].periodSeconds, b.deformers[i].periodSeconds);
+  }
+}
+
+class SceneWriter : public testing::Test {
+ protected:
+  SceneWriter() {
+    fs::create_directories(folder / "models");
+    fs::create_directories(folder / "scenes" / "mine");
+    test::writeBytes(model(), rowOfCubes(names));
+  }
+  fs::path model() const { return folder / "models" / "cubes.glb"; }
+  fs::path file() const { return folder / "scenes" / "mine" / "a.toml"; }
+
+  std::string written(const SceneDescription& description) {
+    scene::writeScene(file(), description);
+    return test::readBytes(file());
+  }
+  std::string written(const scene::LoadedScene& loaded) {
+    return written(scene::describe(loaded.scene, loaded.source, loaded.settings));
+  }
+  scene::LoadedScene back() { return scene::loadSceneFile(file()); }
+  std::string complaint(const scene::LoadedScene& loaded) {
+    return test::messageOf([&] { written(loaded); });
+  }
+
+  scene::LoadedScene random(unsigned seed) {
+    return test::randomScene(seed, model(), folder / "sky \"1\".exr");
+  }
+
+  test::TemporaryFolder folder;
+};
+
+TEST_F(SceneWriter, EverythingComesBackBitByBit) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE(seed);
+    const scene::LoadedScene loaded = random(seed);
+    written(loaded);
+    const scene::LoadedScene again = back();
+    expectSame(again.scene, loaded.scene);
+    EXPECT_EQ(again.settings, loaded.settings);
+    if (HasFailure()) FAIL() << test::readBytes(file());
+  }
+}
+
+TEST_F(SceneWriter, WhatIsWrittenTwiceIsTheSame) {
+  const std::string first = written(random(7));
+  EXPECT_EQ(written(back()), first);
+}
+
+TEST_F(SceneWriter, IsFoundFromAnyFolder) {
+  const scene::LoadedScene loaded = random(3);
+  {
+    const CurrentFolder here(folder / "scenes");
+    scene::writeScene(fs::path("mine/a.toml"),
+                      scene::describe(loaded.scene, loaded.source, loaded.settings));
+  }
+  const std::string text = test::readBytes(file());
+  EXPECT_THAT(text, HasSubstr("model = \"../../models/cubes.glb\""));
+  EXPECT_THAT(text, HasSubstr(R"(file = "../../sky \"1\".exr")"));
+  const CurrentFolder elsewhere(folder / "models");
+  expectSame(scene::loadSceneFile("../scenes/mine/a.toml").scene, loaded.scene);
+  // All of it may move.
+  fs::create_directory(folder / "moved");
+  for (const char* part : {"models", "scenes", "sky \"1\".exr"}) {
+    fs::rename(folder / part, folder / "moved" / part);
+  }
+  expectSame(scene::loadSceneFile(folder / "moved/scenes/mine/a.toml").scene, loaded.scene);
+}
+
+TEST_F(SceneWriter, ALinkedFolderIsFollowedAndALinkedModelIsNot) {
+  fs::create_directory_symlink(folder / "scenes" / "mine", folder / "shortcut");
+  fs::create_symlink("cubes.glb", folder / "models" / "current.glb");
+  const scene::LoadedScene loaded = scene::loadSceneFile(folder / "models" / "current.glb");
+  scene::writeScene(folder / "shortcut" / "a.toml",
+                    scene::describe(loaded.scene, loaded.source, {}));
+  EXPECT_THAT(test::readBytes(file()), HasSubstr("\"../../models/current.glb\""));
+  expectSame(scene::loadSceneFile(folder / "shortcut" / "a.toml").scene, loaded.scene);
+}
+
+TEST_F(SceneWriter, WhatHasOnlyTheRootInCommonStaysAbsolute) {
+  scene::LoadedScene loaded = random(1);
+  loaded.source.models[0].file = "/elsewhere/far/model.ply";
+  EXPECT_THAT(written(loaded), HasSubstr("model = \"/elsewhere/far/model.ply\""));
+}
+
+/// All keys of a table, and of those within it as "lights.type".
+void collect(const toml::table& table, const std::string& place, std::set<std::string>& keys) {
+  for (const auto& [key, value] : table) {
+    const std::string path = place + std::string(key.str());
+    keys.insert(path);
+    if (const toml::table* inner = value.as_table()) {
+      for (const auto& [name, entry] : *inner) {
+        // What stands under [media] and [objects] has names of its own.
+        const bool named = entry.is_table();
+        if (named) collect(*entry.as_table(), path + ".", keys);
+        if (!named) keys.insert(path + "." + std::string(name.str()));
+      }
+    }
+    if (const toml::array* list = value.as_array()) {
+      for (const toml::node& entry : *list) {
+        if (entry.is_table()) collect(*entry.as_table(), path + ".", keys);
+      }
+    }
+  }
+}
+
+// What a user may write in two ways, the writer writes in one.
+TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
+  std::set<std::string> wanted;
+  const auto want = [&](const std::string& place, const auto& keys) {
+    for (const std::string_view key : keys) wanted.insert(place + std::string(key));
+  };
+  want("", scene::keys::root);
+  want("models.", scene::keys::model);
+  want("media.", scene::keys::medium);
+  want("objects.", scene::keys::object);
+  want("deform.", scene::keys::deform);
+  want("lights.", scene::keys::directional);
+  want("lights.", scene::keys::point);
+  want("lights.", scene::keys::ambient);
+  want("environment.", scene::keys::environment);
+  want("camera.", scene::keys::camera);
+  want("render.", scene::keys::render);
+  for (const char* otherwise : {"media.measured", "camera.direction", "models.medium"})
+    wanted.erase(otherwise);
+
+  std::set<std::string> found;
+  scene::LoadedScene loaded = random(2);
+  loaded.source.models[0].diagonalMm = 5;
+  loaded.source.models[0].morphTo = model();
+  loaded.source.placements[names[0]].rows = {{1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+  loaded.source.placements[names[1]] = {{}, {1, 2, 3}, {4, 5, 6}, 7};
+  collect(toml::parse(written(loaded)), "", found);
+  for (Object& object : loaded.scene.objects) object.medium = loaded.scene.objects[1].medium;
+  collect(toml::parse(written(loaded)), "", found);
+  scene::ModelSource& model = loaded.source.models.front();
+  model.placement = loaded.source.placements[names[0]];
+  loaded.source.models.push_back({model.file, {}, {}, loaded.source.placements[names[1]]});
+  collect(toml::parse(written(loaded)), "", found);
+  EXPECT_EQ(found, wanted);
+}
+
+TEST(SceneKeys, AreAllInTheDocument) {
+  const std::string document =
+      test::readBytes(fs::path(OPALINE_SOURCE_DIR) / "docs" / "scene-files.md");
+  const auto expectAll = [&](const auto& keys) {
+    for (const std::string_view key : keys) {
+      const std::string word(key);
+      EXPECT_THAT(document, testing::AnyOf(HasSubstr("`" + word + "`"), HasSubstr("[" + word + "]"),
+                                           HasSubstr("[" + word + ".")));
+    }
+  };
+  expectAll(scene::keys::root);
+  expectAll(scene::keys::model);
+  expectAll(scene::keys::medium);
+  expectAll(scene::keys::object);
+  expectAll(scene::keys::deform);
+  expectAll(scene::keys::directional);
+  expectAll(scene::keys::point);
+  expectAll(scene::keys::ambient);
+  expectAll(scene::keys::environment);
+  expectAll(scene::keys::camera);
+  expectAll(scene::keys::render);
+}
+
+TEST_F(SceneWriter, PlacementsComeBack) {
+  test::writeBytes(folder / "scenes" / "b.toml", R"(model = "../models/cubes.glb"
+diagonal_mm = 33.3
+[objects.plain]
+translation_mm = [0.1, 20, 1e-7]
+rotation_degrees = [10, -20, 33.3]
+scale = 1.7
+[objects."dots.and\"quotes\"\\'"]
+transform = [-1, 0.25, 0, 12.3, 0, 1.1, 0, 0.1, 0, 0, 0.7, 0, 0, 0, 0, 1]
+)");
+  const scene::LoadedScene loaded = scene::loadSceneFile(folder / "scenes" / "b.toml");
+  written(loaded);
+  expectSame(back().scene, loaded.scene);
+  LoadOptions larger;
+  larger.diagonalMm = 500;
+  const scene::LoadedScene scaled = scene::loadSceneFile(folder / "scenes" / "b.toml", larger);
+  written(scaled);
+  const Scene again = back().scene;
+  for (std::size_t i = 0; i < again.objects.size(); ++i) {
+    const auto& positions = again.objects[i].mesh.positionsMm;
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(positions[v][axis], scaled.scene.objects[i].mesh.positionsMm[v][axis], 1e-4);
+      }
+    }
+  }
+}
+
+TEST_F(SceneWriter, BuiltInModelsOfAnySize) {
+  LoadOptions options;
+  options.diagonalMm = 71.3F;
+  for (const bool teapot : {true, false}) {
+    const scene::LoadedScene loaded{
+        teapot ? builtInTeapot(options) : builtInBear(options),
+        {},
+        scene::sourceOf(teapot ? "builtin:teapot" : "builtin:bear", options)};
+    EXPECT_THAT(written(loaded),
+                HasSubstr(teapot ? "model = \"builtin:teapot\"" : "model = \"builtin:bear\""));
+    expectSame(back().scene, loaded.scene);
+  }
+}
+
+TEST_F(SceneWriter, MorphsComeBack) {
+  test::writeBytes(folder / "models" / "one.glb", rowOfCubes({"one"}));
+  test::writeBytes(folder / "models" / "other.glb", rowOfCubes({"one"}));
+  LoadOptions options;
+  options.morphTo = folder / "models" / "other.glb";
+  scene::LoadedScene loaded = scene::loadSceneFile(folder / "models" / "one.glb", options);
+  loaded.settings.clip = "morph";
+  EXPECT_THAT(written(loaded), HasSubstr("morph_to = \"../../models/other.glb\""));
+  EXPECT_EQ(back().scene.clips.size(), 1U);
+  EXPECT_EQ(back().settings.clip, "morph");
+}
+
+TEST_F(SceneWriter, MediaWithoutNeedStayOutAndNamesAreMadeUnique) {
+  scene::LoadedScene loaded = scene::loadSceneFile(model());
+  EXPECT_THAT(written(loaded), HasSubstr("\nmedium = \"marble\"\n"));
+  EXPECT_THAT(written(loaded), Not(HasSubstr("[media")));
+  EXPECT_THAT(written(loaded), Not(HasSubstr("[objects")));
+  // One that only calls itself marble, and an empty name.
+  loaded.scene.objects[0].medium.eta = 1.7;
+  loaded.scene.objects[2].medium = {"", {1, 1, 1}, {2, 2, 2}, 1.2};
+  written(loaded);
+  const Scene again = back().scene;
+  expectSameMedium(again.objects[1].medium, loaded.scene.objects[1].medium);
+  EXPECT_EQ(again.objects[0].medium.name, "marble 2");
+  EXPECT_EQ(again.objects[0].medium.eta, 1.7);
+  EXPECT_EQ(again.objects[0].medium.sigmaAPerMm, loaded.scene.objects[0].medium.sigmaAPerMm);
+  EXPECT_EQ(again.objects[2].medium.sigmaAPerMm[1], 2);
+}
+
+TEST_F(SceneWriter, TheDarkStaysDark) {
+  scene::LoadedScene loaded = scene::loadSceneFile(model());
+  loaded.scene.lighting = {};
+  written(loaded);
+  expectSameLighting(back().scene.lighting, {});
+}
+
+TEST_F(SceneWriter, RefusesWhatNoSceneCanSay) {
+  const scene::LoadedScene good = scene::loadSceneFile(model());
+  scene::LoadedScene bad = good;
+  bad.scene.objects[1].name = bad.scene.objects[0].name;
+  EXPECT_EQ(written(bad).substr(0, 1), "#");  // alike, they may share a name
+  bad.scene.objects[1].medium = bssrdf::findMedium("ketchup").value();
+  EXPECT_THAT(complaint(bad), AllOf(HasSubstr("'plain'"), HasSubstr("names of their own")));
+  bad = good;
+  bad.scene.lighting.environment = std::make_shared<const Image>(test::sky());
+  EXPECT_THAT(complaint(bad), HasSubstr("environment"));
+  bad = good;
+  bad.scene.camera.positionMm[0] = NAN;
+  EXPECT_THAT(complaint(bad), HasSubstr("position_mm"));
+  bad = good;
+  bad.scene.camera.targetMm = bad.scene.camera.positionMm;
+  EXPECT_THAT(complaint(bad), HasSubstr("camera"));
+  bad = good;
+  bad.scene.objects[0].medium.eta = 5;
+  EXPECT_THAT(complaint(bad), AllOf(HasSubstr("'plain'"), HasSubstr("refraction")));
+  bad = good;
+  bad.scene.lighting.ambient = {0, -1, 0};
+  EXPECT_THAT(complaint(bad), HasSubstr("negative"));
+  bad = good;
+  bad.scene.deformers = {{DeformerKind::Bend, 7, 0}};
+  EXPECT_THAT(complaint(bad), HasSubstr("bend"));
+  bad = good;
+  bad.source.models[0].file = folder / "caf\xE9.obj";
+  EXPECT_THAT(complaint(bad), HasSubstr("UTF-8"));
+  EXPECT_THROW(scene::writeScene(folder / "a.ply", scene::describe(good.scene, good.source, {})),
+               UsageError);
+}
+
+TEST_F(SceneWriter, AFileThatCannotBeWrittenStaysAsItWas) {
+  scene::LoadedScene loaded = scene::loadSceneFile(model());
+  const std::string before = written(loaded);
+  loaded.scene.objects[0].medium.eta = NAN;
+  EXPECT_NE(complaint(loaded), "");
+  EXPECT_EQ(test::readBytes(file()), before);
+}
+
+}  // namespace
+}  // namespace opaline
