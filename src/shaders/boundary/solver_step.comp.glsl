@@ -76,7 +76,8 @@ void rotate(vec3 column[maxSolverSteps + 1u], vec3 hidden) {
   vec3 left = abs(part * before);
   states[solution].residual = vec4(overOr0(left * tolerance, states[solution].wanted.rgb), 0.0);
   states[solution].steps = step;
-  setDone(all(lessThanEqual(left, states[solution].wanted.rgb)));
+  vec3 toGo = mix(left, vec3(0.0), lessThanEqual(column[step], vec3(0.0)));
+  setDone(all(lessThanEqual(toGo, states[solution].wanted.rgb)));
 }
 
 void main() {
