@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""File names are snake_case; no source names a path of one machine or promises work for later."""
+"""File names are snake_case; no source names a path of one machine or promises work for later; no message of the
+library names an option of the command line."""
 
 import re
 import sys
@@ -12,6 +13,10 @@ OTHER_NAMES = re.compile(r"^(CMakeLists\.txt|Opaline\w+\.cmake|README\.md|[a-z0-
 TEXT = (".h", ".cpp", ".glsl", ".py", ".sh", ".cmake", ".txt", ".toml", ".json", ".md", "Makefile")
 MACHINE_PATH = re.compile(r"(?<![\w.~-])/(?:work|home|root|farm|tmp|Users)(?:/|\b(?=[\"'\s]))")
 LATER = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX)\b")
+# The library has fields; which options set them is for programs to say.
+LIBRARY = ("include/", "src/", "reference/")
+STRING = re.compile(r'"(?:[^"\\]|\\.)*"')
+OPTION = re.compile(r"(?<![\w-])--[a-z]")
 # Data from outside keeps the words of its source.
 EXEMPT = ("LICENSE",)
 
@@ -31,6 +36,8 @@ def check_text(path, text):
             findings.append(f"{path}:{number}: a path of one machine")
         if LATER.search(line):
             findings.append(f"{path}:{number}: work put off to later")
+        if path.startswith(LIBRARY) and path.endswith((".h", ".cpp")) and OPTION.search(" ".join(STRING.findall(line))):
+            findings.append(f"{path}:{number}: a message of the library names an option of the command line")
     return findings
 
 

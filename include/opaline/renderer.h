@@ -119,7 +119,8 @@ struct Solution {
 /// What a call of render() did.
 struct RenderReport {
   DeviceDescription device;
-  Transport transport = Transport::Dipole;
+  Transport transport = Transport::Dipole;  ///< BetterDipole where Boundary was asked for and
+                                            ///< nothing has an inside
   Sum sum = Sum::Tree;
   Site site = Site::Fragment;  ///< Auto where it differs between objects
   std::size_t triangles = 0;

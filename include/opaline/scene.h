@@ -101,6 +101,9 @@ struct Bounds {
 /// The smallest box around all vertices of all objects; zero for a scene without vertices.
 Bounds boundsOf(const Scene& scene);
 
+/// The middle of a box, mm.
+Vec3 middleOf(const Bounds& bounds);
+
 /// Length of the diagonal of boundsOf(scene), mm.
 float diagonalMm(const Scene& scene);
 

@@ -38,7 +38,7 @@ Layout layOut(const std::vector<SurfaceChart>& charts, const AtlasOptions& optio
 
 /// Atlas vertices of the flat charts. A flat vertex that stands for several vertices of the surface
 /// (of one position) becomes several.
-void addChart(const Surface& surface, const SurfaceChart& chart, const Layout& layout,
+void addChart(const core::RestSurface& surface, const SurfaceChart& chart, const Layout& layout,
               std::uint32_t index, Atlas& atlas) {
   std::vector<std::vector<std::uint32_t>> copies(chart.mesh.positions.size());
   for (std::size_t i = 0; i < chart.triangles.size(); ++i) {
@@ -65,7 +65,7 @@ void addChart(const Surface& surface, const SurfaceChart& chart, const Layout& l
 
 /// A degenerate triangle shrinks to a point: to where one of its vertices already is, so that what
 /// is looked up there belongs to the surface beside it.
-void addDegenerate(const Surface& surface, const Topology& topology, Atlas& atlas) {
+void addDegenerate(const core::RestSurface& surface, const Topology& topology, Atlas& atlas) {
   std::vector<std::uint32_t> known(topology.positions.size(), none);
   std::vector<std::uint32_t> chart(topology.positions.size(), 0);
   for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
@@ -93,7 +93,7 @@ void addDegenerate(const Surface& surface, const Topology& topology, Atlas& atla
 
 }  // namespace
 
-Atlas makeAtlas(const Surface& surface, const AtlasOptions& options) {
+Atlas makeAtlas(const core::RestSurface& surface, const AtlasOptions& options) {
   assert(options.mapSize >= 64 && options.mapSize <= 4096);
   assert(options.gutter >= 1 && options.gutter <= 16);
   assert(surface.objectOfTriangle.empty() ||

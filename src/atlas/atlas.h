@@ -5,17 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "core/rest_surface.h"
 #include "opaline/types.h"
 
 namespace opaline::atlas {
-
-/// A surface to be flattened: the rest pose of everything that shares one atlas.
-struct Surface {
-  std::span<const Vec3> positionsMm;
-  std::span<const Triangle> triangles;
-  std::span<const std::uint32_t>
-      objectOfTriangle;  ///< empty: one object; charts never cross objects
-};
 
 struct AtlasOptions {
   int mapSize = 512;  ///< edge of the map the gutters are made for, texels, in [64, 4096]
@@ -25,7 +18,7 @@ struct AtlasOptions {
 
 /// One corner position in the atlas. A mesh vertex on a seam has several.
 struct AtlasVertex {
-  std::uint32_t vertex = 0;  ///< index into Surface::positionsMm
+  std::uint32_t vertex = 0;  ///< index into RestSurface::positionsMm
   Vec2 uv{};                 ///< in [0,1]²
 };
 
@@ -40,14 +33,15 @@ struct AtlasStatistics {
 /// triangles, every chart scaled to its true area.
 struct Atlas {
   std::vector<AtlasVertex> vertices;
-  std::vector<Triangle> triangles;  ///< indices into vertices; order of Surface::triangles
+  std::vector<Triangle> triangles;  ///< indices into vertices; order of RestSurface::triangles
   std::vector<std::uint32_t> chartOfTriangle;
   double mmPerUnit = 0;  ///< sqrt(surface area / uv area): edge of the unit square, mm
   AtlasStatistics statistics;
 };
 
-/// Flattens any set of triangles; never fails for finite positions and valid indices. Vertices that
+/// Flattens any set of triangles; charts never cross objects, and without a table of these all is
+/// one. Never fails for finite positions and valid indices. Vertices that
 /// share a position are one vertex to it. Degenerate triangles get zero uv area.
-Atlas makeAtlas(const Surface& surface, const AtlasOptions& options = {});
+Atlas makeAtlas(const core::RestSurface& surface, const AtlasOptions& options = {});
 
 }  // namespace opaline::atlas

@@ -192,7 +192,7 @@ class Walk {
 
 }  // namespace
 
-std::vector<GeodesicStar> walkFromVertices(const Surface& surface,
+std::vector<GeodesicStar> walkFromVertices(const core::RestSurface& surface,
                                            std::span<const double> distanceMm) {
   assert(distanceMm.size() == surface.positionsMm.size());
   const Topology topology = makeTopology(surface);

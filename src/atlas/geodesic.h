@@ -25,7 +25,7 @@ using GeodesicStar = std::array<SurfacePoint, 8>;
 /// long as `distanceMm` says for its vertex. The first lies 22.5° from the direction in which the
 /// surface rises most along +y. A walk ends early at the surface's border, and nowhere where it
 /// cannot start. Vertices that share a position give the same star.
-std::vector<GeodesicStar> walkFromVertices(const Surface& surface,
+std::vector<GeodesicStar> walkFromVertices(const core::RestSurface& surface,
                                            std::span<const double> distanceMm);
 
 }  // namespace opaline::atlas

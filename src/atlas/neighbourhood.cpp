@@ -293,7 +293,7 @@ class TilePainter {
 
 }  // namespace
 
-Neighbourhoods makeNeighbourhoods(const Surface& surface, const Atlas& atlas,
+Neighbourhoods makeNeighbourhoods(const core::RestSurface& surface, const Atlas& atlas,
                                   const NeighbourhoodOptions& options) {
   assert(options.reach > 0 && options.alignment > 0);
   const ChartLists charts(atlas.chartOfTriangle);

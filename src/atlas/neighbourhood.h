@@ -30,7 +30,7 @@ struct Neighbourhoods {
 
 /// Depends on the rest pose alone. Where the unfolded surface overlaps itself, what is nearest to
 /// the border counts.
-Neighbourhoods makeNeighbourhoods(const Surface& surface, const Atlas& atlas,
+Neighbourhoods makeNeighbourhoods(const core::RestSurface& surface, const Atlas& atlas,
                                   const NeighbourhoodOptions& options);
 
 }  // namespace opaline::atlas

@@ -12,7 +12,7 @@ namespace {
 /// Below this ratio of height to longest edge a triangle's shape is rounding noise of its floats.
 constexpr double thinnest = 1e-5;
 
-void weld(const Surface& surface, Topology& topology) {
+void weld(const core::RestSurface& surface, Topology& topology) {
   std::vector<std::uint32_t> order(surface.positionsMm.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -62,7 +62,7 @@ struct EdgeUse {
   auto place() const { return std::tie(low, high, object); }
 };
 
-void connect(const Surface& surface, Topology& topology) {
+void connect(const core::RestSurface& surface, Topology& topology) {
   std::vector<EdgeUse> uses;
   uses.reserve(3 * topology.triangles.size());
   for (std::uint32_t t = 0; t < topology.triangles.size(); ++t) {
@@ -111,7 +111,7 @@ double length(const Point3& a) {
   return std::sqrt(dot(a, a));
 }
 
-Topology makeTopology(const Surface& surface) {
+Topology makeTopology(const core::RestSurface& surface) {
   Topology topology;
   weld(surface, topology);
   measureTriangles(topology);

@@ -27,7 +27,7 @@ struct Topology {
 
 /// Two triangles are neighbours where exactly two share an edge, run along it in opposite
 /// directions, belong to one object and are not degenerate. Everything else is a border.
-Topology makeTopology(const Surface& surface);
+Topology makeTopology(const core::RestSurface& surface);
 
 Point3 subtract(const Point3& a, const Point3& b);
 Point3 cross(const Point3& a, const Point3& b);

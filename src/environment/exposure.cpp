@@ -48,9 +48,7 @@ Beam beamOf(const PointLight& light, const Vec3& middle, double leastDistanceMm)
 }
 
 std::vector<Beam> beamsOf(const Scene& scene) {
-  const Bounds bounds = boundsOf(scene);
-  Vec3 middle{};
-  for (std::size_t i = 0; i < 3; ++i) middle[i] = 0.5F * (bounds.minMm[i] + bounds.maxMm[i]);
+  const Vec3 middle = middleOf(boundsOf(scene));
   std::vector<Beam> beams;
   for (const DirectionalLight& light : scene.lighting.directional) {
     const Rgb& irradiance = light.irradiance;

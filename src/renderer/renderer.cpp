@@ -125,8 +125,7 @@ class Renderer::Implementation {
     PreparedFrame& frame = prepared_.prepare(options, plan, edited_);
     fitToScene(prepared_.scene(), edited_.scene().lighting, plan);
     plan.light = light_.mustFind(options, plan, edited_.changes(), frame);
-    asked_ = options;
-    site_ = plan.site;
+    plan_ = plan;
     record(options, aovs, plan, frame.resources);
     queue_.submit();
   }
@@ -157,15 +156,15 @@ class Renderer::Implementation {
   RenderReport makeReport(const FrameTimes& times) const {
     constexpr double megabyte = 1e6;
     const SceneResources& scene = prepared_.scene();
-    const bool solved = asked_.transport == Transport::Boundary && scene.hasInside();
+    const bool solved = plan_.transport == Transport::Boundary;
     return {.device = describe(device_.info()),
-            .transport = asked_.transport,
-            .sum = asked_.sum,
-            .site = site_,
+            .transport = plan_.transport,
+            .sum = plan_.sum,
+            .site = plan_.site,
             .triangles = scene.triangles,
             .vertices = scene.mesh.vertexCount,
-            .sources = asked_.sum == Sum::Pattern ? prepared_.frame()->resources.sources.sourceCount
-                                                  : scene.surfels.count,
+            .sources = plan_.sum == Sum::Pattern ? prepared_.frame()->resources.sources.sourceCount
+                                                 : scene.surfels.count,
             .boundarySurfels = solved ? scene.clusters.count : 0,
             .solutions = solutions_,
             .passes = times.passes(),
@@ -180,9 +179,8 @@ class Renderer::Implementation {
   EditedScene edited_;
   PreparedScene prepared_;
   LightReuse light_;
-  bool shown_ = false;   // pictures are left for others to sample
-  RenderOptions asked_;  // of the frame submitted last
-  Site site_ = Site::Fragment;
+  bool shown_ = false;  // pictures are left for others to sample
+  FramePlan plan_;      // of the frame submitted last
   FrameTimes times_;
   std::vector<Solution> solutions_;  // of the frame collected last
   Frame frame_;                      // of render()

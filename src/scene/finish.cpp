@@ -85,6 +85,10 @@ Bounds boundsOf(const RawScene& raw) {
   return box.bounds();
 }
 
+Double3 exactMiddleOf(const Bounds& bounds) {
+  return 0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm));
+}
+
 double diagonalOf(const Bounds& bounds) {
   return length(toDouble(bounds.maxMm) - toDouble(bounds.minMm));
 }
@@ -132,7 +136,7 @@ RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool not
     factor = assumedDiagonalMm / diagonalOf(boundsOf(raw));
     if (noteUnit) {
       note(log, fmt::format("{} carries no unit: scaled to a diagonal of {} mm "
-                            "(--diagonal-mm sets another)",
+                            "(LoadOptions::diagonalMm sets another)",
                             name, assumedDiagonalMm));
     }
   }

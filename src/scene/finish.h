@@ -4,6 +4,7 @@
 
 #include "opaline/scene.h"
 #include "scene/raw_scene.h"
+#include "scene/vector_math.h"
 
 namespace opaline::scene {
 
@@ -20,6 +21,7 @@ void scaleBy(RawScene& raw, double factor, const std::string& file);
 /// Bounds of the raw scene's vertices, and their diagonal.
 Bounds boundsOf(const RawScene& raw);
 double diagonalOf(const Bounds& bounds);
+Double3 exactMiddleOf(const Bounds& bounds);
 
 /// Applies options and defaults to a scene in millimetres.
 Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repair> repairs,

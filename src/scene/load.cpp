@@ -84,7 +84,7 @@ LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
   if (files.size() == 1) return loadSceneFile(files.front(), options);
   requireSensible(options);
   if (options.morphTo) {
-    throw UsageError(fmt::format("--morph-to {} is for a scene of one model",
+    throw UsageError(fmt::format("LoadOptions::morphTo {} is for a scene of one model",
                                  cleanText(options.morphTo->string(), 1000)));
   }
   RawScene all;

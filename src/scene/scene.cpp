@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "opaline/error.h"
+#include "scene/finish.h"
 #include "scene/vector_math.h"
 
 namespace opaline {
@@ -15,10 +16,6 @@ namespace {
 
 Vec3 unit(const Double3& v) {
   return toFloat((1.0 / length(v)) * v);
-}
-
-Double3 centreOf(const Bounds& bounds) {
-  return 0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm));
 }
 
 Vec3 along(const Double3& from, double factor, const Double3& direction) {
@@ -44,6 +41,10 @@ Bounds boundsOf(const Scene& scene) {
   return bounds;
 }
 
+Vec3 middleOf(const Bounds& bounds) {
+  return scene::toFloat(scene::exactMiddleOf(bounds));
+}
+
 float diagonalMm(const Scene& scene) {
   const Bounds bounds = boundsOf(scene);
   return std::hypot(bounds.maxMm[0] - bounds.minMm[0], bounds.maxMm[1] - bounds.minMm[1],
@@ -60,7 +61,7 @@ Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre, float vertica
   if (!scene::isFinite(direction) || !(size > 1e-30)) {
     throw UsageError("the camera's direction must not be zero");
   }
-  const scene::Double3 centre = scene::centreOf(boundsOf(scene));
+  const scene::Double3 centre = scene::exactMiddleOf(boundsOf(scene));
   const double distance = 1.4 * double{diagonalMm(scene)};
   Camera camera;
   camera.targetMm = scene::toFloat(centre);

@@ -36,7 +36,7 @@ struct Part {
   }
 };
 
-Part wholeTriangle(const Surface& surface, std::uint32_t triangle) {
+Part wholeTriangle(const core::RestSurface& surface, std::uint32_t triangle) {
   constexpr std::array<std::array<double, 2>, 3> barycentric{{{0, 0}, {1, 0}, {0, 1}}};
   Part part;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -81,7 +81,7 @@ std::array<Part, 2> bisect(const Part& part, const std::array<double, 3>& square
 
 }  // namespace
 
-std::array<double, 3> crossOf(const Surface& surface, std::uint32_t triangle) {
+std::array<double, 3> crossOf(const core::RestSurface& surface, std::uint32_t triangle) {
   const Triangle& t = surface.triangles[triangle];
   std::array<std::array<double, 3>, 2> edges{};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -94,16 +94,16 @@ std::array<double, 3> crossOf(const Surface& surface, std::uint32_t triangle) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-double areaMm2(const Surface& surface, std::uint32_t triangle) {
+double areaMm2(const core::RestSurface& surface, std::uint32_t triangle) {
   const std::array<double, 3> cross = crossOf(surface, triangle);
   return std::hypot(cross[0], cross[1], cross[2]) / 2;
 }
 
-double spacingOfMm(const Surface& surface, std::uint32_t triangle) {
+double spacingOfMm(const core::RestSurface& surface, std::uint32_t triangle) {
   return std::sqrt(squaredSpacing(wholeTriangle(surface, triangle).squaredEdges()));
 }
 
-std::optional<std::vector<Piece>> subdivide(const Surface& surface,
+std::optional<std::vector<Piece>> subdivide(const core::RestSurface& surface,
                                             std::span<const double> spacingOfObjectMm,
                                             std::size_t limit) {
   std::vector<Piece> pieces;

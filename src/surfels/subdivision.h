@@ -7,16 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "core/rest_surface.h"
 #include "opaline/types.h"
 
 namespace opaline::surfels {
-
-/// The rest pose of everything that is divided.
-struct Surface {
-  std::span<const Vec3> positionsMm;
-  std::span<const Triangle> triangles;
-  std::span<const std::uint32_t> objectOfTriangle;
-};
 
 /// A part of a triangle that stays the same part however the triangle is deformed.
 struct Piece {
@@ -28,16 +22,16 @@ struct Piece {
 
 /// Size of a triangle as the edge of a square whose points lie as far from its middle, mm, root
 /// mean square: sqrt((a² + b² + c²) / 6) of its edges.
-double spacingOfMm(const Surface& surface, std::uint32_t triangle);
+double spacingOfMm(const core::RestSurface& surface, std::uint32_t triangle);
 
 /// A triangle's normal, as long as twice its area, mm².
-std::array<double, 3> crossOf(const Surface& surface, std::uint32_t triangle);
+std::array<double, 3> crossOf(const core::RestSurface& surface, std::uint32_t triangle);
 
-double areaMm2(const Surface& surface, std::uint32_t triangle);
+double areaMm2(const core::RestSurface& surface, std::uint32_t triangle);
 
 /// Bisects the longest edge of every triangle and of its parts until none is larger than its
 /// object's spacing, mm (spacingOfMm). Nothing when that makes more than `limit` pieces.
-std::optional<std::vector<Piece>> subdivide(const Surface& surface,
+std::optional<std::vector<Piece>> subdivide(const core::RestSurface& surface,
                                             std::span<const double> spacingOfObjectMm,
                                             std::size_t limit);
 

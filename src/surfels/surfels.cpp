@@ -18,7 +18,8 @@ struct Cut {
   std::vector<double> spacingOfObjectMm;
 };
 
-std::vector<double> largestTriangleOfObjectMm(const Surface& surface, std::size_t objects) {
+std::vector<double> largestTriangleOfObjectMm(const core::RestSurface& surface,
+                                              std::size_t objects) {
   std::vector<double> largest(objects, 0);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     double& mm = largest[surface.objectOfTriangle[t]];
@@ -29,7 +30,8 @@ std::vector<double> largestTriangleOfObjectMm(const Surface& surface, std::size_
 
 // The fewest pieces that each object may have at the spacing wanted. Pieces of a spacing h have at
 // most the area √3/2 h², that of an equilateral triangle, and bisecting halves a spacing at most.
-std::vector<double> leastPiecesOfObject(const Surface& surface, std::span<const double> wantedMm,
+std::vector<double> leastPiecesOfObject(const core::RestSurface& surface,
+                                        std::span<const double> wantedMm,
                                         std::span<const double> largestMm) {
   std::vector<double> pieces(wantedMm.size(), 0);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
@@ -55,7 +57,7 @@ double fairShare(std::vector<double> wanted, double budget) {
 
 // As fine as wanted, or as the budget allows: a large object takes nothing from a small one that
 // needs less than its share. The budget holds every triangle as one piece.
-Cut cut(const Surface& surface, std::span<const double> wantedMm, std::size_t budget) {
+Cut cut(const core::RestSurface& surface, std::span<const double> wantedMm, std::size_t budget) {
   const std::vector<double> largestMm = largestTriangleOfObjectMm(surface, wantedMm.size());
   const std::vector<double> wanted = leastPiecesOfObject(surface, wantedMm, largestMm);
   double share = fairShare(wanted, static_cast<double>(budget));
@@ -73,7 +75,7 @@ Cut cut(const Surface& surface, std::span<const double> wantedMm, std::size_t bu
   }
 }
 
-Vec3 placeOf(const Surface& surface, const Piece& piece) {
+Vec3 placeOf(const core::RestSurface& surface, const Piece& piece) {
   const Triangle& triangle = surface.triangles[piece.triangle];
   const Vec3& a = surface.positionsMm[triangle[0]];
   const Vec3& b = surface.positionsMm[triangle[1]];
@@ -92,7 +94,7 @@ Vec3 placeOf(const Surface& surface, const Piece& piece) {
 
 // The sides of parts thinner than what is joined, surfels or clusters, are further apart than such
 // a group is large.
-void tellSidesApart(const Surface& surface, std::span<const Piece> pieces,
+void tellSidesApart(const core::RestSurface& surface, std::span<const Piece> pieces,
                     std::uint32_t piecesPerSurfel, std::span<TreeItem> items) {
   double area = 0;
   for (const TreeItem& item : items) {
@@ -110,7 +112,7 @@ void tellSidesApart(const Surface& surface, std::span<const Piece> pieces,
 }
 
 // The pieces of each object as the tree's items, filled up with empty ones to whole surfels.
-std::vector<std::vector<TreeItem>> itemsOfObjects(const Surface& surface,
+std::vector<std::vector<TreeItem>> itemsOfObjects(const core::RestSurface& surface,
                                                   std::vector<Piece>& pieces, std::size_t objects,
                                                   std::uint32_t piecesPerSurfel) {
   std::vector<std::vector<TreeItem>> items(objects);
@@ -132,7 +134,8 @@ std::vector<std::vector<TreeItem>> itemsOfObjects(const Surface& surface,
 }
 
 // In the order in which the surfels' triangles meet them.
-std::vector<std::uint32_t> orderVertices(const Surface& surface, std::span<const Piece> pieces) {
+std::vector<std::uint32_t> orderVertices(const core::RestSurface& surface,
+                                         std::span<const Piece> pieces) {
   std::vector<std::uint32_t> order;
   std::vector<bool> met(surface.positionsMm.size(), false);
   const auto meet = [&](std::uint32_t vertex) {
@@ -148,7 +151,7 @@ std::vector<std::uint32_t> orderVertices(const Surface& surface, std::span<const
 }
 
 // Where surfels join triangles they are as large as the surface over their number.
-void coarsenToMean(const Surface& surface, Surfels& surfels) {
+void coarsenToMean(const core::RestSurface& surface, SurfelDivision& surfels) {
   std::vector<double> area(surfels.spacingOfObjectMm.size(), 0);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
     area[surface.objectOfTriangle[t]] += areaMm2(surface, t);
@@ -160,7 +163,7 @@ void coarsenToMean(const Surface& surface, Surfels& surfels) {
 }
 
 // With every triangle one piece.
-std::size_t leastSurfels(const Surface& surface, std::size_t objects,
+std::size_t leastSurfels(const core::RestSurface& surface, std::size_t objects,
                          std::uint32_t piecesPerSurfel) {
   std::vector<std::size_t> triangles(objects, 0);
   for (const std::uint32_t object : surface.objectOfTriangle) ++triangles[object];
@@ -172,10 +175,10 @@ std::size_t leastSurfels(const Surface& surface, std::size_t objects,
 
 }  // namespace
 
-Surfels makeSurfels(const Surface& surface, std::span<const double> wantedSpacingMm,
-                    std::size_t maxSurfels) {
+SurfelDivision makeSurfels(const core::RestSurface& surface,
+                           std::span<const double> wantedSpacingMm, std::size_t maxSurfels) {
   const std::size_t objects = wantedSpacingMm.size();
-  Surfels surfels;
+  SurfelDivision surfels;
   while (leastSurfels(surface, objects, surfels.piecesPerSurfel) > maxSurfels &&
          surfels.piecesPerSurfel < surface.triangles.size()) {
     surfels.piecesPerSurfel *= 2;

@@ -12,7 +12,7 @@ namespace opaline::surfels {
 
 /// A surface cut into surfels, the sources of scattered light, object after object. Only the rest
 /// pose decides how; nothing of it changes when the surface deforms.
-struct Surfels {
+struct SurfelDivision {
   /// Each surfel is so many pieces that follow each other: one, unless the mesh has more triangles
   /// than there may be surfels. Pieces of fraction 0 fill the last surfel of an object.
   std::uint32_t piecesPerSurfel = 1;
@@ -27,7 +27,7 @@ struct Surfels {
 
 /// Divides the surface as finely as wanted, a spacing for each object, mm (spacingOfMm), or as
 /// `maxSurfels` allows: objects that want fewest get all, what is left is shared evenly.
-Surfels makeSurfels(const Surface& surface, std::span<const double> wantedSpacingMm,
-                    std::size_t maxSurfels);
+SurfelDivision makeSurfels(const core::RestSurface& surface,
+                           std::span<const double> wantedSpacingMm, std::size_t maxSurfels);
 
 }  // namespace opaline::surfels

@@ -52,7 +52,8 @@ struct Ray {
 // The rays' way through the tree of surfels.
 class Tracer {
  public:
-  Tracer(const Surface& surface, const Surfels& surfels) : surface_(surface), surfels_(surfels) {
+  Tracer(const core::RestSurface& surface, const SurfelDivision& surfels)
+      : surface_(surface), surfels_(surfels) {
     boxes_.resize(surfels.tree.links.size());
     for (std::size_t object = 0; object + 1 < surfels.tree.rootOfObject.size(); ++object) {
       for (std::uint32_t node = surfels.tree.rootOfObject[object];
@@ -178,14 +179,14 @@ class Tracer {
     return distance;
   }
 
-  const Surface& surface_;
-  const Surfels& surfels_;
+  const core::RestSurface& surface_;
+  const SurfelDivision& surfels_;
   std::vector<Box> boxes_;
 };
 
 }  // namespace
 
-std::vector<double> thicknessMm(const Surface& surface, const Surfels& surfels) {
+std::vector<double> thicknessMm(const core::RestSurface& surface, const SurfelDivision& surfels) {
   const Tracer tracer(surface, surfels);
   std::vector<double> thickness(surfels.count());
   for (std::uint32_t node = 0; node < surfels.tree.links.size(); ++node) {

@@ -10,6 +10,6 @@ namespace opaline::surfels {
 /// How thick the body is under each surfel in the rest pose, mm: from the middle of its first piece
 /// along the facet's normal, inwards, to the first surface of the same object; infinite where there
 /// is none. Surfels of one leaf share the value of its first.
-std::vector<double> thicknessMm(const Surface& surface, const Surfels& surfels);
+std::vector<double> thicknessMm(const core::RestSurface& surface, const SurfelDivision& surfels);
 
 }  // namespace opaline::surfels

@@ -37,7 +37,7 @@ double flatArea(const Atlas& atlas, std::size_t t) {
 }
 
 /// Doubled area and longest edge.
-std::pair<double, double> sizeInSpace(const Surface& surface, std::size_t t) {
+std::pair<double, double> sizeInSpace(const core::RestSurface& surface, std::size_t t) {
   std::array<std::array<double, 3>, 3> edges{};
   double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -96,7 +96,7 @@ struct Raster {
   }
 };
 
-void expectTrianglesKept(const Surface& surface, const Atlas& atlas) {
+void expectTrianglesKept(const core::RestSurface& surface, const Atlas& atlas) {
   ASSERT_EQ(atlas.triangles.size(), surface.triangles.size());
   ASSERT_EQ(atlas.chartOfTriangle.size(), surface.triangles.size());
   for (std::size_t t = 0; t < atlas.triangles.size(); ++t) {
@@ -111,7 +111,7 @@ void expectTrianglesKept(const Surface& surface, const Atlas& atlas) {
   }
 }
 
-void expectNothingMirrored(const Surface& surface, const Atlas& atlas) {
+void expectNothingMirrored(const core::RestSurface& surface, const Atlas& atlas) {
   for (std::size_t t = 0; t < atlas.triangles.size(); ++t) {
     const double flat = flatArea(atlas, t);
     const auto [doubled, longest] = sizeInSpace(surface, t);
@@ -146,7 +146,7 @@ void expectGutters(const Atlas& atlas, const AtlasOptions& options) {
 
 /// Inside a chart, triangles on both sides of an edge share its atlas vertices, unless more than
 /// two triangles of the surface meet there or the chart was laid out with that edge as a border.
-void expectSeamsOnlyAtBorders(const Surface& surface, const Atlas& atlas) {
+void expectSeamsOnlyAtBorders(const core::RestSurface& surface, const Atlas& atlas) {
   struct Use {
     std::size_t triangle, corner;
   };
@@ -181,7 +181,7 @@ class AwkwardMesh : public testing::TestWithParam<awkward::Shape> {};
 
 TEST_P(AwkwardMesh, GetsAValidAtlas) {
   const awkward::Shape& shape = GetParam();
-  const Surface surface = {shape.positions, shape.triangles, shape.objects};
+  const core::RestSurface surface = {shape.positions, shape.triangles, shape.objects};
   const AtlasOptions options;
   const Atlas atlas = makeAtlas(surface, options);
   expectTrianglesKept(surface, atlas);
@@ -213,7 +213,7 @@ TEST(Atlas, EndsWhereTrianglesCannotBeToldApart) {
   for (unsigned seed = 0; seed < 12; ++seed) {
     const awkward::Shape shape = awkward::dust(seed);
     SCOPED_TRACE(shape.name);
-    const Surface surface = {shape.positions, shape.triangles, {}};
+    const core::RestSurface surface = {shape.positions, shape.triangles, {}};
     const Atlas atlas = makeAtlas(surface);
     expectTrianglesKept(surface, atlas);
     expectNothingMirrored(surface, atlas);
@@ -279,7 +279,7 @@ TEST(Atlas, PictureShowsEveryChart) {
 }
 
 void expectFigures(const std::string& name, const Mesh& mesh) {
-  const Surface surface = {mesh.positionsMm, mesh.triangles, {}};
+  const core::RestSurface surface = {mesh.positionsMm, mesh.triangles, {}};
   const AtlasOptions options;
   const Atlas atlas = makeAtlas(surface, options);
   expectTrianglesKept(surface, atlas);

@@ -244,7 +244,7 @@ struct CutSheet {
 TEST(Neighbourhood, GoesOnAcrossTheSeamsOfAPlane) {
   const CutSheet sheet;
   const NeighbourhoodOptions options{.mapSize = CutSheet::mapSize, .reach = 24, .maxSize = 2048};
-  const Surface surface{sheet.shape.positions, sheet.shape.triangles, {}};
+  const core::RestSurface surface{sheet.shape.positions, sheet.shape.triangles, {}};
   const Neighbourhoods map = makeNeighbourhoods(surface, sheet.atlas, options);
   expectSoundLayout(map, sheet.atlas, options);
   ASSERT_EQ(map.reach, 24);
@@ -292,7 +292,7 @@ TEST(Neighbourhood, SurroundsTheChartsOfClosedSurfaces) {
   for (const awkward::Shape& shape : {awkward::sphere(), awkward::torus(), bear()}) {
     SCOPED_TRACE(shape.name);
     const NeighbourhoodOptions options{.mapSize = 512, .reach = 8, .maxSize = 2048};
-    const Surface surface{shape.positions, shape.triangles, shape.objects};
+    const core::RestSurface surface{shape.positions, shape.triangles, shape.objects};
     const Atlas atlas = makeAtlas(surface, {.mapSize = options.mapSize});
     const Neighbourhoods map = makeNeighbourhoods(surface, atlas, options);
     expectSoundLayout(map, atlas, options);
@@ -355,7 +355,7 @@ TEST(Neighbourhood, SurroundsTheChartsOfClosedSurfaces) {
 
 TEST(Neighbourhood, ShrinksItsReachToFit) {
   const awkward::Shape shape = awkward::torus();
-  const Surface surface{shape.positions, shape.triangles, {}};
+  const core::RestSurface surface{shape.positions, shape.triangles, {}};
   const Atlas atlas = makeAtlas(surface, {.mapSize = 256});
   int last = 1000;
   for (const int maxSize : {4096, 700, 500, 400}) {
@@ -376,7 +376,7 @@ TEST(Neighbourhood, ShrinksItsReachToFit) {
 TEST(Neighbourhood, IsSoundForAnySurface) {
   for (const awkward::Shape& shape : awkward::all()) {
     SCOPED_TRACE(shape.name);
-    const Surface surface{shape.positions, shape.triangles, shape.objects};
+    const core::RestSurface surface{shape.positions, shape.triangles, shape.objects};
     const Atlas atlas = makeAtlas(surface, {.mapSize = 128});
     for (const int alignment : {1, 7, 8})
       for (const int reach : {1, 5, 40}) {
@@ -393,7 +393,7 @@ TEST(Neighbourhood, IsSoundForAnySurface) {
 
 TEST(Neighbourhood, KeepsObjectsApart) {
   const awkward::Shape shape = awkward::twoObjects();
-  const Surface surface{shape.positions, shape.triangles, shape.objects};
+  const core::RestSurface surface{shape.positions, shape.triangles, shape.objects};
   const Atlas atlas = makeAtlas(surface, {.mapSize = 128});
   const NeighbourhoodOptions options{.mapSize = 128, .reach = 12};
   const Neighbourhoods map = makeNeighbourhoods(surface, atlas, options);

@@ -11,8 +11,8 @@ namespace opaline::test::boundary {
 
 using namespace reference;
 
-Clusters clustersOf(const Geometry& geometry, std::span<const std::uint32_t> ofTriangle) {
-  Clusters clusters;
+TriangleClusters clustersOf(const Geometry& geometry, std::span<const std::uint32_t> ofTriangle) {
+  TriangleClusters clusters;
   clusters.ofTriangle.assign(ofTriangle.begin(), ofTriangle.end());
   const Body& body = geometry.scene().bodies.front();
   clusters.list.resize(1 + *std::max_element(ofTriangle.begin(), ofTriangle.end()));
@@ -56,7 +56,7 @@ double coverage(const Cluster& of, const Vector& offset) {
   return far * 2 * ratio * (1 - std::sqrt(ratio / (1 + ratio)));
 }
 
-std::vector<double> insideOf(const Clusters& clusters) {
+std::vector<double> insideOf(const TriangleClusters& clusters) {
   std::vector<double> inside(clusters.count(), 0);
   tbb::parallel_for(std::size_t{0}, clusters.count(), [&](std::size_t i) {
     double sum = 0;

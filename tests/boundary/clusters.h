@@ -20,7 +20,7 @@ struct Cluster {
   reference::SurfacePoint start;  ///< on the triangle next to the centroid
 };
 
-struct Clusters {
+struct TriangleClusters {
   std::vector<Cluster> list;
   std::vector<std::uint32_t> ofTriangle;
 
@@ -28,13 +28,14 @@ struct Clusters {
 };
 
 /// The triangles of the geometry's only body, joined as told.
-Clusters clustersOf(const reference::Geometry& geometry, std::span<const std::uint32_t> ofTriangle);
+TriangleClusters clustersOf(const reference::Geometry& geometry,
+                            std::span<const std::uint32_t> ofTriangle);
 
 /// The part of space that a cluster covers as seen from a point at an offset, signed: positive from
 /// inside. Near by it is that of a disc, at most one half.
 double coverage(const Cluster& of, const Vector& offset);
 
 /// c of every cluster: the part of space that is inside, seen from its centroid, in [0, 1].
-std::vector<double> insideOf(const Clusters& clusters);
+std::vector<double> insideOf(const TriangleClusters& clusters);
 
 }  // namespace opaline::test::boundary

@@ -11,7 +11,7 @@ namespace opaline::test::boundary {
 
 using namespace reference;
 
-DenseBoundary::DenseBoundary(const Clusters& clusters, const Channel& channel,
+DenseBoundary::DenseBoundary(const TriangleClusters& clusters, const Channel& channel,
                              std::vector<double> inside)
     : clusters_(clusters), medium_(channel), matrix_(clusters.count() * clusters.count()) {
   const std::size_t n = clusters.count();

@@ -14,7 +14,8 @@ namespace opaline::test::boundary {
 /// Independent of the renderer.
 class DenseBoundary {
  public:
-  DenseBoundary(const Clusters& clusters, const Channel& channel, std::vector<double> inside);
+  DenseBoundary(const TriangleClusters& clusters, const Channel& channel,
+                std::vector<double> inside);
 
   const Diffusion& medium() const { return medium_; }
 
@@ -44,7 +45,7 @@ class DenseBoundary {
   void product(std::span<const double> from, std::span<double> to) const;
 
  private:
-  const Clusters& clusters_;
+  const TriangleClusters& clusters_;
   Diffusion medium_;
   std::vector<double> matrix_;  ///< row by row
 

@@ -16,7 +16,7 @@ namespace {
 
 const Vector toLight{0, 0, 1};
 
-double fluxOut(const Clusters& clusters, std::span<const double> perArea) {
+double fluxOut(const TriangleClusters& clusters, std::span<const double> perArea) {
   double sum = 0;
   for (std::size_t i = 0; i < clusters.count(); ++i) sum += perArea[i] * clusters.list[i].areaMm2;
   return sum;
@@ -34,14 +34,14 @@ TEST(DenseBoundary, MomentsOfTheReflectance) {
 TEST(DenseBoundary, HalfOfSpaceIsInsideOfASphere) {
   const ClusteredBody body = sphere(5, 3);
   const reference::Geometry geometry(body.scene);
-  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const TriangleClusters clusters = clustersOf(geometry, body.clusterOfTriangle);
   for (const double inside : insideOf(clusters)) EXPECT_NEAR(inside, 0.5, 0.03);
 }
 
 TEST(DenseBoundary, SheetsCloserThanTheirClustersAreWide) {
   const ClusteredBody body = slab(20, 0.5, 16);
   const reference::Geometry geometry(body.scene);
-  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const TriangleClusters clusters = clustersOf(geometry, body.clusterOfTriangle);
   // The exact part is one half; a point's, which grows without bound, would be 3 and more.
   const std::vector<double> inside = insideOf(clusters);
   for (const double part : inside) {
@@ -65,7 +65,7 @@ TEST(DenseBoundary, CoverageOfADisc) {
 TEST(DenseBoundary, WithoutAbsorptionAllThatEntersLeaves) {
   const ClusteredBody body = sphere(6, 3);
   const reference::Geometry geometry(body.scene);
-  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const TriangleClusters clusters = clustersOf(geometry, body.clusterOfTriangle);
   const DenseBoundary equation(clusters, {2, 1e-9, 1.3}, insideOf(clusters));
   const LightEntering light = lightEntering(geometry, clusters, 1.3, toLight);
   const auto first = firstCollisions(geometry, light.places, equation.medium(), toLight);
@@ -80,7 +80,7 @@ TEST(DenseBoundary, WithoutAbsorptionAllThatEntersLeaves) {
 TEST(DenseBoundary, SecondCollisionsAndExitsShareTheFirst) {
   const ClusteredBody body = sphere(1.5, 2);
   const reference::Geometry geometry(body.scene);
-  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const TriangleClusters clusters = clustersOf(geometry, body.clusterOfTriangle);
   const Diffusion medium({1, 0.2, 1.3});
   const auto first = firstCollisionsOfDiffuse(geometry, clusters, medium);
   double before = 0;
@@ -95,8 +95,8 @@ TEST(DenseBoundary, SecondCollisionsAndExitsShareTheFirst) {
 
 /// Fluence at one place inside of a point of light of power 1 at another: Green's identity once
 /// more, with what is known on the surface by then.
-double fluenceInside(const Clusters& clusters, const DenseBoundary& equation, const Vector& of,
-                     const Vector& at) {
+double fluenceInside(const TriangleClusters& clusters, const DenseBoundary& equation,
+                     const Vector& of, const Vector& at) {
   using namespace reference;
   const Diffusion& medium = equation.medium();
   const double sigma = medium.attenuationPerMm;
@@ -124,7 +124,7 @@ double fluenceInside(const Clusters& clusters, const DenseBoundary& equation, co
 TEST(DenseBoundary, LightGoesThereAsBack) {
   const ClusteredBody body = hollowSphere(6, 3, 3);
   const reference::Geometry geometry(body.scene);
-  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const TriangleClusters clusters = clustersOf(geometry, body.clusterOfTriangle);
   const std::vector<double> inside = insideOf(clusters);
   const Vector outside{0, 1, 5};
   const Vector beside{3.8, 0, -0.5};
@@ -143,7 +143,7 @@ TEST(DenseBoundary, LeftSideOfASphere) {
   constexpr double radius = 3;
   const ClusteredBody body = sphere(radius, 2);
   const reference::Geometry geometry(body.scene);
-  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const TriangleClusters clusters = clustersOf(geometry, body.clusterOfTriangle);
   const DenseBoundary equation(clusters, {1, 0.05, 1.3}, insideOf(clusters));
   const Diffusion& medium = equation.medium();
   const double sigma = medium.attenuationPerMm;
@@ -163,7 +163,7 @@ TEST(DenseBoundary, LightIsMirroredInside) {
   constexpr double thickness = 0.3;
   const ClusteredBody body = slab(3, thickness, 8);
   const reference::Geometry geometry(body.scene);
-  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const TriangleClusters clusters = clustersOf(geometry, body.clusterOfTriangle);
   const Diffusion medium({0.9, 0.1, 1.5});
   double taken = 0;
   for (const LightPoint& point : firstCollisions(geometry, clusters, medium, toLight))
@@ -176,7 +176,7 @@ TEST(DenseBoundary, LightIsMirroredInside) {
 TEST(DenseBoundary, SolvesItsEquation) {
   const ClusteredBody body = sphere(4, 2);
   const reference::Geometry geometry(body.scene);
-  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const TriangleClusters clusters = clustersOf(geometry, body.clusterOfTriangle);
   const DenseBoundary equation(clusters, {1, 0.05, 1.5}, insideOf(clusters));
   const LightEntering light = lightEntering(geometry, clusters, 1.5, toLight);
   const auto solution = equation.solve(

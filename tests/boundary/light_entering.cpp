@@ -19,7 +19,7 @@ double areaOf(const Body& body, std::uint32_t triangle) {
 }
 
 /// Light of some flux mirrored at a point, to where it enters after that.
-void followOutside(const Geometry& geometry, const Clusters& clusters, double eta,
+void followOutside(const Geometry& geometry, const TriangleClusters& clusters, double eta,
                    SurfacePoint from, Vector direction, double flux,
                    std::vector<double>& mirrored) {
   constexpr int most = 4;
@@ -39,7 +39,7 @@ void followOutside(const Geometry& geometry, const Clusters& clusters, double et
 
 }  // namespace
 
-LightEntering lightEntering(const Geometry& geometry, const Clusters& clusters, double eta,
+LightEntering lightEntering(const Geometry& geometry, const TriangleClusters& clusters, double eta,
                             const Vector& directionToLight) {
   constexpr std::array<double, 3> middle{1.0 / 3, 1.0 / 3, 1.0 / 3};
   const std::size_t count = clusters.count();

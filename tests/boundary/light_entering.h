@@ -12,12 +12,12 @@ struct LightEntering {
   std::vector<double> irradiance;  ///< per cluster
   /// The clusters, but placed where the light enters them: centroid, normal and start are those of
   /// the lit part.
-  Clusters places;
+  TriangleClusters places;
   /// Irradiance of light that enters after it was mirrored on the outside, at any cosine.
   std::vector<double> mirrored;
 };
 
-LightEntering lightEntering(const reference::Geometry& geometry, const Clusters& clusters,
+LightEntering lightEntering(const reference::Geometry& geometry, const TriangleClusters& clusters,
                             double eta, const Vector& directionToLight);
 
 }  // namespace opaline::test::boundary

@@ -96,7 +96,7 @@ std::vector<LightPoint> joined(const std::vector<std::vector<LightPoint>>& parts
 
 }  // namespace
 
-std::vector<LightPoint> firstCollisions(const Geometry& geometry, const Clusters& clusters,
+std::vector<LightPoint> firstCollisions(const Geometry& geometry, const TriangleClusters& clusters,
                                         const Diffusion& medium, const Vector& directionToLight) {
   std::vector<std::vector<LightPoint>> parts(clusters.count());
   tbb::parallel_for(std::size_t{0}, clusters.count(), [&](std::size_t i) {
@@ -111,7 +111,8 @@ std::vector<LightPoint> firstCollisions(const Geometry& geometry, const Clusters
   return joined(parts);
 }
 
-std::vector<LightPoint> firstCollisionsOfDiffuse(const Geometry& geometry, const Clusters& clusters,
+std::vector<LightPoint> firstCollisionsOfDiffuse(const Geometry& geometry,
+                                                 const TriangleClusters& clusters,
                                                  const Diffusion& medium) {
   std::vector<std::vector<LightPoint>> parts(clusters.count());
   tbb::parallel_for(std::size_t{0}, clusters.count(), [&](std::size_t i) {
@@ -123,7 +124,7 @@ std::vector<LightPoint> firstCollisionsOfDiffuse(const Geometry& geometry, const
 
 std::vector<LightPoint> secondCollisions(const Geometry& geometry,
                                          const std::vector<LightPoint>& first,
-                                         const Clusters& clusters, const Diffusion& medium,
+                                         const TriangleClusters& clusters, const Diffusion& medium,
                                          int directions) {
   std::vector<std::vector<LightPoint>> parts(first.size());
   tbb::parallel_for(std::size_t{0}, first.size(), [&](std::size_t p) {
@@ -167,7 +168,7 @@ std::vector<LightPoint> secondCollisions(const Geometry& geometry,
 }
 
 std::vector<SingleExit> singleExits(const Geometry& geometry, const std::vector<LightPoint>& first,
-                                    const Clusters& clusters, const Diffusion& medium,
+                                    const TriangleClusters& clusters, const Diffusion& medium,
                                     int directions) {
   std::vector<std::vector<SingleExit>> parts(first.size());
   tbb::parallel_for(std::size_t{0}, first.size(), [&](std::size_t p) {

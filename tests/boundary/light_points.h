@@ -19,17 +19,18 @@ struct LightPoint {
 
 /// First collisions of light from one direction. Clusters that do not face it have none.
 std::vector<LightPoint> firstCollisions(const reference::Geometry& geometry,
-                                        const Clusters& clusters, const Diffusion& medium,
+                                        const TriangleClusters& clusters, const Diffusion& medium,
                                         const Vector& directionToLight);
 
 /// The same of diffuse light.
 std::vector<LightPoint> firstCollisionsOfDiffuse(const reference::Geometry& geometry,
-                                                 const Clusters& clusters, const Diffusion& medium);
+                                                 const TriangleClusters& clusters,
+                                                 const Diffusion& medium);
 
 /// What becomes of first collisions at the second, without the albedo. None is direct.
 std::vector<LightPoint> secondCollisions(const reference::Geometry& geometry,
                                          const std::vector<LightPoint>& first,
-                                         const Clusters& clusters, const Diffusion& medium,
+                                         const TriangleClusters& clusters, const Diffusion& medium,
                                          int directions = 4);
 
 /// Light that leaves after one collision: the share of a cluster's flux, without the albedo.
@@ -41,7 +42,8 @@ struct SingleExit {
 
 /// By rays from first collisions, each with all that it loses at the walls it meets.
 std::vector<SingleExit> singleExits(const reference::Geometry& geometry,
-                                    const std::vector<LightPoint>& first, const Clusters& clusters,
-                                    const Diffusion& medium, int directions = 4);
+                                    const std::vector<LightPoint>& first,
+                                    const TriangleClusters& clusters, const Diffusion& medium,
+                                    int directions = 4);
 
 }  // namespace opaline::test::boundary

@@ -53,7 +53,7 @@ double unscatteredOfDisc(double z, double radiusMm, const Diffusion& medium) {
 }  // namespace
 
 Flux fluxOf(const std::vector<LightPoint>& points, std::span<const double> entering,
-            const Clusters& clusters) {
+            const TriangleClusters& clusters) {
   Flux flux;
   for (const LightPoint& point : points) {
     const double power =
@@ -67,7 +67,7 @@ Flux fluxOf(const std::vector<LightPoint>& points, std::span<const double> enter
   return flux;
 }
 
-void addFluence(const Flux& flux, const Clusters& clusters, const Diffusion& medium,
+void addFluence(const Flux& flux, const TriangleClusters& clusters, const Diffusion& medium,
                 std::span<double> sum) {
   const double sigma = medium.attenuationPerMm;
   tbb::parallel_for(std::size_t{0}, clusters.count(), [&](std::size_t i) {
@@ -85,7 +85,7 @@ void addFluence(const Flux& flux, const Clusters& clusters, const Diffusion& med
   });
 }
 
-void addUnscattered(const Flux& flux, const Clusters& clusters, const Diffusion& medium,
+void addUnscattered(const Flux& flux, const TriangleClusters& clusters, const Diffusion& medium,
                     std::span<double> sum) {
   const double reach = 14 / medium.extinctionPerMm;
   tbb::parallel_for(std::size_t{0}, clusters.count(), [&](std::size_t i) {
@@ -101,7 +101,8 @@ void addUnscattered(const Flux& flux, const Clusters& clusters, const Diffusion&
 }
 
 void correctOwnFluence(const std::vector<LightPoint>& points, std::span<const double> entering,
-                       const Clusters& clusters, const Diffusion& medium, std::span<double> sum) {
+                       const TriangleClusters& clusters, const Diffusion& medium,
+                       std::span<double> sum) {
   for (const LightPoint& point : points) {
     if (!point.direct || entering[point.cluster] <= 0) continue;
     const Cluster& own = clusters.list[point.cluster];
@@ -113,7 +114,7 @@ void correctOwnFluence(const std::vector<LightPoint>& points, std::span<const do
 }
 
 void correctOwnUnscattered(const std::vector<LightPoint>& points, std::span<const double> entering,
-                           const Clusters& clusters, const Diffusion& medium,
+                           const TriangleClusters& clusters, const Diffusion& medium,
                            std::span<double> sum) {
   for (const LightPoint& point : points) {
     if (!point.direct || entering[point.cluster] <= 0) continue;

@@ -16,21 +16,22 @@ struct Flux {
 
 /// Those of points whose cluster lets light in; `entering` is irradiance, per cluster.
 Flux fluxOf(const std::vector<LightPoint>& points, std::span<const double> entering,
-            const Clusters& clusters);
+            const TriangleClusters& clusters);
 
 /// Σ power e^{−σr}/(4πDr) at every cluster, added to `sum`; r² = distance² + ρ²/4.
-void addFluence(const Flux& flux, const Clusters& clusters, const Diffusion& medium,
+void addFluence(const Flux& flux, const TriangleClusters& clusters, const Diffusion& medium,
                 std::span<double> sum);
 
 /// Light of these points that leaves without another collision, added per area.
-void addUnscattered(const Flux& flux, const Clusters& clusters, const Diffusion& medium,
+void addUnscattered(const Flux& flux, const TriangleClusters& clusters, const Diffusion& medium,
                     std::span<double> sum);
 
 /// Own points of segment 0 are discs: replaces what the pair sums gave for them.
 void correctOwnFluence(const std::vector<LightPoint>& points, std::span<const double> entering,
-                       const Clusters& clusters, const Diffusion& medium, std::span<double> sum);
+                       const TriangleClusters& clusters, const Diffusion& medium,
+                       std::span<double> sum);
 void correctOwnUnscattered(const std::vector<LightPoint>& points, std::span<const double> entering,
-                           const Clusters& clusters, const Diffusion& medium,
+                           const TriangleClusters& clusters, const Diffusion& medium,
                            std::span<double> sum);
 
 }  // namespace opaline::test::boundary

@@ -11,7 +11,7 @@ namespace opaline::test::boundary {
 
 using namespace reference;
 
-Reentry Reentry::ofPairs(const Geometry& geometry, const Clusters& clusters,
+Reentry Reentry::ofPairs(const Geometry& geometry, const TriangleClusters& clusters,
                          const Diffusion& medium) {
   Reentry reentry;
   reentry.rows_.resize(clusters.count());
@@ -40,8 +40,8 @@ Reentry Reentry::ofPairs(const Geometry& geometry, const Clusters& clusters,
   return reentry;
 }
 
-Reentry Reentry::ofRays(const Geometry& geometry, const Clusters& clusters, const Diffusion& medium,
-                        int rays) {
+Reentry Reentry::ofRays(const Geometry& geometry, const TriangleClusters& clusters,
+                        const Diffusion& medium, int rays) {
   Reentry reentry;
   reentry.rows_.resize(clusters.count());
   tbb::parallel_for(std::size_t{0}, clusters.count(), [&](std::size_t i) {
@@ -69,7 +69,7 @@ Reentry Reentry::ofRays(const Geometry& geometry, const Clusters& clusters, cons
   return reentry;
 }
 
-Reentry Reentry::ofSpreadRays(const Geometry& geometry, const Clusters& clusters,
+Reentry Reentry::ofSpreadRays(const Geometry& geometry, const TriangleClusters& clusters,
                               const Diffusion& medium, int rays) {
   Reentry reentry;
   reentry.rows_.resize(clusters.count());

@@ -13,13 +13,13 @@ namespace opaline::test::boundary {
 class Reentry {
  public:
   /// Every pair that sees each other, from start to start.
-  static Reentry ofPairs(const reference::Geometry& geometry, const Clusters& clusters,
+  static Reentry ofPairs(const reference::Geometry& geometry, const TriangleClusters& clusters,
                          const Diffusion& medium);
   /// Rays from every cluster, so many, stratified by the cosine.
-  static Reentry ofRays(const reference::Geometry& geometry, const Clusters& clusters,
+  static Reentry ofRays(const reference::Geometry& geometry, const TriangleClusters& clusters,
                         const Diffusion& medium, int rays);
   /// The same from places all over each cluster, about the facets' normals.
-  static Reentry ofSpreadRays(const reference::Geometry& geometry, const Clusters& clusters,
+  static Reentry ofSpreadRays(const reference::Geometry& geometry, const TriangleClusters& clusters,
                               const Diffusion& medium, int rays);
 
   std::vector<double> entering(std::span<const double> exitance) const;

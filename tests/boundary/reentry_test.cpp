@@ -10,7 +10,7 @@ namespace {
 TEST(Reentry, NothingOfAConvexBodyMeetsItAgain) {
   const ClusteredBody body = sphere(5, 2);
   const reference::Geometry geometry(body.scene);
-  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const TriangleClusters clusters = clustersOf(geometry, body.clusterOfTriangle);
   const Diffusion medium({1, 0.1, 1.3});
   EXPECT_EQ(Reentry::ofPairs(geometry, clusters, medium).entries(), 0U);
   EXPECT_EQ(Reentry::ofSpreadRays(geometry, clusters, medium, 16).entries(), 0U);
@@ -20,7 +20,7 @@ TEST(Reentry, NothingOfAConvexBodyMeetsItAgain) {
 TEST(Reentry, InAHollowAllOfItDoes) {
   const ClusteredBody body = hollowSphere(10, 6, 3);
   const reference::Geometry geometry(body.scene);
-  const Clusters clusters = clustersOf(geometry, body.clusterOfTriangle);
+  const TriangleClusters clusters = clustersOf(geometry, body.clusterOfTriangle);
   const Diffusion medium({1, 0.1, 1.5});
   constexpr int steps = 10000;
   double expected = 0;

@@ -96,7 +96,7 @@ struct System {
         equation(clusters, medium, insideOf(clusters)) {}
 
   reference::Geometry geometry;
-  Clusters clusters;
+  TriangleClusters clusters;
   DenseBoundary equation;
 };
 
@@ -115,7 +115,8 @@ std::string nameOf(const testing::TestParamInfo<Row>& row) {
 class SphereTable : public testing::TestWithParam<SphereRow> {};
 
 // Twenty bands of equal area: L1 of their exitances over their sum.
-double bandError(const SphereRow& row, const Clusters& clusters, std::span<const double> exitance) {
+double bandError(const SphereRow& row, const TriangleClusters& clusters,
+                 std::span<const double> exitance) {
   std::array<double, 20> flux{};
   std::array<double, 20> area{};
   for (std::size_t i = 0; i < clusters.count(); ++i) {

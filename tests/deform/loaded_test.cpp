@@ -5,7 +5,7 @@
 
 #include "core/temporary_folder.h"
 #include "deform/allocations.h"
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 #include "opaline/error.h"
 #include "scene/gltf/builder.h"
 
@@ -55,7 +55,7 @@ struct Tetrahedra {
   }
 };
 
-double volumeOf(const Mesh& mesh, const DeformedMesh& deformed) {
+double volumeOf(const Mesh& mesh, const DeformedVertices& deformed) {
   double sum = 0;
   for (const Triangle& t : mesh.triangles) {
     sum += scene::dot(deformed.positionsMm[t[0]],
@@ -64,7 +64,7 @@ double volumeOf(const Mesh& mesh, const DeformedMesh& deformed) {
   return sum / 6;
 }
 
-Double3 middleOf(const DeformedMesh& mesh) {
+Double3 middleOf(const DeformedVertices& mesh) {
   Double3 sum{};
   for (const Double3& p : mesh.positionsMm) sum = sum + p;
   return (1 / static_cast<double>(mesh.positionsMm.size())) * sum;
@@ -79,7 +79,7 @@ TEST(LoadedMotion, MirroredInstancesStayRightSideOut) {
   const Scene scene = loadBuilt(of.b);
   ASSERT_EQ(scene.objects.size(), 2U);
   for (std::size_t o = 0; o < 2; ++o) {
-    const DeformedMesh mesh = deformedMesh(scene, o, 0, 0.7);
+    const DeformedVertices mesh = deformedVertices(scene, o, 0, 0.7);
     EXPECT_NEAR(volumeOf(scene.objects[o].mesh, mesh), (o == 0 ? 1e9 : 2e9) / 6, 1e3);
     for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
       EXPECT_GT(scene::dot(mesh.normals[v], mesh.positionsMm[v] - middleOf(mesh)), 0);
@@ -97,7 +97,7 @@ TEST(LoadedMotion, TwoSkinsOfOneMeshMoveApart) {
   const Scene scene = loadBuilt(of.b);
   ASSERT_EQ(scene.objects.size(), 2U);
   for (std::size_t o = 0; o < 2; ++o) {
-    const DeformedMesh mesh = deformedMesh(scene, o, 0, 0.5);
+    const DeformedVertices mesh = deformedVertices(scene, o, 0, 0.5);
     for (std::size_t v = 0; v < 4; ++v) {
       const Double3 from = scene::toDouble(scene.objects[o].rig->positions[v]);
       const bool tip = from[2] == 1;
@@ -119,7 +119,7 @@ TEST(LoadedMotion, SkinAndMorphOfOneMesh) {
                 GltfBuilder::sampler(of.times, of.b.vectors({1, 1, 1, 3, 3, 3}))},
                {R"("node":0,"path":"weights")", R"("node":2,"path":"scale")"});
   const Scene scene = loadBuilt(of.b);
-  const DeformedMesh mesh = deformedMesh(scene, 0, 0, 0.5);
+  const DeformedVertices mesh = deformedVertices(scene, 0, 0, 0.5);
   for (std::size_t v = 0; v < 4; ++v) {
     const Vec3& from = scene.objects[0].rig->positions[v];
     // Half of the offsets, then twice for the tip.
@@ -161,7 +161,7 @@ TEST(LoadedMotion, DamagedFilesThatLoadCanBePosed) {
       ++loaded;
       for (std::size_t o = 0; o < scene.objects.size(); ++o) {
         for (const double seconds : {0.0, 0.3, 1.0, 1e9, -1.0, 1e300}) {
-          const DeformedMesh mesh = deformedMesh(scene, o, 0, seconds);
+          const DeformedVertices mesh = deformedVertices(scene, o, 0, seconds);
           ASSERT_EQ(mesh.positionsMm.size(), scene.objects[o].mesh.positionsMm.size());
           for (const Double3& n : mesh.normals) ASSERT_TRUE(scene::isFinite(n));
         }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 #include "opaline/scene.h"
 #include "shared_files.h"
 
@@ -31,7 +31,7 @@ TEST_P(AnimatedModels, RestPoseIsTheMesh) {
   for (std::size_t o = 0; o < scene.objects.size(); ++o) {
     const Object& object = scene.objects[o];
     ASSERT_TRUE(object.rig);
-    const DeformedMesh mesh = deformedMesh(scene, o, -1, 0);
+    const DeformedVertices mesh = deformedVertices(scene, o, -1, 0);
     ASSERT_EQ(mesh.positionsMm.size(), object.mesh.positionsMm.size());
     for (std::size_t v = 0; v < mesh.positionsMm.size(); ++v) {
       const Double3 rest = scene::toDouble(object.mesh.positionsMm[v]);
@@ -120,7 +120,7 @@ TEST_P(PosedModels, FillTheBoxOfTheSpecification) {
   Double3 low{INFINITY, INFINITY, INFINITY};
   Double3 high{-INFINITY, -INFINITY, -INFINITY};
   for (std::size_t o = 0; o < scene.objects.size(); ++o) {
-    for (const Double3& p : deformedMesh(scene, o, of.clip, of.seconds).positionsMm) {
+    for (const Double3& p : deformedVertices(scene, o, of.clip, of.seconds).positionsMm) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         low[axis] = std::min(low[axis], p[axis]);
         high[axis] = std::max(high[axis], p[axis]);
@@ -172,7 +172,8 @@ TEST(SharedModels, BunnyBecomesTheEgg) {
   const auto heightAt = [&](float weight) {
     scene.nodes[scene.objects[0].rig->node].morphWeights = {weight};
     double high = 0;
-    for (const Double3& p : deformedMesh(scene, 0, -1, 0).positionsMm) high = std::max(high, p[1]);
+    for (const Double3& p : deformedVertices(scene, 0, -1, 0).positionsMm)
+      high = std::max(high, p[1]);
     return high;
   };
   EXPECT_NEAR(heightAt(0), 187.3210, 1e-3);
@@ -188,7 +189,7 @@ TEST(SharedModels, OnePlyMorphsToTheOther) {
   const double mmPerUnit{scene.objects[0].rig->toScene.columns[1][1]};
   const auto heightAt = [&](double seconds) {
     double high = 0;
-    for (const Double3& p : deformedMesh(scene, 0, 0, seconds).positionsMm) {
+    for (const Double3& p : deformedVertices(scene, 0, 0, seconds).positionsMm) {
       high = std::max(high, p[1]);
     }
     return high / mmPerUnit;
@@ -206,7 +207,7 @@ TEST(SharedModels, AManOfOneAndAHalfMetresWalksUpright) {
   for (double seconds = 0; seconds < 2; seconds += 0.125) {
     double low = INFINITY;
     double high = 0;
-    for (const Double3& p : deformedMesh(scene, 0, 0, seconds).positionsMm) {
+    for (const Double3& p : deformedVertices(scene, 0, 0, seconds).positionsMm) {
       low = std::min(low, p[1]);
       high = std::max(high, p[1]);
     }

@@ -25,7 +25,7 @@ struct Body {
   std::vector<std::uint32_t> objectOfTriangle;
   std::uint32_t objects = 0;
 
-  surfels::Surface surface() const { return {rest, triangles, objectOfTriangle}; }
+  core::RestSurface surface() const { return {rest, triangles, objectOfTriangle}; }
   Vector place(std::uint32_t vertex) const { return opaline::test::toVector(moved[vertex]); }
 
   void add(const Mesh& mesh) {

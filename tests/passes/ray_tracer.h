@@ -47,7 +47,7 @@ class RayTracer {
     moveTo(body.moved);
   }
 
-  const surfels::Surfels& made() const { return made_; }
+  const surfels::SurfelDivision& made() const { return made_; }
 
   void moveTo(const std::vector<Vec3>& positions) {
     std::vector<glm::vec4> packed;
@@ -110,7 +110,7 @@ class RayTracer {
   }
 
   gpu::Device& device_;
-  surfels::Surfels made_;
+  surfels::SurfelDivision made_;
   Surfels surfels_;
   RayHierarchy hierarchy_;
   DeformedMesh mesh_;

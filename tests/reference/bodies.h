@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 #include "opaline/scene.h"
 #include "reference/scene.h"
 #include "renderer/shapes.h"
@@ -25,7 +25,7 @@ inline reference::Body bodyOf(const Mesh& mesh, const Medium& medium = marble())
 inline reference::Scene referenceOf(const Scene& scene) {
   reference::Scene result;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    deform::DeformedMesh mesh = deform::deformedMesh(scene, i, -1, 0);
+    deform::DeformedVertices mesh = deform::deformedVertices(scene, i, -1, 0);
     result.bodies.push_back({std::move(mesh.positionsMm), std::move(mesh.normals),
                              scene.objects[i].mesh.triangles, scene.objects[i].medium});
   }

@@ -11,7 +11,7 @@
 
 #include "bssrdf/media.h"
 #include "compare/figures.h"
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 #include "reference/integral.h"
 #include "reference/picture.h"
 #include "renderer/renderer_fixture.h"
@@ -69,7 +69,7 @@ Scene sceneOf(const AccuracyCase& accuracy) {
 reference::Scene referenceAt(const Scene& scene, double seconds) {
   reference::Scene result;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    deform::DeformedMesh mesh = deform::deformedMesh(scene, i, 0, seconds);
+    deform::DeformedVertices mesh = deform::deformedVertices(scene, i, 0, seconds);
     result.bodies.push_back({std::move(mesh.positionsMm), std::move(mesh.normals),
                              scene.objects[i].mesh.triangles, scene.objects[i].medium});
   }

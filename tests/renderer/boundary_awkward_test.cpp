@@ -33,7 +33,10 @@ TEST_F(BoundaryAwkwardTest, AnOpenSheetIsABetterDipole) {
   for (const Site site : {Site::Fragment, Site::Vertex}) {
     RenderOptions options = boundaryOptions(48, 2);
     options.site = site;
-    const Image boundary = renderBoundary(scene, options, {Aov::Exitance}).images[0];
+    const RenderResult asked = renderBoundary(scene, options, {Aov::Exitance});
+    EXPECT_EQ(asked.report.transport, Transport::BetterDipole);
+    EXPECT_EQ(asked.report.boundarySurfels, 0U);
+    const Image& boundary = asked.images[0];
     options.transport = Transport::BetterDipole;
     const Image dipole = renderBoundary(scene, options, {Aov::Exitance}).images[0];
     EXPECT_GT(meanOf(dipole)[0], 0.1);

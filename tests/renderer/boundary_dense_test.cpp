@@ -49,7 +49,7 @@ reference::Scene referenceOf(const Scene& scene) {
 
 /// Root mean square over the clusters that are seen, of the pixels next to their middles, over
 /// their mean.
-double errorOfClusters(const RenderResult& found, const boundary::Clusters& clusters,
+double errorOfClusters(const RenderResult& found, const boundary::TriangleClusters& clusters,
                        const std::vector<double>& exitance, std::size_t channel) {
   std::vector<double> sum(clusters.count());
   std::vector<int> pixels(clusters.count());
@@ -81,7 +81,7 @@ TEST_F(BoundaryDenseTest, EveryPairSaysTheSame) {
   const reference::Geometry geometry(body);
   std::vector<std::uint32_t> own(scene.objects[0].mesh.triangles.size());
   for (std::uint32_t t = 0; t < own.size(); ++t) own[t] = t / 4;
-  const boundary::Clusters clusters = boundary::clustersOf(geometry, own);
+  const boundary::TriangleClusters clusters = boundary::clustersOf(geometry, own);
   const std::vector<double> inside = boundary::insideOf(clusters);
   const Vector toLight = toVector(scene.lighting.directional[0].directionToLight);
   const boundary::LightEntering light =

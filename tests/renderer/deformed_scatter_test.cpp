@@ -10,7 +10,7 @@
 
 #include "bssrdf/fresnel.h"
 #include "bssrdf/profile.h"
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 #include "renderer/renderer_fixture.h"
 #include "renderer/shapes.h"
 
@@ -100,7 +100,7 @@ Errors compareWithIntegral(const Scene& scene, const std::vector<Image>& images,
 
 std::vector<Vector> deformedPositions(const Scene& scene) {
   std::vector<Vector> positions;
-  for (const scene::Double3& p : deform::deformedMesh(scene, 0, -1, 0).positionsMm)
+  for (const scene::Double3& p : deform::deformedVertices(scene, 0, -1, 0).positionsMm)
     positions.push_back(p);
   return positions;
 }

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 #include "gpu/command_list.h"
 #include "gpu/gpu_fixture.h"
 #include "gpu/transfer.h"
@@ -63,7 +63,8 @@ class MotionTest : public gpu::GpuTest {
     const Moved moved = at(clip, seconds);
     std::size_t first = 0;
     for (std::size_t object = 0; object < scene_.objects.size(); ++object) {
-      const deform::DeformedMesh expected = deform::deformedMesh(scene_, object, clip, seconds);
+      const deform::DeformedVertices expected =
+          deform::deformedVertices(scene_, object, clip, seconds);
       for (std::size_t v = 0; v < expected.positionsMm.size() && !HasFailure(); ++v) {
         expectNear(moved.positions[first + v], expected.positionsMm[v], 1e-5 * diagonalMm(scene_));
         expectNear(moved.normals[first + v], expected.normals[v], 2e-4);

@@ -22,7 +22,7 @@ struct Body {
   std::vector<std::uint32_t> objectOfTriangle;
   std::size_t objects = 1;
 
-  Surface surface() const { return {positions, triangles, objectOfTriangle}; }
+  core::RestSurface surface() const { return {positions, triangles, objectOfTriangle}; }
   std::vector<double> spacing(double mm) const { return std::vector<double>(objects, mm); }
 };
 

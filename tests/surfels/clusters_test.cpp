@@ -17,7 +17,8 @@ namespace opaline::surfels {
 namespace {
 
 // However large.
-Clusters clustersOf(const Surface& surface, const Surfels& surfels, std::size_t budget) {
+ClusterDivision clustersOf(const core::RestSurface& surface, const SurfelDivision& surfels,
+                           std::size_t budget) {
   const std::vector<double> unlimitedMm(surfels.spacingOfObjectMm.size(),
                                         std::numeric_limits<double>::infinity());
   return makeClusters(surface, surfels, unlimitedMm, budget);
@@ -65,7 +66,7 @@ class Walk {
   std::vector<std::uint32_t> heights_;
 };
 
-void expectTree(const Clusters& made) {
+void expectTree(const ClusterDivision& made) {
   Walk walk(made.tree);
   const std::vector<std::uint32_t>& roots = made.tree.rootOfObject;
   ASSERT_EQ(roots.front(), 0U);
@@ -90,7 +91,7 @@ void expectTree(const Clusters& made) {
 }
 
 /// Every surfel in exactly one cluster, those of a cluster together and of one object.
-void expectPartition(const Surfels& surfels, const Clusters& made) {
+void expectPartition(const SurfelDivision& surfels, const ClusterDivision& made) {
   ASSERT_EQ(made.firstOfObject.size(), surfels.firstOfObject.size());
   ASSERT_EQ(made.firstSurfel.size(), std::size_t{made.count()} + 1);
   ASSERT_EQ(made.firstOfObject.front(), 0U);
@@ -100,7 +101,7 @@ void expectPartition(const Surfels& surfels, const Clusters& made) {
     ASSERT_LT(made.firstSurfel[i], made.firstSurfel[i + 1]);
 }
 
-std::size_t objectsWithSurfels(const Surfels& surfels) {
+std::size_t objectsWithSurfels(const SurfelDivision& surfels) {
   std::size_t count = 0;
   for (std::size_t i = 0; i + 1 < surfels.firstOfObject.size(); ++i)
     if (surfels.firstOfObject[i] < surfels.firstOfObject[i + 1]) ++count;
@@ -110,11 +111,11 @@ std::size_t objectsWithSurfels(const Surfels& surfels) {
 TEST(Clusters, HoldEverySurfelOnceWithinTheBudget) {
   for (const Body& body : allBodies())
     for (const std::size_t maxSurfels : {200U, 20'000U}) {
-      const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), maxSurfels);
+      const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), maxSurfels);
       const std::size_t least = objectsWithSurfels(surfels);
       for (const std::size_t budget :
            {std::size_t{1}, std::size_t{64}, std::size_t{500}, unlimited}) {
-        const Clusters made = clustersOf(body.surface(), surfels, budget);
+        const ClusterDivision made = clustersOf(body.surface(), surfels, budget);
         EXPECT_LE(made.count(), std::max(budget, least)) << body.name;
         EXPECT_GE(made.count(), least) << body.name;
         expectPartition(surfels, made);
@@ -126,9 +127,9 @@ TEST(Clusters, HoldEverySurfelOnceWithinTheBudget) {
 
 TEST(Clusters, AreAlwaysTheSame) {
   const Body body = bodyOf(awkward::torus());
-  const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.05), 100'000);
-  const Clusters once = clustersOf(body.surface(), surfels, 1000);
-  const Clusters again = clustersOf(body.surface(), surfels, 1000);
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.05), 100'000);
+  const ClusterDivision once = clustersOf(body.surface(), surfels, 1000);
+  const ClusterDivision again = clustersOf(body.surface(), surfels, 1000);
   EXPECT_EQ(once.firstSurfel, again.firstSurfel);
   EXPECT_EQ(once.tree.links, again.tree.links);
 }
@@ -142,7 +143,8 @@ struct Patch {
   double edgeMm() const { return std::sqrt(areaMm2); }
 };
 
-std::vector<Patch> patchesOf(const Body& body, const Surfels& surfels, const Clusters& made) {
+std::vector<Patch> patchesOf(const Body& body, const SurfelDivision& surfels,
+                             const ClusterDivision& made) {
   std::vector<Patch> patches(made.count());
   for (std::uint32_t i = 0; i < made.count(); ++i) {
     Patch& patch = patches[i];
@@ -173,8 +175,8 @@ constexpr double smallestPart = 0.2;
 
 TEST(Clusters, OfAThickBodyAreAsLargeAsUsual) {
   const Body body = bodyOf(awkward::sphere());
-  const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
-  const Clusters made = clustersOf(body.surface(), surfels, unlimited);
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
+  const ClusterDivision made = clustersOf(body.surface(), surfels, unlimited);
   double area = 0;
   for (const Patch& patch : patchesOf(body, surfels, made)) area += patch.areaMm2;
   const double usual = usualClusterMm(area);
@@ -201,8 +203,8 @@ TEST(Clusters, OfASlabAreAsLargeAsItIsThick) {
     const double area = 2 * edge * edge + 4 * edge * thick;
     ASSERT_GT(usualClusterMm(area), thick);
     ASSERT_LT(usualClusterMm(area) / 4, thick);
-    const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
-    const Clusters made = clustersOf(body.surface(), surfels, unlimited);
+    const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
+    const ClusterDivision made = clustersOf(body.surface(), surfels, unlimited);
     int counted = 0;
     for (const Patch& patch : patchesOf(body, surfels, made)) {
       if (isAtRim(patch, edge, 2 * thick)) continue;
@@ -219,7 +221,7 @@ TEST(Clusters, OfALeafAreAQuarterOfUsual) {
   constexpr double edge = 8;
   const Body body = box(static_cast<float>(edge), 0.001F, static_cast<float>(edge));
   const double least = usualClusterMm(2 * edge * edge + 4 * edge * 0.001) / 4;
-  const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.01), 4 * unlimited);
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.01), 4 * unlimited);
   for (const Patch& patch :
        patchesOf(body, surfels, clustersOf(body.surface(), surfels, unlimited))) {
     if (isAtRim(patch, edge, 0.2)) continue;
@@ -236,8 +238,8 @@ TEST(Clusters, NoneHoldsBothSidesOfASlab) {
     for (const std::size_t maxSurfels : {33'000U, 100'000U}) {
       const Body body =
           box(static_cast<float>(edge), static_cast<float>(thick), static_cast<float>(edge));
-      const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), maxSurfels);
-      const Clusters made = clustersOf(body.surface(), surfels, 4000);
+      const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), maxSurfels);
+      const ClusterDivision made = clustersOf(body.surface(), surfels, 4000);
       int inside = 0;
       for (const Patch& patch : patchesOf(body, surfels, made)) {
         const auto [low, high] = std::minmax(patch.middle[0], patch.middle[2]);
@@ -251,8 +253,8 @@ TEST(Clusters, NoneHoldsBothSidesOfASlab) {
 TEST(Clusters, OfAWedgeFollowItsThickness) {
   constexpr double length = 8;
   const Body body = wedge(static_cast<float>(length), 0.06F, 0.46F, 8);
-  const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
-  const Clusters made = clustersOf(body.surface(), surfels, unlimited);
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
+  const ClusterDivision made = clustersOf(body.surface(), surfels, unlimited);
   const std::vector<Patch> patches = patchesOf(body, surfels, made);
   double area = 0;
   for (const Patch& patch : patches) area += patch.areaMm2;
@@ -266,22 +268,48 @@ TEST(Clusters, OfAWedgeFollowItsThickness) {
   }
 }
 
-// All objects, by the same factor.
-TEST(Clusters, BeyondTheBudgetAreCoarserThroughout) {
-  Body second = bodyOf(awkward::torus());
-  for (Vec3& p : second.positions) p[0] += 10;
-  const Body body = together(bodyOf(awkward::sphere()), second);
-  const Surfels surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
-  const Clusters fine = clustersOf(body.surface(), surfels, unlimited);
-  const Clusters coarse = clustersOf(body.surface(), surfels, fine.count() / 8);
-  EXPECT_LE(coarse.count(), fine.count() / 8);
-  // Halves at the median jump by four: what fits may be that much less.
-  EXPECT_GE(coarse.count(), fine.count() / 8 / 5);
-  const auto ofFirst = [](const Clusters& made) {
-    return static_cast<double>(made.firstOfObject[1]) / made.count();
-  };
-  EXPECT_GT(ofFirst(coarse), ofFirst(fine) / 4);
-  EXPECT_LT(ofFirst(coarse), ofFirst(fine) * 4);
+// A node that is opened is four clusters at most instead of one.
+TEST(Clusters, UseTheirBudget) {
+  const Body body = bodyOf(awkward::torus());
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
+  const std::size_t wanted = clustersOf(body.surface(), surfels, unlimited).count();
+  ASSERT_GT(wanted, 2000U);
+  for (const std::size_t budget : {std::size_t{64}, std::size_t{500}, std::size_t{1500}}) {
+    const ClusterDivision made = clustersOf(body.surface(), surfels, budget);
+    EXPECT_GT(made.count() + 3, budget);
+    EXPECT_EQ(made.wanted, wanted);
+  }
+  EXPECT_EQ(clustersOf(body.surface(), surfels, wanted).count(), wanted);
+}
+
+// Both ends of a wedge, as large as each other, are too coarse; both sides in one place are worse.
+TEST(Clusters, BeyondTheBudgetAreFinerWhereTheBodyIsThin) {
+  constexpr double length = 8;
+  const Body body = wedge(static_cast<float>(length), 0.06F, 0.46F, 8);
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), 100'000);
+  int thin = 0;
+  int thick = 0;
+  for (const Patch& patch : patchesOf(body, surfels, clustersOf(body.surface(), surfels, 512))) {
+    if (patch.middle[0] < length / 4) ++thin;
+    if (patch.middle[0] > length * 3 / 4) ++thick;
+  }
+  EXPECT_GT(thick, 0);
+  EXPECT_GT(thin, 2 * thick);
+}
+
+// However dense another object's medium is, and however large that object.
+TEST(Clusters, WhatAMediumAsksForTakesNoneFromAnotherShape) {
+  Body floor = box(80, 8, 80);
+  for (Vec3& p : floor.positions) p[1] -= 20;
+  const Body body = together(bodyOf(awkward::sphere()), floor);
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), 200'000);
+  const ClusterDivision ofShape = clustersOf(body.surface(), surfels, unlimited);
+  const std::vector<double> largestMm{std::numeric_limits<double>::infinity(), 0.5};
+  const ClusterDivision made =
+      makeClusters(body.surface(), surfels, largestMm, ofShape.count() + std::size_t{500});
+  EXPECT_EQ(made.firstOfObject[1], ofShape.firstOfObject[1]);
+  EXPECT_GT(made.count(), ofShape.count() + 400U);
+  EXPECT_GT(made.coarseness(), 1.5);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-void expectPartition(const Body& body, const Surfels& made) {
+void expectPartition(const Body& body, const SurfelDivision& made) {
   ASSERT_EQ(made.firstOfObject.size(), body.objects + 1) << body.name;
   ASSERT_EQ(made.tree.rootOfObject.size(), body.objects + 1) << body.name;
   ASSERT_EQ(made.pieces.size(), std::size_t{made.count()} * made.piecesPerSurfel) << body.name;
@@ -50,7 +50,7 @@ void expectPermutation(std::vector<std::uint32_t> order, std::size_t count) {
   for (std::uint32_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], i);
 }
 
-void expectSizes(const Body& body, const Surfels& made, const std::vector<double>& wanted) {
+void expectSizes(const Body& body, const SurfelDivision& made, const std::vector<double>& wanted) {
   ASSERT_EQ(made.spacingOfObjectMm.size(), body.objects);
   for (std::size_t i = 0; i < body.objects; ++i)
     EXPECT_GE(made.spacingOfObjectMm[i], wanted[i]) << body.name;
@@ -63,7 +63,7 @@ void expectSizes(const Body& body, const Surfels& made, const std::vector<double
 TEST(Surfels, AreTheWholeSurfaceWithinTheBudget) {
   for (const Body& body : allBodies())
     for (const std::size_t budget : {16U, 64U, 1000U, 20'000U}) {
-      const Surfels made = makeSurfels(body.surface(), body.spacing(0.02), budget);
+      const SurfelDivision made = makeSurfels(body.surface(), body.spacing(0.02), budget);
       EXPECT_LE(made.count(), budget) << body.name;
       expectPartition(body, made);
       expectPermutation(made.vertexOrder, body.positions.size());
@@ -87,7 +87,7 @@ double areaOf(const Body& body) {
 TEST(Surfels, AreAsFineAsAskedWhereTheBudgetAllows) {
   const Body body = bodyOf(awkward::torus());
   const double wanted = 0.1;
-  const Surfels made = makeSurfels(body.surface(), body.spacing(wanted), 100'000);
+  const SurfelDivision made = makeSurfels(body.surface(), body.spacing(wanted), 100'000);
   EXPECT_EQ(made.piecesPerSurfel, 1U);
   EXPECT_EQ(made.spacingOfObjectMm, body.spacing(wanted));
   // No more than fourfold what squares of that edge would need: a half has half the area, and up to
@@ -100,7 +100,7 @@ TEST(Surfels, MostOfABudgetThatBindsIsUsed) {
        {awkward::flatSheet(), awkward::openSheet(), awkward::torus()}) {
     const Body body = bodyOf(shape);
     for (const std::size_t budget : {10'000U, 30'000U, 77'777U}) {
-      const Surfels made = makeSurfels(body.surface(), body.spacing(1e-3), budget);
+      const SurfelDivision made = makeSurfels(body.surface(), body.spacing(1e-3), budget);
       EXPECT_LE(made.count(), budget) << body.name;
       // Triangles of a size are all halved at once.
       EXPECT_GT(made.count(), 0.45 * static_cast<double>(budget)) << body.name;
@@ -109,7 +109,7 @@ TEST(Surfels, MostOfABudgetThatBindsIsUsed) {
   }
 }
 
-std::vector<std::uint32_t> countOfObjects(const Surfels& made) {
+std::vector<std::uint32_t> countOfObjects(const SurfelDivision& made) {
   std::vector<std::uint32_t> counts(made.firstOfObject.size());
   std::adjacent_difference(made.firstOfObject.begin(), made.firstOfObject.end(), counts.begin());
   counts.erase(counts.begin());
@@ -120,7 +120,8 @@ TEST(Surfels, ALargeObjectTakesNothingFromASmallOne) {
   const Body body = bodyOf(awkward::twoObjects());
   const std::vector<std::uint32_t> alone =
       countOfObjects(makeSurfels(body.surface(), std::vector<double>{1e9, 0.02}, 1'000'000));
-  const Surfels made = makeSurfels(body.surface(), std::vector<double>{1e-4, 0.02}, 4 * alone[1]);
+  const SurfelDivision made =
+      makeSurfels(body.surface(), std::vector<double>{1e-4, 0.02}, 4 * alone[1]);
   EXPECT_EQ(made.spacingOfObjectMm[1], 0.02);
   EXPECT_EQ(countOfObjects(made)[1], alone[1]);
   EXPECT_GT(made.spacingOfObjectMm[0], 1e-4);
@@ -140,7 +141,7 @@ TEST(Surfels, ObjectsThatAllWantMoreThanTheirShareGetAboutAsMany) {
 TEST(Surfels, JoinTrianglesWhereThereAreMoreThanTheBudget) {
   const Body body = bodyOf(awkward::sphere("fine sphere", 200, 100));
   for (const std::size_t budget : {1000U, 3000U, 30'000U}) {
-    const Surfels made = makeSurfels(body.surface(), body.spacing(1e-3), budget);
+    const SurfelDivision made = makeSurfels(body.surface(), body.spacing(1e-3), budget);
     EXPECT_GT(made.piecesPerSurfel, 1U);
     EXPECT_LE(made.count(), budget);
     EXPECT_GT(made.count(), 0.2 * static_cast<double>(budget));
@@ -157,7 +158,7 @@ TEST(Surfels, KeepTheBudgetWhereEveryObjectsLastSurfelIsNotFull) {
   for (std::size_t t = 0; t < body.triangles.size(); ++t)
     body.objectOfTriangle[t] = static_cast<std::uint32_t>(t * body.objects / body.triangles.size());
   for (const std::size_t budget : {100U, 333U, 1024U, 2000U, 3000U}) {
-    const Surfels made = makeSurfels(body.surface(), body.spacing(1e-4), budget);
+    const SurfelDivision made = makeSurfels(body.surface(), body.spacing(1e-4), budget);
     EXPECT_LE(made.count(), budget);
     expectPartition(body, made);
   }
@@ -177,7 +178,7 @@ TEST(Surfels, OfAsManyObjectsAsTheBudgetTakeNoMoreThanTheyNeed) {
       body.objectOfTriangle.push_back(object);
     }
   }
-  const Surfels made = makeSurfels(body.surface(), body.spacing(10), 1024);
+  const SurfelDivision made = makeSurfels(body.surface(), body.spacing(10), 1024);
   EXPECT_EQ(made.count(), 1000U);
   EXPECT_EQ(made.piecesPerSurfel, 16U);
   expectPartition(body, made);
@@ -189,7 +190,7 @@ TEST(Surfels, EndHoweverFineTheyWereToBe) {
       for (Vec3& p : body.positions)
         for (float& x : p) x *= scale;
       for (const double mm : {1e-9, 1e-30, 1e30}) {
-        const Surfels made = makeSurfels(body.surface(), body.spacing(mm), 1024);
+        const SurfelDivision made = makeSurfels(body.surface(), body.spacing(mm), 1024);
         EXPECT_LE(made.count(), 1024U) << body.name;
         expectPartition(body, made);
       }
@@ -203,8 +204,8 @@ bool same(const Piece& a, const Piece& b) {
 
 TEST(Surfels, AreAlwaysTheSame) {
   for (const Body& body : allBodies()) {
-    const Surfels one = makeSurfels(body.surface(), body.spacing(0.05), 3000);
-    const Surfels other = makeSurfels(body.surface(), body.spacing(0.05), 3000);
+    const SurfelDivision one = makeSurfels(body.surface(), body.spacing(0.05), 3000);
+    const SurfelDivision other = makeSurfels(body.surface(), body.spacing(0.05), 3000);
     EXPECT_TRUE(std::equal(one.pieces.begin(), one.pieces.end(), other.pieces.begin(),
                            other.pieces.end(), same))
         << body.name;
@@ -226,7 +227,7 @@ TEST(Surfels, VerticesThatFollowEachOtherAreNeighbours) {
   body.positions = positions;
   for (Triangle& t : body.triangles)
     for (std::uint32_t& vertex : t) vertex = numbers[vertex];
-  const Surfels made = makeSurfels(body.surface(), body.spacing(0.05), 10'000);
+  const SurfelDivision made = makeSurfels(body.surface(), body.spacing(0.05), 10'000);
   double sum = 0;
   for (std::size_t i = 1; i < made.vertexOrder.size(); ++i) {
     const Vec3& a = body.positions[made.vertexOrder[i - 1]];
@@ -239,7 +240,7 @@ TEST(Surfels, VerticesThatFollowEachOtherAreNeighbours) {
 // A vertex that no triangle has comes last; an empty body has nothing.
 TEST(Surfels, OfNothingAreNone) {
   const Body body = bodyOf(awkward::empty());
-  const Surfels made = makeSurfels(body.surface(), body.spacing(1), 1024);
+  const SurfelDivision made = makeSurfels(body.surface(), body.spacing(1), 1024);
   EXPECT_EQ(made.count(), 0U);
   EXPECT_TRUE(made.tree.links.empty());
   Body lonely = bodyOf(awkward::oneTriangle());

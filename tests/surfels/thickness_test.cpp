@@ -24,7 +24,7 @@ struct Measured {
       : surfels(makeSurfels(body.surface(), body.spacing(spacingMm), budget)),
         thickness(thicknessMm(body.surface(), surfels)) {}
 
-  Surfels surfels;
+  SurfelDivision surfels;
   std::vector<double> thickness;
 };
 

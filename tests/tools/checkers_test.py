@@ -81,6 +81,13 @@ class Names(unittest.TestCase):
         for line in ["a/work/b", "frame_work/x", "/dev/full", "homework", "https://x.org/home/a"]:
             self.assertEqual(check_names.check_text("a.cpp", line), [], line)
 
+    def test_the_library_names_no_option_of_the_command_line(self):
+        line = 'throw UsageError("--morph-to is for one model");'
+        self.assertEqual(len(check_names.check_text("src/scene/load.cpp", line)), 1)
+        self.assertEqual(check_names.check_text("apps/opaline/cli/scene_options.cpp", line), [])
+        for line in ['"LoadOptions::morphTo is for one model"', '"a" + std::to_string(--count) + "b"', "// --morph-to"]:
+            self.assertEqual(check_names.check_text("src/scene/load.cpp", line), [], line)
+
 
 class Links(unittest.TestCase):
     def test_a_link_must_lead_somewhere(self):

@@ -243,7 +243,7 @@ void runInfo(const Arguments& arguments) {
   if (command.atlas) core::requireWritable(*command.atlas);
 
   const LogCallback log = noteTaker(command.quiet);
-  const LoadedScene loaded = command.scene.load(log);
+  const scene::LoadedScene loaded = command.scene.load(log);
   const Scene& scene = loaded.scene;
   if (command.atlas) requireNoInput({{"--atlas", *command.atlas}}, scene::filesOf(loaded.source));
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);

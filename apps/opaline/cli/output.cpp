@@ -13,6 +13,7 @@
 #include <cstring>
 #include <string>
 
+#include "cli/field_names.h"
 #include "opaline/error.h"
 
 namespace opaline::app {
@@ -22,7 +23,7 @@ namespace {
 std::atomic<bool> statusShown = false;
 
 void toStandardError(std::string_view prefix, std::string_view sentence) {
-  std::string line = fmt::format("{}{}", prefix, sentence);
+  std::string line = fmt::format("{}{}", prefix, withOptionNames(sentence));
   std::replace_if(
       line.begin(), line.end(),
       [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');

@@ -39,14 +39,6 @@ PlacedColour readPlacedColour(const Given& given) {
   return result;
 }
 
-Vec3 middleOf(const Bounds& bounds) {
-  Vec3 middle{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    middle[axis] = (bounds.minMm[axis] + bounds.maxMm[axis]) / 2;
-  }
-  return middle;
-}
-
 Vec3 sum(const Vec3& a, const Vec3& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
@@ -80,7 +72,7 @@ std::string SceneOptions::name() const {
   return names ? names->common() : stem;
 }
 
-LoadedScene SceneOptions::load(const LogCallback& log) const {
+scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
   if (!files_.empty() && builtIn_) {
     throw UsageError(fmt::format("--builtin {} and the scene {} exclude each other", *builtIn_,
                                  files_.front().string()));
@@ -98,15 +90,14 @@ LoadedScene SceneOptions::load(const LogCallback& log) const {
     const bool teapot = builtIn_ == "teapot";
     return {teapot ? builtInTeapot(options) : builtInBear(options),
             {},
-            {},
-            scene::sourceOf(teapot ? "builtin:teapot" : "builtin:bear", options)};
+            scene::sourceOf(teapot ? "builtin:teapot" : "builtin:bear", options),
+            {}};
   }
   if (files_.size() == 1 && MeshSequence::isPattern(files_.front())) {
     auto sequence = std::make_shared<const MeshSequence>(files_.front(), options);
-    return {sequence->scene(), {}, sequence, scene::sourceOf(files_.front(), options)};
+    return {sequence->scene(), {}, scene::sourceOf(files_.front(), options), sequence};
   }
-  auto [scene, settings, source, sequence] = scene::loadSceneFiles(files_, options);
-  return {std::move(scene), std::move(settings), std::move(sequence), std::move(source)};
+  return scene::loadSceneFiles(files_, options);
 }
 
 void LightOptions::addTo(CommandLine& line) {
@@ -146,7 +137,7 @@ void LightOptions::addTo(CommandLine& line) {
   });
 }
 
-void LightOptions::applyTo(LoadedScene& loaded) const {
+void LightOptions::applyTo(scene::LoadedScene& loaded) const {
   if (any_) {
     loaded.source.environment.reset();
     if (environment_) {

@@ -15,15 +15,6 @@
 
 namespace opaline::app {
 
-/// What SCENE or --builtin stands for.
-struct LoadedScene {
-  Scene scene;
-  scene::SceneFileSettings settings;
-  /// Where SCENE stands for numbered files; `scene` is the first of them.
-  std::shared_ptr<const MeshSequence> sequence;
-  scene::SceneSource source;
-};
-
 /// SCENE, one or several, or --builtin, its size and its medium.
 class SceneOptions {
  public:
@@ -38,7 +29,7 @@ class SceneOptions {
   /// The first file's name without folder and extension, or that of the built-in scene.
   std::string name() const;
   /// Reads or makes it. Throws UsageError for a mixture of options that makes no sense.
-  LoadedScene load(const LogCallback& log) const;
+  scene::LoadedScene load(const LogCallback& log) const;
 
  private:
   std::vector<std::filesystem::path> files_;
@@ -55,7 +46,7 @@ class LightOptions {
   bool any() const { return any_ || rotationDegrees_ || intensity_; }
   /// As soon as a light was given, only what was given shines. Turn and intensity are of its
   /// environment or else of the scene's own.
-  void applyTo(LoadedScene& loaded) const;
+  void applyTo(scene::LoadedScene& loaded) const;
 
  private:
   /// Without the environment.

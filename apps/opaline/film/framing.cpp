@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 #include "deform/pose.h"
 #include "film/sequence_frames.h"
 #include "opaline/error.h"
@@ -32,7 +32,7 @@ constexpr std::int64_t mostMoments = 1024;
 /// Calls use(position) for all vertices of the scene as it is at that time.
 template <typename Use>
 void forEachPosition(const Scene& scene, const Bounds& box, int clip, double seconds,
-                     const GivenPositions& positionsMm, const Use& use) {
+                     const PositionsByObject& positionsMm, const Use& use) {
   deform::Pose pose = deform::makePose(scene);
   deform::poseAt(scene, clip, seconds, pose);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -53,7 +53,7 @@ struct Needs {
 
 void add(const Scene& scene, const Bounds& box, const Framed& framed, const Moment& moment,
          Needs& to) {
-  GivenPositions positionsMm;
+  PositionsByObject positionsMm;
   try {
     if (moment.number) framed.sequence->read(*moment.number, positionsMm[0]);
   } catch (const Error&) {
@@ -137,7 +137,7 @@ void showAll(Scene& scene, const Framed& framed) {
   scene::standBack(scene.camera, needs.loose.distanceMm());
 }
 
-void frame(Scene& scene, int clip, double seconds, const GivenPositions& positionsMm,
+void frame(Scene& scene, int clip, double seconds, const PositionsByObject& positionsMm,
            double aspect) {
   Double3 low{INFINITY, INFINITY, INFINITY};
   Double3 high{-INFINITY, -INFINITY, -INFINITY};

@@ -4,32 +4,32 @@
 
 #include <utility>
 
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 #include "opaline/error.h"
 #include "scene/mesh/normals.h"
 
 namespace opaline::app {
 
-deform::DeformedMesh meshAt(const Scene& scene, std::size_t object, const deform::Pose& pose,
-                            double seconds, const GivenPositions& positionsMm) {
+deform::DeformedVertices meshAt(const Scene& scene, std::size_t object, const deform::Pose& pose,
+                                double seconds, const PositionsByObject& positionsMm) {
   const Bounds box = boundsOf(scene);
   const auto given = positionsMm.find(object);
   if (given == positionsMm.end()) {
-    return deform::deformedMesh(scene, object, pose, box, seconds);
+    return deform::deformedVertices(scene, object, pose, box, seconds);
   }
   Scene moved;
   moved.objects.push_back(scene.objects[object]);
   moved.objects[0].rig.reset();
   moved.objects[0].mesh.positionsMm = given->second;
   moved.deformers = scene.deformers;
-  deform::DeformedMesh mesh = deform::deformedMesh(moved, 0, pose, box, seconds);
+  deform::DeformedVertices mesh = deform::deformedVertices(moved, 0, pose, box, seconds);
   const Mesh& rest = scene.objects[object].mesh;
   if (!rest.facetted) mesh.normals = scene::smoothNormals(mesh.positionsMm, rest.triangles);
   return mesh;
 }
 
 reference::Scene referenceScene(const Scene& scene, int clip, double seconds,
-                                const GivenPositions& positionsMm) {
+                                const PositionsByObject& positionsMm) {
   for (const auto& [object, positions] : positionsMm) {
     if (object >= scene.objects.size() ||
         positions.size() != scene.objects[object].mesh.positionsMm.size()) {
@@ -42,7 +42,7 @@ reference::Scene referenceScene(const Scene& scene, int clip, double seconds,
   reference::Scene result;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    deform::DeformedMesh mesh = meshAt(scene, i, pose, seconds, positionsMm);
+    deform::DeformedVertices mesh = meshAt(scene, i, pose, seconds, positionsMm);
     result.bodies.push_back({std::move(mesh.positionsMm), std::move(mesh.normals),
                              object.mesh.triangles, object.medium});
   }

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 #include "deform/pose.h"
 #include "opaline/scene.h"
 #include "reference/scene.h"
@@ -12,15 +12,15 @@
 namespace opaline::app {
 
 /// By object: one position for each of its vertices, instead of where its mesh or rig puts them.
-using GivenPositions = std::map<std::size_t, std::vector<Vec3>>;
+using PositionsByObject = std::map<std::size_t, std::vector<Vec3>>;
 
 /// An object as it is in that pose at that time, under the scene's deformers.
-deform::DeformedMesh meshAt(const Scene& scene, std::size_t object, const deform::Pose& pose,
-                            double seconds, const GivenPositions& positionsMm);
+deform::DeformedVertices meshAt(const Scene& scene, std::size_t object, const deform::Pose& pose,
+                                double seconds, const PositionsByObject& positionsMm);
 
 /// The scene as it is at that time of a clip (-1: none). The scene's deformers apply to given
 /// positions too. Throws UsageError unless they fit their object.
 reference::Scene referenceScene(const Scene& scene, int clip, double seconds,
-                                const GivenPositions& positionsMm = {});
+                                const PositionsByObject& positionsMm = {});
 
 }  // namespace opaline::app

@@ -103,9 +103,9 @@ struct Job {
 };
 
 Job prepare(const RenderCommand& command, core::Target output, const LogCallback& log) {
-  LoadedScene loaded = command.scene.load(log);
+  scene::LoadedScene loaded = command.scene.load(log);
   command.lights.applyTo(loaded);
-  auto& [scene, settings, sequence, source] = loaded;
+  auto& [scene, settings, source, sequence] = loaded;
   RenderOptions options = command.options(settings);
   command.camera.applyTo(scene);
   command.motion.applyTo(scene);

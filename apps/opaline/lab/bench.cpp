@@ -111,7 +111,7 @@ struct BenchCommand {
   }
 
   Scene loadScene(const LogCallback& log) const {
-    LoadedScene loaded = scene.load(log);
+    scene::LoadedScene loaded = scene.load(log);
     lights.applyTo(loaded);
     camera.applyTo(loaded.scene);
     showAll(loaded.scene, {RenderOptions{}.clip, 1, nullptr, {Moment{}}});

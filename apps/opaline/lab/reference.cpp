@@ -171,16 +171,16 @@ struct Job {
 };
 
 /// Positions of a still of a row of files.
-GivenPositions positionsOf(const MeshSequence* sequence, double seconds) {
-  GivenPositions positionsMm;
+PositionsByObject positionsOf(const MeshSequence* sequence, double seconds) {
+  PositionsByObject positionsMm;
   if (sequence) sequence->read(numberAt(*sequence, seconds), positionsMm[0]);
   return positionsMm;
 }
 
 Job prepare(const ReferenceCommand& command, core::Target output, const LogCallback& log) {
-  LoadedScene loaded = command.scene.load(log);
+  scene::LoadedScene loaded = command.scene.load(log);
   command.lights.applyTo(loaded);
-  auto& [scene, settings, sequence, source] = loaded;
+  auto& [scene, settings, source, sequence] = loaded;
   RenderOptions options = command.options(settings);
   rf::requireSound(command.pictureOptions(options));
   command.camera.applyTo(scene);

@@ -32,7 +32,7 @@ struct TruthJob::Work {
   Scene scene;
   RenderOptions options;
   TruthOrder order;
-  GivenPositions positionsMm;
+  PositionsByObject positionsMm;
   Clock::time_point begin = Clock::now();
 
   rf::PictureOptions picture() const {
@@ -45,7 +45,7 @@ struct TruthJob::Work {
 };
 
 TruthJob::TruthJob(Scene scene, const RenderOptions& options, const TruthOrder& order,
-                   GivenPositions positionsMm)
+                   PositionsByObject positionsMm)
     : thread_([this, work = Work{std::move(scene), options, order, std::move(positionsMm)}](
                   const std::stop_token& stop) { run(work, stop); }) {}
 

@@ -49,7 +49,7 @@ class TruthJob {
   /// of `options`, seen by the scene's camera. Given positions are as those that a Renderer is
   /// given.
   TruthJob(Scene scene, const RenderOptions& options, const TruthOrder& order,
-           GivenPositions positionsMm = {});
+           PositionsByObject positionsMm = {});
   /// Cancels.
   ~TruthJob();
   TruthJob(const TruthJob&) = delete;

@@ -66,7 +66,7 @@ struct ViewCommand {
     return options;
   }
 
-  void prepare(LoadedScene& loaded, viewer::Session& session) const {
+  void prepare(scene::LoadedScene& loaded, viewer::Session& session) const {
     lights.applyTo(loaded);
     camera.applyTo(loaded.scene);
     motion.applyTo(loaded.scene);
@@ -114,7 +114,7 @@ void runView(const Arguments& arguments) {
   viewer::ViewerOptions options;
   options.source = command.scene;
   // What was asked for is about the first scene; the next ones are as their files say.
-  options.prepare = [next = command](LoadedScene& loaded, viewer::Session& session) mutable {
+  options.prepare = [next = command](scene::LoadedScene& loaded, viewer::Session& session) mutable {
     std::exchange(next, {}).prepare(loaded, session);
   };
   options.renderer = command.device.rendererOptions("", log);

@@ -10,6 +10,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include "cli/field_names.h"
 #include "cli/json.h"
 #include "core/file.h"
 #include "film/framing.h"
@@ -82,8 +83,8 @@ void Viewer::open(const SceneOptions& asked) {
   loader_.start(asked);
 }
 
-void Viewer::say(std::string text, bool isError) {
-  notice_ = {std::move(text), isError};
+void Viewer::say(std::string_view text, bool isError) {
+  notice_ = {withOptionNames(text), isError};
   awake_ = std::max(awake_, framesAfterEvent);
 }
 

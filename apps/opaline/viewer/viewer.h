@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/json.h"
@@ -68,7 +69,7 @@ class Viewer {
   void light(const std::filesystem::path& file);
   void takeFile(FileAnswer answer);
   bool leaves();
-  void say(std::string text, bool isError = false);
+  void say(std::string_view text, bool isError = false);
   void resize(std::optional<float> diagonalMm);
   void keepState();
   bool movesItself() const;

@@ -20,7 +20,7 @@ constexpr std::uint32_t raysOutwards = 24;
 
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
-std::vector<std::uint32_t> leafOfCluster(const surfels::Clusters& made) {
+std::vector<std::uint32_t> leafOfCluster(const surfels::ClusterDivision& made) {
   std::vector<std::uint32_t> leaf(made.count());
   for (std::uint32_t node = 0; node < made.tree.links.size(); ++node) {
     const surfels::NodeLink link = surfels::linkOf(made.tree, node);
@@ -29,9 +29,9 @@ std::vector<std::uint32_t> leafOfCluster(const surfels::Clusters& made) {
   return leaf;
 }
 
-std::vector<shared::ClusterRange> rangesOf(const surfels::Clusters& made,
-                                           const surfels::Surface& surface,
-                                           const surfels::Surfels& surfels,
+std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
+                                           const core::RestSurface& surface,
+                                           const surfels::SurfelDivision& surfels,
                                            const std::vector<bool>& triangleHasInside) {
   const auto hasInside = [&](const surfels::Piece& piece) {
     return triangleHasInside[piece.triangle];
@@ -51,7 +51,7 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::Clusters& made,
   return ranges;
 }
 
-std::vector<std::uint32_t> clusterOfSurfel(const surfels::Clusters& made) {
+std::vector<std::uint32_t> clusterOfSurfel(const surfels::ClusterDivision& made) {
   std::vector<std::uint32_t> cluster(made.firstSurfel.back());
   for (std::uint32_t i = 0; i < made.count(); ++i)
     for (std::uint32_t s = made.firstSurfel[i]; s < made.firstSurfel[i + 1]; ++s) cluster[s] = i;
@@ -74,8 +74,9 @@ ClusterPass::ClusterPass(gpu::Device& device)
       enclose_(device, "solid angles of clusters"),
       survey_(device, "rays of clusters", rayShader<shaders::BoundarySurvey>(device)) {}
 
-Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::Clusters& made,
-                                   const surfels::Surface& surface, const surfels::Surfels& surfels,
+Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
+                                   const core::RestSurface& surface,
+                                   const surfels::SurfelDivision& surfels,
                                    const std::vector<bool>& triangleHasInside) {
   const std::size_t count = made.count();
   const std::size_t nodes = made.tree.links.size();

@@ -25,8 +25,9 @@ class ClusterPass {
   explicit ClusterPass(gpu::Device& device);
 
   /// For set-up, not for frames.
-  static Clusters makeClusters(gpu::Device& device, const surfels::Clusters& made,
-                               const surfels::Surface& surface, const surfels::Surfels& surfels,
+  static Clusters makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
+                               const core::RestSurface& surface,
+                               const surfels::SurfelDivision& surfels,
                                const std::vector<bool>& triangleHasInside);
 
   struct Inputs {

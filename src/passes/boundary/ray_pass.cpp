@@ -17,7 +17,7 @@ std::size_t nodesOf(const Surfels& surfels) {
   return surfels.firstOfHeight.empty() ? 0 : surfels.firstOfHeight.back();
 }
 
-glm::vec4 cornerAt(const surfels::Surface& surface, const surfels::Piece& piece,
+glm::vec4 cornerAt(const core::RestSurface& surface, const surfels::Piece& piece,
                    std::size_t corner) {
   const Triangle& triangle = surface.triangles[piece.triangle];
   const auto [v, w] = piece.corners[corner];
@@ -31,8 +31,8 @@ glm::vec4 cornerAt(const surfels::Surface& surface, const surfels::Piece& piece,
 }
 
 // Corners only: what else a RayPiece has, frames write.
-std::vector<shared::RayPiece> piecesAt(const surfels::Surfels& made,
-                                       const surfels::Surface& surface) {
+std::vector<shared::RayPiece> piecesAt(const surfels::SurfelDivision& made,
+                                       const core::RestSurface& surface) {
   std::vector<shared::RayPiece> pieces;
   pieces.reserve(made.pieces.size());
   for (const surfels::Piece& piece : made.pieces)
@@ -56,7 +56,8 @@ RayHierarchy RayPass::makeBoxes(gpu::Device& device, const Surfels& surfels) {
 }
 
 RayHierarchy RayPass::makeHierarchy(gpu::Device& device, const Surfels& surfels,
-                                    const surfels::Surfels& made, const surfels::Surface& rest) {
+                                    const surfels::SurfelDivision& made,
+                                    const core::RestSurface& rest) {
   if (!device.hasRayQueries()) return makeBoxes(device, surfels);
   RayHierarchy hierarchy;
   hierarchy.corners = gpu::makeBuffer(device, "pieces for rays", piecesAt(made, rest),

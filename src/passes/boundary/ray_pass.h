@@ -24,7 +24,8 @@ class RayPass {
   static RayHierarchy makeBoxes(gpu::Device& device, const Surfels& surfels);
   /// For rays: with an acceleration structure of the rest pose where the device has ray queries.
   static RayHierarchy makeHierarchy(gpu::Device& device, const Surfels& surfels,
-                                    const surfels::Surfels& made, const surfels::Surface& rest);
+                                    const surfels::SurfelDivision& made,
+                                    const core::RestSurface& rest);
 
   /// Boxes only where there is no acceleration structure.
   void record(gpu::CommandList& commands, DeformedMesh& mesh, Surfels& surfels,

@@ -20,8 +20,8 @@ static_assert(surfels::Tree::countShift == shared::leafCountShift);
 
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
-std::vector<shared::SurfelPiece> packPieces(const surfels::Surfels& made,
-                                            const surfels::Surface& surface) {
+std::vector<shared::SurfelPiece> packPieces(const surfels::SurfelDivision& made,
+                                            const core::RestSurface& surface) {
   std::vector<shared::SurfelPiece> packed;
   packed.reserve(made.pieces.size());
   for (const surfels::Piece& piece : made.pieces) {
@@ -41,8 +41,8 @@ std::vector<shared::SurfelPiece> packPieces(const surfels::Surfels& made,
   return packed;
 }
 
-std::vector<shared::AtlasCorner> cornersOf(const surfels::Surfels& made,
-                                           const surfels::Surface& surface) {
+std::vector<shared::AtlasCorner> cornersOf(const surfels::SurfelDivision& made,
+                                           const core::RestSurface& surface) {
   std::vector<shared::AtlasCorner> corners(made.count());
   for (std::size_t i = 0; i < corners.size(); ++i)
     corners[i].object = surface.objectOfTriangle[made.pieces[i * made.piecesPerSurfel].triangle];
@@ -64,8 +64,8 @@ SurfelPass::SurfelPass(gpu::Device& device)
       leaves_(device, "leaves of the tree"),
       nodes_(device, "nodes of the tree") {}
 
-Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::Surfels& made,
-                                const surfels::Surface& surface) {
+Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivision& made,
+                                const core::RestSurface& surface) {
   Surfels surfels;
   surfels.count = made.count();
   surfels.piecesPerSurfel = made.piecesPerSurfel;

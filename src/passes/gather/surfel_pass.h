@@ -23,8 +23,8 @@ class SurfelPass {
   explicit SurfelPass(gpu::Device& device);
 
   /// For set-up, not for frames.
-  static Surfels makeSurfels(gpu::Device& device, const surfels::Surfels& made,
-                             const surfels::Surface& surface);
+  static Surfels makeSurfels(gpu::Device& device, const surfels::SurfelDivision& made,
+                             const core::RestSurface& surface);
 
   struct Inputs {
     FrameView& frame;

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 #include "deform/smooth_groups.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"

@@ -69,7 +69,7 @@ SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const scene::M
   const Bounds bounds = boundsOf(scene);
   const glm::vec3 low = glm::make_vec3(bounds.minMm.data());
   const glm::vec3 high = glm::make_vec3(bounds.maxMm.data());
-  const glm::vec3 middle = 0.5F * (low + high);
+  const glm::vec3 middle = glm::make_vec3(middleOf(bounds).data());
   frame_.counts = {static_cast<std::uint32_t>(merged.positionsMm.size()), 0,
                    motion_.hasDeltas ? 1 : 0, motion_.hasInfluences ? 1 : 0};
   frame_.middle = {middle, 0};

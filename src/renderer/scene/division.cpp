@@ -28,6 +28,19 @@ double longestMeanFreePathMm(const Medium& medium) {
   return longest;
 }
 
+void noteClusters(const Division& division, const LogCallback& log) {
+  if (!division.clusters || !(division.clusters->coarseness() > notableCoarseness)) return;
+  const std::size_t wanted = division.clusters->wanted;
+  log(LogLevel::Note,
+      fmt::format(
+          "the budget of {} boundary surfels leaves them {:.1f} times as large as shape and "
+          "medium ask for; {}",
+          division.order.maxClusters, division.clusters->coarseness(),
+          wanted <= static_cast<std::size_t>(mostClusters)
+              ? fmt::format("raise RenderOptions::boundarySurfels to {}, which is enough", wanted)
+              : "raise RenderOptions::boundarySurfels for more accuracy"));
+}
+
 }  // namespace
 
 double shortestMeanFreePathMm(const Medium& medium) {
@@ -53,7 +66,7 @@ DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHas
 }
 
 Division divide(const scene::MergedMesh& merged, const DivisionOrder& order) {
-  const surfels::Surface surface{merged.positionsMm, merged.triangles, merged.objectOfTriangle};
+  const core::RestSurface surface = scene::surfaceOf(merged);
   Division made{order, surfels::makeSurfels(surface, order.spacingOfObjectMm, order.maxSurfels),
                 std::nullopt};
   if (order.maxClusters > 0)
@@ -70,16 +83,12 @@ void noteCoarseness(const Division& division, bool asked, const LogCallback& log
         coarsest, division.surfels.spacingOfObjectMm[i] / division.order.spacingOfObjectMm[i]);
   if (coarsest > 1)
     log(LogLevel::Note,
-        fmt::format(
-            "the budget of {} surfels leaves them {:.1f} times as large as the medium asks "
-            "for; {}",
-            division.order.maxSurfels, coarsest,
-            asked ? "raise --max-sources for more accuracy" : "this device has no room for more"));
-  if (division.clusters && division.clusters->coarseness > notableCoarseness)
-    log(LogLevel::Note,
-        fmt::format("the budget of {} boundary surfels leaves them {:.1f} times as large as shape "
-                    "and medium ask for; raise --boundary-surfels for more accuracy",
-                    division.order.maxClusters, division.clusters->coarseness));
+        fmt::format("the budget of {} surfels leaves them {:.1f} times as large as the medium asks "
+                    "for; {}",
+                    division.order.maxSurfels, coarsest,
+                    asked ? "raise RenderOptions::maxSources for more accuracy"
+                          : "this device has no room for more"));
+  noteClusters(division, log);
 }
 
 }  // namespace opaline

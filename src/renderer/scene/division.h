@@ -13,6 +13,9 @@
 
 namespace opaline {
 
+/// Most clusters that may be asked for.
+constexpr int mostClusters = 1 << 18;
+
 /// How finely a scene's surface is to be divided for the media it is of.
 struct DivisionOrder {
   std::vector<double> spacingOfObjectMm;         ///< of surfels
@@ -30,8 +33,8 @@ DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHas
 /// A surface in surfels and, where they were ordered, clusters of them; on the host.
 struct Division {
   DivisionOrder order;
-  surfels::Surfels surfels;
-  std::optional<surfels::Clusters> clusters;
+  surfels::SurfelDivision surfels;
+  std::optional<surfels::ClusterDivision> clusters;
 };
 
 /// Pure, so for any thread; takes tenths of a second for 100,000 triangles.

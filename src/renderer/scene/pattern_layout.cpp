@@ -144,7 +144,7 @@ PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions
     nearReach = std::max(nearReach, extent.nearReach());
     cell = std::min(cell, extent.cell);
   }
-  const atlas::Surface surface = surfaceOf(*resources.merged);
+  const core::RestSurface surface = surfaceOf(*resources.merged);
   layout.maps.nearby = atlas::makeNeighbourhoods(
       surface, resources.atlas,
       {.mapSize = options.dsmSize, .reach = nearReach, .alignment = 1, .maxSize = largest});

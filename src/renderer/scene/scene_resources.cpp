@@ -164,9 +164,9 @@ void findInsides(const Scene& scene, SceneResources& resources, const LogCallbac
   }
 }
 
-void takeClusters(gpu::Device& device, const surfels::Surface& surface, const Division& division,
+void takeClusters(gpu::Device& device, const core::RestSurface& surface, const Division& division,
                   SceneResources& resources) {
-  const surfels::Clusters& made = *division.clusters;
+  const surfels::ClusterDivision& made = *division.clusters;
   for (std::size_t i = 0; i < resources.objects; ++i) {
     SurfelsOfObject& object = resources.surfelsOfObject[i];
     object.clusterRoot = made.tree.rootOfObject[i];
@@ -179,12 +179,6 @@ void takeClusters(gpu::Device& device, const surfels::Surface& surface, const Di
 }
 
 }  // namespace
-
-atlas::Surface surfaceOf(const scene::MergedMesh& merged) {
-  return {.positionsMm = merged.positionsMm,
-          .triangles = merged.triangles,
-          .objectOfTriangle = merged.objectOfTriangle};
-}
 
 // Mean edge by area, in mean free paths: of a fine mesh that stands on a coarse floor it is the
 // floor's.
@@ -236,15 +230,14 @@ DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
 }
 
 void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources) {
-  const scene::MergedMesh& merged = *resources.merged;
-  const surfels::Surface surface{merged.positionsMm, merged.triangles, merged.objectOfTriangle};
+  const core::RestSurface surface = scene::surfaceOf(*resources.merged);
   resources.divided = division.order;
   resources.surfels = {};  // before memory for the next is taken
   resources.rays = {};
   resources.clusters = {};
   resources.solver = {};
   resources.surfelsOfObject.assign(resources.objects, {});
-  const surfels::Surfels& made = division.surfels;
+  const surfels::SurfelDivision& made = division.surfels;
   for (std::size_t i = 0; i < resources.objects; ++i) {
     SurfelsOfObject& object = resources.surfelsOfObject[i];
     object.first = made.firstOfObject[i];

@@ -17,9 +17,6 @@ class Device;
 
 namespace opaline {
 
-/// As the atlas wants it; `merged` outlives it.
-atlas::Surface surfaceOf(const scene::MergedMesh& merged);
-
 /// Of light that leaves and enters again, at most.
 constexpr int maxBounces = 8;
 

@@ -216,8 +216,7 @@ void noteStanding(const Gathering& from, std::size_t nodeIndex) {
 
 void aimAtMiddle(RawScene& scene) {
   if (!scene.camera) return;
-  const Bounds bounds = boundsOf(scene);
-  const Double3 middle = 0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm));
+  const Double3 middle = exactMiddleOf(boundsOf(scene));
   const Double3 from = toDouble(scene.camera->positionMm);
   const Double3 forward = toDouble(scene.camera->targetMm) - from;
   const double distance = dot(middle - from, forward);

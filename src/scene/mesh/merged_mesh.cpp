@@ -18,4 +18,10 @@ MergedMesh mergedMesh(const Scene& scene) {
   return merged;
 }
 
+core::RestSurface surfaceOf(const MergedMesh& merged) {
+  return {.positionsMm = merged.positionsMm,
+          .triangles = merged.triangles,
+          .objectOfTriangle = merged.objectOfTriangle};
+}
+
 }  // namespace opaline::scene

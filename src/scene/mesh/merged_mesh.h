@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/rest_surface.h"
 #include "opaline/scene.h"
 
 namespace opaline::scene {
@@ -15,5 +16,8 @@ struct MergedMesh {
 };
 
 MergedMesh mergedMesh(const Scene& scene);
+
+/// The mesh outlives it.
+core::RestSurface surfaceOf(const MergedMesh& merged);
 
 }  // namespace opaline::scene

@@ -192,7 +192,8 @@ void loadModels(const TomlTable& root, Assembly& to) {
     if (root.has(key)) root.fail(key, "cannot stand beside [[models]], each of which has its own");
   }
   if (to.options.morphTo && tables.size() > 1) {
-    throw UsageError("--morph-to is for a scene of one model; in [[models]] each has its morph_to");
+    throw UsageError(
+        "LoadOptions::morphTo is for a scene of one model; in [[models]] each has its morph_to");
   }
   for (const TomlTable& table : tables) {
     table.requireKeys(keys::model);
@@ -363,8 +364,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   loadModels(root, assembly);
   readObjects(root, assembly);
   readDeformers(root, assembly);
-  const Bounds bounds = boundsOf(assembly.scene);
-  assembly.centre = toFloat(0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm)));
+  assembly.centre = middleOf(boundsOf(assembly.scene));
   readLighting(root, assembly);
   frameBuiltIn(assembly);
   readCamera(root, assembly);

@@ -292,8 +292,7 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
   SceneDescription description;
   description.source = std::move(source);
   if (!lighting.environment) description.source.environment.reset();
-  const Bounds bounds = boundsOf(scene);
-  description.centreMm = toFloat(0.5 * (toDouble(bounds.minMm) + toDouble(bounds.maxMm)));
+  description.centreMm = middleOf(boundsOf(scene));
   for (const Object& object : scene.objects) {
     description.media.push_back({object.name, object.medium});
   }

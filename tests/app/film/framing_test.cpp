@@ -18,7 +18,7 @@ double farthestOut(const Scene& scene, const Framed& framed, const Moment& momen
   double farthest = 0;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     for (const scene::Double3& p :
-         deform::deformedMesh(scene, i, framed.clip, moment.seconds).positionsMm) {
+         deform::deformedVertices(scene, i, framed.clip, moment.seconds).positionsMm) {
       const glm::vec4 clip = toClip * glm::vec4(p[0], p[1], p[2], 1);
       if (!(clip.w > 0)) return 1e30;
       farthest = std::max(
@@ -103,7 +103,7 @@ TEST(Frame, OfTheMomentIsFilled) {
   frame(scene, 0, 0, {}, 1.5);
   EXPECT_NEAR(farthestOut(scene, {0, 1.5, nullptr, {Moment{}}}), 0.97, 1e-4);
   // What is given moves the target.
-  GivenPositions given{{0, scene.objects[0].mesh.positionsMm}};
+  PositionsByObject given{{0, scene.objects[0].mesh.positionsMm}};
   for (Vec3& p : given[0]) p[0] += 100;
   scene.deformers.clear();
   frame(scene, 0, 0, given, 1.5);

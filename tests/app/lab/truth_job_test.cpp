@@ -52,7 +52,7 @@ void await(const TruthJob& job) {
 
 std::shared_ptr<const TruthPicture> finished(const Scene& scene, const RenderOptions& options,
                                              const TruthOrder& order,
-                                             GivenPositions positions = {}) {
+                                             PositionsByObject positions = {}) {
   const TruthJob job(scene, options, order, std::move(positions));
   await(job);
   EXPECT_EQ(job.state(), State::Done) << job.error();
@@ -181,7 +181,7 @@ TEST(TruthJob, MayGoAwayWhileItRuns) {
 
 TEST(TruthJob, SaysWhatWentWrong) {
   const auto errorOf = [](const Scene& scene, const RenderOptions& options, const TruthOrder& order,
-                          GivenPositions positions) {
+                          PositionsByObject positions) {
     const TruthJob job(scene, options, order, std::move(positions));
     await(job);
     EXPECT_EQ(job.state(), State::Failed);

@@ -20,7 +20,7 @@ std::vector<Vec3> verticesOf(Session& session, std::size_t object, bool deformed
   if (!deformed) deformers = std::exchange(scene.deformers, {});
   deform::Pose pose = deform::makePose(scene);
   deform::poseAt(scene, session.options.clip, session.options.seconds, pose);
-  const deform::DeformedMesh mesh =
+  const deform::DeformedVertices mesh =
       meshAt(scene, object, pose, session.options.seconds, session.positionsMm);
   if (!deformed) scene.deformers = std::move(deformers);
   std::vector<Vec3> vertices;

@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "cli/field_names.h"
+
 namespace opaline::app::viewer {
 
 Loader::~Loader() {
@@ -15,8 +17,9 @@ void Loader::start(const SceneOptions& source) {
   result_ = {.source = source};
   thread_ = std::thread([this] {
     try {
-      result_.loaded = result_.source.load(
-          [this](LogLevel, std::string_view note) { result_.notes.emplace_back(note); });
+      result_.loaded = result_.source.load([this](LogLevel, std::string_view note) {
+        result_.notes.push_back(withOptionNames(note));
+      });
     } catch (const std::exception& error) {
       result_.error = error.what();
     }

@@ -29,7 +29,7 @@ Edits newScene(const Scene& scene) {
 }  // namespace
 
 Session opened(Loader::Result result, const Prepare& prepare) {
-  LoadedScene& loaded = *result.loaded;
+  scene::LoadedScene& loaded = *result.loaded;
   Session made;
   made.name = result.source.name();
   made.saveName = made.name;

@@ -73,7 +73,7 @@ struct Session {
   Scene scene;
   scene::SceneSource source;                     ///< the files that it was made of
   std::shared_ptr<const MeshSequence> sequence;  ///< of numbered files, where its model is one
-  GivenPositions positionsMm;                    ///< where these have the body now
+  PositionsByObject positionsMm;                 ///< where these have the body now
   std::shared_ptr<const Image> environment;      ///< as the source's file has it, not turned
   float diagonalMm = 0;                          ///< as loaded
   std::optional<float> wantedDiagonalMm;         ///< another, to be loaded

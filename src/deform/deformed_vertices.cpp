@@ -1,4 +1,4 @@
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 
 #include <algorithm>
 
@@ -43,11 +43,11 @@ Matrix4 mapOf(const Rig& rig, std::span<const Matrix4> matrices, std::size_t v) 
   return sum.weight() > 0 ? sum.mean() : matrices[0];
 }
 
-DeformedMesh rigged(const Rig& rig, const Pose& pose) {
+DeformedVertices rigged(const Rig& rig, const Pose& pose) {
   std::vector<Matrix4> matrices(std::max<std::size_t>(rig.joints.size(), 1));
   jointMatrices(rig, pose, matrices);
   const std::span<const float> weights = morphWeights(rig, pose);
-  DeformedMesh mesh;
+  DeformedVertices mesh;
   for (std::size_t v = 0; v < rig.positions.size(); ++v) {
     const SurfacePoint point = morphed(rig, weights, v);
     const Matrix4 map = rig.joints.empty() ? matrices[0] : mapOf(rig, matrices, v);
@@ -57,8 +57,8 @@ DeformedMesh rigged(const Rig& rig, const Pose& pose) {
   return mesh;
 }
 
-DeformedMesh resting(const Mesh& mesh) {
-  DeformedMesh result;
+DeformedVertices resting(const Mesh& mesh) {
+  DeformedVertices result;
   for (const Vec3& p : mesh.positionsMm) result.positionsMm.push_back(toDouble(p));
   for (const Vec3& n : mesh.normals) result.normals.push_back(unitOr(toDouble(n), {0, 0, 1}));
   return result;
@@ -71,9 +71,9 @@ SurfacePoint under(const std::vector<Deformer>& deformers, SurfacePoint point,
 }
 
 /// Normals follow by cofactors.
-DeformedMesh moved(const Scene& scene, const Object& object, const Pose& pose,
-                   const Bounds& restBox, double seconds) {
-  DeformedMesh mesh = object.rig ? rigged(*object.rig, pose) : resting(object.mesh);
+DeformedVertices moved(const Scene& scene, const Object& object, const Pose& pose,
+                       const Bounds& restBox, double seconds) {
+  DeformedVertices mesh = object.rig ? rigged(*object.rig, pose) : resting(object.mesh);
   for (std::size_t v = 0; v < mesh.positionsMm.size(); ++v) {
     const SurfacePoint point =
         under(scene.deformers, {mesh.positionsMm[v], mesh.normals[v]}, restBox, seconds);
@@ -83,7 +83,7 @@ DeformedMesh moved(const Scene& scene, const Object& object, const Pose& pose,
   return mesh;
 }
 
-void facet(const std::vector<Triangle>& triangles, double side, DeformedMesh& mesh) {
+void facet(const std::vector<Triangle>& triangles, double side, DeformedVertices& mesh) {
   for (const Triangle& t : triangles) {
     const Double3 area =
         scene::areaVector(mesh.positionsMm[t[0]], mesh.positionsMm[t[1]], mesh.positionsMm[t[2]]);
@@ -103,7 +103,7 @@ double sideOf(const Scene& scene, const Object& object, const Pose& pose) {
   return mirrorsAt(*object.rig, pose) == mirrorsAt(*object.rig, makePose(scene)) ? 1 : -1;
 }
 
-void smooth(const Mesh& rest, double side, DeformedMesh& mesh) {
+void smooth(const Mesh& rest, double side, DeformedVertices& mesh) {
   const std::vector<std::uint32_t> groups = smoothGroups(rest);
   std::vector<Triangle> triangles = rest.triangles;
   for (Triangle& t : triangles) {
@@ -139,10 +139,10 @@ std::vector<Double3> deformedPositions(const std::vector<Deformer>& deformers,
   return result;
 }
 
-DeformedMesh deformedMesh(const Scene& scene, std::size_t object, const Pose& pose,
-                          const Bounds& restBox, double seconds) {
+DeformedVertices deformedVertices(const Scene& scene, std::size_t object, const Pose& pose,
+                                  const Bounds& restBox, double seconds) {
   const Object& of = scene.objects[object];
-  DeformedMesh mesh = moved(scene, of, pose, restBox, seconds);
+  DeformedVertices mesh = moved(scene, of, pose, restBox, seconds);
   if (of.mesh.facetted) {
     facet(of.mesh.triangles, sideOf(scene, of, pose), mesh);
   } else if (normalsFromTriangles(of)) {
@@ -151,10 +151,11 @@ DeformedMesh deformedMesh(const Scene& scene, std::size_t object, const Pose& po
   return mesh;
 }
 
-DeformedMesh deformedMesh(const Scene& scene, std::size_t object, int clip, double seconds) {
+DeformedVertices deformedVertices(const Scene& scene, std::size_t object, int clip,
+                                  double seconds) {
   Pose pose = makePose(scene);
   poseAt(scene, clip, seconds, pose);
-  return deformedMesh(scene, object, pose, boundsOf(scene), seconds);
+  return deformedVertices(scene, object, pose, boundsOf(scene), seconds);
 }
 
 }  // namespace opaline::deform

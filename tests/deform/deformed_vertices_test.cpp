@@ -1,4 +1,4 @@
-#include "deform/deformed_mesh.h"
+#include "deform/deformed_vertices.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ Scene riggedTriangle() {
   return scene;
 }
 
-TEST(DeformedMesh, AnObjectWithoutJointsFollowsItsNode) {
+TEST(DeformedVertices, AnObjectWithoutJointsFollowsItsNode) {
   Scene scene = riggedTriangle();
   scene.objects[0].rig->toScene = Affine{{{{10, 0, 0}, {0, 10, 0}, {0, 0, 10}, {0, 0, 0}}}};
   scene.clips.push_back(
@@ -44,7 +44,7 @@ TEST(DeformedMesh, AnObjectWithoutJointsFollowsItsNode) {
        2,
        {{0, TrackTarget::Translation, Interpolation::Linear, {0, 2}, {0, 0, 0, 4, 0, 0}},
         {0, TrackTarget::Rotation, Interpolation::Step, {0}, {root, 0, 0, root}}}});
-  const DeformedMesh mesh = deformedMesh(scene, 0, 0, 1);
+  const DeformedVertices mesh = deformedVertices(scene, 0, 0, 1);
   expectVector(mesh.positionsMm[0], {20, 0, 0}, 1e-5);
   expectVector(mesh.positionsMm[1], {30, 0, 0}, 1e-5);
   expectVector(mesh.positionsMm[2], {20, 0, 10}, 1e-5);  // a quarter turn about x takes y to z
@@ -53,7 +53,7 @@ TEST(DeformedMesh, AnObjectWithoutJointsFollowsItsNode) {
 
 /// Two joints: one stands, the other has turned by a quarter about z around (0, 1, 0). Half of
 /// both takes p to the middle of the two places, p being (0, 2, 0): (0, 2, 0) and (−1, 1, 0).
-TEST(DeformedMesh, TwoJointsBlend) {
+TEST(DeformedVertices, TwoJointsBlend) {
   Scene scene = riggedTriangle();
   scene.nodes.push_back({"still"});
   scene.nodes.push_back({"elbow", -1, {0, 1, 0}, {0, 0, root, root}});
@@ -65,7 +65,7 @@ TEST(DeformedMesh, TwoJointsBlend) {
   rig.influences = {{0, 1}, {0, 0.5F}, {1, 0.5F}, {1, 1}};
   // The node of a skinned object does not move it.
   scene.nodes[0].translation = {100, 0, 0};
-  const DeformedMesh mesh = deformedMesh(scene, 0, -1, 0);
+  const DeformedVertices mesh = deformedVertices(scene, 0, -1, 0);
   expectVector(mesh.positionsMm[0], {0, 2, 0});
   expectVector(mesh.positionsMm[1], {-0.5, 1.5, 0});
   expectVector(mesh.positionsMm[2], {-1, 2, 0});
@@ -75,7 +75,7 @@ TEST(DeformedMesh, TwoJointsBlend) {
   expectVector(mesh.normals[2], {0, 0, 1});
 }
 
-TEST(DeformedMesh, MorphsBeforeItSkins) {
+TEST(DeformedVertices, MorphsBeforeItSkins) {
   Scene scene = riggedTriangle();
   scene.nodes[0].morphWeights = {0.5F, 2};
   scene.nodes.push_back({"joint", -1, {0, 0, 0}, {0, 0, root, root}});
@@ -85,7 +85,7 @@ TEST(DeformedMesh, MorphsBeforeItSkins) {
   rig.joints = {{1, {}}};
   rig.firstInfluence = {0, 1, 2, 3};
   rig.influences = {{0, 1}, {0, 1}, {0, 1}};
-  const DeformedMesh mesh = deformedMesh(scene, 0, -1, 0);
+  const DeformedVertices mesh = deformedVertices(scene, 0, -1, 0);
   // (0,0,0) + ½(2,0,0) + 2(0,0,1) = (1,0,2), turned about z.
   expectVector(mesh.positionsMm[0], {0, 1, 2});
   expectVector(mesh.positionsMm[1], {0, 2, 0});
@@ -93,35 +93,35 @@ TEST(DeformedMesh, MorphsBeforeItSkins) {
   expectVector(mesh.normals[0], {0, 1, 0});
 }
 
-TEST(DeformedMesh, NormalsComeFromTheTrianglesWhereTargetsHaveNone) {
+TEST(DeformedVertices, NormalsComeFromTheTrianglesWhereTargetsHaveNone) {
   Scene scene = riggedTriangle();
   scene.nodes[0].morphWeights = {1};
   scene.objects[0].rig->targets = {{{{0, 0, 0}, {0, 0, 1}, {0, 0, 0}}, {}}};
   EXPECT_TRUE(normalsFromTriangles(scene.objects[0]));
-  const DeformedMesh mesh = deformedMesh(scene, 0, -1, 0);
+  const DeformedVertices mesh = deformedVertices(scene, 0, -1, 0);
   // (1,0,1) × (0,1,0) = (−1, 0, 1).
   for (const Double3& n : mesh.normals) expectVector(n, {-std::sqrt(0.5), 0, std::sqrt(0.5)});
 }
 
 /// A scale of (1, 1, 2) tilts the plane with normal (0, 1, 1) to (0, 2, 1).
-TEST(DeformedMesh, NormalsFollowUnevenScale) {
+TEST(DeformedVertices, NormalsFollowUnevenScale) {
   Scene scene = riggedTriangle();
   scene.nodes[0].scale = {1, 1, 2};
   scene.objects[0].rig->normals.assign(3, {0, root, root});
-  const DeformedMesh mesh = deformedMesh(scene, 0, -1, 0);
+  const DeformedVertices mesh = deformedVertices(scene, 0, -1, 0);
   expectVector(mesh.normals[0], {0, 2 / std::sqrt(5.0), 1 / std::sqrt(5.0)});
   // Mirrored they still point out.
   scene.nodes[0].scale = {-1, 1, 2};
-  expectVector(deformedMesh(scene, 0, -1, 0).normals[0],
+  expectVector(deformedVertices(scene, 0, -1, 0).normals[0],
                {0, 2 / std::sqrt(5.0), 1 / std::sqrt(5.0)});
 }
 
-TEST(DeformedMesh, DeformersFollowInTheirOrder) {
+TEST(DeformedVertices, DeformersFollowInTheirOrder) {
   Scene scene = riggedTriangle();
   scene.objects[0].rig.reset();
   scene.deformers = {{DeformerKind::Squash, 0.75F, 0}, {DeformerKind::Twist, 2, 0}};
   const Bounds box = boundsOf(scene);
-  const DeformedMesh mesh = deformedMesh(scene, 0, -1, 0.3);
+  const DeformedVertices mesh = deformedVertices(scene, 0, -1, 0.3);
   for (std::size_t v = 0; v < 3; ++v) {
     SurfacePoint point{scene::toDouble(scene.objects[0].mesh.positionsMm[v]), {0, 0, 1}};
     point = deformed(scene.deformers[0], box, 0.3, point);
@@ -131,12 +131,12 @@ TEST(DeformedMesh, DeformersFollowInTheirOrder) {
   }
 }
 
-TEST(DeformedMesh, FacetsKeepTheirTrianglesNormal) {
+TEST(DeformedVertices, FacetsKeepTheirTrianglesNormal) {
   Scene scene = riggedTriangle();
   scene.objects[0].rig.reset();
   scene.objects[0].mesh.facetted = true;
   scene.deformers = {{DeformerKind::Twist, 2, 0}};
-  const DeformedMesh mesh = deformedMesh(scene, 0, -1, 0);
+  const DeformedVertices mesh = deformedVertices(scene, 0, -1, 0);
   const auto& p = mesh.positionsMm;
   const Double3 area = scene::areaVector(p[0], p[1], p[2]);
   for (const Double3& n : mesh.normals) {
@@ -146,7 +146,7 @@ TEST(DeformedMesh, FacetsKeepTheirTrianglesNormal) {
 
 // Two triangles of a roof, halved along its slope by a seam of texture coordinates: the vertices on
 // the seam are there twice, and stay one smooth surface when the roof is bent along it.
-TEST(DeformedMesh, VerticesOnASeamShareTheirNormal) {
+TEST(DeformedVertices, VerticesOnASeamShareTheirNormal) {
   Scene scene;
   Object object;
   object.mesh.positionsMm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
@@ -162,7 +162,7 @@ TEST(DeformedMesh, VerticesOnASeamShareTheirNormal) {
   node.morphWeights = {1};
   scene.nodes = {node};
   scene.objects = {object};
-  const DeformedMesh mesh = deformedMesh(scene, 0, -1, 0);
+  const DeformedVertices mesh = deformedVertices(scene, 0, -1, 0);
   for (const std::size_t v : {0U, 2U, 3U, 4U}) EXPECT_NEAR(mesh.normals[v][2], 1, 1e-12) << v;
   EXPECT_NEAR(mesh.normals[1][2], std::sqrt(0.5), 1e-12);
 }

@@ -10,7 +10,7 @@
 namespace opaline::deform {
 
 /// The vertices of one object at one time, in double precision; its triangles stay.
-struct DeformedMesh {
+struct DeformedVertices {
   std::vector<scene::Double3> positionsMm;
   std::vector<scene::Double3> normals;  ///< unit
 };
@@ -32,10 +32,10 @@ std::vector<scene::Double3> deformedPositions(const std::vector<Deformer>& defor
 /// Morphs, skins, then applies the scene's deformers. Normals follow by cofactors; where they
 /// cannot, they are those of the triangles at their final places: each triangle's own for a
 /// facetted mesh, otherwise smooth, weighted by angle.
-DeformedMesh deformedMesh(const Scene& scene, std::size_t object, const Pose& pose,
-                          const Bounds& restBox, double seconds);
+DeformedVertices deformedVertices(const Scene& scene, std::size_t object, const Pose& pose,
+                                  const Bounds& restBox, double seconds);
 
 /// The same at a time of a clip (-1: none).
-DeformedMesh deformedMesh(const Scene& scene, std::size_t object, int clip, double seconds);
+DeformedVertices deformedVertices(const Scene& scene, std::size_t object, int clip, double seconds);
 
 }  // namespace opaline::deform
