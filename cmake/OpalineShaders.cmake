@@ -70,7 +70,7 @@ function(opaline_shaders target)
         DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file} DEPFILE ${words}.d
         COMMENT "Compiling shader ${file} ${variant}" VERBATIM)
       file(GENERATE OUTPUT ${source} CONTENT
-        "#include <cstdint>\n#include <span>\n\nnamespace opaline::shaders {\n\nnamespace {\nconstexpr std::uint32_t words[] = {\n#include \"${words}\"\n};\n}  // namespace\n\nextern const std::span<const std::uint32_t> words${name};\nconst std::span<const std::uint32_t> words${name}(words);\n\n}  // namespace opaline::shaders\n")
+        "#include <cstdint>\n#include <span>\n\nnamespace opaline::shaders {\n\nnamespace {\nconstexpr std::uint32_t code${name}[] = {\n#include \"${words}\"\n};\n}  // namespace\n\nextern const std::span<const std::uint32_t> words${name};\nconst std::span<const std::uint32_t> words${name}(code${name});\n\n}  // namespace opaline::shaders\n")
       set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${words})
       list(APPEND sources ${source})
       list(APPEND modules ${variant}=words${name}=${spirv})

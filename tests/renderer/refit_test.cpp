@@ -17,6 +17,8 @@
 #include "gpu/pipeline.h"
 #include "gpu/transfer.h"
 #include "renderer/shapes.h"
+#include "shaders/gather/tree_leaves.comp.h"
+#include "shaders/gather/tree_nodes.comp.h"
 #include "shaders/shared/surfels.h"
 #include "surfels/tree.h"
 

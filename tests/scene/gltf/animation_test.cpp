@@ -5,6 +5,7 @@
 #include "opaline/error.h"
 #include "opaline/scene.h"
 #include "scene/gltf/builder.h"
+#include "scene/gltf/gltf_fixture.h"
 #include "scene/shapes.h"
 
 namespace opaline {
@@ -15,9 +16,9 @@ using testing::FloatNear;
 using testing::HasSubstr;
 
 using test::GltfBuilder;
+using test::tetrahedronFaces;
 
 const std::vector<float> tetrahedronCorners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-const std::vector<std::uint16_t> tetrahedronFaces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
 
 class GltfAnimation : public testing::Test {
  protected:
