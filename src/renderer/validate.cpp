@@ -65,7 +65,7 @@ void validate(const RenderOptions& options) {
   requireWithin("the height", options.height, 1, 16384);
   requireWithin("the tolerance", options.tolerance, 1e-4F, 1.0F);
   requireWithin("the number of sources", options.maxSources, 1024, 1 << 22);
-  requireWithin("the number of boundary surfels", options.boundarySurfels, 64, 1 << 18);
+  requireWithin("the number of boundary surfels", options.boundarySurfels, 64, mostClusters);
   requireWithin("the number of bounces", options.bounces, 0, maxBounces);
   requireWithin("the number of near rings", options.pattern.nearRings, 0, 15);
   requireWithin("the near spacing", options.pattern.nearSpacing, 1e-3F, 100.0F);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,18 +18,21 @@ struct ClusterDivision {
   std::vector<std::uint32_t> firstSurfel;    ///< one more than there are clusters
   std::vector<std::uint32_t> firstOfObject;  ///< cluster; one more than there are objects
   Tree tree;                                 ///< every leaf is one cluster
-  double coarseness = 1;  ///< edges over those of clusters without a limit to their number
+  std::size_t wanted = 0;  ///< how many there would be without a limit to their number
 
   std::uint32_t count() const { return firstOfObject.back(); }
+  /// Edges over those that are wanted, by their number.
+  double coarseness() const { return std::sqrt(static_cast<double>(wanted) / count()); }
 };
 
 /// Edge of a cluster as a square, of an object as a whole and where it is as thick as wide: a part
 /// of the root of its area.
 double usualClusterMm(double areaOfObjectMm2);
 
-/// As large as usual, no larger than `largestMm`, one an object, nor than the body is thick there,
-/// unless that makes more than `maxClusters`: then all are coarser by the same factor. Every object
-/// has one at least.
+/// As large as usual, no larger than `largestMm`, one an object, nor than the body is thick there.
+/// Where that makes more than `maxClusters`, those go first to what is large against the usual edge
+/// and against the thickness, and what `largestMm` asks for waits until shapes have all that they
+/// ask for. Every object has one at least.
 ClusterDivision makeClusters(const core::RestSurface& surface, const SurfelDivision& surfels,
                              std::span<const double> largestMm, std::size_t maxClusters);
 

@@ -268,22 +268,48 @@ TEST(Clusters, OfAWedgeFollowItsThickness) {
   }
 }
 
-// All objects, by the same factor.
-TEST(Clusters, BeyondTheBudgetAreCoarserThroughout) {
-  Body second = bodyOf(awkward::torus());
-  for (Vec3& p : second.positions) p[0] += 10;
-  const Body body = together(bodyOf(awkward::sphere()), second);
+// A node that is opened is four clusters at most instead of one.
+TEST(Clusters, UseTheirBudget) {
+  const Body body = bodyOf(awkward::torus());
   const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), unlimited);
-  const ClusterDivision fine = clustersOf(body.surface(), surfels, unlimited);
-  const ClusterDivision coarse = clustersOf(body.surface(), surfels, fine.count() / 8);
-  EXPECT_LE(coarse.count(), fine.count() / 8);
-  // Halves at the median jump by four: what fits may be that much less.
-  EXPECT_GE(coarse.count(), fine.count() / 8 / 5);
-  const auto ofFirst = [](const ClusterDivision& made) {
-    return static_cast<double>(made.firstOfObject[1]) / made.count();
-  };
-  EXPECT_GT(ofFirst(coarse), ofFirst(fine) / 4);
-  EXPECT_LT(ofFirst(coarse), ofFirst(fine) * 4);
+  const std::size_t wanted = clustersOf(body.surface(), surfels, unlimited).count();
+  ASSERT_GT(wanted, 2000U);
+  for (const std::size_t budget : {std::size_t{64}, std::size_t{500}, std::size_t{1500}}) {
+    const ClusterDivision made = clustersOf(body.surface(), surfels, budget);
+    EXPECT_GT(made.count() + 3, budget);
+    EXPECT_EQ(made.wanted, wanted);
+  }
+  EXPECT_EQ(clustersOf(body.surface(), surfels, wanted).count(), wanted);
+}
+
+// Both ends of a wedge, as large as each other, are too coarse; both sides in one place are worse.
+TEST(Clusters, BeyondTheBudgetAreFinerWhereTheBodyIsThin) {
+  constexpr double length = 8;
+  const Body body = wedge(static_cast<float>(length), 0.06F, 0.46F, 8);
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), 100'000);
+  int thin = 0;
+  int thick = 0;
+  for (const Patch& patch : patchesOf(body, surfels, clustersOf(body.surface(), surfels, 512))) {
+    if (patch.middle[0] < length / 4) ++thin;
+    if (patch.middle[0] > length * 3 / 4) ++thick;
+  }
+  EXPECT_GT(thick, 0);
+  EXPECT_GT(thin, 2 * thick);
+}
+
+// However dense another object's medium is, and however large that object.
+TEST(Clusters, WhatAMediumAsksForTakesNoneFromAnotherShape) {
+  Body floor = box(80, 8, 80);
+  for (Vec3& p : floor.positions) p[1] -= 20;
+  const Body body = together(bodyOf(awkward::sphere()), floor);
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), 200'000);
+  const ClusterDivision ofShape = clustersOf(body.surface(), surfels, unlimited);
+  const std::vector<double> largestMm{std::numeric_limits<double>::infinity(), 0.5};
+  const ClusterDivision made =
+      makeClusters(body.surface(), surfels, largestMm, ofShape.count() + std::size_t{500});
+  EXPECT_EQ(made.firstOfObject[1], ofShape.firstOfObject[1]);
+  EXPECT_GT(made.count(), ofShape.count() + 400U);
+  EXPECT_GT(made.coarseness(), 1.5);
 }
 
 }  // namespace

@@ -28,6 +28,19 @@ double longestMeanFreePathMm(const Medium& medium) {
   return longest;
 }
 
+void noteClusters(const Division& division, const LogCallback& log) {
+  if (!division.clusters || !(division.clusters->coarseness() > notableCoarseness)) return;
+  const std::size_t wanted = division.clusters->wanted;
+  log(LogLevel::Note,
+      fmt::format(
+          "the budget of {} boundary surfels leaves them {:.1f} times as large as shape and "
+          "medium ask for; {}",
+          division.order.maxClusters, division.clusters->coarseness(),
+          wanted <= static_cast<std::size_t>(mostClusters)
+              ? fmt::format("raise RenderOptions::boundarySurfels to {}, which is enough", wanted)
+              : "raise RenderOptions::boundarySurfels for more accuracy"));
+}
+
 }  // namespace
 
 double shortestMeanFreePathMm(const Medium& medium) {
@@ -75,11 +88,7 @@ void noteCoarseness(const Division& division, bool asked, const LogCallback& log
                     division.order.maxSurfels, coarsest,
                     asked ? "raise RenderOptions::maxSources for more accuracy"
                           : "this device has no room for more"));
-  if (division.clusters && division.clusters->coarseness > notableCoarseness)
-    log(LogLevel::Note,
-        fmt::format("the budget of {} boundary surfels leaves them {:.1f} times as large as shape "
-                    "and medium ask for; raise RenderOptions::boundarySurfels for more accuracy",
-                    division.order.maxClusters, division.clusters->coarseness));
+  noteClusters(division, log);
 }
 
 }  // namespace opaline

@@ -13,6 +13,9 @@
 
 namespace opaline {
 
+/// Most clusters that may be asked for.
+constexpr int mostClusters = 1 << 18;
+
 /// How finely a scene's surface is to be divided for the media it is of.
 struct DivisionOrder {
   std::vector<double> spacingOfObjectMm;         ///< of surfels
