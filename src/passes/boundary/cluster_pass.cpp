@@ -18,11 +18,7 @@ namespace {
 // Rays of a cluster that ask what it sees.
 constexpr std::uint32_t raysOutwards = 24;
 
-<<<<<<< HEAD
 constexpr VkBufferUsageFlags clusterBuffer = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-=======
-constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
->>>>>>> interfaces
 
 std::vector<std::uint32_t> leafOfCluster(const surfels::ClusterDivision& made) {
   std::vector<std::uint32_t> leaf(made.count());

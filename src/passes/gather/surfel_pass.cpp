@@ -18,11 +18,7 @@ static_assert(surfels::Tree::leafBit == shared::leafBit);
 static_assert(surfels::Tree::setBit == shared::setBit);
 static_assert(surfels::Tree::countShift == shared::leafCountShift);
 
-<<<<<<< HEAD
 constexpr VkBufferUsageFlags surfelBuffer = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-=======
-constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
->>>>>>> interfaces
 
 std::vector<shared::SurfelPiece> packPieces(const surfels::SurfelDivision& made,
                                             const core::RestSurface& surface) {
