@@ -8,7 +8,7 @@ import sys
 from repository import ROOT, finish, read_text, tracked_files
 
 PLAIN = ("opaline/error.h", "opaline/image.h", "opaline/log.h", "opaline/types.h")
-APP = ("opaline", "core", "compare", "bssrdf", "scene", "deform", "reference")
+APP = ("opaline", "core", "options", "compare", "bssrdf", "scene", "deform", "reference")
 
 # Below these, includes begin with a folder of theirs.
 PROGRAMS = ("apps/opaline",)

@@ -75,9 +75,9 @@ struct RenderOptions {
   Transport transport = Transport::Boundary;
   Sum sum = Sum::Tree;
   Site site = Site::Auto;
-  float tolerance = 0.01F;     ///< of Sum::Tree, of each node relative to exitance, in [1e-4, 1]
-  int maxSurfels = 262'144;    ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
-  int maxClusters = 8192;  ///< most unknowns of Transport::Boundary, in [64, 262144]
+  float tolerance = 0.01F;   ///< of Sum::Tree, of each node relative to exitance, in [1e-4, 1]
+  int maxSurfels = 262'144;  ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
+  int maxClusters = 8192;    ///< most unknowns of Transport::Boundary, in [64, 262144]
   static constexpr int maxBounces = 8;
   int bounces = 2;  ///< of light that leaves and enters again, of Transport::Boundary, in [0, 8]
   PatternOptions pattern;
@@ -88,7 +88,7 @@ struct RenderOptions {
   int treeLevel = 64;   ///< of the nodes in Aov::Surfels: 0 for the objects' roots, leaves where
                         ///< these come first; in [0, 64]
   int antialias = 4;    ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
-  int frames = 1;  ///< how often render() renders the picture, for timing; in [1, 1000000]
+  int frames = 1;       ///< how often render() renders the picture, for timing; in [1, 1000000]
   double seconds = 0;   ///< time of clip and deformers, s, in [0, 1e6]
   int clip = 0;         ///< which of the scene's clips plays; -1: none, nodes as the file has them
   bool patient = true;  ///< wait until the surface is divided anew for media that changed; else
@@ -126,8 +126,8 @@ struct RenderReport {
   Site site = Site::Fragment;  ///< Auto where it differs between objects
   std::size_t triangles = 0;
   std::size_t vertices = 0;
-  std::size_t sources = 0;          ///< surfels, or texels of the map that carry surface
-  std::size_t clusters = 0;         ///< unknowns of Transport::Boundary
+  std::size_t sources = 0;   ///< surfels, or texels of the map that carry surface
+  std::size_t clusters = 0;  ///< unknowns of Transport::Boundary
   std::vector<Solution>
       solutions;                 ///< of Transport::Boundary in the last frame, one and one a bounce
   std::vector<PassTime> passes;  ///< in the order they ran

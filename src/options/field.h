@@ -25,7 +25,7 @@ using Value = std::variant<bool, int, float, double, std::string, Size, Rgb, std
 
 /// What values an option takes.
 struct Allowed {
-  Range range{0, 0};                          ///< of a number, and of each of several
+  Range range{0, 0};                           ///< of a number, and of each of several
   std::vector<std::string_view> choices = {};  ///< of a text
   std::vector<int> counts = {};                ///< of a whole number; empty: all in the range
 
@@ -38,11 +38,11 @@ std::string requirement(const Allowed& allowed, const Value& like);
 /// As people write it: "0.01", "1,1,0.5", "1024x768".
 std::string textOf(const Value& value);
 
-/// One option of an Owner: all that the command line, scene files, the window and the checks need to
-/// know of it.
+/// One option of an Owner: all that the command line, scene files, the window and the checks need
+/// to know of it.
 template <typename Owner>
 struct Field {
-  std::string_view key;      ///< in scene files; on the command line with dashes
+  std::string_view key;        ///< in scene files; on the command line with dashes
   std::string_view formerKey;  ///< an older name that is still understood, or empty
   std::string_view help;       ///< a few words, without what is allowed and the default
   std::string_view standard;   ///< the default in words where a value does not say it, or empty

@@ -24,9 +24,9 @@ std::string numberText(double number) {
 std::string describe(const Range& range) {
   const std::string unit = *range.unit == '\0' ? "" : fmt::format(" {}", range.unit);
   return range.aboveLeast ? fmt::format("above {} and at most {}{}", numberText(range.least),
-                                       numberText(range.most), unit)
-                          : fmt::format("from {} to {}{}", numberText(range.least), numberText(range.most),
-                                       unit);
+                                        numberText(range.most), unit)
+                          : fmt::format("from {} to {}{}", numberText(range.least),
+                                        numberText(range.most), unit);
 }
 
 }  // namespace opaline::options

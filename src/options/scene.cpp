@@ -23,10 +23,9 @@ constexpr Range intensity{0, 1e15};
 template <>
 const std::vector<Field<Medium>>& fieldsOf() {
   static const std::vector<Field<Medium>> table{
-      field<Medium, &Medium::sigmaSPrimePerMm>("sigma_s_per_mm", {scattering},
-                                               "reduced scattering", "medium's"),
-      field<Medium, &Medium::sigmaAPerMm>("sigma_a_per_mm", {absorption}, "absorption",
+      field<Medium, &Medium::sigmaSPrimePerMm>("sigma_s_per_mm", {scattering}, "reduced scattering",
                                                "medium's"),
+      field<Medium, &Medium::sigmaAPerMm>("sigma_a_per_mm", {absorption}, "absorption", "medium's"),
       field<Medium, &Medium::eta>("eta", {{1.01, 3}}, "index of refraction"),
   };
   return table;

@@ -15,8 +15,7 @@ const std::vector<Field<scene::EnvironmentFile>>& fieldsOf() {
   using File = scene::EnvironmentFile;
   static const std::vector<Field<File>> table{
       field<File, &File::intensity>("intensity", {{0, 1e6}}, "factor of its radiance"),
-      field<File, &File::rotationDegrees>("rotation_degrees", {{-1e6, 1e6, "degrees"}},
-                                          "about +y"),
+      field<File, &File::rotationDegrees>("rotation_degrees", {{-1e6, 1e6, "degrees"}}, "about +y"),
   };
   return table;
 }

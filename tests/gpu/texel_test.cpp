@@ -89,7 +89,8 @@ TEST_F(TexelTest, DispatchesReadWhatEarlierOnesWrote) {
 
 // What is left of a buffer after its last whole texel is not read.
 TEST_F(TexelTest, ABufferMayEndWithinATexel) {
-  Buffer from = makeBuffer(device(), "odd", std::vector<float>(4 * 64 + 3, 7.0F), texelUsage | texels);
+  Buffer from =
+      makeBuffer(device(), "odd", std::vector<float>(4 * 64 + 3, 7.0F), texelUsage | texels);
   Buffer to = makeBuffer(device(), "to", std::vector<Texel>(64), texelUsage);
   const TurnAround pipeline = turnAround();
   CommandList list(device(), "texels");

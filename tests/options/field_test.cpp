@@ -108,9 +108,9 @@ TEST(Picture, WhatIsOutOfRangeIsRefusedWithOneSentence) {
     for (const double number : {range.least - 1, range.most + 1}) {
       PictureSettings settings;
       field.set(settings, outside(field, number));
-      EXPECT_EQ(complaintAboutFields(settings),
-                std::string(field.key) + " " + textOf(*field.get(settings)) + ": " +
-                    requirement(field.allowed, field.like));
+      EXPECT_EQ(complaintAboutFields(settings), std::string(field.key) + " " +
+                                                    textOf(*field.get(settings)) + ": " +
+                                                    requirement(field.allowed, field.like));
       const bool ofTone = field.key == "exposure" || field.key == "background";
       EXPECT_EQ(complaintAbout(settings.render).empty(), ofTone) << field.key;
     }
@@ -163,8 +163,7 @@ TEST(Lights, AreRefusedWhereTheyMakeNoSense) {
   EXPECT_THAT(complaintAbout(DirectionalLight{.directionToLight = {}}), HasSubstr("not zero"));
   EXPECT_THAT(complaintAbout(DirectionalLight{.irradiance = {-1, 0, 0}}),
               HasSubstr("irradiance -1,0,0: must be"));
-  EXPECT_THAT(complaintAbout(PointLight{.positionMm = {0, std::nanf(""), 0}}),
-              HasSubstr("finite"));
+  EXPECT_THAT(complaintAbout(PointLight{.positionMm = {0, std::nanf(""), 0}}), HasSubstr("finite"));
   Lighting lighting;
   lighting.directional.resize(Lighting::maxLights);
   EXPECT_EQ(complaintAbout(lighting), "");

@@ -36,8 +36,8 @@ TEST(PublicHeader, GivesTheRangesAndDefaultsOfTheTable) {
   const std::string header{std::istreambuf_iterator<char>(file), {}};
   int found = 0;
   for (const Field<PictureSettings>& field : fieldsOf<PictureSettings>()) {
-    const std::regex line(fmt::format(
-        R"(\b{} = ([^;]+);[^;]*?in \[([^,]+), ([^\]]+)\])", memberOfKey(field.key)));
+    const std::regex line(
+        fmt::format(R"(\b{} = ([^;]+);[^;]*?in \[([^,]+), ([^\]]+)\])", memberOfKey(field.key)));
     std::smatch match;
     if (!std::regex_search(header, match, line)) continue;
     ++found;

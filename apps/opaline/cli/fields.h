@@ -22,8 +22,8 @@ std::string helpOf(std::string_view help, const options::Allowed& allowed,
 
 /// Takes what is typed for an option of the table; what is on by itself is turned off, by --no-KEY.
 template <typename Owner>
-void addField(CommandLine& line, const options::Field<Owner>& field,
-              options::Chosen<Owner>& chosen, std::string option = {}) {
+void addField(CommandLine& line, const options::Field<Owner>& field, options::Chosen<Owner>& chosen,
+              std::string option = {}) {
   if (std::holds_alternative<bool>(field.like)) {
     line.flag("--no-" + optionOf(field.key).substr(2), "without the " + std::string(field.help),
               [&] { chosen.set(field, false); });
@@ -33,9 +33,9 @@ void addField(CommandLine& line, const options::Field<Owner>& field,
   std::string standard{field.standard};
   if (const auto value = field.get(Owner{}); standard.empty() && value)
     standard = options::textOf(*value);
-  line.value(option, placeholderOf(field.like),
-             helpOf(field.help, field.allowed, field.like, standard),
-             [&](const Given& given) { chosen.set(field, readValue(given, field.allowed, field.like)); });
+  line.value(
+      option, placeholderOf(field.like), helpOf(field.help, field.allowed, field.like, standard),
+      [&](const Given& given) { chosen.set(field, readValue(given, field.allowed, field.like)); });
   if (!field.formerKey.empty()) line.synonym(optionOf(field.formerKey), option);
 }
 

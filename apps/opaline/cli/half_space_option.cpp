@@ -9,8 +9,9 @@
 namespace opaline::app {
 
 void HalfSpaceOption::addTo(CommandLine& line) {
-  line.value("--transport", "NAME", "boundary, better-dipole or dipole [boundary]",
-             [this](const Given& given) { transport_ = readChoice(given, choicesOf<Transport>()); });
+  line.value(
+      "--transport", "NAME", "boundary, better-dipole or dipole [boundary]",
+      [this](const Given& given) { transport_ = readChoice(given, choicesOf<Transport>()); });
 }
 
 bssrdf::Model HalfSpaceOption::model() const {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cli/command_line.h"
-#include "options/picture.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "options/picture.h"
 #include "scene/scene_settings.h"
 
 namespace opaline::app {

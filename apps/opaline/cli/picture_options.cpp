@@ -71,9 +71,9 @@ core::ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& 
 
 void MethodOptions::addTo(CommandLine& line) {
   constexpr std::array<std::string_view, 3> choices{"transport", "sum", "site"};
-  constexpr std::array<std::string_view, 9> shapes{
-      "tolerance",    "bounces",      "max_clusters", "max_surfels", "near_rings",
-      "near_spacing", "far_distance", "dsm_size",     "shadow_size"};
+  constexpr std::array<std::string_view, 9> shapes{"tolerance",    "bounces",    "max_clusters",
+                                                   "max_surfels",  "near_rings", "near_spacing",
+                                                   "far_distance", "dsm_size",   "shadow_size"};
   addFields<options::PictureSettings>(line, choices, chosen_);
   line.value("--method", "paper", "dipole, pattern, fragment", [this](const Given& given) {
     paper_ = readChoice<bool>(given, {{"paper", true}});

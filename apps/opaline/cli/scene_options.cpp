@@ -106,8 +106,8 @@ void LightOptions::addTo(CommandLine& line) {
   line.repeated(
       "--directional", "DIR[:RGB]", "X,Y,Z towards it; irradiance R,G,B [1,1,1]",
       [this](const Given& given) {
-        const PlacedColour light = readPlacedColour(
-            given, options::fieldOf<DirectionalLight>("irradiance").allowed.range);
+        const PlacedColour light =
+            readPlacedColour(given, options::fieldOf<DirectionalLight>("irradiance").allowed.range);
         directional_.push_back({readDirection(light.place), light.colour.value_or(Rgb{1, 1, 1})});
         any_ = true;
       });

@@ -157,14 +157,11 @@ Json readable(const PictureMakers& makers) {
                      {"eta", object.medium.eta}});
   }
   const RenderOptions& options = makers.options;
-  return {{"program", "opaline " OPALINE_VERSION},
-          {"scene", makers.scene.name},
-          {"diagonal_mm", diagonalMm(makers.scene)},
-          {"media", std::move(media)},
-          {"size", {options.width, options.height}},
-          {"transport", options::nameOf(options.transport)},
-          {"sum", options::nameOf(options.sum)},
-          {"site", options::nameOf(options.site)}};
+  return {
+      {"program", "opaline " OPALINE_VERSION},   {"scene", makers.scene.name},
+      {"diagonal_mm", diagonalMm(makers.scene)}, {"media", std::move(media)},
+      {"size", {options.width, options.height}}, {"transport", options::nameOf(options.transport)},
+      {"sum", options::nameOf(options.sum)},     {"site", options::nameOf(options.site)}};
 }
 
 }  // namespace

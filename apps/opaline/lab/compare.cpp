@@ -60,7 +60,9 @@ struct CompareCommand {
       tone.exposureStops = static_cast<float>(readNumber(given, {-32, 32, "stops"}));
     });
     line.value("--tone", "NAME", "curve: neutral or none, not for PNG [neutral]",
-               [this](const Given& given) { tone.curve = readChoice(given, choicesOf<core::ToneCurve>()); });
+               [this](const Given& given) {
+                 tone.curve = readChoice(given, choicesOf<core::ToneCurve>());
+               });
     line.value("--pixels-per-degree", "X",
                fmt::format("as the viewer sees them, 1 to 1000 [{:.1f}]", pixelsPerDegree),
                [this](const Given& given) {

@@ -218,12 +218,11 @@ std::string toReadable(const Methods& methods) {
       "sum", "site", "a frame", "evaluations", "to integral",
       methods.hasTruth ? "to truth, blocks" : "");
   for (const MethodRow& row : methods.rows) {
-    text +=
-        fmt::format("{:<16}{:<10}{:<10}{:>12}{:>13}{:>14}{:>18}\n",
-                    options::nameOf(row.transport), row.sum, row.site,
-                    row.frameMilliseconds ? fmt::format("{:.1f} ms", *row.frameMilliseconds) : "",
-                    row.evaluations ? fmt::format("{:.1f}", *row.evaluations) : "",
-                    percent(row.integralError), percent(row.truthError));
+    text += fmt::format(
+        "{:<16}{:<10}{:<10}{:>12}{:>13}{:>14}{:>18}\n", options::nameOf(row.transport), row.sum,
+        row.site, row.frameMilliseconds ? fmt::format("{:.1f} ms", *row.frameMilliseconds) : "",
+        row.evaluations ? fmt::format("{:.1f}", *row.evaluations) : "", percent(row.integralError),
+        percent(row.truthError));
   }
   if (methods.truthsOwnError)
     text += fmt::format("the truth's own standard error: {:.2f} % of a block\n",

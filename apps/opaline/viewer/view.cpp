@@ -45,9 +45,10 @@ struct ViewCommand {
     line.section("Picture");
     camera.addTo(line);
     look.addTo(line);
-    line.value("--size", "WxH", "of the window, pixels [as it was left]",
-               [this](const Given& given) { size = readSize(
-                     given, options::fieldOf<options::PictureSettings>("size").allowed.range); });
+    line.value(
+        "--size", "WxH", "of the window, pixels [as it was left]", [this](const Given& given) {
+          size = readSize(given, options::fieldOf<options::PictureSettings>("size").allowed.range);
+        });
     line.section("Motion");
     motion.addTo(line, false);
     line.section("Method");

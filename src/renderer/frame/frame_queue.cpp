@@ -20,7 +20,8 @@ namespace {
 // look, of which there are as many as antialiasing samples and one at the pixels' centres; and the
 // surfels seen there.
 constexpr std::uint32_t maxPassesOfFrame =
-    8 + (3 + 2 * (shared::maxLights + 1) + 3 * (RenderOptions::maxBounces + 1) + 2) + 2 * 3 + 5 * (8 + 1) + 1;
+    8 + (3 + 2 * (shared::maxLights + 1) + 3 * (RenderOptions::maxBounces + 1) + 2) + 2 * 3 +
+    5 * (8 + 1) + 1;
 
 }  // namespace
 

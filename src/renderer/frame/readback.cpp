@@ -142,9 +142,10 @@ bool needsScattering(Aov aov) {
 void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site site,
                        const CameraView& camera, FrameResources& resources) {
   if (!states_)
-    states_ = gpu::Buffer(device, {.name = "solutions on the host",
-                                   .bytes = (RenderOptions::maxBounces + 1) * sizeof(shared::SolverState),
-                                   .memory = gpu::Memory::Readback});
+    states_ =
+        gpu::Buffer(device, {.name = "solutions on the host",
+                             .bytes = (RenderOptions::maxBounces + 1) * sizeof(shared::SolverState),
+                             .memory = gpu::Memory::Readback});
   camera_ = camera;
   entries_.clear();
   std::size_t bytes = 0;

@@ -37,8 +37,8 @@ void noteClusters(const Division& division, const LogCallback& log) {
           "the budget of {} clusters leaves them {:.1f} times as large as shape and "
           "medium ask for; {}",
           division.order.maxClusters, division.clusters->coarseness(),
-          options::fieldOf<options::PictureSettings>("max_clusters").allowed.range.holds(
-              static_cast<double>(wanted))
+          options::fieldOf<options::PictureSettings>("max_clusters")
+                  .allowed.range.holds(static_cast<double>(wanted))
               ? fmt::format("raise RenderOptions::maxClusters to {}, which is enough", wanted)
               : "raise RenderOptions::maxClusters for more accuracy"));
 }

@@ -175,7 +175,8 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
   }
   resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, division.surfels,
                                                          resources.triangleHasInside);
-  resources.solver = passes::SolverPass::makeSolver(device, resources.clusters, RenderOptions::maxBounces + 1);
+  resources.solver =
+      passes::SolverPass::makeSolver(device, resources.clusters, RenderOptions::maxBounces + 1);
 }
 
 }  // namespace

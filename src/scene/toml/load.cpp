@@ -146,8 +146,8 @@ RawScene loadModelOf(const TomlTable& table, std::string_view key, bool isOnly, 
   if (!model) {
     table.fail("", fmt::format("has no '{}', a file or builtin:bear or builtin:teapot", key));
   }
-  const auto diagonal = table.number(
-      "diagonal_mm", options::fieldOf<LoadOptions>("diagonal_mm").allowed.range);
+  const auto diagonal =
+      table.number("diagonal_mm", options::fieldOf<LoadOptions>("diagonal_mm").allowed.range);
   std::optional<std::filesystem::path> morphTo = to.options.morphTo;
   if (const auto name = table.text("morph_to"); name && !morphTo) morphTo = beside(to.file, *name);
   ModelSource& source = to.source.models.emplace_back();
@@ -240,7 +240,7 @@ void readDeformers(const TomlTable& root, Assembly& to) {
     const auto name = std::find(deformerNames.begin(), deformerNames.end(), *kind);
     deformer.kind = static_cast<DeformerKind>(name - deformerNames.begin());
     deformer.amount = static_cast<float>(*amount);
-    deformer.periodSeconds = 
+    deformer.periodSeconds =
         static_cast<float>(table.number("period_seconds", {0, 1e6, "s"}).value_or(0));
     const std::string complaint = complaintAbout(deformer);
     if (!complaint.empty()) table.fail("", "makes no sense: " + complaint);

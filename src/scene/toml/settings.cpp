@@ -21,8 +21,8 @@ SceneFileSettings readSettings(const TomlTable& root, const LogCallback& log) {
     if (field.formerKey.empty()) continue;
     former.push_back(field.formerKey);
     if (log && table->has(field.formerKey)) {
-      log(LogLevel::Note, fmt::format("'{}' in [render] is called '{}' now",
-                                      field.formerKey, field.key));
+      log(LogLevel::Note,
+          fmt::format("'{}' in [render] is called '{}' now", field.formerKey, field.key));
     }
   }
   table->requireKeys(known, former);

@@ -25,9 +25,8 @@ std::string saveScene(const Session& session, const core::Target& target, int wi
   if (session.exposesByLight) settings.picture.erase("exposure");
   // Between the last file and the end, the last is shown; render knows no such time.
   if (session.sequence) {
-    settings.picture.set(
-        options::fieldOf<options::PictureSettings>("seconds"),
-        std::min(session.options.seconds, lastSecond(*session.sequence)));
+    settings.picture.set(options::fieldOf<options::PictureSettings>("seconds"),
+                         std::min(session.options.seconds, lastSecond(*session.sequence)));
   }
   return saved(scene::writeScene(target, scene::describe(session.scene, session.source, settings)),
                target);

@@ -53,11 +53,11 @@ void drawMethodPanel(Session& session) {
     }
   }
   changed |= drawOption("site", options, "site",
-                              "Where light is summed: at vertices, at pixels, or at vertices where "
-                              "edges are no longer than a mean free path.");
+                        "Where light is summed: at vertices, at pixels, or at vertices where "
+                        "edges are no longer than a mean free path.");
   if (options.sum == Sum::Tree) {
     changed |= drawOption("tolerance", options, "tolerance",
-                                "What a group of sources may be off, relative to the exitance.");
+                          "What a group of sources may be off, relative to the exitance.");
   }
   if (options.transport == Transport::Boundary) {
     changed |= drawBoundary(options);

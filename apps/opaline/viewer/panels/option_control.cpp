@@ -58,8 +58,7 @@ struct Control {
 
 }  // namespace
 
-bool drawOption(const char* name, RenderOptions& options, std::string_view key,
-                const char* about) {
+bool drawOption(const char* name, RenderOptions& options, std::string_view key, const char* about) {
   const auto& field = options::fieldOf<options::PictureSettings>(key);
   options::PictureSettings settings{options, {}};
   std::optional<options::Value> value = field.get(settings);
