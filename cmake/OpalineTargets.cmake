@@ -43,8 +43,8 @@ endfunction()
 add_custom_target(opaline_quick_tests)  # what `make quick` runs
 
 # opaline_test(core QUICK SOURCES a_test.cpp LIBRARIES opaline_core): one program of GoogleTest's. With SHARDS n its
-# cases are dealt out to n processes that may run beside each other; a process for each case would spend most of its
-# time on opening a device and making pipelines. What is QUICK is run by `make quick` too.
+# cases are dealt out to n processes that may run beside each other; a process for each case would open a device and make
+# pipelines for each. What is QUICK is run by `make quick` too.
 function(opaline_test name)
   cmake_parse_arguments(ARG "QUICK" "SHARDS" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
