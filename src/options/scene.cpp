@@ -13,7 +13,6 @@ namespace {
 
 constexpr Range scattering{0, 1e6, "per mm", true};
 constexpr Range absorption{0, 1e6, "per mm"};
-constexpr double leastExtinctionPerMm = 1e-6;
 constexpr Range radiance{0, 1e9};
 // One metre is a thousand millimetres, and intensity goes with their square.
 constexpr Range intensity{0, 1e15};
@@ -23,9 +22,9 @@ constexpr Range intensity{0, 1e15};
 template <>
 const std::vector<Field<Medium>>& fieldsOf() {
   static const std::vector<Field<Medium>> table{
-      field<Medium, &Medium::sigmaSPrimePerMm>("sigma_s_per_mm", {scattering}, "reduced scattering",
-                                               "medium's"),
-      field<Medium, &Medium::sigmaAPerMm>("sigma_a_per_mm", {absorption}, "absorption", "medium's"),
+      field<Medium, &Medium::sigmaSPrimePerMm>("sigma_s_per_mm", {scattering},
+                                               "reduced scattering"),
+      field<Medium, &Medium::sigmaAPerMm>("sigma_a_per_mm", {absorption}, "absorption"),
       field<Medium, &Medium::eta>("eta", {{1.01, 3}}, "index of refraction"),
   };
   return table;
@@ -85,11 +84,6 @@ bool isFinite(const Vec3& v) {
 }  // namespace
 
 std::string complaintAbout(const Medium& medium) {
-  for (std::size_t c = 0; c < 3; ++c)
-    if (medium.sigmaSPrimePerMm[c] + medium.sigmaAPerMm[c] < options::leastExtinctionPerMm)
-      return fmt::format(
-          "sigma_s_per_mm plus sigma_a_per_mm must be at least {} per mm in every channel",
-          options::numberText(options::leastExtinctionPerMm));
   return options::complaintAboutFields(medium);
 }
 

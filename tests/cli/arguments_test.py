@@ -165,7 +165,7 @@ class Refusals(ProgramTest):
             ("--deform", "squash:1", "from -3 to 0.9"),
             ("--deform", "squash:-1:2", "from -0.9 to 0.9"),
             ("--deform", "wobble:-1.1", "from -1 to 1"),
-            ("--deform", "wobble:nan", "nan is not"),
+            ("--deform", "wobble:nan", "must be from"),
             ("--deform", "wobble:0.1:-1", "must be from 0"),
         ]:
             with self.subTest(option=option, text=text):
@@ -181,8 +181,8 @@ class Refusals(ProgramTest):
             (("--sigma-a", "1,1,1"), "--sigma-s"),
             (("--eta", "1.4"), "--sigma-s"),
             (("--medium", "skin1", "--sigma-s", "1,1,1", "--sigma-a", "1,1,1"), "exclude each other"),
-            (("--sigma-s", "0,1,1", "--sigma-a", "0,1,1"), "every channel"),
-            (("--sigma-s", "0,1,1", "--sigma-a", "1,1,1"), "every channel"),
+            (("--sigma-s", "0,1,1", "--sigma-a", "0,1,1"), "each above 0"),
+            (("--sigma-s", "0,1,1", "--sigma-a", "1,1,1"), "each above 0"),
             (("--builtin", "bear", "a.ply"), "exclude each other"),
             (("--aov", "normal", "-o", "a.png"), ".exr"),
             (("--aov", "normal", "--antialias", "4"), "--antialias"),

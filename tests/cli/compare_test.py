@@ -137,8 +137,8 @@ class Refusals(ProgramTest):
         self.refused(2, "compare", "one.exr", says=("needs A and B", "B is missing"))
         self.refused(2, "compare", "one.exr", "one.exr", "two.exr", says=("one A and one B", "two.exr"))
         for option, text, says in [("--block", "0", "from 1"), ("--peak", "0", "above 0"), ("--fail-above", "-1", "from 0"),
-                                   ("--fail-above", "nan", "nan is not"), ("--pixels-per-degree", "0", "from 1 to 1000"),
-                                   ("--exposure", "40", "stops"), ("--tone", "filmic", "neutral, none"),
+                                   ("--fail-above", "nan", "must be from"), ("--pixels-per-degree", "0", "from 1 to 1000"),
+                                   ("--exposure", "40", "stops"), ("--tone", "filmic", "none, neutral"),
                                    ("--heatmap", "map.jpg", ".png"), ("--heatmap-max", "0", "from"),
                                    ("--heatmap-max", "1", "--heatmap FILE.png")]:
             self.refused(2, "compare", "one.exr", "one.exr", option, text, says=(option, says))

@@ -179,7 +179,7 @@ class Refusals(Reference):
             (("--integral", "--aov", "evaluations"), ("evaluations", "render")),
             (("--integral", "--aov", "surfels:2"), ("surfels", "render")),
             (("--integral", "--sum", "all"), "no option --sum"),
-            (("--integral", "--tolerance", "0"), "from 1e-07 to 0.5"),
+            (("--integral", "--tolerance", "0"), "from 1e-7 to 0.5"),
             (("--integral", "--every", "0"), "from 1 to 16384"),
             (("--integral", "--region", "1,2,3"), "X,Y,WIDTH,HEIGHT"),
             (("--integral", "--region", "1,2,3,4,5"), "--region"),

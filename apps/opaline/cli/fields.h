@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,23 +22,45 @@ std::string placeholderOf(const options::Value& like);
 std::string helpOf(std::string_view help, const options::Allowed& allowed,
                    const options::Value& like, const std::string& standard);
 
-/// Takes what is typed for an option of the table; what is on by itself is turned off, by --no-KEY.
+/// The default as the help shows it.
+template <typename Owner>
+std::string standardOf(const options::Field<Owner>& field) {
+  if (!field.standard.empty()) return std::string(field.standard);
+  const auto value = field.get(Owner{});
+  return value ? options::textOf(*value) : "";
+}
+
+/// Takes what is typed for an option of the table, under its own name and with its own help unless
+/// others are given; what is on by itself is turned off, by --no-KEY.
 template <typename Owner>
 void addField(CommandLine& line, const options::Field<Owner>& field, options::Chosen<Owner>& chosen,
-              std::string option = {}) {
+              std::string option = {}, const std::optional<std::string>& help = {}) {
   if (std::holds_alternative<bool>(field.like)) {
     line.flag("--no-" + optionOf(field.key).substr(2), "without the " + std::string(field.help),
               [&] { chosen.set(field, false); });
     return;
   }
   if (option.empty()) option = optionOf(field.key);
-  std::string standard{field.standard};
-  if (const auto value = field.get(Owner{}); standard.empty() && value)
-    standard = options::textOf(*value);
   line.value(
-      option, placeholderOf(field.like), helpOf(field.help, field.allowed, field.like, standard),
+      option, placeholderOf(field.like),
+      help ? *help : helpOf(field.help, field.allowed, field.like, standardOf(field)),
       [&](const Given& given) { chosen.set(field, readValue(given, field.allowed, field.like)); });
   if (!field.formerKey.empty()) line.synonym(optionOf(field.formerKey), option);
+}
+
+/// Two options in one line of the help, which names the default of each: "texels [512], of
+/// shadows [1024]".
+template <typename Owner>
+void addPair(CommandLine& line, std::array<std::string_view, 2> keys,
+             std::array<std::string_view, 2> words, options::Chosen<Owner>& chosen,
+             const std::array<std::string, 2>& names = {}) {
+  std::string help;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string standard = standardOf(options::fieldOf<Owner>(keys[i]));
+    help += (i == 0 ? "" : ", ") + std::string(words[i]) + " [" + standard + "]";
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+    addField(line, options::fieldOf<Owner>(keys[i]), chosen, names[i], i == 0 ? help : "");
 }
 
 template <typename Owner>

@@ -29,8 +29,9 @@ Medium namedMedium(const Given& given) {
 void MediumOptions::addTo(CommandLine& line) {
   line.value("--medium", "NAME", "one that opaline media lists",
              [this](const Given& given) { named_ = namedMedium(given); });
-  addField(line, options::fieldOf<Medium>("sigma_s_per_mm"), chosen_, "--sigma-s");
-  addField(line, options::fieldOf<Medium>("sigma_a_per_mm"), chosen_, "--sigma-a");
+  addField(line, options::fieldOf<Medium>("sigma_s_per_mm"), chosen_, "--sigma-s",
+           "reduced scattering and absorption, 1/mm");
+  addField(line, options::fieldOf<Medium>("sigma_a_per_mm"), chosen_, "--sigma-a", "");
   addField(line, options::fieldOf<Medium>("eta"), chosen_);
 }
 
@@ -49,6 +50,9 @@ std::optional<Medium> MediumOptions::medium() const {
   Medium medium;
   medium.name = "custom";
   chosen_.applyTo(medium);
+  if (const std::string complaint = complaintAbout(medium); !complaint.empty()) {
+    throw UsageError(complaint);
+  }
   return medium;
 }
 

@@ -71,14 +71,15 @@ core::ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& 
 
 void MethodOptions::addTo(CommandLine& line) {
   constexpr std::array<std::string_view, 3> choices{"transport", "sum", "site"};
-  constexpr std::array<std::string_view, 9> shapes{"tolerance",    "bounces",    "max_clusters",
-                                                   "max_surfels",  "near_rings", "near_spacing",
-                                                   "far_distance", "dsm_size",   "shadow_size"};
+  constexpr std::array<std::string_view, 5> shapes{"tolerance", "bounces", "max_clusters",
+                                                   "max_surfels", "near_rings"};
   addFields<options::PictureSettings>(line, choices, chosen_);
   line.value("--method", "paper", "dipole, pattern, fragment", [this](const Given& given) {
     paper_ = readChoice<bool>(given, {{"paper", true}});
   });
   addFields<options::PictureSettings>(line, shapes, chosen_);
+  addPair(line, {"near_spacing", "far_distance"}, {"mean free paths", "of far ones"}, chosen_);
+  addPair(line, {"dsm_size", "shadow_size"}, {"texels of the map", "of shadows"}, chosen_);
 }
 
 void MethodOptions::applyTo(RenderOptions& options,

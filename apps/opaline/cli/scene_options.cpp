@@ -132,10 +132,8 @@ void LightOptions::addTo(CommandLine& line) {
                environment_ = given.text;
                any_ = true;
              });
-  addField(line, options::fieldOf<scene::EnvironmentFile>("rotation_degrees"), turned_,
-           "--environment-rotation");
-  addField(line, options::fieldOf<scene::EnvironmentFile>("intensity"), turned_,
-           "--environment-intensity");
+  addPair(line, {"rotation_degrees", "intensity"}, {"degrees", "factor"}, turned_,
+          {"--environment-rotation", "--environment-intensity"});
 }
 
 void LightOptions::applyTo(scene::LoadedScene& loaded) const {
