@@ -1,5 +1,5 @@
-# One static library a folder: opaline_library(core SOURCES a.cpp PUBLIC fmt::fmt PRIVATE ...).
-# Names without :: that match a folder mean its library.
+# One static library a folder: opaline_library(core SOURCES a.cpp PUBLIC fmt::fmt PRIVATE ...) is opaline_core,
+# for others opaline::core.
 
 add_library(opaline_warnings INTERFACE)
 target_compile_options(opaline_warnings INTERFACE
@@ -18,6 +18,7 @@ endif()
 function(opaline_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(opaline_${name} STATIC ${ARG_SOURCES})
+  add_library(opaline::${name} ALIAS opaline_${name})
   target_include_directories(opaline_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(opaline_${name} PUBLIC opaline_headers ${ARG_PUBLIC} PRIVATE opaline_warnings ${ARG_PRIVATE})
 endfunction()

@@ -24,7 +24,9 @@ struct Command {
 
 constexpr std::array commands{
     Command{"render", "a still as PNG or EXR, or a film; needs no window", runRender},
+#ifdef OPALINE_WITH_VIEWER
     Command{"view", "a window on a scene: light, medium, motion, method by hand", runView},
+#endif
     Command{"compare", "error figures between two images, and a heat map", runCompare},
     Command{"reference", "the same still on the CPU, exactly: what render is judged by",
             runReference},

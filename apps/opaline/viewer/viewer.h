@@ -70,6 +70,7 @@ class Viewer {
   void takeFile(FileAnswer answer);
   bool leaves();
   void say(std::string_view text, bool isError = false);
+  void stayAwake();
   void resize(std::optional<float> diagonalMm);
   void keepState();
   bool movesItself() const;

@@ -2,75 +2,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <numbers>
 
 #include "bssrdf/profile.h"
 #include "opaline/error.h"
 #include "opaline/scene.h"
-#include "scene/gltf/glb.h"
-#include "scene/shapes.h"
+#include "scene/gltf/gltf_fixture.h"
 
 namespace opaline {
 namespace {
 
+using test::Gltf;
+using test::Parts;
+using test::tetrahedronBytes;
 using testing::HasSubstr;
-
-/// A tetrahedron of floats: 48 bytes of positions, then 12 indices of 16 bits.
-const std::vector<float> tetrahedron{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-const std::vector<std::uint16_t> faces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-
-std::string tetrahedronBytes() {
-  return test::raw(tetrahedron) + test::raw(faces);
-}
-
-/// Parts of a file around the tetrahedron, each to be replaced.
-struct Parts {
-  std::string nodes = R"({"mesh":0,"name":"tetra"})";
-  std::string meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1}]})";
-  std::string accessors =
-      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},
-         {"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})";
-  std::string views = R"({"buffer":0,"byteOffset":0,"byteLength":48},
-                         {"buffer":0,"byteOffset":48,"byteLength":24})";
-  std::string buffers = R"({"byteLength":72})";
-  std::string scene = R"("scene":0,"scenes":[{"nodes":[0]}],)";
-  std::string more{};
-
-  std::string json() const {
-    return R"({"asset":{"version":"2.0"},)" + scene + R"("nodes":[)" + nodes + R"(],"meshes":[)" +
-           meshes + R"(],"accessors":[)" + accessors + R"(],"bufferViews":[)" + views +
-           R"(],"buffers":[)" + buffers + "]" + more + "}";
-  }
-};
-
-class Gltf : public testing::Test {
- protected:
-  Scene loadBytes(const std::string& bytes, const LoadOptions& options = {}) {
-    test::writeBytes(folder / "a.glb", bytes);
-    return loadScene(folder / "a.glb", options);
-  }
-  Scene load(const Parts& parts, const std::string& binary = tetrahedronBytes()) {
-    LoadOptions options;
-    options.log = [&](LogLevel, std::string_view message) { notes.emplace_back(message); };
-    return loadBytes(test::glb(parts.json(), binary), options);
-  }
-  std::string errorOf(const Parts& parts, const std::string& binary = tetrahedronBytes()) {
-    std::string message = test::messageOf([&] { load(parts, binary); });
-    EXPECT_THAT(message, HasSubstr("a.glb"));
-    EXPECT_LT(message.size(), 500U);
-    return message;
-  }
-  static double volumeMm3(const Scene& scene) {
-    double sum = 0;
-    for (const Object& object : scene.objects) {
-      sum += test::signedVolume(object.mesh.positionsMm, object.mesh.triangles);
-    }
-    return sum;
-  }
-  test::TemporaryFolder folder;
-  std::vector<std::string> notes;
-};
 
 TEST_F(Gltf, MetresBecomeMillimetresAndMissingNormalsAreFlat) {
   const Scene scene = load({});
@@ -298,134 +243,6 @@ TEST_F(Gltf, ChainOfFiftyThousandNodesIsWalked) {
   }
   parts.nodes += R"({"mesh":0})";
   EXPECT_NEAR(boundsOf(load(parts)).minMm[0], 50'000, 1);
-}
-
-TEST_F(Gltf, GraphsThatAreNoTreesAreErrors) {
-  Parts parts;
-  parts.nodes = R"({"mesh":0,"children":[1]},{"children":[0]})";
-  EXPECT_THAT(errorOf(parts), HasSubstr("cycle"));
-  parts.nodes = R"({"mesh":0,"children":[0]})";
-  EXPECT_THAT(errorOf(parts), HasSubstr("cycle"));
-  parts.nodes = R"({"mesh":0,"children":[2]},{"children":[2]},{})";
-  EXPECT_THAT(errorOf(parts), HasSubstr("two parents"));
-  parts.nodes = R"({"mesh":0,"children":[7]})";
-  EXPECT_THAT(errorOf(parts), HasSubstr("child 7"));
-  parts.nodes = R"({"mesh":3})";
-  EXPECT_THAT(errorOf(parts), HasSubstr("mesh 3"));
-  parts = {};
-  parts.scene = R"("scene":9,"scenes":[{"nodes":[0]}],)";
-  EXPECT_THAT(errorOf(parts), HasSubstr("scene 9"));
-  parts.scene = R"("scenes":[{"nodes":[]}],)";
-  EXPECT_THAT(errorOf(parts), HasSubstr("no triangle mesh"));
-}
-
-std::string withAccessor0(const std::string& accessor) {
-  return accessor + R"(,{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})";
-}
-
-TEST_F(Gltf, AccessorsThatLieAreErrors) {
-  const char* accessors[] = {
-      R"({"bufferView":0,"componentType":5126,"count":5,"type":"VEC3"})",
-      R"({"bufferView":0,"componentType":5126,"count":4000000000000,"type":"VEC3"})",
-      R"({"bufferView":0,"componentType":5126,"count":18446744073709551615,"type":"VEC3"})",
-      R"({"bufferView":0,"byteOffset":18446744073709551612,"componentType":5126,"count":4,"type":"VEC3"})",
-      R"({"bufferView":0,"byteOffset":4,"componentType":5126,"count":4,"type":"VEC3"})",
-      R"({"bufferView":9,"componentType":5126,"count":4,"type":"VEC3"})",
-      R"({"bufferView":-7,"componentType":5126,"count":4,"type":"VEC3"})",
-      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})",
-      R"({"bufferView":0,"componentType":1,"count":4,"type":"VEC3"})",
-      R"({"componentType":5126,"count":4000000000,"type":"VEC3"})",
-      R"({"componentType":5126,"count":4,"type":"VEC3"})",  // all at one place
-      R"({"bufferView":0,"componentType":5126,"count":-4,"type":"VEC3"})",
-      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":-1,"indices":{"bufferView":1,"componentType":5123},"values":{"bufferView":0}}})",
-      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":4,"indices":{"bufferView":1,"byteOffset":-5,"componentType":5123},"values":{"bufferView":0}}})",
-      R"({"bufferView":0,"componentType":5126,"count":2,"type":"VEC3","sparse":{"count":2,"indices":{"bufferView":1,"componentType":5123},"values":{"bufferView":0}}})",
-  };
-  for (const char* accessor : accessors) {
-    Parts parts;
-    parts.accessors = withAccessor0(accessor);
-    EXPECT_NE(errorOf(parts), "") << accessor;
-  }
-}
-
-TEST_F(Gltf, BufferViewsAndBuffersThatLieAreErrors) {
-  const std::string second = R"(,{"buffer":0,"byteOffset":48,"byteLength":24})";
-  for (const char* view :
-       {R"({"buffer":0,"byteOffset":60,"byteLength":48})", R"({"buffer":5,"byteLength":48})",
-        R"({"buffer":0,"byteOffset":18446744073709551600,"byteLength":48})",
-        R"({"buffer":0,"byteLength":18446744073709551615,"byteOffset":8})",
-        R"({"buffer":0,"byteLength":48,"byteStride":4})"}) {
-    Parts parts;
-    parts.views = view + second;
-    EXPECT_NE(errorOf(parts), "") << view;
-  }
-  Parts parts;
-  parts.buffers = R"({"byteLength":4000000000000})";
-  errorOf(parts);
-  parts.buffers = R"({"byteLength":72},{"byteLength":72})";
-  EXPECT_THAT(errorOf(parts), HasSubstr("more than one buffer"));
-  parts.buffers = R"({"byteLength":72,"uri":"data:application/octet-stream;base64,AAAA"})";
-  errorOf(parts);
-}
-
-TEST_F(Gltf, BadNumbersAndIndicesAreErrors) {
-  std::vector<std::uint16_t> wild = faces;
-  wild[7] = 4;
-  EXPECT_THAT(errorOf({}, test::raw(tetrahedron) + test::raw(wild)), HasSubstr("vertex 4"));
-  std::vector<float> broken = tetrahedron;
-  broken[4] = NAN;
-  EXPECT_THAT(errorOf({}, test::raw(broken) + test::raw(faces)), HasSubstr("finite"));
-  Parts parts;
-  parts.nodes = R"({"mesh":0,"scale":[1e300,1e300,1e300]})";
-  errorOf(parts);
-  parts.nodes = R"({"mesh":0,"scale":[1e37,1e37,1e37]})";
-  EXPECT_THAT(errorOf(parts), HasSubstr("too large"));
-  parts.nodes = R"({"mesh":0,"scale":[0,0,0]})";
-  EXPECT_THAT(errorOf(parts), HasSubstr("degenerate"));
-  parts.nodes = R"({"mesh":0,"translation":[1,2]})";
-  EXPECT_THAT(errorOf(parts), HasSubstr("node 0"));
-}
-
-TEST_F(Gltf, ManyInstancesAreRefusedBeforeMemoryIs) {
-  Parts parts;
-  const int count = 3000;
-  parts.nodes.clear();
-  std::string list;
-  for (int i = 0; i < count; ++i) {
-    parts.nodes += i == 0 ? R"({"mesh":0})" : R"(,{"mesh":0})";
-    list += (i == 0 ? "" : ",") + std::to_string(i);
-  }
-  parts.scene = R"("scenes":[{"nodes":[)" + list + "]}],";
-  // Fans of 16,000 triangles, each with vertices of its own for want of normals.
-  std::vector<std::uint16_t> fan(16'000);
-  for (std::size_t i = 0; i < fan.size(); ++i) fan[i] = static_cast<std::uint16_t>(i % 4);
-  parts.accessors = R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},
-                       {"bufferView":1,"componentType":5123,"count":16000,"type":"SCALAR"})";
-  parts.views = R"({"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":32000})";
-  parts.buffers = R"({"byteLength":32048})";
-  parts.meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":6}]})";
-  EXPECT_THAT(errorOf(parts, test::raw(tetrahedron) + test::raw(fan)), HasSubstr("more than"));
-}
-
-TEST_F(Gltf, BrokenContainersAndJsonAreErrors) {
-  const std::string whole = test::glb(Parts{}.json(), tetrahedronBytes());
-  for (std::size_t size = 1; size < whole.size(); size += 11) {
-    EXPECT_NE(test::messageOf([&] { loadBytes(whole.substr(0, size)); }), "");
-  }
-  const auto textError = [&](const std::string& json) {
-    test::writeBytes(folder / "a.gltf", json);
-    return test::messageOf([&] { loadScene(folder / "a.gltf"); });
-  };
-  EXPECT_THAT(textError(std::string(100'000, '[')), HasSubstr("nested"));
-  EXPECT_THAT(textError("{\"a\":" + std::string(100'000, '{')), HasSubstr("JSON"));
-  EXPECT_THAT(textError("{\"asset\":{\"version\":\"2.0\"},\"x\":\"\xFF\xFE\"}"), HasSubstr("JSON"));
-  EXPECT_THAT(textError("{ \"a\": 1 }"), HasSubstr("asset"));
-  EXPECT_THAT(textError(R"({"asset":{"version":"1.0"}})"), HasSubstr("'1.0'"));
-  EXPECT_THAT(textError(R"({"asset":{"version":"2.0"},"nodes":[5]})"), HasSubstr("glTF"));
-  EXPECT_THAT(
-      textError(R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":5}]}]})"),
-      HasSubstr("a.gltf"));
-  EXPECT_THAT(textError("hello"), HasSubstr("JSON"));
 }
 
 TEST_F(Gltf, WhatIsNotShownIsCounted) {

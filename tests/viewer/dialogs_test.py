@@ -23,7 +23,7 @@ shadow_size = 256
 """
 
 
-class Files(WindowTest):
+class Dialogs(WindowTest):
     def setUp(self):
         super().setUp()
         self.work = self.folder / "work"

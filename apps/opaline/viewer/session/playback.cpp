@@ -1,0 +1,29 @@
+#include "viewer/session/playback.h"
+
+#include <cmath>
+
+#include "viewer/picture/orbit.h"
+
+namespace opaline::app::viewer {
+
+void playOn(double seconds, Session& session) {
+  Playback& playback = session.playback;
+  if (!movesInTime(session)) playback.playing = false;
+  if (playback.playing) {
+    const auto length = static_cast<double>(playback.lengthSeconds);
+    double at = session.options.seconds + static_cast<double>(playback.speed) * seconds;
+    if (at >= length && !playback.loop) {
+      at = length;
+      playback.playing = false;
+    }
+    session.options.seconds = at >= length && playback.loop ? std::fmod(at, length) : at;
+    session.edits.picture = true;
+  }
+  if (playback.turntable) {
+    constexpr float radiansPerSecond = 0.5F;
+    orbit(session.scene.camera, radiansPerSecond * static_cast<float>(seconds), 0);
+    session.edits.camera = true;
+  }
+}
+
+}  // namespace opaline::app::viewer

@@ -1,0 +1,180 @@
+#include "viewer/viewer.h"
+
+#include <fmt/format.h>
+
+#include <system_error>
+#include <utility>
+
+#include "film/framing.h"
+#include "opaline/error.h"
+#include "viewer/files/folder_listing.h"
+#include "viewer/session/work_under_way.h"
+
+// What the window opens, saves and has computed, and the questions that go before it.
+namespace opaline::app::viewer {
+
+void Viewer::openFile(const std::filesystem::path& file) {
+  const auto begin = [this, file] {
+    stopWork(saver_, truth_);
+    SceneOptions asked;
+    asked.setFile(file);
+    open(asked);
+  };
+  const std::optional<std::string> lost = workUnderWay(saver_, truth_);
+  if (!lost) return begin();
+  question_.ask({fmt::format("{} Open {} all the same?", *lost, shownName(file.filename())),
+                 "stop and open", "go on"},
+                begin);
+}
+
+void Viewer::light(const std::filesystem::path& file) {
+  try {
+    takeEnvironment(file, session_);
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
+void Viewer::openDropped() {
+  for (const std::filesystem::path& file : window_.takeDropped()) {
+    if (isEnvironment(file)) {
+      light(file);
+    } else {
+      files_.close();
+      openFile(file);
+    }
+  }
+}
+
+void Viewer::takeFile(FileAnswer answer) {
+  if (answer.use == FileUse::OpenScene) return openFile(answer.file);
+  if (answer.use == FileUse::OpenEnvironment) return light(answer.file);
+  std::error_code error;
+  if (!answer.mayReplace && std::filesystem::exists(answer.file, error)) {
+    std::string text = fmt::format("{} is there already. Replace it?", shownName(answer.file));
+    answer.mayReplace = true;
+    question_.ask({std::move(text), "replace", "keep"}, [this, answer] { takeFile(answer); });
+    return;
+  }
+  session_.wanted = answer.use == FileUse::SavePicture ? Save::Picture
+                    : answer.use == FileUse::SaveExr   ? Save::Exr
+                    : answer.use == FileUse::SaveScene ? Save::Scene
+                                                       : Save::Film;
+  // In the window's own folder the name alone says where.
+  if (answer.file.parent_path() == std::filesystem::current_path(error)) {
+    answer.file = answer.file.filename();
+  }
+  session_.saveName = (answer.file.parent_path() / answer.file.stem()).string();
+  session_.saveTo = std::move(answer);
+}
+
+void Viewer::takeLoaded() {
+  // A film is of the scene it was begun with: another waits for its end.
+  if (dashboard_.area().empty() || stage_.isBusy() || saver_.filming()) return;
+  std::optional<Loader::Result> result = loader_.take();
+  if (!result) return;
+  if (!result->loaded) {
+    reaching_ = false;
+    return say(result->error, true);
+  }
+  try {
+    Session made = resizing_ ? resized(session_, std::move(*result))
+                             : opened(std::move(*result), options_.prepare);
+    dashboard_.layOut(made);
+    const Area& area = dashboard_.area();
+    if (!resizing_) {
+      showAll(made.scene, {made.options.clip, area.aspect(), made.sequence.get(),
+                           someMoments(lengthOfMotion(made), made.sequence.get())});
+    }
+    made.gizmos = session_.gizmos;
+    made.scaleBar = session_.scaleBar;
+    poke_.end();
+    stage_.setScene(made.scene);
+    session_ = std::move(made);
+    if (!resizing_) {
+      undo_.begin(editStateOf(session_));
+      reaching_ = false;
+    }
+    history_.clear();
+    framesTaken_ = stage_.framesFinished();
+    window_.setTitle(fmt::format("{} - Opaline", session_.name));
+  } catch (const Error& error) {
+    reaching_ = false;
+    say(error.what(), true);
+  }
+}
+
+// True a second time, when the window has been drawn with a sign that it will take a moment.
+bool Viewer::announce() {
+  announced_ = !announced_;
+  return !announced_;
+}
+
+void Viewer::save() {
+  const bool ofPicture = session_.wanted == Save::Picture || session_.wanted == Save::Exr ||
+                         session_.wanted == Save::Film;
+  if (saver_.filming() && ofPicture) {
+    say("a film is under way: no other picture can be saved before its end", true);
+    session_.wanted = Save::Nothing;
+  }
+  if (session_.wanted != Save::Nothing && (stage_.isBusy() || !announce())) return;
+  const Save wanted = std::exchange(session_.wanted, Save::Nothing);
+  if (wanted == Save::Nothing && !saver_.filming()) return;
+  if (wanted == Save::Film) {
+    poke_.end();
+    session_.playback.playing = session_.playback.turntable = false;
+  }
+  try {
+    stage_.finish();
+    const Area& area = dashboard_.area();
+    const auto [width, height] = session_.pictureSize.value_or(std::array{area.width, area.height});
+    if (const auto done = saver_.save(wanted, session_, width, height)) say(*done);
+    if (saver_.filming()) {
+      if (const auto done = saver_.step()) {
+        say(*done);
+        session_.edits.picture = true;
+      }
+    }
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+  session_.saveTo.reset();
+}
+
+void Viewer::startTruth() {
+  const TruthOrder::Method method = *std::exchange(session_.wantedTruth, std::nullopt);
+  const Area& area = dashboard_.area();
+  if (!stage_.hasScene() || area.empty()) return;
+  stage_.finish();
+  poke_.end();
+  placeBody();
+  try {
+    truth_.start(session_, renderer_, method, area.width, area.height);
+  } catch (const Error& error) {
+    say(error.what(), true);
+  }
+  session_.edits.picture = true;
+}
+
+void Viewer::saveTruth() {
+  const std::optional<TruthFile> what = std::exchange(session_.wantedTruthFile, std::nullopt);
+  if (!what) return;
+  const char* ending = *what == TruthFile::HeatMap ? "_heat_map.png"
+                       : *what == TruthFile::Exr   ? "_truth.exr"
+                                                   : "_truth.png";
+  try {
+    say(truth_.save(*what, {session_.saveName + ending, core::Existing::TakeNextName},
+                    session_.tone));
+  } catch (const std::exception& error) {
+    say(error.what(), true);
+  }
+}
+
+void Viewer::followTruth() {
+  if (std::exchange(session_.cancelTruth, false)) truth_.cancel();
+  if (session_.wantedTruth && !stage_.isBusy() && announce()) startTruth();
+  saveTruth();
+  if (truth_.update()) stayAwake();
+}
+
+}  // namespace opaline::app::viewer
