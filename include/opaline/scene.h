@@ -36,13 +36,13 @@ struct Object {
 /// Light from infinitely far away.
 struct DirectionalLight {
   Vec3 directionToLight{0, 0, 1};  ///< unit
-  Rgb irradiance{1, 1, 1};         ///< on a surface that faces the light, in [0, 1e9]
+  Rgb irradiance{1, 1, 1};         ///< on a surface that faces the light, in [0, 1e30]
 };
 
 /// Light from one point; irradiance on a facing surface is intensity / distance² (distance in mm).
 struct PointLight {
   Vec3 positionMm{};
-  Rgb intensity{1, 1, 1};  ///< in [0, 1e15]
+  Rgb intensity{1, 1, 1};  ///< in [0, 1e30]
 };
 
 /// Everything that shines.
@@ -52,7 +52,7 @@ struct Lighting {
 
   std::vector<DirectionalLight> directional;
   std::vector<PointLight> points;
-  Rgb ambient{};  ///< radiance, the same from everywhere, in [0, 1e9]
+  Rgb ambient{};  ///< radiance, the same from everywhere, in [0, 1e30]
   /// Radiance, latitude-longitude, top row is +y, centre column looks to -z, u grows towards +x;
   /// none: no environment. Shared by copies and never changed: another picture is another object.
   std::shared_ptr<const Image> environment;

@@ -13,9 +13,7 @@ namespace {
 
 constexpr Range scattering{0, 1e6, "per mm", true};
 constexpr Range absorption{0, 1e6, "per mm"};
-constexpr Range radiance{0, 1e9};
-// One metre is a thousand millimetres, and intensity goes with their square.
-constexpr Range intensity{0, 1e15};
+constexpr Range power{0, 1e30};
 
 }  // namespace
 
@@ -51,7 +49,7 @@ const std::vector<Field<Camera>>& fieldsOf() {
 template <>
 const std::vector<Field<DirectionalLight>>& fieldsOf() {
   static const std::vector<Field<DirectionalLight>> table{
-      field<DirectionalLight, &DirectionalLight::irradiance>("irradiance", {radiance},
+      field<DirectionalLight, &DirectionalLight::irradiance>("irradiance", {power},
                                                              "on a surface that faces it"),
   };
   return table;
@@ -60,7 +58,7 @@ const std::vector<Field<DirectionalLight>>& fieldsOf() {
 template <>
 const std::vector<Field<PointLight>>& fieldsOf() {
   static const std::vector<Field<PointLight>> table{
-      field<PointLight, &PointLight::intensity>("intensity", {intensity}, "irradiance at 1 mm"),
+      field<PointLight, &PointLight::intensity>("intensity", {power}, "irradiance at 1 mm"),
   };
   return table;
 }
@@ -68,7 +66,7 @@ const std::vector<Field<PointLight>>& fieldsOf() {
 template <>
 const std::vector<Field<Lighting>>& fieldsOf() {
   static const std::vector<Field<Lighting>> table{
-      field<Lighting, &Lighting::ambient>("radiance", {radiance}, "radiance from everywhere"),
+      field<Lighting, &Lighting::ambient>("radiance", {power}, "radiance from everywhere"),
   };
   return table;
 }
