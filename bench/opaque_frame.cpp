@@ -17,16 +17,13 @@
 #include "renderer/frame/light_views.h"
 #include "renderer/motion/scene_motion.h"
 #include "renderer/scene/scene_resources.h"
-#include "shaders/shaders.h"
+#include "shaders/lambert.comp.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/mesh.h"
 
 namespace opaline::bench {
 
 namespace {
-
-using gpu::Binding;
-using gpu::BindingType;
 
 std::uint32_t unsignedOf(int value) {
   return static_cast<std::uint32_t>(value);
@@ -45,16 +42,6 @@ shared::FrameData makeFrameData(const Scene& scene, const RenderOptions& options
   return frame;
 }
 
-gpu::Pipeline makeLambert(gpu::Device& device) {
-  return {device, gpu::ComputePipelineOptions{.name = "lambert",
-                                              .shader = shaders::shaders_lambert_comp,
-                                              .bindings = {{0, BindingType::UniformBuffer},
-                                                           {1, BindingType::SampledImage},
-                                                           {2, BindingType::SampledImage},
-                                                           {3, BindingType::SampledImage},
-                                                           {4, BindingType::StorageImage}}}};
-}
-
 }  // namespace
 
 class OpaqueFrame::Implementation {
@@ -66,7 +53,7 @@ class OpaqueFrame::Implementation {
         shadow_(device_),
         surface_(device_),
         nearest_(device_, gpu::Filter::Nearest),
-        lambert_(makeLambert(device_)),
+        lambert_(device_, "lambert"),
         scene_(scene),
         merged_(scene::mergedMesh(scene_)),
         resources_(makeSceneResources(device_, scene_, merged_, {})),
@@ -96,11 +83,11 @@ class OpaqueFrame::Implementation {
     surface_.record(commands_, {view_, resources_.mesh, charts_, {0, 0}, exitance_.vertices},
                     visible_);
     commands_.beginPass("lambert");
-    commands_.bind(lambert_);
-    commands_.bindResources(
-        {Binding::uniform(0, view_.data), Binding::sampled(1, visible_.position, nearest_),
-         Binding::sampled(2, visible_.normal, nearest_),
-         Binding::sampled(3, shadows_.depth, nearest_), Binding::writeImage(4, radiance_)});
+    commands_.bind(lambert_, {.frame = view_.data,
+                              .surfacePosition = {visible_.position, nearest_},
+                              .surfaceNormal = {visible_.normal, nearest_},
+                              .shadowMaps = {shadows_.depth, nearest_},
+                              .radiance = radiance_});
     commands_.dispatchTiles(radiance_);
     commands_.endPass();
     commands_.submit();
@@ -115,7 +102,7 @@ class OpaqueFrame::Implementation {
   passes::ShadowPass shadow_;
   passes::SurfacePass surface_;
   gpu::Sampler nearest_;
-  gpu::Pipeline lambert_;
+  gpu::Compute<shaders::Lambert> lambert_;
   Scene scene_;
   scene::MergedMesh merged_;
   SceneResources resources_;

@@ -1,46 +1,90 @@
 # opaline_shaders(<target> <file>...): compiles <name>.<stage>.glsl to SPIR-V and embeds it in the
-# static library <target>, declared in "shaders/shaders.h" as opaline::shaders::<name>_<stage>
-# (folders are part of the name, joined by _: gather/dsm.frag.glsl is gather_dsm_frag). An entry
-# <file>:<variant> is the file with VARIANT defined: boundary/beams.comp.glsl:ray_queries is
-# boundary_beams_ray_queries_comp.
+# static library <target>. "shaders/<name>.<stage>.h" (less folders of the name up to shaders/) is made
+# beside, see cmake/shader_interface.py: boundary/beams.comp.glsl is opaline::shaders::BoundaryBeams, and
+# scatter/surface.vert.glsl ScatterSurfaceVert. An entry <file>:<variant> after its file is the same
+# with VARIANT defined.
 
 find_program(GLSLC glslc REQUIRED)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+# boundary/beams, comp -> BoundaryBeams
+function(opaline_shader_type result name stage)
+  if(NOT stage STREQUAL comp)
+    string(APPEND name _${stage})
+  endif()
+  string(REGEX MATCHALL "[a-z0-9]+" words "${name}")
+  set(type)
+  foreach(word ${words})
+    string(SUBSTRING ${word} 0 1 first)
+    string(SUBSTRING ${word} 1 -1 rest)
+    string(TOUPPER ${first} first)
+    string(APPEND type ${first}${rest})
+  endforeach()
+  set(${result} ${type} PARENT_SCOPE)
+endfunction()
 
 function(opaline_shaders target)
-  set(header ${CMAKE_CURRENT_BINARY_DIR}/generated/shaders/shaders.h)
-  set(declarations "// Made by cmake/OpalineShaders.cmake.\n#pragma once\n\n#include <cstdint>\n#include <span>\n\nnamespace opaline::shaders {\n\n// Names follow the files'. NOLINTBEGIN\n")
-  set(sources)
+  set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
+  set(interface ${PROJECT_SOURCE_DIR}/cmake/shader_interface.py)
+  set(shared ${PROJECT_SOURCE_DIR}/src/shaders/shared)
+  set(files)
   foreach(entry ${ARGN})
-    string(REGEX MATCH "^(.*)\\.(vert|frag|comp)\\.glsl(:([a-z_]+))?$" matched ${entry})
+    string(REGEX MATCH "^((.*)\\.(vert|frag|comp)\\.glsl)(:([a-z_]+))?$" matched ${entry})
     if(NOT matched)
       message(FATAL_ERROR "A shader is named <name>.<vert|frag|comp>.glsl[:<variant>], not ${entry}")
     endif()
-    set(file ${CMAKE_MATCH_1}.${CMAKE_MATCH_2}.glsl)
-    set(stage ${CMAKE_MATCH_2})
-    set(define)
-    set(variant)
-    if(CMAKE_MATCH_4)
-      set(variant _${CMAKE_MATCH_4})
-      string(TOUPPER ${CMAKE_MATCH_4} define)
-      set(define -D${define})
+    if(NOT CMAKE_MATCH_5)
+      list(APPEND files ${CMAKE_MATCH_1})
+      set(variants_${CMAKE_MATCH_1})
     endif()
-    string(REPLACE "/" "_" name "${CMAKE_MATCH_1}${variant}_${stage}")
-    set(words ${CMAKE_CURRENT_BINARY_DIR}/generated/${name}.inc)
-    set(source ${CMAKE_CURRENT_BINARY_DIR}/generated/${name}.cpp)
-    add_custom_command(OUTPUT ${words}
-      COMMAND ${GLSLC} -fshader-stage=${stage} --target-env=vulkan1.3 -O -Werror -mfmt=num ${define}
-              -I ${CMAKE_CURRENT_SOURCE_DIR} -I ${PROJECT_SOURCE_DIR}/src/shaders -MD -MF ${words}.d -o ${words} ${CMAKE_CURRENT_SOURCE_DIR}/${file}
-      DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file} DEPFILE ${words}.d
-      COMMENT "Compiling shader ${entry}" VERBATIM)
-    file(GENERATE OUTPUT ${source} CONTENT
-      "#include \"shaders/shaders.h\"\n\nnamespace opaline::shaders {\n\nnamespace {\nconstexpr std::uint32_t words[] = {\n#include \"${words}\"\n};\n}  // namespace\n\nconst std::span<const std::uint32_t> ${name}(words);\n\n}  // namespace opaline::shaders\n")
-    set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${words})
-    string(APPEND declarations "extern const std::span<const std::uint32_t> ${name};\n")
-    list(APPEND sources ${source})
+    list(APPEND variants_${CMAKE_MATCH_1} "=${CMAKE_MATCH_5}")
   endforeach()
-  string(APPEND declarations "// NOLINTEND\n\n}  // namespace opaline::shaders\n")
-  file(CONFIGURE OUTPUT ${header} CONTENT "${declarations}" @ONLY)
-  add_library(${target} STATIC ${sources})
-  target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_BINARY_DIR}/generated)
+
+  set(sources)
+  set(layouts)
+  foreach(file ${files})
+    string(REGEX MATCH "^(.*shaders/)?(.*)\\.(vert|frag|comp)\\.glsl$" matched ${file})
+    set(path ${CMAKE_MATCH_2})
+    set(stage ${CMAKE_MATCH_3})
+    opaline_shader_type(type ${path} ${stage})
+    set(header ${generated}/shaders/${path}.${stage}.h)
+    set(layout ${generated}/${type}.layouts.h)
+    set(modules)
+    set(unoptimised)
+    foreach(variant ${variants_${file}})
+      string(SUBSTRING ${variant} 1 -1 variant)
+      set(define)
+      set(name ${type})
+      if(variant)
+        string(TOUPPER -D${variant} define)
+        string(APPEND name _${variant})
+      endif()
+      set(words ${generated}/${name}.inc)
+      set(spirv ${generated}/${name}.spv)
+      set(source ${generated}/${name}.cpp)
+      set(compile ${GLSLC} -fshader-stage=${stage} --target-env=vulkan1.3 -Werror ${define}
+        -I ${CMAKE_CURRENT_SOURCE_DIR} -I ${PROJECT_SOURCE_DIR}/src/shaders)
+      add_custom_command(OUTPUT ${words} ${spirv}
+        COMMAND ${compile} -O -mfmt=num -MD -MF ${words}.d -o ${words} ${CMAKE_CURRENT_SOURCE_DIR}/${file}
+        COMMAND ${compile} -O0 -o ${spirv} ${CMAKE_CURRENT_SOURCE_DIR}/${file}
+        DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file} DEPFILE ${words}.d
+        COMMENT "Compiling shader ${file} ${variant}" VERBATIM)
+      file(GENERATE OUTPUT ${source} CONTENT
+        "#include <cstdint>\n#include <span>\n\nnamespace opaline::shaders {\n\nnamespace {\nconstexpr std::uint32_t words[] = {\n#include \"${words}\"\n};\n}  // namespace\n\nextern const std::span<const std::uint32_t> words${name};\nconst std::span<const std::uint32_t> words${name}(words);\n\n}  // namespace opaline::shaders\n")
+      set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${words})
+      list(APPEND sources ${source})
+      list(APPEND modules ${variant}=words${name}=${spirv})
+      list(APPEND unoptimised ${spirv})
+    endforeach()
+    add_custom_command(OUTPUT ${header} ${layout}
+      COMMAND ${Python3_EXECUTABLE} ${interface} --type ${type} --shared ${shared} --header ${header} --layouts ${layout} ${modules}
+      DEPENDS ${interface} ${unoptimised} COMMENT "Reading the interface of ${file}" VERBATIM)
+    list(APPEND sources ${header} ${layout})
+    string(APPEND layouts "#include \"${layout}\"\n")
+  endforeach()
+  # Holds shared structs to the layouts that shaders give them.
+  file(CONFIGURE OUTPUT ${generated}/layouts.cpp CONTENT "${layouts}" @ONLY)
+  add_library(${target} STATIC ${sources} ${generated}/layouts.cpp)
+  target_include_directories(${target} PUBLIC ${generated})
   target_link_libraries(${target} PUBLIC opaline_shader_headers)
 endfunction()

@@ -1,76 +1,67 @@
+#include "gpu/binding.h"
+
 #include "gpu/acceleration_structure.h"
-#include "gpu/command_list.h"
+#include "gpu/buffer.h"
+#include "gpu/image.h"
 
 namespace opaline::gpu {
 
-Binding Binding::uniform(std::uint32_t slot, Buffer& buffer, std::size_t offset,
-                         std::size_t bytes) {
-  Binding binding;
-  binding.slot = slot;
-  binding.type = BindingType::UniformBuffer;
-  binding.access = Access::Uniform;
-  binding.buffer = &buffer;
-  binding.offset = offset;
-  binding.bytes = bytes;
-  return binding;
-}
+namespace {
 
-Binding Binding::read(std::uint32_t slot, Buffer& buffer) {
+Binding bufferAs(BindingType type, Access access, Buffer& buffer) {
   Binding binding;
-  binding.slot = slot;
-  binding.access = Access::StorageRead;
+  binding.type = type;
+  binding.access = access;
   binding.buffer = &buffer;
   return binding;
 }
 
-Binding Binding::write(std::uint32_t slot, Buffer& buffer) {
-  Binding binding = read(slot, buffer);
-  binding.access = Access::StorageWrite;
-  return binding;
-}
-
-Binding Binding::texels(std::uint32_t slot, Buffer& buffer) {
+Binding imageAs(BindingType type, Access access, GpuImage& image, VkImageView view) {
   Binding binding;
-  binding.slot = slot;
-  binding.type = BindingType::TexelBuffer;
-  binding.access = Access::Sampled;
-  binding.buffer = &buffer;
-  return binding;
-}
-
-Binding Binding::sampled(std::uint32_t slot, GpuImage& image, const Sampler& sampler) {
-  Binding binding;
-  binding.slot = slot;
-  binding.type = BindingType::SampledImage;
-  binding.access = Access::Sampled;
+  binding.type = type;
+  binding.access = access;
   binding.image = &image;
-  binding.view = image.view();
-  binding.sampler = sampler.handle();
+  binding.view = view;
   return binding;
 }
 
-Binding Binding::writeImage(std::uint32_t slot, GpuImage& image) {
-  return writeImageLevel(slot, image, 0);
+}  // namespace
+
+Binding Binding::at(std::uint32_t binding) const {
+  Binding bound = *this;
+  bound.slot = binding;
+  return bound;
 }
 
-Binding Binding::writeImageLevel(std::uint32_t slot, GpuImage& image, std::uint32_t level) {
-  Binding binding;
-  binding.slot = slot;
-  binding.type = BindingType::StorageImage;
-  binding.access = Access::StorageWrite;
-  binding.image = &image;
-  binding.view = image.levelView(level);
-  return binding;
+Uniform::Uniform(Buffer& from)
+    : Binding(bufferAs(BindingType::UniformBuffer, Access::Uniform, from)) {}
+
+Uniform::Uniform(Buffer& from, std::size_t firstByte, std::size_t count) : Uniform(from) {
+  offset = firstByte;
+  bytes = count;
 }
 
-Binding Binding::rays(std::uint32_t slot, AccelerationStructure& structure) {
-  Binding binding;
-  binding.slot = slot;
-  binding.type = BindingType::AccelerationStructure;
-  binding.access = Access::RayQuery;
-  binding.buffer = &structure.storage();
-  binding.structure = structure.handle();
-  return binding;
+Read::Read(Buffer& from)
+    : Binding(bufferAs(BindingType::StorageBuffer, Access::StorageRead, from)) {}
+
+Write::Write(Buffer& to)
+    : Binding(bufferAs(BindingType::StorageBuffer, Access::StorageWrite, to)) {}
+
+Texels::Texels(Buffer& from) : Binding(bufferAs(BindingType::TexelBuffer, Access::Sampled, from)) {}
+
+Sampled::Sampled(GpuImage& from, const Sampler& with)
+    : Binding(imageAs(BindingType::SampledImage, Access::Sampled, from, from.view())) {
+  sampler = with.handle();
+}
+
+WriteImage::WriteImage(GpuImage& to, std::uint32_t level)
+    : Binding(imageAs(BindingType::StorageImage, Access::StorageWrite, to, to.levelView(level))) {}
+
+TexelsOrRays::TexelsOrRays(Buffer& from) : Binding(Texels(from)) {}
+
+TexelsOrRays::TexelsOrRays(AccelerationStructure& through)
+    : Binding(bufferAs(BindingType::AccelerationStructure, Access::RayQuery, through.storage())) {
+  structure = through.handle();
 }
 
 }  // namespace opaline::gpu

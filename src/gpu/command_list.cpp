@@ -192,8 +192,9 @@ void CommandList::use(GpuImage& image, Access access) {
   flushBarriers();
 }
 
-void CommandList::bind(const Pipeline& pipeline) {
+void CommandList::bindPipeline(const Pipeline& pipeline) {
   assert(recording_ && pipeline);
+  if (pipeline_ == &pipeline) return;
   pipeline_ = &pipeline;
   vkCmdBindPipeline(commands_, pipeline.bindPoint(), pipeline.handle());
 }
@@ -219,6 +220,7 @@ void CommandList::orderBindings(std::span<const Binding> bindings) {
 
 void CommandList::bindResources(std::span<const Binding> bindings) {
   assert(recording_ && pipeline_ != nullptr && bindings.size() <= maxSlots);
+  if (bindings.empty()) return;
   orderBindings(bindings);
   std::array<VkWriteDescriptorSet, maxSlots> writes;
   std::array<VkDescriptorBufferInfo, maxSlots> buffers;
@@ -282,9 +284,8 @@ void CommandList::build(AccelerationStructure& structure, Buffer& corners, bool 
   structure.recordBodies(commands_);
 }
 
-void CommandList::pushConstants(const void* data, std::uint32_t bytes) {
-  assert(recording_ && pipeline_ != nullptr);
-  assert(bytes % 4 == 0 && bytes <= pipeline_->pushConstantBytes());
+void CommandList::pushBytes(const void* data, std::uint32_t bytes) {
+  assert(bytes == pipeline_->pushConstantBytes());
   vkCmdPushConstants(commands_, pipeline_->layout(), pipeline_->stages(), 0, bytes, data);
 }
 
@@ -295,19 +296,38 @@ void CommandList::dispatch(std::uint32_t groupsX, std::uint32_t groupsY, std::ui
   vkCmdDispatch(commands_, groupsX, groupsY, groupsZ);
 }
 
-void CommandList::dispatchLinear(std::uint32_t count) {
-  constexpr std::uint32_t groupSize = 64;
-  constexpr std::uint32_t row = 32768;  // groups; every device dispatches that many along an axis
-  const std::uint32_t groups = (count + groupSize - 1) / groupSize;
-  if (groups == 0) return;
-  const std::uint32_t rows = (groups + row - 1) / row;
-  dispatch((groups + rows - 1) / rows, rows);
+// Of one dispatch or draw. Displays' devices are reset when they do one thing for some 2 s; an
+// integrated one does 3e9 rounds a second at worst.
+constexpr std::uint64_t mostRounds = std::uint64_t{1} << 31U;
+
+void CommandList::dispatchRows(std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t rounds) {
+  const std::uint64_t ofRow = std::uint64_t{64} * groupsX * rounds;
+  const auto rows = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(
+      mostRounds / std::max<std::uint64_t>(ofRow, 1), 1, std::max(groupsY, 1U)));
+  assert(recording_ && !rendering_ && pipeline_ != nullptr);
+  assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
+  assert(boundIsCurrent());
+  for (std::uint32_t row = 0; row < groupsY; row += rows)
+    vkCmdDispatchBase(commands_, 0, row, 0, groupsX, std::min(rows, groupsY - row), 1);
 }
 
-void CommandList::dispatchTiles(const GpuImage& image) {
+void CommandList::dispatchLinear(std::uint32_t count, std::uint32_t rounds) {
+  constexpr std::uint32_t groupSize = 64;
+  constexpr std::uint32_t most = 32768;  // groups; every device dispatches that many along an axis
+  const std::uint32_t groups = (count + groupSize - 1) / groupSize;
+  if (groups == 0) return;
+  const std::uint64_t atOnce = mostRounds / (std::uint64_t{groupSize} * rounds);
+  const auto row = static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>(atOnce, (groups + most - 1) / most, most));
+  const std::uint32_t rows = (groups + row - 1) / row;
+  dispatchRows((groups + rows - 1) / rows, rows, rounds);
+}
+
+void CommandList::dispatchTiles(const GpuImage& image, std::uint32_t rounds) {
   constexpr std::uint32_t tileSize = 8;
   const VkExtent2D extent = image.extent();
-  dispatch((extent.width + tileSize - 1) / tileSize, (extent.height + tileSize - 1) / tileSize);
+  dispatchRows((extent.width + tileSize - 1) / tileSize, (extent.height + tileSize - 1) / tileSize,
+               rounds);
 }
 
 VkRenderingAttachmentInfo CommandList::attachment(const ColorTarget& target) {
@@ -369,6 +389,7 @@ void CommandList::beginRendering(std::span<const ColorTarget> colors, const Dept
   info.pDepthAttachment = depth != nullptr ? &depthInfo : nullptr;
   vkCmdBeginRendering(commands_, &info);
   rendering_ = true;
+  extent_ = extent;
   coverWith(extent);
 }
 
@@ -384,6 +405,18 @@ void CommandList::endRendering() {
   assert(recording_ && rendering_);
   vkCmdEndRendering(commands_);
   rendering_ = false;
+}
+
+void CommandList::drawEverywhere(std::uint32_t rounds) {
+  const std::uint64_t ofRow = std::uint64_t{extent_.width} * rounds;
+  const auto rows = static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>(mostRounds / std::max<std::uint64_t>(ofRow, 1), 1, extent_.height));
+  for (std::uint32_t row = 0; row < extent_.height; row += rows) {
+    const VkRect2D scissor{{0, static_cast<std::int32_t>(row)},
+                           {extent_.width, std::min(rows, extent_.height - row)}};
+    vkCmdSetScissor(commands_, 0, 1, &scissor);
+    draw(3);
+  }
 }
 
 void CommandList::draw(std::uint32_t vertices, std::uint32_t firstVertex) {

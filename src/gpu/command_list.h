@@ -8,9 +8,11 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "gpu/access.h"
+#include "gpu/binding.h"
 #include "gpu/buffer.h"
 #include "gpu/image.h"
 #include "gpu/pass_timer.h"
@@ -20,32 +22,6 @@ namespace opaline::gpu {
 
 class AccelerationStructure;
 class Device;
-
-/// A resource at a binding of the bound pipeline. Binding it is also what orders it: the command
-/// list records the barrier from its last access to the one named here.
-struct Binding {
-  static Binding uniform(std::uint32_t slot, Buffer& buffer, std::size_t offset = 0,
-                         std::size_t bytes = 0);  ///< bytes 0: the rest
-  static Binding read(std::uint32_t slot, Buffer& buffer);
-  static Binding write(std::uint32_t slot, Buffer& buffer);
-  /// Needs VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT.
-  static Binding texels(std::uint32_t slot, Buffer& buffer);
-  static Binding sampled(std::uint32_t slot, GpuImage& image, const Sampler& sampler);
-  static Binding writeImage(std::uint32_t slot, GpuImage& image);  ///< level 0, all layers
-  static Binding writeImageLevel(std::uint32_t slot, GpuImage& image, std::uint32_t level);
-  static Binding rays(std::uint32_t slot, AccelerationStructure& structure);
-
-  std::uint32_t slot = 0;
-  BindingType type = BindingType::StorageBuffer;
-  Access access = Access::None;
-  Buffer* buffer = nullptr;
-  std::size_t offset = 0;
-  std::size_t bytes = 0;
-  GpuImage* image = nullptr;
-  VkImageView view = VK_NULL_HANDLE;
-  VkSampler sampler = VK_NULL_HANDLE;
-  VkAccelerationStructureKHR structure = VK_NULL_HANDLE;
-};
 
 struct ColorTarget {
   GpuImage* image = nullptr;
@@ -91,28 +67,37 @@ class CommandList {
   /// From the first pass's begin to the last pass's end, ms.
   double frameMilliseconds();
 
-  /// The pipeline is not destroyed before the submission has finished.
-  void bind(const Pipeline& pipeline);
-  /// Of the bound pipeline. A resource may stand at several slots if the accesses agree. Inside a
-  /// rendering scope only for what needs no barrier: has been bound or used like this before.
-  void bindResources(std::span<const Binding> bindings);
-  void bindResources(std::initializer_list<Binding> bindings) {
-    bindResources(std::span<const Binding>(bindings.begin(), bindings.size()));
+  /// A pipeline with all that its shader reads and writes. It is not destroyed before the
+  /// submission has finished. A resource may stand at several bindings if the accesses agree.
+  /// Inside a rendering scope only with what needs no barrier: has been bound or used like this
+  /// before.
+  template <typename S>
+  void bind(const Compute<S>& pipeline, const typename S::Bindings& bindings,
+            const typename S::Push& push = {}) {
+    bindPipeline(pipeline);
+    bindResources(bindings.list());
+    pushConstants(push);
   }
-  void pushConstants(const void* data, std::uint32_t bytes);
-  template <typename T>
-  void pushConstants(const T& constants) {
-    pushConstants(&constants, static_cast<std::uint32_t>(sizeof(T)));
+  template <typename V, typename F>
+  void bind(const Graphics<V, F>& pipeline, const typename V::Bindings& ofVertices,
+            const typename F::Bindings& ofFragments,
+            const typename Graphics<V, F>::Push& push = {}) {
+    bindPipeline(pipeline);
+    bindResources(ofVertices.list());
+    bindResources(ofFragments.list());
+    pushConstants(push);
   }
-  /// Dispatches with no bindResources between them are not ordered.
+  /// Dispatches with no bind between them are not ordered.
   void dispatch(std::uint32_t groupsX, std::uint32_t groupsY = 1, std::uint32_t groupsZ = 1);
 
   /// At least `count` invocations of a shader with 64 in a group; see shaders/lib/linear.glsl.
-  void dispatchLinear(std::uint32_t count);
+  /// `rounds`: about how often one goes through its innermost loop at most. What might take a
+  /// device longer than a display waits for it goes by several dispatches, here and below.
+  void dispatchLinear(std::uint32_t count, std::uint32_t rounds = 1);
 
   /// An invocation for each pixel of an image at least, of a shader with 64 in a group that are a
   /// tile of 8×8.
-  void dispatchTiles(const GpuImage& image);
+  void dispatchTiles(const GpuImage& image, std::uint32_t rounds = 1);
 
   /// The targets become attachments (with their barriers); viewport and scissor cover all of them.
   void beginRendering(std::span<const ColorTarget> colors, const DepthTarget* depth = nullptr);
@@ -121,6 +106,8 @@ class CommandList {
     beginRendering(std::span<const ColorTarget>(colors.begin(), colors.size()), depth);
   }
   void endRendering();
+  /// A triangle that covers the targets; `rounds` of the fragment shader.
+  void drawEverywhere(std::uint32_t rounds);
   void draw(std::uint32_t vertices, std::uint32_t firstVertex = 0);
   /// 32-bit indices; ordered with use(indices, Access::Index) before beginRendering.
   void drawIndexed(Buffer& indices, std::uint32_t count);
@@ -147,7 +134,15 @@ class CommandList {
   void order(Buffer& buffer, AccessScope scope);
   void order(GpuImage& image, const AccessScope& scope);
   void flushBarriers();
+  void dispatchRows(std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t rounds);
+  void bindPipeline(const Pipeline& pipeline);
+  void bindResources(std::span<const Binding> bindings);
   void orderBindings(std::span<const Binding> bindings);
+  void pushBytes(const void* data, std::uint32_t bytes);
+  template <typename T>
+  void pushConstants(const T& constants) {
+    if constexpr (!std::is_empty_v<T>) pushBytes(&constants, static_cast<std::uint32_t>(sizeof(T)));
+  }
   bool boundIsCurrent() const;
   VkRenderingAttachmentInfo attachment(const ColorTarget& target);
   VkRenderingAttachmentInfo attachment(const DepthTarget& target);
@@ -163,6 +158,7 @@ class CommandList {
   bool submitted_ = false;
   bool inPass_ = false;
   bool rendering_ = false;
+  VkExtent2D extent_{};  // of the targets
 
   const Pipeline* pipeline_ = nullptr;
   // What is bound at each slot, graphics and compute apart.

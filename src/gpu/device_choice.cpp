@@ -66,6 +66,31 @@ bool hasSubgroupArithmetic(VkPhysicalDevice physical) {
          (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0;
 }
 
+VkFormatFeatureFlags featuresOf(VkPhysicalDevice physical, VkFormat format) {
+  VkFormatProperties properties{};
+  vkGetPhysicalDeviceFormatProperties(physical, format, &properties);
+  return properties.optimalTilingFeatures;
+}
+
+/// Of the formats and uses that Vulkan leaves open to devices.
+struct FormatNeed {
+  VkFormat format;
+  VkFormatFeatureFlags features;
+  const char* name;
+};
+
+constexpr FormatNeed formatNeeds[] = {
+    {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT,
+     "linear filtering of images of 32-bit floats"},
+    {VK_FORMAT_D32_SFLOAT,
+     VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT,
+     "depth maps of 32-bit floats"},
+};
+
+std::string joined(const std::string& list, const std::string& more) {
+  return list.empty() || more.empty() ? list + more : list + ", " + more;
+}
+
 std::string whatIsMissing(VkPhysicalDevice physical, std::uint32_t apiVersion) {
   if (apiVersion < VK_API_VERSION_1_3) {
     return fmt::format("Vulkan 1.3 (it has {}.{})", VK_API_VERSION_MAJOR(apiVersion),
@@ -74,8 +99,7 @@ std::string whatIsMissing(VkPhysicalDevice physical, std::uint32_t apiVersion) {
   std::string missing;
   const auto need = [&](bool there, const char* name) {
     if (there) return;
-    if (!missing.empty()) missing += ", ";
-    missing += name;
+    missing = joined(missing, name);
   };
   Features there;
   vkGetPhysicalDeviceFeatures2(physical, &there.base);
@@ -90,7 +114,10 @@ std::string whatIsMissing(VkPhysicalDevice physical, std::uint32_t apiVersion) {
   need(hasExtension(extensionsOf(physical), VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME),
        VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
   need(findQueueFamily(physical).has_value(), "a queue for graphics and compute");
-  return missing;
+  VkPhysicalDeviceProperties properties{};
+  vkGetPhysicalDeviceProperties(physical, &properties);
+  const auto formats = [&](VkFormat format) { return featuresOf(physical, format); };
+  return joined(joined(missing, lackOfRoom(properties.limits)), lackOfFormats(formats));
 }
 
 std::string lowered(std::string text) {
@@ -137,6 +164,20 @@ void Features::chainRayQueries() {
   structures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR;
   structures.pNext = &rayQueries;
   rayQueries.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR;
+}
+
+std::string lackOfRoom(const VkPhysicalDeviceLimits& limits) {
+  const std::uint32_t buffers = limits.maxPerStageDescriptorStorageBuffers;
+  if (buffers >= storageBuffersOfStage) return {};
+  return fmt::format("{} storage buffers in one shader (it has {})", storageBuffersOfStage,
+                     buffers);
+}
+
+std::string lackOfFormats(const std::function<VkFormatFeatureFlags(VkFormat)>& featuresOf) {
+  std::string lack;
+  for (const FormatNeed& need : formatNeeds)
+    if ((featuresOf(need.format) & need.features) != need.features) lack = joined(lack, need.name);
+  return lack;
 }
 
 std::optional<std::uint32_t> findQueueFamily(VkPhysicalDevice physical) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,14 @@ namespace opaline::gpu {
 
 /// Name, driver and type of a device, and what it lacks.
 DeviceInfo describe(VkPhysicalDevice physical, std::uint32_t index);
+
+/// Most storage buffers of a pass; Pipeline asserts it of each.
+constexpr std::uint32_t storageBuffersOfStage = 12;
+
+/// What a device lacks of limits and of features of formats, which it may have by `featuresOf`;
+/// empty: nothing.
+std::string lackOfRoom(const VkPhysicalDeviceLimits& limits);
+std::string lackOfFormats(const std::function<VkFormatFeatureFlags(VkFormat)>& featuresOf);
 
 /// A queue family that does graphics and compute (and so transfer).
 std::optional<std::uint32_t> findQueueFamily(VkPhysicalDevice physical);

@@ -2,11 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
 #include <utility>
 
 #include "gpu/device.h"
+#include "gpu/device_choice.h"
 #include "gpu/vulkan_result.h"
 #include "opaline/error.h"
 
@@ -19,11 +22,9 @@ constexpr std::size_t maxColors = 8;
 /// The values of constant_id 0, 1, 2, …; must outlive the pipeline's creation.
 class Specialization {
  public:
-  explicit Specialization(std::span<const std::uint32_t> values) {
-    for (std::uint32_t i = 0; i < values.size(); ++i) {
-      entries_.push_back({i, i * 4, sizeof(std::uint32_t)});
-    }
-    info_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), values.size_bytes(),
+  explicit Specialization(std::span<const std::byte> values) {
+    for (std::uint32_t i = 0; i * 4 < values.size(); ++i) entries_.push_back({i, i * 4, 4});
+    info_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), values.size(),
              values.data()};
   }
   const VkSpecializationInfo* info() const { return &info_; }
@@ -36,7 +37,8 @@ class Specialization {
 /// A shader module that lives as long as the creation of its pipeline.
 class ShaderModule {
  public:
-  ShaderModule(const Device& device, Spirv code, const std::string& name) : device_(device) {
+  ShaderModule(const Device& device, std::span<const std::uint32_t> code, const std::string& name)
+      : device_(device) {
     VkShaderModuleCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     info.codeSize = code.size_bytes();
@@ -89,21 +91,15 @@ VkPipelineDepthStencilStateCreateInfo depthOf(DepthMode mode) {
   return info;
 }
 
-VkPipelineColorBlendAttachmentState blendOf(bool additive) {
+VkPipelineColorBlendAttachmentState withoutBlending() {
   VkPipelineColorBlendAttachmentState blend{};
-  blend.blendEnable = additive ? VK_TRUE : VK_FALSE;
-  blend.srcColorBlendFactor = VK_BLEND_FACTOR_ONE;
-  blend.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
-  blend.colorBlendOp = VK_BLEND_OP_ADD;
-  blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-  blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-  blend.alphaBlendOp = VK_BLEND_OP_ADD;
   blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                          VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   return blend;
 }
 
-VkPipeline createGraphics(const Device& device, const GraphicsPipelineOptions& options,
+VkPipeline createGraphics(const Device& device, const std::string& name,
+                          const GraphicsOptions& options,
                           std::span<const VkPipelineShaderStageCreateInfo> stages,
                           VkPipelineLayout layout) {
   const auto colors = static_cast<std::uint32_t>(options.colorFormats.size());
@@ -128,7 +124,7 @@ VkPipeline createGraphics(const Device& device, const GraphicsPipelineOptions& o
   samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
   const VkPipelineDepthStencilStateCreateInfo depth = depthOf(options.depth);
   std::array<VkPipelineColorBlendAttachmentState, maxColors> blends;
-  blends.fill(blendOf(options.additive));
+  blends.fill(withoutBlending());
   VkPipelineColorBlendStateCreateInfo blending{};
   blending.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
   blending.attachmentCount = colors;
@@ -155,7 +151,7 @@ VkPipeline createGraphics(const Device& device, const GraphicsPipelineOptions& o
   info.layout = layout;
   VkPipeline pipeline = VK_NULL_HANDLE;
   check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-        fmt::format("create the pipeline \"{}\"", options.name));
+        fmt::format("create the pipeline \"{}\"", name));
   return pipeline;
 }
 
@@ -180,58 +176,73 @@ VkDescriptorType descriptorTypeOf(BindingType type) {
   return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
 
-Pipeline::Pipeline(Device& device, const ComputePipelineOptions& options) : Pipeline() {
+Pipeline::Pipeline(Device& device, const std::string& name, const Shader& shader,
+                   std::span<const std::byte> constants)
+    : Pipeline() {
   device_ = &device;
   bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
-  createLayout(options.name, options.bindings, options.pushConstantBytes);
-  const Specialization specialization(options.specialization);
-  const ShaderModule shader(device, options.shader, options.name);
+  createLayout(name, {&shader, 1});
+  const Specialization specialization(constants);
+  const ShaderModule module(device, shader.words, name);
   VkComputePipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-  info.stage = shader.stage(VK_SHADER_STAGE_COMPUTE_BIT, specialization);
+  info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT, specialization);
   info.layout = layout_;
+  info.flags = VK_PIPELINE_CREATE_DISPATCH_BASE_BIT;  // see CommandList::dispatchLinear
   check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_),
-        fmt::format("create the pipeline \"{}\"", options.name));
-  device.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline_), options.name);
+        fmt::format("create the pipeline \"{}\"", name));
+  device.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline_), name);
 }
 
-Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) : Pipeline() {
+Pipeline::Pipeline(Device& device, const std::string& name, const Shader& vertex,
+                   const Shader& fragment, const GraphicsOptions& options,
+                   std::span<const std::byte> constants)
+    : Pipeline() {
   assert(options.depth == DepthMode::Off || options.depthFormat != VK_FORMAT_UNDEFINED);
   assert(options.colorFormats.size() <= maxColors);
   if (options.colorFormats.size() > device.limits().maxColorAttachments) {
-    throw Error(fmt::format("the pass \"{}\" draws into {} targets at once, but {} can do {}",
-                            options.name, options.colorFormats.size(), device.info().name,
+    throw Error(fmt::format("the pass \"{}\" draws into {} targets at once, but {} can do {}", name,
+                            options.colorFormats.size(), device.info().name,
                             device.limits().maxColorAttachments));
   }
   device_ = &device;
   bindPoint_ = VK_PIPELINE_BIND_POINT_GRAPHICS;
-  createLayout(options.name, options.bindings, options.pushConstantBytes);
-  const Specialization specialization(options.specialization);
-  const ShaderModule vertex(device, options.vertexShader, options.name);
-  if (options.fragmentShader.empty()) {
-    const VkPipelineShaderStageCreateInfo stages[] = {
-        vertex.stage(VK_SHADER_STAGE_VERTEX_BIT, specialization)};
-    pipeline_ = createGraphics(device, options, stages, layout_);
-  } else {
-    const ShaderModule fragment(device, options.fragmentShader, options.name);
-    const VkPipelineShaderStageCreateInfo stages[] = {
-        vertex.stage(VK_SHADER_STAGE_VERTEX_BIT, specialization),
-        fragment.stage(VK_SHADER_STAGE_FRAGMENT_BIT, specialization)};
-    pipeline_ = createGraphics(device, options, stages, layout_);
+  const std::array shaders{vertex, fragment};
+  createLayout(name, shaders);
+  const Specialization specialization(constants);
+  const ShaderModule vertexModule(device, vertex.words, name);
+  std::vector<VkPipelineShaderStageCreateInfo> stages{
+      vertexModule.stage(VK_SHADER_STAGE_VERTEX_BIT, specialization)};
+  std::optional<ShaderModule> fragmentModule;
+  if (!fragment.words.empty()) {
+    fragmentModule.emplace(device, fragment.words, name);
+    stages.push_back(fragmentModule->stage(VK_SHADER_STAGE_FRAGMENT_BIT, specialization));
   }
-  device.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline_), options.name);
+  pipeline_ = createGraphics(device, name, options, stages, layout_);
+  device.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline_), name);
 }
 
-void Pipeline::createLayout(const std::string& name, std::span<const BindingSlot> bindings,
-                            std::uint32_t pushConstantBytes) {
-  assert(pushConstantBytes <= 128 && pushConstantBytes % 4 == 0);
-  pushConstantBytes_ = pushConstantBytes;
+void Pipeline::createLayout(const std::string& name, std::span<const Shader> shaders) {
   std::vector<VkDescriptorSetLayoutBinding> slots;
-  for (const BindingSlot& slot : bindings) {
-    assert(slot.binding < 32 && !hasSlot(slot.binding));
-    slots_ |= 1U << slot.binding;
-    slots.push_back({slot.binding, descriptorTypeOf(slot.type), 1, stages(), nullptr});
+  for (const Shader& shader : shaders) {
+    pushConstantBytes_ = std::max(pushConstantBytes_, shader.pushConstantBytes);
+    for (const BindingSlot& slot : shader.slots) {
+      const VkDescriptorType type = descriptorTypeOf(slot.type);
+      assert(slot.binding < 32);
+      if (hasSlot(slot.binding)) {
+        assert(std::any_of(slots.begin(), slots.end(), [&](const auto& other) {
+          return other.binding == slot.binding && other.descriptorType == type;
+        }));
+        continue;
+      }
+      slots_ |= 1U << slot.binding;
+      slots.push_back({slot.binding, type, 1, stages(), nullptr});
+    }
   }
+  assert(pushConstantBytes_ <= 128 && pushConstantBytes_ % 4 == 0);
+  assert(std::count_if(slots.begin(), slots.end(), [](const auto& slot) {
+           return slot.descriptorType == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+         }) <= storageBuffersOfStage);
   VkDescriptorSetLayoutCreateInfo setInfo{};
   setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
   setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
@@ -242,12 +253,12 @@ void Pipeline::createLayout(const std::string& name, std::span<const BindingSlot
   device_->setName(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT,
                    reinterpret_cast<std::uint64_t>(setLayout_), name);
 
-  const VkPushConstantRange range{stages(), 0, pushConstantBytes};
+  const VkPushConstantRange range{stages(), 0, pushConstantBytes_};
   VkPipelineLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
   info.setLayoutCount = 1;
   info.pSetLayouts = &setLayout_;
-  info.pushConstantRangeCount = pushConstantBytes > 0 ? 1 : 0;
+  info.pushConstantRangeCount = pushConstantBytes_ > 0 ? 1 : 0;
   info.pPushConstantRanges = &range;
   check(vkCreatePipelineLayout(device_->handle(), &info, nullptr, &layout_),
         fmt::format("create the layout of \"{}\"", name));

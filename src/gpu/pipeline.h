@@ -2,60 +2,30 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
+
+#include "gpu/binding.h"
+#include "gpu/shader.h"
 
 namespace opaline::gpu {
 
 class Device;
 
-/// A compiled shader, embedded in the program (see shaders/shaders.h).
-using Spirv = std::span<const std::uint32_t>;
-
-/// A TexelBuffer is read four floats at a time by texelFetch (samplerBuffer), which some devices do
-/// faster than reading storage buffers.
-enum class BindingType {
-  UniformBuffer,
-  StorageBuffer,
-  TexelBuffer,
-  SampledImage,
-  StorageImage,
-  AccelerationStructure
-};
-
 VkDescriptorType descriptorTypeOf(BindingType type);
-
-/// `binding` of set 0, below 32, visible to every stage.
-struct BindingSlot {
-  std::uint32_t binding = 0;
-  BindingType type = BindingType::StorageBuffer;
-};
-
-struct ComputePipelineOptions {
-  std::string name;
-  Spirv shader;
-  std::vector<BindingSlot> bindings;
-  std::uint32_t pushConstantBytes = 0;        ///< at most 128
-  std::vector<std::uint32_t> specialization;  ///< value of constant_id 0, 1, 2, …
-};
 
 enum class CullMode { None, Front, Back };
 enum class DepthMode { Off, Write, TestEqual, Test };
 
-struct GraphicsPipelineOptions {
-  std::string name;
-  Spirv vertexShader;
-  Spirv fragmentShader;  ///< may be empty: depth only
-  std::vector<BindingSlot> bindings;
-  std::uint32_t pushConstantBytes = 0;        ///< at most 128
-  std::vector<std::uint32_t> specialization;  ///< of both stages
+struct GraphicsOptions {
   std::vector<VkFormat> colorFormats;
   VkFormat depthFormat = VK_FORMAT_UNDEFINED;
   DepthMode depth = DepthMode::Off;  ///< reversed depth: Write passes what is nearer
   CullMode cull = CullMode::None;    ///< front is counter-clockwise as seen
-  bool additive = false;             ///< colour is added to what is there
 };
 
 /// A pipeline without vertex input (vertices are pulled from storage buffers), with dynamic
@@ -63,8 +33,6 @@ struct GraphicsPipelineOptions {
 class Pipeline {
  public:
   Pipeline() = default;
-  Pipeline(Device& device, const ComputePipelineOptions& options);
-  Pipeline(Device& device, const GraphicsPipelineOptions& options);
   ~Pipeline();
   Pipeline(Pipeline&& other) noexcept;
   Pipeline& operator=(Pipeline&& other) noexcept;
@@ -79,9 +47,16 @@ class Pipeline {
   std::uint32_t pushConstantBytes() const { return pushConstantBytes_; }
   bool hasSlot(std::uint32_t slot) const { return slot < 32 && (slots_ >> slot & 1U) != 0; }
 
+ protected:
+  /// `constants`: values of constant_id 0, 1, 2, …, four bytes each, of all stages.
+  Pipeline(Device& device, const std::string& name, const Shader& shader,
+           std::span<const std::byte> constants);
+  /// A fragment shader without words is none.
+  Pipeline(Device& device, const std::string& name, const Shader& vertex, const Shader& fragment,
+           const GraphicsOptions& options, std::span<const std::byte> constants);
+
  private:
-  void createLayout(const std::string& name, std::span<const BindingSlot> bindings,
-                    std::uint32_t pushConstantBytes);
+  void createLayout(const std::string& name, std::span<const Shader> shaders);
   void swap(Pipeline& other) noexcept;
 
   Device* device_ = nullptr;
@@ -91,6 +66,40 @@ class Pipeline {
   VkPipelineBindPoint bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
   std::uint32_t pushConstantBytes_ = 0;
   std::uint32_t slots_ = 0;  // bit n: binding n is there
+};
+
+template <typename Constants>
+std::span<const std::byte> wordsOf(const Constants& constants) {
+  if constexpr (std::is_empty_v<Constants>)
+    return {};
+  else
+    return std::as_bytes(std::span(&constants, 1));
+}
+
+/// A pipeline of the compute shader S; see gpu/shader.h.
+template <typename S>
+class Compute : public Pipeline {
+ public:
+  Compute(Device& device, const std::string& name, const typename S::Constants& constants = {})
+      : Compute(device, name, S::shader(), constants) {}
+  /// Of a variant of S.
+  Compute(Device& device, const std::string& name, const Shader& variant,
+          const typename S::Constants& constants = {})
+      : Pipeline(device, name, variant, wordsOf(constants)) {}
+};
+
+/// A pipeline of the vertex shader V and the fragment shader F, which has the constants.
+template <typename V, typename F = NoFragment>
+class Graphics : public Pipeline {
+ public:
+  static_assert(std::is_empty_v<typename V::Constants>);
+  static_assert(std::is_empty_v<typename V::Push> || std::is_empty_v<typename F::Push>);
+  using Push =
+      std::conditional_t<std::is_empty_v<typename V::Push>, typename F::Push, typename V::Push>;
+
+  Graphics(Device& device, const std::string& name, const GraphicsOptions& options,
+           const typename F::Constants& constants = {})
+      : Pipeline(device, name, V::shader(), F::shader(), options, wordsOf(constants)) {}
 };
 
 }  // namespace opaline::gpu

@@ -3,28 +3,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 #include "gpu/buffer.h"
 #include "gpu/command_list.h"
 #include "gpu/device.h"
-#include "gpu/pipeline.h"
+#include "gpu/shader.h"
 #include "passes/products.h"
 
 /// What passes are put together from.
 namespace opaline::passes {
-
-/// Slots 0 to `count` - 1: storage buffers but for those listed, which are texel buffers.
-inline std::vector<gpu::BindingSlot> slots(std::uint32_t count,
-                                           std::initializer_list<std::uint32_t> texels = {}) {
-  std::vector<gpu::BindingSlot> made;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const bool texel = std::find(texels.begin(), texels.end(), i) != texels.end();
-    made.push_back({i, texel ? gpu::BindingType::TexelBuffer : gpu::BindingType::StorageBuffer});
-  }
-  return made;
-}
 
 /// Of what shaders write, and read as storage or texels.
 constexpr VkBufferUsageFlags roomUsage =
@@ -37,17 +25,20 @@ gpu::Buffer makeRoom(gpu::Device& device, const char* name, std::size_t count) {
           {.name = name, .bytes = std::max<std::size_t>(count, 1) * sizeof(T), .usage = roomUsage}};
 }
 
-/// BINDING_RAYS of shaders with lib/rays.glsl, which are to be the variant with ray queries where
-/// the device has them.
-inline gpu::BindingSlot raysSlot(const gpu::Device& device, std::uint32_t slot) {
-  return {slot, device.hasRayQueries() ? gpu::BindingType::AccelerationStructure
-                                       : gpu::BindingType::TexelBuffer};
+/// Of the shader S with lib/rays.glsl, the variant with ray queries where the device has them.
+template <typename S>
+gpu::Shader rayShader(const gpu::Device& device) {
+  return device.hasRayQueries() ? S::shaderRayQueries() : S::shader();
 }
 
-inline gpu::Binding rays(std::uint32_t slot, RayHierarchy& hierarchy) {
-  return hierarchy.structure ? gpu::Binding::rays(slot, hierarchy.structure)
-                             : gpu::Binding::texels(slot, hierarchy.boxes);
+/// What that shader sends rays through.
+inline gpu::TexelsOrRays rays(RayHierarchy& hierarchy) {
+  if (hierarchy.structure) return hierarchy.structure;
+  return hierarchy.boxes;
 }
+
+/// Rounds of an invocation that walks a tree, or sends a ray through one: some hundreds.
+constexpr std::uint32_t roundsOfWalk = 1024;
 
 /// A tree's nodes of one height, as its list by height has them.
 struct NodeRange {

@@ -7,7 +7,11 @@
 #include "gpu/helpers.h"
 #include "gpu/pipeline.h"
 #include "gpu/transfer.h"
-#include "shaders/shaders.h"
+#include "shaders/add.comp.h"
+#include "shaders/fill_image.comp.h"
+#include "shaders/invocations.comp.h"
+#include "shaders/scale.comp.h"
+#include "shaders/tiles.comp.h"
 
 namespace opaline::gpu {
 namespace {
@@ -21,10 +25,6 @@ Buffer zeros(Device& device, const char* name, std::size_t count) {
 }
 
 TEST_F(ComputeTest, PushConstantsSpecializationUniformsAndBuffersArrive) {
-  struct Push {
-    std::uint32_t factor;
-    std::uint32_t count;
-  };
   constexpr std::uint32_t count = 1000;
   std::vector<std::uint32_t> values(count);
   std::iota(values.begin(), values.end(), 0U);
@@ -34,24 +34,15 @@ TEST_F(ComputeTest, PushConstantsSpecializationUniformsAndBuffersArrive) {
   ring.push(std::array<std::uint32_t, 4>{1, 1, 1, 1});
   const std::size_t offset = ring.push(std::array<std::uint32_t, 4>{100'000, 0, 0, 0});
 
-  ComputePipelineOptions options;
-  options.name = "scale";
-  options.shader = shaders::shaders_scale_comp;
-  options.bindings = {{0, BindingType::StorageBuffer},
-                      {1, BindingType::StorageBuffer},
-                      {2, BindingType::UniformBuffer}};
-  options.pushConstantBytes = sizeof(Push);
-  options.specialization = {32, 7};  // work-group size, addend
-  const Pipeline pipeline(device(), options);
+  constexpr std::uint32_t groupSize = 32;
+  const Compute<shaders::Scale> pipeline(device(), "scale", {.groupSize = groupSize, .addend = 7});
 
   CommandList list(device(), "compute");
   for (std::uint32_t frame = 1; frame <= 3; ++frame) {  // the list is used again and again
     list.begin();
-    list.bind(pipeline);
-    list.bindResources({Binding::read(0, input), Binding::write(1, output),
-                        Binding::uniform(2, ring.buffer(), offset, 16)});
-    list.pushConstants(Push{frame, count});
-    list.dispatch((count + 31) / 32);
+    list.bind(pipeline, {.values = input, .results = output, .offset = {ring.buffer(), offset, 16}},
+              {.factor = frame, .count = count});
+    list.dispatch((count + groupSize - 1) / groupSize);
     list.submit();
     list.wait();
     const auto results = readAs<std::uint32_t>(device(), output);
@@ -67,22 +58,15 @@ TEST_F(ComputeTest, DispatchesSeeWhatEarlierOnesWrote) {
   std::iota(values.begin(), values.end(), 0U);
   Buffer a = makeBuffer(device(), "a", values, storage);
   Buffer b = zeros(device(), "b", count);
-  ComputePipelineOptions options;
-  options.name = "turn around";
-  options.shader = shaders::shaders_add_comp;
-  options.bindings = {{0, BindingType::StorageBuffer}, {3, BindingType::StorageBuffer}};
-  options.pushConstantBytes = 4;
-  const Pipeline pipeline(device(), options);
+  const Compute<shaders::Add> pipeline(device(), "turn around");
 
   CommandList list(device(), "chain");
   list.begin();
-  list.bind(pipeline);
-  list.pushConstants(count);
   constexpr std::uint32_t turns = 10;
   for (std::uint32_t i = 0; i < turns; ++i) {
     Buffer& from = i % 2 == 0 ? a : b;
     Buffer& to = i % 2 == 0 ? b : a;
-    list.bindResources({Binding::read(0, from), Binding::write(3, to)});
+    list.bind(pipeline, {.values = from, .results = to}, {.count = count});
     list.dispatch(count / 64);
   }
   list.submit();
@@ -94,31 +78,49 @@ TEST_F(ComputeTest, DispatchesSeeWhatEarlierOnesWrote) {
 TEST_F(ComputeTest, OneBufferMayStandAtTwoSlots) {
   Buffer input = makeBuffer(device(), "both", std::vector<std::uint32_t>(64, 3U), storage);
   Buffer output = zeros(device(), "output", 64);
-  ComputePipelineOptions options;
-  options.name = "scale in place";
-  options.shader = shaders::shaders_scale_comp;
-  options.bindings = {{0, BindingType::StorageBuffer},
-                      {1, BindingType::StorageBuffer},
-                      {2, BindingType::UniformBuffer}};
-  options.pushConstantBytes = 8;
-  options.specialization = {64, 0};
-  const Pipeline pipeline(device(), options);
+  const Compute<shaders::Scale> pipeline(device(), "scale in place",
+                                         {.groupSize = 64, .addend = 0});
   Buffer offset = makeBuffer(device(), "offset", std::vector<std::uint32_t>(4, 1U),
                              storage | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
   CommandList list(device(), "twice");
   list.begin();
-  list.bind(pipeline);
-  list.pushConstants(std::array<std::uint32_t, 2>{2, 64});
-  list.bindResources(
-      {Binding::read(0, input), Binding::write(1, input), Binding::uniform(2, offset)});
+  list.bind(pipeline, {.values = input, .results = input, .offset = offset},
+            {.factor = 2, .count = 64});
   list.dispatch(1);
-  list.bindResources(
-      {Binding::read(0, input), Binding::write(1, output), Binding::uniform(2, offset)});
+  list.bind(pipeline, {.values = input, .results = output, .offset = offset},
+            {.factor = 2, .count = 64});
   list.dispatch(1);
   list.submit();
   list.wait();
   EXPECT_EQ(readAs<std::uint32_t>(device(), input), std::vector<std::uint32_t>(64, 7U));
   EXPECT_EQ(readAs<std::uint32_t>(device(), output), std::vector<std::uint32_t>(64, 15U));
+}
+
+// However many dispatches long work is cut into: each invocation runs once.
+TEST_F(ComputeTest, LongWorkIsCutWithoutGapsOrOverlaps) {
+  const Compute<shaders::Invocations> invocations(device(), "invocations");
+  const Compute<shaders::Tiles> tiles(device(), "tiles");
+  for (const std::uint32_t rounds : {1U, 1U << 12U, 1U << 20U, ~0U}) {
+    constexpr std::uint32_t count = 100'001;
+    Buffer runs = zeros(device(), "runs", count);
+    GpuImage image(device(),
+                   {.name = "runs",
+                    .width = 250,
+                    .height = 131,
+                    .format = VK_FORMAT_R32_SFLOAT,
+                    .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                             VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    uploadImage(device(), image, bytesOf(std::vector<float>(std::size_t{250} * 131)));
+    CommandList list(device(), "cut");
+    list.begin();
+    list.bind(invocations, {.runs = runs}, {.count = count});
+    list.dispatchLinear(count, rounds);
+    list.bind(tiles, {.runs = image});
+    list.dispatchTiles(image, rounds);
+    list.submit();
+    EXPECT_EQ(readAs<std::uint32_t>(device(), runs), std::vector<std::uint32_t>(count, 1U));
+    EXPECT_EQ(readAs<float>(device(), image, 4), std::vector<float>(std::size_t{250} * 131, 1.0F));
+  }
 }
 
 TEST_F(ComputeTest, StorageImageIsWritten) {
@@ -130,17 +132,12 @@ TEST_F(ComputeTest, StorageImageIsWritten) {
   options.format = VK_FORMAT_R32G32B32A32_SFLOAT;
   options.usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   GpuImage image(device(), options);
-  ComputePipelineOptions pipelineOptions;
-  pipelineOptions.name = "fill image";
-  pipelineOptions.shader = shaders::shaders_fill_image_comp;
-  pipelineOptions.bindings = {{0, BindingType::StorageImage}};
-  const Pipeline pipeline(device(), pipelineOptions);
+  const Compute<shaders::FillImage> pipeline(device(), "fill image");
   CommandList list(device(), "fill");
   list.begin();
-  list.bind(pipeline);
-  list.bindResources({Binding::writeImage(0, image)});
+  list.bind(pipeline, {.result = image});
   list.dispatch(3, 2);
-  list.bindResources({Binding::writeImageLevel(0, image, 1)});
+  list.bind(pipeline, {.result = {image, 1}});
   list.dispatch(2, 1);
   list.submit();
   for (std::uint32_t level = 0; level < 2; ++level) {

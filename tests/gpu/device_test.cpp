@@ -83,6 +83,32 @@ TEST(DeviceChoice, SaysWhatToInstallWhenThereIsNoDevice) {
             std::string::npos);
 }
 
+// What Vulkan promises of every device is not enough.
+TEST(DeviceChoice, SaysWhichLimitsAreTooLow) {
+  VkPhysicalDeviceLimits limits{};
+  limits.maxPerStageDescriptorStorageBuffers = 4;
+  EXPECT_EQ(lackOfRoom(limits), "12 storage buffers in one shader (it has 4)");
+  limits.maxPerStageDescriptorStorageBuffers = 12;
+  EXPECT_EQ(lackOfRoom(limits), "");
+}
+
+TEST(DeviceChoice, SaysWhichUsesOfFormatsAreMissing) {
+  constexpr VkFormatFeatureFlags everything = ~VkFormatFeatureFlags{0};
+  EXPECT_EQ(lackOfFormats([](VkFormat) { return everything; }), "");
+  const auto without = [](VkFormat lacking, VkFormatFeatureFlags feature) {
+    return lackOfFormats(
+        [=](VkFormat format) { return format == lacking ? everything & ~feature : everything; });
+  };
+  EXPECT_EQ(
+      without(VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT),
+      "linear filtering of images of 32-bit floats");
+  EXPECT_EQ(without(VK_FORMAT_D32_SFLOAT, VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT),
+            "depth maps of 32-bit floats");
+  // Nothing is blended.
+  EXPECT_EQ(without(VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT),
+            "");
+}
+
 using DeviceTest = GpuTest;
 
 TEST_F(DeviceTest, ListsTheDeviceThatItOpens) {

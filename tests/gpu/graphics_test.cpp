@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <bit>
 #include <vector>
 
 #include "gpu/command_list.h"
@@ -9,7 +8,9 @@
 #include "gpu/helpers.h"
 #include "gpu/pipeline.h"
 #include "gpu/transfer.h"
-#include "shaders/shaders.h"
+#include "shaders/colors.frag.h"
+#include "shaders/triangles.vert.h"
+#include "shaders/two_targets.frag.h"
 
 namespace opaline::gpu {
 namespace {
@@ -38,6 +39,8 @@ std::vector<Vertex> everywhere(float depth, Color color) {
   return {{{-1, -1, depth, 1}, color}, {{-1, 3, depth, 1}, color}, {{3, -1, depth, 1}, color}};
 }
 
+using Triangles = Graphics<shaders::TrianglesVert, shaders::ColorsFrag>;
+
 class GraphicsTest : public GpuTest {
  protected:
   static GpuImage image(const char* name, VkFormat format) {
@@ -56,16 +59,6 @@ class GraphicsTest : public GpuTest {
     return makeBuffer(device(), "vertices", triangles, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   }
 
-  static GraphicsPipelineOptions options() {
-    GraphicsPipelineOptions options;
-    options.name = "triangles";
-    options.vertexShader = shaders::shaders_triangles_vert;
-    options.fragmentShader = shaders::shaders_colors_frag;
-    options.bindings = {{0, BindingType::StorageBuffer}};
-    options.colorFormats = {color32};
-    return options;
-  }
-
   static std::vector<Color> colors(GpuImage& image) { return readAs<Color>(device(), image, 16); }
 };
 
@@ -77,14 +70,13 @@ TEST_F(GraphicsTest, TriangleLandsWhereItBelongsInColorAndDepth) {
   GpuImage color = image("color", color32);
   GpuImage depth = image("depth", depth32);
   Buffer triangle = vertices(upperLeft(0.25F, green));
-  GraphicsPipelineOptions pipelineOptions = options();
+  GraphicsOptions pipelineOptions{.colorFormats = {color32}};
   pipelineOptions.depthFormat = depth32;
   pipelineOptions.depth = DepthMode::Write;
-  const Pipeline pipeline(device(), pipelineOptions);
+  const Triangles pipeline(device(), "triangles", pipelineOptions);
   CommandList list(device(), "frame");
   list.begin();
-  list.bind(pipeline);
-  list.bindResources({Binding::read(0, triangle)});
+  list.bind(pipeline, {.vertices = triangle}, {});
   const DepthTarget depthTarget{&depth};
   list.beginRendering({ColorTarget{&color}}, &depthTarget);
   list.draw(3);
@@ -115,15 +107,14 @@ TEST_F(GraphicsTest, FrontIsCounterClockwiseAsSeen) {
   Buffer clockwiseBuffer = vertices(clockwise);
   for (const Case& row : {Case{CullMode::None, true, true}, Case{CullMode::Back, true, false},
                           Case{CullMode::Front, false, true}}) {
-    GraphicsPipelineOptions pipelineOptions = options();
+    GraphicsOptions pipelineOptions{.colorFormats = {color32}};
     pipelineOptions.cull = row.cull;
-    const Pipeline pipeline(device(), pipelineOptions);
+    const Triangles pipeline(device(), "triangles", pipelineOptions);
     const auto isDrawn = [&](Buffer& triangle) {
       GpuImage color = image("color", color32);
       CommandList list(device(), "frame");
       list.begin();
-      list.bind(pipeline);
-      list.bindResources({Binding::read(0, triangle)});
+      list.bind(pipeline, {.vertices = triangle}, {});
       list.beginRendering({ColorTarget{&color}});
       list.draw(3);
       list.endRendering();
@@ -152,28 +143,26 @@ TEST_F(GraphicsTest, DepthModesCompareAndWriteAsTheyAreNamed) {
       {DepthMode::TestEqual, 0.75F, false, 0.5F}, {DepthMode::TestEqual, 0.5F, true, 0.5F},
       {DepthMode::TestEqual, 0.25F, false, 0.5F}, {DepthMode::Off, 0.25F, true, 0.5F},
   };
-  GraphicsPipelineOptions firstOptions = options();
+  GraphicsOptions firstOptions{.colorFormats = {color32}};
   firstOptions.depthFormat = depth32;
   firstOptions.depth = DepthMode::Write;
-  const Pipeline first(device(), firstOptions);
+  const Triangles first(device(), "triangles", firstOptions);
   Buffer ground = vertices(everywhere(0.5F, red));
   GpuImage color = image("color", color32);
   GpuImage depth = image("depth", depth32);
   CommandList list(device(), "frame");
   for (const Case& row : cases) {
-    GraphicsPipelineOptions secondOptions = firstOptions;
+    GraphicsOptions secondOptions = firstOptions;
     secondOptions.depth = row.mode;
-    const Pipeline second(device(), secondOptions);
+    const Triangles second(device(), "triangles", secondOptions);
     Buffer cover = vertices(everywhere(row.depth, green));
     list.begin();
-    list.bind(first);
-    list.bindResources({Binding::read(0, ground)});
+    list.bind(first, {.vertices = ground}, {});
     const DepthTarget cleared{&depth};
     list.beginRendering({ColorTarget{&color}}, &cleared);
     list.draw(3);
     list.endRendering();
-    list.bind(second);
-    list.bindResources({Binding::read(0, cover)});
+    list.bind(second, {.vertices = cover}, {});
     DepthTarget kept{&depth};
     kept.clear = false;
     kept.write = row.mode == DepthMode::Write;
@@ -189,42 +178,16 @@ TEST_F(GraphicsTest, DepthModesCompareAndWriteAsTheyAreNamed) {
   }
 }
 
-TEST_F(GraphicsTest, AdditiveBlendingAddsWhatOverlaps) {
-  GraphicsPipelineOptions pipelineOptions = options();
-  pipelineOptions.additive = true;
-  const Pipeline pipeline(device(), pipelineOptions);
-  std::vector<Vertex> both = everywhere(0, Color{0.5F, 1, -0.25F, 0.125F});
-  for (const Vertex& vertex : upperLeft(0, Color{1, 2, 3, 4})) both.push_back(vertex);
-  Buffer triangles = vertices(both);
-  GpuImage color = image("color", color32);
-  CommandList list(device(), "frame");
-  list.begin();
-  list.bind(pipeline);
-  list.bindResources({Binding::read(0, triangles)});
-  ColorTarget target{&color};
-  target.clearValue[0] = 10;
-  list.beginRendering({target});
-  list.draw(6);
-  list.endRendering();
-  list.submit();
-  const auto seen = colors(color);
-  EXPECT_EQ(at(seen, 1, 1), (Color{11.5F, 3, 2.75F, 4.125F}));
-  EXPECT_EQ(at(seen, side - 1, side - 1), (Color{10.5F, 1, -0.25F, 0.125F}));
-}
-
 TEST_F(GraphicsTest, SeveralTargetsHaveTheirOwnClearValuesAndOutputs) {
-  GraphicsPipelineOptions pipelineOptions = options();
-  pipelineOptions.fragmentShader = shaders::shaders_two_targets_frag;
-  pipelineOptions.colorFormats = {color32, VK_FORMAT_R32G32_SFLOAT};
-  pipelineOptions.specialization = {std::bit_cast<std::uint32_t>(3.0F)};
-  const Pipeline pipeline(device(), pipelineOptions);
+  const Graphics<shaders::TrianglesVert, shaders::TwoTargetsFrag> pipeline(
+      device(), "two targets", {.colorFormats = {color32, VK_FORMAT_R32G32_SFLOAT}},
+      {.scale = 3.0F});
   Buffer triangle = vertices(upperLeft(0, Color{0.5F, 0.25F, 0, 1}));
   GpuImage first = image("first", color32);
   GpuImage second = image("second", VK_FORMAT_R32G32_SFLOAT);
   CommandList list(device(), "frame");
   list.begin();
-  list.bind(pipeline);
-  list.bindResources({Binding::read(0, triangle)});
+  list.bind(pipeline, {.vertices = triangle}, {});
   const ColorTarget targets[] = {{&first, 0, true, {1, 2, 3, 4}}, {&second, 0, true, {5, 6, 0, 0}}};
   list.beginRendering(targets);
   list.draw(3);
@@ -240,18 +203,13 @@ TEST_F(GraphicsTest, SeveralTargetsHaveTheirOwnClearValuesAndOutputs) {
 }
 
 TEST_F(GraphicsTest, DepthAloneNeedsNoFragmentShader) {
-  GraphicsPipelineOptions pipelineOptions = options();
-  pipelineOptions.fragmentShader = {};
-  pipelineOptions.colorFormats.clear();
-  pipelineOptions.depthFormat = depth32;
-  pipelineOptions.depth = DepthMode::Write;
-  const Pipeline pipeline(device(), pipelineOptions);
+  const Graphics<shaders::TrianglesVert> pipeline(
+      device(), "depth", {.depthFormat = depth32, .depth = DepthMode::Write});
   Buffer triangle = vertices(upperLeft(0.125F, none));
   GpuImage depth = image("depth", depth32);
   CommandList list(device(), "frame");
   list.begin();
-  list.bind(pipeline);
-  list.bindResources({Binding::read(0, triangle)});
+  list.bind(pipeline, {.vertices = triangle}, {});
   DepthTarget target{&depth};
   target.clearValue = 0.0625F;
   list.beginRendering({}, &target);
@@ -263,21 +221,36 @@ TEST_F(GraphicsTest, DepthAloneNeedsNoFragmentShader) {
   EXPECT_EQ(depths.back(), 0.0625F);
 }
 
+TEST_F(GraphicsTest, LongDrawsAreCutWithoutGaps) {
+  Buffer all = vertices(everywhere(0, green));
+  const Triangles pipeline(device(), "triangles", {.colorFormats = {color32}});
+  for (const std::uint32_t rounds : {1U, 1U << 25U, ~0U}) {
+    GpuImage color = image("color", color32);
+    CommandList list(device(), "frame");
+    list.begin();
+    list.bind(pipeline, {.vertices = all}, {});
+    list.beginRendering({ColorTarget{&color}});
+    list.drawEverywhere(rounds);
+    list.endRendering();
+    list.submit();
+    EXPECT_EQ(colors(color), std::vector<Color>(std::size_t{side} * side, green)) << rounds;
+  }
+}
+
 // What needs no barrier may be bound between the draws of one rendering scope.
 TEST_F(GraphicsTest, ResourcesCanBeBoundAgainInsideRendering) {
   Buffer left = vertices(upperLeft(0, red));
   Buffer all = vertices(everywhere(0, green));
   GpuImage color = image("color", color32);
-  const Pipeline pipeline(device(), options());
+  const Triangles pipeline(device(), "triangles", {.colorFormats = {color32}});
   CommandList list(device(), "frame");
   list.begin();
   list.use(left, Access::StorageRead);
   list.use(all, Access::StorageRead);
   list.beginRendering({ColorTarget{&color}});
-  list.bind(pipeline);
-  list.bindResources({Binding::read(0, all)});
+  list.bind(pipeline, {.vertices = all}, {});
   list.draw(3);
-  list.bindResources({Binding::read(0, left)});
+  list.bind(pipeline, {.vertices = left}, {});
   list.draw(3);
   list.endRendering();
   list.submit();
@@ -291,21 +264,19 @@ TEST_F(GraphicsTest, OrderOfCallsIsAsserted) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   Buffer all = vertices(everywhere(0, green));
   GpuImage color = image("color", color32);
-  const Pipeline pipeline(device(), options());
+  const Triangles pipeline(device(), "triangles", {.colorFormats = {color32}});
   CommandList list(device(), "frame");
   EXPECT_DEATH(
       {
         list.begin();
         list.beginRendering({ColorTarget{&color}});
-        list.bind(pipeline);
-        list.bindResources({Binding::read(0, all)});
+        list.bind(pipeline, {.vertices = all}, {});
       },
       "bind before beginRendering");
   EXPECT_DEATH(
       {
         list.begin();
-        list.bind(pipeline);
-        list.bindResources({Binding::read(0, all)});
+        list.bind(pipeline, {.vertices = all}, {});
         list.use(all, Access::TransferWrite);
         list.beginRendering({ColorTarget{&color}});
         list.draw(3);

@@ -8,7 +8,8 @@
 #include "gpu/helpers.h"
 #include "gpu/pipeline.h"
 #include "gpu/transfer.h"
-#include "shaders/shaders.h"
+#include "shaders/cubes.comp.h"
+#include "shaders/layers.comp.h"
 
 namespace opaline::gpu {
 namespace {
@@ -23,14 +24,6 @@ Buffer resultBuffer(Device& device, std::size_t floats) {
                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
-Pipeline samplingPipeline(Device& device, const char* name, Spirv shader) {
-  ComputePipelineOptions options;
-  options.name = name;
-  options.shader = shader;
-  options.bindings = {{0, BindingType::SampledImage}, {1, BindingType::StorageBuffer}};
-  return {device, options};
-}
-
 TEST_F(SamplingTest, LayersThatWereDrawnOneByOneAreSampledTogether) {
   ImageOptions options;
   options.name = "layers";
@@ -42,7 +35,7 @@ TEST_F(SamplingTest, LayersThatWereDrawnOneByOneAreSampledTogether) {
   options.kind = ImageKind::Array;
   GpuImage image(device(), options);
   Buffer results = resultBuffer(device(), 12);
-  const Pipeline pipeline = samplingPipeline(device(), "layers", shaders::shaders_layers_comp);
+  const Compute<shaders::Layers> pipeline(device(), "layers");
   const Sampler sampler(device(), Filter::Nearest);
   CommandList list(device(), "frame");
   list.begin();
@@ -51,8 +44,7 @@ TEST_F(SamplingTest, LayersThatWereDrawnOneByOneAreSampledTogether) {
     list.beginRendering({ColorTarget{&image, layer, true, {value, 10 + value, 20 + value, 1}}});
     list.endRendering();
   }
-  list.bind(pipeline);
-  list.bindResources({Binding::sampled(0, image, sampler), Binding::write(1, results)});
+  list.bind(pipeline, {.image = {image, sampler}, .results = results});
   list.dispatch(3);
   list.submit();
   EXPECT_EQ(readAs<Color>(device(), results),
@@ -78,12 +70,11 @@ TEST_F(SamplingTest, LevelsAreSampledEachOnItsOwn) {
     }
   }
   Buffer results = resultBuffer(device(), 24);
-  const Pipeline pipeline = samplingPipeline(device(), "levels", shaders::shaders_layers_comp);
+  const Compute<shaders::Layers> pipeline(device(), "levels");
   const Sampler sampler(device(), Filter::Linear, Wrap::Repeat, Wrap::Clamp);
   CommandList list(device(), "frame");
   list.begin();
-  list.bind(pipeline);
-  list.bindResources({Binding::sampled(0, image, sampler), Binding::write(1, results)});
+  list.bind(pipeline, {.image = {image, sampler}, .results = results});
   list.dispatch(2, 3);
   list.submit();
   EXPECT_EQ(
@@ -104,7 +95,7 @@ TEST_F(SamplingTest, DepthOfEveryFaceOfACubeArrayIsFoundAlongItsAxis) {
   options.kind = ImageKind::CubeArray;
   GpuImage image(device(), options);
   Buffer results = resultBuffer(device(), 12);
-  const Pipeline pipeline = samplingPipeline(device(), "cubes", shaders::shaders_cubes_comp);
+  const Compute<shaders::Cubes> pipeline(device(), "cubes");
   const Sampler sampler(device(), Filter::Nearest);
   CommandList list(device(), "frame");
   list.begin();
@@ -113,8 +104,7 @@ TEST_F(SamplingTest, DepthOfEveryFaceOfACubeArrayIsFoundAlongItsAxis) {
     list.beginRendering({}, &target);
     list.endRendering();
   }
-  list.bind(pipeline);
-  list.bindResources({Binding::sampled(0, image, sampler), Binding::write(1, results)});
+  list.bind(pipeline, {.cubes = {image, sampler}, .results = results});
   list.dispatch(6, 2);
   list.submit();
   const auto depths = readAs<float>(device(), results);
@@ -133,15 +123,14 @@ TEST_F(SamplingTest, SamplerFiltersAsAsked) {
   options.kind = ImageKind::Array;
   GpuImage image(device(), options);
   uploadImage(device(), image, bytesOf(std::vector<Color>{{0, 0, 0, 0}, {1, 1, 1, 1}}));
-  const Pipeline pipeline = samplingPipeline(device(), "two texels", shaders::shaders_layers_comp);
+  const Compute<shaders::Layers> pipeline(device(), "two texels");
   // The shader reads at u = 1/2, the border of the two texels.
   for (const Filter filter : {Filter::Linear, Filter::Nearest}) {
     Buffer results = resultBuffer(device(), 4);
     const Sampler sampler(device(), filter);
     CommandList list(device(), "frame");
     list.begin();
-    list.bind(pipeline);
-    list.bindResources({Binding::sampled(0, image, sampler), Binding::write(1, results)});
+    list.bind(pipeline, {.image = {image, sampler}, .results = results});
     list.dispatch(1);
     list.submit();
     const Color seen = readAs<Color>(device(), results).front();

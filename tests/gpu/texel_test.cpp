@@ -13,7 +13,7 @@
 #include "gpu/helpers.h"
 #include "gpu/pipeline.h"
 #include "gpu/transfer.h"
-#include "shaders/shaders.h"
+#include "shaders/texels.comp.h"
 
 namespace opaline::gpu {
 namespace {
@@ -24,20 +24,15 @@ using Texel = std::array<float, 4>;
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 constexpr VkBufferUsageFlags texels = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
 
-Pipeline turnAround() {
-  return {*sharedDevice().device,
-          ComputePipelineOptions{
-              .name = "turn texels around",
-              .shader = shaders::shaders_texels_comp,
-              .bindings = {{2, BindingType::TexelBuffer}, {5, BindingType::StorageBuffer}},
-              .pushConstantBytes = 4}};
+using TurnAround = Compute<shaders::Texels>;
+
+TurnAround turnAround() {
+  return {*sharedDevice().device, "turn texels around"};
 }
 
-void record(CommandList& list, const Pipeline& pipeline, Buffer& from, Buffer& to,
+void record(CommandList& list, const TurnAround& pipeline, Buffer& from, Buffer& to,
             std::uint32_t count) {
-  list.bind(pipeline);
-  list.bindResources({Binding::texels(2, from), Binding::write(5, to)});
-  list.pushConstants(count);
+  list.bind(pipeline, {.values = from, .results = to}, {.count = count});
   list.dispatch((count + 63) / 64);
 }
 
@@ -52,7 +47,7 @@ TEST_F(TexelTest, EveryTexelArrives) {
   }
   Buffer from = makeBuffer(device(), "from", values, storage | texels);
   Buffer to = makeBuffer(device(), "to", std::vector<Texel>(count + 1), storage);
-  const Pipeline pipeline = turnAround();
+  const TurnAround pipeline = turnAround();
   CommandList list(device(), "texels");
   list.begin();
   record(list, pipeline, from, to, count);
@@ -78,7 +73,7 @@ TEST_F(TexelTest, DispatchesReadWhatEarlierOnesWrote) {
     values.push_back({static_cast<float>(i), 1, 2, static_cast<float>(i)});
   Buffer a = makeBuffer(device(), "a", values, storage | texels);
   Buffer b = makeBuffer(device(), "b", std::vector<Texel>(count), storage | texels);
-  const Pipeline pipeline = turnAround();
+  const TurnAround pipeline = turnAround();
   CommandList list(device(), "chain");
   constexpr int turns = 10;
   list.begin();
@@ -96,7 +91,7 @@ TEST_F(TexelTest, DispatchesReadWhatEarlierOnesWrote) {
 TEST_F(TexelTest, ABufferMayEndWithinATexel) {
   Buffer from = makeBuffer(device(), "odd", std::vector<float>(4 * 64 + 3, 7.0F), storage | texels);
   Buffer to = makeBuffer(device(), "to", std::vector<Texel>(64), storage);
-  const Pipeline pipeline = turnAround();
+  const TurnAround pipeline = turnAround();
   CommandList list(device(), "texels");
   list.begin();
   record(list, pipeline, from, to, 64);
@@ -111,7 +106,7 @@ TEST_F(TexelTest, ABufferThatMovesKeepsItsTexels) {
   Buffer other = makeBuffer(device(), "other", std::vector<Texel>(1), storage | texels);
   other = std::move(from);
   Buffer to = makeBuffer(device(), "to", std::vector<Texel>(64), storage);
-  const Pipeline pipeline = turnAround();
+  const TurnAround pipeline = turnAround();
   CommandList list(device(), "texels");
   list.begin();
   record(list, pipeline, other, to, 64);

@@ -11,13 +11,10 @@
 #include "gpu/gpu_fixture.h"
 #include "gpu/helpers.h"
 #include "gpu/pipeline.h"
-#include "shaders/shaders.h"
+#include "shaders/fresnel.comp.h"
 
 namespace opaline::passes {
 namespace {
-
-using gpu::Binding;
-using gpu::BindingType;
 
 using FresnelTest = gpu::GpuTest;
 
@@ -27,20 +24,14 @@ TEST_F(FresnelTest, ReflectanceIsExact) {
     for (int i = 0; i <= 1000; ++i) places.emplace_back(eta, i / 1000.0);
 
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-  const gpu::ComputePipelineOptions options{
-      .name = "fresnel",
-      .shader = shaders::shaders_fresnel_comp,
-      .bindings = {{0, BindingType::StorageBuffer}, {1, BindingType::StorageBuffer}},
-      .pushConstantBytes = sizeof(std::uint32_t)};
-  const gpu::Pipeline pipeline(device(), options);
+  const gpu::Compute<shaders::Fresnel> pipeline(device(), "fresnel");
   gpu::Buffer input = gpu::makeBuffer(device(), "places", places, storage);
   gpu::Buffer output =
       gpu::makeBuffer(device(), "values", std::vector<float>(places.size()), storage);
   gpu::CommandList commands(device(), "fresnel");
   commands.begin();
-  commands.bind(pipeline);
-  commands.bindResources({Binding::read(0, input), Binding::write(1, output)});
-  commands.pushConstants(static_cast<std::uint32_t>(places.size()));
+  commands.bind(pipeline, {.etaCosine = input, .values = output},
+                {.count = static_cast<std::uint32_t>(places.size())});
   commands.dispatchLinear(static_cast<std::uint32_t>(places.size()));
   commands.submit();
   commands.wait();

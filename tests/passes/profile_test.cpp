@@ -13,35 +13,22 @@
 #include "gpu/gpu_fixture.h"
 #include "gpu/helpers.h"
 #include "gpu/pipeline.h"
+#include "shaders/profile.comp.h"
 #include "shaders/profile_packing.h"
-#include "shaders/shaders.h"
 
 namespace opaline::passes {
 namespace {
 
 using bssrdf::Model;
 using bssrdf::Profile;
-using gpu::Binding;
-using gpu::BindingType;
 
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-
-struct Push {
-  std::uint32_t count;
-  std::uint32_t better;
-};
 
 class ProfileTest : public gpu::GpuTest {
  protected:
   static std::vector<glm::vec4> valuesOnDevice(const std::array<Profile, 3>& profiles,
                                                const std::vector<float>& squaredMm2) {
-    static const gpu::ComputePipelineOptions options{.name = "profile",
-                                                     .shader = shaders::shaders_profile_comp,
-                                                     .bindings = {{0, BindingType::StorageBuffer},
-                                                                  {1, BindingType::StorageBuffer},
-                                                                  {2, BindingType::StorageBuffer}},
-                                                     .pushConstantBytes = sizeof(Push)};
-    const gpu::Pipeline pipeline(device(), options);
+    const gpu::Compute<shaders::Profile> pipeline(device(), "profile");
     gpu::Buffer packed = gpu::makeBuffer(
         device(), "profile", std::vector<shared::Profile>{shaders::packProfile(profiles)}, storage);
     gpu::Buffer radii = gpu::makeBuffer(device(), "squared radii", squaredMm2, storage);
@@ -50,10 +37,8 @@ class ProfileTest : public gpu::GpuTest {
     const auto count = static_cast<std::uint32_t>(squaredMm2.size());
     gpu::CommandList commands(device(), "profile");
     commands.begin();
-    commands.bind(pipeline);
-    commands.bindResources(
-        {Binding::read(0, packed), Binding::read(1, radii), Binding::write(2, values)});
-    commands.pushConstants(Push{count, profiles[0].model == Model::BetterDipole ? 1U : 0U});
+    commands.bind(pipeline, {.packed = packed, .squaredMm2 = radii, .values = values},
+                  {.count = count, .better = profiles[0].model == Model::BetterDipole});
     commands.dispatchLinear(count);
     commands.submit();
     commands.wait();

@@ -16,7 +16,7 @@
 #include "passes/gather/surfel_pass.h"
 #include "passes/mechanics.h"
 #include "passes/ray_bodies.h"
-#include "shaders/shaders.h"
+#include "shaders/rays.comp.h"
 
 namespace opaline::passes::test {
 
@@ -42,15 +42,7 @@ class RayTracer {
         surfels_(SurfelPass::makeSurfels(device, made_, body.surface())),
         hierarchy_(RayPass::makeHierarchy(device, surfels_, made_, body.surface())),
         refit_(device),
-        trace_(device, {.name = "rays",
-                        .shader = device.hasRayQueries() ? shaders::shaders_rays_ray_queries_comp
-                                                         : shaders::shaders_rays_comp,
-                        .bindings = {{0, gpu::BindingType::TexelBuffer},
-                                     raysSlot(device, 1),
-                                     {2, gpu::BindingType::StorageBuffer},
-                                     {3, gpu::BindingType::StorageBuffer},
-                                     {4, gpu::BindingType::StorageBuffer}},
-                        .pushConstantBytes = sizeof(Push)}),
+        trace_(device, "rays", rayShader<shaders::Rays>(device)),
         commands_(device, "rays") {
     moveTo(body.moved);
   }
@@ -82,20 +74,11 @@ class RayTracer {
   }
 
  private:
-  struct Push {
-    std::uint32_t count;
-    std::uint32_t firstNode;
-    std::uint32_t endNode;
-    std::uint32_t object;
-    float apart;
-  };
-
   std::uint32_t objects() const {
     return static_cast<std::uint32_t>(made_.tree.rootOfObject.size() - 1);
   }
 
   std::vector<Hit> trace(const std::vector<Ray>& sent, std::uint32_t object, float apart) {
-    using gpu::Binding;
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     gpu::Buffer input = gpu::makeBuffer(device_, "rays", sent, storage);
     gpu::Buffer output = gpu::makeBuffer(device_, "hits", std::vector<Hit>(sent.size()), storage);
@@ -108,12 +91,17 @@ class RayTracer {
     const auto count = static_cast<std::uint32_t>(sent.size());
     commands_.begin();
     commands_.beginPass("trace");
-    commands_.bind(trace_);
-    commands_.bindResources({Binding::texels(0, hierarchy_.corners), rays(1, hierarchy_),
-                             Binding::read(2, input), Binding::write(3, output),
-                             Binding::read(4, first)});
-    commands_.pushConstants(Push{count, made_.tree.rootOfObject[firstObject],
-                                 made_.tree.rootOfObject[endObject], object, apart});
+    commands_.bind(trace_,
+                   {.pieceCorners = hierarchy_.corners,
+                    .rayHierarchy = rays(hierarchy_),
+                    .rays = input,
+                    .hits = output,
+                    .firstPieces = first},
+                   {.count = count,
+                    .firstNode = made_.tree.rootOfObject[firstObject],
+                    .endNode = made_.tree.rootOfObject[endObject],
+                    .object = object,
+                    .apart = apart});
     commands_.dispatchLinear(count);
     commands_.endPass();
     commands_.submit();
@@ -127,7 +115,7 @@ class RayTracer {
   RayHierarchy hierarchy_;
   DeformedMesh mesh_;
   RayPass refit_;
-  gpu::Pipeline trace_;
+  gpu::Compute<shaders::Rays> trace_;
   gpu::CommandList commands_;
 };
 

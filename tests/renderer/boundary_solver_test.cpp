@@ -59,6 +59,26 @@ TEST_F(BoundarySolverTest, ResidualIsAsSmallAsAsked) {
   }
 }
 
+// A body of few clusters is solved in as many steps. What is left then is nothing but rounding,
+// which is no residual of 0: single precision cannot tell that.
+TEST_F(BoundarySolverTest, NoResidualIsSmallerThanRounding) {
+  for (const float edge : {0.03F, 0.1F}) {
+    Scene scene = sceneOf(box({0, 0, 0}, {edge, edge, edge}, 1), marble(), {0, 0, 1}, edge);
+    scene.lighting.ambient = {1, 1, 1};
+    renderer().setScene(scene);
+    RenderOptions options = boundaryOptions(16);
+    options.tolerance = 1e-4F;
+    const RenderReport report = renderer().render(options, {Aov::Exitance}).report;
+    ASSERT_LT(report.boundarySurfels, 8U);
+    ASSERT_EQ(report.solutions.size(), 1U);
+    EXPECT_LE(report.solutions[0].steps, static_cast<int>(report.boundarySurfels));
+    for (const float residual : report.solutions[0].residual) {
+      EXPECT_GT(residual, 0) << edge;
+      EXPECT_LT(residual, 1e-3) << edge;
+    }
+  }
+}
+
 // A plate a hundredth as thick as wide asks for thousands. The note says how many, which is so.
 TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
   std::vector<std::string> notes;

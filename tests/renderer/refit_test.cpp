@@ -17,7 +17,8 @@
 #include "gpu/pipeline.h"
 #include "gpu/transfer.h"
 #include "renderer/shapes.h"
-#include "shaders/shaders.h"
+#include "shaders/gather/tree_leaves.comp.h"
+#include "shaders/gather/tree_nodes.comp.h"
 #include "shaders/shared/surfels.h"
 #include "surfels/tree.h"
 
@@ -25,8 +26,6 @@ namespace opaline {
 namespace {
 
 using namespace test;
-using gpu::Binding;
-using gpu::BindingType;
 using shared::Source;
 using shared::TreeNode;
 
@@ -80,29 +79,24 @@ class RefitTest : public gpu::GpuTest {
         gpu::makeBuffer(device(), "nodes", std::vector<TreeNode>(tree.links.size()), storage);
     gpu::Buffer boxes = gpu::makeBuffer(device(), "boxes",
                                         std::vector<shared::NodeBox>(tree.links.size()), storage);
-    const auto pipeline = [&](const char* name, std::span<const std::uint32_t> shader,
-                              std::uint32_t slots) {
-      gpu::ComputePipelineOptions options{.name = name, .shader = shader, .pushConstantBytes = 8};
-      for (std::uint32_t slot = 0; slot < slots; ++slot)
-        options.bindings.push_back({slot, BindingType::StorageBuffer});
-      return gpu::Pipeline(device(), options);
-    };
-    const gpu::Pipeline leaves = pipeline("leaves", shaders::gather_tree_leaves_comp, 5);
-    const gpu::Pipeline inner = pipeline("nodes", shaders::gather_tree_nodes_comp, 4);
+    const gpu::Compute<shaders::GatherTreeLeaves> leaves(device(), "leaves");
+    const gpu::Compute<shaders::GatherTreeNodes> inner(device(), "nodes");
     gpu::CommandList commands(device(), "refit");
     commands.begin();
     for (std::size_t height = 0; height + 1 < tree.firstOfHeight.size(); ++height) {
       const std::uint32_t first = tree.firstOfHeight[height];
       const std::uint32_t count = tree.firstOfHeight[height + 1] - first;
-      commands.bind(height == 0 ? leaves : inner);
       if (height == 0)
-        commands.bindResources({Binding::read(0, links), Binding::read(1, byHeight),
-                                Binding::read(2, sources), Binding::write(3, nodes),
-                                Binding::write(4, boxes)});
+        commands.bind(leaves,
+                      {.links = links,
+                       .byHeight = byHeight,
+                       .sources = sources,
+                       .nodes = nodes,
+                       .boxes = boxes},
+                      {.first = first, .count = count});
       else
-        commands.bindResources({Binding::read(0, links), Binding::read(1, byHeight),
-                                Binding::write(2, nodes), Binding::write(3, boxes)});
-      commands.pushConstants(std::array<std::uint32_t, 2>{first, count});
+        commands.bind(inner, {.links = links, .byHeight = byHeight, .nodes = nodes, .boxes = boxes},
+                      {.first = first, .count = count});
       commands.dispatchLinear(count);
     }
     commands.submit();

@@ -5,6 +5,13 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/boundary/beam_nodes.comp.h"
+#include "shaders/boundary/beams.comp.h"
+#include "shaders/boundary/exitance.comp.h"
+#include "shaders/boundary/mirrored.comp.h"
+#include "shaders/boundary/reentry.comp.h"
+#include "shaders/boundary/single.comp.h"
+#include "shaders/boundary/source.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -49,18 +56,21 @@ class BeamPass {
   void bringMirrored(gpu::CommandList& commands, Clusters& clusters) const;
   void spread(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters, Beams& beams,
               bool adds) const;
+  template <typename S>
+  void sum(gpu::CommandList& commands, const gpu::Compute<S>& pipeline, const Inputs& inputs,
+           Clusters& clusters, Beams& beams, gpu::Buffer& sums, bool adds) const;
   void fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters, Beams& beams,
                 bool scattersOnce) const;
 
-  gpu::Pipeline trace_;
-  gpu::Pipeline addMirrored_;
-  gpu::Pipeline takeMirrored_;
-  gpu::Pipeline leaves_;
-  gpu::Pipeline nodes_;
-  gpu::Pipeline source_;
-  gpu::Pipeline single_;
-  gpu::Pipeline reentry_;
-  gpu::Pipeline exitance_;
+  gpu::Compute<shaders::BoundaryBeams> trace_;
+  gpu::Compute<shaders::BoundaryMirrored> addMirrored_;
+  gpu::Compute<shaders::BoundaryMirrored> takeMirrored_;
+  gpu::Compute<shaders::BoundaryBeamNodes> leaves_;
+  gpu::Compute<shaders::BoundaryBeamNodes> nodes_;
+  gpu::Compute<shaders::BoundarySource> source_;
+  gpu::Compute<shaders::BoundarySingle> single_;
+  gpu::Compute<shaders::BoundaryReentry> reentry_;
+  gpu::Compute<shaders::BoundaryExitance> exitance_;
 };
 
 }  // namespace opaline::passes

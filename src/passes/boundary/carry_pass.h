@@ -3,6 +3,9 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/boundary/carry_fragments.comp.h"
+#include "shaders/boundary/carry_vertices.comp.h"
+#include "shaders/boundary/means.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -28,10 +31,10 @@ class CarryPass {
 
  private:
   gpu::Sampler nearest_;
-  gpu::Pipeline meansOfVertices_;
-  gpu::Pipeline meansOfSurfels_;
-  gpu::Pipeline vertices_;
-  gpu::Pipeline fragments_;
+  gpu::Compute<shaders::BoundaryMeans> meansOfVertices_;
+  gpu::Compute<shaders::BoundaryMeans> meansOfSurfels_;
+  gpu::Compute<shaders::BoundaryCarryVertices> vertices_;
+  gpu::Compute<shaders::BoundaryCarryFragments> fragments_;
 };
 
 }  // namespace opaline::passes

@@ -8,7 +8,6 @@
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "passes/mechanics.h"
-#include "shaders/shaders.h"
 #include "shaders/shared/boundary.h"
 #include "shaders/shared/frame.h"
 
@@ -16,30 +15,10 @@ namespace opaline::passes {
 
 namespace {
 
-using gpu::Binding;
-using gpu::BindingType;
-
 // Rays of a cluster that ask what it sees.
 constexpr std::uint32_t raysOutwards = 24;
 
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-
-struct ClusterCounts {
-  std::uint32_t clusters;
-  std::uint32_t piecesPerSurfel;
-};
-
-struct EncloseConstants {
-  std::uint32_t clusters;
-  float openingAngle;
-};
-
-struct SurveyCounts {
-  std::uint32_t clusters;
-  std::uint32_t piecesPerSurfel;
-  std::uint32_t raysOutwards;
-  std::uint32_t surfelNodes;
-};
 
 std::vector<std::uint32_t> leafOfCluster(const surfels::ClusterDivision& made) {
   std::vector<std::uint32_t> leaf(made.count());
@@ -90,46 +69,10 @@ Beams makeBeams(gpu::Device& device, const char* points, const char* strengths,
 ClusterPass::ClusterPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       linear_(device, gpu::Filter::Linear),
-      gather_(device,
-              gpu::ComputePipelineOptions{
-                  .name = "clusters",
-                  .shader = shaders::boundary_clusters_comp,
-                  .bindings = {{0, BindingType::UniformBuffer},
-                               {1, BindingType::StorageBuffer},
-                               {2, BindingType::StorageBuffer},
-                               {3, BindingType::StorageBuffer},
-                               {4, BindingType::StorageBuffer},
-                               {5, BindingType::StorageBuffer},
-                               {6, BindingType::SampledImage},
-                               {7, BindingType::SampledImage},
-                               {8, BindingType::StorageBuffer},
-                               {9, BindingType::StorageBuffer},
-                               {10, BindingType::StorageBuffer},
-                               {11, BindingType::StorageBuffer}},
-                  .pushConstantBytes = sizeof(ClusterCounts),
-              }),
-      nodes_(device, gpu::ComputePipelineOptions{.name = "nodes of clusters",
-                                                 .shader = shaders::boundary_cluster_nodes_comp,
-                                                 .bindings = slots(3),
-                                                 .pushConstantBytes = sizeof(NodeRange)}),
-      enclose_(device, gpu::ComputePipelineOptions{.name = "solid angles of clusters",
-                                                   .shader = shaders::boundary_enclose_comp,
-                                                   .bindings = slots(5, {4}),
-                                                   .pushConstantBytes = sizeof(EncloseConstants)}),
-      survey_(device,
-              gpu::ComputePipelineOptions{.name = "rays of clusters",
-                                          .shader = device.hasRayQueries()
-                                                        ? shaders::boundary_survey_ray_queries_comp
-                                                        : shaders::boundary_survey_comp,
-                                          .bindings = {{0, BindingType::StorageBuffer},
-                                                       {1, BindingType::StorageBuffer},
-                                                       {2, BindingType::TexelBuffer},
-                                                       raysSlot(device, 3),
-                                                       {4, BindingType::StorageBuffer},
-                                                       {5, BindingType::StorageBuffer},
-                                                       {6, BindingType::StorageBuffer},
-                                                       {7, BindingType::StorageBuffer}},
-                                          .pushConstantBytes = sizeof(SurveyCounts)}) {}
+      gather_(device, "clusters"),
+      nodes_(device, "nodes of clusters"),
+      enclose_(device, "solid angles of clusters"),
+      survey_(device, "rays of clusters", rayShader<shaders::BoundarySurvey>(device)) {}
 
 Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
                                    const core::RestSurface& surface,
@@ -186,53 +129,62 @@ void ClusterPass::record(gpu::CommandList& commands, const Inputs& inputs, bool 
 
 void ClusterPass::gather(gpu::CommandList& commands, const Inputs& inputs,
                          Clusters& clusters) const {
-  commands.bind(gather_);
-  commands.bindResources(
-      {Binding::uniform(0, inputs.frame.data), Binding::read(1, inputs.mesh.positions),
-       Binding::read(2, inputs.mesh.normals), Binding::read(3, inputs.surfels.pieces),
-       Binding::read(4, inputs.tables.objects), Binding::read(5, inputs.tables.media),
-       Binding::sampled(6, inputs.shadows.depth, nearest_),
-       Binding::sampled(7, inputs.tables.ambientCubes, linear_), Binding::read(8, clusters.ranges),
-       Binding::write(9, clusters.clusters), Binding::write(10, clusters.nodes),
-       Binding::write(11, clusters.entries)});
-  commands.pushConstants(ClusterCounts{clusters.count, inputs.surfels.piecesPerSurfel});
+  commands.bind(
+      gather_,
+      {.frame = inputs.frame.data,
+       .positions = inputs.mesh.positions,
+       .normals = inputs.mesh.normals,
+       .pieces = inputs.surfels.pieces,
+       .objects = inputs.tables.objects,
+       .media = inputs.tables.media,
+       .shadowMaps = {inputs.shadows.depth, nearest_},
+       .ambientIrradiance = {inputs.tables.ambientCubes, linear_},
+       .ranges = clusters.ranges,
+       .clusters = clusters.clusters,
+       .nodes = clusters.nodes,
+       .entries = clusters.entries},
+      {.clusterCount = clusters.count, .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
   commands.dispatchLinear(clusters.count);
 }
 
 void ClusterPass::fitNodes(gpu::CommandList& commands, Clusters& clusters) const {
-  commands.bind(nodes_);
   forEachHeight(clusters.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
     if (height == 0) return;  // clusters, which are there
-    commands.bindResources({Binding::read(0, clusters.links), Binding::read(1, clusters.byHeight),
-                            Binding::write(2, clusters.nodes)});
-    commands.pushConstants(range);
+    commands.bind(nodes_,
+                  {.links = clusters.links, .byHeight = clusters.byHeight, .nodes = clusters.nodes},
+                  {.first = range.first, .count = range.count});
     commands.dispatchLinear(range.count);
   });
 }
 
 void ClusterPass::enclose(gpu::CommandList& commands, const Inputs& inputs,
                           Clusters& clusters) const {
-  commands.bind(enclose_);
-  commands.bindResources({Binding::read(0, inputs.tables.objects),
-                          Binding::read(1, inputs.tables.media), Binding::read(2, clusters.ranges),
-                          Binding::write(3, clusters.clusters),
-                          Binding::texels(4, clusters.nodes)});
-  commands.pushConstants(EncloseConstants{clusters.count, inputs.openingAngle});
-  commands.dispatchLinear(clusters.count);
+  commands.bind(enclose_,
+                {.objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .ranges = clusters.ranges,
+                 .clusters = clusters.clusters,
+                 .clusterNodes = clusters.nodes},
+                {.clusterCount = clusters.count, .openingAngle = inputs.openingAngle});
+  commands.dispatchLinear(clusters.count, roundsOfWalk);
 }
 
 void ClusterPass::survey(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,
                          Clusters& clusters) const {
-  commands.bind(survey_);
-  commands.bindResources(
-      {Binding::read(0, inputs.tables.objects), Binding::read(1, inputs.tables.media),
-       Binding::texels(2, inputs.rays.corners), rays(3, inputs.rays),
-       Binding::read(4, clusters.ranges), Binding::write(5, clusters.clusters),
-       Binding::read(6, clusters.clusterOfSurfel), Binding::write(7, clusters.meetings)});
-  commands.pushConstants(SurveyCounts{clusters.count, inputs.surfels.piecesPerSurfel,
-                                      looksAround ? clusters.raysOutwards : 0,
-                                      clusters.surfelNodes});
-  commands.dispatchLinear(clusters.count);
+  commands.bind(survey_,
+                {.objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .pieceCorners = inputs.rays.corners,
+                 .rayHierarchy = rays(inputs.rays),
+                 .ranges = clusters.ranges,
+                 .clusters = clusters.clusters,
+                 .clusterOfSurfel = clusters.clusterOfSurfel,
+                 .meetings = clusters.meetings},
+                {.clusterCount = clusters.count,
+                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                 .raysOutwards = looksAround ? clusters.raysOutwards : 0,
+                 .nodeCount = clusters.surfelNodes});
+  commands.dispatchLinear(clusters.count, (raysOutwards + 1) * roundsOfWalk);
 }
 
 }  // namespace opaline::passes

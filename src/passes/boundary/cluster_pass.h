@@ -5,6 +5,10 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/boundary/cluster_nodes.comp.h"
+#include "shaders/boundary/clusters.comp.h"
+#include "shaders/boundary/enclose.comp.h"
+#include "shaders/boundary/survey.comp.h"
 #include "surfels/clusters.h"
 #include "surfels/surfels.h"
 
@@ -48,10 +52,10 @@ class ClusterPass {
 
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
-  gpu::Pipeline gather_;
-  gpu::Pipeline nodes_;
-  gpu::Pipeline enclose_;
-  gpu::Pipeline survey_;
+  gpu::Compute<shaders::BoundaryClusters> gather_;
+  gpu::Compute<shaders::BoundaryClusterNodes> nodes_;
+  gpu::Compute<shaders::BoundaryEnclose> enclose_;
+  gpu::Compute<shaders::BoundarySurvey> survey_;
 };
 
 }  // namespace opaline::passes

@@ -7,19 +7,11 @@
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "passes/mechanics.h"
-#include "shaders/shaders.h"
 #include "shaders/shared/rays.h"
 
 namespace opaline::passes {
 
 namespace {
-
-using gpu::Binding;
-
-struct PieceNodes {
-  NodeRange range;
-  std::uint32_t piecesPerSurfel;
-};
 
 std::size_t nodesOf(const Surfels& surfels) {
   return surfels.firstOfHeight.empty() ? 0 : surfels.firstOfHeight.back();
@@ -52,20 +44,8 @@ std::vector<shared::RayPiece> piecesAt(const surfels::SurfelDivision& made,
 }  // namespace
 
 RayPass::RayPass(gpu::Device& device)
-    : leaves_(device,
-              gpu::ComputePipelineOptions{
-                  .name = "leaves for rays",
-                  .shader = shaders::boundary_ray_leaves_comp,
-                  .bindings = slots(6),
-                  .pushConstantBytes = sizeof(PieceNodes),
-                  .specialization = {device.hasRayQueries() ? 1U : 0U},
-              }),
-      nodes_(device, gpu::ComputePipelineOptions{
-                         .name = "nodes for rays",
-                         .shader = shaders::boundary_ray_nodes_comp,
-                         .bindings = slots(3),
-                         .pushConstantBytes = sizeof(PieceNodes),
-                     }) {}
+    : leaves_(device, "leaves for rays", {.forQueries = device.hasRayQueries()}),
+      nodes_(device, "nodes for rays") {}
 
 RayHierarchy RayPass::makeBoxes(gpu::Device& device, const Surfels& surfels) {
   const std::size_t pieces = std::size_t{surfels.count} * surfels.piecesPerSurfel;
@@ -114,23 +94,25 @@ void RayPass::recordPieces(gpu::CommandList& commands, DeformedMesh& mesh, Surfe
                            RayHierarchy& hierarchy) const {
   const NodeRange leaves{surfels.firstOfHeight[0],
                          surfels.firstOfHeight[1] - surfels.firstOfHeight[0]};
-  commands.bind(leaves_);
-  commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
-                          Binding::read(2, mesh.positions), Binding::read(3, surfels.pieces),
-                          Binding::write(4, hierarchy.corners),
-                          Binding::write(5, hierarchy.boxes)});
-  commands.pushConstants(PieceNodes{leaves, surfels.piecesPerSurfel});
+  commands.bind(
+      leaves_,
+      {.links = surfels.links,
+       .byHeight = surfels.byHeight,
+       .positions = mesh.positions,
+       .pieces = surfels.pieces,
+       .rayPieces = hierarchy.corners,
+       .boxes = hierarchy.boxes},
+      {.first = leaves.first, .count = leaves.count, .piecesPerSurfel = surfels.piecesPerSurfel});
   commands.dispatchLinear(leaves.count);
 }
 
 void RayPass::recordNodes(gpu::CommandList& commands, Surfels& surfels,
                           RayHierarchy& hierarchy) const {
-  commands.bind(nodes_);
   forEachHeight(surfels.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
     if (height == 0) return;  // leaves, whose boxes their pieces have made
-    commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
-                            Binding::write(2, hierarchy.boxes)});
-    commands.pushConstants(PieceNodes{range, surfels.piecesPerSurfel});
+    commands.bind(
+        nodes_, {.links = surfels.links, .byHeight = surfels.byHeight, .boxes = hierarchy.boxes},
+        {.first = range.first, .count = range.count, .piecesPerSurfel = surfels.piecesPerSurfel});
     commands.dispatchLinear(range.count);
   });
 }

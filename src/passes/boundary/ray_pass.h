@@ -3,6 +3,8 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/boundary/ray_leaves.comp.h"
+#include "shaders/boundary/ray_nodes.comp.h"
 #include "surfels/surfels.h"
 
 namespace opaline::gpu {
@@ -36,8 +38,8 @@ class RayPass {
                     RayHierarchy& hierarchy) const;
   void recordNodes(gpu::CommandList& commands, Surfels& surfels, RayHierarchy& hierarchy) const;
 
-  gpu::Pipeline leaves_;
-  gpu::Pipeline nodes_;
+  gpu::Compute<shaders::BoundaryRayLeaves> leaves_;
+  gpu::Compute<shaders::BoundaryRayNodes> nodes_;
 };
 
 }  // namespace opaline::passes

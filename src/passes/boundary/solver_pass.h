@@ -6,6 +6,11 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/boundary/densities.comp.h"
+#include "shaders/boundary/product.comp.h"
+#include "shaders/boundary/solver_dots.comp.h"
+#include "shaders/boundary/solver_finish.comp.h"
+#include "shaders/boundary/solver_step.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -39,12 +44,12 @@ class SolverPass {
   void multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                 SceneTables& tables, Clusters& clusters, Solver& solver) const;
 
-  gpu::Pipeline leaves_;
-  gpu::Pipeline nodes_;
-  gpu::Pipeline product_;
-  gpu::Pipeline dots_;
-  gpu::Pipeline step_;
-  gpu::Pipeline finish_;
+  gpu::Compute<shaders::BoundaryDensities> leaves_;
+  gpu::Compute<shaders::BoundaryDensities> nodes_;
+  gpu::Compute<shaders::BoundaryProduct> product_;
+  gpu::Compute<shaders::BoundarySolverDots> dots_;
+  gpu::Compute<shaders::BoundarySolverStep> step_;
+  gpu::Compute<shaders::BoundarySolverFinish> finish_;
 };
 
 }  // namespace opaline::passes

@@ -3,6 +3,9 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/deform/normals.comp.h"
+#include "shaders/deform/replace.comp.h"
+#include "shaders/deform/vertices.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -25,9 +28,9 @@ class DeformPass {
   void record(gpu::CommandList& commands, Motion& motion, DeformedMesh& mesh) const;
 
  private:
-  gpu::Pipeline replace_;
-  gpu::Pipeline vertices_;
-  gpu::Pipeline normals_;
+  gpu::Compute<shaders::DeformReplace> replace_;
+  gpu::Compute<shaders::DeformVertices> vertices_;
+  gpu::Compute<shaders::DeformNormals> normals_;
 };
 
 }  // namespace opaline::passes

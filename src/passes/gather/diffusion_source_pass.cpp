@@ -9,16 +9,12 @@
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "passes/gather/nearest_texel.h"
-#include "shaders/shaders.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/mesh.h"
 
 namespace opaline::passes {
 
 namespace {
-
-using gpu::Binding;
-using gpu::BindingType;
 
 gpu::GpuImage makeMap(gpu::Device& device, const char* name, std::uint32_t size, VkFormat format) {
   return {device,
@@ -117,55 +113,12 @@ std::vector<shared::ChartPlace> chartPlaces(const atlas::Neighbourhoods& neighbo
 DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       linear_(device, gpu::Filter::Linear),
-      coverage_(device,
-                gpu::GraphicsPipelineOptions{
-                    .name = "dsm coverage",
-                    .vertexShader = shaders::gather_dsm_vert,
-                    .fragmentShader = shaders::gather_coverage_frag,
-                    .bindings = {{1, BindingType::StorageBuffer},
-                                 {2, BindingType::StorageBuffer},
-                                 {3, BindingType::StorageBuffer}},
-                    .colorFormats = {VK_FORMAT_R32_UINT},
-                }),
-      map_(device,
-           gpu::GraphicsPipelineOptions{
-               .name = "dsm",
-               .vertexShader = shaders::gather_dsm_vert,
-               .fragmentShader = shaders::gather_dsm_frag,
-               .bindings = {{0, BindingType::UniformBuffer},
-                            {1, BindingType::StorageBuffer},
-                            {2, BindingType::StorageBuffer},
-                            {3, BindingType::StorageBuffer},
-                            {4, BindingType::StorageBuffer},
-                            {5, BindingType::StorageBuffer},
-                            {6, BindingType::SampledImage},
-                            {7, BindingType::SampledImage},
-                            {8, BindingType::SampledImage}},
-               .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
-                                VK_FORMAT_R32G32B32A32_SFLOAT},
-           }),
-      neighbours_(device,
-                  gpu::ComputePipelineOptions{
-                      .name = "neighbourhoods",
-                      .shader = shaders::gather_neighbours_comp,
-                      .bindings = {{0, BindingType::StorageBuffer},
-                                   {1, BindingType::SampledImage},
-                                   {2, BindingType::SampledImage},
-                                   {3, BindingType::StorageImage},
-                                   {4, BindingType::StorageImage},
-                                   {5, BindingType::SampledImage}},
-                  }),
-      cells_(device, gpu::ComputePipelineOptions{
-                         .name = "cells",
-                         .shader = shaders::gather_cells_comp,
-                         .bindings = {{0, BindingType::StorageBuffer},
-                                      {1, BindingType::SampledImage},
-                                      {2, BindingType::SampledImage},
-                                      {3, BindingType::StorageImage},
-                                      {4, BindingType::StorageImage},
-                                      {5, BindingType::SampledImage}},
-                         .pushConstantBytes = sizeof(std::int32_t),
-                     }) {}
+      coverage_(device, "dsm coverage", {.colorFormats = {VK_FORMAT_R32_UINT}}),
+      map_(device, "dsm",
+           {.colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
+                             VK_FORMAT_R32G32B32A32_SFLOAT}}),
+      neighbours_(device, "neighbourhoods"),
+      cells_(device, "cells") {}
 
 DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh& mesh,
                                               std::uint32_t mapSize, const AtlasMaps& maps) const {
@@ -179,10 +132,10 @@ DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, DeformedMesh&
 
   gpu::CommandList commands(device, "dsm coverage");
   commands.begin();
-  commands.bind(coverage_);
   commands.use(mesh.indices, gpu::Access::Index);
-  commands.bindResources({Binding::read(1, mesh.positions), Binding::read(2, mesh.normals),
-                          Binding::read(3, mesh.corners)});
+  commands.bind(coverage_,
+                {.positions = mesh.positions, .normals = mesh.normals, .corners = mesh.corners},
+                {});
   commands.beginRendering({{.image = &sources.coverage}});
   commands.drawIndexed(mesh.indices, mesh.indexCount);
   commands.endRendering();
@@ -240,15 +193,15 @@ void DiffusionSourcePass::record(gpu::CommandList& commands, const Inputs& input
 void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& inputs,
                                     DiffusionSources& sources) const {
   DeformedMesh& mesh = inputs.mesh;
-  commands.bind(map_);
   commands.use(mesh.indices, gpu::Access::Index);
-  commands.bindResources({Binding::uniform(0, inputs.frame.data), Binding::read(1, mesh.positions),
-                          Binding::read(2, mesh.normals), Binding::read(3, mesh.corners),
-                          Binding::read(4, inputs.tables.objects),
-                          Binding::read(5, inputs.tables.media),
-                          Binding::sampled(6, inputs.shadows.depth, nearest_),
-                          Binding::sampled(7, inputs.tables.ambientCubes, linear_),
-                          Binding::sampled(8, sources.texelSurface, nearest_)});
+  commands.bind(map_,
+                {.positions = mesh.positions, .normals = mesh.normals, .corners = mesh.corners},
+                {.frame = inputs.frame.data,
+                 .objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .shadowMaps = {inputs.shadows.depth, nearest_},
+                 .ambientIrradiance = {inputs.tables.ambientCubes, linear_},
+                 .texelSurface = {sources.texelSurface, nearest_}});
   commands.beginRendering({{.image = &sources.positionArea},
                            {.image = &sources.normal},
                            {.image = &sources.irradianceObject}});
@@ -258,21 +211,21 @@ void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& in
 
 void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
                                            DiffusionSources& sources) const {
-  commands.bind(neighbours_);
-  commands.bindResources(
-      {Binding::read(0, sources.nearOrigins), Binding::sampled(1, sources.positionArea, nearest_),
-       Binding::sampled(2, sources.irradianceObject, nearest_),
-       Binding::writeImage(3, sources.nearPosition), Binding::writeImage(4, sources.nearFlux),
-       Binding::sampled(5, sources.texelSurface, nearest_)});
+  commands.bind(neighbours_, {.origins = sources.nearOrigins,
+                              .positionArea = {sources.positionArea, nearest_},
+                              .irradianceObject = {sources.irradianceObject, nearest_},
+                              .nearPosition = sources.nearPosition,
+                              .nearFlux = sources.nearFlux,
+                              .texelSurface = {sources.texelSurface, nearest_}});
   commands.dispatchTiles(sources.nearPosition);
-
-  commands.bind(cells_);
-  commands.bindResources(
-      {Binding::read(0, sources.farOrigins), Binding::sampled(1, sources.positionArea, nearest_),
-       Binding::sampled(2, sources.irradianceObject, nearest_),
-       Binding::writeImage(3, sources.farPosition), Binding::writeImage(4, sources.farFlux),
-       Binding::sampled(5, sources.texelSurface, nearest_)});
-  commands.pushConstants(static_cast<std::int32_t>(sources.cellEdge));
+  commands.bind(cells_,
+                {.origins = sources.farOrigins,
+                 .positionArea = {sources.positionArea, nearest_},
+                 .irradianceObject = {sources.irradianceObject, nearest_},
+                 .farPosition = sources.farPosition,
+                 .farFlux = sources.farFlux,
+                 .texelSurface = {sources.texelSurface, nearest_}},
+                {.cellEdge = static_cast<std::int32_t>(sources.cellEdge)});
   commands.dispatchTiles(sources.farPosition);
 }
 

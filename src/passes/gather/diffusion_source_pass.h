@@ -8,6 +8,11 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/gather/cells.comp.h"
+#include "shaders/gather/coverage.frag.h"
+#include "shaders/gather/dsm.frag.h"
+#include "shaders/gather/dsm.vert.h"
+#include "shaders/gather/neighbours.comp.h"
 #include "shaders/shared/mesh.h"
 
 namespace opaline::gpu {
@@ -52,10 +57,10 @@ class DiffusionSourcePass {
 
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
-  gpu::Pipeline coverage_;
-  gpu::Pipeline map_;
-  gpu::Pipeline neighbours_;
-  gpu::Pipeline cells_;
+  gpu::Graphics<shaders::GatherDsmVert, shaders::GatherCoverageFrag> coverage_;
+  gpu::Graphics<shaders::GatherDsmVert, shaders::GatherDsmFrag> map_;
+  gpu::Compute<shaders::GatherNeighbours> neighbours_;
+  gpu::Compute<shaders::GatherCells> cells_;
 };
 
 }  // namespace opaline::passes

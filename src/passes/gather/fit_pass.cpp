@@ -2,17 +2,11 @@
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
-#include "shaders/shaders.h"
 #include "shaders/shared/frame.h"
 
 namespace opaline::passes {
 
-FitPass::FitPass(gpu::Device& device)
-    : pipeline_(device, gpu::ComputePipelineOptions{
-                            .name = "fit",
-                            .shader = shaders::gather_fit_comp,
-                            .bindings = slots(2),
-                        }) {}
+FitPass::FitPass(gpu::Device& device) : pipeline_(device, "fit") {}
 
 FrameView FitPass::makeView(gpu::Device& device) {
   return {gpu::Buffer(
@@ -25,8 +19,7 @@ void FitPass::record(gpu::CommandList& commands, gpu::Buffer& upload, std::size_
                      DeformedMesh& mesh, FrameView& frame) const {
   commands.beginPass("fit");
   commands.copyBuffer(upload, frame.data, sizeof(shared::FrameData), offset);
-  commands.bind(pipeline_);
-  commands.bindResources({gpu::Binding::write(0, frame.data), gpu::Binding::read(1, mesh.bounds)});
+  commands.bind(pipeline_, {.frame = frame.data, .bounds = mesh.bounds});
   commands.dispatch(1);
   commands.endPass();
 }

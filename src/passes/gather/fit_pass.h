@@ -5,6 +5,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/gather/fit.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -25,7 +26,7 @@ class FitPass {
               DeformedMesh& mesh, FrameView& frame) const;
 
  private:
-  gpu::Pipeline pipeline_;
+  gpu::Compute<shaders::GatherFit> pipeline_;
 };
 
 }  // namespace opaline::passes

@@ -3,21 +3,12 @@
 #include <algorithm>
 
 #include "gpu/device.h"
-#include "shaders/shaders.h"
 
 namespace opaline::passes {
 
 ShadowPass::ShadowPass(gpu::Device& device)
-    : pipeline_(device, gpu::GraphicsPipelineOptions{
-                            .name = "shadow",
-                            .vertexShader = shaders::gather_shadow_vert,
-                            .bindings = {{0, gpu::BindingType::UniformBuffer},
-                                         {1, gpu::BindingType::StorageBuffer},
-                                         {3, gpu::BindingType::StorageBuffer}},
-                            .pushConstantBytes = sizeof(std::uint32_t),
-                            .depthFormat = VK_FORMAT_D32_SFLOAT,
-                            .depth = gpu::DepthMode::Write,
-                        }) {}
+    : pipeline_(device, "shadow",
+                {.depthFormat = VK_FORMAT_D32_SFLOAT, .depth = gpu::DepthMode::Write}) {}
 
 ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::uint32_t views) {
   return {gpu::GpuImage(
@@ -33,15 +24,13 @@ ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::ui
 void ShadowPass::record(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
                         ShadowMaps& maps) const {
   commands.beginPass("shadow");
-  commands.bind(pipeline_);
   commands.use(mesh.indices, gpu::Access::Index);
   for (std::uint32_t view = 0; view < frame.shadowViews; ++view) {
-    commands.bindResources({gpu::Binding::uniform(0, frame.data),
-                            gpu::Binding::read(1, mesh.positions),
-                            gpu::Binding::read(3, mesh.corners)});
+    commands.bind(pipeline_,
+                  {.frame = frame.data, .positions = mesh.positions, .corners = mesh.corners}, {},
+                  {.view = view});
     const gpu::DepthTarget depth{.image = &maps.depth, .layer = view};
     commands.beginRendering({}, &depth);
-    commands.pushConstants(view);
     commands.drawIndexed(mesh.indices, mesh.indexCount);
     commands.endRendering();
   }

@@ -5,6 +5,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/gather/shadow.vert.h"
 
 namespace opaline::gpu {
 class Device;
@@ -25,7 +26,7 @@ class ShadowPass {
               ShadowMaps& maps) const;
 
  private:
-  gpu::Pipeline pipeline_;
+  gpu::Graphics<shaders::GatherShadowVert> pipeline_;
 };
 
 }  // namespace opaline::passes

@@ -7,7 +7,6 @@
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "passes/mechanics.h"
-#include "shaders/shaders.h"
 #include "shaders/shared/mesh.h"
 #include "shaders/shared/surfels.h"
 
@@ -15,19 +14,11 @@ namespace opaline::passes {
 
 namespace {
 
-using gpu::Binding;
-using gpu::BindingType;
-
 static_assert(surfels::Tree::leafBit == shared::leafBit);
 static_assert(surfels::Tree::setBit == shared::setBit);
 static_assert(surfels::Tree::countShift == shared::leafCountShift);
 
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-
-struct SurfelCounts {
-  std::uint32_t surfels;
-  std::uint32_t piecesPerSurfel;
-};
 
 std::vector<shared::SurfelPiece> packPieces(const surfels::SurfelDivision& made,
                                             const core::RestSurface& surface) {
@@ -69,36 +60,9 @@ std::vector<std::uint32_t> inOrder(std::uint32_t count) {
 SurfelPass::SurfelPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       linear_(device, gpu::Filter::Linear),
-      gather_(device,
-              gpu::ComputePipelineOptions{
-                  .name = "surfels",
-                  .shader = shaders::gather_surfels_comp,
-                  .bindings = {{0, BindingType::UniformBuffer},
-                               {1, BindingType::StorageBuffer},
-                               {2, BindingType::StorageBuffer},
-                               {3, BindingType::StorageBuffer},
-                               {4, BindingType::StorageBuffer},
-                               {5, BindingType::StorageBuffer},
-                               {6, BindingType::SampledImage},
-                               {7, BindingType::SampledImage},
-                               {8, BindingType::StorageBuffer},
-                               {9, BindingType::StorageBuffer},
-                               {10, BindingType::StorageBuffer}},
-                  .pushConstantBytes = sizeof(SurfelCounts),
-              }),
-      leaves_(device,
-              gpu::ComputePipelineOptions{
-                  .name = "leaves of the tree",
-                  .shader = shaders::gather_tree_leaves_comp,
-                  .bindings = slots(5),
-                  .pushConstantBytes = sizeof(NodeRange),
-              }),
-      nodes_(device, gpu::ComputePipelineOptions{
-                         .name = "nodes of the tree",
-                         .shader = shaders::gather_tree_nodes_comp,
-                         .bindings = slots(4),
-                         .pushConstantBytes = sizeof(NodeRange),
-                     }) {}
+      gather_(device, "surfels"),
+      leaves_(device, "leaves of the tree"),
+      nodes_(device, "nodes of the tree") {}
 
 Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivision& made,
                                 const core::RestSurface& surface) {
@@ -132,29 +96,39 @@ void SurfelPass::record(gpu::CommandList& commands, const Inputs& inputs, Surfel
 }
 
 void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const {
-  commands.bind(gather_);
-  commands.bindResources(
-      {Binding::uniform(0, inputs.frame.data), Binding::read(1, inputs.mesh.positions),
-       Binding::read(2, inputs.mesh.normals), Binding::read(3, surfels.pieces),
-       Binding::read(4, inputs.tables.objects), Binding::read(5, inputs.tables.media),
-       Binding::sampled(6, inputs.shadows.depth, nearest_),
-       Binding::sampled(7, inputs.tables.ambientCubes, linear_), Binding::write(8, surfels.sources),
-       Binding::write(9, surfels.normals), Binding::write(10, surfels.places)});
-  commands.pushConstants(SurfelCounts{surfels.count, surfels.piecesPerSurfel});
+  commands.bind(gather_,
+                {.frame = inputs.frame.data,
+                 .positions = inputs.mesh.positions,
+                 .normals = inputs.mesh.normals,
+                 .pieces = surfels.pieces,
+                 .objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .shadowMaps = {inputs.shadows.depth, nearest_},
+                 .ambientIrradiance = {inputs.tables.ambientCubes, linear_},
+                 .sources = surfels.sources,
+                 .surfelNormals = surfels.normals,
+                 .places = surfels.places},
+                {.surfelCount = surfels.count, .piecesPerSurfel = surfels.piecesPerSurfel});
   commands.dispatchLinear(surfels.count);
 }
 
 void SurfelPass::fitTree(gpu::CommandList& commands, Surfels& surfels) const {
   forEachHeight(surfels.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
-    commands.bind(height == 0 ? leaves_ : nodes_);
     if (height == 0)
-      commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
-                              Binding::read(2, surfels.sources), Binding::write(3, surfels.nodes),
-                              Binding::write(4, surfels.boxes)});
+      commands.bind(leaves_,
+                    {.links = surfels.links,
+                     .byHeight = surfels.byHeight,
+                     .sources = surfels.sources,
+                     .nodes = surfels.nodes,
+                     .boxes = surfels.boxes},
+                    {.first = range.first, .count = range.count});
     else
-      commands.bindResources({Binding::read(0, surfels.links), Binding::read(1, surfels.byHeight),
-                              Binding::write(2, surfels.nodes), Binding::write(3, surfels.boxes)});
-    commands.pushConstants(range);
+      commands.bind(nodes_,
+                    {.links = surfels.links,
+                     .byHeight = surfels.byHeight,
+                     .nodes = surfels.nodes,
+                     .boxes = surfels.boxes},
+                    {.first = range.first, .count = range.count});
     commands.dispatchLinear(range.count);
   });
 }

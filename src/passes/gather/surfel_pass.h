@@ -5,6 +5,9 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/gather/surfels.comp.h"
+#include "shaders/gather/tree_leaves.comp.h"
+#include "shaders/gather/tree_nodes.comp.h"
 #include "surfels/surfels.h"
 
 namespace opaline::gpu {
@@ -37,9 +40,9 @@ class SurfelPass {
 
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
-  gpu::Pipeline gather_;
-  gpu::Pipeline leaves_;
-  gpu::Pipeline nodes_;
+  gpu::Compute<shaders::GatherSurfels> gather_;
+  gpu::Compute<shaders::GatherTreeLeaves> leaves_;
+  gpu::Compute<shaders::GatherTreeNodes> nodes_;
 };
 
 }  // namespace opaline::passes

@@ -3,6 +3,8 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/scatter/nearby.comp.h"
+#include "shaders/scatter/nearby_vertices.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -29,8 +31,8 @@ class NearbyPass {
 
  private:
   struct Pipelines {
-    gpu::Pipeline vertices;
-    gpu::Pipeline fragments;
+    gpu::Compute<shaders::ScatterNearbyVertices> vertices;
+    gpu::Compute<shaders::ScatterNearby> fragments;
   };
   static Pipelines makePipelines(gpu::Device& device, ScatterTransport transport);
   const Pipelines& pipelines(ScatterTransport transport) const {

@@ -5,6 +5,9 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/scatter/pattern.frag.h"
+#include "shaders/scatter/pattern.vert.h"
+#include "shaders/scatter/pattern_vertices.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -30,12 +33,10 @@ class PatternPass {
 
  private:
   struct Pipelines {
-    gpu::Pipeline patternFragments;
-    gpu::Pipeline patternFar;
-    gpu::Pipeline patternVertices;
+    gpu::Graphics<shaders::ScatterPatternVert, shaders::ScatterPatternFrag> patternFragments;
+    gpu::Compute<shaders::ScatterPatternVertices> patternFar;
+    gpu::Compute<shaders::ScatterPatternVertices> patternVertices;
   };
-  static gpu::Pipeline makeVertexPattern(gpu::Device& device, ScatterTransport transport,
-                                         VertexPart part);
   static Pipelines makePipelines(gpu::Device& device, ScatterTransport transport);
   const Pipelines& pipelines(ScatterTransport transport) const {
     return transport == ScatterTransport::Dipole ? dipole_ : betterDipole_;

@@ -3,14 +3,10 @@
 #include <algorithm>
 
 #include "gpu/device.h"
-#include "shaders/shaders.h"
 
 namespace opaline::passes {
 
 namespace {
-
-using gpu::Binding;
-using gpu::BindingType;
 
 gpu::GpuImage makeTarget(gpu::Device& device, const char* name, std::uint32_t width,
                          std::uint32_t height, VkFormat format, VkImageUsageFlags usage) {
@@ -25,24 +21,12 @@ gpu::GpuImage makeTarget(gpu::Device& device, const char* name, std::uint32_t wi
 }  // namespace
 
 SurfacePass::SurfacePass(gpu::Device& device)
-    : pipeline_(device,
-                gpu::GraphicsPipelineOptions{
-                    .name = "surface",
-                    .vertexShader = shaders::scatter_surface_vert,
-                    .fragmentShader = shaders::scatter_surface_frag,
-                    .bindings = {{0, BindingType::UniformBuffer},
-                                 {1, BindingType::StorageBuffer},
-                                 {2, BindingType::StorageBuffer},
-                                 {3, BindingType::StorageBuffer},
-                                 {4, BindingType::StorageBuffer},
-                                 {5, BindingType::StorageBuffer}},
-                    .pushConstantBytes = sizeof(shared::vec2),
-                    .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
-                                     VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT,
-                                     VK_FORMAT_R16G16_SFLOAT},
-                    .depthFormat = VK_FORMAT_D32_SFLOAT,
-                    .depth = gpu::DepthMode::Write,
-                }) {}
+    : pipeline_(device, "surface",
+                {.colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
+                                  VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT,
+                                  VK_FORMAT_R16G16_SFLOAT},
+                 .depthFormat = VK_FORMAT_D32_SFLOAT,
+                 .depth = gpu::DepthMode::Write}) {}
 
 VisibleSurface SurfacePass::makeSurface(gpu::Device& device, std::uint32_t width,
                                         std::uint32_t height) {
@@ -79,12 +63,15 @@ void SurfacePass::record(gpu::CommandList& commands, const Inputs& inputs,
                          VisibleSurface& surface) const {
   DeformedMesh& mesh = inputs.mesh;
   commands.beginPass("surface");
-  commands.bind(pipeline_);
   commands.use(mesh.indices, gpu::Access::Index);
-  commands.bindResources({Binding::uniform(0, inputs.frame.data), Binding::read(1, mesh.positions),
-                          Binding::read(2, mesh.normals), Binding::read(3, mesh.corners),
-                          Binding::read(4, inputs.vertexExitance),
-                          Binding::read(5, inputs.charts)});
+  commands.bind(pipeline_,
+                {.frame = inputs.frame.data,
+                 .positions = mesh.positions,
+                 .normals = mesh.normals,
+                 .corners = mesh.corners,
+                 .exitances = inputs.vertexExitance,
+                 .charts = inputs.charts},
+                {}, {.jitter = inputs.jitter});
   const gpu::DepthTarget depth{.image = &surface.depth};
   commands.beginRendering({{.image = &surface.position},
                            {.image = &surface.normal},
@@ -92,7 +79,6 @@ void SurfacePass::record(gpu::CommandList& commands, const Inputs& inputs,
                            {.image = &surface.exitance},
                            {.image = &surface.facet}},
                           &depth);
-  commands.pushConstants(inputs.jitter);
   commands.drawIndexed(mesh.indices, mesh.indexCount);
   commands.endRendering();
   commands.endPass();

@@ -5,6 +5,8 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/scatter/surface.frag.h"
+#include "shaders/scatter/surface.vert.h"
 #include "shaders/shared/frame.h"
 
 namespace opaline::gpu {
@@ -33,7 +35,7 @@ class SurfacePass {
   void record(gpu::CommandList& commands, const Inputs& inputs, VisibleSurface& surface) const;
 
  private:
-  gpu::Pipeline pipeline_;
+  gpu::Graphics<shaders::ScatterSurfaceVert, shaders::ScatterSurfaceFrag> pipeline_;
 };
 
 }  // namespace opaline::passes

@@ -5,6 +5,10 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/scatter/all.comp.h"
+#include "shaders/scatter/all_vertices.comp.h"
+#include "shaders/scatter/tree.comp.h"
+#include "shaders/scatter/tree_vertices.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -47,11 +51,11 @@ class SurfelSumPass {
 
  private:
   struct Pipelines {
-    gpu::Pipeline roughVertices;
-    gpu::Pipeline treeVertices;
-    gpu::Pipeline treeFragments;
-    gpu::Pipeline allVertices;
-    gpu::Pipeline allFragments;
+    gpu::Compute<shaders::ScatterTreeVertices> roughVertices;
+    gpu::Compute<shaders::ScatterTreeVertices> treeVertices;
+    gpu::Compute<shaders::ScatterTree> treeFragments;
+    gpu::Compute<shaders::ScatterAllVertices> allVertices;
+    gpu::Compute<shaders::ScatterAll> allFragments;
   };
   static Pipelines makePipelines(gpu::Device& device, ScatterTransport transport);
   const Pipelines& pipelines(ScatterTransport transport) const {

@@ -9,7 +9,6 @@
 #include "gpu/command_list.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
-#include "shaders/shaders.h"
 
 namespace opaline::passes {
 
@@ -70,13 +69,7 @@ gpu::GpuImage makeCubeImage(gpu::Device& device, std::uint32_t size, VkImageUsag
 
 EnvironmentPass::EnvironmentPass(gpu::Device& device)
     : sampler_(device, gpu::Filter::Linear, gpu::Wrap::Repeat, gpu::Wrap::Clamp),
-      pipeline_(device, gpu::ComputePipelineOptions{
-                            .name = "reflected environment",
-                            .shader = shaders::shade_environment_comp,
-                            .bindings = {{0, gpu::BindingType::SampledImage},
-                                         {1, gpu::BindingType::StorageImage}},
-                            .pushConstantBytes = sizeof(float),
-                        }) {}
+      pipeline_(device, "reflected environment") {}
 
 gpu::GpuImage EnvironmentPass::makeBlack(gpu::Device& device) {
   gpu::GpuImage cube = makeCubeImage(device, 1, VK_IMAGE_USAGE_TRANSFER_DST_BIT);
@@ -92,10 +85,8 @@ gpu::GpuImage EnvironmentPass::makeCube(gpu::Device& device, const Image& latLon
   gpu::GpuImage cube = makeCubeImage(device, faceSize, VK_IMAGE_USAGE_STORAGE_BIT);
   gpu::CommandList commands(device, "reflected environment");
   commands.begin();
-  commands.bind(pipeline_);
-  commands.bindResources(
-      {gpu::Binding::sampled(0, map, sampler_), gpu::Binding::writeImage(1, cube)});
-  commands.pushConstants(roughness * roughness);
+  commands.bind(pipeline_, {.latLong = {map, sampler_}, .cube = cube},
+                {.alpha = roughness * roughness});
   commands.dispatch(faceSize / tileSize, faceSize / tileSize, 6);
   commands.submit();
   commands.wait();

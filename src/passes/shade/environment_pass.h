@@ -3,6 +3,7 @@
 #include "gpu/image.h"
 #include "gpu/pipeline.h"
 #include "opaline/image.h"
+#include "shaders/shade/environment.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -22,7 +23,7 @@ class EnvironmentPass {
 
  private:
   gpu::Sampler sampler_;
-  gpu::Pipeline pipeline_;
+  gpu::Compute<shaders::ShadeEnvironment> pipeline_;
 };
 
 }  // namespace opaline::passes

@@ -5,23 +5,10 @@
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
-#include "shaders/shaders.h"
 
 namespace opaline::passes {
 
 namespace {
-
-using gpu::Binding;
-using gpu::BindingType;
-
-struct SkyConstants {
-  std::uint32_t nodeCount;
-  std::uint32_t piecesPerSurfel;
-  std::uint32_t firstRay;
-  std::uint32_t rays;
-  std::uint32_t raysInAll;
-  float alpha;
-};
 
 // Of one sample: a mirror needs one, as antialiasing softens its edges; a wide lobe a few.
 std::uint32_t raysOfSample(float alpha) {
@@ -33,21 +20,7 @@ std::uint32_t raysOfSample(float alpha) {
 
 ReflectedSkyPass::ReflectedSkyPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
-      pipeline_(device,
-                gpu::ComputePipelineOptions{
-                    .name = "reflected sky",
-                    .shader = device.hasRayQueries() ? shaders::shade_reflected_sky_ray_queries_comp
-                                                     : shaders::shade_reflected_sky_comp,
-                    .bindings = {{0, BindingType::UniformBuffer},
-                                 {1, BindingType::SampledImage},
-                                 {2, BindingType::SampledImage},
-                                 {3, BindingType::SampledImage},
-                                 {4, BindingType::StorageBuffer},
-                                 {5, BindingType::TexelBuffer},
-                                 raysSlot(device, 6),
-                                 {7, BindingType::StorageImage}},
-                    .pushConstantBytes = sizeof(SkyConstants),
-                }) {}
+      pipeline_(device, "reflected sky", rayShader<shaders::ShadeReflectedSky>(device)) {}
 
 ReflectedSky ReflectedSkyPass::makeSky(gpu::Device& device, std::uint32_t width,
                                        std::uint32_t height) {
@@ -64,21 +37,22 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
   const float alpha = inputs.roughness * inputs.roughness;
   const std::uint32_t rays = raysOfSample(alpha);
   commands.beginPass("reflected sky");
-  commands.bind(pipeline_);
-  commands.bindResources({Binding::uniform(0, inputs.frame.data),
-                          Binding::sampled(1, inputs.surface.position, nearest_),
-                          Binding::sampled(2, inputs.surface.normal, nearest_),
-                          Binding::sampled(3, inputs.surface.facet, nearest_),
-                          Binding::read(4, inputs.tables.objects),
-                          Binding::texels(5, inputs.rays.corners), passes::rays(6, inputs.rays),
-                          Binding::writeImage(7, sky.share)});
-  commands.pushConstants(SkyConstants{.nodeCount = inputs.surfels.firstOfHeight.back(),
-                                      .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
-                                      .firstRay = rays * inputs.sample,
-                                      .rays = rays,
-                                      .raysInAll = rays * inputs.samples,
-                                      .alpha = alpha});
-  commands.dispatchTiles(sky.share);
+  commands.bind(pipeline_,
+                {.frame = inputs.frame.data,
+                 .surfacePosition = {inputs.surface.position, nearest_},
+                 .surfaceNormal = {inputs.surface.normal, nearest_},
+                 .surfaceFacet = {inputs.surface.facet, nearest_},
+                 .objects = inputs.tables.objects,
+                 .pieceCorners = inputs.rays.corners,
+                 .rayHierarchy = passes::rays(inputs.rays),
+                 .skyShare = sky.share},
+                {.nodeCount = inputs.surfels.firstOfHeight.back(),
+                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                 .firstRay = rays * inputs.sample,
+                 .rays = rays,
+                 .raysInAll = rays * inputs.samples,
+                 .alpha = alpha});
+  commands.dispatchTiles(sky.share, rays * roundsOfWalk);
   commands.endPass();
 }
 

@@ -5,6 +5,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/shade/reflected_sky.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -34,7 +35,7 @@ class ReflectedSkyPass {
 
  private:
   gpu::Sampler nearest_;
-  gpu::Pipeline pipeline_;
+  gpu::Compute<shaders::ShadeReflectedSky> pipeline_;
 };
 
 }  // namespace opaline::passes

@@ -1,35 +1,12 @@
 #include "passes/shade/seen_surfels_pass.h"
 
 #include "gpu/device.h"
-#include "shaders/shaders.h"
+#include "passes/mechanics.h"
 
 namespace opaline::passes {
 
-namespace {
-
-using gpu::Binding;
-using gpu::BindingType;
-
-struct SeenConstants {
-  std::uint32_t treeLevel;
-  std::uint32_t hasClusters;
-};
-
-}  // namespace
-
 SeenSurfelsPass::SeenSurfelsPass(gpu::Device& device)
-    : nearest_(device, gpu::Filter::Nearest),
-      pipeline_(device, gpu::ComputePipelineOptions{
-                            .name = "seen surfels",
-                            .shader = shaders::shade_seen_surfels_comp,
-                            .bindings = {{0, BindingType::SampledImage},
-                                         {1, BindingType::StorageImage},
-                                         {2, BindingType::StorageBuffer},
-                                         {3, BindingType::TexelBuffer},
-                                         {4, BindingType::TexelBuffer},
-                                         {5, BindingType::StorageBuffer}},
-                            .pushConstantBytes = sizeof(SeenConstants),
-                        }) {}
+    : nearest_(device, gpu::Filter::Nearest), pipeline_(device, "seen surfels") {}
 
 SeenSurfels SeenSurfelsPass::makeSeen(gpu::Device& device, const VisibleSurface& surface) {
   const VkExtent2D extent = surface.position.extent();
@@ -45,14 +22,16 @@ void SeenSurfelsPass::record(gpu::CommandList& commands, const Inputs& inputs,
                              SeenSurfels& seen) const {
   const bool clusters = inputs.clusters != nullptr;
   commands.beginPass("seen surfels");
-  commands.bind(pipeline_);
-  commands.bindResources(
-      {Binding::sampled(0, inputs.surface.position, nearest_), Binding::writeImage(1, seen.image),
-       Binding::read(2, inputs.tables.objects), Binding::texels(3, inputs.rays.corners),
-       Binding::texels(4, inputs.rays.boxes),
-       Binding::read(5, clusters ? inputs.clusters->clusterOfSurfel : inputs.surfels.order)});
-  commands.pushConstants(SeenConstants{inputs.treeLevel, clusters ? 1U : 0U});
-  commands.dispatchTiles(seen.image);
+  commands.bind(
+      pipeline_,
+      {.surfacePosition = {inputs.surface.position, nearest_},
+       .seen = seen.image,
+       .objects = inputs.tables.objects,
+       .pieceCorners = inputs.rays.corners,
+       .rayHierarchy = inputs.rays.boxes,
+       .clusterOfSurfel = clusters ? inputs.clusters->clusterOfSurfel : inputs.surfels.order},
+      {.treeLevel = inputs.treeLevel, .hasClusters = clusters});
+  commands.dispatchTiles(seen.image, roundsOfWalk);
   commands.endPass();
 }
 

@@ -5,6 +5,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/shade/seen_surfels.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -32,7 +33,7 @@ class SeenSurfelsPass {
 
  private:
   gpu::Sampler nearest_;
-  gpu::Pipeline pipeline_;
+  gpu::Compute<shaders::ShadeSeenSurfels> pipeline_;
 };
 
 }  // namespace opaline::passes

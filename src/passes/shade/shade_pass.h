@@ -6,6 +6,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/shade/shade.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -40,7 +41,7 @@ class ShadePass {
  private:
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
-  gpu::Pipeline pipeline_;
+  gpu::Compute<shaders::ShadeShade> pipeline_;
 };
 
 }  // namespace opaline::passes

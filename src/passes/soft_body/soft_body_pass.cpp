@@ -7,27 +7,11 @@
 
 #include "gpu/device.h"
 #include "gpu/transfer.h"
-#include "shaders/shaders.h"
 #include "soft_body/spread.h"
 
 namespace opaline::passes {
 
 namespace {
-
-using gpu::Binding;
-using gpu::BindingType;
-
-struct EmbedConstants {
-  std::array<float, 4> origin;
-  std::array<std::uint32_t, 4> size;
-};
-
-std::vector<gpu::BindingSlot> storageSlots(std::uint32_t count) {
-  std::vector<gpu::BindingSlot> slots;
-  for (std::uint32_t slot = 0; slot < count; ++slot)
-    slots.push_back({slot, BindingType::StorageBuffer});
-  return slots;
-}
 
 template <typename T>
 gpu::Buffer makeTable(gpu::Device& device, const char* name, const std::vector<T>& data) {
@@ -56,20 +40,9 @@ std::vector<std::uint32_t> cornersOf(const soft_body::Cage& cage) {
 }  // namespace
 
 SoftBodyPass::SoftBodyPass(gpu::Device& device)
-    : swing_(device, gpu::ComputePipelineOptions{.name = "swing of a soft body",
-                                                 .shader = shaders::soft_body_swing_comp,
-                                                 .bindings = storageSlots(6),
-                                                 .pushConstantBytes = sizeof(shared::SoftStep)}),
-      spread_(device, gpu::ComputePipelineOptions{.name = "grid of a soft body",
-                                                  .shader = shaders::soft_body_spread_comp,
-                                                  .bindings = storageSlots(4),
-                                                  .pushConstantBytes = sizeof(std::uint32_t)}),
-      embed_(device, gpu::ComputePipelineOptions{.name = "vertices of a soft body",
-                                                 .shader = shaders::soft_body_embed_comp,
-                                                 .bindings = {{0, BindingType::StorageBuffer},
-                                                              {1, BindingType::TexelBuffer},
-                                                              {2, BindingType::StorageBuffer}},
-                                                 .pushConstantBytes = sizeof(EmbedConstants)}) {}
+    : swing_(device, "swing of a soft body"),
+      spread_(device, "grid of a soft body"),
+      embed_(device, "vertices of a soft body") {}
 
 SoftBodyState SoftBodyPass::makeState(gpu::Device& device, const soft_body::Cage& cage,
                                       std::span<const Vec3> restMm) {
@@ -99,12 +72,12 @@ SoftBodyState SoftBodyPass::makeState(gpu::Device& device, const soft_body::Cage
                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   state.positions = gpu::makeBuffer(device, "soft body", std::as_bytes(restMm),
                                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    state.origin[axis] = static_cast<float>(cage.originMm[axis] - cage.cellMm);
-    state.size[axis] = spread.size[axis];
-  }
-  state.origin[3] = static_cast<float>(cage.cellMm);
-  state.size[3] = static_cast<std::uint32_t>(restMm.size());
+  const auto originOf = [&](std::size_t axis) {
+    return static_cast<float>(cage.originMm[axis] - cage.cellMm);
+  };
+  state.origin = {originOf(0), originOf(1), originOf(2), static_cast<float>(cage.cellMm)};
+  state.size = {spread.size[0], spread.size[1], spread.size[2],
+                static_cast<std::uint32_t>(restMm.size())};
   return state;
 }
 
@@ -113,11 +86,14 @@ void SoftBodyPass::swing(gpu::CommandList& commands, shared::SoftStep step,
   step.nodeCount = state.nodeCount;
   std::copy(state.firstOfColour.begin(), state.firstOfColour.end(), step.firstOfColour);
   commands.beginPass("swing");
-  commands.bind(swing_);
-  commands.bindResources({Binding::read(0, state.cells), Binding::read(1, state.nodes),
-                          Binding::write(2, state.motions), Binding::write(3, state.turns),
-                          Binding::write(4, state.grips), Binding::write(5, state.report)});
-  commands.pushConstants(step);
+  commands.bind(swing_,
+                {.corners = state.cells,
+                 .nodes = state.nodes,
+                 .motions = state.motions,
+                 .turns = state.turns,
+                 .grips = state.grips,
+                 .report = state.report},
+                {.now = step});
   commands.dispatch(1);
   commands.endPass();
 }
@@ -125,15 +101,15 @@ void SoftBodyPass::swing(gpu::CommandList& commands, shared::SoftStep step,
 void SoftBodyPass::embed(gpu::CommandList& commands, SoftBodyState& state) const {
   commands.beginPass("embed");
   const std::uint32_t places = state.size[0] * state.size[1] * state.size[2];
-  commands.bind(spread_);
-  commands.bindResources({Binding::read(0, state.motions), Binding::read(1, state.firstPart),
-                          Binding::read(2, state.parts), Binding::write(3, state.grid)});
-  commands.pushConstants(places);
+  commands.bind(spread_,
+                {.motions = state.motions,
+                 .firstPart = state.firstPart,
+                 .parts = state.parts,
+                 .grid = state.grid},
+                {.count = places});
   commands.dispatchLinear(places);
-  commands.bind(embed_);
-  commands.bindResources({Binding::read(0, state.rest), Binding::texels(1, state.grid),
-                          Binding::write(2, state.positions)});
-  commands.pushConstants(EmbedConstants{state.origin, state.size});
+  commands.bind(embed_, {.rest = state.rest, .grid = state.grid, .positions = state.positions},
+                {.origin = state.origin, .size = state.size});
   commands.dispatchLinear(state.size[3]);
   commands.use(state.positions, gpu::Access::StorageRead);
   commands.endPass();

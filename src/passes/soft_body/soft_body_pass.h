@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <span>
 
 #include "gpu/command_list.h"
@@ -9,6 +10,9 @@
 #include "opaline/types.h"
 #include "passes/products.h"
 #include "shaders/shared/soft_body.h"
+#include "shaders/soft_body/embed.comp.h"
+#include "shaders/soft_body/spread.comp.h"
+#include "shaders/soft_body/swing.comp.h"
 #include "soft_body/cage.h"
 
 namespace opaline::gpu {
@@ -27,11 +31,11 @@ struct SoftBodyState {
   gpu::Buffer report;     ///< shared::SoftReport
   gpu::Buffer firstPart;  ///< soft_body::Spread
   gpu::Buffer parts;
-  gpu::Buffer grid;                     ///< vec4 a place: xyz cells; texels too
-  gpu::Buffer rest;                     ///< three floats a vertex, mm
-  gpu::Buffer positions;                ///< three floats a vertex, mm
-  std::array<float, 4> origin{};        ///< of the grid, mm; edge of a cell, mm
-  std::array<std::uint32_t, 4> size{};  ///< of the grid; number of vertices
+  gpu::Buffer grid;       ///< vec4 a place: xyz cells; texels too
+  gpu::Buffer rest;       ///< three floats a vertex, mm
+  gpu::Buffer positions;  ///< three floats a vertex, mm
+  glm::vec4 origin{0};    ///< of the grid, mm; edge of a cell, mm
+  glm::uvec4 size{0};     ///< of the grid; number of vertices
   std::array<std::uint32_t, shared::softColours + 1> firstOfColour{};  ///< cell
   std::uint32_t nodeCount = 0;
 };
@@ -52,9 +56,9 @@ class SoftBodyPass {
   void embed(gpu::CommandList& commands, SoftBodyState& state) const;
 
  private:
-  gpu::Pipeline swing_;
-  gpu::Pipeline spread_;
-  gpu::Pipeline embed_;
+  gpu::Compute<shaders::SoftBodySwing> swing_;
+  gpu::Compute<shaders::SoftBodySpread> spread_;
+  gpu::Compute<shaders::SoftBodyEmbed> embed_;
 };
 
 }  // namespace opaline::passes

@@ -8,8 +8,8 @@
 #define BINDING_CLUSTER_NODES 3
 #define BINDING_EXITANCES 4
 #define BINDING_MEANS 5
+#include "lib/bodies.glsl"
 #include "lib/carry.glsl"
-#include "lib/scatter.glsl"
 #include "lib/tile.glsl"
 
 layout(set = 0, binding = 6) uniform sampler2D surfacePosition;

@@ -8,9 +8,9 @@
 #define BINDING_CLUSTER_NODES 3
 #define BINDING_EXITANCES 4
 #define BINDING_MEANS 5
+#include "lib/bodies.glsl"
 #include "lib/carry.glsl"
 #include "lib/linear.glsl"
-#include "lib/scatter.glsl"
 #include "shared/mesh.h"
 
 layout(std430, set = 0, binding = 6) readonly buffer Positions { vec4 positions[]; };

@@ -6,6 +6,7 @@
 #define BINDING_MEDIA 8
 #include "lib/boundary.glsl"
 #include "lib/linear.glsl"
+#include "lib/solver.glsl"
 
 layout(constant_id = 0) const uint ofLeaves = 1u;
 
@@ -33,7 +34,7 @@ vec4 moved(vec4 density, vec3 offset) {
 
 void main() {
   uint i = linearIndex();
-  if (i >= count || step > 0u && states[solution].done != 0u) return;
+  if (i >= count || step > 0u && states[solution].done[doneBefore(step)] != 0u) return;
   if (ofLeaves != 0u) {
     vec4 shape = vec4(clusters[i].vectorArea.xyz, clusters[i].centroidArea.w);
     vec3 fluence = fluences[first + i].rgb;

@@ -39,7 +39,7 @@ void main() {
       float squared = dot(offset, offset);
       bool taken = isLeaf(link) ||
                    isFar(squared, spreadOf(at).x, sigma, openingAngle);
-      if (taken && at != range.node && squared > 0.0) {
+      if (taken && at != range.node && squared > leastSquaredMm2) {
         float over = inversesqrt(squared);
         float over3 = over * over * over;
         float fills = over3 * dot(offset, vectorAreaOf(at));

@@ -10,6 +10,7 @@
 #include "lib/boundary.glsl"
 #include "lib/cluster_node.glsl"
 #include "lib/linear.glsl"
+#include "lib/solver.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Clusters { Cluster clusters[]; };
@@ -28,7 +29,7 @@ layout(push_constant) uniform Push {
 
 void main() {
   uint i = linearIndex();
-  if (step > 0u && states[solution].done != 0u) return;
+  if (step > 0u && states[solution].done[doneBefore(step)] != 0u) return;
   bool inside = i < clusterCount;
   ClusterRange range = ranges[inside ? i : 0u];
   ObjectData body = objects[range.object];
@@ -52,7 +53,7 @@ void main() {
       float squared = dot(offset, offset);
       bool far = isFar(squared, spread.x, leastSigma, openingAngle);
       bool taken = isLeaf(link) || far;
-      if (taken && at != range.node && squared > 0.0) {
+      if (taken && at != range.node && squared > leastSquaredMm2) {
         vec4 red = texelFetch(densities, 3 * int(at));
         vec4 green = texelFetch(densities, 3 * int(at) + 1);
         vec4 blue = texelFetch(densities, 3 * int(at) + 2);

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"
 #include "lib/group_sum.glsl"
+#include "lib/solver.glsl"
 #include "shared/boundary.h"
 
 layout(std430, set = 0, binding = 0) readonly buffer Clusters { Cluster clusters[]; };
@@ -21,7 +22,7 @@ layout(push_constant) uniform Push {
 };
 
 void main() {
-  if (step > 0u && states[solution].done != 0u) return;
+  if (step > 0u && states[solution].done[doneBefore(step)] != 0u) return;
   uint i = linearIndex();
   bool inside = i < clusterCount;
   uint group = i / 64u;

@@ -6,6 +6,7 @@
 #include "lib/linear.glsl"
 #include "lib/group_sum.glsl"
 #include "lib/over_or_0.glsl"
+#include "lib/solver.glsl"
 #include "shared/boundary.h"
 
 layout(std430, set = 0, binding = 0) readonly buffer Products { vec4 products[]; };
@@ -20,8 +21,9 @@ layout(push_constant) uniform Push {
   uint solution;
 };
 
-// What is left of a vector, relative to what it was, when it is nothing but rounding.
-const float leastLeft2 = 1e-10;
+// What is left of a vector, relative to what it was and squared, when rounding may have made it: some
+// roundings of sums of single precision.
+const float leastLeft2 = 1.0 / float(1u << 21u);
 
 vec3 total(uint k) {
   uint groups = (clusterCount + 63u) / 64u;
@@ -29,6 +31,10 @@ vec3 total(uint k) {
   for (uint g = gl_LocalInvocationIndex; g < groups; g += 64u)
     sum += sums[g * (maxSolverSteps + 1u) + k].rgb;
   return groupSum(sum);
+}
+
+void setDone(bool done) {
+  states[solution].done[doneBefore(step + 1u)] = done ? 1u : 0u;
 }
 
 void start(uint i) {
@@ -40,11 +46,13 @@ void start(uint i) {
   states[solution].rotated[0] = vec4(norm, 0.0);
   states[solution].residual = vec4(overOr0(norm * tolerance, states[solution].wanted.rgb), 0.0);
   states[solution].steps = 0u;
-  states[solution].done = all(lessThanEqual(norm, states[solution].wanted.rgb)) ? 1u : 0u;
+  setDone(all(lessThanEqual(norm, states[solution].wanted.rgb)));
 }
 
-// The column of the Hessenberg matrix under all rotations, and the one it adds.
-void rotate(vec3 column[maxSolverSteps + 1u]) {
+// The column of the Hessenberg matrix under all rotations, and the one it adds. Where nothing but
+// rounding is left of the vector, no larger than `hidden`, there is no next one, and that is as much as
+// is known of the residual.
+void rotate(vec3 column[maxSolverSteps + 1u], vec3 hidden) {
   uint last = step - 1u;
   for (uint k = 0u; k < last; ++k) {
     vec3 c = states[solution].cosine[k].rgb;
@@ -63,11 +71,13 @@ void rotate(vec3 column[maxSolverSteps + 1u]) {
   states[solution].cosine[last] = vec4(c, 0.0);
   states[solution].sine[last] = vec4(s, 0.0);
   states[solution].rotated[last] = vec4(c * before, 0.0);
-  states[solution].rotated[step] = vec4(-s * before, 0.0);
-  vec3 left = abs(s * before);
+  vec3 part = mix(min(max(s, overOr0(hidden, size)), 1.0), vec3(1.0), lessThanEqual(size, vec3(0.0)));
+  states[solution].rotated[step] = vec4(-part * before, 0.0);
+  vec3 left = abs(part * before);
   states[solution].residual = vec4(overOr0(left * tolerance, states[solution].wanted.rgb), 0.0);
   states[solution].steps = step;
-  if (all(lessThanEqual(left, states[solution].wanted.rgb))) states[solution].done = 1u;
+  vec3 toGo = mix(left, vec3(0.0), lessThanEqual(column[step], vec3(0.0)));
+  setDone(all(lessThanEqual(toGo, states[solution].wanted.rgb)));
 }
 
 void main() {
@@ -76,7 +86,10 @@ void main() {
     start(i);
     return;
   }
-  if (states[solution].done != 0u) return;
+  if (states[solution].done[doneBefore(step)] != 0u) {
+    if (i == 0u) setDone(true);
+    return;
+  }
   bool inside = i < clusterCount;
   vec3 vector = inside ? products[i].rgb : vec3(0.0);
   vec3 column[maxSolverSteps + 1u];
@@ -87,8 +100,8 @@ void main() {
     left2 -= column[k] * column[k];
     if (inside) vector -= column[k] * basis[k * clusterCount + i].rgb;
   }
-  left2 = mix(left2, vec3(0.0), lessThanEqual(left2, leastLeft2 * all2));
-  column[step] = sqrt(left2);
+  bvec3 rounded = lessThanEqual(left2, leastLeft2 * all2);
+  column[step] = mix(sqrt(max(left2, 0.0)), vec3(0.0), rounded);
   if (inside) basis[step * clusterCount + i] = vec4(overOr0(vector, column[step]), 0.0);
-  if (i == 0u) rotate(column);
+  if (i == 0u) rotate(column, mix(vec3(0.0), sqrt(leastLeft2 * all2), rounded));
 }

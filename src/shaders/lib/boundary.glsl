@@ -1,14 +1,10 @@
 // What the shaders of boundary transport share. Needs, before it, BINDING_OBJECTS and BINDING_MEDIA.
 #ifndef OPALINE_LIB_BOUNDARY
 #define OPALINE_LIB_BOUNDARY
+#include "lib/bodies.glsl"
 #include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
-#include "shared/frame.h"
-#include "shared/medium.h"
-
-layout(std430, set = 0, binding = BINDING_OBJECTS) readonly buffer Objects { ObjectData objects[]; };
-layout(std430, set = 0, binding = BINDING_MEDIA) readonly buffer Media { MediumData media[]; };
 
 // Whether a node may be taken for what is below it: from further than its radius over the opening
 // angle. Where light falls off within the node, that is felt to be larger; twice
@@ -18,10 +14,13 @@ bool isFar(float squaredMm2, float radius, float sigmaPerMm, float openingAngle)
   return squaredMm2 * (openingAngle * openingAngle) > felt * felt;
 }
 
+// Places nearer to each other are one: one over their distance, cubed, is no number that is too large.
+const float leastSquaredMm2 = 1e-18;
+
 // A cluster of that area as a disc fills less of the solid angle than its area over the squared
 // distance: what that is to be multiplied by, on the disc's axis.
 float coverageOfDisc(float squaredMm2, float areaMm2) {
-  float x2 = squaredMm2 * pi / max(areaMm2, 1e-30);
+  float x2 = min(squaredMm2 * pi / max(areaMm2, 1e-30), 1e12);
   // 2x² (1 - x/√(1+x²)) without its cancellation.
   float root = sqrt(1.0 + x2);
   return 2.0 * x2 / (root * (root + sqrt(x2)));

@@ -29,39 +29,46 @@ vec3 oneMinusExp(vec3 x, vec3 expMinusX) {
   return mix(1.0f - expMinusX, series, lessThan(x, vec3(0.5f)));
 }
 
-// d'Eon 2012: α' (C_φ φ + C_E J). With Δ = d_v - d_r, all terms positive:
-// e^{-σ d_r}/d_r - e^{-σ d_v}/d_v = e^{-σ d_r} (Δ/d_r + 1 - e^{-σ Δ}) / d_v.
-vec3 betterDipoleProfile(Profile p, vec3 radiusSquaredMm2) {
+// The two sources of a dipole, seen from a radius.
+struct Dipole {
+  vec3 overReal;  // one over the distance d_r
+  vec3 overVirtual;
+  vec3 further;    // Δ = d_v - d_r
+  vec3 decayReal;  // e^{-σ d_r}
+  vec3 decayFurther;
+};
+
+Dipole dipoleAt(Profile p, vec3 radiusSquaredMm2) {
   vec3 realSquared = radiusSquaredMm2 + p.zRealSquared;
   vec3 virtualSquared = radiusSquaredMm2 + p.zVirtualSquared;
   vec3 overReal = inversesqrt(realSquared);
   vec3 overVirtual = inversesqrt(virtualSquared);
   vec3 real = realSquared * overReal;
   vec3 further = p.zSquaredDifference / (virtualSquared * overVirtual + real);
-  vec3 decayReal = exp2(-p.sigmaTrBase2 * real);
-  vec3 decayFurther = exp2(-p.sigmaTrBase2 * further);
-  vec3 fluence = p.weightFluence * overVirtual *
-                 (further * overReal + oneMinusExp(p.sigmaTr * further, decayFurther));
-  vec3 fluxReal = p.weightReal * (overReal * overReal) * (overReal + p.sigmaTr);
-  vec3 fluxVirtual =
-      p.weightVirtual * (overVirtual * overVirtual) * (overVirtual + p.sigmaTr) * decayFurther;
-  return decayReal * (fluence + fluxReal + fluxVirtual);
+  Dipole dipole = {overReal, overVirtual, further, exp2(-p.sigmaTrBase2 * real),
+                   exp2(-p.sigmaTrBase2 * further)};
+  return dipole;
+}
+
+// d'Eon 2012: α' (C_φ φ + C_E J). All terms are positive:
+// e^{-σ d_r}/d_r - e^{-σ d_v}/d_v = e^{-σ d_r} (Δ/d_r + 1 - e^{-σ Δ}) / d_v.
+vec3 betterDipoleProfile(Profile p, vec3 radiusSquaredMm2) {
+  Dipole d = dipoleAt(p, radiusSquaredMm2);
+  vec3 fluence = p.weightFluence * d.overVirtual *
+                 (d.further * d.overReal + oneMinusExp(p.sigmaTr * d.further, d.decayFurther));
+  vec3 fluxReal = p.weightReal * (d.overReal * d.overReal) * (d.overReal + p.sigmaTr);
+  vec3 fluxVirtual = p.weightVirtual * (d.overVirtual * d.overVirtual) *
+                     (d.overVirtual + p.sigmaTr) * d.decayFurther;
+  return d.decayReal * (fluence + fluxReal + fluxVirtual);
 }
 
 // The integral of either over all of the plane outside a disc.
 vec3 profileOutside(Profile p, vec3 radiusSquaredMm2) {
-  vec3 realSquared = radiusSquaredMm2 + p.zRealSquared;
-  vec3 virtualSquared = radiusSquaredMm2 + p.zVirtualSquared;
-  vec3 overReal = inversesqrt(realSquared);
-  vec3 overVirtual = inversesqrt(virtualSquared);
-  vec3 real = realSquared * overReal;
-  vec3 further = p.zSquaredDifference / (virtualSquared * overVirtual + real);
-  vec3 decayReal = exp2(-p.sigmaTrBase2 * real);
-  vec3 decayFurther = exp2(-p.sigmaTrBase2 * further);
+  Dipole d = dipoleAt(p, radiusSquaredMm2);
   vec3 sigma = p.sigmaTr + 1e-12f;
-  vec3 fluence = p.weightFluence * oneMinusExp(sigma * further, decayFurther) / sigma;
-  vec3 flux = p.weightReal * overReal + p.weightVirtual * overVirtual * decayFurther;
-  return 6.2831853f * decayReal * (fluence + flux);
+  vec3 fluence = p.weightFluence * oneMinusExp(sigma * d.further, d.decayFurther) / sigma;
+  vec3 flux = p.weightReal * d.overReal + p.weightVirtual * d.overVirtual * d.decayFurther;
+  return 6.2831853f * d.decayReal * (fluence + flux);
 }
 
 vec3 dipoleProfile(Profile p, float radiusSquaredMm2) {

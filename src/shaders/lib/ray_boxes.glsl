@@ -7,7 +7,7 @@
 #ifndef OPALINE_LIB_RAY_BOXES
 #define OPALINE_LIB_RAY_BOXES
 
-layout(set = 0, binding = BINDING_RAYS) uniform samplerBuffer rayBoxes;  // RayBox
+layout(set = 0, binding = BINDING_RAYS) uniform samplerBuffer rayHierarchy;  // RayBox
 
 struct Ray {
   vec3 origin;
@@ -54,9 +54,10 @@ void meetPiece(Ray ray, uint piece, float minDistance, inout RayHit hit) {
   vec4 a4 = texelFetch(pieceCorners, at);
   vec4 b4 = texelFetch(pieceCorners, at + 1);
   vec4 c4 = texelFetch(pieceCorners, at + 2);
-  vec3 a = ray.turn * (a4.xyz - ray.origin);
-  vec3 b = ray.turn * (b4.xyz - ray.origin);
-  vec3 c = ray.turn * (c4.xyz - ray.origin);
+  // Whichever corner of a piece a place is, it has to become the same, bit by bit.
+  precise vec3 a = ray.turn * (a4.xyz - ray.origin);
+  precise vec3 b = ray.turn * (b4.xyz - ray.origin);
+  precise vec3 c = ray.turn * (c4.xyz - ray.origin);
   // Twice the areas of the ray with each edge, all of one sign where it passes between them. No
   // rounding gives one of the wrong sign, as long as none is left out.
   precise vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
@@ -82,8 +83,8 @@ RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDista
     uint piece = 0u;
     uint end = 0u;
     do {
-      vec4 low = texelFetch(rayBoxes, 2 * int(node));
-      vec4 high = texelFetch(rayBoxes, 2 * int(node) + 1);
+      vec4 low = texelFetch(rayHierarchy, 2 * int(node));
+      vec4 high = texelFetch(rayHierarchy, 2 * int(node) + 1);
       uint link = floatBitsToUint(low.w);
       bool met = meetsBox(ray, low.xyz, high.xyz, hit.distance);
       bool leaf = isLeaf(link);

@@ -4,7 +4,7 @@
 #define OPALINE_LIB_RAY_QUERIES
 #extension GL_EXT_ray_query : require
 
-layout(set = 0, binding = BINDING_RAYS) uniform accelerationStructureEXT rayStructure;
+layout(set = 0, binding = BINDING_RAYS) uniform accelerationStructureEXT rayHierarchy;
 
 uint firstPieceOf(uint object);
 
@@ -18,7 +18,7 @@ RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDista
                (anyWillDo ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT);
   uint mask = one ? 1u << target.object % 8u : 0xffu;
   rayQueryEXT query;
-  rayQueryInitializeEXT(query, rayStructure, flags, mask, origin, minDistance, direction,
+  rayQueryInitializeEXT(query, rayHierarchy, flags, mask, origin, minDistance, direction,
                         maxDistance);
   while (rayQueryProceedEXT(query)) {
     if (rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) == int(target.object))

@@ -47,7 +47,7 @@ void main() {
     float weight = dot(axis, toLight);
     if (weight <= 0.0) continue;
     float solidAngle = 4.0 / (ggxDistribution(alpha, cosine) * float(sampleCount));
-    float texelAngle = 2.0 * pi * pi * max(sqrt(1.0 - toLight.y * toLight.y), 1e-3) / (mapSize.x * mapSize.y);
+    float texelAngle = 2.0 * pi * pi * sqrt(max(1.0 - toLight.y * toLight.y, 1e-6)) / (mapSize.x * mapSize.y);
     float level = max(0.5 * log2(solidAngle / texelAngle) + 0.5, 0.0);
     sum += weight * vec4(textureLod(latLong, latLongCoordinates(toLight), level).rgb, 1.0);
   }

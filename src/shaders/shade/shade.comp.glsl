@@ -49,7 +49,8 @@ vec3 reflection(MediumData medium, vec3 position, vec3 normal, vec3 toCamera, fl
     vec3 arriving = lightIrradiance(i, position, toLight);
     float cosineIn = dot(normal, toLight);
     if (cosineIn <= 0.0) continue;
-    vec3 middle = normalize(toLight + toCamera);
+    // Where they are opposite, the middle is the normal.
+    vec3 middle = normalize(toLight + toCamera + 1e-18 * normal);
     float value = ggxDistribution(alpha, clamp(dot(normal, middle), 0.0, 1.0)) *
                   ggxVisibility(alpha, cosineOut, cosineIn) *
                   fresnelReflectance(eta, clamp(dot(toLight, middle), 0.0, 1.0)) * cosineIn;

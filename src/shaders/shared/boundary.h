@@ -3,7 +3,6 @@
 #define OPALINE_SHARED_BOUNDARY_H
 
 #ifdef __cplusplus
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec4.hpp>
 namespace opaline::shared {
@@ -128,22 +127,11 @@ struct SolverState {
   vec4 wanted;                        // rgb: norm below which the residual is small enough
   vec4 residual;                      // rgb: relative to the right-hand side
   uint steps;                         // that were made
-  uint done;                          // 1: nothing more to do
-  uint unused0;
-  uint unused1;
+  uint done[2];                       // after the last even and odd step, 1: nothing more to do
+  uint unused;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ClusterRange) == 20);
-static_assert(sizeof(Cluster) == 112);
-static_assert(sizeof(Entry) == 64);
-static_assert(sizeof(BeamPoint) == 48);
-static_assert(sizeof(Meeting) == 8);
-static_assert(sizeof(Mirrored) == 32);
-static_assert(sizeof(ClusterNode) == 80);
-static_assert(sizeof(DensityNode) == 48);
-static_assert(sizeof(BeamNode) == 96);
-static_assert(sizeof(SolverState) == 1600);
 }  // namespace opaline::shared
 #endif
 

@@ -4,7 +4,6 @@
 #define OPALINE_SHARED_DEFORM_H
 
 #ifdef __cplusplus
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec4.hpp>
 namespace opaline::shared {
@@ -74,16 +73,6 @@ struct DeformFrame {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RestVertex) == 32);
-static_assert(offsetof(RestVertex, normalX) == 16);
-static_assert(sizeof(MorphDelta) == 28);
-static_assert(offsetof(MorphDelta, normalX) == 16);
-static_assert(sizeof(JointInfluence) == 8);
-static_assert(sizeof(TriangleEdge) == 8);
-static_assert(sizeof(ObjectMotion) == 12);
-static_assert(sizeof(DeformerData) == 48);
-static_assert(offsetof(DeformFrame, deformers) == 32);
-static_assert(sizeof(DeformFrame) == 32 + 48 * maxDeformers);
 }  // namespace opaline::shared
 #endif
 

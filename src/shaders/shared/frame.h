@@ -4,7 +4,6 @@
 #define OPALINE_SHARED_FRAME_H
 
 #ifdef __cplusplus
-#include <cstddef>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -57,14 +56,6 @@ struct ObjectData {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(LightData) == 80);
-static_assert(offsetof(LightData, views) == 64);
-static_assert(offsetof(FrameData, cameraPosition) == 64);
-static_assert(offsetof(FrameData, counts) == 96);
-static_assert(offsetof(FrameData, lights) == 128);
-static_assert(offsetof(FrameData, shadowViews) == 128 + 80 * maxLights);
-static_assert(sizeof(FrameData) == 128 + 80 * maxLights + 64 * maxShadowViews);
-static_assert(sizeof(ObjectData) == 128);
 }  // namespace opaline::shared
 #endif
 

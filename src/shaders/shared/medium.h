@@ -47,8 +47,6 @@ struct PatternEntry {
 OPALINE_PATTERN_CONSTANT maxPatternEntries = 31 * 31 + 2;
 
 #ifdef __cplusplus
-static_assert(sizeof(MediumData) == sizeof(Profile) + 96);
-static_assert(sizeof(PatternEntry) == 16);
 static_assert(sizeof(PatternEntry) * maxPatternEntries <= 16384);
 }  // namespace opaline::shared
 #endif

@@ -3,7 +3,6 @@
 #define OPALINE_SHARED_MESH_H
 
 #ifdef __cplusplus
-#include <cstddef>
 #include <cstdint>
 namespace opaline::shared {
 using uint = std::uint32_t;  // NOLINT(readability-identifier-naming): GLSL's word
@@ -34,10 +33,6 @@ struct FarPlace {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FarPlace) == 12);
-static_assert(sizeof(AtlasCorner) == 20);
-static_assert(offsetof(AtlasCorner, u) == 8);
-static_assert(sizeof(ChartPlace) == 12);
 }  // namespace opaline::shared
 #endif
 

@@ -3,7 +3,6 @@
 #define OPALINE_SHADERS_SHARED_PROFILE_DATA_H
 
 #ifdef __cplusplus
-#include <cstddef>
 #include <glm/vec3.hpp>
 
 namespace opaline::shared {
@@ -33,15 +32,6 @@ struct Profile {
 };
 
 #ifdef __cplusplus
-static_assert(offsetof(Profile, zRealSquared) == 0);
-static_assert(offsetof(Profile, zVirtualSquared) == 16);
-static_assert(offsetof(Profile, zSquaredDifference) == 32);
-static_assert(offsetof(Profile, sigmaTr) == 48);
-static_assert(offsetof(Profile, sigmaTrBase2) == 64);
-static_assert(offsetof(Profile, weightReal) == 80);
-static_assert(offsetof(Profile, weightVirtual) == 96);
-static_assert(offsetof(Profile, weightFluence) == 112);
-static_assert(sizeof(Profile) == 128);
 
 }  // namespace opaline::shared
 #endif

@@ -24,8 +24,6 @@ struct RayBox {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RayPiece) == 48);
-static_assert(sizeof(RayBox) == 32);
 }  // namespace opaline::shared
 #endif
 

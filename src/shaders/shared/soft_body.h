@@ -4,7 +4,6 @@
 #define OPALINE_SHARED_SOFT_BODY_H
 
 #ifdef __cplusplus
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec4.hpp>
 namespace opaline::shared {
@@ -77,13 +76,6 @@ struct SoftReport {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(SoftNode) == 16);
-static_assert(sizeof(SoftMotion) == 24);
-static_assert(sizeof(SoftStep) == 128);
-static_assert(offsetof(SoftStep, shear) == 32);
-static_assert(offsetof(SoftStep, nodeCount) == 80);
-static_assert(sizeof(SoftReport) == 32);
-static_assert(offsetof(SoftReport, still) == 12);
 }  // namespace opaline::shared
 #endif
 

@@ -3,7 +3,6 @@
 #define OPALINE_SHARED_SURFELS_H
 
 #ifdef __cplusplus
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -70,14 +69,6 @@ OPALINE_SURFEL_CONSTANT setBit = 0x20000000u;
 OPALINE_SURFEL_CONSTANT leafCountShift = 26u;
 
 #ifdef __cplusplus
-static_assert(sizeof(SurfelPiece) == 48);
-static_assert(offsetof(SurfelPiece, v0) == 16);
-static_assert(sizeof(Source) == 32);
-static_assert(sizeof(NodeBox) == 32);
-static_assert(sizeof(TreeNode) == 80);
-static_assert(offsetof(TreeNode, link) == 28);
-static_assert(offsetof(TreeNode, flux) == 48);
-static_assert(offsetof(TreeNode, moments) == 64);
 }  // namespace opaline::shared
 #endif
 

@@ -93,6 +93,8 @@ void settle(uint lane, vec3 hold, float strayed) {
     atomicMax(largestStep2, floatBitsToUint(dot(went, went)));  // not negative: ordered like floats
     atomicMax(largestShift2, floatBitsToUint(dot(shift, shift)));
   }
+  // Below, others than those that turned cells put them back.
+  memoryBarrierBuffer();
   barrier();
   bool slow = uintBitsToFloat(largestStep2) < now.stillStep * now.stillStep;
   bool stray = slow && uintBitsToFloat(largestShift2) > now.strayShift * now.strayShift;

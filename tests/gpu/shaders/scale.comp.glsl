@@ -1,5 +1,6 @@
 #version 460
 // output[i] = input[i] · factor + addend + uniform offset
+layout(constant_id = 0) const uint groupSize = 1;
 layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const uint addend = 0;
 layout(push_constant) uniform Push {

@@ -6,19 +6,15 @@
 #include <cstdint>
 #include <span>
 
-#include "shaders/shaders.h"
+#include "shaders/picture.frag.h"
+#include "shaders/picture.vert.h"
 #include "viewer/window/vulkan_check.h"
 
 namespace opaline::app::viewer {
 
 namespace {
 
-struct Constants {
-  std::array<float, 4> background;
-  std::array<float, 2> origin;
-  std::array<float, 2> pixels;
-  float exposure;
-};
+using Constants = shaders::PictureFrag::Push;
 
 VkShaderModule makeModule(VkDevice device, std::span<const std::uint32_t> words) {
   VkShaderModuleCreateInfo info{};
@@ -89,8 +85,8 @@ void PicturePainter::makeLayout() {
 }
 
 void PicturePainter::makePipeline(VkRenderPass renderPass) {
-  const VkShaderModule vertex = makeModule(device_.device, shaders::viewer_shaders_picture_vert);
-  const VkShaderModule fragment = makeModule(device_.device, shaders::viewer_shaders_picture_frag);
+  const VkShaderModule vertex = makeModule(device_.device, shaders::PictureVert::shader().words);
+  const VkShaderModule fragment = makeModule(device_.device, shaders::PictureFrag::shader().words);
   const std::array stages{stageOf(VK_SHADER_STAGE_VERTEX_BIT, vertex),
                           stageOf(VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
   VkPipelineVertexInputStateCreateInfo input{};
@@ -164,14 +160,13 @@ void PicturePainter::draw(VkCommandBuffer commands, const DeviceImage& picture, 
   write.pImageInfo = &image;
   pushDescriptorSet_(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &write);
 
-  Constants constants{};
-  const Rgb background = tone.background.value_or(Rgb{0, 0, 0});
-  for (std::size_t c = 0; c < 3; ++c)
-    constants.background[c] = std::clamp(background[c], 0.0F, 1.0F);
-  constants.background[3] = tone.curve == core::ToneCurve::Neutral ? 1 : 0;
-  constants.origin = {static_cast<float>(place.x), static_cast<float>(place.y)};
-  constants.pixels = {static_cast<float>(place.width), static_cast<float>(place.height)};
-  constants.exposure = std::exp2(tone.exposureStops);
+  const Rgb behind = tone.background.value_or(Rgb{0, 0, 0});
+  const auto shown = [&](std::size_t c) { return std::clamp(behind[c], 0.0F, 1.0F); };
+  const bool neutral = tone.curve == core::ToneCurve::Neutral;
+  const Constants constants{.background = glm::vec4(shown(0), shown(1), shown(2), neutral ? 1 : 0),
+                            .origin = glm::vec2(place.x, place.y),
+                            .pixels = glm::vec2(place.width, place.height),
+                            .exposure = std::exp2(tone.exposureStops)};
   vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(constants),
                      &constants);
   vkCmdDraw(commands, 3, 1, 0, 0);

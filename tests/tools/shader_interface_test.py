@@ -1,0 +1,90 @@
+"""C++ that does not fit its shader does not compile."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+SHADER = """#version 460
+layout(local_size_x = 64) in;
+layout(constant_id = 0) const uint halved = 0u;
+layout(std430, set = 0, binding = 3) readonly buffer Lengths { float lengths[]; };
+layout(std430, set = 0, binding = 1) buffer Sums { vec4 sums[]; };
+layout(set = 0, binding = 2) uniform samplerBuffer nodes;
+layout(push_constant) uniform Push { %s };
+void main() {
+  if (halved == 0u) sums[0] = vec4(lengths[count]) + texelFetch(nodes, 0) + factor;
+}
+"""
+
+PUSH = "uint count; float factor;"
+BINDINGS = "{.sums = buffer, .nodes = buffer, .lengths = buffer}"
+
+USE = """#include "gpu/buffer.h"
+#include "shaders/sum.comp.h"
+using opaline::shaders::Sum;
+Sum::Bindings bindings(opaline::gpu::Buffer& buffer) { return %s; }
+Sum::Push push() { return %s; }
+Sum::Constants constants() { return %s; }
+"""
+
+
+class ShaderInterface(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def interface(self, push=PUSH):
+        """What the tool answers of the shader with these push constants."""
+        (self.folder / "sum.comp").write_text(SHADER % push)
+        subprocess.run(["glslc", "--target-env=vulkan1.3", "-O0", "-o", self.folder / "sum.spv",
+                        self.folder / "sum.comp"], check=True)
+        return subprocess.run(
+            [sys.executable, ROOT / "cmake/shader_interface.py", "--type", "Sum",
+             "--shared", ROOT / "src/shaders/shared", "--header", self.folder / "shaders/sum.comp.h",
+             "--layouts", self.folder / "layouts.h", f"=wordsSum={self.folder / 'sum.spv'}"],
+            capture_output=True, text=True)
+
+    def compiles(self, bindings=BINDINGS, push="{.count = 1, .factor = 2}", constants="{.halved = 1}"):
+        (self.folder / "use.cpp").write_text(USE % (bindings, push, constants))
+        return subprocess.run(["c++", "-std=c++20", "-Wall", "-Wconversion", "-Werror", "-fsyntax-only", "-I", ROOT / "src",
+                               "-I", ROOT / "include", "-I", self.folder, self.folder / "use.cpp"],
+                              capture_output=True).returncode == 0
+
+    def test_what_fits_compiles_and_nothing_else(self):
+        self.assertEqual(self.interface().returncode, 0)
+        self.assertTrue(self.compiles())
+        for bindings in (BINDINGS.replace(".nodes = buffer, ", ""),
+                         BINDINGS.replace(".nodes", ".points"),
+                         BINDINGS.replace(".nodes = buffer", ".nodes = 1")):
+            self.assertFalse(self.compiles(bindings=bindings), bindings)
+        for push in ("{.count = 1}", "{.factor = 2}", "{.count = 1, .factor = 2, .more = 3}",
+                     "{.count = 1.5F, .factor = 2}"):
+            self.assertFalse(self.compiles(push=push), push)
+        self.assertFalse(self.compiles(constants="{}"))
+
+    def test_fields_follow_the_shader(self):
+        self.interface()
+        header = (self.folder / "shaders/sum.comp.h").read_text()
+        self.assertIn("gpu::Write sums;\n    gpu::Texels nodes;\n    gpu::Read lengths;", header)
+        self.assertIn("sums.at(1), nodes.at(2), lengths.at(3)", header)
+        self.interface(PUSH + " uint more;")
+        self.assertFalse(self.compiles())
+
+    def test_a_gap_in_push_constants_does_not_compile(self):
+        self.interface("uint count; vec2 place; float factor;")
+        self.assertFalse(self.compiles(push="{.count = 1, .place = glm::vec2(0), .factor = 2}"))
+
+    def test_what_cxx_has_no_word_for_is_refused(self):
+        answer = self.interface(PUSH + " mat3 turn;")
+        self.assertEqual(answer.returncode, 1)
+        self.assertEqual(answer.stderr, "shader_interface: push constants are numbers, vectors and structs of "
+                                        "shaders/shared\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
