@@ -86,5 +86,5 @@ function(opaline_shaders target)
   file(CONFIGURE OUTPUT ${generated}/layouts.cpp CONTENT "${layouts}" @ONLY)
   add_library(${target} STATIC ${sources} ${generated}/layouts.cpp)
   target_include_directories(${target} PUBLIC ${generated})
-  target_link_libraries(${target} PUBLIC opaline_shader_headers)
+  target_link_libraries(${target} PUBLIC opaline_gpu opaline_shader_headers)  # what those headers include
 endfunction()
