@@ -85,5 +85,6 @@ function(opaline_shaders target)
   # Holds shared structs to the layouts that shaders give them.
   file(CONFIGURE OUTPUT ${generated}/layouts.cpp CONTENT "${layouts}" @ONLY)
   add_library(${target} STATIC ${sources} ${generated}/layouts.cpp)
-  target_include_directories(${target} PUBLIC ${generated} ${PROJECT_SOURCE_DIR}/src)
+  target_include_directories(${target} PUBLIC ${generated})
+  target_link_libraries(${target} PUBLIC opaline_gpu opaline_shader_headers)  # what those headers include
 endfunction()

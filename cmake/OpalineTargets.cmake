@@ -18,11 +18,20 @@ if(OPALINE_SANITIZE)
   target_link_options(opaline_warnings INTERFACE -fsanitize=address,undefined)
 endif()
 
+# Lets a target include what is in a folder as "<folder>/...", and nothing beside that folder.
+function(opaline_include_folder target scope folder)
+  get_filename_component(name ${folder} NAME)
+  set(root ${CMAKE_CURRENT_BINARY_DIR}/include)
+  file(MAKE_DIRECTORY ${root})
+  file(CREATE_LINK ${folder} ${root}/${name} SYMBOLIC)
+  target_include_directories(${target} ${scope} ${root})
+endfunction()
+
 function(opaline_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(opaline_${name} STATIC ${ARG_SOURCES})
   add_library(opaline::${name} ALIAS opaline_${name})
-  target_include_directories(opaline_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  opaline_include_folder(opaline_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(opaline_${name} PUBLIC opaline_headers ${ARG_PUBLIC} PRIVATE opaline_warnings ${ARG_PRIVATE})
 endfunction()
 
