@@ -207,7 +207,7 @@ TEST_F(Gltf, MediumFromExtrasNameOrVolume) {
   }
   parts.more = R"(,"materials":[{"extras":{"sigma_s_prime_per_mm":[1,2,-3],
       "sigma_a_per_mm":[0,0.5,1]}}])";
-  EXPECT_THAT(errorOf(parts), HasSubstr("scattering"));
+  EXPECT_THAT(errorOf(parts), HasSubstr("sigma_s_per_mm 1,2,-3"));
 }
 
 TEST_F(Gltf, ExternalBuffersOnlyFromTheOwnFolder) {

@@ -237,6 +237,8 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   want("environment.", scene::keys::environment);
   want("camera.", scene::keys::camera);
   want("render.", scene::keys::render);
+  for (const auto& field : options::fieldsOf<options::PictureSettings>())
+    wanted.insert("render." + std::string(field.key));
   for (const char* otherwise : {"media.measured", "camera.direction", "models.medium"})
     wanted.erase(otherwise);
 
@@ -277,6 +279,10 @@ TEST(SceneKeys, AreAllInTheDocument) {
   expectAll(scene::keys::environment);
   expectAll(scene::keys::camera);
   expectAll(scene::keys::render);
+  std::vector<std::string_view> fields;
+  for (const auto& field : options::fieldsOf<options::PictureSettings>())
+    fields.push_back(field.key);
+  expectAll(fields);
 }
 
 TEST_F(SceneWriter, PlacementsComeBack) {
