@@ -23,7 +23,8 @@ constexpr std::size_t maxColors = 8;
 class Specialization {
  public:
   explicit Specialization(std::span<const std::byte> values) {
-    for (std::uint32_t i = 0; i * 4 < values.size(); ++i) entries_.push_back({i, i * 4, 4});
+    const auto count = static_cast<std::uint32_t>(values.size() / 4);
+    for (std::uint32_t i = 0; i < count; ++i) entries_.push_back({i, i * 4, 4});
     info_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), values.size(),
              values.data()};
   }

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+
+#include "gpu/command_list.h"
+
+namespace opaline::gpu {
+
+void CommandList::dispatch(std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t groupsZ) {
+  assert(recording_ && !rendering_ && pipeline_ != nullptr);
+  assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
+  assert(boundIsCurrent());
+  vkCmdDispatch(commands_, groupsX, groupsY, groupsZ);
+}
+
+// Of one dispatch or draw. Displays' devices are reset when they do one thing for some 2 s; an
+// integrated one does 3e9 rounds a second at worst.
+constexpr std::uint64_t mostRounds = std::uint64_t{1} << 31U;
+
+void CommandList::dispatchRows(std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t rounds) {
+  const std::uint64_t ofRow = std::uint64_t{64} * groupsX * rounds;
+  const auto rows = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(
+      mostRounds / std::max<std::uint64_t>(ofRow, 1), 1, std::max(groupsY, 1U)));
+  assert(recording_ && !rendering_ && pipeline_ != nullptr);
+  assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
+  assert(boundIsCurrent());
+  for (std::uint32_t row = 0; row < groupsY; row += rows)
+    vkCmdDispatchBase(commands_, 0, row, 0, groupsX, std::min(rows, groupsY - row), 1);
+}
+
+void CommandList::dispatchLinear(std::uint32_t count, std::uint32_t rounds) {
+  constexpr std::uint32_t groupSize = 64;
+  constexpr std::uint32_t most = 32768;  // groups; every device dispatches that many along an axis
+  const std::uint32_t groups = (count + groupSize - 1) / groupSize;
+  if (groups == 0) return;
+  const std::uint64_t atOnce = mostRounds / (std::uint64_t{groupSize} * rounds);
+  const auto row = static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>(atOnce, (groups + most - 1) / most, most));
+  const std::uint32_t rows = (groups + row - 1) / row;
+  dispatchRows((groups + rows - 1) / rows, rows, rounds);
+}
+
+void CommandList::dispatchTiles(const GpuImage& image, std::uint32_t rounds) {
+  constexpr std::uint32_t tileSize = 8;
+  const VkExtent2D extent = image.extent();
+  dispatchRows((extent.width + tileSize - 1) / tileSize, (extent.height + tileSize - 1) / tileSize,
+               rounds);
+}
+
+void CommandList::drawEverywhere(std::uint32_t rounds) {
+  const std::uint64_t ofRow = std::uint64_t{extent_.width} * rounds;
+  const auto rows = static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>(mostRounds / std::max<std::uint64_t>(ofRow, 1), 1, extent_.height));
+  for (std::uint32_t row = 0; row < extent_.height; row += rows) {
+    const VkRect2D scissor{{0, static_cast<std::int32_t>(row)},
+                           {extent_.width, std::min(rows, extent_.height - row)}};
+    vkCmdSetScissor(commands_, 0, 1, &scissor);
+    draw(3);
+  }
+}
+
+void CommandList::draw(std::uint32_t vertices, std::uint32_t firstVertex) {
+  assert(recording_ && rendering_ && pipeline_ != nullptr);
+  assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_GRAPHICS);
+  assert(boundIsCurrent());
+  vkCmdDraw(commands_, vertices, 1, firstVertex, 0);
+}
+
+void CommandList::drawIndexed(Buffer& indices, std::uint32_t count) {
+  assert(recording_ && rendering_ && pipeline_ != nullptr);
+  assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_GRAPHICS);
+  assert(boundIsCurrent());
+  assert(count * sizeof(std::uint32_t) <= indices.bytes());
+  vkCmdBindIndexBuffer(commands_, indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+  vkCmdDrawIndexed(commands_, count, 1, 0, 0, 0);
+}
+
+}  // namespace opaline::gpu
