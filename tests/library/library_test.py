@@ -57,7 +57,7 @@ class Library(unittest.TestCase):
         """Whether the other project's file may say that."""
         (self.folder / "picture.cpp").write_text(text)
         command, = (entry for entry in json.loads((self.folder / "build" / "compile_commands.json").read_text())
-                    if entry["file"].endswith("picture.cpp"))
+                    if entry["file"] == str(self.folder / "picture.cpp"))
         return run(*shlex.split(command["command"]), "-fsyntax-only")
 
     def test_the_preset_needs_no_package_of_the_rest(self):
