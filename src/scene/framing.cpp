@@ -8,10 +8,6 @@ namespace opaline::scene {
 
 namespace {
 
-Double3 unit(const Double3& v) {
-  return (1 / length(v)) * v;
-}
-
 /// The camera's up, or another direction where it looks along that.
 Double3 usableUp(const Camera& camera, const Double3& ahead) {
   const Double3 up = toDouble(camera.up);

@@ -14,10 +14,6 @@ namespace opaline {
 namespace scene {
 namespace {
 
-Vec3 unit(const Double3& v) {
-  return toFloat((1.0 / length(v)) * v);
-}
-
 Vec3 along(const Double3& from, double factor, const Double3& direction) {
   return toFloat(from + factor * direction);
 }
@@ -76,8 +72,10 @@ Lighting defaultLighting() {
   Lighting lighting;
   // The key shines through the body towards the camera on +z; a little warm, the fill a little
   // cool.
-  lighting.directional.push_back({scene::unit({0.45, 0.35, -0.82}), {6.0F, 5.8F, 5.4F}});
-  lighting.directional.push_back({scene::unit({-0.6, 0.45, 0.66}), {0.45F, 0.5F, 0.6F}});
+  lighting.directional.push_back(
+      {scene::toFloat(scene::unit({0.45, 0.35, -0.82})), {6.0F, 5.8F, 5.4F}});
+  lighting.directional.push_back(
+      {scene::toFloat(scene::unit({-0.6, 0.45, 0.66})), {0.45F, 0.5F, 0.6F}});
   lighting.ambient = {0.12F, 0.12F, 0.13F};
   return lighting;
 }

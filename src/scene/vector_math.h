@@ -34,6 +34,10 @@ inline Double3 cross(const Double3& a, const Double3& b) {
 inline double length(const Double3& a) {
   return std::sqrt(dot(a, a));
 }
+
+inline Double3 unit(const Double3& a) {
+  return (1 / length(a)) * a;
+}
 inline bool isFinite(const Double3& a) {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <exception>
+
 #include "gpu/device.h"
 #include "opaline/error.h"
 #include "opaline/renderer.h"
@@ -23,8 +25,12 @@ class SoftBody::Implementation {
 
   // Frames that read the positions may still be under way.
   ~Implementation() {
-    renderer_.device().waitIdle();
-    if (renderer_.sceneNumber() == scene_) renderer_.restorePositions(object_);
+    try {
+      renderer_.device().waitIdle();
+      if (renderer_.sceneNumber() == scene_) renderer_.restorePositions(object_);
+    } catch (const std::exception&) {
+      // A device that has failed fails the renderer's next call, which can say so.
+    }
   }
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;

@@ -37,7 +37,7 @@ inline std::vector<Double3> vectors(GltfAccessors& accessors, int accessor,
 }
 
 /// Zero where there is no direction.
-inline Vec3 unit(const Double3& v) {
+inline Vec3 unitOrZero(const Double3& v) {
   const double size = length(v);
   return size > 0 && isFinite(v) ? toFloat((1 / size) * v) : Vec3{0, 0, 0};
 }

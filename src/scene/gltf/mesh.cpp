@@ -135,7 +135,7 @@ Rig rigOf(const Draft& draft) {
   rig.positions.reserve(draft.positions.size());
   for (const Double3& p : draft.positions) rig.positions.push_back(toFloat(p));
   rig.normals.reserve(draft.positions.size());
-  for (const Double3& n : draft.normals) rig.normals.push_back(unit(n));
+  for (const Double3& n : draft.normals) rig.normals.push_back(unitOrZero(n));
   rig.normals.resize(draft.positions.size(), Vec3{0, 0, 0});
   return rig;
 }
@@ -177,7 +177,7 @@ RawMesh flatMesh(const Draft& draft) {
       continue;
     }
     const Vec3 normal =
-        unit(areaVector(draft.positions[t[0]], draft.positions[t[1]], draft.positions[t[2]]));
+        unitOrZero(areaVector(draft.positions[t[0]], draft.positions[t[1]], draft.positions[t[2]]));
     Triangle own{};
     for (std::size_t c = 0; c < 3; ++c) {
       own[c] = static_cast<std::uint32_t>(mesh.positions.size());
@@ -204,7 +204,7 @@ RawMesh smoothMesh(const Draft& draft) {
   mesh.positions.reserve(draft.positions.size());
   mesh.normals.reserve(draft.positions.size());
   for (const Double3& p : draft.positions) mesh.positions.push_back(toFloat(p));
-  for (const Double3& n : draft.normals) mesh.normals.push_back(unit(n));
+  for (const Double3& n : draft.normals) mesh.normals.push_back(unitOrZero(n));
   mesh.tags = draft.tags;
   mesh.triangles = draft.triangles;
   startProvenance(mesh);
