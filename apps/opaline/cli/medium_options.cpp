@@ -50,9 +50,6 @@ std::optional<Medium> MediumOptions::medium() const {
   Medium medium;
   medium.name = "custom";
   chosen_.applyTo(medium);
-  if (const std::string complaint = complaintAbout(medium); !complaint.empty()) {
-    throw UsageError(complaint);
-  }
   return medium;
 }
 
