@@ -59,7 +59,7 @@ THIRD_PARTY = {
     "glm": ("src/shaders", "src/passes", "src/renderer", "src/gpu", "tests", "bench", "apps/opaline/viewer"),
     "embree3": ("reference", "tests", "bench"),
     "tbb": ("reference", "tests", "bench"),
-    "GLFW": ("apps/opaline/viewer",),
+    "GLFW": ("apps/opaline/viewer", "tests/app/viewer"),
     "imgui.h": ("apps/opaline/viewer",),
     "imgui": ("apps/opaline/viewer",),
     "fontconfig": ("apps/opaline/viewer",),

@@ -4,11 +4,26 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace opaline::options {
 
 bool Range::holds(double value) const {
   return std::isfinite(value) && value <= most && (aboveLeast ? value > least : value >= least);
+}
+
+float Range::leastFloat() const {
+  const auto nearest = static_cast<float>(least);
+  const auto exact = static_cast<double>(nearest);
+  const bool held = aboveLeast ? exact > least : exact >= least;
+  return held ? nearest : std::nextafter(nearest, std::numeric_limits<float>::max());
+}
+
+float Range::mostFloat() const {
+  const auto nearest = static_cast<float>(most);
+  return static_cast<double>(nearest) <= most
+             ? nearest
+             : std::nextafter(nearest, std::numeric_limits<float>::lowest());
 }
 
 std::string numberText(double number) {

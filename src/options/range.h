@@ -12,6 +12,8 @@ struct Range {
   bool aboveLeast = false;  ///< `least` itself is not allowed
 
   bool holds(double value) const;  ///< false for what is not finite
+  float leastFloat() const;        ///< the smallest of its numbers that a float can be
+  float mostFloat() const;         ///< and the largest
 };
 
 /// As short as it can be: "0.05", "4194304", "1e6".

@@ -186,5 +186,20 @@ TEST(Camera, IsRefusedWhereItMakesNoSense) {
             "fov_degrees 171: must be from 1 to 170 degrees");
 }
 
+TEST(Range, ItsEndsAsFloatsAreWithin) {
+  // The nearest floats are 1.00999999 and 1.10000002.
+  const Range inner{1.01, 1.1};
+  EXPECT_TRUE(inner.holds(static_cast<double>(inner.leastFloat())));
+  EXPECT_TRUE(inner.holds(static_cast<double>(inner.mostFloat())));
+  EXPECT_EQ(inner.leastFloat(), 1.01000011F);
+  EXPECT_EQ(inner.mostFloat(), 1.09999990F);
+  const Range open{0, 8, "", true};
+  EXPECT_TRUE(open.holds(static_cast<double>(open.leastFloat())));
+  EXPECT_EQ(open.mostFloat(), 8.0F);
+  const Range exact{0.25, 2};
+  EXPECT_EQ(exact.leastFloat(), 0.25F);
+  EXPECT_EQ(exact.mostFloat(), 2.0F);
+}
+
 }  // namespace
 }  // namespace opaline::options

@@ -99,7 +99,7 @@ class Window:
         deadline = time.monotonic() + LONGEST_SECONDS
         while not what():
             self.test.assertIsNone(self.process.poll(), f"it ended: {self.said()}")
-            self.test.assertLess(time.monotonic(), deadline, why)
+            self.test.assertLess(time.monotonic(), deadline, f"{why}: {self.state() if self.places.exists() else 'nothing was drawn'}")
             time.sleep(.02)
 
     def said(self):
@@ -136,8 +136,9 @@ class Window:
         self.wait_for(idle, "it never came to rest")
 
     def xdotool(self, *arguments):
-        subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True,
-                       stdout=subprocess.DEVNULL)
+        done = subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=False,
+                              capture_output=True, text=True)
+        self.test.assertEqual(done.returncode, 0, f"{arguments}: {done.stderr}; the program said: {self.said()}")
 
     def use(self, inputs, *arguments):
         """What xdotool does with keys and buttons, until the interface was drawn with so many inputs more."""

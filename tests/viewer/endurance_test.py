@@ -3,7 +3,7 @@
 import random
 import unittest
 
-from driver import CORNERS, WindowTest
+from driver import CORNERS, LONGEST_SECONDS, WindowTest
 from program import CUBE_OBJ
 
 KEYS = ("f", "t", "space", "Left", "Right", "c", "h", "Tab", "o", "x", "question", "Escape", "Return", "Up", "Down", "1", "Delete")
@@ -14,7 +14,6 @@ class Endurance(WindowTest):
         self.write("cube.obj", CUBE_OBJ)
         window = self.view("cube.obj", *CORNERS, "--size", "640x480")
         choice = random.Random(7)
-        memory = []
         for step in range(500):
             x, y = choice.randrange(640), choice.randrange(480)
             kind = choice.random()
@@ -31,12 +30,19 @@ class Endurance(WindowTest):
             else:
                 window.xdotool("windowsize", window.handle, choice.randrange(320, 800), choice.randrange(240, 600))
             self.assertIsNone(window.process.poll(), f"input {step}: {window.said()}")
-            if step % 100 == 99:
-                memory.append(self.resident_megabytes(window))
-        # What it knows of every method and size is there after the first hundreds.
-        self.assertLess(memory[-1], 1.25 * max(memory[1], memory[2]) + 50, memory)
-        window.xdotool("key", "Escape")
-        window.close()
+        window.use(2, "key", "Escape")
+        # Nothing is lost with what is done again and again.
+        memory = []
+        for _ in range(3):
+            for size in ((400, 300), (700, 500), (640, 480)):
+                window.xdotool("windowsize", window.handle, *size)
+                window.drag((20, 100), (150, 120))
+            memory.append(self.resident_megabytes(window))
+        self.assertLess(memory[-1], 1.1 * memory[0], memory)
+        # Whatever was begun by chance is given up.
+        window.xdotool("key", "ctrl+q", "Return")
+        self.assertEqual(window.process.wait(LONGEST_SECONDS), 0, window.said())
+        self.assertNotIn("alidation", window.said())
 
 
 if __name__ == "__main__":

@@ -115,8 +115,8 @@ bool Viewer::movesItself() const {
 }
 
 bool Viewer::isIdle() const {
-  return awake_ == 0 && !movesItself() && !saver_.filming() && !session_.edits.any() &&
-         !stage_.isUnderWay() && !announced_;
+  return awake_ == 0 && !window_.hasInputs() && !movesItself() && !saver_.filming() &&
+         !session_.edits.any() && !stage_.isUnderWay() && !announced_;
 }
 
 // By itself or by the hand.
@@ -132,14 +132,14 @@ void Viewer::sleepUntilNeeded() {
     awake_ = framesAfterEvent;
     last_ = Clock::now();  // what slept did not play
   } else {
-    if (stage_.isUnderWay()) {
+    if (stage_.isUnderWay() && !window_.hasInputs()) {
       waitBesideDevice();
     } else {
       Window::poll();
     }
     awake_ = std::max(0, awake_ - 1);
   }
-  if (window_.takeRefresh()) awake_ = framesAfterEvent;
+  if (window_.takeRefresh() || window_.hasInputs()) awake_ = framesAfterEvent;
 }
 
 // Until the picture under way is done, or long enough that the controls are drawn again; drawing
@@ -160,13 +160,17 @@ void Viewer::advance(double elapsed) {
 }
 
 void Viewer::drawInterface() {
-  inputsDrawn_ = window_.inputs();
-  interface_.begin();
+  const std::vector<Input> inputs = window_.takeInputs();
+  if (std::any_of(inputs.begin(), inputs.end(), [](const Input& input) { return input.isPress(); }))
+    notice_.reset();
+  inputsDrawn_ += static_cast<std::size_t>(std::count_if(
+      inputs.begin(), inputs.end(), [](const Input& input) { return input.isUse(); }));
+  interface_.begin(inputs);
   const ImVec2 mouseMoved = ImGui::GetIO().MouseDelta;
   if (mouseMoved.x != 0 || mouseMoved.y != 0) awake_ = framesAfterEvent;
   controls::beginFrame();
   dashboard_.layOut(session_);
-  useKeys();
+  useKeys(keyPressesOf(inputs));
   if (stage_.hasScene()) {
     if (!saver_.filming()) input_.useMouse(session_, dashboard_.area(), poke_);
     dashboard_.drawPanels(session_, truth_, history_, saver_, undo_);
@@ -179,8 +183,7 @@ void Viewer::drawInterface() {
   interface_.end();
 }
 
-void Viewer::useKeys() {
-  const std::vector<KeyPress> presses = window_.takeKeys();
+void Viewer::useKeys(const std::vector<KeyPress>& presses) {
   for (const KeyPress& press : presses) {
     if (press.control && press.key == GLFW_KEY_Q) window_.close();
   }
@@ -324,7 +327,6 @@ Json Viewer::report() const {
 void Viewer::run() {
   while (!leaves()) {
     sleepUntilNeeded();
-    if (window_.takePress()) notice_.reset();
     openDropped();
     takeLoaded();
     const Clock::time_point now = Clock::now();

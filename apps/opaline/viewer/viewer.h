@@ -82,7 +82,7 @@ class Viewer {
   void showBusiness();
   bool announce();
   void drawInterface();
-  void useKeys();
+  void useKeys(const std::vector<KeyPress>& presses);
   void drawDialogs();
   void followEdits();
   void placeBody();
@@ -127,7 +127,7 @@ class Viewer {
   bool announced_ = false;       // a sign says that what is to come will take a moment
   int awake_ = 0;                // frames of the interface to draw before sleeping
   std::size_t framesTaken_ = 0;  // of the stage's, into history_
-  std::size_t inputsDrawn_ = 0;  // of the window's, by the interface
+  std::size_t inputsDrawn_ = 0;  // uses of keys, buttons and wheel
   Clock::time_point last_ = Clock::now();
   bool mayLeave_ = false;          // whatever is under way
   std::optional<Caption> notice_;  // until the next key or press of the mouse

@@ -35,6 +35,21 @@ std::string leaveRoomFor(const char* name) {
   return name;
 }
 
+template <typename Number>
+bool slide(const char* name, ImGuiDataType type, Number& value, Number low, Number high,
+           const char* format, const char* about) {
+  const std::string label = leaveRoomFor(name);
+  const bool wide = low > 0 && high >= 1000 * low;
+  const bool changed =
+      ImGui::SliderScalar(label.c_str(), type, &value, &low, &high, format,
+                          wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  note(name);
+  tip(about);
+  // A number that was typed may lie outside.
+  if (changed) value = std::isfinite(value) ? std::clamp(value, low, high) : low;
+  return changed;
+}
+
 }  // namespace
 
 void beginFrame() {
@@ -130,16 +145,12 @@ bool checkbox(const char* name, bool& on, const char* about) {
 
 bool slider(const char* name, float& value, float low, float high, const char* format,
             const char* about) {
-  const std::string label = leaveRoomFor(name);
-  const bool wide = low > 0 && high >= 1000 * low;
-  const bool changed =
-      ImGui::SliderFloat(label.c_str(), &value, low, high, format,
-                         wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  note(name);
-  tip(about);
-  // A number that was typed may lie outside.
-  if (changed) value = std::isfinite(value) ? std::clamp(value, low, high) : low;
-  return changed;
+  return slide(name, ImGuiDataType_Float, value, low, high, format, about);
+}
+
+bool slider(const char* name, double& value, double low, double high, const char* format,
+            const char* about) {
+  return slide(name, ImGuiDataType_Double, value, low, high, format, about);
 }
 
 bool length(const char* name, float& mm, float lowMm, float highMm, const char* about) {

@@ -59,6 +59,8 @@ bool checkbox(const char* name, bool& on, const char* about);
 /// `format` as of printf, with the unit. Logarithmic where `low` > 0 and `high` ≥ 1000 `low`.
 bool slider(const char* name, float& value, float low, float high, const char* format,
             const char* about);
+bool slider(const char* name, double& value, double low, double high, const char* format,
+            const char* about);
 /// A length in the unit that suits it.
 bool length(const char* name, float& mm, float lowMm, float highMm, const char* about);
 /// An exposure.

@@ -30,7 +30,8 @@ void Dashboard::layOut(const Session& session) {
 
 void Dashboard::useKeys(const std::vector<KeyPress>& presses, Session& session, bool hasScene,
                         bool filming) {
-  const bool typing = ImGui::GetIO().WantTextInput;
+  // A field that was left in the frame before wants no more.
+  const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) keyList_ = false;
   for (const KeyPress& press : presses) {
     if (typing) continue;

@@ -106,12 +106,10 @@ void place(PointLight& light, const Session& session) {
 bool turnEnvironment(Session& session) {
   if (!session.environment || !session.source.environment) return false;
   scene::EnvironmentFile& file = *session.source.environment;
-  auto degrees = static_cast<float>(file.rotationDegrees);
-  if (!controls::slider("rotation", degrees, -180, 180, "%.1f deg",
+  if (!controls::slider("rotation", file.rotationDegrees, -180, 180, "%.1f deg",
                         "Of the environment about the vertical, counter-clockwise from above.")) {
     return false;
   }
-  file.rotationDegrees = static_cast<double>(degrees);
   session.scene.lighting.environment =
       std::make_shared<const Image>(scene::turned(*session.environment, file.rotationDegrees));
   return true;

@@ -86,7 +86,7 @@ bool drawChips(Medium& medium) {
   return chosen;
 }
 
-bool drawCoefficients(const char* name, std::array<double, 3>& perMm, float low, float high,
+bool drawCoefficients(const char* name, std::array<double, 3>& perMm, double low, double high,
                       const char* about) {
   constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
   bool changed = false;
@@ -94,11 +94,7 @@ bool drawCoefficients(const char* name, std::array<double, 3>& perMm, float low,
   controls::tip(about);
   for (std::size_t c = 0; c < 3; ++c) {
     const std::string label = fmt::format("{}##{}", channels[c], name);
-    auto value = static_cast<float>(perMm[c]);
-    if (controls::slider(label.c_str(), value, low, high, "%.4g /mm", about)) {
-      perMm[c] = static_cast<double>(value);
-      changed = true;
-    }
+    changed |= controls::slider(label.c_str(), perMm[c], low, high, "%.4g /mm", about);
   }
   return changed;
 }
@@ -149,18 +145,16 @@ void drawMediumPanel(Session& session) {
   controls::text(medium.name);
   bool changed = drawChips(medium);
   const bool scatters =
-      drawCoefficients("scattering", medium.sigmaSPrimePerMm, 1e-3F, 1e2F,
+      drawCoefficients("scattering", medium.sigmaSPrimePerMm, 1e-3, 1e2,
                        "Reduced scattering coefficient: how often light is deflected within a "
                        "millimetre. More is more opaque. Jensen et al. 2001, Figure 5.");
   const bool absorbs =
-      drawCoefficients("absorption", medium.sigmaAPerMm, 1e-5F, 1e1F,
+      drawCoefficients("absorption", medium.sigmaAPerMm, 1e-5, 1e1,
                        "Absorption coefficient: how much of the light dies within a millimetre. "
                        "More is darker, and more saturated where it differs between channels.");
-  auto eta = static_cast<float>(medium.eta);
-  const bool bent = controls::slider("index of refraction", eta, 1.01F, 2.5F, "%.3f",
+  const bool bent = controls::slider("index of refraction", medium.eta, 1.01, 2.5, "%.3f",
                                      "Of the body relative to what surrounds it: 1.3 is water, "
                                      "1.5 glass. More keeps more light inside.");
-  if (bent) medium.eta = static_cast<double>(eta);
   const bool edited = scatters || absorbs || bent;
   if (edited) medium.name = "custom";
   changed = changed || edited;

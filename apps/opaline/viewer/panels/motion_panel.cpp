@@ -113,12 +113,9 @@ void drawMotionPanel(Session& session) {
   ImGui::SameLine();
   controls::checkbox("turntable", playback.turntable, "Turns the camera about the scene. Key: T.");
   ImGui::BeginDisabled(!moving);
-  auto seconds = static_cast<float>(session.options.seconds);
-  if (controls::slider("time", seconds, 0, playback.lengthSeconds, "%.3f s",
-                       orWhyNot("The moment that is shown."))) {
-    session.options.seconds = static_cast<double>(seconds);
-    session.edits.picture = true;
-  }
+  session.edits.picture |= controls::slider("time", session.options.seconds, 0,
+                                            static_cast<double>(playback.lengthSeconds), "%.3f s",
+                                            orWhyNot("The moment that is shown."));
   ImGui::EndDisabled();
   controls::checkbox("poke", session.poke,
                      "The mouse pulls at the body like at jelly; beside it the camera turns. With "

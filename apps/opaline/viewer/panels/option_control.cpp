@@ -41,8 +41,8 @@ struct Control {
   bool operator()(float& number) const {
     const options::Range& range = allowed.range;
     const std::string format = fmt::format("%.4g {}", range.unit);
-    return controls::slider(name, number, static_cast<float>(range.least),
-                            static_cast<float>(range.most), format.c_str(), about);
+    return controls::slider(name, number, range.leastFloat(), range.mostFloat(), format.c_str(),
+                            about);
   }
 
   bool operator()(std::string& text) const {

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
 
@@ -102,7 +104,8 @@ UserInterface::UserInterface(const VulkanDevice& device, const Presenter& presen
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   chooseColors();
   ImGui::GetStyle().ScaleAllSizes(window.scale());
-  ImGui_ImplGlfw_InitForVulkan(window.handle(), true);
+  ImGui_ImplGlfw_InitForVulkan(window.handle(), false);
+  glfwSetWindowFocusCallback(window.handle(), ImGui_ImplGlfw_WindowFocusCallback);
   beginDrawing();
 }
 
@@ -156,14 +159,48 @@ void UserInterface::uploadFonts() const {
   ImGui_ImplVulkan_DestroyFontUploadObjects();
 }
 
-void UserInterface::begin() {
+void UserInterface::take(const Input& input) {
+  GLFWwindow* const window = window_.handle();
+  switch (input.kind) {
+    case Input::Kind::Key:
+      ImGui_ImplGlfw_KeyCallback(window, input.code, input.scanCode, input.action, input.modifiers);
+      break;
+    case Input::Kind::Text:
+      ImGui_ImplGlfw_CharCallback(window, input.typed);
+      break;
+    case Input::Kind::Button:
+      if (input.code < ImGuiMouseButton_COUNT)
+        buttons_[static_cast<std::size_t>(input.code)] = input.isPress();
+      break;
+    case Input::Kind::Wheel:
+      ImGui_ImplGlfw_ScrollCallback(window, input.x, input.y);
+      break;
+    case Input::Kind::Pointer:
+      pointer_ = ImVec2(static_cast<float>(input.x), static_cast<float>(input.y));
+      break;
+    case Input::Kind::Left:
+      pointer_.reset();
+      break;
+  }
+}
+
+// In place of where it is by now.
+void UserInterface::setMouse() const {
+  ImGuiIO& io = ImGui::GetIO();
+  if (pointer_) io.MousePos = *pointer_;
+  std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
+}
+
+void UserInterface::begin(const std::vector<Input>& inputs) {
   if (glyphs::takeNews()) {
     check(vkDeviceWaitIdle(device_.device), "wait for the device");
     ImGui_ImplVulkan_Shutdown();
     beginDrawing();
   }
   ImGui_ImplVulkan_NewFrame();
+  for (const Input& input : inputs) take(input);
   ImGui_ImplGlfw_NewFrame();
+  setMouse();
   ImGui::NewFrame();
 }
 

@@ -3,7 +3,10 @@
 #include <imgui.h>
 #include <vulkan/vulkan.h>
 
+#include <array>
 #include <deque>
+#include <optional>
+#include <vector>
 
 #include "opaline/vulkan.h"
 #include "viewer/window/presenter.h"
@@ -21,7 +24,7 @@ class UserInterface {
 
   /// Between these two, ImGui's own functions say what there is to see. Where texts want other
   /// characters than before (see glyphs.h), fonts that have them are loaded first.
-  void begin();
+  void begin(const std::vector<Input>& inputs);
   void end();
   /// Draws it over what the commands have drawn.
   void draw(VkCommandBuffer commands) const;
@@ -30,11 +33,15 @@ class UserInterface {
   void beginDrawing();
   void makeFonts();
   void uploadFonts() const;
+  void take(const Input& input);
+  void setMouse() const;
 
   VulkanDevice device_;
   const Presenter& presenter_;
   const Window& window_;
   std::deque<ImVector<ImWchar>> ranges_;  // of the fonts, which refer to them where they are
+  std::optional<ImVec2> pointer_;         // where the inputs say that it is
+  std::array<bool, ImGuiMouseButton_COUNT> buttons_{};  // which the inputs say are down
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
 };
 

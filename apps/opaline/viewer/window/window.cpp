@@ -24,15 +24,6 @@ Window& windowOf(GLFWwindow* handle) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
 }
 
-// GLFW names a key after what stands there on a keyboard of the United States. What the user reads
-// on it is what is meant, as far as it is a Latin letter.
-int letterOf(int key, int code) {
-  const char* const name = glfwGetKeyName(key, code);
-  if (name == nullptr || name[0] == 0 || name[1] != 0) return key;
-  if (name[0] >= 'a' && name[0] <= 'z') return GLFW_KEY_A + (name[0] - 'a');
-  return key;
-}
-
 }  // namespace
 
 Window::Window(int width, int height, const char* title) {
@@ -68,30 +59,32 @@ Window::Window(int width, int height, const char* title) {
 }
 
 void Window::takeInput() {
+  using Kind = Input::Kind;
   glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int code, int action, int mods) {
-    Window& window = windowOf(handle);
-    window.takeUse();
-    if (action == GLFW_RELEASE) return;
-    const auto held = [mods](int modifier) { return (mods & modifier) != 0; };
-    window.keys_.push_back({letterOf(key, code), 0, held(GLFW_MOD_CONTROL), held(GLFW_MOD_SHIFT),
-                            held(GLFW_MOD_ALT), action == GLFW_REPEAT});
-    window.pressed_ = window.pressed_ || action == GLFW_PRESS;
+    windowOf(handle).take(
+        {.kind = Kind::Key, .code = key, .scanCode = code, .action = action, .modifiers = mods});
   });
   glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned int typed) {
-    windowOf(handle).keys_.push_back({.typed = typed});
+    windowOf(handle).take({.kind = Kind::Text, .typed = typed});
   });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int, int action, int) {
-    Window& window = windowOf(handle);
-    window.takeUse();
-    window.pressed_ = window.pressed_ || action == GLFW_PRESS;
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int button, int action, int mods) {
+    windowOf(handle).take(
+        {.kind = Kind::Button, .code = button, .action = action, .modifiers = mods});
   });
-  glfwSetScrollCallback(window_,
-                        [](GLFWwindow* handle, double, double) { windowOf(handle).takeUse(); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* handle, double x, double y) {
+    windowOf(handle).take({.kind = Kind::Wheel, .x = x, .y = y});
+  });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* handle, double x, double y) {
+    windowOf(handle).inputs_.add({.kind = Kind::Pointer, .x = x, .y = y});
+  });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* handle, int entered) {
+    if (entered == GLFW_FALSE) windowOf(handle).inputs_.add({.kind = Kind::Left});
+  });
 }
 
-void Window::takeUse() {
+void Window::take(const Input& input) {
+  inputs_.add(input);
   refresh_ = true;
-  ++inputs_;
 }
 
 Window::~Window() {
@@ -179,12 +172,8 @@ std::vector<std::filesystem::path> Window::takeDropped() {
   return std::exchange(dropped_, {});
 }
 
-std::vector<KeyPress> Window::takeKeys() {
-  return std::exchange(keys_, {});
-}
-
-bool Window::takePress() {
-  return std::exchange(pressed_, false);
+std::vector<Input> Window::takeInputs() {
+  return inputs_.takeFrame();
 }
 
 bool Window::takeRefresh() {

@@ -3,26 +3,15 @@
 #include <vulkan/vulkan.h>
 
 #include <array>
-#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "viewer/window/input_queue.h"
+
 struct GLFWwindow;
 
 namespace opaline::app::viewer {
-
-/// A key that went down, or repeats because it stays down. Kept by the window because a key that
-/// is up again before the next frame would be lost otherwise.
-struct KeyPress {
-  int key = 0;         ///< GLFW's name of it, a letter's where the keyboard's own layout has it;
-                       ///< 0 where only `typed` is known
-  char32_t typed = 0;  ///< what it typed; 0 where only `key` is known
-  bool control = false;
-  bool shift = false;
-  bool alt = false;
-  bool repeated = false;
-};
 
 /// A window on the desktop.
 class Window {
@@ -59,26 +48,22 @@ class Window {
 
   /// The files that were dropped on the window since the last call.
   std::vector<std::filesystem::path> takeDropped();
-  /// The keys that were pressed since the last call.
-  std::vector<KeyPress> takeKeys();
-  /// Whether a key or a button of the mouse went down since the last call.
-  bool takePress();
+  /// What was done with keys and mouse next, as much as one frame of the interface can tell apart.
+  std::vector<Input> takeInputs();
+  /// Whether some of it still waits.
+  bool hasInputs() const { return !inputs_.empty(); }
   /// Whether the window is to be drawn again: the desktop asked for it, or changed its size, or a
   /// key, a button or the wheel was used.
   bool takeRefresh();
-  /// How many keys and buttons went down or up and how often the wheel turned, since it opened.
-  std::size_t inputs() const { return inputs_; }
 
  private:
   void takeInput();
-  void takeUse();
+  void take(const Input& input);
 
   GLFWwindow* window_ = nullptr;
   std::vector<std::filesystem::path> dropped_;
-  std::vector<KeyPress> keys_;
-  bool pressed_ = false;
+  InputQueue inputs_;
   bool refresh_ = true;
-  std::size_t inputs_ = 0;
 };
 
 }  // namespace opaline::app::viewer
