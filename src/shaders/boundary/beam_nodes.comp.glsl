@@ -72,7 +72,7 @@ void gatherLeaf(uint i) {
   Cluster cluster = clusters[i];
   vec4 strength = strengths[i];
   uvec2 counts = unpackPointCounts(strength.w);
-  BoundaryMedium medium = media[objects[ranges[i].object].table.x].inside;
+  BoundaryMedium medium = insideOf(objects[ranges[i].object]);
   vec3 shares[2] = vec3[2](shareOfFirst(cluster), shareOfSecond(cluster, medium));
   if (scattersOnce != 0u) shares = vec3[2](cluster.second.rgb, vec3(0.0));
 

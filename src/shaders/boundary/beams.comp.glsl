@@ -184,7 +184,8 @@ Mirrored mirroredOf(Body body, Entry entry, vec3 from, vec3 power) {
   uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
   float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
   if (cosine <= 0.0) return nothing;
-  float eta = media[objects[ranges[cluster].object].table.x].boundary.x;
+  vec3 place = entry.start.xyz + hit.distance * direction;
+  float eta = mediumAt(objects[ranges[cluster].object], place).boundary.x;
   float entering = 1.0 - fresnelReflectance(eta, min(cosine, 1.0));
   return Mirrored(vec4(power * entering * reflected / max(1.0 - reflected, 1e-6), 0.0), cluster,
                   0u, 0u, 0u);
@@ -195,11 +196,10 @@ void main() {
   if (i >= clusterCount) return;
   Cluster cluster = clusters[i];
   ObjectData itsBody = objects[ranges[i].object];
-  MediumData medium = media[itsBody.table.x];
   RayTarget target = RayTarget(itsBody.tree.x, itsBody.tree.y, ranges[i].object);
-  Body body =
-      Body(medium.inside, medium.boundary.x, target, cluster.along.w, rayStartOf(cluster));
   Entry entry = entries[beam * clusterCount + i];
+  float eta = mediumAt(itsBody, entry.place.xyz).boundary.x;
+  Body body = Body(insideOf(itsBody), eta, target, cluster.along.w, rayStartOf(cluster));
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   bool everywhere = beam == frame.counts.x;
   if (everywhere) power *= cluster.facet.w;
@@ -207,8 +207,8 @@ void main() {
   pointCount[1] = 0u;
   Mirrored goesOn = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);
   if (everywhere) {
-    float mean = medium.inside.sigma.w;
-    vec3 extinction = medium.inside.extinction.rgb / mean;
+    float mean = body.medium.sigma.w;
+    vec3 extinction = body.medium.extinction.rgb / mean;
     firstSegment(body, i, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
   } else if (power != vec3(0.0)) {
     vec3 toLight;

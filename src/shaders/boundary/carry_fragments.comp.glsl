@@ -8,8 +8,8 @@
 #define BINDING_CLUSTER_NODES 3
 #define BINDING_EXITANCES 4
 #define BINDING_MEANS 5
-#include "lib/bodies.glsl"
 #include "lib/carry.glsl"
+#include "lib/material.glsl"
 #include "lib/tile.glsl"
 
 layout(set = 0, binding = 6) uniform sampler2D surfacePosition;
@@ -30,7 +30,7 @@ void main() {
   vec4 normal = inside ? texelFetch(surfaceNormal, pixel, 0) : vec4(0.0);
   vec4 known = inside ? imageLoad(exitance, pixel) : vec4(0.0);
   vec3 better = corrected(known.rgb, surface.xyz, normal.w * normal.xyz,
-                          media[body.table.x].inside,
+                          insideOf(body),
                           here ? body.clusters.x : noNode, body.clusters.y);
   if (here) imageStore(exitance, pixel, vec4(better, known.a));
 }

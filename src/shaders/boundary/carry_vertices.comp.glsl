@@ -8,9 +8,9 @@
 #define BINDING_CLUSTER_NODES 3
 #define BINDING_EXITANCES 4
 #define BINDING_MEANS 5
-#include "lib/bodies.glsl"
 #include "lib/carry.glsl"
 #include "lib/linear.glsl"
+#include "lib/material.glsl"
 #include "shared/mesh.h"
 
 layout(std430, set = 0, binding = 6) readonly buffer Positions { vec4 positions[]; };
@@ -32,7 +32,7 @@ void main() {
   bool here = inside && body.clusters.z != 0u && !isSummedAtFragments(body, site);
   vec4 known = vertexExitances[vertex];
   vec3 better = corrected(known.rgb, positions[vertex].xyz, normals[vertex].xyz,
-                          media[body.table.x].inside,
+                          insideOf(body),
                           here ? body.clusters.x : noNode, body.clusters.y);
   if (here) vertexExitances[vertex] = vec4(better, known.a);
 }

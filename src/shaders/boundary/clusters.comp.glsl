@@ -57,7 +57,7 @@ vec3 middleOf(PieceShape shape) {
 // Light that enters through a piece, mean over three points (Strang and Fix 1973). Of a light by the
 // cosine to the facet, so that no light is lost or gained, or from everywhere.
 const uint everywhere = 0xffffffffu;
-vec3 enteringThrough(PieceShape shape, MediumData medium, uint light) {
+vec3 enteringThrough(PieceShape shape, ObjectData body, uint light) {
   vec3 sum = vec3(0.0);
   vec3 facet = unitOr(shape.vectorArea, vec3(0.0, 1.0, 0.0));
   vec3 middle = middleOf(shape);
@@ -65,21 +65,22 @@ vec3 enteringThrough(PieceShape shape, MediumData medium, uint light) {
   for (int i = 0; i < 3; ++i) {
     vec2 at = 0.5 * (middlePlace + shape.places[i]);
     vec3 normal = unitOr(shape.itsNormals * vec3(1.0 - at.x - at.y, at), facet);
+    vec3 place = 0.5 * (middle + shape.corners[i]);
+    MediumData medium = mediumAt(body, place);
     sum += light == everywhere ? ambientAt(normal, medium)
-                               : irradianceOf(light, 0.5 * (middle + shape.corners[i]), facet,
-                                              facet, medium);
+                               : irradianceOf(light, place, facet, facet, medium);
   }
   return sum / 3.0;
 }
 
-Entry entryOf(uint first, uint end, Cluster cluster, MediumData medium, uint light) {
+Entry entryOf(uint first, uint end, Cluster cluster, ObjectData body, uint light) {
   vec3 sum = vec3(0.0);
   vec3 weighted = vec3(0.0);
   vec3 normal = vec3(0.0);
   float all = 0.0;
   for (uint k = first; k < end; ++k) {
     PieceShape shape = shapeOf(pieces[k]);
-    vec3 entering = enteringThrough(shape, medium, light);
+    vec3 entering = enteringThrough(shape, body, light);
     float amount = entering.r + entering.g + entering.b;
     sum += shape.area * entering;
     weighted += shape.area * amount * middleOf(shape);
@@ -94,7 +95,7 @@ Entry entryOf(uint first, uint end, Cluster cluster, MediumData medium, uint lig
     PieceShape shape = shapeOf(pieces[k]);
     vec3 offset = middleOf(shape) - place;
     if (dot(offset, offset) >= least || shape.area <= 0.0 ||
-        enteringThrough(shape, medium, light) == vec3(0.0))
+        enteringThrough(shape, body, light) == vec3(0.0))
       continue;
     least = dot(offset, offset);
     start = middleOf(shape);
@@ -109,7 +110,7 @@ void main() {
   ClusterRange range = ranges[i];
   // A mirrored body's triangles go round the other way.
   float side = normals[pieces[range.firstSurfel * piecesPerSurfel].a].w;
-  MediumData medium = media[objects[range.object].table.x];
+  ObjectData body = objects[range.object];
   uint first = range.firstSurfel * piecesPerSurfel;
   uint end = range.endSurfel * piecesPerSurfel;
 
@@ -171,5 +172,5 @@ void main() {
 
   for (uint beam = 0u; beam <= frame.counts.x; ++beam)
     entries[beam * clusterCount + i] =
-        entryOf(first, end, cluster, medium, beam < frame.counts.x ? beam : everywhere);
+        entryOf(first, end, cluster, body, beam < frame.counts.x ? beam : everywhere);
 }

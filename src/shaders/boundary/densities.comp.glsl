@@ -43,7 +43,7 @@ void main() {
   }
   uint node = byHeight[first + i];
   uint end = afterNode(node, links[node]);
-  BoundaryMedium medium = media[objects[uint(shapes[node].vectorArea.w)].table.x].inside;
+  BoundaryMedium medium = insideOf(objects[uint(shapes[node].vectorArea.w)]);
   vec3 weightS = 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);
   vec3 place = shapes[node].centroidLink.xyz;
   DensityNode sum = DensityNode(vec4(0.0), vec4(0.0), vec4(0.0));

@@ -25,7 +25,7 @@ void main() {
   bool inside = i < clusterCount;
   ClusterRange range = ranges[inside ? i : 0u];
   ObjectData body = objects[range.object];
-  float sigma = leastOf(media[body.table.x].inside.sigma.rgb);
+  float sigma = leastOf(insideOf(body).sigma.rgb);
   vec3 place = clusters[inside ? i : 0u].centroidArea.xyz;
   float share = 0.0;
   uint next = inside ? body.clusters.x : noNode;

@@ -19,7 +19,7 @@ layout(push_constant) uniform Push {
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount) return;
-  BoundaryMedium medium = media[objects[ranges[i].object].table.x].inside;
+  BoundaryMedium medium = insideOf(objects[ranges[i].object]);
   vec3 leaves = latest[i].rgb + medium.albedo.rgb * fluences[i].rgb / (2.0 * medium.diffusion.w);
   leaves = max(leaves, vec3(0.0));
   latest[i] = vec4(leaves, 0.0);

@@ -33,7 +33,7 @@ void main() {
   bool inside = i < clusterCount;
   ClusterRange range = ranges[inside ? i : 0u];
   ObjectData body = objects[range.object];
-  BoundaryMedium medium = media[body.table.x].inside;
+  BoundaryMedium medium = insideOf(body);
   vec3 sigma = medium.sigma.rgb;
   float leastSigma = leastOf(sigma);
   vec3 weightS = 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);  // 1 / 2AD

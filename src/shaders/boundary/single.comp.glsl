@@ -92,7 +92,7 @@ vec3 fromPoints(uint cluster) {
 
 void main() {
   receive();
-  eta = media[body.table.x].boundary.x;
+  eta = mediumAt(body, its.centroidArea.xyz).boundary.x;
   vec3 sum = beamSum(0.0, furthestFreePaths / leastOf(medium.extinction.rgb));
   if (hasOwnLeaf()) sum += ownDiscs();
   putSum(sum * (medium.albedo.rgb / (4.0 * pi)));

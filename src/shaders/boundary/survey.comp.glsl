@@ -69,7 +69,7 @@ PieceFrame frameOf(uint piece, float side) {
 }
 
 void lookAround(uint i, inout Cluster cluster, ClusterRange range) {
-  MediumData own = media[objects[range.object].table.x];
+  ObjectData own = objects[range.object];
   uint first = range.firstSurfel * piecesPerSurfel;
   uint count = range.endSurfel * piecesPerSurfel - first;
   float least = rayStartOf(cluster);
@@ -83,14 +83,16 @@ void lookAround(uint i, inout Cluster cluster, ClusterRange range) {
     if (place.normal == vec3(0.0)) place = PieceFrame(cluster.start.xyz, cluster.facet.xyz, cluster.along.xyz);
     // Turned in steps that do not go along with those over the cluster.
     vec3 direction = cosineDirection((k * 7u) % raysOutwards, raysOutwards, turnOf(i), place.normal, place.along);
-    float entering = transmittedInto(own.boundary.x, dot(direction, place.normal));
+    float eta = mediumAt(own, place.middle).boundary.x;
+    float entering = transmittedInto(eta, dot(direction, place.normal));
     RayHit hit = nearestHit(place.middle, direction, least, 3e38, scene);
     all += entering;
     Meeting meeting = Meeting(noCluster, 0.0);
     if (hit.piece == noPiece) {
       sky += entering;
     } else {
-      MediumData other = media[objects[objectOfPiece(hit.piece)].table.x];
+      vec3 met = place.middle + hit.distance * direction;
+      MediumData other = mediumAt(objects[objectOfPiece(hit.piece)], met);
       uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
       float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
       if (cosine > 0.0)
@@ -116,6 +118,6 @@ void main() {
   clusters[i].start.w = thickness;
   clusters[i].facet.w = cluster.facet.w;
   clusters[i].second = vec4(
-      shareOfSecond(media[body.table.x].inside, sqrt(cluster.centroidArea.w)),
+      shareOfSecond(insideOf(body), sqrt(cluster.centroidArea.w)),
       range.hasInside != 0u ? 1.0 : 0.0);
 }

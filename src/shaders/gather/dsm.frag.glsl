@@ -2,14 +2,14 @@
 // enters (Eq. 7 and 9) and the area on the surface, as it is in this frame, that the texel stands for.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 4
+#define BINDING_MEDIA 5
 #define SHADOW_BINDING 6
 #define AMBIENT_BINDING 7
 #include "lib/irradiance.glsl"
+#include "lib/material.glsl"
 #include "lib/unit.glsl"
-#include "shared/medium.h"
 
-layout(std430, set = 0, binding = 4) readonly buffer Objects { ObjectData objects[]; };
-layout(std430, set = 0, binding = 5) readonly buffer Media { MediumData media[]; };
 layout(set = 0, binding = 8) uniform sampler2D texelSurface;
 
 layout(location = 0) in vec3 centre;
@@ -28,7 +28,8 @@ void main() {
   vec3 surface = texelFetch(texelSurface, ivec2(gl_FragCoord.xy), 0).xyz;
   vec3 position = centre + surface.x * along + surface.y * across;
   vec3 n = unitOr(normal + surface.x * dFdx(normal) + surface.y * dFdy(normal), vec3(0.0, 1.0, 0.0));
-  vec3 irradiance = irradianceAt(position, n, cross(along, across), media[objects[object].table.x]);
+  vec3 irradiance =
+      irradianceAt(position, n, cross(along, across), mediumAt(objects[object], position));
 
   positionArea = vec4(position, surface.z * length(cross(along, across)));
   unitNormal = vec4(n, 0.0);

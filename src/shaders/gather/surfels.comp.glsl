@@ -2,18 +2,19 @@
 // flux that enters there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 4
+#define BINDING_MEDIA 5
 #define SHADOW_BINDING 6
 #define AMBIENT_BINDING 7
 #include "lib/irradiance.glsl"
 #include "lib/linear.glsl"
+#include "lib/material.glsl"
 #include "lib/unit.glsl"
 #include "shared/surfels.h"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
-layout(std430, set = 0, binding = 4) readonly buffer Objects { ObjectData objects[]; };
-layout(std430, set = 0, binding = 5) readonly buffer Media { MediumData media[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Sources { Source sources[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer SurfelNormals { vec4 surfelNormals[]; };
 
@@ -66,8 +67,9 @@ vec3 normalAt(PiecePlace place, vec2 at) {
 }
 
 vec3 irradianceOn(PiecePlace place, vec2 at, uint object) {
-  return irradianceAt(positionAt(place, at), normalAt(place, at), cross(place.along, place.across),
-                      media[objects[object].table.x]);
+  vec3 position = positionAt(place, at);
+  return irradianceAt(position, normalAt(place, at), cross(place.along, place.across),
+                      mediumAt(objects[object], position));
 }
 
 // Means over surfels would be off if all were asked at the same place among their sources (the

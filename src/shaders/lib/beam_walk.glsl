@@ -46,7 +46,7 @@ void receive() {
   receiver = i < clusterCount ? i : 0u;
   its = clusters[receiver];
   body = objects[ranges[receiver].object];
-  medium = media[body.table.x].inside;
+  medium = insideOf(body);
 }
 
 // Whether the nodes of this dispatch have the receiver's own leaf.

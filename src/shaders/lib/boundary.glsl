@@ -1,7 +1,7 @@
 // What the shaders of boundary transport share. Needs, before it, BINDING_OBJECTS and BINDING_MEDIA.
 #ifndef OPALINE_LIB_BOUNDARY
 #define OPALINE_LIB_BOUNDARY
-#include "lib/bodies.glsl"
+#include "lib/material.glsl"
 #include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"

@@ -47,7 +47,7 @@ struct Neighbours {
 };
 
 Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
-  Profile profile = media[body.table.x].profile;
+  Profile profile = mediumAt(body, position).profile;
   float reach = body.darkest.w;
   Neighbours found = Neighbours(vec4(0.0), vec3(0.0), 0.0);
   float area = 0.0;
@@ -102,7 +102,7 @@ vec3 ringIrradiance(vec3 position, vec3 normal, float radius, float turned, Medi
 
 // The exitance by what lies within the reach, and evaluations of the profile.
 vec4 nearbyExitance(vec3 position, vec3 normal, ObjectData body) {
-  MediumData medium = media[body.table.x];
+  MediumData medium = mediumAt(body, position);
   float reach = body.darkest.w;
   vec3 ambient = ambientAt(normal, medium);
   vec3 here = lightsIrradiance(position, normal, normal, medium);

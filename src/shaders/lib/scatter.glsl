@@ -1,7 +1,7 @@
 // What every sum of sources (Eq. 8) reads. Needs, before it, BINDING_OBJECTS and BINDING_MEDIA.
 #ifndef OPALINE_LIB_SCATTER
 #define OPALINE_LIB_SCATTER
-#include "lib/bodies.glsl"
+#include "lib/material.glsl"
 #include "lib/profile.glsl"
 
 layout(constant_id = 0) const uint transport = 0u;  // 0: dipole, 1: better dipole

@@ -38,7 +38,7 @@ vec4 surfelSumOf(vec3 position, ObjectData body, uint first, uint end) {
   first = max(first, body.table.y);
   end = min(end, body.table.y + body.table.z);
   if (first >= end) return vec4(0.0);
-  return surfelSum(position, media[body.table.x].profile, body.darkest.w, first, end);
+  return surfelSum(position, mediumAt(body, position).profile, body.darkest.w, first, end);
 }
 
 #endif

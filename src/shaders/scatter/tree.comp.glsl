@@ -29,7 +29,7 @@ void main() {
   ObjectData body = objects[covered ? uint(surface.w) - 1u : 0u];
   bool here = covered && isSummedAtFragments(body, site);
   uint root = here && body.tree.x < body.tree.y ? body.tree.x : noNode;
-  Profile profile = media[body.table.x].profile;
+  Profile profile = mediumAt(body, surface.xyz).profile;
   // Vertices far apart know nothing of what lies between them.
   bool coarse = here && body.table.w != 0u;
   vec3 there = roughSum(surface.xyz, body, coarse ? root : noNode, profile);

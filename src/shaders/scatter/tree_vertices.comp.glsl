@@ -33,7 +33,7 @@ void main() {
   bool here = inside && (rough != 0u || !isSummedAtFragments(body, site));
   uint root = here && body.tree.x < body.tree.y ? body.tree.x : noNode;
   vec3 position = positions[vertex].xyz;
-  Profile profile = media[body.table.x].profile;
+  Profile profile = mediumAt(body, position).profile;
   vec4 sum = rough != 0u
                  ? vec4(max(roughSum(position, body, root, profile), darkestOf(body, root)), 0.0)
                  : treeSum(position, root, body.tree.y, profile, body.darkest.w,

@@ -2,8 +2,10 @@
 // GGX lobe that meet nothing. One antialiasing sample takes some of the lobe's rays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 4
 #define BINDING_PIECE_CORNERS 5
 #define BINDING_RAYS 6
+#include "lib/bodies.glsl"
 #include "lib/frame.glsl"
 #include "lib/octahedron.glsl"
 #include "lib/pi.glsl"
@@ -14,7 +16,6 @@
 layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
 layout(set = 0, binding = 2) uniform sampler2D surfaceNormal;
 layout(set = 0, binding = 3) uniform sampler2D surfaceFacet;
-layout(std430, set = 0, binding = 4) readonly buffer Objects { ObjectData objects[]; };
 layout(set = 0, binding = 7, r32f) uniform writeonly image2D skyShare;
 
 layout(push_constant) uniform Push {

@@ -1,15 +1,15 @@
 // Which surfel lies at every visible pixel, and what of the trees holds it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 2
 #define BINDING_PIECE_CORNERS 3
 #define BINDING_RAYS 4
+#include "lib/bodies.glsl"
 #include "lib/rays.glsl"
 #include "lib/tile.glsl"
-#include "shared/frame.h"
 
 layout(set = 0, binding = 0) uniform sampler2D surfacePosition;
 layout(set = 0, binding = 1, rgba32f) uniform writeonly image2D seen;  // passes::SeenSurfels
-layout(std430, set = 0, binding = 2) readonly buffer Objects { ObjectData objects[]; };
 layout(std430, set = 0, binding = 5) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
 
 layout(push_constant) uniform Push {

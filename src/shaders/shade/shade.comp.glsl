@@ -2,21 +2,21 @@
 // antialiasing sample is added to those before it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 4
+#define BINDING_MEDIA 5
 #define SHADOW_BINDING 6
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
 #include "lib/light.glsl"
+#include "lib/material.glsl"
 #include "lib/shadow.glsl"
-#include "shared/medium.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
 layout(set = 0, binding = 2) uniform sampler2D surfaceNormal;
 layout(set = 0, binding = 3) uniform sampler2D surfaceExitance;
-layout(std430, set = 0, binding = 4) readonly buffer Objects { ObjectData objects[]; };
-layout(std430, set = 0, binding = 5) readonly buffer Media { MediumData media[]; };
 layout(set = 0, binding = 7) uniform samplerCubeArray reflectedEnvironment;
 layout(std430, set = 0, binding = 8) readonly buffer SpecularAlbedo { float specularAlbedo[]; };
 layout(set = 0, binding = 9, rgba32f) uniform image2D radiance;
@@ -69,7 +69,7 @@ void main() {
   vec4 surface = texelFetch(surfacePosition, pixel, 0);
   vec4 value = vec4(0.0);
   if (surface.w > 0.0) {
-    MediumData medium = media[objects[uint(surface.w) - 1u].table.x];
+    MediumData medium = mediumAt(objects[uint(surface.w) - 1u], surface.xyz);
     vec3 normal = texelFetch(surfaceNormal, pixel, 0).xyz;
     vec3 toCamera = normalize(frame.cameraPosition.xyz - surface.xyz);
     float cosine = clamp(dot(normal, toCamera), 1e-3, 1.0);
