@@ -121,7 +121,7 @@ TEST_P(IrradianceTest, UniformLightGivesPiTimesMeanTransmittance) {
 // count: where no lamp is seen, there is none.
 TEST_P(IrradianceTest, AShadowIsBlackInside) {
   const Mesh floor = box({0, -2, 0}, {20, 2, 20}, 32);
-  Scene scene = sceneOf(floor, marble(), {60, 70, 0}, 30);
+  Scene scene = sceneOf(floor, marble(), {-60, 70, 0}, 30);
   scene.objects.push_back({"plate", box({0, 10, 0}, {9, 0.5F, 9}, 8), marble()});
   const Vector toLight = unit({0.5, 1, 0});
   scene.lighting.directional = {{toVec3(toLight), {2, 2, 2}}};
