@@ -54,6 +54,12 @@ class Outputs(Render):
         self.assertGreater(min(inside), 0, "light comes through everywhere")
         self.assertGreater(sum(inside) / len(inside), 40)
 
+    def test_what_is_seen_edge_on_is_said(self):
+        self.write("floor.obj", "v -1 0 -1\nv -1 0 1\nv 1 0 1\nv 1 0 -1\nf 1 2 3 4\n")
+        floor = ("floor.obj", "--diagonal-mm", DIAGONAL, "--size", "32x32", "--max-surfels", 4096)
+        self.assertIn("the camera sees nothing of the scene", self.succeed("render", *floor).err)
+        self.assertNotIn("sees nothing", self.succeed("render", *floor, "--camera-direction", "0.2,0.6,1").err)
+
     def test_the_name_follows_the_scene(self):
         self.assertEqual(self.succeed("render", *CUBE).err, "")
         self.succeed("render", *CUBE, "--aov", "depth")

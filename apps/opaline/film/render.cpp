@@ -134,6 +134,12 @@ Renderer makeRenderer(const RenderCommand& command, const RenderJob& job, const 
   return renderer;
 }
 
+bool isEmpty(const Image& image) {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+    if (image.rgba[i] > 0) return false;
+  return true;
+}
+
 Done makeStill(const RenderCommand& command, const RenderJob& job, const LogCallback& log) {
   Renderer renderer = makeRenderer(command, job, log);
   if (job.sequence) {
@@ -142,7 +148,13 @@ Done makeStill(const RenderCommand& command, const RenderJob& job, const LogCall
     renderer.replacePositions(0, positionsMm);
   }
   const RenderResult result = renderer.render(job.options, {command.picture.aov()});
-  const std::filesystem::path file = writePicture(job.output, result.images.at(0), job.tone);
+  const Image& image = result.images.at(0);
+  if (isEmpty(image)) {
+    log(LogLevel::Note,
+        "the camera sees nothing of the scene; what is flat shows nothing from its edge: "
+        "--camera-direction 0.2,0.6,1 looks from above");
+  }
+  const std::filesystem::path file = writePicture(job.output, image, job.tone);
   log(LogLevel::Note,
       fmt::format("wrote {}, {}", nameText(file, job.output.path), onDevice(result.report.device)));
   return {renderReportJson(result.report, job.options, {file.string()}),
