@@ -63,7 +63,7 @@ function(opaline_shaders target)
       set(spirv ${generated}/${name}.spv)
       set(source ${generated}/${name}.cpp)
       set(compile ${GLSLC} -fshader-stage=${stage} --target-env=vulkan1.3 -Werror ${define}
-        -I ${CMAKE_CURRENT_SOURCE_DIR} -I ${PROJECT_SOURCE_DIR}/src/shaders)
+        -I ${CMAKE_CURRENT_SOURCE_DIR} -I ${PROJECT_SOURCE_DIR}/src/shaders -I ${PROJECT_SOURCE_DIR}/src)
       add_custom_command(OUTPUT ${words} ${spirv}
         COMMAND ${compile} -O -mfmt=num -MD -MF ${words}.d -o ${words} ${CMAKE_CURRENT_SOURCE_DIR}/${file}
         COMMAND ${compile} -O0 -o ${spirv} ${CMAKE_CURRENT_SOURCE_DIR}/${file}

@@ -18,11 +18,16 @@ if(OPALINE_SANITIZE)
   target_link_options(opaline_warnings INTERFACE -fsanitize=address,undefined)
 endif()
 
-# Lets a target include what is in a folder as "<folder>/...", and nothing beside that folder.
+# Lets a target include what is in a folder as "<folder>/...", and nothing beside that folder. Of a folder in a folder of
+# src/ both are named.
 function(opaline_include_folder target scope folder)
-  get_filename_component(name ${folder} NAME)
+  cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/src OUTPUT_VARIABLE name)
+  if(name MATCHES "^\\.\\.")
+    get_filename_component(name ${folder} NAME)
+  endif()
   set(root ${CMAKE_CURRENT_BINARY_DIR}/include)
-  file(MAKE_DIRECTORY ${root})
+  get_filename_component(parent ${root}/${name} DIRECTORY)
+  file(MAKE_DIRECTORY ${parent})
   file(CREATE_LINK ${folder} ${root}/${name} SYMBOLIC)
   target_include_directories(${target} ${scope} ${root})
 endfunction()

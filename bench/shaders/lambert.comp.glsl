@@ -3,7 +3,6 @@
 #extension GL_GOOGLE_include_directive : require
 #define SHADOW_BINDING 3
 #include "lib/frame.glsl"
-#include "lib/light.glsl"
 #include "lib/shadow.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -23,11 +22,11 @@ void main() {
     vec3 normal = texelFetch(surfaceNormal, pixel, 0).xyz;
     value = vec4(albedo * frame.ambient.rgb, 1.0);
     for (uint i = 0u; i < frame.counts.x; ++i) {
-      vec3 toLight;
-      vec3 arriving = lightIrradiance(i, surface.xyz, toLight);
-      float cosine = dot(normal, toLight);
+      IncidentLight light = incidentLight(i, surface.xyz);
+      float cosine = dot(normal, light.direction);
       if (cosine <= 0.0) continue;
-      value.rgb += albedo / 3.14159265 * arriving * (cosine * lightVisibility(i, surface.xyz, normal));
+      value.rgb += albedo / 3.14159265 * light.irradiance *
+                   (cosine * visibilityOf(light, surface.xyz, normal));
     }
   }
   imageStore(radiance, pixel, value);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "atlas/awkward_meshes.h"
+#include "awkward_meshes.h"
 #include "renderer/renderer_fixture.h"
 #include "renderer/shapes.h"
 #include "shared_files.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "atlas/awkward_meshes.h"
+#include "awkward_meshes.h"
 #include "surfels/subdivision.h"
 
 namespace opaline::surfels::test {

@@ -44,7 +44,9 @@ class Layers(unittest.TestCase):
             ("src/gpu/device.cpp", '"opaline/scene.h"'),
             ("src/gpu/device.cpp", '"bssrdf/media.h"'),
             ("src/gpu/device.cpp", '"passes/products.h"'),
-            ("src/scene/gltf/load.cpp", '"atlas/atlas.h"'),
+            ("src/scene/gltf/load.cpp", '"paper/atlas/atlas.h"'),
+            ("src/paper/atlas/pack.cpp", '"paper/pattern_pass.h"'),
+            ("src/passes/shade/shade_pass.cpp", '"paper/pattern_pass.h"'),
             ("src/scene/gltf/load.cpp", "<vulkan/vulkan.h>"),
             ("src/passes/scatter/pattern.cpp", '"passes/gather/dsm.h"'),
             ("src/passes/scatter/pattern.cpp", '"renderer/frame.h"'),
@@ -70,7 +72,7 @@ class Layers(unittest.TestCase):
 class Names(unittest.TestCase):
     def test_file_names(self):
         self.assertEqual(check_names.check_name("src/core/image_file.h"), [])
-        self.assertEqual(check_names.check_name("src/shaders/gather/dsm.frag.glsl"), [])
+        self.assertEqual(check_names.check_name("src/paper/shaders/dsm.frag.glsl"), [])
         self.assertEqual(check_names.check_name("scripts/install-dependencies.sh"), [])
         self.assertEqual(len(check_names.check_name("src/core/ImageFile.h")), 1)
         self.assertEqual(len(check_names.check_name("src/Core/image-file.cpp")), 2)

@@ -9,8 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "atlas/atlas.h"
-#include "atlas/draw.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/json.h"
@@ -24,6 +22,8 @@
 #include "core/tone.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "paper/atlas/atlas.h"
+#include "paper/atlas/draw.h"
 #include "scene/deformer_check.h"
 #include "scene/mesh/insides.h"
 #include "scene/mesh/merged_mesh.h"

@@ -137,7 +137,7 @@ struct FrameContext {
   // Everything where the site is the vertices; else what is always summed there.
   void scatterAtVertices(SceneResources& scene) const {
     if (plan.sum == Sum::Pattern) {
-      using Part = passes::PatternPass::VertexPart;
+      using Part = paper::PatternPass::VertexPart;
       return passes.pattern.overVertices(
           commands, scatterTransport(plan.transport),
           plan.site == Site::Vertex ? Part::Everything : Part::FarSamples, resources.tables,

@@ -6,18 +6,18 @@
 #include "gpu/command_list.h"
 #include "gpu/transfer.h"
 #include "opaline/renderer.h"
+#include "paper/diffusion_source_pass.h"
+#include "paper/pattern_pass.h"
 #include "passes/boundary/beam_pass.h"
 #include "passes/boundary/carry_pass.h"
 #include "passes/boundary/cluster_pass.h"
 #include "passes/boundary/ray_pass.h"
 #include "passes/boundary/solver_pass.h"
 #include "passes/deform/deform_pass.h"
-#include "passes/gather/diffusion_source_pass.h"
 #include "passes/gather/fit_pass.h"
 #include "passes/gather/shadow_pass.h"
 #include "passes/gather/surfel_pass.h"
 #include "passes/scatter/nearby_pass.h"
-#include "passes/scatter/pattern_pass.h"
 #include "passes/scatter/surface_pass.h"
 #include "passes/scatter/surfel_sum_pass.h"
 #include "passes/shade/environment_pass.h"
@@ -38,10 +38,10 @@ struct Passes {
   passes::DeformPass deform;
   passes::FitPass fit;
   passes::ShadowPass shadow;
-  passes::DiffusionSourcePass map;
+  paper::DiffusionSourcePass map;
   passes::SurfelPass surfels;
   passes::SurfacePass surface;
-  passes::PatternPass pattern;
+  paper::PatternPass pattern;
   passes::SurfelSumPass sum;
   passes::NearbyPass nearby;
   passes::RayPass rays;

@@ -31,13 +31,13 @@ void fillLights(const Lighting& lighting, std::uint32_t shadowSize, shared::Fram
     shared::LightData& data = frame.lights[light++];
     data.place = {glm::normalize(glm::make_vec3(directional.directionToLight.data())), 0};
     data.power = {glm::make_vec3(directional.irradiance.data()), 0};
-    data.views = {view++, 1, 0, 0};
+    data.kind = {shared::directionalLight, view++, 0, 0};
   }
   for (const PointLight& point : lighting.points) {
     shared::LightData& data = frame.lights[light++];
-    data.place = {glm::make_vec3(point.positionMm.data()), 1};
+    data.place = {glm::make_vec3(point.positionMm.data()), 0};
     data.power = {glm::make_vec3(point.intensity.data()), 0};
-    data.views = {view, viewsOfPoint, 0, 0};
+    data.kind = {shared::pointLight, view, 0, 0};
     view += viewsOfPoint;
   }
   frame.counts.x = light;

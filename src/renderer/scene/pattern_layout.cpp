@@ -11,8 +11,8 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
 
-#include "atlas/geodesic.h"
-#include "atlas/texel_area.h"
+#include "paper/atlas/geodesic.h"
+#include "paper/atlas/texel_area.h"
 
 namespace opaline {
 
@@ -106,7 +106,7 @@ std::vector<shared::FarPlace> farPlaces(const SceneResources& resources,
   std::vector<double> distanceMm(merged.positionsMm.size(), 0);
   for (std::size_t t = 0; t < merged.triangles.size(); ++t) {
     const std::uint32_t medium = resources.mediumOfObject[merged.objectOfTriangle[t]];
-    const passes::PatternExtent& extent = layout.extentOfMedium[medium];
+    const paper::PatternExtent& extent = layout.extentOfMedium[medium];
     for (const std::uint32_t vertex : merged.triangles[t]) {
       innerMm[vertex] = extent.blockRadius() * texelMm;
       distanceMm[vertex] = extent.distance * texelMm;
@@ -135,7 +135,7 @@ PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions
   int cell = options.dsmSize;
   for (std::size_t i = 0; i < resources.media.size(); ++i) {
     const double freePathMm = shortestMeanFreePathMm(resources.media[i]);
-    const passes::PatternExtent extent = passes::patternExtent(
+    const paper::PatternExtent extent = paper::patternExtent(
         {.nearRings = options.pattern.nearRings,
          .nearSpacingMm = static_cast<double>(options.pattern.nearSpacing) * freePathMm,
          .farDistanceMm = static_cast<double>(options.pattern.farDistance) * freePathMm},
@@ -161,8 +161,8 @@ PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions
                                                    .maxSize = largest});
   layout.maps.distantMapSize = static_cast<std::uint32_t>(distantMapSize);
   layout.maps.cellEdge = static_cast<std::uint32_t>(coarseCell);
-  for (passes::PatternExtent& extent : layout.extentOfMedium)
-    extent = passes::fitted(extent, layout.maps.nearby.reach);
+  for (paper::PatternExtent& extent : layout.extentOfMedium)
+    extent = paper::fitted(extent, layout.maps.nearby.reach);
   layout.maps.texelAreas = atlas::texelAreas(resources.atlas, options.dsmSize);
   layout.maps.farPlaces = farPlaces(resources, layout, options);
   return layout;

@@ -3,16 +3,16 @@
 #include <vector>
 
 #include "opaline/renderer.h"
-#include "passes/gather/diffusion_source_pass.h"
-#include "passes/scatter/pattern_mask.h"
+#include "paper/diffusion_source_pass.h"
+#include "paper/pattern_mask.h"
 #include "renderer/scene/scene_resources.h"
 
 namespace opaline {
 
 /// The pattern of every medium of the scene, and the neighbourhoods that hold them all.
 struct PatternLayout {
-  passes::AtlasMaps maps;
-  std::vector<passes::PatternExtent> extentOfMedium;
+  paper::AtlasMaps maps;
+  std::vector<paper::PatternExtent> extentOfMedium;
 };
 
 /// For set-up, not for frames.

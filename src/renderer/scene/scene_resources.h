@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "atlas/atlas.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "paper/atlas/atlas.h"
 #include "passes/products.h"
 #include "renderer/scene/division.h"
 #include "scene/mesh/merged_mesh.h"

@@ -87,12 +87,12 @@ class TableBuilder {
   const std::vector<float>& albedo() const { return albedo_; }
 
  private:
-  void add(const Medium& medium, const passes::PatternExtent* extent) {
+  void add(const Medium& medium, const paper::PatternExtent* extent) {
     const bssrdf::Model model = modelOf(options_.transport);
     const std::array<bssrdf::Profile, 3> profiles = bssrdf::makeProfiles(model, medium);
-    const passes::PatternMask mask = extent != nullptr
-                                         ? passes::makePatternMask(profiles, *extent, texelMm_)
-                                         : passes::PatternMask{};
+    const paper::PatternMask mask = extent != nullptr
+                                        ? paper::makePatternMask(profiles, *extent, texelMm_)
+                                        : paper::PatternMask{};
     const auto eta = static_cast<std::uint32_t>(std::find(etas_.begin(), etas_.end(), medium.eta) -
                                                 etas_.begin());
     media_.push_back({.profile = shaders::packProfile(profiles),

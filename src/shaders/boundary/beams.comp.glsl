@@ -211,8 +211,7 @@ void main() {
     vec3 extinction = body.medium.extinction.rgb / mean;
     firstSegment(body, i, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
   } else if (power != vec3(0.0)) {
-    vec3 toLight;
-    lightIrradiance(beam, entry.place.xyz, toLight);
+    vec3 toLight = incidentLight(beam, entry.place.xyz).direction;
     vec3 normal = entry.normal.xyz;
     float cosine = dot(toLight, normal);
     vec3 from = unitOr(toLight + max(leastEntryCosine - cosine, 0.0) * normal, normal);

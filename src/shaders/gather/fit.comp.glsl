@@ -79,7 +79,7 @@ void fitDirectional(uint light, Box box) {
   y = widened(y, slack + size.y * filterBorder / mapSize);
   z = widened(z, slack);
   float depth = z.y - z.x;
-  frame.shadowViews[frame.lights[light].views.x] =
+  frame.shadowViews[frame.lights[light].kind.y] =
       fromRows(fittedRow(basis.right, x), fittedRow(basis.up, y),
                vec4(-basis.forward / depth, z.y / depth), vec4(0.0, 0.0, 0.0, 1.0));
   frame.lights[light].depth = vec4(z.y, -depth, 0.0, 0.0);
@@ -98,7 +98,7 @@ void fitPoint(uint light, Box box) {
     vec3 forward = vec3(0.0);
     forward[face / 2u] = (face & 1u) == 0u ? 1.0 : -1.0;
     Basis basis = basisAlong(forward);
-    frame.shadowViews[frame.lights[light].views.x + face] =
+    frame.shadowViews[frame.lights[light].kind.y + face] =
         fromRows(vec4(basis.right, -dot(basis.right, position)) / tangent,
                  vec4(basis.up, -dot(basis.up, position)) / tangent, vec4(0.0, 0.0, 0.0, near),
                  vec4(forward, -dot(forward, position)));
@@ -119,7 +119,7 @@ void main() {
   if (i == maxLights) {
     fitCamera(box);
   } else if (i < frame.counts.x) {
-    if (frame.lights[i].place.w == 0.0) {
+    if (frame.lights[i].kind.x == directionalLight) {
       fitDirectional(i, box);
     } else {
       fitPoint(i, box);

@@ -2,7 +2,6 @@
 #ifndef OPALINE_LIB_IRRADIANCE
 #define OPALINE_LIB_IRRADIANCE
 #include "lib/frame.glsl"
-#include "lib/light.glsl"
 #include "lib/shadow.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/unit.glsl"
@@ -14,15 +13,21 @@ vec3 ambientAt(vec3 normal, MediumData medium) {
   return textureLod(ambientIrradiance, vec4(normal, float(medium.tables.x)), 0.0).rgb;
 }
 
-// Of one light. `outside` is the unit normal of the surface as it is drawn: what of it faces away
-// from a light is in its own shadow, wherever `normal` looks.
-vec3 irradianceOf(uint light, vec3 position, vec3 normal, vec3 outside, MediumData medium) {
-  vec3 toLight;
-  vec3 arriving = lightIrradiance(light, position, toLight);
-  float cosine = dot(normal, toLight);
-  if (cosine <= 0.0 || dot(outside, toLight) <= 0.0) return vec3(0.0);
-  float entering = cosine * (1.0 - fresnelReflectance(medium.boundary.x, cosine));
-  return arriving * (entering * lightVisibility(light, position, outside));
+// The part of a light's irradiance that enters where it is visible. `outside` is the unit normal of
+// the surface as it is drawn: what of it faces away from a light is in its own shadow, wherever
+// `normal` looks.
+float enteringPart(IncidentLight light, vec3 normal, vec3 outside, MediumData medium) {
+  float cosine = dot(normal, light.direction);
+  if (cosine <= 0.0 || dot(outside, light.direction) <= 0.0) return 0.0;
+  return cosine * (1.0 - fresnelReflectance(medium.boundary.x, cosine));
+}
+
+// Of one light.
+vec3 irradianceOf(uint index, vec3 position, vec3 normal, vec3 outside, MediumData medium) {
+  IncidentLight light = incidentLight(index, position);
+  float part = enteringPart(light, normal, outside, medium);
+  if (part == 0.0) return vec3(0.0);
+  return light.irradiance * (part * visibilityOf(light, position, outside));
 }
 
 // Of all lights.

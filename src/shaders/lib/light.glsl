@@ -1,18 +1,29 @@
-// What arrives from the frame's lights, wherever nothing is between. Needs lib/frame.glsl.
+// Light that arrives from the frame's lights. Needs lib/frame.glsl.
 #ifndef OPALINE_LIB_LIGHT
 #define OPALINE_LIB_LIGHT
 
-// Irradiance on a surface that faces the light; the direction to it comes back unit.
-vec3 lightIrradiance(uint index, vec3 position, out vec3 toLight) {
+// Of one light at one place, wherever nothing is between.
+struct IncidentLight {
+  uint light;  // its index
+  uint kind;
+  vec3 direction;   // unit, towards the light
+  vec3 irradiance;  // of a surface that faces it
+};
+
+IncidentLight incidentLight(uint index, vec3 position) {
   LightData light = frame.lights[index];
-  if (light.place.w == 0.0) {
-    toLight = light.place.xyz;
-    return light.power.rgb;
-  }
-  vec3 offset = light.place.xyz - position;
+  vec3 towards = light.place.xyz;
+  if (light.kind.x == directionalLight)
+    return IncidentLight(index, light.kind.x, towards, light.power.rgb);
+  vec3 offset = towards - position;
   float squared = max(dot(offset, offset), 1e-12);
-  toLight = offset * inversesqrt(squared);
-  return light.power.rgb / squared;
+  return IncidentLight(index, light.kind.x, offset * inversesqrt(squared), light.power.rgb / squared);
+}
+
+// Whether a light of that kind has a shadow map of parallel rays. Else it has the six views of a cube
+// around it.
+bool isParallel(uint kind) {
+  return kind == directionalLight;
 }
 
 #endif

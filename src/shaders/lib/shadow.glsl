@@ -2,6 +2,7 @@
 // SHADOW_BINDING.
 #ifndef OPALINE_LIB_SHADOW
 #define OPALINE_LIB_SHADOW
+#include "lib/light.glsl"
 
 layout(set = 0, binding = SHADOW_BINDING) uniform sampler2DArray shadowMaps;
 
@@ -14,8 +15,8 @@ uint cubeFace(vec3 direction) {
 }
 
 float shadowDepthMm(LightData light, float depth) {
-  return light.place.w == 0.0 ? light.depth.x + light.depth.y * depth
-                              : light.depth.x / (light.depth.y + depth);
+  return isParallel(light.kind.x) ? light.depth.x + light.depth.y * depth
+                                  : light.depth.x / (light.depth.y + depth);
 }
 
 vec4 litAt(LightData light, vec4 depths, float receiverMm) {
@@ -31,7 +32,7 @@ vec4 litAt(LightData light, vec4 depths, float receiverMm) {
 float depthSlope(LightData light, vec3 toLight, vec3 normal) {
   float alongAxis = dot(normal, toLight);
   float facing = alongAxis;
-  if (light.place.w != 0.0) {
+  if (!isParallel(light.kind.x)) {
     vec3 size = abs(toLight);
     float depth = max(size.x, max(size.y, size.z));
     alongAxis = depth == size.x ? normal.x : depth == size.y ? normal.y : normal.z;
@@ -44,16 +45,17 @@ float depthSlope(LightData light, vec3 toLight, vec3 normal) {
 // position of the receiver. The bias is what the slope of the surface makes of the way to the
 // furthest texel that is read, 2√2 texels, so it stays a few shadow texels whatever the size of the
 // object.
-float lightVisibility(uint index, vec3 position, vec3 normal) {
-  LightData light = frame.lights[index];
-  vec3 toLight = light.place.w == 0.0 ? light.place.xyz : light.place.xyz - position;
-  uint layer = light.views.x + (light.views.y == 1u ? 0u : cubeFace(-toLight));
+float visibilityOf(IncidentLight incident, vec3 position, vec3 normal) {
+  LightData light = frame.lights[incident.light];
+  bool parallel = isParallel(incident.kind);
+  vec3 toLight = parallel ? light.place.xyz : light.place.xyz - position;
+  uint layer = light.kind.y + (parallel ? 0u : cubeFace(-toLight));
 
   vec4 clip = frame.shadowViews[layer] * vec4(position, 1.0);
   float size = float(frame.counts.y);
   vec2 place = (clip.xy / clip.w * 0.5 + 0.5) * size - 0.5;
   float receiverMm = shadowDepthMm(light, clip.z / clip.w);
-  float texelMm = light.texel.x * (light.place.w == 0.0 ? 1.0 : receiverMm);
+  float texelMm = light.texel.x * (parallel ? 1.0 : receiverMm);
   receiverMm -= texelMm * (0.5 + 2.83 * min(depthSlope(light, toLight, normal), 8.0));
 
   vec2 base = floor(place);

@@ -8,7 +8,6 @@
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
-#include "lib/light.glsl"
 #include "lib/material.glsl"
 #include "lib/shadow.glsl"
 
@@ -45,8 +44,8 @@ vec3 reflection(MediumData medium, vec3 position, vec3 normal, vec3 toCamera, fl
   float cosineOut = max(dot(normal, toCamera), 1e-3);
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < frame.counts.x; ++i) {
-    vec3 toLight;
-    vec3 arriving = lightIrradiance(i, position, toLight);
+    IncidentLight light = incidentLight(i, position);
+    vec3 toLight = light.direction;
     float cosineIn = dot(normal, toLight);
     if (cosineIn <= 0.0) continue;
     // Where they are opposite, the middle is the normal.
@@ -54,7 +53,7 @@ vec3 reflection(MediumData medium, vec3 position, vec3 normal, vec3 toCamera, fl
     float value = ggxDistribution(alpha, clamp(dot(normal, middle), 0.0, 1.0)) *
                   ggxVisibility(alpha, cosineOut, cosineIn) *
                   fresnelReflectance(eta, clamp(dot(toLight, middle), 0.0, 1.0)) * cosineIn;
-    if (value > 1e-6) sum += arriving * (value * lightVisibility(i, position, normal));
+    if (value > 1e-6) sum += light.irradiance * (value * visibilityOf(light, position, normal));
   }
   vec3 around = frame.ambient.rgb;
   if (frame.counts.z != 0u)

@@ -21,13 +21,17 @@ using glm::vec4;
 OPALINE_CONSTANT maxLights = 16;
 OPALINE_CONSTANT maxShadowViews = 48;
 
+/// Kinds of lights.
+OPALINE_CONSTANT directionalLight = 0;
+OPALINE_CONSTANT pointLight = 1;
+
 /// One light that casts shadows.
 struct LightData {
-  vec4 place;   // xyz: direction to the light (w = 0) or its position in mm (w = 1)
-  vec4 power;   // rgb: irradiance (directional) or intensity (point)
-  vec4 depth;   // depth d of its shadow map in mm: x + y·d (directional), x / (y + d) (point)
-  vec4 texel;   // x: edge of a shadow texel in mm (directional), or per mm of distance (point)
-  uvec4 views;  // x: first shadow view; y: their number, 1 or 6
+  vec4 place;  // xyz: direction to the light, unit (directional), or its position in mm (point)
+  vec4 power;  // rgb: irradiance (directional) or intensity (point)
+  vec4 depth;  // depth d of its shadow map in mm: x + y·d (directional), x / (y + d) (point)
+  vec4 texel;  // x: edge of a shadow texel in mm (directional), or per mm of distance (point)
+  uvec4 kind;  // x: of light; y: first shadow view
 };
 
 struct FrameData {
