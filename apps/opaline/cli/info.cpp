@@ -47,7 +47,7 @@ struct InfoCommand {
     line.section("Scene");
     scene.addTo(line);
     line.section("Options");
-    line.value("--atlas", "FILE.png", "make the paper's atlas, report its quality, draw it",
+    line.value("--atlas", "FILE.png", "make, measure and draw the paper's atlas",
                [this](const Given& given) { atlas = readOutput(given, {".png"}); });
     line.outputFlags("one JSON object on standard output", json, quiet);
   }

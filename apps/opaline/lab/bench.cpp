@@ -72,7 +72,7 @@ struct BenchCommand {
     camera.addTo(line);
     line.value("--size", "N", "edge in pixels, 8 to 2048 [methods: 256, scaling: 512]",
                [this](const Given& given) { edge = readInteger(given, 8, 2048); });
-    line.value("--plot", "FILE.svg", "plot errors against times, or times against difficulty",
+    line.value("--plot", "FILE.svg", "plot the error over time, or time over difficulty",
                [this](const Given& given) { plot = readOutput(given, {".svg"}); });
     line.section("Run");
     line.value("--frames", "N", "frames of each measurement, 1 to 1000",

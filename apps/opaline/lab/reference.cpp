@@ -92,7 +92,7 @@ struct ReferenceCommand {
     line.value(
         "--transport", "NAME", "dipole or better-dipole [dipole]",
         [this](const Given& given) { transport = readChoice(given, halfSpaceTransports()); });
-    line.value("--tolerance", "X", "relative error of the integral, 1e-7 to 0.5 [0.001]",
+    line.value("--tolerance", "X", "relative error allowed, 1e-7 to 0.5 [0.001]",
                [this](const Given& given) {
                  tolerance = readNumber(given, {1e-7, 0.5});
                });

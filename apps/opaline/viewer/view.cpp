@@ -55,7 +55,7 @@ struct ViewCommand {
     method.addTo(line);
     line.section("Run");
     device.addTo(line);
-    line.outputFlags("the report of the last picture, at the end", json, quiet);
+    line.outputFlags("report of the last picture, at the end", json, quiet);
     line.value("--controls", "FILE.json", "writes where each control is, to drive the window",
                [this](const Given& given) { controls = readOutput(given, {".json"}); });
   }
