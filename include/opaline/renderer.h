@@ -41,7 +41,9 @@ enum class Site {
 enum class Aov {
   Radiance,     ///< leaving towards the camera
   Exitance,     ///< B
-  Irradiance,   ///< E, the light that has entered the surface, from the diffusion source map
+  Irradiance,   ///< E, the light that has entered: from lights with shadows and from all around
+                ///< without, but not light that left and enters again. Of the surfel seen there;
+                ///< for Sum::Pattern of the diffusion source map
   Position,     ///< mm
   Normal,       ///< unit
   Depth,        ///< distance along the viewing axis, mm, in R, G and B

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <optional>
-
 #include "environment/spherical_harmonics.h"
 #include "opaline/renderer.h"
 #include "passes/products.h"
-#include "renderer/scene/pattern_layout.h"
 #include "renderer/scene/scene_resources.h"
 
 namespace opaline::gpu {
@@ -15,10 +12,9 @@ class Device;
 namespace opaline {
 
 /// Puts what the shaders know of bodies, media and ambient light on the device. It depends on the
-/// options' transport, pattern, map size and roughness; for set-up, not for frames. `pattern` is
-/// there where the resources have an atlas; `ambient` is radiance from all around.
+/// options' transport and roughness; for set-up, not for frames. `ambient` is radiance from all
+/// around.
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
-                                    const std::optional<PatternLayout>& pattern,
                                     const ShCoefficients& ambient, const RenderOptions& options);
 
 }  // namespace opaline
