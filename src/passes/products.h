@@ -97,6 +97,9 @@ struct Surfels {
   std::uint32_t piecesPerSurfel = 1;         ///< that follow each other
   gpu::Buffer sources;                       ///< shared::Source, sourcesPerSurfel of each
   gpu::Buffer normals;                       ///< vec4 a surfel, unit
+  gpu::Buffer visibilities;                  ///< of lights, where boundary transport reads them: a
+                                             ///< word for each and each piece, see lib/piece.glsl
+  std::uint32_t lights = 0;                  ///< that there is room for
   std::uint32_t count = 0;                   ///< of surfels
   gpu::Buffer nodes;                         ///< shared::TreeNode, depth first
   gpu::Buffer boxes;                         ///< shared::NodeBox, one a node

@@ -69,7 +69,8 @@ struct FrameContext {
       passes.map.record(commands, {resources.view, mesh, resources.tables, resources.shadows},
                         resources.sources);
     if (plan.sum != Sum::Pattern && plan.scatter)
-      passes.surfels.record(commands, {resources.view, mesh, resources.tables, resources.shadows},
+      passes.surfels.record(commands,
+                            {resources.view, mesh, resources.tables, resources.shadows, boundary()},
                             surfels);
   }
 
@@ -85,10 +86,9 @@ struct FrameContext {
     passes::Clusters& clusters = scene.clusters;
     const float openingAngle = openingAngleOf(plan.tolerance);
     passes.rays.record(commands, mesh, scene.surfels, scene.rays);
-    passes.clusters.record(commands,
-                           {resources.view, mesh, resources.tables, resources.shadows,
-                            scene.surfels, scene.rays, openingAngle},
-                           plan.bounces > 0 || !plan.skyIsDark, clusters);
+    passes.clusters.record(
+        commands, {resources.view, mesh, resources.tables, scene.surfels, scene.rays, openingAngle},
+        plan.bounces > 0 || !plan.skyIsDark, clusters);
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
       const passes::BeamPass::Inputs inputs{
