@@ -48,6 +48,7 @@ class DiffusionSourcePass {
     passes::DeformedMesh& mesh;
     passes::SceneTables& tables;
     passes::ShadowMaps& shadows;
+    passes::Sky& sky;
   };
   void record(gpu::CommandList& commands, const Inputs& inputs,
               passes::DiffusionSources& sources) const;

@@ -34,6 +34,7 @@ class ClusterPass {
     FrameView& frame;
     DeformedMesh& mesh;
     SceneTables& tables;
+    Sky& sky;
     Surfels& surfels;
     RayHierarchy& rays;
     float openingAngle;  ///< of nodes: taken from further than their radius over this

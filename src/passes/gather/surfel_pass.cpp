@@ -119,7 +119,7 @@ void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfel
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
-                 .ambientIrradiance = {inputs.tables.ambientCubes, linear_},
+                 .skyIrradiance = {inputs.sky.irradiance, linear_},
                  .sources = surfels.sources,
                  .surfelNormals = surfels.normals,
                  .places = surfels.places,

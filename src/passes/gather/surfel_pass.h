@@ -34,6 +34,7 @@ class SurfelPass {
     DeformedMesh& mesh;
     SceneTables& tables;
     ShadowMaps& shadows;
+    Sky& sky;
     bool keepsVisibility;  ///< of lights, for which there is room
   };
   void record(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const;

@@ -66,12 +66,14 @@ struct FrameContext {
     if (!plan.scatter && !plan.map) return;
     passes.shadow.record(commands, resources.view, mesh, resources.shadows);
     if (plan.map)
-      passes.map.record(commands, {resources.view, mesh, resources.tables, resources.shadows},
+      passes.map.record(commands,
+                        {resources.view, mesh, resources.tables, resources.shadows, resources.sky},
                         resources.sources);
     if (plan.sum != Sum::Pattern && plan.scatter)
-      passes.surfels.record(commands,
-                            {resources.view, mesh, resources.tables, resources.shadows, boundary()},
-                            surfels);
+      passes.surfels.record(
+          commands,
+          {resources.view, mesh, resources.tables, resources.shadows, resources.sky, boundary()},
+          surfels);
   }
 
   passes::SurfelSumPass::Order order() const {
@@ -86,9 +88,10 @@ struct FrameContext {
     passes::Clusters& clusters = scene.clusters;
     const float openingAngle = openingAngleOf(plan.tolerance);
     passes.rays.record(commands, mesh, scene.surfels, scene.rays);
-    passes.clusters.record(
-        commands, {resources.view, mesh, resources.tables, scene.surfels, scene.rays, openingAngle},
-        plan.bounces > 0 || !plan.skyIsDark, clusters);
+    passes.clusters.record(commands,
+                           {resources.view, mesh, resources.tables, resources.sky, scene.surfels,
+                            scene.rays, openingAngle},
+                           plan.bounces > 0 || !plan.skyIsDark, clusters);
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
       const passes::BeamPass::Inputs inputs{
@@ -174,7 +177,7 @@ struct FrameContext {
   }
 
   passes::NearbyPass::Inputs nearbyInputs(passes::Surfels& surfels) const {
-    return {resources.view, resources.tables, resources.shadows, surfels};
+    return {resources.view, resources.tables, resources.shadows, resources.sky, surfels};
   }
 
   void seeSurface(const glm::vec2& jitter, SceneResources& scene) const {
@@ -201,11 +204,11 @@ struct FrameContext {
       passes.reflectedSky.record(commands,
                                  {resources.view, resources.tables, resources.surface,
                                   scene.surfels, scene.rays, sample, samples, plan.roughness},
-                                 resources.sky);
+                                 resources.reflectedSky);
     passes.shade.record(
         commands,
         {resources.view, resources.tables, resources.shadows, resources.surface,
-         visibleExitance(plan.site, resources), resources.environmentCube, resources.sky, sample,
+         visibleExitance(plan.site, resources), resources.sky, resources.reflectedSky, sample,
          samples, plan.roughness, plan.specular, plan.mirrorsSky},
         resources.radiance);
   }
@@ -232,7 +235,7 @@ Passes::Passes(gpu::Device& device)
       beams(device),
       solver(device),
       carry(device),
-      environment(device),
+      sky(device),
       reflectedSky(device),
       shade(device),
       seenSurfels(device) {}

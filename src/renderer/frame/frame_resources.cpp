@@ -36,11 +36,11 @@ void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResource
     made.sources.charts =
         gpu::makeBuffer(device, "no charts", {}, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   }
+  made.tables = makeSceneTables(device, scene, pattern, options);
   remakeSky(device, passes, lighting, options, made);
-  made.tables = makeSceneTables(device, scene, pattern, made.ambient, options);
   made.surface = passes::SurfacePass::makeSurface(device, width, height);
   made.exitance = passes::SurfacePass::makeExitance(device, width, height, scene.mesh.vertexCount);
-  made.sky = passes::ReflectedSkyPass::makeSky(device, width, height);
+  made.reflectedSky = passes::ReflectedSkyPass::makeSky(device, width, height);
   if (!made.radiance) made.radiance = passes::ShadePass::makeRadiance(device, width, height);
   remakeShadows(device, lighting, options, made);
 }
@@ -53,17 +53,13 @@ void keepOnlyPicture(FrameResources& resources) {
 
 void remakeTables(gpu::Device& device, const SceneResources& scene, const RenderOptions& options,
                   FrameResources& resources) {
-  resources.tables =
-      makeSceneTables(device, scene, patternOf(scene, options), resources.ambient, options);
+  resources.tables = makeSceneTables(device, scene, patternOf(scene, options), options);
+  passes::SkyPass::takeEtas(device, resources.tables.etas, resources.sky);
 }
 
 void remakeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
                const RenderOptions& options, FrameResources& resources) {
-  resources.ambient = projectSky(lighting);
-  resources.environmentCube =
-      lighting.environment
-          ? passes.environment.makeCube(device, *lighting.environment, options.roughness)
-          : passes::EnvironmentPass::makeBlack(device);
+  resources.sky = passes.sky.makeSky(device, lighting, options.roughness, resources.tables.etas);
 }
 
 void remakeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,

@@ -65,8 +65,8 @@ void PreparedFrames::renew(PreparedFrame& frame, SceneResources& scene, const Li
   if (media || sky || views) device_.waitIdle();
   // The neighbourhoods of the map's charts reach as far as the media's patterns.
   if (media && scene.needs.mapSize) return make(frame, scene, lighting);
+  if (media) remakeTables(device_, scene, frame.options, frame.resources);
   if (sky) remakeSky(device_, passes_, lighting, frame.options, frame.resources);
-  if (media || sky) remakeTables(device_, scene, frame.options, frame.resources);
   if (views) remakeShadows(device_, lighting, frame.options, frame.resources);
 }
 

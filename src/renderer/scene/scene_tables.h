@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "environment/spherical_harmonics.h"
 #include "opaline/renderer.h"
 #include "passes/products.h"
 #include "renderer/scene/pattern_layout.h"
@@ -14,11 +13,11 @@ class Device;
 
 namespace opaline {
 
-/// Puts what the shaders know of bodies, media and ambient light on the device. It depends on the
+/// Puts what the shaders know of bodies and media on the device. It depends on the
 /// options' transport, pattern, map size and roughness; for set-up, not for frames. `pattern` is
-/// there where the resources have an atlas; `ambient` is radiance from all around.
+/// there where the resources have an atlas.
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
                                     const std::optional<PatternLayout>& pattern,
-                                    const ShCoefficients& ambient, const RenderOptions& options);
+                                    const RenderOptions& options);
 
 }  // namespace opaline

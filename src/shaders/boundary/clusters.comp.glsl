@@ -2,7 +2,7 @@
 // each light by itself and of all that comes from everywhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define AMBIENT_BINDING 7
+#define BINDING_SKY_IRRADIANCE 7
 #define BINDING_OBJECTS 4
 #define BINDING_MEDIA 5
 #include "lib/boundary.glsl"
@@ -78,7 +78,7 @@ vec3 enteringThrough(uint piece, PieceShape shape, ObjectData body, uint light) 
     vec3 normal = unitOr(shape.itsNormals * vec3(1.0 - at.x - at.y, at), facet);
     vec3 place = 0.5 * (middle + shape.corners[i]);
     MediumData medium = mediumAt(body, place);
-    sum += light == everywhere ? ambientAt(normal, medium)
+    sum += light == everywhere ? skyIrradianceAt(normal, medium)
                                : enteringAt(place, facet, medium, light, piece, i);
   }
   return sum / float(pointsPerPiece);

@@ -5,7 +5,7 @@
 #define BINDING_OBJECTS 4
 #define BINDING_MEDIA 5
 #define SHADOW_BINDING 6
-#define AMBIENT_BINDING 7
+#define BINDING_SKY_IRRADIANCE 7
 #include "lib/irradiance.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
@@ -111,7 +111,7 @@ vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
     if (keepsVisibility != 0u) keep(visible, k, piece, point);
     sum += light.irradiance * (part * visible);
   }
-  return ambientAt(normal, medium) + sum;
+  return skyIrradianceAt(normal, medium) + sum;
 }
 
 vec3 irradianceOn(PiecePlace place, vec2 at, uint object) {

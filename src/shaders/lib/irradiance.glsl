@@ -1,4 +1,4 @@
-// Irradiance that enters (Eq. 7 and 9). Needs, before it, SHADOW_BINDING and AMBIENT_BINDING.
+// Irradiance that enters (Eq. 7 and 9). Needs, before it, SHADOW_BINDING and BINDING_SKY_IRRADIANCE.
 #ifndef OPALINE_LIB_IRRADIANCE
 #define OPALINE_LIB_IRRADIANCE
 #include "lib/frame.glsl"
@@ -26,7 +26,7 @@ vec3 outsideOf(vec3 facet, vec3 normal) {
 // Of all.
 vec3 irradianceAt(vec3 position, vec3 normal, vec3 facet, MediumData medium) {
   vec3 outside = outsideOf(facet, normal);
-  return ambientAt(normal, medium) + lightsIrradiance(position, normal, outside, medium);
+  return skyIrradianceAt(normal, medium) + lightsIrradiance(position, normal, outside, medium);
 }
 
 #endif

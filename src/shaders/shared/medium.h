@@ -28,7 +28,7 @@ struct MediumData {
   BoundaryMedium inside;
   vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t); z, w: mean square
                   // radius of the piece of surface that a near and a far sample stand for, mm²
-  uvec4 tables;  // x: layer of the ambient cube map; y: number of near samples; z: 0;
+  uvec4 tables;  // x: cube of the sky's irradiance; y: number of near samples; z: 0;
                  // w: first entry of the specular albedo
 };
 
