@@ -19,7 +19,6 @@
 #include "renderer/scene/scene_resources.h"
 #include "shaders/lambert.comp.h"
 #include "shaders/shared/frame.h"
-#include "shaders/shared/mesh.h"
 
 namespace opaline::bench {
 
@@ -37,7 +36,6 @@ shared::FrameData makeFrameData(const Scene& scene, const RenderOptions& options
   frame.cameraPosition = {camera.position, 1};
   frame.cameraAxis = {camera.axis, 0};
   fillLights(scene.lighting, unsignedOf(options.shadowSize), frame);
-  frame.counts.w = unsignedOf(options.dsmSize);
   return frame;
 }
 
@@ -61,8 +59,6 @@ class OpaqueFrame::Implementation {
         commands_(device_, "opaque frame") {
     const std::uint32_t width = unsignedOf(options.width);
     const std::uint32_t height = unsignedOf(options.height);
-    const std::vector<shared::ChartPlace> charts(resources_.atlas.statistics.charts);
-    charts_ = gpu::makeBuffer(device_, "charts", charts, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     view_.shadowViews = shadowViewCount(scene.lighting);
     shadows_ =
         passes::ShadowPass::makeMaps(device_, unsignedOf(options.shadowSize), view_.shadowViews);
@@ -79,8 +75,7 @@ class OpaqueFrame::Implementation {
     motion_.record(commands_, deform_, 0, seconds, resources_.mesh);
     fit_.record(commands_, upload_, 0, resources_.mesh, view_);
     shadow_.record(commands_, view_, resources_.mesh, shadows_);
-    surface_.record(commands_, {view_, resources_.mesh, charts_, {0, 0}, exitance_.vertices},
-                    visible_);
+    surface_.record(commands_, {view_, resources_.mesh, {0, 0}, exitance_.vertices}, visible_);
     commands_.beginPass("lambert");
     commands_.bind(lambert_,
                    {.frame = view_.data,
@@ -110,7 +105,6 @@ class OpaqueFrame::Implementation {
   SceneMotion motion_;
   passes::FrameView view_;
   gpu::CommandList commands_;
-  gpu::Buffer charts_;
   passes::ShadowMaps shadows_;
   passes::VisibleSurface visible_;
   passes::Exitance exitance_;

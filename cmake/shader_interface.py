@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Writes the C++ side of a shader's interface, read from its compiled SPIR-V.
 
-shader_interface.py --type NAME --shared FOLDER --header FILE --layouts FILE [VARIANT]=WORDS=SPIRV...
+shader_interface.py --type NAME --shared PREFIX=FOLDER... --header FILE --layouts FILE [VARIANT]=WORDS=SPIRV...
 
 The header declares the struct opaline::shaders::NAME with the shader's push constants, its bindings and
 its specialization constants by the names that they have in GLSL. The layouts are static_asserts on the
-structs of FOLDER that the shader reads or writes. WORDS names the span of the optimised code; SPIRV is the
+structs of the FOLDERs that the shader reads or writes. WORDS names the span of the optimised code; SPIRV is the
 same shader compiled without optimisation, which keeps names. A variant differs in the kind of a binding
 at most.
 """
@@ -109,8 +109,8 @@ def host_type(module, type_id, shared):
     if operation == TYPE_STRUCT:
         name = module.names[type_id]
         if name in shared:
-            return f"shared::{name}", f'"shaders/shared/{shared[name]}"'
-    fail("push constants are numbers, vectors and structs of shaders/shared")
+            return f"shared::{name}", f'"{shared[name]}"'
+    fail("push constants are numbers, vectors and structs of shared folders")
 
 
 def field_name(module, variable, struct):
@@ -241,20 +241,22 @@ def layouts_text(modules, shared):
                 if module.types[operands[0]][0] == TYPE_STRUCT and name in shared:
                     (stride,) = module.decorations[type_id][ARRAY_STRIDE]
                     lines.add(f"static_assert(sizeof(opaline::shared::{name}) == {stride});\n")
-    includes = "".join(f'#include "shaders/shared/{header}"\n' for header in sorted(used))
+    includes = "".join(f'#include "{header}"\n' for header in sorted(used))
     return "// Made by cmake/shader_interface.py.\n#include <cstddef>\n" + includes + "".join(sorted(lines))
 
 
-def shared_structs(folder):
-    """struct -> header"""
-    return {name: header.name for header in sorted(pathlib.Path(folder).glob("*.h"))
+def shared_structs(folders):
+    """struct -> header, as C++ includes it"""
+    return {name: f"{prefix}/{header.name}" for prefix, folder in (pair.split("=") for pair in folders)
+            for header in sorted(pathlib.Path(folder).glob("*.h"))
             for name in re.findall(r"^struct (\w+)", header.read_text(), re.MULTILINE)}
 
 
 def main():
     parser = argparse.ArgumentParser()
-    for option in ("--type", "--shared", "--header", "--layouts"):
+    for option in ("--type", "--header", "--layouts"):
         parser.add_argument(option, required=True)
+    parser.add_argument("--shared", nargs="+", required=True)
     parser.add_argument("variants", nargs="+")
     arguments = parser.parse_args()
     modules = []

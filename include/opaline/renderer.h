@@ -41,7 +41,9 @@ enum class Site {
 enum class Aov {
   Radiance,     ///< leaving towards the camera
   Exitance,     ///< B
-  Irradiance,   ///< E, that has entered the surface, by the diffusion source map
+  Irradiance,   ///< E, that has entered: of lights with their shadows, from all around without, and
+                ///< none that has left and enters again. What the surfel seen there has gathered;
+                ///< for Sum::Pattern what the diffusion source map has
   Position,     ///< mm
   Normal,       ///< unit
   Depth,        ///< distance along the viewing axis, mm, in R, G and B

@@ -1,5 +1,6 @@
 #include "bssrdf/profile.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -86,6 +87,13 @@ Coefficients coefficients(const Medium& medium, int channel) {
   result.meanFreePathMm = 1.0 / result.sigmaTPrimePerMm;
   result.eta = medium.eta;
   return result;
+}
+
+double shortestMeanFreePathMm(const Medium& medium) {
+  double shortest = coefficients(medium, 0).meanFreePathMm;
+  for (int channel = 1; channel < 3; ++channel)
+    shortest = std::min(shortest, coefficients(medium, channel).meanFreePathMm);
+  return shortest;
 }
 
 Profile makeProfile(Model model, const Coefficients& coefficients) {

@@ -19,6 +19,9 @@ struct Coefficients {
 /// Channel 0, 1 or 2 of a medium. Requires σ_t' > 0.
 Coefficients coefficients(const Medium& medium, int channel);
 
+/// Of the three channels.
+double shortestMeanFreePathMm(const Medium& medium);
+
 enum class Model { Dipole, BetterDipole };
 
 /// Radially symmetric diffuse reflectance R_d(r) of a half-space, one channel:

@@ -10,7 +10,6 @@
 #include "gpu/transfer.h"
 #include "paper/nearest_texel.h"
 #include "shaders/shared/frame.h"
-#include "shaders/shared/mesh.h"
 
 namespace opaline::paper {
 
@@ -120,11 +119,10 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
       neighbours_(device, "neighbourhoods"),
       cells_(device, "cells") {}
 
-passes::DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device,
-                                                      passes::DeformedMesh& mesh,
-                                                      std::uint32_t mapSize,
-                                                      const AtlasMaps& maps) const {
-  passes::DiffusionSources sources;
+DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, passes::DeformedMesh& mesh,
+                                              FlatScene& flat, const AtlasMaps& maps) const {
+  const auto mapSize = static_cast<std::uint32_t>(flat.mapSize);
+  DiffusionSources sources;
   sources.positionArea =
       makeMap(device, "dsm position and area", mapSize, VK_FORMAT_R32G32B32A32_SFLOAT);
   sources.normal = makeMap(device, "dsm normal", mapSize, VK_FORMAT_R16G16B16A16_SFLOAT);
@@ -134,12 +132,12 @@ passes::DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device,
 
   gpu::CommandList commands(device, "dsm coverage");
   commands.begin();
-  commands.use(mesh.indices, gpu::Access::Index);
+  commands.use(flat.indices, gpu::Access::Index);
   commands.bind(coverage_,
-                {.positions = mesh.positions, .normals = mesh.normals, .corners = mesh.corners},
+                {.positions = mesh.positions, .normals = mesh.normals, .corners = flat.corners},
                 {});
   commands.beginRendering({{.image = &sources.coverage}});
-  commands.drawIndexed(mesh.indices, mesh.indexCount);
+  commands.drawIndexed(flat.indices, flat.indexCount);
   commands.endRendering();
   commands.submit();
   commands.wait();
@@ -183,7 +181,7 @@ passes::DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device,
 }
 
 void DiffusionSourcePass::record(gpu::CommandList& commands, const Inputs& inputs,
-                                 passes::DiffusionSources& sources) const {
+                                 DiffusionSources& sources) const {
   commands.beginPass("gather");
   recordMap(commands, inputs, sources);
   commands.endPass();
@@ -193,11 +191,12 @@ void DiffusionSourcePass::record(gpu::CommandList& commands, const Inputs& input
 }
 
 void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& inputs,
-                                    passes::DiffusionSources& sources) const {
+                                    DiffusionSources& sources) const {
   passes::DeformedMesh& mesh = inputs.mesh;
-  commands.use(mesh.indices, gpu::Access::Index);
+  FlatScene& flat = inputs.flat;
+  commands.use(flat.indices, gpu::Access::Index);
   commands.bind(map_,
-                {.positions = mesh.positions, .normals = mesh.normals, .corners = mesh.corners},
+                {.positions = mesh.positions, .normals = mesh.normals, .corners = flat.corners},
                 {.frame = inputs.frame.data,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
@@ -207,12 +206,12 @@ void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& in
   commands.beginRendering({{.image = &sources.positionArea},
                            {.image = &sources.normal},
                            {.image = &sources.irradianceObject}});
-  commands.drawIndexed(mesh.indices, mesh.indexCount);
+  commands.drawIndexed(flat.indices, flat.indexCount);
   commands.endRendering();
 }
 
 void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,
-                                           passes::DiffusionSources& sources) const {
+                                           DiffusionSources& sources) const {
   commands.bind(neighbours_, {.origins = sources.nearOrigins,
                               .positionArea = {sources.positionArea, nearest_},
                               .irradianceObject = {sources.irradianceObject, nearest_},

@@ -7,13 +7,14 @@
 #include "gpu/pipeline.h"
 #include "paper/atlas/neighbourhood.h"
 #include "paper/atlas/texel_area.h"
+#include "paper/products.h"
+#include "paper/shaders/shared/atlas.h"
 #include "passes/products.h"
 #include "shaders/cells.comp.h"
 #include "shaders/coverage.frag.h"
 #include "shaders/dsm.frag.h"
 #include "shaders/dsm.vert.h"
 #include "shaders/neighbours.comp.h"
-#include "shaders/shared/mesh.h"
 
 namespace opaline::gpu {
 class Device;
@@ -40,8 +41,8 @@ class DiffusionSourcePass {
 
   /// Makes the map and finds out which texels carry surface; blocks. For set-up, not for frames: it
   /// depends on the atlas, not on the pose.
-  passes::DiffusionSources prepare(gpu::Device& device, passes::DeformedMesh& mesh,
-                                   std::uint32_t mapSize, const AtlasMaps& maps) const;
+  DiffusionSources prepare(gpu::Device& device, passes::DeformedMesh& mesh, FlatScene& flat,
+                           const AtlasMaps& maps) const;
 
   struct Inputs {
     passes::FrameView& frame;
@@ -49,14 +50,13 @@ class DiffusionSourcePass {
     passes::SceneTables& tables;
     passes::ShadowMaps& shadows;
     passes::Sky& sky;
+    FlatScene& flat;
   };
-  void record(gpu::CommandList& commands, const Inputs& inputs,
-              passes::DiffusionSources& sources) const;
+  void record(gpu::CommandList& commands, const Inputs& inputs, DiffusionSources& sources) const;
 
  private:
-  void recordMap(gpu::CommandList& commands, const Inputs& inputs,
-                 passes::DiffusionSources& sources) const;
-  void recordNeighbours(gpu::CommandList& commands, passes::DiffusionSources& sources) const;
+  void recordMap(gpu::CommandList& commands, const Inputs& inputs, DiffusionSources& sources) const;
+  void recordNeighbours(gpu::CommandList& commands, DiffusionSources& sources) const;
 
   gpu::Sampler nearest_;
   gpu::Sampler linear_;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bssrdf/profile.h"
-#include "shaders/shared/medium.h"
+#include "paper/shaders/shared/pattern.h"
 
 namespace opaline::paper {
 

@@ -1,19 +1,46 @@
 #include "paper/pattern_pass.h"
 
+#include <bit>
+#include <vector>
+
 #include "gpu/device.h"
-#include "shaders/shared/medium.h"
+#include "gpu/transfer.h"
+#include "paper/shaders/shared/pattern.h"
 
 namespace opaline::paper {
 
 namespace {
 
+constexpr std::size_t entriesOfMedium = std::size_t{shared::maxPatternEntries} + 1;  // and the head
+
+// Entries from one medium's to the next: a multiple of every device's alignment of uniform blocks,
+// which is at most 256 bytes.
+constexpr std::size_t stride = (entriesOfMedium + 15) / 16 * 16;
+
 // The pattern of one medium.
-gpu::Uniform patternOf(passes::SceneTables& tables, std::uint32_t medium) {
-  return {tables.pattern, medium * tables.patternStride,
-          shared::maxPatternEntries * sizeof(shared::PatternEntry)};
+gpu::Uniform patternOf(PatternTable& table, std::uint32_t medium) {
+  return {table.entries, medium * table.stride, entriesOfMedium * sizeof(shared::PatternEntry)};
 }
 
 }  // namespace
+
+PatternTable PatternPass::makeTable(gpu::Device& device, const RestScene& scene,
+                                    const PatternLayout& layout, double texelMm,
+                                    bssrdf::Model model) {
+  std::vector<shared::PatternEntry> entries;
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    const PatternMask mask = makePatternMask(bssrdf::makeProfiles(model, scene.media[i]),
+                                             layout.extentOfMedium[i], texelMm);
+    const shared::PatternHead head{.nearSquareMm2 = static_cast<float>(mask.nearSquareMm2),
+                                   .farSquareMm2 = static_cast<float>(mask.farSquareMm2),
+                                   .nearSamples = mask.nearSamples};
+    entries.push_back(std::bit_cast<shared::PatternEntry>(head));
+    entries.insert(entries.end(), mask.entries.begin(), mask.entries.end());
+    entries.resize((i + 1) * stride);
+  }
+  return {gpu::makeBuffer(device, "pattern", entries, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
+          stride * sizeof(shared::PatternEntry)};
+}
 
 PatternPass::PatternPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
@@ -32,19 +59,19 @@ PatternPass::Pipelines PatternPass::makePipelines(gpu::Device& device,
 }
 
 void PatternPass::overVertices(gpu::CommandList& commands, passes::ScatterTransport transport,
-                               VertexPart part, passes::SceneTables& tables,
-                               passes::DiffusionSources& sources, passes::DeformedMesh& mesh,
-                               passes::Exitance& exitance) const {
+                               bool everything, const Inputs& inputs, FlatScene& flat,
+                               passes::DeformedMesh& mesh) const {
   const Pipelines& made = pipelines(transport);
+  DiffusionSources& sources = inputs.map.sources;
   commands.beginPass("scatter");
-  for (std::uint32_t medium = 0; medium < tables.mediumCount; ++medium) {
-    commands.bind(part == VertexPart::Everything ? made.patternVertices : made.patternFar,
+  for (std::uint32_t medium = 0; medium < inputs.tables.mediumCount; ++medium) {
+    commands.bind(everything ? made.patternVertices : made.patternFar,
                   {.positions = mesh.positions,
-                   .corners = mesh.vertexCorners,
-                   .exitances = exitance.vertices,
-                   .objects = tables.objects,
-                   .media = tables.media,
-                   .pattern = patternOf(tables, medium),
+                   .corners = flat.vertexCorners,
+                   .exitances = inputs.exitance.vertices,
+                   .objects = inputs.tables.objects,
+                   .media = inputs.tables.media,
+                   .pattern = patternOf(inputs.map.pattern, medium),
                    .nearPosition = {sources.nearPosition, linear_},
                    .nearFlux = {sources.nearFlux, linear_},
                    .farPosition = {sources.farPosition, linear_},
@@ -58,21 +85,21 @@ void PatternPass::overVertices(gpu::CommandList& commands, passes::ScatterTransp
 }
 
 void PatternPass::overFragments(gpu::CommandList& commands, passes::ScatterTransport transport,
-                                passes::SceneTables& tables, passes::DiffusionSources& sources,
-                                passes::VisibleSurface& surface, passes::Exitance& exitance) const {
+                                const Inputs& inputs, passes::VisibleSurface& surface) const {
+  DiffusionSources& sources = inputs.map.sources;
   commands.beginPass("scatter");
-  for (std::uint32_t medium = 0; medium < tables.mediumCount; ++medium) {
+  for (std::uint32_t medium = 0; medium < inputs.tables.mediumCount; ++medium) {
     commands.bind(pipelines(transport).patternFragments, {},
                   {.surfacePosition = {surface.position, nearest_},
-                   .surfacePlace = {surface.place, nearest_},
+                   .surfacePlace = {inputs.map.place, nearest_},
                    .farExitance = {surface.exitance, nearest_},
-                   .objects = tables.objects,
-                   .media = tables.media,
-                   .pattern = patternOf(tables, medium),
+                   .objects = inputs.tables.objects,
+                   .media = inputs.tables.media,
+                   .pattern = patternOf(inputs.map.pattern, medium),
                    .nearPosition = {sources.nearPosition, linear_},
                    .nearFlux = {sources.nearFlux, linear_}},
                   {.medium = medium});
-    commands.beginRendering({{.image = &exitance.image, .clear = medium == 0}});
+    commands.beginRendering({{.image = &inputs.exitance.image, .clear = medium == 0}});
     commands.drawEverywhere(shared::maxPatternEntries);
     commands.endRendering();
   }

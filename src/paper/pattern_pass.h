@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cstdint>
-
+#include "bssrdf/profile.h"
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
+#include "paper/pattern_layout.h"
+#include "paper/products.h"
 #include "passes/products.h"
 #include "shaders/pattern.frag.h"
 #include "shaders/pattern.vert.h"
@@ -21,16 +22,21 @@ class PatternPass {
  public:
   explicit PatternPass(gpu::Device& device);
 
-  /// Which part of the pattern is summed at the vertices.
-  enum class VertexPart { FarSamples, Everything };
+  /// For set-up, not for frames.
+  static PatternTable makeTable(gpu::Device& device, const RestScene& scene,
+                                const PatternLayout& layout, double texelMm, bssrdf::Model model);
 
-  void overVertices(gpu::CommandList& commands, passes::ScatterTransport transport, VertexPart part,
-                    passes::SceneTables& tables, passes::DiffusionSources& sources,
-                    passes::DeformedMesh& mesh, passes::Exitance& exitance) const;
+  struct Inputs {
+    passes::SceneTables& tables;
+    Map& map;
+    passes::Exitance& exitance;  ///< what comes of it
+  };
+  /// The far samples, and with `everything` the near block too.
+  void overVertices(gpu::CommandList& commands, passes::ScatterTransport transport, bool everything,
+                    const Inputs& inputs, FlatScene& flat, passes::DeformedMesh& mesh) const;
   /// Adds the near block to the far samples' part, which has been interpolated: surface.exitance.
   void overFragments(gpu::CommandList& commands, passes::ScatterTransport transport,
-                     passes::SceneTables& tables, passes::DiffusionSources& sources,
-                     passes::VisibleSurface& surface, passes::Exitance& exitance) const;
+                     const Inputs& inputs, passes::VisibleSurface& surface) const;
 
  private:
   struct Pipelines {

@@ -39,22 +39,19 @@ struct Motion {
 
 /// The surface as it is in this frame.
 struct DeformedMesh {
-  gpu::Buffer positions;      ///< vec4 a vertex, mm
-  gpu::Buffer normals;        ///< vec4 a vertex, unit; w -1 where the body is mirrored, else 1
-  gpu::Buffer bounds;         ///< of the positions; see lib/bounds.glsl
-  gpu::Buffer corners;        ///< shared::AtlasCorner, the atlas's vertices
-  gpu::Buffer vertexCorners;  ///< shared::AtlasCorner, one for each vertex
-  gpu::Buffer indices;        ///< into corners, three a triangle
+  gpu::Buffer positions;  ///< vec4 a vertex, mm
+  gpu::Buffer normals;    ///< vec4 a vertex, unit; w -1 where the body is mirrored, else 1
+  gpu::Buffer bounds;     ///< of the positions; see lib/bounds.glsl
+  gpu::Buffer objectOf;   ///< uint a vertex
+  gpu::Buffer indices;    ///< of vertices, three a triangle
   std::uint32_t vertexCount = 0;
   std::uint32_t indexCount = 0;
 };
 
 /// What the shaders know of bodies and media.
 struct SceneTables {
-  gpu::Buffer objects;            ///< shared::ObjectData
-  gpu::Buffer media;              ///< shared::MediumData
-  gpu::Buffer pattern;            ///< maxPatternEntries shared::PatternEntry for each medium
-  std::size_t patternStride = 0;  ///< bytes from one medium's to the next
+  gpu::Buffer objects;  ///< shared::ObjectData
+  gpu::Buffer media;    ///< shared::MediumData
   std::uint32_t mediumCount = 0;
   bool followsLight = false;   ///< to its second collision in any medium; see shared/boundary.h
   gpu::Buffer specularAlbedo;  ///< float, see MediumData::tables.w
@@ -79,26 +76,6 @@ struct ShadowMaps {
   gpu::GpuImage depth;
 };
 
-/// The diffusion source map, and the same with the charts' neighbourhoods.
-struct DiffusionSources {
-  gpu::GpuImage positionArea;      ///< xyz mm, w mm²
-  gpu::GpuImage normal;            ///< xyz
-  gpu::GpuImage irradianceObject;  ///< rgb E, a object + 1
-  gpu::GpuImage coverage;          ///< object + 1, 0 where no surface is
-  gpu::GpuImage
-      texelSurface;         ///< what a texel stands for: xy offset of the centroid, z area, texels
-  gpu::Buffer charts;       ///< shared::ChartPlace
-  gpu::Buffer nearOrigins;  ///< packed texel of the map for each one among the neighbourhoods
-  gpu::GpuImage nearPosition;  ///< xyz mm, w 1 where surface is
-  gpu::GpuImage nearFlux;      ///< rgb E·A, a A in mm², 0 where no surface is
-  gpu::Buffer farOrigins;      ///< the same in a layout for cells
-  gpu::GpuImage farPosition;   ///< means over cells
-  gpu::GpuImage farFlux;
-  gpu::Buffer farPlaces;          ///< shared::FarPlace, eight a vertex
-  std::uint32_t cellEdge = 1;     ///< of a cell, in texels of farOrigins
-  std::uint32_t sourceCount = 0;  ///< texels that carry surface
-};
-
 /// The surface as surfels and their tree.
 struct Surfels {
   gpu::Buffer pieces;                        ///< shared::SurfelPiece
@@ -117,7 +94,7 @@ struct Surfels {
   bool coarse = false;                       ///< of any object: wants what NearbyPass adds
   gpu::Buffer vertexOrder;                   ///< vertices, neighbours in space together
   gpu::Buffer places;                        ///< vec4 a surfel, mm
-  gpu::Buffer corners;                       ///< shared::AtlasCorner, one a surfel
+  gpu::Buffer objectOf;                      ///< uint a surfel
   gpu::Buffer order;                         ///< every surfel's own index
 };
 
@@ -125,7 +102,7 @@ struct Surfels {
 struct Places {
   gpu::Buffer& positions;  ///< vec4, mm
   gpu::Buffer& normals;    ///< vec4, unit
-  gpu::Buffer& corners;    ///< shared::AtlasCorner, for the object
+  gpu::Buffer& objectOf;   ///< uint
   gpu::Buffer& order;      ///< neighbours in space together
   gpu::Buffer& exitances;  ///< vec4
   std::uint32_t count = 0;
@@ -189,13 +166,13 @@ struct Solver {
 struct VisibleSurface {
   gpu::GpuImage position;  ///< xyz mm, w object + 1
   gpu::GpuImage normal;    ///< xyz unit, towards the camera; w -1 where that is inwards, else 1
-  gpu::GpuImage place;     ///< xy place among the neighbourhoods
   gpu::GpuImage exitance;  ///< rgb of the vertices, interpolated
   gpu::GpuImage facet;     ///< normal of the triangle, to either side; see lib/octahedron.glsl
   gpu::GpuImage depth;
 };
 
-/// Exitance B of what the camera sees; and of the vertices, all of it or the far samples' part.
+/// Exitance B of what the camera sees; and of the vertices, all of it or, for the paper's
+/// fragments, the far samples' part.
 struct Exitance {
   gpu::GpuImage image;
   gpu::Buffer vertices;
@@ -212,12 +189,12 @@ struct SeenSurfels {
 };
 
 inline Places verticesOf(DeformedMesh& mesh, Surfels& surfels, Exitance& exitance) {
-  return {mesh.positions,      mesh.normals,      mesh.vertexCorners,
+  return {mesh.positions,      mesh.normals,      mesh.objectOf,
           surfels.vertexOrder, exitance.vertices, mesh.vertexCount};
 }
 
 inline Places placesOf(Surfels& surfels, gpu::Buffer& exitances) {
-  return {surfels.places, surfels.normals, surfels.corners,
+  return {surfels.places, surfels.normals, surfels.objectOf,
           surfels.order,  exitances,       surfels.count};
 }
 

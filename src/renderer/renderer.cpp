@@ -159,8 +159,9 @@ class Renderer::Implementation {
             .site = plan_.site,
             .triangles = scene.triangles,
             .vertices = scene.mesh.vertexCount,
-            .sources = plan_.sum == Sum::Pattern ? prepared_.frame()->resources.sources.sourceCount
-                                                 : scene.surfels.count,
+            .sources = plan_.sum == Sum::Pattern
+                           ? prepared_.frame()->resources.map->sources.sourceCount
+                           : scene.surfels.count,
             .clusters = solved ? scene.clusters.count : 0,
             .solutions = solutions_,
             .passes = times.passes(),
@@ -183,8 +184,8 @@ class Renderer::Implementation {
 };
 
 bool showsMap(Aov aov) {
-  return aov == Aov::Irradiance || aov == Aov::DsmPosition || aov == Aov::DsmNormal ||
-         aov == Aov::DsmIrradiance || aov == Aov::DsmArea;
+  return aov == Aov::DsmPosition || aov == Aov::DsmNormal || aov == Aov::DsmIrradiance ||
+         aov == Aov::DsmArea;
 }
 
 Renderer::Renderer(const RendererOptions& options)

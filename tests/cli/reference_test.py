@@ -42,11 +42,14 @@ class Pictures(Reference):
                 self.near(a, b, tolerance)
 
     def test_lights_are_those_of_render(self):
-        for light in (("--directional", "0,1,2:1,2,3"), ("--point", "3,0,20:500,300,100"), ("--ambient", "1,.5,0")):
+        surfels = ("--max-surfels", 4096)  # hold one value each
+        texels = ("--sum", "pattern", "--transport", "dipole")
+        for light, gathered in ((("--directional", "0,1,2:1,2,3"), surfels), (("--directional", "0,1,2:1,2,3"), texels),
+                                (("--point", "3,0,20:500,300,100"), texels), (("--ambient", "1,.5,0"), surfels)):
             options = ("--aov", "irradiance", *light)
-            found = self.exr("render", "--max-surfels", 4096, *options).centre()
+            found = self.exr("render", *gathered, *options).centre()
             for a, b in zip(self.reference(*options).centre(), found, strict=True):
-                self.assertAlmostEqual(a, b, delta=4e-3 * b)  # render keeps irradiance as half floats
+                self.assertAlmostEqual(a, b, delta=4e-3 * b)
 
     def test_irradiance_in_the_sun(self):
         self.near(self.reference("--aov", "irradiance", "--directional", "0,0,1:1,2,3").centre()[:3],

@@ -1,4 +1,5 @@
-// What enters: irradiance on spheres against closed forms and direct quadrature.
+// What enters, in the diffusion source map: irradiance on spheres against closed forms and direct
+// quadrature.
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,13 @@ double transmitted(double eta, double cosine) {
 
 Scene ball(float radiusMm) {
   return sceneOf(sphere({0, 0, 0}, radiusMm, 4), marble(), {0, 0, 4 * radiusMm}, radiusMm * 1.05F);
+}
+
+// The irradiance of visible pixels is the map's.
+RenderOptions byTheMap() {
+  RenderOptions options = smallOptions();
+  options.sum = Sum::Pattern;
+  return options;
 }
 
 // Radiance by direction, made into an environment of small pixels.
@@ -71,7 +79,7 @@ TEST_F(GatherTest, UniformLightGivesPiTimesMeanTransmittance) {
     Scene scene = ball(5);
     scene.objects[0].medium.eta = eta;
     scene.lighting.ambient = {1, 2, 0.5F};
-    const auto images = render(scene, smallOptions(), {Aov::DsmIrradiance, Aov::Irradiance});
+    const auto images = render(scene, byTheMap(), {Aov::DsmIrradiance, Aov::Irradiance});
     const double expected = pi * bssrdf::meanTransmittance(eta);
     for (const Image& image : images) {
       const int covered = forEachCovered(image, [&](std::size_t i) {
@@ -158,7 +166,7 @@ TEST_F(GatherTest, DirectionalLightOnASphere) {
   Scene scene = ball(20);
   const Vector toLight = unit({1, 1, 2});
   scene.lighting.directional = {{toVec3(toLight), {3, 2, 1}}};
-  RenderOptions options = smallOptions();
+  RenderOptions options = byTheMap();
   options.dsmSize = 512;
   const auto images = render(
       scene, options, {Aov::DsmPosition, Aov::DsmIrradiance, Aov::Position, Aov::Irradiance});

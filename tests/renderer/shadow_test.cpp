@@ -79,6 +79,7 @@ TEST_F(ShadowTest, OfADirectionalLightLiesWhereItShould) {
     Scene scene = floorAnd(occluder);
     scene.lighting.directional = {{toVec3(toLight), {2, 2, 2}}};
     RenderOptions options = smallOptions();
+    options.sum = Sum::Pattern;
     options.dsmSize = 512;
     options.width = options.height = 128;
     const auto images = render(

@@ -45,7 +45,7 @@ class ShaderInterface(unittest.TestCase):
                         self.folder / "sum.comp"], check=True)
         return subprocess.run(
             [sys.executable, ROOT / "cmake/shader_interface.py", "--type", "Sum",
-             "--shared", ROOT / "src/shaders/shared", "--header", self.folder / "shaders/sum.comp.h",
+             "--shared", f"shaders/shared={ROOT / 'src/shaders/shared'}", "--header", self.folder / "shaders/sum.comp.h",
              "--layouts", self.folder / "layouts.h", f"=wordsSum={self.folder / 'sum.spv'}"],
             capture_output=True, text=True)
 
@@ -83,7 +83,7 @@ class ShaderInterface(unittest.TestCase):
         answer = self.interface(PUSH + " mat3 turn;")
         self.assertEqual(answer.returncode, 1)
         self.assertEqual(answer.stderr, "shader_interface: push constants are numbers, vectors and structs of "
-                                        "shaders/shared\n")
+                                        "shared folders\n")
 
 
 if __name__ == "__main__":

@@ -123,8 +123,7 @@ void MethodOptions::requireUse(const RenderOptions& options, Aov aov) const {
   }
   if (!chosen_.has("dsm_size") || options.sum == Sum::Pattern || showsMap(aov)) return;
   throw UsageError(
-      "--dsm-size is of the diffusion source map, which only --sum pattern and --aov irradiance or "
-      "dsm-* make");
+      "--dsm-size is of the diffusion source map, which only --sum pattern and --aov dsm-* make");
 }
 
 void LookOptions::addTo(CommandLine& line) {

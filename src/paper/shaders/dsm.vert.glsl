@@ -1,7 +1,7 @@
 // The mesh drawn into its atlas.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shared/mesh.h"
+#include "paper/shaders/shared/atlas.h"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };

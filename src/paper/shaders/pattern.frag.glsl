@@ -22,5 +22,5 @@ void main() {
   vec4 surface = texelFetch(surfacePosition, pixel, 0);
   if (surface.w == 0.0 || objects[uint(surface.w) - 1u].table.x != medium) discard;
   vec3 near = nearSum(surface.xyz, media[medium], texelFetch(surfacePlace, pixel, 0).xy);
-  exitance = vec4(near, float(nearEvaluations(media[medium]))) + texelFetch(farExitance, pixel, 0);
+  exitance = vec4(near, float(nearEvaluations())) + texelFetch(farExitance, pixel, 0);
 }

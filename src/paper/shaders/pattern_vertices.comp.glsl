@@ -9,7 +9,7 @@
 #define BINDING_FLUX 8
 #include "paper/shaders/lib/pattern_sum.glsl"
 #include "lib/linear.glsl"
-#include "lib/place.glsl"
+#include "paper/shaders/lib/place.glsl"
 
 layout(constant_id = 1) const uint withNearBlock = 0u;
 
@@ -28,7 +28,7 @@ layout(push_constant) uniform Push {
 
 // Means over cells: pieces of surface are small nearby and large far away.
 vec3 farSum(uint vertex, vec3 position, MediumData medium) {
-  vec4 piece = pattern[2u + medium.tables.y].value;
+  vec4 piece = pattern.entries[2u + pattern.head.nearSamples].value;
   vec3 sum = vec3(0.0);
   for (uint i = 8u * vertex; i < 8u * vertex + 8u; ++i) {
     FarPlace far = farPlaces[i];
@@ -36,7 +36,7 @@ vec3 farSum(uint vertex, vec3 position, MediumData medium) {
     vec2 place = vec2(far.u, far.v);
     vec3 offset = textureLod(farPosition, place, 0.0).xyz - position;
     sum += far.weight * textureLod(farFlux, place, 0.0).rgb *
-           reflectanceProfile(medium.profile, dot(offset, offset) * piece.rgb + medium.boundary.w);
+           reflectanceProfile(medium.profile, dot(offset, offset) * piece.rgb + pattern.head.farSquareMm2);
   }
   return sum * piece.a;
 }
@@ -51,7 +51,7 @@ void main() {
   float evaluations = 8.0;
   if (withNearBlock != 0u) {
     sum += nearSum(position, media[medium], nearPlace(corner, charts[corner.chart]));
-    evaluations += float(nearEvaluations(media[medium]));
+    evaluations += float(nearEvaluations());
   }
   exitances[i] = vec4(sum, evaluations);
 }

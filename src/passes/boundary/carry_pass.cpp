@@ -38,7 +38,7 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
                  .means = clusters.means,
                  .positions = vertices.positions,
                  .normals = vertices.normals,
-                 .corners = vertices.corners,
+                 .objectOf = vertices.objectOf,
                  .order = vertices.order,
                  .vertexExitances = vertices.exitances},
                 {.vertexCount = vertices.count, .site = site});

@@ -26,8 +26,7 @@ void ShadowPass::record(gpu::CommandList& commands, FrameView& frame, DeformedMe
   commands.beginPass("shadow");
   commands.use(mesh.indices, gpu::Access::Index);
   for (std::uint32_t view = 0; view < frame.shadowViews; ++view) {
-    commands.bind(pipeline_,
-                  {.frame = frame.data, .positions = mesh.positions, .corners = mesh.corners}, {},
+    commands.bind(pipeline_, {.frame = frame.data, .positions = mesh.positions}, {},
                   {.view = view});
     const gpu::DepthTarget depth{.image = &maps.depth, .layer = view};
     commands.beginRendering({}, &depth);

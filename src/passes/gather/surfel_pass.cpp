@@ -9,7 +9,6 @@
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "passes/mechanics.h"
-#include "shaders/shared/mesh.h"
 #include "shaders/shared/surfels.h"
 
 namespace opaline::passes {
@@ -43,12 +42,12 @@ std::vector<shared::SurfelPiece> packPieces(const surfels::SurfelDivision& made,
   return packed;
 }
 
-std::vector<shared::AtlasCorner> cornersOf(const surfels::SurfelDivision& made,
-                                           const core::RestSurface& surface) {
-  std::vector<shared::AtlasCorner> corners(made.count());
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    corners[i].object = surface.objectOfTriangle[made.pieces[i * made.piecesPerSurfel].triangle];
-  return corners;
+std::vector<std::uint32_t> objectsOf(const surfels::SurfelDivision& made,
+                                     const core::RestSurface& surface) {
+  std::vector<std::uint32_t> objects(made.count());
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    objects[i] = surface.objectOfTriangle[made.pieces[i * made.piecesPerSurfel].triangle];
+  return objects;
 }
 
 std::vector<std::uint32_t> inOrder(std::uint32_t count) {
@@ -82,8 +81,8 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivisi
                                              std::size_t{shared::sourcesPerSurfel} * surfels.count);
   surfels.normals = makeRoom<shared::vec4>(device, "normals of surfels", surfels.count);
   surfels.places = makeRoom<shared::vec4>(device, "places of surfels", surfels.count);
-  surfels.corners =
-      gpu::makeBuffer(device, "objects of surfels", cornersOf(made, surface), surfelBuffer);
+  surfels.objectOf =
+      gpu::makeBuffer(device, "objects of surfels", objectsOf(made, surface), surfelBuffer);
   surfels.order = gpu::makeBuffer(device, "order of surfels", inOrder(surfels.count), surfelBuffer);
   makeRoomForLights(device, 0, surfels);
   surfels.nodes = makeRoom<shared::TreeNode>(device, "tree", made.tree.links.size());

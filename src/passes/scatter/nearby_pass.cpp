@@ -24,7 +24,7 @@ void NearbyPass::overPlaces(gpu::CommandList& commands, ScatterTransport transpo
   commands.bind(pipelines(transport).vertices,
                 {.frame = inputs.frame.data,
                  .positions = places.positions,
-                 .corners = places.corners,
+                 .objectOf = places.objectOf,
                  .exitances = places.exitances,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,

@@ -23,8 +23,7 @@ gpu::GpuImage makeTarget(gpu::Device& device, const char* name, std::uint32_t wi
 SurfacePass::SurfacePass(gpu::Device& device)
     : pipeline_(device, "surface",
                 {.colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
-                                  VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT,
-                                  VK_FORMAT_R16G16_SFLOAT},
+                                  VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16_SFLOAT},
                  .depthFormat = VK_FORMAT_D32_SFLOAT,
                  .depth = gpu::DepthMode::Write}) {}
 
@@ -36,8 +35,6 @@ VisibleSurface SurfacePass::makeSurface(gpu::Device& device, std::uint32_t width
       makeTarget(device, "surface position", width, height, VK_FORMAT_R32G32B32A32_SFLOAT, color);
   surface.normal =
       makeTarget(device, "surface normal", width, height, VK_FORMAT_R16G16B16A16_SFLOAT, color);
-  surface.place =
-      makeTarget(device, "surface place", width, height, VK_FORMAT_R32G32_SFLOAT, color);
   surface.exitance =
       makeTarget(device, "surface exitance", width, height, VK_FORMAT_R32G32B32A32_SFLOAT, color);
   surface.facet =
@@ -68,14 +65,12 @@ void SurfacePass::record(gpu::CommandList& commands, const Inputs& inputs,
                 {.frame = inputs.frame.data,
                  .positions = mesh.positions,
                  .normals = mesh.normals,
-                 .corners = mesh.corners,
-                 .exitances = inputs.vertexExitance,
-                 .charts = inputs.charts},
+                 .objectOf = mesh.objectOf,
+                 .exitances = inputs.vertexExitance},
                 {}, {.jitter = inputs.jitter});
   const gpu::DepthTarget depth{.image = &surface.depth};
   commands.beginRendering({{.image = &surface.position},
                            {.image = &surface.normal},
-                           {.image = &surface.place},
                            {.image = &surface.exitance},
                            {.image = &surface.facet}},
                           &depth);

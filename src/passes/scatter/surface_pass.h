@@ -28,7 +28,6 @@ class SurfacePass {
   struct Inputs {
     FrameView& frame;
     DeformedMesh& mesh;
-    gpu::Buffer& charts;  ///< DiffusionSources::charts
     shared::vec2 jitter;  ///< of the picture, in clip space
     gpu::Buffer& vertexExitance;
   };

@@ -49,7 +49,7 @@ void SurfelSumPass::treeOverPlaces(gpu::CommandList& commands, const Order& orde
     commands.bind(
         *pipeline,
         {.positions = over.places.positions,
-         .corners = over.places.corners,
+         .objectOf = over.places.objectOf,
          .exitances = over.places.exitances,
          .objects = over.tables.objects,
          .media = over.tables.media,
@@ -84,7 +84,7 @@ void SurfelSumPass::allOverPlaces(gpu::CommandList& commands, const Order& order
   forEachRange(over.surfels.count, [&](std::uint32_t first, std::uint32_t end) {
     commands.bind(pipelines(order.transport).allVertices,
                   {.positions = over.places.positions,
-                   .corners = over.places.corners,
+                   .objectOf = over.places.objectOf,
                    .exitances = over.places.exitances,
                    .objects = over.tables.objects,
                    .media = over.tables.media,

@@ -62,18 +62,22 @@ struct FrameContext {
     passes.fit.record(commands, upload.buffer, upload.offset, mesh, resources.view);
   }
 
-  void gather(passes::Surfels& surfels) const {
-    if (!plan.scatter && !plan.map) return;
+  void gather(SceneResources& scene) const {
+    const bool surfels = plan.sum != Sum::Pattern && (plan.scatter || plan.irradiance);
+    if (!surfels && !plan.map) return;
     passes.shadow.record(commands, resources.view, mesh, resources.shadows);
-    if (plan.map)
-      passes.map.record(commands,
-                        {resources.view, mesh, resources.tables, resources.shadows, resources.sky},
-                        resources.sources);
-    if (plan.sum != Sum::Pattern && plan.scatter)
+    if (plan.map) passes.paper->gather(commands, onPaper(scene));
+    if (surfels)
       passes.surfels.record(
           commands,
           {resources.view, mesh, resources.tables, resources.shadows, resources.sky, boundary()},
-          surfels);
+          scene.surfels);
+  }
+
+  paper::Technique::Frame onPaper(SceneResources& scene) const {
+    return {resources.view,     mesh,          resources.tables,
+            resources.shadows,  resources.sky, resources.surface,
+            resources.exitance, *scene.flat,   *resources.map};
   }
 
   passes::SurfelSumPass::Order order() const {
@@ -140,11 +144,10 @@ struct FrameContext {
   // Everything where the site is the vertices; else what is always summed there.
   void scatterAtVertices(SceneResources& scene) const {
     if (plan.sum == Sum::Pattern) {
-      using Part = paper::PatternPass::VertexPart;
-      return passes.pattern.overVertices(
+      using Part = paper::Technique::VertexPart;
+      return passes.paper->scatterAtVertices(
           commands, scatterTransport(plan.transport),
-          plan.site == Site::Vertex ? Part::Everything : Part::FarSamples, resources.tables,
-          resources.sources, mesh, resources.exitance);
+          plan.site == Site::Vertex ? Part::Everything : Part::FarSamples, onPaper(scene));
     }
     const passes::Places vertices = passes::verticesOf(mesh, scene.surfels, resources.exitance);
     // The tree's rough sum is wanted by fragments too.
@@ -159,9 +162,8 @@ struct FrameContext {
   void scatterAtFragments(SceneResources& scene) const {
     passes::Surfels& surfels = scene.surfels;
     if (plan.sum == Sum::Pattern)
-      return passes.pattern.overFragments(commands, scatterTransport(plan.transport),
-                                          resources.tables, resources.sources, resources.surface,
-                                          resources.exitance);
+      return passes.paper->scatterAtFragments(commands, scatterTransport(plan.transport),
+                                              onPaper(scene));
     const passes::SurfelSumPass::Fragments over{resources.tables, surfels, resources.surface,
                                                 resources.exitance};
     if (plan.sum == Sum::Tree)
@@ -181,22 +183,32 @@ struct FrameContext {
   }
 
   void seeSurface(const glm::vec2& jitter, SceneResources& scene) const {
-    passes.surface.record(
-        commands,
-        {resources.view, mesh, resources.sources.charts, jitter, resources.exitance.vertices},
-        resources.surface);
+    if (plan.sum == Sum::Pattern)
+      passes.paper->drawSurface(commands, jitter, onPaper(scene));
+    else
+      passes.surface.record(commands, {resources.view, mesh, jitter, resources.exitance.vertices},
+                            resources.surface);
     if (plan.scatter && plan.site != Site::Vertex) scatterAtFragments(scene);
   }
 
   void findSurfels(SceneResources& scene) const {
-    // Boundary transport has recorded the rays, in this frame or in that whose light it takes.
-    if (!boundary()) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+    // With the light, boundary transport has recorded the rays, here or in the frame whose it
+    // takes.
+    if (!boundary() || !plan.scatter) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
     passes.rays.recordBoxes(commands, scene.surfels, scene.rays);
     passes.seenSurfels.record(
         commands,
         {resources.tables, resources.surface, scene.surfels, scene.rays,
          boundary() ? &scene.clusters : nullptr, static_cast<std::uint32_t>(plan.treeLevel)},
         resources.seenSurfels);
+  }
+
+  void showIrradiance(SceneResources& scene) const {
+    if (plan.sum == Sum::Pattern)
+      passes.paper->showIrradiance(commands, onPaper(scene), resources.seenIrradiance);
+    else
+      passes.seenIrradiance.record(commands, resources.seenSurfels, scene.surfels,
+                                   resources.seenIrradiance);
   }
 
   void shade(std::uint32_t sample, std::uint32_t samples, SceneResources& scene) const {
@@ -224,10 +236,8 @@ Passes::Passes(gpu::Device& device)
     : deform(device),
       fit(device),
       shadow(device),
-      map(device),
       surfels(device),
       surface(device),
-      pattern(device),
       sum(device),
       nearby(device),
       rays(device),
@@ -238,19 +248,22 @@ Passes::Passes(gpu::Device& device)
       sky(device),
       reflectedSky(device),
       shade(device),
-      seenSurfels(device) {}
+      seenSurfels(device),
+      seenIrradiance(device) {}
 
 void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
                  const FrameUpload& upload, SceneMotion& motion, SceneResources& scene,
                  FrameResources& resources) {
   assert(plan.site != Site::Auto || plan.sum != Sum::Pattern);
   assert(plan.map || plan.sum != Sum::Pattern);
-  assert(!plan.seenSurfels || (plan.centre && plan.sum != Sum::Pattern && plan.scatter));
+  assert(!plan.seenSurfels || (plan.centre && plan.sum != Sum::Pattern));
+  assert(!plan.seenSurfels || plan.scatter || plan.irradiance);
+  assert(!plan.irradiance || plan.centre);
   assert(plan.samples == 0 || plan.scatter);
   const FrameContext context{commands, passes, plan, scene.mesh, resources};
   if (plan.light) context.deform(motion);
   context.fit(upload);
-  if (plan.light) context.gather(scene.surfels);
+  if (plan.light) context.gather(scene);
   if (plan.light && plan.scatter) {
     if (plan.transport == Transport::Boundary)
       context.solveBoundary(scene);
@@ -272,6 +285,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   }
   if (plan.centre) context.seeSurface({0, 0}, scene);
   if (plan.seenSurfels) context.findSurfels(scene);
+  if (plan.irradiance) context.showIrradiance(scene);
 }
 
 }  // namespace opaline

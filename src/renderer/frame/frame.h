@@ -2,12 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "gpu/command_list.h"
 #include "gpu/transfer.h"
 #include "opaline/renderer.h"
-#include "paper/diffusion_source_pass.h"
-#include "paper/pattern_pass.h"
+#include "paper/technique.h"
 #include "passes/boundary/beam_pass.h"
 #include "passes/boundary/carry_pass.h"
 #include "passes/boundary/cluster_pass.h"
@@ -21,6 +21,7 @@
 #include "passes/scatter/surface_pass.h"
 #include "passes/scatter/surfel_sum_pass.h"
 #include "passes/shade/reflected_sky_pass.h"
+#include "passes/shade/seen_irradiance_pass.h"
 #include "passes/shade/seen_surfels_pass.h"
 #include "passes/shade/shade_pass.h"
 #include "passes/sky/sky_pass.h"
@@ -38,10 +39,8 @@ struct Passes {
   passes::DeformPass deform;
   passes::FitPass fit;
   passes::ShadowPass shadow;
-  paper::DiffusionSourcePass map;
   passes::SurfelPass surfels;
   passes::SurfacePass surface;
-  paper::PatternPass pattern;
   passes::SurfelSumPass sum;
   passes::NearbyPass nearby;
   passes::RayPass rays;
@@ -53,6 +52,8 @@ struct Passes {
   passes::ReflectedSkyPass reflectedSky;
   passes::ShadePass shade;
   passes::SeenSurfelsPass seenSurfels;
+  passes::SeenIrradiancePass seenIrradiance;
+  std::unique_ptr<const paper::Technique> paper;  ///< none until a frame needs it
 };
 
 /// The image that a frame leaves the exitance of visible pixels in.

@@ -29,21 +29,23 @@ FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bo
   const auto asked = [&](Aov aov) {
     return std::find(aovs.begin(), aovs.end(), aov) != aovs.end();
   };
-  return {.transport = options.transport,
-          .sum = options.sum,
-          .site = options.site,
-          .tolerance = options.tolerance,
-          .bounces = options.bounces,
-          .scatter = picture || std::any_of(aovs.begin(), aovs.end(), needsScattering),
-          .map = needsMap(options, aovs),
-          .samples = picture || asked(Aov::Radiance) ? options.antialias : 0,
-          .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),
-          .seenSurfels = asked(Aov::Surfels),
-          .treeLevel = options.treeLevel,
-          .specular = options.specular,
-          .roughness = options.roughness,
-          .clip = options.clip,
-          .seconds = options.seconds};
+  return {
+      .transport = options.transport,
+      .sum = options.sum,
+      .site = options.site,
+      .tolerance = options.tolerance,
+      .bounces = options.bounces,
+      .scatter = picture || std::any_of(aovs.begin(), aovs.end(), needsScattering),
+      .map = needsMap(options, aovs),
+      .samples = picture || asked(Aov::Radiance) ? options.antialias : 0,
+      .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),
+      .seenSurfels = asked(Aov::Surfels) || (asked(Aov::Irradiance) && options.sum != Sum::Pattern),
+      .irradiance = asked(Aov::Irradiance),
+      .treeLevel = options.treeLevel,
+      .specular = options.specular,
+      .roughness = options.roughness,
+      .clip = options.clip,
+      .seconds = options.seconds};
 }
 
 bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {

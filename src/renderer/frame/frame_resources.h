@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "gpu/image.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "paper/technique.h"
 #include "passes/products.h"
 #include "renderer/scene/scene_resources.h"
 
@@ -19,13 +22,14 @@ struct FrameResources {
   passes::SceneTables tables;
   passes::FrameView view;
   passes::ShadowMaps shadows;
-  passes::DiffusionSources sources;  ///< where the plan asks for the map
   passes::VisibleSurface surface;
   passes::Exitance exitance;
   passes::Sky sky;
   passes::ReflectedSky reflectedSky;
   gpu::GpuImage radiance;           ///< the picture
-  passes::SeenSurfels seenSurfels;  ///< empty until a plan asks for them
+  passes::SeenSurfels seenSurfels;  ///< these three are empty until a plan asks for them
+  gpu::GpuImage seenIrradiance;
+  std::optional<paper::Map> map;
 };
 
 /// Makes everything for these options; of the picture, what is there stays.

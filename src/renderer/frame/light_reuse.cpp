@@ -19,12 +19,16 @@ bool LightReuse::mustFind(const RenderOptions& options, const FramePlan& plan,
                           const SceneChanges& changes, PreparedFrame& frame) {
   const bool rays = plan.mirrorsSky || plan.transport == Transport::Boundary;
   const PreparedFrame::Lit now{options, changes, plan.site, plan.map, rays};
-  const bool readsSurfels = rays || (options.sum != Sum::Pattern && plan.site != Site::Vertex);
+  const bool hasSurfels = options.sum != Sum::Pattern;
+  const bool readsSurfels = rays || (hasSurfels && (plan.site != Site::Vertex || plan.irradiance));
   const bool there = !readsSurfels || litSurfels_ == &frame;
   if (options.reuseLight && there && frame.lit && holds(*frame.lit, now)) return false;
-  if (!plan.scatter) return true;  // leaves the light that was there
+  if (!plan.scatter) {  // leaves the light that was there, but what surfels have gathered
+    if (hasSurfels && plan.irradiance) litSurfels_ = nullptr;
+    return true;
+  }
   frame.lit = now;
-  if (options.sum != Sum::Pattern) litSurfels_ = &frame;
+  if (hasSurfels) litSurfels_ = &frame;
   return true;
 }
 

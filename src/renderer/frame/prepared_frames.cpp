@@ -51,8 +51,6 @@ void PreparedFrames::make(PreparedFrame& frame, SceneResources& scene, const Lig
   keepOnlyPicture(frame.resources);
   frame.whole = false;
   frame.lit.reset();
-  // The map's size is the scene's where the options ask for none.
-  frame.options.dsmSize = scene.needs.mapSize.value_or(frame.options.dsmSize);
   makeFrameResources(device_, passes_, scene, lighting, frame.options, frame.resources);
   frame.whole = true;
 }
@@ -63,11 +61,17 @@ void PreparedFrames::renew(PreparedFrame& frame, SceneResources& scene, const Li
   const bool sky = frame.changes.sky != changes.sky;
   const bool views = frame.resources.view.shadowViews != shadowViewCount(lighting);
   if (media || sky || views) device_.waitIdle();
-  // The neighbourhoods of the map's charts reach as far as the media's patterns.
-  if (media && scene.needs.mapSize) return make(frame, scene, lighting);
-  if (media) remakeTables(device_, scene, frame.options, frame.resources);
+  if (media) {
+    frame.resources.map.reset();  // its neighbourhoods reach as far as their patterns
+    remakeTables(device_, scene, frame.options, frame.resources);
+  }
   if (sky) remakeSky(device_, passes_, lighting, frame.options, frame.resources);
   if (views) remakeShadows(device_, lighting, frame.options, frame.resources);
+}
+
+void PreparedFrames::dropMaps() {
+  for (Slot& slot : slots_)
+    if (slot.frame) slot.frame->resources.map.reset();
 }
 
 void PreparedFrames::clear() {

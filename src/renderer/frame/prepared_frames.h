@@ -39,6 +39,8 @@ class PreparedFrames {
   /// Waits for the device where anything has to be made.
   PreparedFrame& of(const RenderOptions& options, SceneResources& scene, const Lighting& lighting,
                     const SceneChanges& changes);
+  /// Drops what the paper's method has of them. The device is idle.
+  void dropMaps();
   /// Drops all but the pictures. The device is idle.
   void clear();
 

@@ -1,11 +1,9 @@
 #include "renderer/frame/readback.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -19,32 +17,31 @@ namespace {
 using Halves = std::array<std::uint16_t, 4>;
 
 // The images that a variable is made from.
-std::array<gpu::GpuImage*, 3> imagesOf(Aov aov, Site site, FrameResources& resources) {
+std::array<gpu::GpuImage*, 2> imagesOf(Aov aov, Site site, FrameResources& resources) {
   gpu::GpuImage* const position = &resources.surface.position;
-  gpu::GpuImage* const coverage = &resources.sources.coverage;
   switch (aov) {
     case Aov::Radiance:
-      return {&resources.radiance, nullptr, nullptr};
+      return {&resources.radiance, nullptr};
     case Aov::Exitance:
     case Aov::Evaluations:
-      return {position, &visibleExitance(site, resources), nullptr};
+      return {position, &visibleExitance(site, resources)};
     case Aov::Irradiance:
-      return {position, &resources.surface.place, &resources.sources.nearFlux};
+      return {position, &resources.seenIrradiance};
     case Aov::Position:
     case Aov::Depth:
     case Aov::Object:
-      return {position, nullptr, nullptr};
+      return {position};
     case Aov::Normal:
-      return {position, &resources.surface.normal, nullptr};
+      return {position, &resources.surface.normal};
     case Aov::Surfels:
-      return {position, &resources.seenSurfels.image, nullptr};
+      return {position, &resources.seenSurfels.image};
     case Aov::DsmPosition:
     case Aov::DsmArea:
-      return {coverage, &resources.sources.positionArea, nullptr};
+      return {&resources.map->sources.coverage, &resources.map->sources.positionArea};
     case Aov::DsmNormal:
-      return {coverage, &resources.sources.normal, nullptr};
+      return {&resources.map->sources.coverage, &resources.map->sources.normal};
     case Aov::DsmIrradiance:
-      return {coverage, &resources.sources.irradianceObject, nullptr};
+      return {&resources.map->sources.coverage, &resources.map->sources.irradianceObject};
   }
   return {};
 }
@@ -74,22 +71,6 @@ void fill(Image& image, const Covered& covered, const Colour& colour) {
     pixel[2] = value.z;
     pixel[3] = hit ? 1.0F : 0.0F;
   }
-}
-
-// What a shader reads by linear filtering with clamped coordinates.
-glm::vec4 sampleLinear(const glm::vec4* map, VkExtent2D extent, const glm::vec2& uv) {
-  const auto edge = [](float place, std::uint32_t size) {
-    const auto texels = static_cast<float>(size);
-    const float at = std::clamp(place * texels - 0.5F, 0.0F, texels - 1);
-    const auto low = std::min(static_cast<std::uint32_t>(at), size > 1 ? size - 2 : 0);
-    return std::tuple(low, std::min(low + 1, size - 1), at - static_cast<float>(low));
-  };
-  const auto [x0, x1, fx] = edge(uv.x, extent.width);
-  const auto [y0, y1, fy] = edge(uv.y, extent.height);
-  const auto at = [&](std::uint32_t x, std::uint32_t y) {
-    return map[std::size_t{y} * extent.width + x];
-  };
-  return glm::mix(glm::mix(at(x0, y0), at(x1, y0), fx), glm::mix(at(x0, y1), at(x1, y1), fx), fy);
 }
 
 glm::vec3 unpack(const Halves& half) {
@@ -151,7 +132,7 @@ void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site s
   std::size_t bytes = 0;
   for (const Aov aov : aovs) {
     Entry entry{.aov = aov};
-    const std::array<gpu::GpuImage*, 3> images = imagesOf(aov, site, resources);
+    const std::array<gpu::GpuImage*, 2> images = imagesOf(aov, site, resources);
     for (std::size_t i = 0; i < images.size(); ++i) {
       if (images[i] == nullptr) continue;
       entry.sources[i] = {bytes, images[i]->extent()};
@@ -168,7 +149,7 @@ void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site s
 void Readback::record(gpu::CommandList& commands, Site site, FrameResources& resources) {
   if (entries_.empty()) return;
   for (const Entry& entry : entries_) {
-    const std::array<gpu::GpuImage*, 3> images = imagesOf(entry.aov, site, resources);
+    const std::array<gpu::GpuImage*, 2> images = imagesOf(entry.aov, site, resources);
     for (std::size_t i = 0; i < images.size(); ++i)
       if (images[i] != nullptr)
         commands.copyFromImage(*images[i], buffer_, 0, 0, entry.sources[i].offset);
@@ -184,7 +165,6 @@ const T* Readback::texels(const Source& source) const {
 void Readback::make(const Entry& entry, Image& image) const {
   const Source& first = entry.sources[0];
   const Source& second = entry.sources[1];
-  const Source& third = entry.sources[2];
   resize(image, first.extent);
   const auto* visible = texels<glm::vec4>(first);
   const auto seen = [&](std::size_t i) { return visible[i].w > 0; };
@@ -200,17 +180,12 @@ void Readback::make(const Entry& entry, Image& image) const {
     case Aov::Radiance:
       return makeRadiance(image, visible);
     case Aov::Exitance:
+    case Aov::Irradiance:
     case Aov::Surfels:
       return fill(image, seen, floats);
     case Aov::Evaluations:
       return fill(image, seen,
                   [&](std::size_t i) { return glm::vec3(texels<glm::vec4>(second)[i].w); });
-    case Aov::Irradiance:
-      return fill(image, seen, [&](std::size_t i) {
-        const glm::vec4 mean =
-            sampleLinear(texels<glm::vec4>(third), third.extent, texels<glm::vec2>(second)[i]);
-        return mean.a > 0 ? glm::vec3(mean) / mean.a : glm::vec3(0);
-      });
     case Aov::Position:
       return fill(image, seen, [&](std::size_t i) { return glm::vec3(visible[i]); });
     case Aov::Depth:

@@ -46,7 +46,7 @@ class Readback {
   };
   struct Entry {
     Aov aov = Aov::Radiance;
-    std::array<Source, 3> sources;
+    std::array<Source, 2> sources;
   };
 
   void make(const Entry& entry, Image& image) const;

@@ -45,18 +45,12 @@ void noteClusters(const Division& division, const LogCallback& log) {
 
 }  // namespace
 
-double shortestMeanFreePathMm(const Medium& medium) {
-  double shortest = bssrdf::coefficients(medium, 0).meanFreePathMm;
-  for (int channel = 1; channel < 3; ++channel)
-    shortest = std::min(shortest, bssrdf::coefficients(medium, channel).meanFreePathMm);
-  return shortest;
-}
-
 DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHasInside,
                           std::size_t maxSurfels, std::optional<int> maxClusters) {
   DivisionOrder order{.maxSurfels = maxSurfels};
   for (const Object& object : scene.objects)
-    order.spacingOfObjectMm.push_back(sizeInFreePaths * shortestMeanFreePathMm(object.medium));
+    order.spacingOfObjectMm.push_back(sizeInFreePaths *
+                                      bssrdf::shortestMeanFreePathMm(object.medium));
   if (!maxClusters) return order;
   order.maxClusters = static_cast<std::size_t>(*maxClusters);
   // Without an inside nothing is solved: what such an object sends to others has only its shape.

@@ -41,7 +41,4 @@ Division divide(const scene::MergedMesh& merged, const DivisionOrder& order);
 /// surfels is the one that was asked for, not the device's.
 void noteCoarseness(const Division& division, bool asked, const LogCallback& log);
 
-/// Shortest mean free path of the three channels, mm.
-double shortestMeanFreePathMm(const Medium& medium);
-
 }  // namespace opaline

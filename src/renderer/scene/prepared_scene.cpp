@@ -8,8 +8,20 @@
 
 namespace opaline {
 
-PreparedScene::PreparedScene(gpu::Device& device, const Passes& passes, LogCallback log)
-    : device_(device), log_(std::move(log)), frames_(device, passes) {}
+namespace {
+
+paper::RestScene restOf(const SceneResources& resources) {
+  paper::RestScene rest{
+      surfaceOf(*resources.merged), resources.media, resources.mediumOfObject, {}};
+  for (const SizeOfObject& size : resources.sizeOfObject)
+    rest.areaOfObjectMm2.push_back(size.areaMm2);
+  return rest;
+}
+
+}  // namespace
+
+PreparedScene::PreparedScene(gpu::Device& device, Passes& passes, LogCallback log)
+    : device_(device), passes_(passes), log_(std::move(log)), frames_(device, passes) {}
 
 PreparedFrame& PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
                                       EditedScene& scene) {
@@ -22,7 +34,11 @@ PreparedFrame& PreparedScene::prepare(const RenderOptions& options, const FrameP
   if (needs.maxClusters) followLights(lightCount(lighting));
   frame_ = nullptr;
   frame_ = &frames_.of(options, *resources_, lighting, scene.changes());
+  if (plan.map) makeMap(options);
   if (plan.seenSurfels) makeRoomForSeenSurfels();
+  if (plan.irradiance && !frame_->resources.seenIrradiance)
+    frame_->resources.seenIrradiance =
+        passes::SeenIrradiancePass::makeImage(device_, frame_->resources.surface);
   return *frame_;
 }
 
@@ -36,7 +52,6 @@ void PreparedScene::clear() {
 SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan& plan,
                                   const Lighting& lighting) const {
   SceneNeeds needs = resources_ ? resources_->needs : SceneNeeds{};
-  if (plan.map) needs.mapSize = options.dsmSize;
   if (options.transport == Transport::Boundary) needs.maxClusters = options.maxClusters;
   if (mirrorsSky(plan, lighting) && !needs.maxClusters) needs.rays = true;
   if (options.sum != Sum::Pattern || needs.rays) needs.maxSurfels = options.maxSurfels;
@@ -80,6 +95,23 @@ void PreparedScene::orderDivision(const EditedScene& scene) {
 
 bool PreparedScene::isProvisional() const {
   return resources_->needs.maxSurfels && !(resources_->divided == wanted_);
+}
+
+// Few frames are by the paper's method, or show its map.
+void PreparedScene::makeMap(const RenderOptions& options) {
+  std::optional<paper::FlatScene>& flat = resources_->flat;
+  const bool fits = flat && flat->mapSize == options.dsmSize;
+  if (fits && frame_->resources.map) return;
+  device_.waitIdle();
+  if (!passes_.paper) passes_.paper = std::make_unique<const paper::Technique>(device_);
+  if (!fits) {
+    frames_.dropMaps();
+    flat.reset();  // before memory for the next is taken
+    flat = paper::Technique::layFlat(device_, surfaceOf(*resources_->merged), options.dsmSize);
+  }
+  frame_->resources.map =
+      passes_.paper->makeMap(device_, restOf(*resources_), *flat, resources_->mesh, options);
+  frame_->lit.reset();
 }
 
 // Most frames are not asked which surfels they show.

@@ -17,7 +17,7 @@ namespace opaline {
 /// what made anew because of an edit.
 class PreparedScene {
  public:
-  PreparedScene(gpu::Device& device, const Passes& passes, LogCallback log);
+  PreparedScene(gpu::Device& device, Passes& passes, LogCallback log);
 
   /// What the frame reads and writes, up to date. What one sum needs is kept for when it is asked
   /// for again.
@@ -40,9 +40,11 @@ class PreparedScene {
   void followMedia(EditedScene& scene, bool patient);
   void followLights(std::uint32_t lights);
   void orderDivision(const EditedScene& scene);
+  void makeMap(const RenderOptions& options);
   void makeRoomForSeenSurfels();
 
   gpu::Device& device_;
+  Passes& passes_;
   LogCallback log_;
   std::optional<SceneResources> resources_;
   std::uint64_t media_ = 0;  // count of changes that they have followed

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "bssrdf/profile.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "passes/boundary/cluster_pass.h"
@@ -17,7 +18,6 @@
 #include "passes/boundary/solver_pass.h"
 #include "passes/gather/surfel_pass.h"
 #include "scene/mesh/insides.h"
-#include "shaders/shared/mesh.h"
 #include "shaders/shared/surfels.h"
 #include "surfels/surfels.h"
 
@@ -25,38 +25,11 @@ namespace opaline {
 
 namespace {
 
-// Without an atlas there is one corner for each vertex, and all share a chart without size.
-std::vector<shared::AtlasCorner> makePlainCorners(const scene::MergedMesh& mesh) {
-  std::vector<shared::AtlasCorner> corners(mesh.positionsMm.size());
-  for (std::uint32_t i = 0; i < corners.size(); ++i) corners[i].vertex = i;
+std::vector<std::uint32_t> objectsOf(const scene::MergedMesh& mesh) {
+  std::vector<std::uint32_t> objects(mesh.positionsMm.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const std::uint32_t vertex : mesh.triangles[t])
-      corners[vertex].object = mesh.objectOfTriangle[t];
-  return corners;
-}
-
-std::vector<shared::AtlasCorner> makeCorners(const atlas::Atlas& atlas,
-                                             const scene::MergedMesh& mesh) {
-  std::vector<shared::AtlasCorner> corners(atlas.vertices.size());
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    corners[i] = {.vertex = atlas.vertices[i].vertex,
-                  .u = atlas.vertices[i].uv[0],
-                  .v = atlas.vertices[i].uv[1]};
-  for (std::size_t t = 0; t < atlas.triangles.size(); ++t)
-    for (const std::uint32_t corner : atlas.triangles[t]) {
-      corners[corner].object = mesh.objectOfTriangle[t];
-      corners[corner].chart = atlas.chartOfTriangle[t];
-    }
-  return corners;
-}
-
-// One corner for each vertex: the first of those it has.
-std::vector<shared::AtlasCorner> cornerOfVertex(const std::vector<shared::AtlasCorner>& corners,
-                                                std::size_t vertices) {
-  std::vector<shared::AtlasCorner> chosen(vertices, shared::AtlasCorner{});
-  for (auto corner = corners.rbegin(); corner != corners.rend(); ++corner)
-    chosen[corner->vertex] = *corner;
-  return chosen;
+    for (const std::uint32_t vertex : mesh.triangles[t]) objects[vertex] = mesh.objectOfTriangle[t];
+  return objects;
 }
 
 SizeOfObject sizeOf(const Mesh& mesh) {
@@ -98,11 +71,6 @@ void measure(const Scene& scene, SceneResources& resources) {
 
 void makeMesh(gpu::Device& device, SceneResources& resources) {
   const scene::MergedMesh& merged = *resources.merged;
-  const bool mapped = resources.needs.mapSize.has_value();
-  const std::vector<shared::AtlasCorner> corners =
-      mapped ? makeCorners(resources.atlas, merged) : makePlainCorners(merged);
-  const std::vector<Triangle>& triangles = mapped ? resources.atlas.triangles : merged.triangles;
-
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   const std::size_t vectorBytes = merged.positionsMm.size() * sizeof(glm::vec4);
   passes::DeformedMesh& mesh = resources.mesh;
@@ -111,12 +79,11 @@ void makeMesh(gpu::Device& device, SceneResources& resources) {
   mesh.normals = gpu::Buffer(device, {.name = "normals", .bytes = vectorBytes, .usage = storage});
   mesh.bounds =
       gpu::Buffer(device, {.name = "bounds", .bytes = 6 * sizeof(std::uint32_t), .usage = storage});
-  mesh.corners = gpu::makeBuffer(device, "corners", corners, storage);
-  mesh.vertexCorners = gpu::makeBuffer(device, "corner of each vertex",
-                                       cornerOfVertex(corners, merged.positionsMm.size()), storage);
-  mesh.indices = gpu::makeBuffer(device, "indices", triangles, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  mesh.objectOf = gpu::makeBuffer(device, "objects of vertices", objectsOf(merged), storage);
+  mesh.indices =
+      gpu::makeBuffer(device, "indices", merged.triangles, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   mesh.vertexCount = static_cast<std::uint32_t>(merged.positionsMm.size());
-  mesh.indexCount = static_cast<std::uint32_t>(3 * triangles.size());
+  mesh.indexCount = static_cast<std::uint32_t>(3 * merged.triangles.size());
 }
 
 // Spacing of sources in mean free paths from which on sums over them want what NearbyPass adds. A
@@ -134,7 +101,8 @@ void noteSpacing(SceneResources& resources) {
     const double sources = std::max(1.0, sourcesPerSurfel * object.count);
     object.sourceSpacingMm = std::sqrt(resources.sizeOfObject[i].areaMm2 / sources);
     const Medium& medium = resources.media[resources.mediumOfObject[i]];
-    object.coarse = object.sourceSpacingMm > coarseInFreePaths * shortestMeanFreePathMm(medium);
+    object.coarse =
+        object.sourceSpacingMm > coarseInFreePaths * bssrdf::shortestMeanFreePathMm(medium);
     resources.surfels.coarse = resources.surfels.coarse || object.coarse;
   }
 }
@@ -188,7 +156,7 @@ constexpr double longestByArea = 3;
 bool wantsVertices(const SceneResources& resources, std::size_t object) {
   const SizeOfObject& size = resources.sizeOfObject[object];
   const double freePathMm =
-      shortestMeanFreePathMm(resources.media[resources.mediumOfObject[object]]);
+      bssrdf::shortestMeanFreePathMm(resources.media[resources.mediumOfObject[object]]);
   return size.meanEdgeMm <= freePathMm && size.meanEdgeByAreaMm <= longestByArea * freePathMm;
 }
 
@@ -207,7 +175,6 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
   listMedia(scene, resources);
   measure(scene, resources);
-  if (needs.mapSize) resources.atlas = atlas::makeAtlas(surfaceOf(merged), {*needs.mapSize});
   makeMesh(device, resources);
   if (needs.maxClusters) findInsides(scene, resources, log);
   if (needs.maxSurfels) {

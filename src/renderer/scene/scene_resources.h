@@ -6,7 +6,7 @@
 
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
-#include "paper/atlas/atlas.h"
+#include "paper/technique.h"
 #include "passes/products.h"
 #include "renderer/scene/division.h"
 #include "scene/mesh/merged_mesh.h"
@@ -19,7 +19,6 @@ namespace opaline {
 
 /// What sums need of a scene beside its mesh.
 struct SceneNeeds {
-  std::optional<int> mapSize;      ///< an atlas for a diffusion source map of that edge, texels
   std::optional<int> maxSurfels;   ///< surfels and their tree
   std::optional<int> maxClusters;  ///< clusters of surfels, for boundary transport
   bool rays = false;               ///< where there are no clusters; wants surfels
@@ -47,13 +46,11 @@ struct SizeOfObject {
   double meanEdgeByAreaMm = 0;  ///< each by its area
 };
 
-/// A scene on the device: what depends on the rest pose alone. Objects are laid end to end and
-/// share one atlas.
+/// A scene on the device: what depends on the rest pose alone. Objects are laid end to end.
 struct SceneResources {
   const scene::MergedMesh* merged = nullptr;  ///< that it was made from
   SceneNeeds needs;                           ///< that it was made for
   passes::DeformedMesh mesh;
-  atlas::Atlas atlas;         ///< empty where no map is needed
   passes::Surfels surfels;    ///< empty where none are needed
   passes::RayHierarchy rays;  ///< where clusters or rays are needed, or surfels have been asked for
   passes::Clusters clusters;  ///< these two where clusters are needed
@@ -64,9 +61,10 @@ struct SceneResources {
   std::vector<Medium> media;  ///< the different ones
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<SizeOfObject> sizeOfObject;
-  std::vector<bool> triangleHasInside;  ///< of all objects; these two where clusters are needed
-  std::vector<bool> objectHasInside;    ///< in some part
-  DivisionOrder divided;                ///< that the surfels were made for
+  std::vector<bool> triangleHasInside;   ///< of all objects; these two where clusters are needed
+  std::vector<bool> objectHasInside;     ///< in some part
+  DivisionOrder divided;                 ///< that the surfels were made for
+  std::optional<paper::FlatScene> flat;  ///< none until the paper's map is asked for
 
   /// Whether any object has, so that boundary transport is of use.
   bool hasInside() const;

@@ -58,57 +58,38 @@ bool followsLight(const shared::MediumData& medium) {
   return false;
 }
 
-// Entries from one medium's pattern to the next: a multiple of every device's alignment of uniform
-// blocks, which is at most 256 bytes.
-constexpr std::size_t patternStride = (std::size_t{shared::maxPatternEntries} + 15) / 16 * 16;
-
 // Collects the tables of all media.
 class TableBuilder {
  public:
-  TableBuilder(const SceneResources& resources, const std::optional<PatternLayout>& pattern,
-               const RenderOptions& options)
-      : options_(options),
-        texelMm_(pattern ? texelEdgeMm(resources, options) : 0),
-        etas_(differentEtas(resources.media)) {
+  TableBuilder(const SceneResources& resources, const RenderOptions& options)
+      : options_(options), etas_(differentEtas(resources.media)) {
     for (const double eta : etas_) {
       const std::vector<float> entries =
           passes::specularAlbedo(eta, static_cast<double>(options.roughness));
       albedo_.insert(albedo_.end(), entries.begin(), entries.end());
     }
-    for (std::size_t i = 0; i < resources.media.size(); ++i)
-      add(resources.media[i], pattern ? &pattern->extentOfMedium[i] : nullptr);
+    for (const Medium& medium : resources.media) add(medium);
   }
 
   const std::vector<double>& etas() const { return etas_; }
   const std::vector<shared::MediumData>& media() const { return media_; }
-  const std::vector<shared::PatternEntry>& pattern() const { return pattern_; }
   const std::vector<float>& albedo() const { return albedo_; }
 
  private:
-  void add(const Medium& medium, const paper::PatternExtent* extent) {
+  void add(const Medium& medium) {
     const bssrdf::Model model = modelOf(options_.transport);
-    const std::array<bssrdf::Profile, 3> profiles = bssrdf::makeProfiles(model, medium);
-    const paper::PatternMask mask = extent != nullptr
-                                        ? paper::makePatternMask(profiles, *extent, texelMm_)
-                                        : paper::PatternMask{};
     const auto eta = static_cast<std::uint32_t>(std::find(etas_.begin(), etas_.end(), medium.eta) -
                                                 etas_.begin());
-    media_.push_back({.profile = shaders::packProfile(profiles),
+    media_.push_back({.profile = shaders::packProfile(bssrdf::makeProfiles(model, medium)),
                       .inside = insideOf(medium),
                       .boundary = {static_cast<float>(medium.eta),
-                                   static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
-                                   static_cast<float>(mask.nearSquareMm2),
-                                   static_cast<float>(mask.farSquareMm2)},
-                      .tables = {eta, mask.nearSamples, 0, eta * passes::specularAlbedoEntries}});
-    pattern_.insert(pattern_.end(), mask.entries.begin(), mask.entries.end());
-    pattern_.resize(media_.size() * patternStride);
+                                   static_cast<float>(bssrdf::exitFactor(model, medium.eta)), 0, 0},
+                      .tables = {eta, 0, 0, eta * passes::specularAlbedoEntries}});
   }
 
   const RenderOptions& options_;
-  double texelMm_;
   std::vector<double> etas_;
   std::vector<shared::MediumData> media_;
-  std::vector<shared::PatternEntry> pattern_;
   std::vector<float> albedo_;
 };
 
@@ -154,17 +135,13 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
 }  // namespace
 
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
-                                    const std::optional<PatternLayout>& pattern,
                                     const RenderOptions& options) {
-  const TableBuilder builder(resources, pattern, options);
+  const TableBuilder builder(resources, options);
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   passes::SceneTables tables;
   tables.objects =
       gpu::makeBuffer(device, "objects", makeObjects(resources, options.transport), storage);
   tables.media = gpu::makeBuffer(device, "media", builder.media(), storage);
-  tables.pattern =
-      gpu::makeBuffer(device, "pattern", builder.pattern(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-  tables.patternStride = patternStride * sizeof(shared::PatternEntry);
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
   tables.followsLight = std::any_of(builder.media().begin(), builder.media().end(), followsLight);
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);

@@ -11,11 +11,10 @@
 #include "lib/carry.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
-#include "shared/mesh.h"
 
 layout(std430, set = 0, binding = 6) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 7) readonly buffer Normals { vec4 normals[]; };
-layout(std430, set = 0, binding = 8) readonly buffer Corners { AtlasCorner corners[]; };  // one a vertex
+layout(std430, set = 0, binding = 8) readonly buffer ObjectOf { uint objectOf[]; };
 layout(std430, set = 0, binding = 9) readonly buffer Order { uint order[]; };
 layout(std430, set = 0, binding = 10) buffer VertexExitances { vec4 vertexExitances[]; };
 
@@ -28,7 +27,7 @@ void main() {
   uint i = linearIndex();
   bool inside = i < vertexCount;
   uint vertex = inside ? order[i] : 0u;
-  ObjectData body = objects[corners[vertex].object];
+  ObjectData body = objects[objectOf[vertex]];
   bool here = inside && body.clusters.z != 0u && !isSummedAtFragments(body, site);
   vec4 known = vertexExitances[vertex];
   vec3 better = corrected(known.rgb, positions[vertex].xyz, normals[vertex].xyz,

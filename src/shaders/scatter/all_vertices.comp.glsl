@@ -6,11 +6,10 @@
 #define BINDING_MEDIA 5
 #define BINDING_SOURCES 6
 #include "lib/surfel_sum.glsl"
-#include "shared/mesh.h"
 #include "lib/linear.glsl"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Corners { AtlasCorner corners[]; };  // one a vertex
+layout(std430, set = 0, binding = 2) readonly buffer ObjectOf { uint objectOf[]; };
 layout(std430, set = 0, binding = 3) buffer Exitance { vec4 exitances[]; };
 
 layout(push_constant) uniform Push {
@@ -23,7 +22,7 @@ layout(push_constant) uniform Push {
 void main() {
   uint i = linearIndex();
   if (i >= vertexCount) return;
-  ObjectData body = objects[corners[i].object];
+  ObjectData body = objects[objectOf[i]];
   if (isSummedAtFragments(body, site)) return;
   vec4 value = firstSurfel == 0u ? vec4(0.0) : exitances[i];
   exitances[i] = value + surfelSumOf(positions[i].xyz, body, firstSurfel, endSurfel);

@@ -12,10 +12,9 @@
 #include "lib/nearby.glsl"
 #include "lib/linear.glsl"
 #include "lib/unit.glsl"
-#include "shared/mesh.h"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Corners { AtlasCorner corners[]; };  // one a vertex
+layout(std430, set = 0, binding = 2) readonly buffer ObjectOf { uint objectOf[]; };
 layout(std430, set = 0, binding = 3) buffer Exitance { vec4 exitances[]; };
 layout(std430, set = 0, binding = 11) readonly buffer Normals { vec4 normals[]; };
 layout(std430, set = 0, binding = 12) readonly buffer Order { uint order[]; };
@@ -29,7 +28,7 @@ void main() {
   uint i = linearIndex();
   if (i >= vertexCount) return;
   uint vertex = order[i];
-  ObjectData body = objects[corners[vertex].object];
+  ObjectData body = objects[objectOf[vertex]];
   if (body.darkest.w == 0.0 || isSummedAtFragments(body, site)) return;
   vec3 normal = unitOr(normals[vertex].xyz, vec3(0.0, 1.0, 0.0));
   exitances[vertex] += nearbyExitance(positions[vertex].xyz, normal, body);

@@ -10,12 +10,11 @@
 #include "lib/tree_sum.glsl"
 #include "lib/tolerance.glsl"
 #include "lib/linear.glsl"
-#include "shared/mesh.h"
 
 layout(constant_id = 1) const uint rough = 0u;
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Corners { AtlasCorner corners[]; };  // one a vertex
+layout(std430, set = 0, binding = 2) readonly buffer ObjectOf { uint objectOf[]; };
 layout(std430, set = 0, binding = 3) buffer Exitance { vec4 exitances[]; };
 layout(std430, set = 0, binding = 8) readonly buffer Order { uint order[]; };
 
@@ -29,7 +28,7 @@ void main() {
   uint i = linearIndex();
   bool inside = i < vertexCount;
   uint vertex = inside ? order[i] : 0u;
-  ObjectData body = objects[corners[vertex].object];
+  ObjectData body = objects[objectOf[vertex]];
   bool here = inside && (rough != 0u || !isSummedAtFragments(body, site));
   uint root = here && body.tree.x < body.tree.y ? body.tree.x : noNode;
   vec3 position = positions[vertex].xyz;

@@ -1,6 +1,6 @@
-// The layout of vertices in storage buffers. Included by C++ and GLSL.
-#ifndef OPALINE_SHARED_MESH_H
-#define OPALINE_SHARED_MESH_H
+// The atlas in storage buffers. Included by C++ and GLSL.
+#ifndef OPALINE_PAPER_SHARED_ATLAS_H
+#define OPALINE_PAPER_SHARED_ATLAS_H
 
 #ifdef __cplusplus
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "renderer/scene/pattern_layout.h"
+#include "paper/pattern_layout.h"
 
 #include <algorithm>
 #include <array>
@@ -11,27 +11,28 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
 
+#include "bssrdf/profile.h"
 #include "paper/atlas/geodesic.h"
 #include "paper/atlas/texel_area.h"
 
-namespace opaline {
+namespace opaline::paper {
 
 namespace {
 
 // Area of the smallest object of a medium.
-double smallestAreaMm2(const SceneResources& resources, std::size_t medium) {
+double smallestAreaMm2(const RestScene& scene, std::size_t medium) {
   double smallest = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < resources.objects; ++i)
-    if (resources.mediumOfObject[i] == medium)
-      smallest = std::min(smallest, resources.sizeOfObject[i].areaMm2);
+  for (std::size_t i = 0; i < scene.mediumOfObject.size(); ++i)
+    if (scene.mediumOfObject[i] == medium) smallest = std::min(smallest, scene.areaOfObjectMm2[i]);
   return smallest;
 }
 
 // Finds where far samples lie among the cells and how much surface each stands for.
 class FarPlacer {
  public:
-  FarPlacer(const SceneResources& resources, const atlas::Neighbourhoods& cells, int mapSize)
-      : resources_(resources), cells_(cells), mapSize_(mapSize) {}
+  FarPlacer(const core::RestSurface& surface, const atlas::Atlas& atlas,
+            const atlas::Neighbourhoods& cells, int mapSize)
+      : surface_(surface), atlas_(atlas), cells_(cells), mapSize_(mapSize) {}
 
   // The ring that the samples stand for begins at `innerMm`; a walk that ends early finds part of
   // it.
@@ -69,13 +70,12 @@ class FarPlacer {
  private:
   shared::FarPlace placeOf(const atlas::SurfacePoint& point) const {
     if (point.triangle == atlas::SurfacePoint::nowhere) return {0, 0, 0};
-    const atlas::Atlas& atlas = resources_.atlas;
-    const std::array<int, 2>& shift = cells_.shiftOfChart[atlas.chartOfTriangle[point.triangle]];
+    const std::array<int, 2>& shift = cells_.shiftOfChart[atlas_.chartOfTriangle[point.triangle]];
     std::array<float, 2> place{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
       float uv = 0;
       for (std::size_t i = 0; i < 3; ++i)
-        uv += point.barycentric[i] * atlas.vertices[atlas.triangles[point.triangle][i]].uv[axis];
+        uv += point.barycentric[i] * atlas_.vertices[atlas_.triangles[point.triangle][i]].uv[axis];
       place[axis] = (uv * static_cast<float>(mapSize_) + static_cast<float>(shift[axis])) /
                     static_cast<float>(cells_.size);
     }
@@ -85,87 +85,85 @@ class FarPlacer {
   glm::dvec3 positionOf(const atlas::SurfacePoint& point) const {
     glm::dvec3 position(0);
     if (point.triangle == atlas::SurfacePoint::nowhere) return position;
-    const Triangle& triangle = resources_.merged->triangles[point.triangle];
+    const Triangle& triangle = surface_.triangles[point.triangle];
     for (std::size_t i = 0; i < 3; ++i)
       position += static_cast<double>(point.barycentric[i]) *
-                  glm::dvec3(glm::make_vec3(resources_.merged->positionsMm[triangle[i]].data()));
+                  glm::dvec3(glm::make_vec3(surface_.positionsMm[triangle[i]].data()));
     return position;
   }
 
-  const SceneResources& resources_;
+  const core::RestSurface& surface_;
+  const atlas::Atlas& atlas_;
   const atlas::Neighbourhoods& cells_;
   int mapSize_;
   std::vector<shared::FarPlace> places_;
 };
 
-std::vector<shared::FarPlace> farPlaces(const SceneResources& resources,
-                                        const PatternLayout& layout, const RenderOptions& options) {
-  const scene::MergedMesh& merged = *resources.merged;
-  const double texelMm = texelEdgeMm(resources, options);
-  std::vector<double> innerMm(merged.positionsMm.size(), 0);
-  std::vector<double> distanceMm(merged.positionsMm.size(), 0);
-  for (std::size_t t = 0; t < merged.triangles.size(); ++t) {
-    const std::uint32_t medium = resources.mediumOfObject[merged.objectOfTriangle[t]];
-    const paper::PatternExtent& extent = layout.extentOfMedium[medium];
-    for (const std::uint32_t vertex : merged.triangles[t]) {
+std::vector<shared::FarPlace> farPlaces(const RestScene& scene, const FlatScene& flat,
+                                        const PatternLayout& layout) {
+  const core::RestSurface& surface = scene.surface;
+  const double texelMm = flat.texelEdgeMm();
+  std::vector<double> innerMm(surface.positionsMm.size(), 0);
+  std::vector<double> distanceMm(surface.positionsMm.size(), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const std::uint32_t medium = scene.mediumOfObject[surface.objectOfTriangle[t]];
+    const PatternExtent& extent = layout.extentOfMedium[medium];
+    for (const std::uint32_t vertex : surface.triangles[t]) {
       innerMm[vertex] = extent.blockRadius() * texelMm;
       distanceMm[vertex] = extent.distance * texelMm;
     }
   }
-  FarPlacer placer(resources, layout.maps.distant, static_cast<int>(layout.maps.distantMapSize));
-  const std::vector<atlas::GeodesicStar> stars =
-      atlas::walkFromVertices(surfaceOf(merged), distanceMm);
+  FarPlacer placer(surface, flat.atlas, layout.maps.distant,
+                   static_cast<int>(layout.maps.distantMapSize));
+  const std::vector<atlas::GeodesicStar> stars = atlas::walkFromVertices(surface, distanceMm);
   for (std::size_t i = 0; i < stars.size(); ++i) placer.add(stars[i], innerMm[i], distanceMm[i]);
   return placer.take();
 }
 
 }  // namespace
 
-double texelEdgeMm(const SceneResources& resources, const RenderOptions& options) {
-  return resources.atlas.mmPerUnit / options.dsmSize;
-}
-
-PatternLayout layOutPattern(const SceneResources& resources, const RenderOptions& options) {
+PatternLayout layOutPattern(const RestScene& scene, const FlatScene& flat,
+                            const PatternOptions& options) {
+  const int mapSize = flat.mapSize;
   // Aprons take room: where they would need more than this, the pattern shrinks. 32 million texels
   // are what every device reads from one buffer.
-  const int largest = std::min(std::max(2 * options.dsmSize, 1024), 5632);
-  const double texelMm = texelEdgeMm(resources, options);
+  const int largest = std::min(std::max(2 * mapSize, 1024), 5632);
+  const double texelMm = flat.texelEdgeMm();
   PatternLayout layout;
   int nearReach = 1;
-  int cell = options.dsmSize;
-  for (std::size_t i = 0; i < resources.media.size(); ++i) {
-    const double freePathMm = shortestMeanFreePathMm(resources.media[i]);
-    const paper::PatternExtent extent = paper::patternExtent(
-        {.nearRings = options.pattern.nearRings,
-         .nearSpacingMm = static_cast<double>(options.pattern.nearSpacing) * freePathMm,
-         .farDistanceMm = static_cast<double>(options.pattern.farDistance) * freePathMm},
-        texelMm, smallestAreaMm2(resources, i));
+  int cell = mapSize;
+  for (std::size_t i = 0; i < scene.media.size(); ++i) {
+    const double freePathMm = bssrdf::shortestMeanFreePathMm(scene.media[i]);
+    const PatternExtent extent =
+        patternExtent({.nearRings = options.nearRings,
+                       .nearSpacingMm = static_cast<double>(options.nearSpacing) * freePathMm,
+                       .farDistanceMm = static_cast<double>(options.farDistance) * freePathMm},
+                      texelMm, smallestAreaMm2(scene, i));
     layout.extentOfMedium.push_back(extent);
     nearReach = std::max(nearReach, extent.nearReach());
     cell = std::min(cell, extent.cell);
   }
-  const core::RestSurface surface = surfaceOf(*resources.merged);
   layout.maps.nearby = atlas::makeNeighbourhoods(
-      surface, resources.atlas,
-      {.mapSize = options.dsmSize, .reach = nearReach, .alignment = 1, .maxSize = largest});
+      scene.surface, flat.atlas,
+      {.mapSize = mapSize, .reach = nearReach, .alignment = 1, .maxSize = largest});
 
   // Means over cells need no more than about 8² texels each.
   int coarseness = 1;
   while (cell / coarseness >= 16) coarseness *= 2;
-  const int distantMapSize = std::max(1, options.dsmSize / coarseness);
-  const int coarseCell = std::max(1, cell * distantMapSize / options.dsmSize);
-  layout.maps.distant = atlas::makeNeighbourhoods(surface, resources.atlas,
+  const int distantMapSize = std::max(1, mapSize / coarseness);
+  const int coarseCell = std::max(1, cell * distantMapSize / mapSize);
+  layout.maps.distant = atlas::makeNeighbourhoods(scene.surface, flat.atlas,
                                                   {.mapSize = distantMapSize,
                                                    .reach = 2 * coarseCell + 1,
                                                    .alignment = coarseCell,
                                                    .maxSize = largest});
   layout.maps.distantMapSize = static_cast<std::uint32_t>(distantMapSize);
   layout.maps.cellEdge = static_cast<std::uint32_t>(coarseCell);
-  for (paper::PatternExtent& extent : layout.extentOfMedium)
-    extent = paper::fitted(extent, layout.maps.nearby.reach);
-  layout.maps.texelAreas = atlas::texelAreas(resources.atlas, options.dsmSize);
-  layout.maps.farPlaces = farPlaces(resources, layout, options);
+  for (PatternExtent& extent : layout.extentOfMedium)
+    extent = fitted(extent, layout.maps.nearby.reach);
+  layout.maps.texelAreas = atlas::texelAreas(flat.atlas, mapSize);
+  layout.maps.farPlaces = farPlaces(scene, flat, layout);
   return layout;
 }
 
-}  // namespace opaline
+}  // namespace opaline::paper
