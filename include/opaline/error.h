@@ -12,8 +12,8 @@ class Error : public std::runtime_error {
   explicit Error(const std::string& message) : std::runtime_error(message) {}
 };
 
-/// What the caller asked for makes no sense: an unknown name, a value out of range, a combination
-/// that does not exist. The command line turns it into exit status 2, any other Error into 1.
+/// The caller asked for something that makes no sense: an unknown name, a value out of range, a
+/// combination that does not exist. The program ends with status 2 for it, and 1 for other Errors.
 class UsageError : public Error {
  public:
   explicit UsageError(const std::string& message) : Error(message) {}

@@ -7,8 +7,8 @@ namespace opaline {
 
 enum class LogLevel { Debug, Note, Warning };
 
-/// Receives everything the library has to say; the library itself prints nothing. The message is
-/// one sentence without a line break at its end. Called on the thread that called the library.
+/// Receives all messages of the library; the library itself prints nothing. A message is one
+/// sentence without a line break at its end. Called on the thread that called the library.
 using LogCallback = std::function<void(LogLevel, std::string_view message)>;
 
 }  // namespace opaline

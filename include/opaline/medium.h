@@ -13,7 +13,7 @@ struct Medium {
   double eta = 1.3;                          ///< relative index of refraction, in [1.01, 3]
 };
 
-/// Why the medium cannot be rendered, as a sentence; empty where it can.
+/// Why the medium cannot be rendered, as a sentence; empty if it can.
 std::string complaintAbout(const Medium& medium);
 
 }  // namespace opaline

@@ -10,7 +10,7 @@
 
 namespace opaline {
 
-/// An affine map as four columns: what becomes of x, y and z, and where the origin goes.
+/// An affine map as four columns: the images of the x, y and z axes, and of the origin.
 struct Affine {
   std::array<Vec3, 4> columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
 };
@@ -18,32 +18,33 @@ struct Affine {
 /// A rotation, x y z w, of unit length.
 using Quaternion = std::array<float, 4>;
 
-/// A frame of reference that joints and objects hang on. Scaled, then rotated, then translated, or
-/// mapped by a matrix where the file gives one; then by the parent.
+/// A coordinate frame that joints and objects are attached to. Its transform is scale, then
+/// rotation, then translation, or a matrix if the file gives one; the parent's transform comes
+/// after it.
 struct Node {
   std::string name;
   int parent = -1;  ///< index of an earlier node, or -1
   Vec3 translation{};
   Quaternion rotation{0, 0, 0, 1};
   Vec3 scale{1, 1, 1};
-  std::optional<Affine> matrix;     ///< instead of the three above; such a node is never animated
-  std::vector<float> morphWeights;  ///< of the objects at this node, where no track says otherwise
+  std::optional<Affine> matrix;     ///< replaces the three above; such a node is never animated
+  std::vector<float> morphWeights;  ///< of the objects at this node, unless a track animates them
 };
 
 /// glTF 2.0, appendix C.
 enum class Interpolation { Step, Linear, CubicSpline };
 
-/// What a track moves.
+/// The property that a track animates.
 enum class TrackTarget { Translation, Rotation, Scale, MorphWeights };
 
-/// Keys of one property of one node. Before the first and after the last key its value stands.
+/// Keys of one property of one node. Before the first and after the last key its value is constant.
 struct Track {
   std::uint32_t node = 0;
   TrackTarget target = TrackTarget::Translation;
   Interpolation interpolation = Interpolation::Linear;
   std::vector<float> seconds;  ///< of the keys, ascending
-  std::vector<float> values;   ///< for each key 3, 4 or as many as there are weights; for
-                               ///< CubicSpline in-tangent, value and out-tangent, each as many
+  std::vector<float> values;   ///< 3, 4 or the number of weights for each key; for CubicSpline an
+                               ///< in-tangent, a value and an out-tangent of that length each
 };
 
 /// A named motion. A time beyond its end is taken modulo its length.
@@ -53,10 +54,10 @@ struct Clip {
   std::vector<Track> tracks;
 };
 
-/// What a morph target adds at weight 1, one per vertex.
+/// The offsets that a morph target adds at weight 1, one per vertex.
 struct MorphTarget {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;  ///< empty: taken from the triangles where they have moved to
+  std::vector<Vec3> normals;  ///< empty: computed from the moved triangles
 };
 
 struct Joint {
@@ -72,7 +73,7 @@ struct Influence {
 /// How an object's vertices follow nodes:
 /// x = toScene · Σ_j w_j world(j) · inverseBind_j · (position + Σ_t weight_t · target_t).
 struct Rig {
-  std::uint32_t node = 0;       ///< whose morph weights apply; moves the object if it has no joints
+  std::uint32_t node = 0;  ///< its morph weights apply; it moves the object if there are no joints
   std::vector<Vec3> positions;  ///< in the file's unit, one per vertex of the object's mesh
   std::vector<Vec3> normals;    ///< unit, one per vertex
   std::vector<MorphTarget> targets;
@@ -83,20 +84,21 @@ struct Rig {
 };
 
 /// A deformation of everything in a scene, about the vertical axis through the middle of the box
-/// around its rest pose, of height H, bottom y₀ and diagonal D. With h = (y − y₀)/H:
+/// around its rest pose. The box has height H, bottom y₀ and diagonal D. With h = (y − y₀)/H:
 enum class DeformerKind {
-  Twist,   ///< turns by amount · (h − ½) about the axis; amount in radians
+  Twist,   ///< rotates by amount · (h − ½) about the axis; amount in radians
   Bend,    ///< bends the axis into an arc of that angle, towards +x; amount in radians
-  Squash,  ///< height times 1 − amount, volume kept; below 0 it stretches
+  Squash,  ///< scales the height by 1 − amount and keeps the volume; stretches below 0
   Wobble,  ///< a wave that travels upwards: x += amount·D·s(h)·sin 2π(h − t/period), z += half of
-           ///< that with cos, s(h) = h²(3 − 2h) clamped to [0,1], so that the foot stands still
+           ///< that with cos, s(h) = h²(3 − 2h) clamped to [0,1]; the foot stands still
 };
 
 struct Deformer {
   DeformerKind kind = DeformerKind::Twist;
-  float amount = 0;  ///< Twist [-100, 100], Bend [-6.28, 6.28], Wobble [-1, 1], Squash [-3, 0.9]
-                     ///< and [-0.9, 0.9] where it swings
-  /// The amount swings as sin 2πt/period; 0: it stays, but for Wobble it is 1 s. Else [0.001, 1e6].
+  float amount = 0;  ///< Twist [-100, 100], Bend [-6.28, 6.28], Wobble [-1, 1], Squash [-3, 0.9],
+                     ///< or [-0.9, 0.9] with a period
+  /// The amount swings as sin 2πt/period. 0: a constant amount, and for Wobble 1 s. Otherwise in
+  /// [0.001, 1e6].
   float periodSeconds = 0;
 };
 

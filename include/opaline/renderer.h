@@ -14,52 +14,52 @@
 
 namespace opaline {
 
-/// How light travels from where it enters to where it leaves.
+/// How light travels from the place where it enters to the place where it leaves.
 enum class Transport {
   Dipole,        ///< Jensen et al. 2001, Eq. 4; the paper's
   BetterDipole,  ///< d'Eon 2012
-  Boundary,  ///< diffusion in the body as it is, by its surface; a better dipole's detail on top
+  Boundary,  ///< diffusion solved on the body's surface, with fine detail from the better dipole
 };
 
-/// Which sources are summed.
+/// The sources of the sum.
 enum class Sum {
   Pattern,  ///< near block and eight far samples of the diffusion source map (Gong et al. 2008),
             ///< not for Transport::Boundary
-  Tree,     ///< surfels in object space, groups of them where the tolerance allows
-  All,      ///< every surfel, exact for them
+  Tree,     ///< surfels in object space, in groups where the tolerance allows
+  All,      ///< every surfel, one by one
 };
 
 /// Where the sum is evaluated.
 enum class Site {
-  Auto,      ///< for each object Vertex where edges are at most one mean free path long, else
-             ///< Fragment; Sum::Pattern takes Fragment for all when it is for one
+  Auto,      ///< chosen for each object: Vertex if its edges are at most one mean free path long,
+             ///< else Fragment; Sum::Pattern uses Fragment for all if one object needs it
   Vertex,    ///< once per vertex, interpolated (the paper's VTF)
   Fragment,  ///< once per visible pixel (the paper's FTF)
 };
 
-/// The arbitrary output variables. All but Radiance are sampled once, at the pixel's centre.
+/// The output variables. All but Radiance are sampled once, at the pixel's centre.
 enum class Aov {
   Radiance,     ///< leaving towards the camera
   Exitance,     ///< B
-  Irradiance,   ///< E, that has entered: of lights with their shadows, from all around without, and
-                ///< none that has left and enters again. What the surfel seen there has gathered;
-                ///< for Sum::Pattern what the diffusion source map has
+  Irradiance,   ///< E, the light that has entered: from lights with shadows and from all around
+                ///< without, but not light that left and enters again. Of the surfel seen there;
+                ///< for Sum::Pattern of the diffusion source map
   Position,     ///< mm
   Normal,       ///< unit
   Depth,        ///< distance along the viewing axis, mm, in R, G and B
-  Evaluations,  ///< of the profile for a pixel or interpolated from vertices, in R, G and B
+  Evaluations,  ///< of the profile, for a pixel or interpolated from vertices, in R, G and B
   Object,       ///< index of the object, from 0, in R, G and B
-  Surfels,      ///< index of the surfel seen there, in R; of its cluster of boundary transport, in
-                ///< G, -1 where light is not carried by any; in B, of the node of the tree that
-                ///< holds it, RenderOptions::treeLevel below its object's root. From 0, through
-                ///< all objects. Not for Sum::Pattern
-  DsmPosition,  ///< the diffusion source map: mm
-  DsmNormal,    ///< the diffusion source map: unit
+  /// Indices from 0 through all objects: in R of the visible surfel; in G of its cluster of
+  /// boundary transport, -1 without one; in B of the node of the tree that contains it,
+  /// RenderOptions::treeLevel below its object's root. Not for Sum::Pattern.
+  Surfels,
+  DsmPosition,    ///< the diffusion source map: mm
+  DsmNormal,      ///< the diffusion source map: unit
   DsmIrradiance,  ///< the diffusion source map: E
   DsmArea,        ///< the diffusion source map: area of a texel on the surface, mm², in R, G and B
 };
 
-/// Whether a variable is read off the diffusion source map.
+/// Whether a variable is read from the diffusion source map.
 bool showsMap(Aov aov);
 
 /// Shape of the pattern of Gong et al. 2008, Figure 5. Lengths are in mean free paths 1/σ_t' of the
@@ -70,33 +70,33 @@ struct PatternOptions {
   float farDistance = 24.0F;  ///< of the eight far samples, mean free paths, in [1e-3, 1000]
 };
 
-/// Everything about a picture that is not the scene.
+/// All settings of a picture outside the scene.
 struct RenderOptions {
   int width = 1024;   ///< pixels, in [1, 16384]
   int height = 1024;  ///< pixels, in [1, 16384]
   Transport transport = Transport::Boundary;
   Sum sum = Sum::Tree;
   Site site = Site::Auto;
-  float tolerance = 0.01F;   ///< of Sum::Tree, of each node relative to exitance, in [1e-4, 1]
-  int maxSurfels = 262'144;  ///< most surfels of Sum::Tree and Sum::All, in [1024, 4194304]
-  int maxClusters = 8192;    ///< most unknowns of Transport::Boundary, in [64, 262144]
+  float tolerance = 0.01F;   ///< error of a node of Sum::Tree, relative to exitance, in [1e-4, 1]
+  int maxSurfels = 262'144;  ///< largest number for Sum::Tree and Sum::All, in [1024, 4194304]
+  int maxClusters = 8192;    ///< largest number for Transport::Boundary, in [64, 262144]
   static constexpr int maxBounces = 8;
-  int bounces = 2;  ///< of light that leaves and enters again, of Transport::Boundary, in [0, 8]
+  int bounces = 2;  ///< times that light leaves and enters again, Transport::Boundary, in [0, 8]
   PatternOptions pattern;
   int dsmSize = 512;        ///< edge of the diffusion source map, texels, in [64, 4096]
   int shadowSize = 1024;    ///< edge of each shadow map, texels, in [64, 8192]
   bool specular = true;     ///< GGX reflection of lights and environment on top
   float roughness = 0.25F;  ///< of that reflection, GGX α = roughness², in [0.05, 1]
-  int treeLevel = 64;   ///< of the nodes in Aov::Surfels: 0 for the objects' roots, leaves where
-                        ///< these come first; in [0, 64]
-  int antialias = 4;    ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
-  int frames = 1;       ///< how often render() renders the picture, for timing; in [1, 1000000]
-  double seconds = 0;   ///< time of clip and deformers, s, in [0, 1e6]
-  int clip = 0;         ///< which of the scene's clips plays; -1: none, nodes as the file has them
-  bool patient = true;  ///< wait until the surface is divided anew for media that changed; else
-                        ///< go on with how it was while that is done by another thread
-  bool reuseLight = false;  ///< where nothing but the camera changed since a frame of this size and
-                            ///< method, take its light: the same picture, sooner
+  int treeLevel = 64;       ///< of the nodes in Aov::Surfels: 0 for the objects' roots, leaves if
+                            ///< these come first; in [0, 64]
+  int antialias = 4;        ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
+  int frames = 1;           ///< how often render() repeats the picture, for timing; in [1, 1000000]
+  double seconds = 0;       ///< time of clip and deformers, s, in [0, 1e6]
+  int clip = 0;             ///< index of the clip that plays; -1: none, nodes as in the file
+  bool patient = true;  ///< wait until the surface is divided again for changed media; otherwise
+                        ///< use the old division while another thread makes the new one
+  bool reuseLight = false;  ///< if only the camera changed since a frame of this size and method,
+                            ///< reuse its light: the same picture, sooner
 };
 
 /// GPU time of one pass.
@@ -113,7 +113,7 @@ struct DeviceDescription {
   bool rayQueries = false;  ///< has VK_KHR_ray_query
 };
 
-/// How the boundary's equation was solved for light that entered, or for a bounce of it.
+/// How the boundary's equation was solved, for direct light or for a bounce.
 struct Solution {
   int steps = 0;   ///< of generalised minimal residuals
   Rgb residual{};  ///< relative to the sources of fluence
@@ -122,35 +122,34 @@ struct Solution {
 /// What a call of render() did.
 struct RenderReport {
   DeviceDescription device;
-  Transport transport = Transport::Dipole;  ///< BetterDipole where Boundary was asked for and
-                                            ///< nothing has an inside
+  Transport transport = Transport::Dipole;  ///< BetterDipole if Boundary was requested and nothing
+                                            ///< has an inside
   Sum sum = Sum::Tree;
   Site site = Site::Fragment;  ///< Auto where it differs between objects
   std::size_t triangles = 0;
   std::size_t vertices = 0;
-  std::size_t sources = 0;   ///< surfels, or texels of the map that carry surface
+  std::size_t sources = 0;   ///< surfels, or texels of the map that contain surface
   std::size_t clusters = 0;  ///< unknowns of Transport::Boundary
-  std::vector<Solution>
-      solutions;                 ///< of Transport::Boundary in the last frame, one and one a bounce
-  std::vector<PassTime> passes;  ///< in the order they ran
-  double frameMilliseconds = 0;  ///< GPU time, median over the frames after the first
+  /// Of Transport::Boundary in the last frame: one for direct light, then one for each bounce.
+  std::vector<Solution> solutions;
+  std::vector<PassTime> passes;    ///< in the order they ran
+  double frameMilliseconds = 0;    ///< GPU time, median over the frames after the first
   double peakMemoryMegabytes = 0;  ///< of the device's memory, by this renderer
 };
 
-/// Pictures, in the order they were asked for, and how they came to be.
+/// Pictures, in the requested order, and a report.
 struct RenderResult {
   std::vector<Image> images;
   RenderReport report;
 };
 
-/// One finished frame. Handed to Renderer::collect again and again, it is filled without
-/// allocating.
+/// One finished frame. Renderer::collect fills the same object again and again without allocating.
 struct Frame {
-  std::vector<Image> images;  ///< in the order they were asked for
+  std::vector<Image> images;  ///< in the requested order
   double milliseconds = 0;    ///< GPU time
   std::vector<PassTime> passes;
-  std::vector<Solution> solutions;  ///< of Transport::Boundary, one and one a bounce
-  bool provisional = false;         ///< the surface was still divided for other media: see
+  std::vector<Solution> solutions;  ///< as in RenderReport
+  bool provisional = false;         ///< the surface was still divided for the old media: see
                                     ///< RenderOptions::patient
 };
 
@@ -169,12 +168,11 @@ struct RendererOptions {
   std::string device;       ///< index or part of a name; empty: the best there is
   bool validation = false;  ///< run Vulkan's validation layer; its messages go to the log
   LogCallback log;
-  /// Vulkan extensions that the caller works with beside the renderer, for example those of
-  /// windows.
+  /// Vulkan extensions that the caller needs in addition, for example those of windows.
   std::vector<std::string> instanceExtensions;
   std::vector<std::string> deviceExtensions;
-  /// Rays by VK_KHR_ray_query rather than by compute shaders; pictures differ by roundings. Empty:
-  /// where they are hardware's, that is on every device that has them but software devices.
+  /// Rays by VK_KHR_ray_query instead of compute shaders; pictures differ by rounding. Empty: used
+  /// on every device with ray queries, except software devices.
   std::optional<bool> rayQueries;
 };
 
@@ -191,7 +189,7 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Makes the atlas and uploads the scene. Throws Error when the device's memory does not suffice.
+  /// Uploads the scene. Throws Error when the device has too little memory.
   void setScene(const Scene& scene);
 
   /// Renders the scene and returns one image for each of `aovs`. Throws UsageError for options out
@@ -201,45 +199,43 @@ class Renderer {
   /// How many frames may be submitted and not yet collected.
   static constexpr int framesInFlight = 2;
 
-  /// Hands one frame to the device and returns while it is rendered. Throws as render() does, and
-  /// UsageError when framesInFlight frames wait to be collected. Where neither the scene nor the
-  /// options but seconds and clip changed, it allocates nothing.
+  /// Submits one frame and returns while the device renders it. Throws as render() does, and
+  /// UsageError when framesInFlight frames wait to be collected. If only seconds and clip changed
+  /// in the scene and options, it allocates nothing.
   void submit(const RenderOptions& options, const std::vector<Aov>& aovs = {Aov::Radiance});
 
-  /// submit() for callers who show the picture: its radiance stays on the device, where it can be
-  /// sampled as soon as the call returns by what is submitted after. `aovs` come back by collect().
+  /// submit() for callers who show the picture: its radiance stays on the device. Work submitted
+  /// after this call may sample it. collect() returns `aovs`.
   DeviceImage submitOnDevice(const RenderOptions& options, const std::vector<Aov>& aovs = {});
 
-  /// Waits for the oldest frame that was submitted and not collected. Throws UsageError when there
-  /// is none.
+  /// Waits for the oldest submitted frame and returns it. Throws UsageError when there is none.
   void collect(Frame& frame);
 
-  /// What there is to say of the frames collected since the last setScene().
+  /// The report of the frames collected since the last setScene().
   RenderReport report() const;
 
-  /// Edits of the scene that was set, from the next submitted frame on. Only what a change concerns
-  /// is made again: nothing for a camera, for deformers and for a light that moves or changes its
-  /// power, tables for ambient light, the division into surfels for a medium, and never the mesh or
-  /// its atlas. An environment has changed when it is another object. Throw Error or UsageError for
-  /// what setScene() would refuse.
+  /// Edits of the scene, from the next submitted frame on. They remake only what depends on the
+  /// change: nothing for a camera, for deformers, and for a light that moves or changes its power;
+  /// tables for ambient light; the division into surfels for a medium; and never the mesh or its
+  /// atlas. An environment counts as changed if it is another object. They throw Error or
+  /// UsageError as setScene() does.
   void setCamera(const Camera& camera);
   void setLighting(const Lighting& lighting);
   void setMedium(std::size_t object, const Medium& medium);
   void setDeformers(const std::vector<Deformer>& deformers);
 
-  /// From the next submitted frame on the object's vertices lie where the caller says instead of
-  /// where its mesh or rig puts them; normals follow; the scene's deformers still apply. The values
-  /// are copied. Throws UsageError unless there is a position for each of its vertices, finite and
-  /// within 1e18 mm.
+  /// Sets the positions of the object's vertices from the next submitted frame on, instead of its
+  /// mesh or rig. Normals follow, and the scene's deformers still apply. The values are copied.
+  /// Throws UsageError unless there is a position for each vertex, finite and within 1e18 mm.
   void replacePositions(std::size_t object, std::span<const Vec3> positionsMm);
 
-  /// The same from a buffer of the device, which every frame reads anew.
+  /// The same from a buffer of the device, which every frame reads again.
   void replacePositions(std::size_t object, const DevicePositions& positions);
 
   /// Undoes replacePositions.
   void restorePositions(std::size_t object);
 
-  /// The Vulkan objects that it works with.
+  /// The Vulkan objects of this renderer.
   VulkanDevice vulkanDevice() const;
 
   /// Messages of the validation layer so far; 0 without validation.

@@ -22,7 +22,7 @@ struct Mesh {
   std::vector<Vec3> positionsMm;
   std::vector<Vec3> normals;  ///< unit, one per position
   std::vector<Triangle> triangles;
-  bool facetted = false;  ///< normals are those of the triangles, and stay so when they move
+  bool facetted = false;  ///< normals are those of the triangles, also when they move
 };
 
 /// One body of one medium.
@@ -52,9 +52,9 @@ struct Lighting {
 
   std::vector<DirectionalLight> directional;
   std::vector<PointLight> points;
-  Rgb ambient{};  ///< radiance, the same from everywhere, in [0, 1e30]
-  /// Radiance, latitude-longitude, top row is +y, centre column looks to -z, u grows towards +x;
-  /// none: no environment. Shared by copies and never changed: another picture is another object.
+  Rgb ambient{};  ///< radiance, the same from all directions, in [0, 1e30]
+  /// Radiance, latitude-longitude; the top row is +y, the centre column −z, and u grows towards +x.
+  /// Null: no environment. Copies share it and it never changes: another picture is another object.
   std::shared_ptr<const Image> environment;
 };
 
@@ -66,33 +66,33 @@ struct Camera {
   float verticalFovDegrees = 30;  ///< in [1, 170]
 };
 
-/// Why the lights, or the camera, cannot be rendered, as a sentence; empty where they can.
+/// Why the lights, or the camera, cannot be rendered, as a sentence; empty if they can.
 std::string complaintAbout(const DirectionalLight& light);
 std::string complaintAbout(const PointLight& light);
 std::string complaintAbout(const Lighting& lighting);
 std::string complaintAbout(const Camera& camera);
 
-/// What a loader mended, and how often.
+/// A kind of repair by a loader, and how often it was made.
 struct Repair {
   std::string what;
   std::size_t count = 0;
 };
 
-/// A kind of thing that the scene's file holds and that no picture shows.
+/// A kind of thing in the scene's file that Opaline does not show.
 struct NotShown {
   std::string what;  ///< in the plural
   std::size_t count = 0;
-  std::vector<std::string> names;  ///< of some of them
+  std::vector<std::string> names;  ///< names of some of them
 };
 
-/// Plain data: what is to be rendered.
+/// A scene, as plain data.
 struct Scene {
   std::string name;
   std::vector<Object> objects;
   Lighting lighting;
   Camera camera;
-  /// Whether somebody chose where the camera stands and how wide it sees; else it is
-  /// defaultCamera(), and may step back until all is seen.
+  /// Whether the place or field of view of the camera was chosen. Otherwise it is defaultCamera(),
+  /// and may move back until everything is visible.
   bool cameraChosen = false;
   std::vector<Node> nodes;  ///< parents before children
   std::vector<Clip> clips;
@@ -119,15 +119,15 @@ float diagonalMm(const Scene& scene);
 /// How a file becomes a scene.
 struct LoadOptions {
   std::optional<float> diagonalMm;  ///< scale the bounding-box diagonal to this length, mm, > 0
-  std::optional<Medium> medium;     ///< of every object, instead of what the file says
-  /// A model of the same topology that the scene's only object becomes and leaves again, in a clip
+  std::optional<Medium> medium;     ///< of every object, instead of the file's media
+  /// A model of the same topology that the scene's only object turns into and back, in a clip
   /// "morph" of 4 s; not for built-in scenes.
   std::optional<std::filesystem::path> morphTo;
   LogCallback log;  ///< receives notes, for example about an assumed unit
 };
 
-/// Reads a .glb, .gltf, .obj, .ply or .toml scene, repairs its meshes and adds default camera and
-/// lights where the file has none. Throws Error when the file cannot be read or makes no sense.
+/// Reads a .glb, .gltf, .obj, .ply or .toml scene, repairs its meshes and adds a default camera and
+/// lights if the file has none. Throws Error when the file cannot be read or makes no sense.
 Scene loadScene(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// The built-in scene: a gummy bear, closed and smooth, about 50,000 triangles, 50 mm diagonal.
@@ -136,12 +136,12 @@ Scene builtInBear(const LoadOptions& options = {});
 /// The Utah teapot (Newell 1975) from its Bézier patches: 2256 triangles, 1177 vertices.
 Scene builtInTeapot(const LoadOptions& options = {});
 
-/// The default camera: on the given direction from the centre of the box (default +z), looking at
-/// the centre, distance 1.4 diagonals.
+/// The default camera: in the given direction from the centre of the box (default +z), looking at
+/// the centre, 1.4 diagonals away.
 Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre = {0, 0, 1},
                      float verticalFovDegrees = 30);
 
-/// The default lights: a key from behind at the side, a weak fill and weak ambient light.
+/// The default lights: a key light from behind at the side, a weak fill and weak ambient light.
 Lighting defaultLighting();
 
 }  // namespace opaline

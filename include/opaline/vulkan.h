@@ -6,8 +6,8 @@
 
 namespace opaline {
 
-/// The Vulkan objects a renderer works with, for callers who fill buffers of its device. They live
-/// as long as the renderer. Work on the queue is submitted from the renderer's thread.
+/// The Vulkan objects of a renderer, for callers who fill buffers of its device. They live as long
+/// as the renderer. Submit work on the queue from the renderer's thread.
 struct VulkanDevice {
   VkInstance instance = VK_NULL_HANDLE;
   VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
@@ -17,11 +17,11 @@ struct VulkanDevice {
 };
 
 /// Positions in mm, three floats each, of an object's vertices in their order. The buffer has the
-/// usage VK_BUFFER_USAGE_STORAGE_BUFFER_BIT and lives until every frame that reads it was
-/// collected. What writes it goes to the same queue before the frame and makes its writes available
-/// to shader storage reads of compute shaders; what writes it again waits, by a barrier from
-/// compute shaders' reads or until the frame was collected. For a vertex whose position is not
-/// finite, or 1e18 mm away, the pose stands that it would have without.
+/// usage VK_BUFFER_USAGE_STORAGE_BUFFER_BIT and lives until every frame that reads it has been
+/// collected. Writes to it are submitted to the same queue before the frame, and are made available
+/// to storage reads of compute shaders. A later write waits for these reads, by a barrier or until
+/// the frame has been collected. A vertex whose position is not finite, or 1e18 mm away, keeps the
+/// position that it would have without the buffer.
 struct DevicePositions {
   VkBuffer buffer = VK_NULL_HANDLE;
   VkDeviceSize offsetBytes = 0;    ///< multiple of 4
@@ -30,11 +30,11 @@ struct DevicePositions {
                      ///< Renderer::replacePositions, so that RenderOptions::reuseLight still works
 };
 
-/// Radiance times coverage in RGB, coverage in alpha, linear, top row first; to be sampled by
-/// shaders on the renderer's queue. The next frame of its kind, from whichever call, waits for
-/// shaders that read it, and overwrites it; frames of another size, transport, sum, site, pattern,
-/// roughness or shadow size are of another kind. It lives until the renderer has made frames of two
-/// kinds besides, whatever the scene: two pictures may be shown side by side.
+/// Radiance times coverage in RGB, coverage in alpha, linear, top row first. Shaders on the
+/// renderer's queue may sample it. The next frame of its kind, from whichever call, waits for
+/// shaders that read it, and overwrites it. Frames of another size, transport, sum, site, pattern,
+/// roughness or shadow size are of another kind. The image lives until the renderer has made frames
+/// of two other kinds, whatever the scene. So two pictures can be shown side by side.
 struct DeviceImage {
   VkImage image = VK_NULL_HANDLE;
   VkImageView view = VK_NULL_HANDLE;

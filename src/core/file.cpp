@@ -94,7 +94,7 @@ void requireFolder(const fs::path& target) {
                             : error.message());
   }
   if (!fs::is_directory(folderStatus)) {
-    failToWrite(target, fmt::format("{} is no folder", folder.string()));
+    failToWrite(target, fmt::format("{} is not a folder", folder.string()));
   }
 }
 

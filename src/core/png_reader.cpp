@@ -29,7 +29,8 @@ PngHeader readHeader(const std::filesystem::path& file, const std::vector<std::b
   constexpr std::size_t headerBytes = start.size() + 9;
   const auto same = [](char a, std::byte b) { return static_cast<std::byte>(a) == b; };
   if (bytes.size() < headerBytes || !std::equal(start.begin(), start.end(), bytes.begin(), same)) {
-    failToReadImage(file, bytes.empty() ? "it is empty" : "it is no PNG, whatever its name says");
+    failToReadImage(file,
+                    bytes.empty() ? "it is empty" : "it is not a PNG file, whatever its name says");
   }
   const auto bigEndian = [&](std::size_t at) {
     std::uint32_t value = 0;
@@ -80,8 +81,8 @@ Image readPng(const std::filesystem::path& file) {
                                static_cast<int>(bytes.size()), &width, &height, &channels, 4),
       stbi_image_free);
   if (!pixels) {
-    failToReadImage(file,
-                    fmt::format("it is no whole PNG (stb_image says: {})", stbi_failure_reason()));
+    failToReadImage(file, fmt::format("it is not a complete PNG file (stb_image says: {})",
+                                      stbi_failure_reason()));
   }
   Image image(width, height);
   std::transform(pixels.get(), pixels.get() + image.rgba.size(), image.rgba.begin(),

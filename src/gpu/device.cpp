@@ -42,10 +42,11 @@ constexpr VkMemoryPropertyFlags specialMemory =
     VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD | VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD;
 
 Error outOfMemory(const std::string& name, std::size_t bytes, const std::string& device) {
-  return Error(fmt::format(
-      "\"{}\" needs {:.1f} MB, which the memory of {} does not hold; use a smaller image or map, "
-      "or another device",
-      name, static_cast<double>(bytes) / 1e6, device));
+  return Error(
+      fmt::format("\"{}\" needs {:.1f} MB, which does not fit into the memory of {}; use a smaller "
+                  "image or map, "
+                  "or another device",
+                  name, static_cast<double>(bytes) / 1e6, device));
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool not
   if (!raw.mmPerUnit) {
     factor = assumedDiagonalMm / diagonalOf(boundsOf(raw));
     if (noteUnit) {
-      note(log, fmt::format("{} carries no unit: scaled to a diagonal of {} mm "
+      note(log, fmt::format("{} has no unit: scaled to a diagonal of {} mm "
                             "(LoadOptions::diagonalMm sets another)",
                             name, assumedDiagonalMm));
     }

@@ -48,13 +48,22 @@ struct Below {
 // Shape comes first: two sides in one cluster cost far more than many mean free paths.
 struct Need {
   bool forShape = false;
-  double excess = 0;
+  int excess = 0;           ///< of the edge, in halves of a power of 2: one division takes one off
+  std::uint32_t order = 0;  ///< among equals
   std::uint32_t node = 0;
 
   bool operator<(const Need& other) const {
-    return std::tie(forShape, excess, node) < std::tie(other.forShape, other.excess, other.node);
+    return std::tie(forShape, excess, order, node) <
+           std::tie(other.forShape, other.excess, other.order, other.node);
   }
 };
+
+// Where the budget is spent among equals, those that were divided lie evenly between the others:
+// one half of a plate finer than the other is seen. Nodes follow each other as they lie, so steps
+// of the golden ratio do that (Knuth 1973, 6.4).
+std::uint32_t evenOrder(std::uint32_t node) {
+  return node * 2654435769U;
+}
 
 class Divider {
  public:
@@ -181,9 +190,13 @@ class Divider {
     const Below& below = below_[node];
     const Edges& edges = edges_[below.object];
     const double edge = below.edgeMm();
-    if (edge <= below.ofShapeMm) return {false, edge / edges.largest, node};
+    const auto need = [node](bool forShape, double excess) {
+      return Need{forShape, static_cast<int>(std::floor(2 * std::log2(excess))), evenOrder(node),
+                  node};
+    };
+    if (edge <= below.ofShapeMm) return need(false, edge / edges.largest);
     const double thin = std::clamp(edge * below.thinnessPerMm, 1.0, 1 / leastPart);
-    return {true, edge / edges.usual * std::pow(thin, thinPower), node};
+    return need(true, edge / edges.usual * std::pow(thin, thinPower));
   }
 
   // The node or, where that is opened, what is below it.

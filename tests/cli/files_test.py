@@ -20,7 +20,7 @@ class DefaultNames(ProgramTest):
     def test_what_is_there_stays(self):
         self.write("teapot.png", "a picture of a teapot")
         run = self.succeed(*TEAPOT, "--json")
-        self.assertIn("wrote teapot-2.png, as teapot.png is there already", run.err)
+        self.assertIn("wrote teapot-2.png, because teapot.png exists", run.err)
         self.assertEqual(run.json()["outputs"], ["teapot-2.png"])
         self.succeed(*TEAPOT)
         self.assertEqual(self.listing(), ["teapot-2.png", "teapot-3.png", "teapot.png"])
@@ -142,18 +142,18 @@ class Stamps(ProgramTest):
             with self.subTest(change=change):
                 before = self.times("png")
                 run = self.succeed(*film, "--fps", 4, *change, "--resume")
-                self.assertIn("3 of 3 frames were not made by this scene and these options", run.err)
+                self.assertIn("3 of 3 frames came from another scene or other options", run.err)
                 self.assertTrue(all(a != b for a, b in zip(before, self.times("png"))))
         run = self.succeed(*film, "--fps", 5, *change, "--resume")
-        self.assertIn("1 of 3 frames were there already", run.err)  # that of time 0
-        self.assertIn("2 of 3 frames were not made", run.err)
+        self.assertIn("1 of 3 frames existed already", run.err)  # that of time 0
+        self.assertIn("2 of 3 frames came from another scene", run.err)
 
     def test_the_device_makes_no_other_picture(self):
         film = (*TEAPOT, *self.WOBBLE, *self.FILM, "-o", "f%d.exr")
         self.succeed(*film)
         before = self.times("exr")
         run = self.succeed(*film, "--resume", "--device", 0)
-        self.assertIn("3 of 3 frames were there already", run.err)
+        self.assertIn("3 of 3 frames existed already", run.err)
         self.assertEqual(self.times("exr"), before)
 
     def test_content_of_files_counts_and_their_names_do_not(self):
@@ -161,12 +161,12 @@ class Stamps(ProgramTest):
         self.succeed("render", "a.obj", *QUICK, *self.FILM, "-o", "f%d.png")
         self.write("a.obj", CUBE_OBJ.replace("v 1 1 1", "v 1 1 2"))
         run = self.succeed("render", "a.obj", *QUICK, *self.FILM, "-o", "f%d.png", "--resume")
-        self.assertIn("3 of 3 frames were not made", run.err)
+        self.assertIn("3 of 3 frames came from another scene", run.err)
 
     def test_a_picture_without_a_stamp_is_made_anew(self):
         self.succeed(*TEAPOT, "-o", "f1.png")
         run = self.succeed(*TEAPOT, *self.WOBBLE, *self.FILM, "-o", "f%d.png", "--resume")
-        self.assertIn("1 of 3 frames were not made", run.err)
+        self.assertIn("1 of 3 frames came from another scene", run.err)
         self.assertIn("wrote 3 frames", run.err)
 
     def test_others_can_read_it(self):

@@ -134,7 +134,7 @@ class Resume(Film):
                 self.succeed("render", *MODEL, *MOTION, "--size", "23x16", "--time", 0, "-o", names[4])
                 marks = [(self.folder / names[i]).stat().st_mtime_ns for i in (0, 5)]
                 run = self.succeed(*arguments, "--resume")
-                self.assertIn("2 of 6 frames were there already", run.err)
+                self.assertIn("2 of 6 frames existed already", run.err)
                 self.assertIn("wrote 4 frames", run.err)
                 self.assertEqual([self.bytes_of(name) for name in names], before)
                 self.assertEqual([(self.folder / names[i]).stat().st_mtime_ns for i in (0, 5)], marks)
@@ -143,7 +143,7 @@ class Resume(Film):
         arguments = ("render", *MOVING, "--frames", "0:1", "-o", "f%d.png", "--resume")
         self.assertNotIn("already", self.succeed(*arguments).err)
         run = self.succeed(*arguments, "--json")
-        self.assertIn("2 of 2 frames were there already", run.err)
+        self.assertIn("2 of 2 frames existed already", run.err)
         self.assertNotIn("wrote", run.err)
         self.assertEqual((run.json()["frame_ms"], run.json()["outputs"]), (None, ["f0.png", "f1.png"]))
 

@@ -72,7 +72,7 @@ TEST(PngReader, NamesWhatItCannotRead) {
     return messageOf([&] { readPng(folder / "a.png"); });
   };
   EXPECT_THAT(message(""), HasSubstr("a.png: it is empty"));
-  EXPECT_THAT(message("GIF89a, really, and more of it than a header"), HasSubstr("no PNG"));
+  EXPECT_THAT(message("GIF89a, really, and more of it than a header"), HasSubstr("not a PNG"));
   EXPECT_THAT(messageOf([&] { readPng(folder / "none.png"); }), HasSubstr("none.png"));
 }
 

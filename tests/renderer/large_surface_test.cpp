@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bssrdf/fresnel.h"
+#include "bssrdf/media.h"
 #include "bssrdf/profile.h"
 #include "renderer/renderer_fixture.h"
 #include "renderer/shapes.h"
@@ -156,6 +157,35 @@ TEST_F(LargeSurfaceTest, AFineBodyDoesNotDecideForTheFloorUnderIt) {
   const Image chosen = render(optionsAt(Site::Auto, 4096), {Aov::Exitance})[0];
   const Image fragment = render(optionsAt(Site::Fragment, 4096), {Aov::Exitance})[0];
   EXPECT_TRUE(chosen.rgba == fragment.rgba);
+}
+
+// What crosses a plate that is 20 times as wide as thick is the same everywhere in its middle, also
+// where clusters are two mean free paths apart and larger than shape and medium ask for.
+TEST_F(LargeSurfaceTest, APlateLitFromBehindIsEven) {
+  Scene scene =
+      sceneOf(box({0, 0, 0}, {88, 88, 4}, 1), *bssrdf::findMedium("chicken1"), {0, 0, 300}, 44);
+  scene.lighting.directional = {{{0, 0, -1}, {3, 3, 3}}};
+  RenderOptions options = optionsAt(Site::Fragment, 65'536);
+  options.transport = Transport::Boundary;
+  options.width = options.height = 128;
+  options.maxClusters = 2048;
+  const std::vector<Image> images = render(scene, options, {Aov::Exitance, Aov::Position});
+  for (std::size_t c = 0; c < 2; ++c) {  // of blue too little crosses
+    double sum = 0;
+    double squares = 0;
+    int seen = 0;
+    forEachCovered(images[0], [&](std::size_t i) {
+      const std::vector<float>& place = images[1].rgba;
+      if (std::max(std::abs(place[i]), std::abs(place[i + 1])) > 44) return;
+      const auto value = static_cast<double>(images[0].rgba[i + c]);
+      sum += value;
+      squares += value * value;
+      ++seen;
+    });
+    ASSERT_GT(seen, 1000);
+    const double mean = sum / seen;
+    EXPECT_LT(std::sqrt(squares / seen - mean * mean) / mean, 0.05) << c;
+  }
 }
 
 }  // namespace

@@ -191,7 +191,7 @@ bool CommandLine::parse(const std::vector<std::string>& arguments) {
                                    fmt::join(positionalNames_, " and "), name));
     }
     if (given.size() > 1 && !entry.repeatable) {
-      throw UsageError(fmt::format("{} is given {} times, with {} and {}; once is meant", name,
+      throw UsageError(fmt::format("{} is given {} times, with {} and {}; give it once", name,
                                    given.size(), given[0], given[1]));
     }
     for (const std::string& text : given) entry.take({name, text});

@@ -18,7 +18,7 @@ std::string optionOf(std::string_view key);
 /// "X", "N", "NAME", "R,G,B", "WxH".
 std::string placeholderOf(const options::Value& like);
 
-/// "samples around the middle one, 0 to 15 [4]".
+/// "rings around the middle sample, 0 to 15 [4]".
 std::string helpOf(std::string_view help, const options::Allowed& allowed,
                    const options::Value& like, const std::string& standard);
 

@@ -47,7 +47,7 @@ struct InfoCommand {
     line.section("Scene");
     scene.addTo(line);
     line.section("Options");
-    line.value("--atlas", "FILE.png", "make the equiareal atlas, say how it came out, draw it",
+    line.value("--atlas", "FILE.png", "make, measure and draw the paper's atlas",
                [this](const Given& given) { atlas = readOutput(given, {".png"}); });
     line.outputFlags("one JSON object on standard output", json, quiet);
   }
@@ -204,7 +204,7 @@ std::string sceneText(const Scene& scene, const Json& facts) {
   }
   text += motionText(scene);
   for (const Repair& repair : scene.repairs) {
-    text += fmt::format("mended: {} {}\n", repair.count, repair.what);
+    text += fmt::format("repaired: {} {}\n", repair.count, repair.what);
   }
   if (!scene.notShown.empty()) {
     text += fmt::format("not shown: {}\n", scene::textOf(scene.notShown));
@@ -235,8 +235,8 @@ std::string restText(const Json& facts) {
 
 void runInfo(const Arguments& arguments) {
   CommandLine line("info",
-                   "Says what is in a scene and how large beside its medium's mean free path, what "
-                   "was mended in it, and which devices there are.");
+                   "Shows the contents of a scene, its size beside its medium's mean free path, "
+                   "its repairs, and the devices.");
   InfoCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;

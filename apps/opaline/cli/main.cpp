@@ -25,15 +25,14 @@ struct Command {
 constexpr std::array commands{
     Command{"render", "a still as PNG or EXR, or a film; needs no window", runRender},
 #ifdef OPALINE_WITH_VIEWER
-    Command{"view", "a window on a scene: light, medium, motion, method by hand", runView},
+    Command{"view", "a window to change light, medium, motion and method", runView},
 #endif
     Command{"compare", "error figures between two images, and a heat map", runCompare},
-    Command{"reference", "the same still on the CPU, exactly: what render is judged by",
-            runReference},
-    Command{"bench", "times of this machine's device beside those of the paper", runBench},
-    Command{"info", "what is in a scene, what was mended, its atlas, the devices", runInfo},
-    Command{"media", "the media and what follows from their coefficients", runMedia},
-    Command{"profile", "diffuse reflectance of a medium over the radius", runProfile},
+    Command{"reference", "the same still on the CPU, exactly, to judge render", runReference},
+    Command{"bench", "times, errors and scaling on this machine's device", runBench},
+    Command{"info", "contents of a scene, its repairs and atlas; the devices", runInfo},
+    Command{"media", "the media, their coefficients and reflectances", runMedia},
+    Command{"profile", "diffuse reflectance of a medium by distance", runProfile},
 };
 
 std::string helpText() {

@@ -83,8 +83,8 @@ void runMedia(const Arguments& arguments) {
   CommandLine line("media",
                    "Lists all media: reduced scattering s' and absorption a, mean free path z_r = "
                    "1/(s'+a), diffusion length 1/sigma_tr, and total diffuse reflectance of a "
-                   "half-space beside the published one. That of boundary transport, which "
-                   "follows the body's own shape, is better-dipole. In [] is the default.");
+                   "half-space beside the published one. For boundary transport, which depends on "
+                   "the body's shape, it is that of better-dipole. In [] is the default.");
   HalfSpaceOption halfSpace;
   bool quiet = false;
   bool asJson = false;

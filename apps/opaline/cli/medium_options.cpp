@@ -27,7 +27,7 @@ Medium namedMedium(const Given& given) {
 }  // namespace
 
 void MediumOptions::addTo(CommandLine& line) {
-  line.value("--medium", "NAME", "one that opaline media lists",
+  line.value("--medium", "NAME", "a name that opaline media lists",
              [this](const Given& given) { named_ = namedMedium(given); });
   addField(line, options::fieldOf<Medium>("sigma_s_per_mm"), chosen_, "--sigma-s",
            "reduced scattering and absorption, 1/mm");

@@ -118,7 +118,7 @@ void MotionOptions::addTo(CommandLine& line, bool films) {
       framesPerSecond_ = readNumber(given, {1, 1000});
     });
   }
-  line.value("--clip", "NAME", "as opaline info lists them, or none [the first]",
+  line.value("--clip", "NAME", "name from opaline info, or none [the first]",
              [this](const Given& given) { clip_ = given.text; });
   line.repeated("--deform", "KIND:X[:PERIOD]", "twist or bend (radians), squash, wobble; seconds",
                 [this](const Given& given) { deformers_.push_back(readDeformer(given)); });

@@ -31,7 +31,7 @@ void requireNoInput(const std::vector<Output>& outputs,
 
 std::string nameText(const std::filesystem::path& file, const std::filesystem::path& wanted) {
   if (file == wanted) return file.string();
-  return fmt::format("{}, as {} is there already", file.string(), wanted.string());
+  return fmt::format("{}, because {} exists", file.string(), wanted.string());
 }
 
 std::filesystem::path readOutput(const Given& given, const std::vector<std::string>& extensions) {

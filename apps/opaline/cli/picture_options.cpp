@@ -78,8 +78,8 @@ void MethodOptions::addTo(CommandLine& line) {
     paper_ = readChoice<bool>(given, {{"paper", true}});
   });
   addFields<options::PictureSettings>(line, shapes, chosen_);
-  addPair(line, {"near_spacing", "far_distance"}, {"mean free paths", "of far ones"}, chosen_);
-  addPair(line, {"dsm_size", "shadow_size"}, {"texels of the map", "of shadows"}, chosen_);
+  addPair(line, {"near_spacing", "far_distance"}, {"mean free paths", "of far samples"}, chosen_);
+  addPair(line, {"dsm_size", "shadow_size"}, {"texels of the map", "of shadow maps"}, chosen_);
 }
 
 void MethodOptions::applyTo(RenderOptions& options,
@@ -102,7 +102,7 @@ void MethodOptions::applyTo(RenderOptions& options,
         "--near-rings, --near-spacing and --far-distance shape the pattern and need --sum pattern");
   }
   if (options.sum != Sum::Tree && chosen.has("tolerance")) {
-    throw UsageError("--tolerance is what the tree may be off and needs --sum tree");
+    throw UsageError("--tolerance is the allowed error of the tree and needs --sum tree");
   }
   if (options.sum == Sum::Pattern && chosen.has("max_surfels")) {
     throw UsageError("--max-surfels limits surfels and needs --sum tree or --sum all");
@@ -118,8 +118,7 @@ void MethodOptions::applyTo(RenderOptions& options,
 
 void MethodOptions::requireUse(const RenderOptions& options, Aov aov) const {
   if (aov == Aov::Surfels && options.sum == Sum::Pattern) {
-    throw UsageError(
-        "--aov surfels shows what --sum tree and --sum all sum over; the pattern has none");
+    throw UsageError("--aov surfels needs --sum tree or --sum all; the pattern has no surfels");
   }
   if (!chosen_.has("dsm_size") || options.sum == Sum::Pattern || showsMap(aov)) return;
   throw UsageError(
@@ -184,7 +183,7 @@ void PictureOptions::takeAov(const Given& given) {
 void PictureOptions::applyTo(RenderOptions& options) const {
   const bool picture = aov() == Aov::Radiance;
   if (aov_ && !isExr()) {
-    throw UsageError("--aov writes figures, not colours: the name after -o must end in .exr");
+    throw UsageError("--aov writes values, not colours: the name after -o must end in .exr");
   }
   if (isExr() && look_.asksForTone()) {
     throw UsageError(
@@ -203,15 +202,14 @@ void PictureOptions::applyTo(RenderOptions& options) const {
 std::optional<std::string> PictureOptions::noteOnExposure(const scene::SceneFileSettings& settings,
                                                           const core::ToneOptions& tone) const {
   if (isExr() || !look_.exposesByLight(settings) || tone.exposureStops == 0) return std::nullopt;
-  return fmt::format(
-      "the light asks for an exposure of {:+} stops; --exposure 0 leaves it as it is",
-      tone.exposureStops);
+  return fmt::format("exposed by {:+} stops to suit the light; --exposure 0 turns this off",
+                     tone.exposureStops);
 }
 
 void PictureOptions::requireNameOfStill() const {
   if (file_ && FrameNames::parse(file_->string())) {
-    throw UsageError(fmt::format(
-        "-o {}: only one still is made, whose name has no number to fill in", file_->string()));
+    throw UsageError(
+        fmt::format("-o {}: a single still needs a name without a number", file_->string()));
   }
 }
 
@@ -228,20 +226,20 @@ void PictureOptions::requireNameFor(bool frames, bool resume) const {
                                  film ? "is a film" : "stands for many files"));
   }
   if (!frames && resume) {
-    throw UsageError("--resume goes on with a row of pictures and needs --frames A:B");
+    throw UsageError("--resume continues numbered pictures and needs --frames A:B");
   }
   if (resume && !file_) {
     throw UsageError(
-        "--resume goes on with a row of pictures and needs its name: -o frame_%04d.png");
+        "--resume continues numbered pictures and needs their name: -o frame_%04d.png");
   }
   if (film && resume) {
     throw UsageError(
-        "--resume goes on with a row of pictures, -o frame_%04d.png; a film is made in one go");
+        "--resume continues numbered pictures, -o frame_%04d.png; a film is made in one go");
   }
   if (frames && file_ && !film && !numbered) {
     throw UsageError(
-        fmt::format("-o {}: --frames makes many files, whose name needs one %d or %04d for the "
-                    "number, as frame_%04d.png, or a film, .mp4",
+        fmt::format("-o {}: --frames makes many files and needs a name with one %d or %04d, as "
+                    "frame_%04d.png, or a film, .mp4",
                     name));
   }
 }

@@ -59,7 +59,7 @@ void SceneOptions::addTo(CommandLine& line) {
                    readNumber(given, options::fieldOf<LoadOptions>("diagonal_mm").allowed.range));
              });
   medium_.addTo(line);
-  line.value("--morph-to", "FILE", "mesh that it turns into: clip \"morph\"",
+  line.value("--morph-to", "FILE", "mesh that SCENE turns into: clip \"morph\"",
              [this](const Given& given) { morphTo_ = given.text; });
 }
 
@@ -104,7 +104,7 @@ scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
 
 void LightOptions::addTo(CommandLine& line) {
   line.repeated(
-      "--directional", "DIR[:RGB]", "X,Y,Z towards it; irradiance R,G,B [1,1,1]",
+      "--directional", "DIR[:RGB]", "X,Y,Z towards the light; irradiance R,G,B [1,1,1]",
       [this](const Given& given) {
         const PlacedColour light =
             readPlacedColour(given, options::fieldOf<DirectionalLight>("irradiance").allowed.range);

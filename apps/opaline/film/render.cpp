@@ -48,14 +48,14 @@ struct RenderCommand {
   void addTo(CommandLine& line) {
     line.section("Scene");
     scene.addTo(line);
-    line.section("Light; the first of these replaces all the scene has");
+    line.section("Light; any of these replaces all lights of the scene");
     lights.addTo(line);
     line.section("Picture");
     camera.addTo(line);
     picture.addTo(line, {});
     line.section("Motion");
     motion.addTo(line);
-    line.flag("--resume", "leave out frames that are there and the same", resume);
+    line.flag("--resume", "skip frames that exist and are the same", resume);
     line.section("Method");
     method.addTo(line);
     line.section("Run");
@@ -214,13 +214,12 @@ Done makeFrames(const RenderCommand& command, const RenderJob& job, const FrameR
   const FilmOrder order = filmOrder(command, job, frames);
   const FramesThere there = countThere(order);
   if (there.kept > 0) {
-    log(LogLevel::Note,
-        fmt::format("{} of {} frames were there already", there.kept, frames.count()));
+    log(LogLevel::Note, fmt::format("{} of {} frames existed already", there.kept, frames.count()));
   }
   if (there.otherwiseMade > 0) {
-    log(LogLevel::Note, fmt::format("{} of {} frames were not made by this scene and these options "
-                                    "and are made anew",
-                                    there.otherwiseMade, frames.count()));
+    log(LogLevel::Note,
+        fmt::format("{} of {} frames came from another scene or other options and are made again",
+                    there.otherwiseMade, frames.count()));
   }
   Done done = there.kept < frames.count() ? renderMissing(command, job, order, log)
                                           : Done{emptyReportJson(job, outputsOf(order))};

@@ -56,13 +56,13 @@ struct BenchCommand {
     line.section("methods: every way to render a scene, 3 frames each; takes minutes");
     line.value("--truth", "FILE.exr", "exitance by reference --path, in the same view",
                [this](const Given& given) { truth = given.text; });
-    line.value("--seconds", "S", "to trace the truth without it, 0: no truth [30]",
+    line.value("--seconds", "S", "to trace a truth if no file is given; 0: none [30]",
                [this](const Given& given) {
                  seconds = readNumber(given, {0, 1e7, "s"});
                });
-    line.value("--every", "N", "of the integral's pixels, with --seconds 0 [1]",
+    line.value("--every", "N", "integrate every N-th pixel, needs --seconds 0 [1]",
                [this](const Given& given) { every = readInteger(given, 1, 64); });
-    line.flag("--all", "the sum over every surfel too; slow without a GPU", all);
+    line.flag("--all", "also the sum over every surfel; slow without a GPU", all);
     line.section("scaling: the tree's cost by surfels, sigma_tr and tolerance, 5 frames each");
     line.value("--max-surfels", "N", "largest budget, 16384 to 4194304 [1048576]",
                [this](const Given& given) { maxSurfels = readInteger(given, 1 << 14, 1 << 22); });
@@ -72,10 +72,10 @@ struct BenchCommand {
     camera.addTo(line);
     line.value("--size", "N", "edge in pixels, 8 to 2048 [methods: 256, scaling: 512]",
                [this](const Given& given) { edge = readInteger(given, 8, 2048); });
-    line.value("--plot", "FILE.svg", "draw errors against times, or times against hardness",
+    line.value("--plot", "FILE.svg", "plot the error over time, or time over difficulty",
                [this](const Given& given) { plot = readOutput(given, {".svg"}); });
     line.section("Run");
-    line.value("--frames", "N", "of each measurement, 1 to 1000",
+    line.value("--frames", "N", "frames of each measurement, 1 to 1000",
                [this](const Given& given) { frames = readInteger(given, 1, 1000); });
     line.value("--device", "NAME|INDEX", "as opaline info lists them [the best]",
                [this](const Given& given) { device = given.text; });
@@ -98,7 +98,7 @@ struct BenchCommand {
     if (truth && seconds) throw UsageError("--truth and --seconds exclude each other");
     if (every.value_or(1) != 1 && seconds != 0.0)
       throw UsageError(
-          "--every leaves out pixels that blocks against the truth need; it goes with --seconds 0");
+          "--every skips pixels that the comparison with the truth needs; use it with --seconds 0");
     if (*suite != Suite::Scaling && maxSurfels)
       throw UsageError("--max-surfels belongs to bench scaling");
     if (*suite == Suite::Table1 && (edge || plot))
@@ -177,7 +177,7 @@ struct BenchCommand {
 
 void runBench(const Arguments& arguments) {
   CommandLine line("bench",
-                   "Measures this machine's device: every frame is gathered and scattered anew. In "
+                   "Measures this machine's device; every frame is computed anew. In "
                    "[] is the default.");
   BenchCommand command;
   command.addTo(line);

@@ -40,14 +40,14 @@ struct CompareCommand {
 
   void addTo(CommandLine& line) {
     line.requiredPositional("A", "EXR, HDR or PNG", [this](const Given& given) { a = given.text; });
-    line.requiredPositional("B", "of the same size; what A is held against",
+    line.requiredPositional("B", "an image of the same size, to compare A with",
                             [this](const Given& given) { b = given.text; });
     line.section("Figures, over the pixels that both cover (alpha above 0)");
-    line.value("--mask", "FILE", "also inside, where it is above 0.5, and outside",
+    line.value("--mask", "FILE", "also inside it (above 0.5) and outside",
                [this](const Given& given) { mask = given.text; });
-    line.value("--block", "N", "also over the means of NxN blocks, 1 to 16384",
+    line.value("--block", "N", "also for the means of NxN blocks, 1 to 16384",
                [this](const Given& given) { block = readInteger(given, 1, 16384); });
-    line.value("--peak", "X", "of psnr_db [largest value of B; 1 for PNG]",
+    line.value("--peak", "X", "peak of psnr_db [largest value of B; 1 for PNG]",
                [this](const Given& given) {
                  peak = readNumber(given, {0, 1e9, "", true});
                });
@@ -71,7 +71,7 @@ struct CompareCommand {
     line.section("Output");
     line.value("--heatmap", "FILE.png", "draw |A - B| / mean of B, of pixels or blocks",
                [this](const Given& given) { heatmap = readOutput(given, {".png"}); });
-    line.value("--heatmap-max", "X", "its last color, 0.1 is 10 % [99 % are below]",
+    line.value("--heatmap-max", "X", "its last color, 0.1 is 10 % [above 99 % of pixels]",
                [this](const Given& given) {
                  heatmapTop = readNumber(given, {1e-6, 1e6});
                });
@@ -157,9 +157,10 @@ CompareReport measure(const CompareCommand& command) {
 }  // namespace
 
 void runCompare(const Arguments& arguments) {
-  CommandLine line("compare",
-                   "Says how far image A is from image B: root mean square error, 95th percentile, "
-                   "maximum, PSNR and FLIP, for each channel and in all. In [] is the default.");
+  CommandLine line(
+      "compare",
+      "Measures how image A differs from image B: root mean square error, 95th percentile, "
+      "maximum, PSNR and FLIP, for each channel and in all. In [] is the default.");
   CompareCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;

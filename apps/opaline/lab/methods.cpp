@@ -118,8 +118,8 @@ std::optional<Image> truthFor(const MethodsOrder& order, const rf::Geometry& geo
   if (order.truth || order.truthSeconds <= 0) return order.truth;
   if (hasInside(order.scene)) return traceTruth(order, geometry, methods);
   order.log(LogLevel::Note,
-            "an object is open and has no inside to follow light through, so nothing is held "
-            "against the truth");
+            "an object is open and has no inside to follow light through, so there is no "
+            "comparison with the truth");
   return std::nullopt;
 }
 
@@ -134,8 +134,8 @@ void requireSameView(const Image& truth, const Image& exact) {
   }
   if (covered == 0 || beside > covered / 100) {
     throw UsageError(
-        "--truth does not show this scene as it is seen here: render it by reference --path with "
-        "the same scene and camera");
+        "--truth shows another picture: render it by reference --path with the same scene and "
+        "camera");
   }
 }
 

@@ -39,33 +39,34 @@ void PathMethod::addTo(CommandLine& line) {
       any_ = true;
     });
   };
-  line.flag("--path", "volumetric transport, followed from the lights", wanted_);
-  value("--samples", "N", "particles of each channel at most", [this](const Given& given) {
-    const double particles = readNumber(given, {1, 1e15});
-    if (particles != std::floor(particles))
-      throw UsageError(fmt::format("--samples {}: must be a whole number", given.text));
-    limits_.particles = static_cast<std::uint64_t>(particles);
-  });
-  value("--seconds", "S", "that it may take", [this](const Given& given) {
+  line.flag("--path", "light followed through the bodies, path tracing", wanted_);
+  value("--samples", "N", "largest number of particles of each channel",
+        [this](const Given& given) {
+          const double particles = readNumber(given, {1, 1e15});
+          if (particles != std::floor(particles))
+            throw UsageError(fmt::format("--samples {}: must be a whole number", given.text));
+          limits_.particles = static_cast<std::uint64_t>(particles);
+        });
+  value("--seconds", "S", "longest time of the run", [this](const Given& given) {
     limits_.seconds = readNumber(given, {0.01, 1e7, "s"});
   });
-  value("--error", "X", "until 8x8 blocks are that exact, rms [0.02]", [this](const Given& given) {
+  value("--error", "X", "ends at this rms error of 8x8 blocks [0.02]", [this](const Given& given) {
     limits_.error = readNumber(given, {1e-5, 1});
   });
-  value("--bounces", "N", "of light that left a body and meets one [1000]",
+  value("--bounces", "N", "how often light may enter again [1000]",
         [this](const Given& given) { options_.bounces = readInteger(given, 0, 1000000); });
   value("--anisotropy", "G", "of Henyey and Greenstein, -0.99 to 0.99 [0]",
         [this](const Given& given) {
           options_.anisotropy = readNumber(given, {-0.99, 0.99});
         });
-  value("--cell-mm", "X", "edge of what light is counted on [by medium]",
+  value("--cell-mm", "X", "edge of the cells that count light [by medium]",
         [this](const Given& given) {
           options_.cellMm = readNumber(given, {1e-4, 1e6, "mm"});
         });
   value("--seed", "N", "of the random numbers [1]", [this](const Given& given) {
     options_.seed = static_cast<std::uint64_t>(readInteger(given, 0, 1'000'000'000));
   });
-  value("--checkpoint", "FILE", "kept while it runs; a later run goes on from it",
+  value("--checkpoint", "FILE", "state of the run; a later run continues from it",
         [this](const Given& given) { checkpoint_ = given.text; });
 }
 
@@ -80,7 +81,7 @@ void PathMethod::check(const std::filesystem::path& output,
     return checkpoint_ && checkpoint_->lexically_normal() == file.lexically_normal();
   };
   if (isCheckpoint(output) || (report && isCheckpoint(*report))) {
-    throw UsageError(fmt::format("--checkpoint {}: the {} would take its place; name another file",
+    throw UsageError(fmt::format("--checkpoint {}: the {} would overwrite it; name another file",
                                  checkpoint_->string(),
                                  isCheckpoint(output) ? "picture" : "report"));
   }

@@ -49,7 +49,7 @@ struct ProfileCommand {
                [this](const Given& given) {
                  mostRadiusMm = readNumber(given, {0, 1e6, "mm", true});
                });
-    line.value("--plot", "FILE.svg", "draw it, logarithmically",
+    line.value("--plot", "FILE.svg", "plot it, logarithmically",
                [this](const Given& given) { plot = readOutput(given, {".svg"}); });
     line.outputFlags("one JSON object on standard output", json, quiet);
   }
@@ -104,8 +104,8 @@ void runProfile(const Arguments& arguments) {
   CommandLine line(
       "profile",
       "Prints the diffuse reflectance R_d(r) of a half-space, per mm^2: light that "
-      "leaves at distance r for light that enters in one point, and its integral. That "
-      "of boundary transport, which follows the body's own shape, is better-dipole. "
+      "leaves at distance r for light that enters in one point, and its integral. For boundary "
+      "transport, which depends on the body's shape, it is that of better-dipole. "
       "In [] is the default.");
   ProfileCommand command;
   command.addTo(line);

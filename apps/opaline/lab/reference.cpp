@@ -76,7 +76,7 @@ struct ReferenceCommand {
   void addTo(CommandLine& line) {
     line.section("Scene");
     scene.addTo(line);
-    line.section("Light; the first of these replaces all the scene has");
+    line.section("Light; any of these replaces all lights of the scene");
     lights.addTo(line);
     line.section("Picture");
     camera.addTo(line);
@@ -92,7 +92,7 @@ struct ReferenceCommand {
     line.value(
         "--transport", "NAME", "dipole or better-dipole [dipole]",
         [this](const Given& given) { transport = readChoice(given, halfSpaceTransports()); });
-    line.value("--tolerance", "X", "of the integral, relative, 1e-7 to 0.5 [0.001]",
+    line.value("--tolerance", "X", "relative error allowed, 1e-7 to 0.5 [0.001]",
                [this](const Given& given) {
                  tolerance = readNumber(given, {1e-7, 0.5});
                });
@@ -117,8 +117,7 @@ struct ReferenceCommand {
       throw UsageError("--aov dsm-*: the reference has no diffusion source map; render shows it");
     }
     if (picture.aov() == Aov::Evaluations) {
-      throw UsageError(
-          "--aov evaluations: that is the work of the sums of render; the reference has none");
+      throw UsageError("--aov evaluations: counts the work of render; the reference has none");
     }
     if (picture.aov() == Aov::Surfels) {
       throw UsageError("--aov surfels: the reference works without surfels; render shows them");

@@ -107,7 +107,7 @@ std::vector<ScalingRow> measureDiffusion(const ScalingOrder& order) {
     const LogCallback log = ways.empty() ? order.log : LogCallback{};  // notes once
     ways.push_back(makeWay(order, divisor, scene, rendererFor(order, scene, log)));
   }
-  measureInTurns(ways, order, "measuring longer ways of light");
+  measureInTurns(ways, order, "measuring longer paths of light");
   return rowsOf(ways);
 }
 

@@ -97,14 +97,15 @@ std::string toReadable(const Scaling& scaling) {
       "{0}, tree at fragments, {1}x{1} on {2} ({3})\n"
       "Times are multiples of the first row's sum in the same table; evaluations are of a pixel.\n",
       scaling.scene, scaling.edgePixels, scaling.device.name, scaling.device.type);
-  text += fmt::format("\nMore surfels, coefficients times {:.3g} so that every budget binds\n",
-                      scaling.denserBy);
+  text +=
+      fmt::format("\nMore surfels, coefficients times {:.3g} so that every budget is too small\n",
+                  scaling.denserBy);
   text += head("budget", "per doubling");
   for (std::size_t i = 0; i < scaling.budgets.size(); ++i) {
     const auto growth = growthPerDoubling(scaling.budgets, i);
     text += line(scaling.budgets, i, growth ? fmt::format("{:+.1f} %", 100 * *growth) : "-");
   }
-  text += "\nLight that goes further, by less absorption\n" + head("sigma_tr /", "at most");
+  text += "\nLight that travels further, by less absorption\n" + head("sigma_tr /", "at most");
   for (std::size_t i = 0; i < scaling.diffusion.size(); ++i)
     text +=
         line(scaling.diffusion, i,

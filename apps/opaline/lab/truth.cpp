@@ -38,10 +38,9 @@ void warnOfLostLight(const rf::PathTracer& tracer, const LogCallback& log) {
   constexpr double most = 1e-3;
   const double lost = std::max({tracer.lostShare(0), tracer.lostShare(1), tracer.lostShare(2)});
   if (lost <= most) return;
-  log(LogLevel::Warning,
-      fmt::format("{:.2g} % of the light slipped through gaps of the surface and was lost; what "
-                  "--path finds holds for closed bodies only",
-                  100 * lost));
+  log(LogLevel::Warning, fmt::format("{:.2g} % of the light slipped through gaps of the surface "
+                                     "and was lost; --path is correct for closed bodies only",
+                                     100 * lost));
 }
 
 rf::PathLimits orUsual(const rf::PathLimits& limits) {

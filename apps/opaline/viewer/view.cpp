@@ -40,7 +40,7 @@ struct ViewCommand {
   void addTo(CommandLine& line) {
     line.section("Scene");
     scene.addTo(line);
-    line.section("Light; the first of these replaces all the scene has");
+    line.section("Light; any of these replaces all lights of the scene");
     lights.addTo(line);
     line.section("Picture");
     camera.addTo(line);
@@ -55,8 +55,8 @@ struct ViewCommand {
     method.addTo(line);
     line.section("Run");
     device.addTo(line);
-    line.outputFlags("what the last picture was, at the end", json, quiet);
-    line.value("--controls", "FILE.json", "keep there where each control stands, to drive it",
+    line.outputFlags("report of the last picture, at the end", json, quiet);
+    line.value("--controls", "FILE.json", "writes where each control is, to drive the window",
                [this](const Given& given) { controls = readOutput(given, {".json"}); });
   }
 

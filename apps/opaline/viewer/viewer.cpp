@@ -103,7 +103,7 @@ bool Viewer::leaves() {
   window_.stay();
   files_.close();
   stayAwake();
-  question_.ask({fmt::format("{} Leave all the same?", *lost), "stop and leave", "go on"}, [this] {
+  question_.ask({fmt::format("{} Leave anyway?", *lost), "stop and leave", "go on"}, [this] {
     mayLeave_ = true;
     window_.close();
   });

@@ -22,7 +22,7 @@ void Viewer::openFile(const std::filesystem::path& file) {
   };
   const std::optional<std::string> lost = workUnderWay(saver_, truth_);
   if (!lost) return begin();
-  question_.ask({fmt::format("{} Open {} all the same?", *lost, shownName(file.filename())),
+  question_.ask({fmt::format("{} Open {} anyway?", *lost, shownName(file.filename())),
                  "stop and open", "go on"},
                 begin);
 }
@@ -51,7 +51,7 @@ void Viewer::takeFile(FileAnswer answer) {
   if (answer.use == FileUse::OpenEnvironment) return light(answer.file);
   std::error_code error;
   if (!answer.mayReplace && std::filesystem::exists(answer.file, error)) {
-    std::string text = fmt::format("{} is there already. Replace it?", shownName(answer.file));
+    std::string text = fmt::format("{} already exists. Replace it?", shownName(answer.file));
     answer.mayReplace = true;
     question_.ask({std::move(text), "replace", "keep"}, [this, answer] { takeFile(answer); });
     return;
@@ -114,7 +114,7 @@ void Viewer::save() {
   const bool ofPicture = session_.wanted == Save::Picture || session_.wanted == Save::Exr ||
                          session_.wanted == Save::Film;
   if (saver_.filming() && ofPicture) {
-    say("a film is under way: no other picture can be saved before its end", true);
+    say("a film is being made: no other picture can be saved before its end", true);
     session_.wanted = Save::Nothing;
   }
   if (session_.wanted != Save::Nothing && (stage_.isBusy() || !announce())) return;

@@ -156,7 +156,7 @@ tinygltf::Model readGltf(const Input& input) {
     throw;
   } catch (const std::exception& exception) {
     // A value of another type than the library expects.
-    failGltf(input, fmt::format("its JSON is no glTF: {}", firstComplaint(exception.what())));
+    failGltf(input, fmt::format("its JSON is not glTF: {}", firstComplaint(exception.what())));
   }
   if (!access.refusal.empty()) failGltf(input, access.refusal);
   const std::string complaint = firstComplaint(error);
@@ -169,7 +169,7 @@ tinygltf::Model readGltf(const Input& input) {
                "it is animated with KHR_animation_pointer, which is not supported: export it "
                "without");
     }
-    failGltf(input, fmt::format("it is no sound glTF: {}",
+    failGltf(input, fmt::format("it is not a valid glTF file: {}",
                                 complaint.empty() ? "unknown reason" : complaint));
   }
   if (!model.asset.version.starts_with("2.")) {

@@ -51,7 +51,7 @@ std::vector<int> numbersOf(const core::NumberedName& name, const fs::path& path)
 MeshFiles::MeshFiles(const fs::path& pattern, const std::optional<fs::path>& morphTo)
     : folder_(pattern.parent_path()) {
   if (morphTo) {
-    throw UsageError(fmt::format("{} moves by itself and cannot become {} as well", shown(pattern),
+    throw UsageError(fmt::format("{} is animated and cannot also turn into {}", shown(pattern),
                                  shown(*morphTo)));
   }
   auto name = core::NumberedName::parse(pattern.filename().string());

@@ -224,7 +224,7 @@ RawScene loadObj(const Input& input) {
   std::string error;
   tinyobj::LoadObjWithCallback(stream, callbacks(), &reader, nullptr, &warning, &error);
   if (!error.empty()) failObj(input, cleanText(error));
-  if (reader.positions.empty()) failObj(input, "it has no vertices, so it is no OBJ file");
+  if (reader.positions.empty()) failObj(input, "it has no vertices, so it is not an OBJ file");
   reader.checkRange();
 
   // Materials that are no medium all become marble: one object.

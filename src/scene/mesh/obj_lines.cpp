@@ -53,7 +53,8 @@ void checkNumbers(const Input& input, std::string_view line, std::size_t number)
   for (int i = 0; i < 3; ++i) {
     const std::string_view word = nextWord(line);
     if (!isNumber(word)) {
-      failObj(input, fmt::format("line {}: '{}' is no finite number", number, cleanText(word, 40)));
+      failObj(input,
+              fmt::format("line {}: '{}' is not a finite number", number, cleanText(word, 40)));
     }
   }
 }
@@ -88,7 +89,7 @@ void checkCorners(const Input& input, std::string_view line, std::size_t number)
     if (word.starts_with('#')) return;
     if (!isCorner(word)) {
       failObj(input,
-              fmt::format("line {}: '{}' is no corner of a face", number, cleanText(word, 40)));
+              fmt::format("line {}: '{}' is not a corner of a face", number, cleanText(word, 40)));
     }
   }
 }
@@ -129,7 +130,7 @@ std::optional<std::string> joinedLines(std::string_view text) {
 
 ObjExtras requireSoundLines(const Input& input, std::string_view text) {
   if (text.find('\0') != std::string_view::npos) {
-    failObj(input, "it contains zero bytes, so it is no OBJ file");
+    failObj(input, "it contains zero bytes, so it is not an OBJ file");
   }
   ObjExtras extras;
   std::string_view file = textOf(input);

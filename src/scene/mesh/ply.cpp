@@ -129,7 +129,7 @@ Header parseHeader(const Input& input) {
     // Line ends are \n, \r\n or, in files from old Macintoshes, \r.
     const std::size_t end = text.find_first_of("\r\n", at);
     if (end == std::string_view::npos) {
-      fail(input, lineNumber == 0 ? "this is no PLY file" : "the PLY header has no end");
+      fail(input, lineNumber == 0 ? "this is not a PLY file" : "the PLY header has no end");
     }
     const std::vector<std::string_view> line = words(text.substr(at, end - at));
     at = end + 1;
@@ -137,7 +137,7 @@ Header parseHeader(const Input& input) {
     if (lineNumber == 0) pairs = text.substr(end).starts_with("\r\n");
     if (pairs && text.substr(end).starts_with("\r\n")) ++at;
     if (lineNumber == 0) {
-      if (line.size() != 1 || line[0] != "ply") fail(input, "this is no PLY file");
+      if (line.size() != 1 || line[0] != "ply") fail(input, "this is not a PLY file");
       continue;
     }
     if (line.empty() || line[0] == "comment" || line[0] == "obj_info") continue;
@@ -229,7 +229,7 @@ class Body {
                  : INFINITY;
     }
     if (problem != std::errc{} || stop != word.data() + word.size()) {
-      fail(input_, fmt::format("'{}' in element '{}' is no number", cleanText(word, 40),
+      fail(input_, fmt::format("'{}' in element '{}' is not a number", cleanText(word, 40),
                                cleanText(element.name, 40)));
     }
     return value;

@@ -34,7 +34,7 @@ RawObject& onlyStillObject(RawScene& scene, const std::string& file, const std::
                             scene.objects.size()));
   }
   if (scene.objects[0].rig) {
-    throw Error(fmt::format("{}: {} needs a model that does not move by itself", file, use));
+    throw Error(fmt::format("{}: {} needs a model without animation", file, use));
   }
   return scene.objects[0];
 }

@@ -29,7 +29,7 @@ void TomlTable::requireKeys(std::span<const std::string_view> known,
   };
   for (const auto& [key, value] : table_) {
     if (holds(known, key.str()) || holds(hidden, key.str())) continue;
-    fail(key.str(), fmt::format("is no known key; the nearest is '{}'",
+    fail(key.str(), fmt::format("is not a known key; the nearest is '{}'",
                                 nearest(key.str(), known).value_or("")));
   }
 }
@@ -37,7 +37,7 @@ void TomlTable::requireKeys(std::span<const std::string_view> known,
 std::optional<std::string> TomlTable::text(std::string_view key) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_string()) fail(key, "must be a text in quotes");
+  if (!node->is_string()) fail(key, "must be text in quotes");
   return node->value<std::string>();
 }
 

@@ -76,8 +76,8 @@ std::string offset(float place, float centre, std::string_view what) {
 
 std::string text(std::string_view value, std::string_view what) {
   if (!isUtf8(value)) {
-    throw Error(fmt::format("{} '{}' is no UTF-8, which is all that a scene file can hold", what,
-                            cleanText(value)));
+    throw Error(
+        fmt::format("{} '{}' is not UTF-8, which a scene file must be", what, cleanText(value)));
   }
   const bool keepBrackets = bracketsMatch(value);
   std::string quoted = "\"";

@@ -61,7 +61,7 @@ void main() {
         float fills = isLeaf(link) ? coverageOfDisc(squared, spread.w) : 1.0;
         vec3 x = sigma * (squared * over);
         vec3 e = exp(-x) * over;
-        float away = smoothedDistance(squared, cluster.normal.w, isLeaf(link) ? sqrt(spread.w / pi) : 0.0);
+        float away = sqrt(squared + smoothingOf(cluster.normal.w, isLeaf(link) ? sqrt(spread.w / pi) : 0.0));
         vec3 single = exp(-sigma * away) / away;
         // An expansion about the middle, for places outside alone.
         vec3 second = 1.0 + (far ? sigma * sigma * (spread.y / 6.0) : vec3(0.0));

@@ -22,26 +22,26 @@ float leaving(float cosine) {
 }
 
 // Places near the surface are smoothed over the cluster, the cosine as well as the distance, and the
-// way is what the depth makes of that cosine: with z² + ρ²/4 for z² in both, all light from a depth z
-// that clusters of a plane receive is ½ ∫ e^{-σ_t'z/μ} (1 - F_in) dμ as it should be, however large
-// they are.
-float fromPlace(vec3 place, float extinction, float radius) {
+// way is what the depth makes of that cosine: with z² + s for z² in both, all light from a depth z
+// that clusters of a plane receive is ½ ∫ e^{-σ_t'z/μ} (1 - F_in) dμ as it should be, whatever the
+// smoothing s.
+float fromPlace(vec3 place, float extinction, float smoothing) {
   vec3 offset = its.centroidArea.xyz - place;
   float depth = dot(offset, its.normal.xyz);
-  float smoothing = 0.25 * radius * radius;
   float over = inversesqrt(dot(offset, offset) + smoothing);
   float cosine = (sqrt(depth * depth + smoothing) + min(depth, 0.0)) * over;
   if (cosine <= medium.albedo.w) return 0.0;
   return exp(-extinction * max(depth, 0.0) / cosine) * over * over * cosine * leaving(cosine);
 }
 
-// Of light that entered through a disc of that radius: not as of a point where that is far larger.
+// Of light that entered through a disc of that radius, over both discs: on the other side of a thin
+// part it lies just below clusters that are no nearer to each other.
 vec3 fromPlaces(BeamPoint point, float radiusMm) {
-  float radius = max(its.normal.w, 0.5 * radiusMm);
+  float smoothing = 0.5 * (its.normal.w * its.normal.w + radiusMm * radiusMm);
   vec3 extinction = medium.extinction.rgb;
-  return vec3(fromPlace(point.red.xyz, extinction.r, radius),
-              fromPlace(point.green.xyz, extinction.g, radius),
-              fromPlace(point.blue.xyz, extinction.b, radius));
+  return vec3(fromPlace(point.red.xyz, extinction.r, smoothing),
+              fromPlace(point.green.xyz, extinction.g, smoothing),
+              fromPlace(point.blue.xyz, extinction.b, smoothing));
 }
 
 vec3 fromNode(BeamNode node, vec3 squared) {

@@ -8,7 +8,7 @@
 
 // e^{-σr} / r of light that entered through a disc of that radius.
 vec3 kernel(vec3 squared, float radiusMm) {
-  vec3 away = smoothedDistance(squared, its.normal.w, radiusMm);
+  vec3 away = sqrt(squared + smoothingOf(its.normal.w, radiusMm));
   return exp(-medium.sigma.rgb * away) / away;
 }
 

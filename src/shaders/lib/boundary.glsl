@@ -26,14 +26,13 @@ float coverageOfDisc(float squaredMm2, float areaMm2) {
   return 2.0 * x2 / (root * (root + sqrt(x2)));
 }
 
-// From a cluster's middle to light of another, both with the radii of their discs: no cluster gives
-// more fluence than a disc in its own middle, however near a smaller one lies.
-float smoothedDistance(float squaredMm2, float radiusMm, float radiusOfOtherMm) {
-  return max(sqrt(squaredMm2 + 0.25 * radiusMm * radiusMm), 0.5 * radiusOfOtherMm);
-}
-
-vec3 smoothedDistance(vec3 squaredMm2, float radiusMm, float radiusOfOtherMm) {
-  return max(sqrt(squaredMm2 + 0.25 * radiusMm * radiusMm), vec3(0.5 * radiusOfOtherMm));
+// What is added to the square of the distance between two clusters for 1 over it to be a mean over
+// both, mm²: in the middle of a disc it is 2/ρ, and over a disc that lies on another of its size,
+// 16/3πρ.
+float smoothingOf(float radiusMm, float radiusOfOtherMm) {
+  float larger = max(radiusMm, radiusOfOtherMm);
+  float smaller = min(radiusMm, radiusOfOtherMm);
+  return 0.25 * larger * larger + 0.097 * smaller * smaller;
 }
 
 // Rays start that far from where they leave a cluster's surface, mm.

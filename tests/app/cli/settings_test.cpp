@@ -102,7 +102,7 @@ TEST(Settings, ExposureFollowsTheLightUnlessItIsSaid) {
   scene::SceneFileSettings settings;
   EXPECT_EQ(toneOf(settings, bright).exposureStops, -1);
   EXPECT_EQ(PictureOptions().noteOnExposure(settings, toneOf(settings, bright)),
-            "the light asks for an exposure of -1 stops; --exposure 0 leaves it as it is");
+            "exposed by -1 stops to suit the light; --exposure 0 turns this off");
   settings.picture.set(options::fieldOf<options::PictureSettings>("exposure"), 0.0F);
   EXPECT_EQ(toneOf(settings, bright).exposureStops, 0);
   EXPECT_EQ(PictureOptions().noteOnExposure(settings, toneOf(settings, bright)), std::nullopt);

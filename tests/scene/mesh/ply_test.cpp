@@ -201,7 +201,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST_F(Ply, BadContentsAreNamed) {
   EXPECT_THAT(errorOf(""), HasSubstr("empty"));
-  EXPECT_THAT(errorOf("plx\nformat ascii 1.0\n"), HasSubstr("no PLY"));
+  EXPECT_THAT(errorOf("plx\nformat ascii 1.0\n"), HasSubstr("not a PLY"));
   EXPECT_THAT(errorOf(replaced(tetrahedronText, "3 1 2 3", "3 1 2 4")), HasSubstr("vertex 4"));
   EXPECT_THAT(errorOf(replaced(tetrahedronText, "3 1 2 3", "3 1 2 -1")), HasSubstr("vertex -1"));
   EXPECT_THAT(errorOf(replaced(tetrahedronText, "3 1 2 3", "-3 1 2 3")), HasSubstr("-3"));

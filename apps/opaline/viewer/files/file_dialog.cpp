@@ -152,12 +152,12 @@ void FileDialog::take(const fs::path& file) {
 
 void FileDialog::drawPlace() {
   ImGui::BeginDisabled(!folder_.has_relative_path());
-  if (controls::button("parent", "The folder that this one is in. Keys: Alt and up.")) {
+  if (controls::button("parent", "The folder above this one. Keys: Alt and up.")) {
     goTo(folder_.parent_path());
   }
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (controls::button("home", "Your own folder.")) goTo(homeFolder());
+  if (controls::button("home", "Your home folder.")) goTo(homeFolder());
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   const std::string place = shownName(folder_);
@@ -233,9 +233,9 @@ void FileDialog::drawName() {
 
 void FileDialog::drawButtons() {
   if (!wouldReplace_.empty()) {
-    ImGui::TextWrapped("%s is there already. Replace it?",
+    ImGui::TextWrapped("%s already exists. Replace it?",
                        shownName(wouldReplace_.filename()).c_str());
-    if (controls::button("replace", "What it holds is lost. Key: Enter.")) accept();
+    if (controls::button("replace", "Its contents are lost. Key: Enter.")) accept();
     ImGui::SameLine();
     if (controls::button("keep", "Choose another name. Key: Escape.")) wouldReplace_.clear();
     return;
@@ -243,14 +243,15 @@ void FileDialog::drawButtons() {
   if (!said_.empty()) {
     ImGui::TextWrapped("%s", said_.c_str());
   } else {
-    ImGui::TextDisabled("%s", question_->saves() ? "Its ending is added where it has none."
+    ImGui::TextDisabled("%s", question_->saves() ? "The ending is added if it is missing."
                                                  : "A file can also be dropped on the window.");
   }
   if (controls::button(question_->saves() ? "save" : "open", "Key: Enter.")) accept();
   ImGui::SameLine();
   if (controls::button("cancel", "Key: Escape.")) return close();
   ImGui::SameLine();
-  if (controls::checkbox("all files", allFiles_, "Also files of other kinds, and hidden ones.")) {
+  if (controls::checkbox("all files", allFiles_,
+                         "Also shows files of other kinds, and hidden ones.")) {
     list();
   }
 }

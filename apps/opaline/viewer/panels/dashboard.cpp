@@ -66,8 +66,8 @@ void Dashboard::drawTop(Session& session, const UndoList& undo) {
     ImGui::EndDisabled();
   };
   step("undo", undo.canUndo(), -1,
-       "Takes the last edit back; where the camera stands is none. Key: Ctrl Z.");
-  step("redo", undo.canRedo(), 1, "Does it again. Keys: Ctrl Shift Z, Ctrl Y.");
+       "Undoes the last edit; camera moves are not edits. Key: Ctrl Z.");
+  step("redo", undo.canRedo(), 1, "Repeats the undone edit. Keys: Ctrl Shift Z, Ctrl Y.");
   ImGui::SameLine();
   ImGui::TextDisabled("or drop a file");
 }

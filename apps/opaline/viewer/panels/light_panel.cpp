@@ -53,11 +53,11 @@ bool drawPoint(PointLight& light, float diagonalMm) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float reach = 3 * diagonalMm;
     changed |= controls::length(axes[axis], light.positionMm[axis], -reach, reach,
-                                "Where it stands in the scene.");
+                                "Its place in the scene.");
   }
   return controls::light("intensity", light.intensity,
-                         "Irradiance on a facing surface is this over the distance squared, in "
-                         "mm: a light further away wants much more.") ||
+                         "Irradiance on a facing surface is this over the distance squared, in mm: "
+                         "a more distant light needs much more.") ||
          changed;
 }
 
@@ -106,8 +106,9 @@ void place(PointLight& light, const Session& session) {
 bool turnEnvironment(Session& session) {
   if (!session.environment || !session.source.environment) return false;
   scene::EnvironmentFile& file = *session.source.environment;
-  if (!controls::slider("rotation", file.rotationDegrees, -180, 180, "%.1f deg",
-                        "Of the environment about the vertical, counter-clockwise from above.")) {
+  if (!controls::slider(
+          "rotation", file.rotationDegrees, -180, 180, "%.1f deg",
+          "Rotates the environment about the vertical, counter-clockwise seen from above.")) {
     return false;
   }
   session.scene.lighting.environment =
@@ -122,7 +123,7 @@ bool drawChosen(Session& session) {
   bool changed = index < directional
                      ? drawDirectional(lighting.directional[index])
                      : drawPoint(lighting.points[index - directional], session.diagonalMm);
-  if (controls::button("delete", "Takes the selected light away.")) {
+  if (controls::button("delete", "Removes the selected light.")) {
     if (index < directional) {
       lighting.directional.erase(lighting.directional.begin() + session.light);
     } else {
@@ -145,7 +146,7 @@ void drawLightPanel(Session& session) {
   if (lighting.points.size() > points) place(lighting.points.back(), session);
   if (session.light >= 0) changed |= drawChosen(session);
   changed |=
-      controls::light("ambient", lighting.ambient, "Radiance that comes from everywhere alike.");
+      controls::light("ambient", lighting.ambient, "Radiance, the same from all directions.");
   if (controls::button("environment...", "Light from all around, from a picture: .hdr or .exr.")) {
     session.wantedFile = FileUse::OpenEnvironment;
   }
@@ -153,7 +154,7 @@ void drawLightPanel(Session& session) {
     ImGui::Text("environment of %d x %d pixels", lighting.environment->width,
                 lighting.environment->height);
     changed |= turnEnvironment(session);
-    if (controls::button("take it away", "No environment any more.")) {
+    if (controls::button("take it away", "Removes the environment.")) {
       lighting.environment.reset();
       session.environment.reset();
       session.source.environment.reset();
@@ -164,7 +165,7 @@ void drawLightPanel(Session& session) {
     ImGui::TextDisabled("or drop a .hdr or .exr on the window");
   }
   if (controls::checkbox("handles in the picture", session.gizmos,
-                         "Lights as handles that are dragged with the mouse.")) {
+                         "Shows lights as handles that you can drag.")) {
     session.edits.picture = true;
   }
   static const Choices<int> shadowSizes{

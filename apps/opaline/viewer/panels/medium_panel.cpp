@@ -103,8 +103,8 @@ bool drawCoefficients(const char* name, std::array<double, 3>& perMm, double low
 void drawBodySize(Session& session) {
   float mm = session.draggedDiagonalMm.value_or(session.diagonalMm);
   if (controls::length("size", mm, 1, 10'000,
-                       "Diagonal of the model's box. Light reaches equally far into a small body "
-                       "and a large one of one medium: size decides how translucent it looks.")) {
+                       "Diagonal of the model's box. In one medium light reaches equally far into "
+                       "small and large bodies, so size decides how translucent they look.")) {
     session.draggedDiagonalMm = mm;
   }
   if (!session.draggedDiagonalMm || ImGui::IsItemActive()) return;
@@ -137,7 +137,7 @@ void drawMediumPanel(Session& session) {
   for (const Object& object : session.scene.objects) names.push_back(object.name);
   if (names.size() > 1) {
     auto index = static_cast<int>(session.object);
-    if (controls::choice("object", index, names, "Whose medium the rest of this panel is of.")) {
+    if (controls::choice("object", index, names, "The object whose medium this panel shows.")) {
       session.object = static_cast<std::size_t>(index);
     }
   }
@@ -148,10 +148,10 @@ void drawMediumPanel(Session& session) {
       drawCoefficients("scattering", medium.sigmaSPrimePerMm, 1e-3, 1e2,
                        "Reduced scattering coefficient: how often light is deflected within a "
                        "millimetre. More is more opaque. Jensen et al. 2001, Figure 5.");
-  const bool absorbs =
-      drawCoefficients("absorption", medium.sigmaAPerMm, 1e-5, 1e1,
-                       "Absorption coefficient: how much of the light dies within a millimetre. "
-                       "More is darker, and more saturated where it differs between channels.");
+  const bool absorbs = drawCoefficients(
+      "absorption", medium.sigmaAPerMm, 1e-5, 1e1,
+      "Absorption coefficient: how much of the light is absorbed within a millimetre. "
+      "More is darker, and more saturated where it differs between channels.");
   const bool bent = controls::slider("index of refraction", medium.eta, 1.01, 2.5, "%.3f",
                                      "Of the body relative to what surrounds it: 1.3 is water, "
                                      "1.5 glass. More keeps more light inside.");

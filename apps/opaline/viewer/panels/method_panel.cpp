@@ -23,11 +23,11 @@ bool drawPattern(RenderOptions& options) {
 
 bool drawBoundary(RenderOptions& options) {
   bool changed = drawOption("bounces", options, "bounces",
-                            "Of light that leaves the body and enters it again.");
+                            "How often light may leave the body and enter it again.");
   static const Choices<int> most{{"2048", 2048}, {"4096", 4096}, {"8192", 8192}, {"16384", 16384}};
-  changed |= controls::choice("clusters", options.maxClusters, most,
-                              "Most unknowns of the equation on the body's surface. Thin parts "
-                              "want many.");
+  changed |=
+      controls::choice("clusters", options.maxClusters, most,
+                       "Largest number of unknowns on the body's surface. Thin parts need many.");
   return changed;
 }
 
@@ -39,14 +39,14 @@ void drawMethodPanel(Session& session) {
   bool changed = drawOption(
       "transport", options, "transport",
       "How light travels in the body: boundary solves diffusion on the body as it is; the dipoles "
-      "take every place for an endless flat slab (Jensen et al. 2001; d'Eon 2012).");
+      "treat every place as part of an endless flat slab (Jensen et al. 2001; d'Eon 2012).");
   // Boundary transport and the pattern exclude each other: the last choice wins.
   if (changed && options.transport == Transport::Boundary && options.sum == Sum::Pattern) {
     options.sum = Sum::Tree;
   }
   if (drawOption("sum", options, "sum",
-                 "Over which sources: a tree of surfels within the tolerance, all of them, "
-                 "or the pattern of Gong et al. 2008.")) {
+                 "The sources that are summed: a tree of surfels within the tolerance, all "
+                 "surfels, or the pattern of Gong et al. 2008.")) {
     changed = true;
     if (options.sum == Sum::Pattern && options.transport == Transport::Boundary) {
       options.transport = Transport::Dipole;
@@ -57,22 +57,22 @@ void drawMethodPanel(Session& session) {
                         "edges are no longer than a mean free path.");
   if (options.sum == Sum::Tree) {
     changed |= drawOption("tolerance", options, "tolerance",
-                          "What a group of sources may be off, relative to the exitance.");
+                          "Allowed error of a group of sources, relative to the exitance.");
   }
   if (options.transport == Transport::Boundary) {
     changed |= drawBoundary(options);
     controls::checkbox("quick while moving", session.quickWhileMoving,
-                       "A tolerance of 0.05 will do while light, medium or body move, where this "
-                       "device needs more than 150 ms for boundary transport.");
+                       "Uses a tolerance of 0.05 while light, medium or body move, if this device "
+                       "needs more than 150 ms for boundary transport.");
   }
   if (options.sum == Sum::Pattern) changed |= drawPattern(options);
   if (controls::button("Gong et al. 2008", "The paper's method: dipole, pattern, fragment.")) {
     options = paperOptions(options);
     changed = true;
   }
-  changed |= controls::checkbox("compare with the paper", session.divided,
-                                "The paper's method on the left of a divider that is dragged "
-                                "across the picture.");
+  changed |=
+      controls::checkbox("compare with the paper", session.divided,
+                         "Shows the paper's method on the left of a divider that you can drag.");
   // What the view shows goes with what there is to show.
   const bool shown = session.surfelIndex == SurfelIndex::Cluster
                          ? options.transport == Transport::Boundary

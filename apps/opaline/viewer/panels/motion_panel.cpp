@@ -46,19 +46,19 @@ Limits limitsOf(DeformerKind kind) {
 
 bool drawDeformer(Deformer& deformer) {
   bool changed = controls::choice("kind", deformer.kind, kinds(),
-                                  "What becomes of the whole scene, about its vertical axis.");
+                                  "Deforms the whole scene about its vertical axis.");
   const Limits limits = limitsOf(deformer.kind);
   if (changed) deformer.amount = std::clamp(deformer.amount, limits.low, limits.high);
   changed |= controls::slider("amount", deformer.amount, limits.low, limits.high, limits.format,
                               "How much: an angle, or a part of the size.");
   bool swings = deformer.periodSeconds > 0;
-  if (controls::checkbox("swings", swings, "To and fro, instead of standing still.")) {
+  if (controls::checkbox("swings", swings, "Swings to and fro instead of standing still.")) {
     deformer.periodSeconds = swings ? 2.0F : 0;
     changed = true;
   }
   if (swings) {
-    changed |=
-        controls::slider("period", deformer.periodSeconds, 0.1F, 20, "%.2f s", "Of one swing.");
+    changed |= controls::slider("period", deformer.periodSeconds, 0.1F, 20, "%.2f s",
+                                "Duration of one swing.");
   }
   return changed;
 }
@@ -69,7 +69,7 @@ bool drawDeformers(std::vector<Deformer>& deformers) {
     ImGui::PushID(static_cast<int>(i));
     ImGui::Separator();
     changed |= drawDeformer(deformers[i]);
-    const bool gone = controls::button("remove", "Takes this deformation away.");
+    const bool gone = controls::button("remove", "Removes this deformation.");
     ImGui::PopID();
     if (!gone) continue;
     deformers.erase(deformers.begin() + static_cast<std::ptrdiff_t>(i));
@@ -108,7 +108,7 @@ void drawMotionPanel(Session& session) {
     playback.playing = !playback.playing;
   }
   ImGui::SameLine();
-  controls::checkbox("loop", playback.loop, orWhyNot("Begins anew at the end."));
+  controls::checkbox("loop", playback.loop, orWhyNot("Starts again at the end."));
   ImGui::EndDisabled();
   ImGui::SameLine();
   controls::checkbox("turntable", playback.turntable, "Turns the camera about the scene. Key: T.");
@@ -118,9 +118,9 @@ void drawMotionPanel(Session& session) {
                                             orWhyNot("The moment that is shown."));
   ImGui::EndDisabled();
   controls::checkbox("poke", session.poke,
-                     "The mouse pulls at the body like at jelly; beside it the camera turns. With "
-                     "Ctrl the mouse always does. Key: B. Macklin et al. 2016.");
-  controls::slider("speed", playback.speed, 0.05F, 4, "%.2f x", "Of the playback.");
+                     "The mouse pulls at the body as if it were jelly; beside the body it turns "
+                     "the camera. With Ctrl it always pulls. Key: B. Macklin et al. 2016.");
+  controls::slider("speed", playback.speed, 0.05F, 4, "%.2f x", "Speed of the playback.");
   drawClips(session);
   if (drawDeformers(session.scene.deformers)) {
     session.edits.deformers = true;

@@ -28,8 +28,9 @@ void drawPictureSize(Session& session) {
                                  [&](const auto& entry) { return entry.second == size; });
   Choices<Size> choices = usual;
   if (!known) choices.emplace_back(fmt::format("{} x {}", (*size)[0], (*size)[1]), size);
-  bool changed = controls::choice("size", size, choices,
-                                  "Of what is saved, in pixels. The window shows just that part.");
+  bool changed =
+      controls::choice("size", size, choices,
+                       "Size of the saved picture in pixels. The window shows just that part.");
   if (size) {
     changed |= controls::typed("width", (*size)[0], 16, mostPixels, "Of what is saved, pixels.");
     changed |= controls::typed("height", (*size)[1], 16, mostPixels, "Of what is saved, pixels.");
@@ -40,7 +41,8 @@ void drawPictureSize(Session& session) {
 void drawBackground(Session& session) {
   if (!session.tone.background) return;
   Rgb& background = *session.tone.background;
-  if (!controls::light("background", background, "Where nothing is, linear, from 0 to 1.")) return;
+  if (!controls::light("background", background, "Colour behind the scene, linear, from 0 to 1."))
+    return;
   for (float& channel : background) channel = std::min(channel, 1.0F);
   session.edits.picture = true;
 }
@@ -50,14 +52,15 @@ void drawFilm(Session& session) {
   static const Choices<int> rates{{"24", 24}, {"25", 25}, {"30", 30}, {"50", 50}, {"60", 60}};
   controls::choice("frames a second", film.perSecond, rates, "Of a film.");
   if (controls::checkbox("the motion once", film.once,
-                         "All of it; else the frames that you name.") &&
+                         "Saves all of the motion; otherwise the frames that you set.") &&
       !film.once) {
     film.once = true;
     const FrameRange all = filmFrames(session);
     film = {film.perSecond, false, all.first, all.last};
   }
   if (!film.once) {
-    controls::typed("first frame", film.first, 0, mostFrames, "Frame n shows n over the rate.");
+    controls::typed("first frame", film.first, 0, mostFrames,
+                    "Frame n shows the time n over the rate.");
     controls::typed("last frame", film.last, 0, mostFrames, "It is part of the film.");
   }
   const FrameRange frames = filmFrames(session);
@@ -72,15 +75,17 @@ void drawSavePanel(Session& session, const Saver& saver) {
   const auto choose = [&](const char* name, FileUse use, const char* about) {
     if (controls::button(name, about)) session.wantedFile = use;
   };
-  choose("picture...", FileUse::SavePicture, "As PNG: what is seen. Key P saves at once.");
+  choose("picture...", FileUse::SavePicture,
+         "As PNG: the picture as shown. Key P saves it without asking.");
   ImGui::SameLine();
   choose("EXR...", FileUse::SaveExr, "The picture's linear light, in 32-bit floats.");
   ImGui::SameLine();
   choose("scene...", FileUse::SaveScene,
-         "As TOML: opaline render draws the same of it. Keys: Ctrl S; S saves at once.");
+         "As TOML: opaline render draws the same from it. Keys: Ctrl S; S saves without asking.");
   if (saver.filming()) {
     ImGui::ProgressBar(static_cast<float>(saver.progress()));
-    if (controls::button("stop the film", "Leaves no film.")) session.wanted = Save::NoFilm;
+    if (controls::button("stop the film", "The unfinished film is deleted."))
+      session.wanted = Save::NoFilm;
   } else {
     ImGui::SameLine();
     choose("film...", FileUse::SaveFilm, "As MP4: the frames below.");

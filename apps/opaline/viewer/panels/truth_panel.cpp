@@ -40,26 +40,26 @@ void drawSaving(Session& session) {
 void drawTruthPanel(Session& session, const TruthView& truth) {
   if (!controls::section("Truth", false)) return;
   if (controls::button("path tracing",
-                       "Particles from the lights through the bodies, until blocks of 8 x 8 "
-                       "pixels are within 2 %: what light does. Minutes.")) {
+                       "Follows light through the bodies until blocks of 8 x 8 pixels are within 2 "
+                       "%. Takes minutes.")) {
     session.wantedTruth = TruthOrder::Method::Path;
   }
   controls::sameLineFor("dipole's integral");
   if (controls::button("dipole's integral",
-                       "The dipole summed exactly over the surface: what the tree approximates. "
-                       "Not what light does in thin parts.")) {
+                       "Sums the dipole exactly over the surface, which the tree approximates. The "
+                       "dipole is wrong in thin parts.")) {
     session.wantedTruth = TruthOrder::Method::Integral;
   }
   if (truth.running()) {
     ImGui::ProgressBar(static_cast<float>(truth.progress()));
-    if (controls::button("cancel", "Keeps what there is.")) session.cancelTruth = true;
+    if (controls::button("cancel", "Keeps the result so far.")) session.cancelTruth = true;
   }
   const std::string error = truth.error();
   if (!error.empty()) controls::text(error);
   if (!truth.hasPicture()) return;
   controls::choice("shown", session.shown, shownPictures(),
-                   "The picture, the truth of it, or how far they are apart. Edits go on on the "
-                   "picture; the truth is of when it was started.");
+                   "Shows the picture, its truth, or their difference. Edits change the picture; "
+                   "the truth shows the scene as it was at the start.");
   showFigures(truth);
   drawSaving(session);
 }

@@ -53,8 +53,8 @@ bool chooseVariable(Session& session) {
   }
   if (shown == Variable{Aov::Surfels, SurfelIndex::Node}) {
     changed |= controls::integer("level", session.treeLevel, 0, deepestLevel,
-                                 "Of the groups of surfels that the sum takes as one: whole "
-                                 "objects at 0, a few surfels at the deepest.");
+                                 "Level of the groups of surfels that the sum can treat as one: "
+                                 "whole objects at 0, a few surfels at the deepest.");
   }
   return changed;
 }
@@ -71,13 +71,13 @@ void drawViewPanel(Session& session) {
     session.exposesByLight = false;
   }
   if (controls::checkbox("exposure follows the light", session.exposesByLight,
-                         "What suits lights and sky, whatever the camera sees.")) {
+                         "Suits lights and sky, whatever the camera sees.")) {
     exposeByLight(session);
   }
   controls::choice("tone", session.tone.curve, choicesOf<core::ToneCurve>(),
                    "Neutral bends only what is brighter than white (Khronos 2024).");
   changed |= drawOption("samples a pixel", options, "antialias",
-                        "Of the picture at rest; 1 while it moves.");
+                        "Samples at rest; 1 while the picture moves.");
   changed |= drawOption("reflection on the surface", options, "specular",
                         "GGX reflection of lights and environment (Walter et al. 2007).");
   if (options.specular) {

@@ -162,7 +162,7 @@ void drawKeys(const Area& area) {
     const char* key;
     const char* does;
   };
-  constexpr std::array keys{Key{"drag", "turn about the scene; a light by its handle"},
+  constexpr std::array keys{Key{"drag", "turn about the scene; move a light by its handle"},
                             Key{"shift drag, middle drag", "move along the picture"},
                             Key{"wheel, right drag", "nearer, further"},
                             Key{"F", "see all of the scene"},
@@ -177,7 +177,7 @@ void drawKeys(const Area& area) {
                             Key{"Ctrl S", "save the scene under a name"},
                             Key{"Ctrl Z", "take the last edit back"},
                             Key{"Ctrl Shift Z, Ctrl Y", "do it again"},
-                            Key{"S, P", "save the scene, the picture at once"},
+                            Key{"S, P", "save the scene, the picture without asking"},
                             Key{"O, X", "exposure up, down by half a stop"},
                             Key{"?", "these keys"},
                             Key{"Ctrl Q", "leave"}};

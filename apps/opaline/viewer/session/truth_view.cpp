@@ -69,7 +69,7 @@ bool TruthView::takePicture(std::shared_ptr<const TruthPicture> latest) {
 }
 
 std::string TruthView::legend() const {
-  if (!latest_) return "no truth has come yet";
+  if (!latest_) return "there is no truth yet";
   std::string text =
       fmt::format("truth after {:.1f} s, within {} %", latest_->seconds,
                   latest_->error < 0.1 ? fmt::format("{:.2g}", 100 * latest_->error)

@@ -7,7 +7,7 @@ namespace opaline::app::viewer {
 std::optional<std::string> workUnderWay(const Saver& saver, const TruthView& truth) {
   std::string lost;
   if (saver.filming()) {
-    lost = fmt::format("A film is under way, {:.0f} % done; stopped now, it leaves nothing.",
+    lost = fmt::format("A film is being made, {:.0f} % done; stopping now deletes it.",
                        100 * saver.progress());
   }
   if (truth.running()) {
