@@ -36,7 +36,6 @@ shared::FrameData makeFrameData(const Scene& scene, const RenderOptions& options
   frame.cameraPosition = {camera.position, 1};
   frame.cameraAxis = {camera.axis, 0};
   fillLights(scene.lighting, unsignedOf(options.shadowSize), frame);
-  frame.ambient = {glm::make_vec3(scene.lighting.ambient.data()), 0};
   return frame;
 }
 
@@ -78,11 +77,13 @@ class OpaqueFrame::Implementation {
     shadow_.record(commands_, view_, resources_.mesh, shadows_);
     surface_.record(commands_, {view_, resources_.mesh, {0, 0}, exitance_.vertices}, visible_);
     commands_.beginPass("lambert");
-    commands_.bind(lambert_, {.frame = view_.data,
-                              .surfacePosition = {visible_.position, nearest_},
-                              .surfaceNormal = {visible_.normal, nearest_},
-                              .shadowMaps = {shadows_.depth, nearest_},
-                              .radiance = radiance_});
+    commands_.bind(lambert_,
+                   {.frame = view_.data,
+                    .surfacePosition = {visible_.position, nearest_},
+                    .surfaceNormal = {visible_.normal, nearest_},
+                    .shadowMaps = {shadows_.depth, nearest_},
+                    .radiance = radiance_},
+                   {.ambient = glm::vec4(glm::make_vec3(scene_.lighting.ambient.data()), 0)});
     commands_.dispatchTiles(radiance_);
     commands_.endPass();
     commands_.submit();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bssrdf/fresnel.h"
+#include "environment/sky.h"
 
 namespace opaline::reference {
 

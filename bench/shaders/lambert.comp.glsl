@@ -11,6 +11,8 @@ layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
 layout(set = 0, binding = 2) uniform sampler2D surfaceNormal;
 layout(set = 0, binding = 4, rgba32f) writeonly uniform image2D radiance;
 
+layout(push_constant) uniform Push { vec4 ambient; };
+
 const vec3 albedo = vec3(0.8);
 
 void main() {
@@ -20,7 +22,7 @@ void main() {
   vec4 value = vec4(0.0);
   if (surface.w > 0.0) {
     vec3 normal = texelFetch(surfaceNormal, pixel, 0).xyz;
-    value = vec4(albedo * frame.ambient.rgb, 1.0);
+    value = vec4(albedo * ambient.rgb, 1.0);
     for (uint i = 0u; i < frame.counts.x; ++i) {
       IncidentLight light = incidentLight(i, surface.xyz);
       float cosine = dot(normal, light.direction);

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "environment/spherical_harmonics.h"
+#include "environment/sky.h"
 
 namespace opaline {
 

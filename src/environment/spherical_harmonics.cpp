@@ -192,16 +192,6 @@ ShCoefficients projectUniform(const Rgb& radiance) {
   return coefficients;
 }
 
-ShCoefficients projectSky(const Lighting& lighting) {
-  ShCoefficients sum = projectUniform(lighting.ambient);
-  if (!lighting.environment) return sum;
-  const ShCoefficients environment = projectEnvironment(*lighting.environment);
-  for (std::size_t i = 0; i < sum.size(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) sum[i][c] += environment[i][c];
-  }
-  return sum;
-}
-
 Vec3 latticeDirection(int index, int count) {
   const double z = 1.0 - (2.0 * index + 1.0) / count;
   const double azimuth = 2.0 * pi * index / std::numbers::phi;

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "opaline/image.h"
-#include "opaline/scene.h"
 #include "opaline/types.h"
 
 namespace opaline {
@@ -22,9 +21,6 @@ ShCoefficients projectEnvironment(const Image& latLong);
 
 /// The same for a uniform radiance.
 ShCoefficients projectUniform(const Rgb& radiance);
-
-/// Of all that shines from everywhere: ambient light and environment.
-ShCoefficients projectSky(const Lighting& lighting);
 
 /// Evenly spread unit directions (spherical Fibonacci lattice, Swinbank and Purser 2006).
 Vec3 latticeDirection(int index, int count);

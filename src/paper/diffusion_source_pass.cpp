@@ -201,7 +201,7 @@ void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& in
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
-                 .ambientIrradiance = {inputs.tables.ambientCubes, linear_},
+                 .skyIrradiance = {inputs.sky.irradiance, linear_},
                  .texelSurface = {sources.texelSurface, nearest_}});
   commands.beginRendering({{.image = &sources.positionArea},
                            {.image = &sources.normal},

@@ -49,6 +49,7 @@ class DiffusionSourcePass {
     passes::DeformedMesh& mesh;
     passes::SceneTables& tables;
     passes::ShadowMaps& shadows;
+    passes::Sky& sky;
     FlatScene& flat;
   };
   void record(gpu::CommandList& commands, const Inputs& inputs, DiffusionSources& sources) const;

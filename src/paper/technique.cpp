@@ -40,7 +40,8 @@ Map Technique::makeMap(gpu::Device& device, const RestScene& scene, FlatScene& f
 }
 
 void Technique::gather(gpu::CommandList& commands, const Frame& frame) const {
-  passes_->map.record(commands, {frame.view, frame.mesh, frame.tables, frame.shadows, frame.flat},
+  passes_->map.record(commands,
+                      {frame.view, frame.mesh, frame.tables, frame.shadows, frame.sky, frame.flat},
                       frame.map.sources);
 }
 

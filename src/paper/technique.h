@@ -40,6 +40,7 @@ class Technique {
     passes::DeformedMesh& mesh;
     passes::SceneTables& tables;
     passes::ShadowMaps& shadows;
+    passes::Sky& sky;
     passes::VisibleSurface& surface;
     passes::Exitance& exitance;
     FlatScene& flat;

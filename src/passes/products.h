@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "environment/spherical_harmonics.h"
 #include "gpu/acceleration_structure.h"
 #include "gpu/buffer.h"
 #include "gpu/image.h"
@@ -54,7 +55,14 @@ struct SceneTables {
   std::uint32_t mediumCount = 0;
   bool followsLight = false;   ///< to its second collision in any medium; see shared/boundary.h
   gpu::Buffer specularAlbedo;  ///< float, see MediumData::tables.w
-  gpu::GpuImage ambientCubes;  ///< E_amb by normal, one cube for each index of refraction
+  std::vector<double> etas;    ///< the different ones, see MediumData::tables.x
+};
+
+/// All light that comes from everywhere, and all that passes know of it (lib/sky.glsl).
+struct Sky {
+  ShCoefficients radiance{};
+  gpu::GpuImage irradiance;  ///< that enters by normal, one cube for each of SceneTables::etas
+  gpu::GpuImage reflected;   ///< radiance as the surface's lobe sees it, a cube
 };
 
 /// Lights, shadow views and camera of this frame, fitted to the surface: shared::FrameData.
@@ -74,6 +82,9 @@ struct Surfels {
   std::uint32_t piecesPerSurfel = 1;         ///< that follow each other
   gpu::Buffer sources;                       ///< shared::Source, sourcesPerSurfel of each
   gpu::Buffer normals;                       ///< vec4 a surfel, unit
+  gpu::Buffer visibilities;                  ///< of lights, where boundary transport reads them: a
+                                             ///< word for each and each piece, see lib/piece.glsl
+  std::uint32_t lights = 0;                  ///< that there is room for
   std::uint32_t count = 0;                   ///< of surfels
   gpu::Buffer nodes;                         ///< shared::TreeNode, depth first
   gpu::Buffer boxes;                         ///< shared::NodeBox, one a node

@@ -4,8 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include "gpu/command_list.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
@@ -37,8 +35,6 @@ shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& came
   frame.cameraPosition = {camera.position, 1};
   frame.cameraAxis = {camera.axis, 0};
   fillLights(lighting, static_cast<std::uint32_t>(shadowSize), frame);
-  frame.counts.z = lighting.environment ? 1 : 0;
-  frame.ambient = {glm::make_vec3(lighting.ambient.data()), 0};
   return frame;
 }
 

@@ -156,6 +156,21 @@ TEST_P(EditTest, AnotherEnvironmentOfTheSameSizeIsSeen) {
   expectSame(edited, render(scene, options, asked()));
 }
 
+// A point light casts as many shadow maps as six directional ones.
+TEST_P(EditTest, MoreLightsWithAsManyShadowMapsAreSeen) {
+  const RenderOptions options = optionsOf(GetParam());
+  Scene scene = wobblyBall();
+  scene.lighting.directional.clear();
+  scene.lighting.points = {{{30, 20, 10}, {500, 400, 300}}};
+  render(scene, options, asked());
+  scene.lighting.points.clear();
+  for (const float x : {-1.0F, -0.6F, -0.2F, 0.2F, 0.6F, 1.0F})
+    scene.lighting.directional.push_back({{x, 0.5F, 1}, {1, 1 + x, 1}});
+  takeLighting(renderer(), scene);
+  const std::vector<Image> edited = render(options, asked());
+  expectSame(edited, render(scene, options, asked()));
+}
+
 // Light from before is used, and is right, while only the camera moves.
 TEST_P(EditTest, ReusedLightIsTheSameLight) {
   RenderOptions options = optionsOf(GetParam());

@@ -5,7 +5,7 @@
 #define BINDING_OBJECTS 4
 #define BINDING_MEDIA 5
 #define SHADOW_BINDING 6
-#define AMBIENT_BINDING 7
+#define BINDING_SKY_IRRADIANCE 7
 #include "lib/irradiance.glsl"
 #include "lib/material.glsl"
 #include "lib/unit.glsl"

@@ -67,8 +67,7 @@ Beams makeBeams(gpu::Device& device, const char* points, const char* strengths,
 }  // namespace
 
 ClusterPass::ClusterPass(gpu::Device& device)
-    : nearest_(device, gpu::Filter::Nearest),
-      linear_(device, gpu::Filter::Linear),
+    : linear_(device, gpu::Filter::Linear),
       gather_(device, "clusters"),
       nodes_(device, "nodes of clusters"),
       enclose_(device, "solid angles of clusters"),
@@ -131,21 +130,22 @@ void ClusterPass::record(gpu::CommandList& commands, const Inputs& inputs, bool 
 
 void ClusterPass::gather(gpu::CommandList& commands, const Inputs& inputs,
                          Clusters& clusters) const {
-  commands.bind(
-      gather_,
-      {.frame = inputs.frame.data,
-       .positions = inputs.mesh.positions,
-       .normals = inputs.mesh.normals,
-       .pieces = inputs.surfels.pieces,
-       .objects = inputs.tables.objects,
-       .media = inputs.tables.media,
-       .shadowMaps = {inputs.shadows.depth, nearest_},
-       .ambientIrradiance = {inputs.tables.ambientCubes, linear_},
-       .ranges = clusters.ranges,
-       .clusters = clusters.clusters,
-       .nodes = clusters.nodes,
-       .entries = clusters.entries},
-      {.clusterCount = clusters.count, .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
+  commands.bind(gather_,
+                {.frame = inputs.frame.data,
+                 .positions = inputs.mesh.positions,
+                 .normals = inputs.mesh.normals,
+                 .pieces = inputs.surfels.pieces,
+                 .objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .visibilities = inputs.surfels.visibilities,
+                 .skyIrradiance = {inputs.sky.irradiance, linear_},
+                 .ranges = clusters.ranges,
+                 .clusters = clusters.clusters,
+                 .nodes = clusters.nodes,
+                 .entries = clusters.entries},
+                {.clusterCount = clusters.count,
+                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                 .pieceCount = inputs.surfels.count * inputs.surfels.piecesPerSurfel});
   commands.dispatchLinear(clusters.count);
 }
 

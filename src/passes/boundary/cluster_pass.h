@@ -34,7 +34,7 @@ class ClusterPass {
     FrameView& frame;
     DeformedMesh& mesh;
     SceneTables& tables;
-    ShadowMaps& shadows;
+    Sky& sky;
     Surfels& surfels;
     RayHierarchy& rays;
     float openingAngle;  ///< of nodes: taken from further than their radius over this
@@ -50,7 +50,6 @@ class ClusterPass {
   void survey(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,
               Clusters& clusters) const;
 
-  gpu::Sampler nearest_;
   gpu::Sampler linear_;
   gpu::Compute<shaders::BoundaryClusters> gather_;
   gpu::Compute<shaders::BoundaryClusterNodes> nodes_;

@@ -1,6 +1,8 @@
 #include "passes/gather/surfel_pass.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -82,9 +84,20 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivisi
   surfels.objectOf =
       gpu::makeBuffer(device, "objects of surfels", objectsOf(made, surface), surfelBuffer);
   surfels.order = gpu::makeBuffer(device, "order of surfels", inOrder(surfels.count), surfelBuffer);
+  makeRoomForLights(device, 0, surfels);
   surfels.nodes = makeRoom<shared::TreeNode>(device, "tree", made.tree.links.size());
   surfels.boxes = makeRoom<shared::NodeBox>(device, "boxes of the tree", made.tree.links.size());
   return surfels;
+}
+
+void SurfelPass::makeRoomForLights(gpu::Device& device, std::uint32_t lights, Surfels& surfels) {
+  const std::size_t words = std::size_t{lights} * surfels.piecesPerSurfel * surfels.count;
+  surfels.visibilities = {};  // before memory for the next is taken
+  surfels.visibilities =
+      gpu::Buffer(device, {.name = "visibility on surfels",
+                           .bytes = std::max<std::size_t>(words, 1) * sizeof(std::uint32_t),
+                           .usage = surfelBuffer});
+  surfels.lights = lights;
 }
 
 void SurfelPass::record(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const {
@@ -105,11 +118,14 @@ void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfel
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
-                 .ambientIrradiance = {inputs.tables.ambientCubes, linear_},
+                 .skyIrradiance = {inputs.sky.irradiance, linear_},
                  .sources = surfels.sources,
                  .surfelNormals = surfels.normals,
-                 .places = surfels.places},
-                {.surfelCount = surfels.count, .piecesPerSurfel = surfels.piecesPerSurfel});
+                 .places = surfels.places,
+                 .visibilities = surfels.visibilities},
+                {.surfelCount = surfels.count,
+                 .piecesPerSurfel = surfels.piecesPerSurfel,
+                 .keepsVisibility = inputs.keepsVisibility});
   commands.dispatchLinear(surfels.count);
 }
 

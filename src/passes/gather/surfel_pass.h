@@ -26,11 +26,16 @@ class SurfelPass {
   static Surfels makeSurfels(gpu::Device& device, const surfels::SurfelDivision& made,
                              const core::RestSurface& surface);
 
+  /// For the visibility of so many. For set-up, not for frames.
+  static void makeRoomForLights(gpu::Device& device, std::uint32_t lights, Surfels& surfels);
+
   struct Inputs {
     FrameView& frame;
     DeformedMesh& mesh;
     SceneTables& tables;
     ShadowMaps& shadows;
+    Sky& sky;
+    bool keepsVisibility;  ///< of lights, for which there is room
   };
   void record(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const;
 

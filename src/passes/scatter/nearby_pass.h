@@ -22,6 +22,7 @@ class NearbyPass {
     FrameView& frame;
     SceneTables& tables;
     ShadowMaps& shadows;
+    Sky& sky;
     Surfels& surfels;
   };
   void overPlaces(gpu::CommandList& commands, ScatterTransport transport, ScatterSite site,

@@ -28,13 +28,13 @@ class ShadePass {
     ShadowMaps& shadows;
     VisibleSurface& surface;
     gpu::GpuImage& exitance;  ///< of what is visible
-    gpu::GpuImage& environmentCube;
-    ReflectedSky& sky;
+    Sky& sky;
+    ReflectedSky& reflectedSky;
     std::uint32_t sample;  ///< of `samples`
     std::uint32_t samples;
     float roughness;
     bool specular;
-    bool mirrorsSky;  ///< `sky` says how much of it
+    bool mirrorsSky;  ///< `reflectedSky` says how much of it
   };
   void record(gpu::CommandList& commands, const Inputs& inputs, gpu::GpuImage& radiance) const;
 

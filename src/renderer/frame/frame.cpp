@@ -68,13 +68,16 @@ struct FrameContext {
     passes.shadow.record(commands, resources.view, mesh, resources.shadows);
     if (plan.map) passes.paper->gather(commands, onPaper(scene));
     if (surfels)
-      passes.surfels.record(commands, {resources.view, mesh, resources.tables, resources.shadows},
-                            scene.surfels);
+      passes.surfels.record(
+          commands,
+          {resources.view, mesh, resources.tables, resources.shadows, resources.sky, boundary()},
+          scene.surfels);
   }
 
   paper::Technique::Frame onPaper(SceneResources& scene) const {
-    return {resources.view,     mesh,        resources.tables, resources.shadows, resources.surface,
-            resources.exitance, *scene.flat, *resources.map};
+    return {resources.view,     mesh,          resources.tables,
+            resources.shadows,  resources.sky, resources.surface,
+            resources.exitance, *scene.flat,   *resources.map};
   }
 
   passes::SurfelSumPass::Order order() const {
@@ -90,8 +93,8 @@ struct FrameContext {
     const float openingAngle = openingAngleOf(plan.tolerance);
     passes.rays.record(commands, mesh, scene.surfels, scene.rays);
     passes.clusters.record(commands,
-                           {resources.view, mesh, resources.tables, resources.shadows,
-                            scene.surfels, scene.rays, openingAngle},
+                           {resources.view, mesh, resources.tables, resources.sky, scene.surfels,
+                            scene.rays, openingAngle},
                            plan.bounces > 0 || !plan.skyIsDark, clusters);
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
@@ -176,7 +179,7 @@ struct FrameContext {
   }
 
   passes::NearbyPass::Inputs nearbyInputs(passes::Surfels& surfels) const {
-    return {resources.view, resources.tables, resources.shadows, surfels};
+    return {resources.view, resources.tables, resources.shadows, resources.sky, surfels};
   }
 
   void seeSurface(const glm::vec2& jitter, SceneResources& scene) const {
@@ -213,11 +216,11 @@ struct FrameContext {
       passes.reflectedSky.record(commands,
                                  {resources.view, resources.tables, resources.surface,
                                   scene.surfels, scene.rays, sample, samples, plan.roughness},
-                                 resources.sky);
+                                 resources.reflectedSky);
     passes.shade.record(
         commands,
         {resources.view, resources.tables, resources.shadows, resources.surface,
-         visibleExitance(plan.site, resources), resources.environmentCube, resources.sky, sample,
+         visibleExitance(plan.site, resources), resources.sky, resources.reflectedSky, sample,
          samples, plan.roughness, plan.specular, plan.mirrorsSky},
         resources.radiance);
   }
@@ -242,7 +245,7 @@ Passes::Passes(gpu::Device& device)
       beams(device),
       solver(device),
       carry(device),
-      environment(device),
+      sky(device),
       reflectedSky(device),
       shade(device),
       seenSurfels(device),

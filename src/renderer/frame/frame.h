@@ -20,11 +20,11 @@
 #include "passes/scatter/nearby_pass.h"
 #include "passes/scatter/surface_pass.h"
 #include "passes/scatter/surfel_sum_pass.h"
-#include "passes/shade/environment_pass.h"
 #include "passes/shade/reflected_sky_pass.h"
 #include "passes/shade/seen_irradiance_pass.h"
 #include "passes/shade/seen_surfels_pass.h"
 #include "passes/shade/shade_pass.h"
+#include "passes/sky/sky_pass.h"
 #include "renderer/frame/frame_plan.h"
 #include "renderer/frame/frame_resources.h"
 #include "renderer/motion/scene_motion.h"
@@ -48,7 +48,7 @@ struct Passes {
   passes::BeamPass beams;
   passes::SolverPass solver;
   passes::CarryPass carry;
-  passes::EnvironmentPass environment;
+  passes::SkyPass sky;
   passes::ReflectedSkyPass reflectedSky;
   passes::ShadePass shade;
   passes::SeenSurfelsPass seenSurfels;

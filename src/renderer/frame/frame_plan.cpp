@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "environment/sky.h"
 #include "renderer/frame/readback.h"
 
 namespace opaline {
@@ -10,10 +11,6 @@ namespace {
 
 bool needsMap(const RenderOptions& options, const std::vector<Aov>& aovs) {
   return options.sum == Sum::Pattern || std::any_of(aovs.begin(), aovs.end(), showsMap);
-}
-
-bool isDark(const Lighting& sky) {
-  return !sky.environment && sky.ambient == Rgb{0, 0, 0};
 }
 
 // What is asked for, or where all objects agree, that; Auto where they do not.
@@ -52,12 +49,12 @@ FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bo
 }
 
 bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {
-  return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern && !isDark(lighting);
+  return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern && !skyIsDark(lighting);
 }
 
 void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan) {
   plan.site = chooseSite(plan, scene);
-  plan.skyIsDark = isDark(lighting);
+  plan.skyIsDark = skyIsDark(lighting);
   plan.mirrorsSky = mirrorsSky(plan, lighting);
   // Where nothing has an inside, boundary transport is what it falls back to.
   if (plan.transport == Transport::Boundary && !scene.hasInside())

@@ -16,11 +16,11 @@ void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResource
   const auto width = static_cast<std::uint32_t>(options.width);
   const auto height = static_cast<std::uint32_t>(options.height);
   made.view = passes::FitPass::makeView(device);
+  made.tables = makeSceneTables(device, scene, options);
   remakeSky(device, passes, lighting, options, made);
-  made.tables = makeSceneTables(device, scene, made.ambient, options);
   made.surface = passes::SurfacePass::makeSurface(device, width, height);
   made.exitance = passes::SurfacePass::makeExitance(device, width, height, scene.mesh.vertexCount);
-  made.sky = passes::ReflectedSkyPass::makeSky(device, width, height);
+  made.reflectedSky = passes::ReflectedSkyPass::makeSky(device, width, height);
   if (!made.radiance) made.radiance = passes::ShadePass::makeRadiance(device, width, height);
   remakeShadows(device, lighting, options, made);
 }
@@ -33,16 +33,13 @@ void keepOnlyPicture(FrameResources& resources) {
 
 void remakeTables(gpu::Device& device, const SceneResources& scene, const RenderOptions& options,
                   FrameResources& resources) {
-  resources.tables = makeSceneTables(device, scene, resources.ambient, options);
+  resources.tables = makeSceneTables(device, scene, options);
+  passes::SkyPass::takeEtas(device, resources.tables.etas, resources.sky);
 }
 
 void remakeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
                const RenderOptions& options, FrameResources& resources) {
-  resources.ambient = projectSky(lighting);
-  resources.environmentCube =
-      lighting.environment
-          ? passes.environment.makeCube(device, *lighting.environment, options.roughness)
-          : passes::EnvironmentPass::makeBlack(device);
+  resources.sky = passes.sky.makeSky(device, lighting, options.roughness, resources.tables.etas);
 }
 
 void remakeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,

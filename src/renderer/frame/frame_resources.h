@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "environment/spherical_harmonics.h"
 #include "gpu/image.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
@@ -25,9 +24,8 @@ struct FrameResources {
   passes::ShadowMaps shadows;
   passes::VisibleSurface surface;
   passes::Exitance exitance;
-  ShCoefficients ambient{};  ///< radiance from all around
-  gpu::GpuImage environmentCube;
-  passes::ReflectedSky sky;
+  passes::Sky sky;
+  passes::ReflectedSky reflectedSky;
   gpu::GpuImage radiance;           ///< the picture
   passes::SeenSurfels seenSurfels;  ///< these three are empty until a plan asks for them
   gpu::GpuImage seenIrradiance;
@@ -42,12 +40,11 @@ void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResource
 /// Drops everything but the picture.
 void keepOnlyPicture(FrameResources& resources);
 
-/// Makes again what light from all around is, which looks at every pixel of the environment; the
-/// tables depend on it.
+/// Makes the sky again, which looks at every pixel of the environment.
 void remakeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
                const RenderOptions& options, FrameResources& resources);
 
-/// Makes again what depends on media and on light from all around.
+/// Makes again what depends on media.
 void remakeTables(gpu::Device& device, const SceneResources& scene, const RenderOptions& options,
                   FrameResources& resources);
 

@@ -61,9 +61,11 @@ void PreparedFrames::renew(PreparedFrame& frame, SceneResources& scene, const Li
   const bool sky = frame.changes.sky != changes.sky;
   const bool views = frame.resources.view.shadowViews != shadowViewCount(lighting);
   if (media || sky || views) device_.waitIdle();
-  if (media) frame.resources.map.reset();  // its neighbourhoods reach as far as their patterns
+  if (media) {
+    frame.resources.map.reset();  // its neighbourhoods reach as far as their patterns
+    remakeTables(device_, scene, frame.options, frame.resources);
+  }
   if (sky) remakeSky(device_, passes_, lighting, frame.options, frame.resources);
-  if (media || sky) remakeTables(device_, scene, frame.options, frame.resources);
   if (views) remakeShadows(device_, lighting, frame.options, frame.resources);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "environment/sky.h"
 #include "gpu/device.h"
 #include "opaline/error.h"
 
@@ -50,8 +51,7 @@ void EditedScene::setLighting(const Lighting& lighting) {
   validate(lighting);
   Lighting& present = edit().lighting;
   ++changes_.lights;
-  if (lighting.ambient != present.ambient || lighting.environment != present.environment)
-    ++changes_.sky;
+  if (!sameSky(lighting, present)) ++changes_.sky;
   present = lighting;
 }
 

@@ -31,7 +31,7 @@ PreparedFrame& PreparedScene::prepare(const RenderOptions& options, const FrameP
     make(scene, needs);
   else
     followMedia(scene, options.patient);
-  if (needs.maxClusters) resources_->clusters.lights = lightCount(lighting);
+  if (needs.maxClusters) followLights(lightCount(lighting));
   frame_ = nullptr;
   frame_ = &frames_.of(options, *resources_, lighting, scene.changes());
   if (plan.map) makeMap(options);
@@ -80,6 +80,13 @@ void PreparedScene::followMedia(EditedScene& scene, bool patient) {
   takeDivision(device_, *division, *resources_);
   scene.noteDivision();  // tables name where surfels lie
   media_ = scene.changes().media;
+}
+
+void PreparedScene::followLights(std::uint32_t lights) {
+  resources_->clusters.lights = lights;
+  if (lights <= resources_->surfels.lights) return;
+  device_.waitIdle();
+  passes::SurfelPass::makeRoomForLights(device_, lights, resources_->surfels);
 }
 
 void PreparedScene::orderDivision(const EditedScene& scene) {

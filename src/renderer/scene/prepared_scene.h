@@ -38,6 +38,7 @@ class PreparedScene {
                      const Lighting& lighting) const;
   void make(const EditedScene& scene, const SceneNeeds& needs);
   void followMedia(EditedScene& scene, bool patient);
+  void followLights(std::uint32_t lights);
   void orderDivision(const EditedScene& scene);
   void makeMap(const RenderOptions& options);
   void makeRoomForSeenSurfels();

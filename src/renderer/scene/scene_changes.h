@@ -7,7 +7,7 @@ namespace opaline {
 /// Counts that rise when something of a scene changes.
 struct SceneChanges {
   std::uint64_t media = 0;   ///< or how the surface is divided for them
-  std::uint64_t sky = 0;     ///< ambient light, environment
+  std::uint64_t sky = 0;     ///< see environment/sky.h
   std::uint64_t lights = 0;  ///< any light
   std::uint64_t pose = 0;    ///< where the vertices lie
 

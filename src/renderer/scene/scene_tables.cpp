@@ -6,10 +6,8 @@
 
 #include "bssrdf/fresnel.h"
 #include "bssrdf/profile.h"
-#include "environment/spherical_harmonics.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
-#include "passes/gather/ambient_cube.h"
 #include "passes/scatter/nearby_shares.h"
 #include "passes/shade/specular_albedo.h"
 #include "shaders/profile_packing.h"
@@ -137,7 +135,7 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
 }  // namespace
 
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
-                                    const ShCoefficients& ambient, const RenderOptions& options) {
+                                    const RenderOptions& options) {
   const TableBuilder builder(resources, options);
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   passes::SceneTables tables;
@@ -147,7 +145,7 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
   tables.followsLight = std::any_of(builder.media().begin(), builder.media().end(), followsLight);
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
-  tables.ambientCubes = passes::makeAmbientCubes(device, ambient, builder.etas());
+  tables.etas = builder.etas();
   return tables;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "environment/spherical_harmonics.h"
 #include "opaline/renderer.h"
 #include "passes/products.h"
 #include "renderer/scene/scene_resources.h"
@@ -11,10 +10,9 @@ class Device;
 
 namespace opaline {
 
-/// Puts what the shaders know of bodies, media and ambient light on the device. It depends on the
-/// options' transport and roughness; for set-up, not for frames. `ambient` is radiance from all
-/// around.
+/// Puts what the shaders know of bodies and media on the device. It depends on the options'
+/// transport and roughness; for set-up, not for frames.
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
-                                    const ShCoefficients& ambient, const RenderOptions& options);
+                                    const RenderOptions& options);
 
 }  // namespace opaline

@@ -2,18 +2,22 @@
 // each light by itself and of all that comes from everywhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define SHADOW_BINDING 6
-#define AMBIENT_BINDING 7
+#define BINDING_SKY_IRRADIANCE 7
 #define BINDING_OBJECTS 4
 #define BINDING_MEDIA 5
 #include "lib/boundary.glsl"
-#include "lib/irradiance.glsl"
+#include "lib/frame.glsl"
+#include "lib/light.glsl"
 #include "lib/linear.glsl"
 #include "lib/moment.glsl"
+#include "lib/piece.glsl"
+#include "lib/sky.glsl"
+#include "lib/unit.glsl"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
+layout(std430, set = 0, binding = 6) readonly buffer Visibilities { uint visibilities[]; };
 layout(std430, set = 0, binding = 8) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 10) writeonly buffer Nodes { ClusterNode nodes[]; };
@@ -22,6 +26,7 @@ layout(std430, set = 0, binding = 11) writeonly buffer Entries { Entry entries[]
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint piecesPerSurfel;
+  uint pieceCount;
 };
 
 // How far a cluster is felt by the interpolation between clusters, in edges of it as a square.
@@ -32,7 +37,7 @@ struct PieceShape {
   vec3 vectorArea;  // outwards
   float area;
   mat3 itsNormals;  // at the triangle's corners
-  mat3x2 places;    // barycentric coordinates of the piece's corners
+  mat3x2 places;    // of the piece's corners, see lib/piece.glsl
 };
 
 PieceShape shapeOf(SurfelPiece piece) {
@@ -40,7 +45,7 @@ PieceShape shapeOf(SurfelPiece piece) {
   vec3 origin = positions[piece.a].xyz;
   vec3 along = positions[piece.b].xyz - origin;
   vec3 across = positions[piece.c].xyz - origin;
-  shape.places = mat3x2(piece.v0, piece.w0, piece.v1, piece.w1, piece.v2, piece.w2);
+  shape.places = cornersOf(piece);
   for (int i = 0; i < 3; ++i)
     shape.corners[i] = origin + shape.places[i].x * along + shape.places[i].y * across;
   vec4 a = normals[piece.a];
@@ -54,23 +59,29 @@ vec3 middleOf(PieceShape shape) {
   return (shape.corners[0] + shape.corners[1] + shape.corners[2]) / 3.0;
 }
 
-// Light that enters through a piece, mean over three points (Strang and Fix 1973). Of a light by the
-// cosine to the facet, so that no light is lost or gained, or from everywhere.
+// Of a light, by the cosine to the facet, so that no light is lost or gained. What of it is visible
+// has been looked up where the surfels gathered.
+vec3 enteringAt(vec3 place, vec3 facet, MediumData medium, uint index, uint piece, uint point) {
+  IncidentLight light = incidentLight(index, place);
+  float visible = unpackVisibility(visibilities[visibilityIndex(index, piece, pieceCount)], point);
+  return light.irradiance * (enteringPart(light, facet, facet, medium) * visible);
+}
+
+// Light that enters through a piece, mean over its points: of a light, or from everywhere.
 const uint everywhere = 0xffffffffu;
-vec3 enteringThrough(PieceShape shape, ObjectData body, uint light) {
+vec3 enteringThrough(uint piece, PieceShape shape, ObjectData body, uint light) {
   vec3 sum = vec3(0.0);
   vec3 facet = unitOr(shape.vectorArea, vec3(0.0, 1.0, 0.0));
   vec3 middle = middleOf(shape);
-  vec2 middlePlace = (shape.places[0] + shape.places[1] + shape.places[2]) / 3.0;
-  for (int i = 0; i < 3; ++i) {
-    vec2 at = 0.5 * (middlePlace + shape.places[i]);
+  for (uint i = 0u; i < pointsPerPiece; ++i) {
+    vec2 at = pointOf(shape.places, i);
     vec3 normal = unitOr(shape.itsNormals * vec3(1.0 - at.x - at.y, at), facet);
     vec3 place = 0.5 * (middle + shape.corners[i]);
     MediumData medium = mediumAt(body, place);
-    sum += light == everywhere ? ambientAt(normal, medium)
-                               : irradianceOf(light, place, facet, facet, medium);
+    sum += light == everywhere ? skyIrradianceAt(normal, medium)
+                               : enteringAt(place, facet, medium, light, piece, i);
   }
-  return sum / 3.0;
+  return sum / float(pointsPerPiece);
 }
 
 Entry entryOf(uint first, uint end, Cluster cluster, ObjectData body, uint light) {
@@ -80,7 +91,7 @@ Entry entryOf(uint first, uint end, Cluster cluster, ObjectData body, uint light
   float all = 0.0;
   for (uint k = first; k < end; ++k) {
     PieceShape shape = shapeOf(pieces[k]);
-    vec3 entering = enteringThrough(shape, body, light);
+    vec3 entering = enteringThrough(k, shape, body, light);
     float amount = entering.r + entering.g + entering.b;
     sum += shape.area * entering;
     weighted += shape.area * amount * middleOf(shape);
@@ -95,7 +106,7 @@ Entry entryOf(uint first, uint end, Cluster cluster, ObjectData body, uint light
     PieceShape shape = shapeOf(pieces[k]);
     vec3 offset = middleOf(shape) - place;
     if (dot(offset, offset) >= least || shape.area <= 0.0 ||
-        enteringThrough(shape, body, light) == vec3(0.0))
+        enteringThrough(k, shape, body, light) == vec3(0.0))
       continue;
     least = dot(offset, offset);
     start = middleOf(shape);

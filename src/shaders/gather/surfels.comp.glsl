@@ -5,12 +5,12 @@
 #define BINDING_OBJECTS 4
 #define BINDING_MEDIA 5
 #define SHADOW_BINDING 6
-#define AMBIENT_BINDING 7
+#define BINDING_SKY_IRRADIANCE 7
 #include "lib/irradiance.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
+#include "lib/piece.glsl"
 #include "lib/unit.glsl"
-#include "shared/surfels.h"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
@@ -20,9 +20,12 @@ layout(std430, set = 0, binding = 9) writeonly buffer SurfelNormals { vec4 surfe
 
 layout(std430, set = 0, binding = 10) writeonly buffer SurfelPlaces { vec4 places[]; };
 
+layout(std430, set = 0, binding = 11) buffer Visibilities { uint visibilities[]; };
+
 layout(push_constant) uniform Push {
   uint surfelCount;
   uint piecesPerSurfel;
+  uint keepsVisibility;  // 1: clusters read it
 };
 
 // Less flux is none: sums of it would not be normal numbers.
@@ -39,7 +42,8 @@ struct PiecePlace {
   vec3 along;
   vec3 across;
   mat3 itsNormals;  // at the triangle's corners
-  mat3x2 corners;   // barycentric coordinates of b and c
+  float side;       // -1 where the body is mirrored
+  mat3x2 corners;   // see lib/piece.glsl
   float area;       // mm²
 };
 
@@ -49,13 +53,10 @@ PiecePlace placeOf(SurfelPiece piece) {
   place.along = positions[piece.b].xyz - place.origin;
   place.across = positions[piece.c].xyz - place.origin;
   place.itsNormals = mat3(normals[piece.a].xyz, normals[piece.b].xyz, normals[piece.c].xyz);
-  place.corners = mat3x2(piece.v0, piece.w0, piece.v1, piece.w1, piece.v2, piece.w2);
+  place.side = normals[piece.a].w;
+  place.corners = cornersOf(piece);
   place.area = 0.5 * length(cross(place.along, place.across)) * piece.fraction;
   return place;
-}
-
-vec2 middleOf(PiecePlace place) {
-  return (place.corners[0] + place.corners[1] + place.corners[2]) / 3.0;
 }
 
 vec3 positionAt(PiecePlace place, vec2 at) {
@@ -66,9 +67,56 @@ vec3 normalAt(PiecePlace place, vec2 at) {
   return unitOr(place.itsNormals * vec3(1.0 - at.x - at.y, at), vec3(0.0, 1.0, 0.0));
 }
 
+vec3 facetOf(PiecePlace place) {
+  return cross(place.along, place.across);
+}
+
+void keep(float visible, uint light, uint piece, uint point) {
+  uint index = visibilityIndex(light, piece, surfelCount * piecesPerSurfel);
+  uint before = point == 0u ? 0u : visibilities[index];
+  visibilities[index] = before | packVisibility(visible, point);
+}
+
+// Of a light on the side of a piece that its triangle's corners go around.
+float visibilityOn(PiecePlace place, vec3 position, IncidentLight light) {
+  vec3 outside = place.side * unitOr(facetOf(place), vec3(0.0));
+  return dot(outside, light.direction) > 0.0 ? visibilityOf(light, position, outside) : 0.0;
+}
+
+void keepVisibility(uint piece) {
+  PiecePlace place = placeOf(pieces[piece]);
+  for (uint i = 0u; i < pointsPerPiece; ++i) {
+    vec3 position = positionAt(place, pointOf(place.corners, i));
+    for (uint k = 0u; k < frame.counts.x; ++k)
+      keep(visibilityOn(place, position, incidentLight(k, position)), k, piece, i);
+  }
+}
+
+// The irradiance at a point of the piece, and what is visible of each light there.
+vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
+  vec2 at = pointOf(place.corners, point);
+  vec3 position = positionAt(place, at);
+  vec3 normal = normalAt(place, at);
+  vec3 outside = outsideOf(facetOf(place), normal);
+  MediumData medium = mediumAt(objects[pieces[piece].object], position);
+  vec3 sum = vec3(0.0);
+  for (uint k = 0u; k < frame.counts.x; ++k) {
+    IncidentLight light = incidentLight(k, position);
+    float part = enteringPart(light, normal, outside, medium);
+    float visible = 0.0;
+    if (part > 0.0)
+      visible = visibilityOf(light, position, outside);
+    else if (keepsVisibility != 0u)
+      visible = visibilityOn(place, position, light);
+    if (keepsVisibility != 0u) keep(visible, k, piece, point);
+    sum += light.irradiance * (part * visible);
+  }
+  return skyIrradianceAt(normal, medium) + sum;
+}
+
 vec3 irradianceOn(PiecePlace place, vec2 at, uint object) {
   vec3 position = positionAt(place, at);
-  return irradianceAt(position, normalAt(place, at), cross(place.along, place.across),
+  return irradianceAt(position, normalAt(place, at), facetOf(place),
                       mediumAt(objects[object], position));
 }
 
@@ -80,15 +128,12 @@ vec2 somewhereOn(PiecePlace place, uint surfel) {
   return (1.0 - at.x - at.y) * place.corners[0] + at.x * place.corners[1] + at.y * place.corners[2];
 }
 
-// The three points whose mean is that of any square over the piece (Strang and Fix 1973).
 void gatherPiece(uint surfel) {
-  SurfelPiece piece = pieces[surfel];
-  PiecePlace place = placeOf(piece);
-  vec2 middle = middleOf(place);
+  PiecePlace place = placeOf(pieces[surfel]);
+  vec2 middle = middleOf(place.corners);
   for (uint i = 0u; i < sourcesPerSurfel; ++i) {
-    vec2 at = 0.5 * (middle + place.corners[i]);
-    put(sourcesPerSurfel * surfel + i, positionAt(place, at), place.area / float(sourcesPerSurfel),
-        irradianceOn(place, at, piece.object));
+    put(sourcesPerSurfel * surfel + i, positionAt(place, pointOf(place.corners, i)),
+        place.area / float(sourcesPerSurfel), irradianceAndVisibility(surfel, place, i));
   }
   surfelNormals[surfel] = vec4(normalAt(place, middle), 0.0);
   places[surfel] = vec4(positionAt(place, somewhereOn(place, surfel)), 0.0);
@@ -110,7 +155,7 @@ void gatherPieces(uint surfel) {
     for (uint k = first; k < end; ++k) {
       SurfelPiece piece = pieces[surfel * piecesPerSurfel + k];
       PiecePlace place = placeOf(piece);
-      vec2 middle = middleOf(place);
+      vec2 middle = middleOf(place.corners);
       area += place.area;
       byArea += place.area * positionAt(place, middle);
       direction += place.area * normalAt(place, middle);
@@ -127,12 +172,14 @@ void gatherPieces(uint surfel) {
     if (largestArea > 0.0) {
       SurfelPiece piece = pieces[surfel * piecesPerSurfel + largest];
       PiecePlace place = placeOf(piece);
-      irradiance = irradianceOn(place, middleOf(place), piece.object);
+      irradiance = irradianceOn(place, middleOf(place.corners), piece.object);
     }
     put(sourcesPerSurfel * surfel + i, area > 0.0 ? byArea / area : somewhere, area, irradiance);
   }
   surfelNormals[surfel] = vec4(unitOr(direction, vec3(0.0, 1.0, 0.0)), 0.0);
   places[surfel] = vec4(middleOfAll, 0.0);
+  if (keepsVisibility == 0u) return;
+  for (uint k = 0u; k < piecesPerSurfel; ++k) keepVisibility(surfel * piecesPerSurfel + k);
 }
 
 void main() {

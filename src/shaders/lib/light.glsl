@@ -1,6 +1,8 @@
 // Light that arrives from the frame's lights. Needs lib/frame.glsl.
 #ifndef OPALINE_LIB_LIGHT
 #define OPALINE_LIB_LIGHT
+#include "lib/fresnel.glsl"
+#include "shared/medium.h"
 
 // Of one light at one place, wherever nothing is between.
 struct IncidentLight {
@@ -18,6 +20,15 @@ IncidentLight incidentLight(uint index, vec3 position) {
   vec3 offset = towards - position;
   float squared = max(dot(offset, offset), 1e-12);
   return IncidentLight(index, light.kind.x, offset * inversesqrt(squared), light.power.rgb / squared);
+}
+
+// The part of a light's irradiance that enters where it is visible. `outside` is the unit normal of
+// the surface as it is drawn: what of it faces away from a light is in its own shadow, wherever
+// `normal` looks.
+float enteringPart(IncidentLight light, vec3 normal, vec3 outside, MediumData medium) {
+  float cosine = dot(normal, light.direction);
+  if (cosine <= 0.0 || dot(outside, light.direction) <= 0.0) return 0.0;
+  return cosine * (1.0 - fresnelReflectance(medium.boundary.x, cosine));
 }
 
 // Whether a light of that kind has a shadow map of parallel rays. Else it has the six views of a cube

@@ -104,7 +104,7 @@ vec3 ringIrradiance(vec3 position, vec3 normal, float radius, float turned, Medi
 vec4 nearbyExitance(vec3 position, vec3 normal, ObjectData body) {
   MediumData medium = mediumAt(body, position);
   float reach = body.darkest.w;
-  vec3 ambient = ambientAt(normal, medium);
+  vec3 ambient = skyIrradianceAt(normal, medium);
   vec3 here = lightsIrradiance(position, normal, normal, medium);
   vec3 inner = ringIrradiance(position, normal, innerRingAt * reach, 0.0, medium);
   vec3 outer = ringIrradiance(position, normal, outerRingAt * reach, 0.5, medium);

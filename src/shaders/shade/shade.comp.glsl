@@ -5,18 +5,19 @@
 #define BINDING_OBJECTS 4
 #define BINDING_MEDIA 5
 #define SHADOW_BINDING 6
+#define BINDING_SKY_REFLECTION 7
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
 #include "lib/material.glsl"
 #include "lib/shadow.glsl"
+#include "lib/sky.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
 layout(set = 0, binding = 2) uniform sampler2D surfaceNormal;
 layout(set = 0, binding = 3) uniform sampler2D surfaceExitance;
-layout(set = 0, binding = 7) uniform samplerCubeArray reflectedEnvironment;
 layout(std430, set = 0, binding = 8) readonly buffer SpecularAlbedo { float specularAlbedo[]; };
 layout(set = 0, binding = 9, rgba32f) uniform image2D radiance;
 layout(set = 0, binding = 10) uniform sampler2D skyShare;  // of what is mirrored
@@ -55,10 +56,7 @@ vec3 reflection(MediumData medium, vec3 position, vec3 normal, vec3 toCamera, fl
                   fresnelReflectance(eta, clamp(dot(toLight, middle), 0.0, 1.0)) * cosineIn;
     if (value > 1e-6) sum += light.irradiance * (value * visibilityOf(light, position, normal));
   }
-  vec3 around = frame.ambient.rgb;
-  if (frame.counts.z != 0u)
-    around += textureLod(reflectedEnvironment, vec4(reflect(-toCamera, normal), 0.0), 0.0).rgb;
-  around = mix(own, around, sky);
+  vec3 around = mix(own, skyReflectedFrom(reflect(-toCamera, normal)), sky);
   return sum + around * reflectedAlbedo(medium, cosineOut);
 }
 

@@ -38,8 +38,7 @@ struct FrameData {
   mat4 worldToClip;
   vec4 cameraPosition;  // xyz mm
   vec4 cameraAxis;      // xyz unit, towards the scene
-  uvec4 counts;         // x: lights; y: shadow map size; z: 1 with an environment
-  vec4 ambient;         // rgb radiance, the same from everywhere
+  uvec4 counts;         // x: lights; y: shadow map size
   LightData lights[maxLights];
   mat4 shadowViews[maxShadowViews];  // world to clip
 };

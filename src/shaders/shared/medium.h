@@ -23,7 +23,7 @@ struct MediumData {
   Profile profile;
   BoundaryMedium inside;
   vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t); z, w: 0
-  uvec4 tables;  // x: layer of the ambient cube map; y, z: 0; w: first entry of the specular albedo
+  uvec4 tables;   // x: cube of the sky's irradiance; y, z: 0; w: first entry of the specular albedo
 };
 
 #ifdef __cplusplus

@@ -31,6 +31,9 @@ struct SurfelPiece {
   uint unused;
 };
 
+/// Light that enters through a piece is looked up at so many of its points (lib/piece.glsl).
+OPALINE_SURFEL_CONSTANT pointsPerPiece = 3u;
+
 /// Every surfel sends out light from so many points.
 OPALINE_SURFEL_CONSTANT sourcesPerSurfel = 3u;
 

@@ -1,4 +1,4 @@
-#include "passes/gather/ambient_cube.h"
+#include "passes/sky/irradiance_cubes.h"
 
 #include <array>
 #include <cstdint>
@@ -31,10 +31,10 @@ std::vector<float> makeFace(const ShCoefficients& radiance, const std::array<dou
 
 }  // namespace
 
-gpu::GpuImage makeAmbientCubes(gpu::Device& device, const ShCoefficients& radiance,
-                               const std::vector<double>& etas) {
+gpu::GpuImage makeIrradianceCubes(gpu::Device& device, const ShCoefficients& radiance,
+                                  const std::vector<double>& etas) {
   gpu::GpuImage cubes(device,
-                      {.name = "ambient cube map",
+                      {.name = "irradiance of the sky",
                        .width = ambientFaceSize,
                        .height = ambientFaceSize,
                        .layers = static_cast<std::uint32_t>(6 * etas.size()),

@@ -1,4 +1,4 @@
-// The environment as a GGX lobe sees it (Karis 2013, split sum), by filtered importance sampling
+// The sky as a GGX lobe sees it (Karis 2013, split sum), by filtered importance sampling
 // (Křivánek and Colbert 2008): each sample reads the map at the level whose texels are as large as
 // the sample's share of the lobe, so that a sun leaves no sparks.
 #version 460
@@ -11,7 +11,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0) uniform sampler2D latLong;
 layout(set = 0, binding = 1, rgba32f) writeonly uniform image2DArray cube;
 
-layout(push_constant) uniform Push { float alpha; };
+layout(push_constant) uniform Push {
+  vec4 ambient;  // rgb: uniform radiance on top of the environment's
+  float alpha;
+};
 
 const uint sampleCount = 256u;
 
@@ -51,5 +54,5 @@ void main() {
     float level = max(0.5 * log2(solidAngle / texelAngle) + 0.5, 0.0);
     sum += weight * vec4(textureLod(latLong, latLongCoordinates(toLight), level).rgb, 1.0);
   }
-  imageStore(cube, ivec3(texel), vec4(sum.rgb / max(sum.a, 1e-6), 1.0));
+  imageStore(cube, ivec3(texel), vec4(sum.rgb / max(sum.a, 1e-6) + ambient.rgb, 1.0));
 }

@@ -1,4 +1,4 @@
-#include "passes/shade/environment_pass.h"
+#include "passes/sky/sky_pass.h"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,15 @@
 #include <span>
 #include <utility>
 
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "environment/sky.h"
 #include "gpu/command_list.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
+#include "passes/sky/irradiance_cubes.h"
 
 namespace opaline::passes {
 
@@ -56,7 +62,7 @@ gpu::GpuImage uploadWithLevels(gpu::Device& device, Image image) {
 
 gpu::GpuImage makeCubeImage(gpu::Device& device, std::uint32_t size, VkImageUsageFlags usage) {
   return {device,
-          {.name = "reflected environment",
+          {.name = "reflection of the sky",
            .width = size,
            .height = size,
            .layers = 6,
@@ -65,28 +71,44 @@ gpu::GpuImage makeCubeImage(gpu::Device& device, std::uint32_t size, VkImageUsag
            .kind = gpu::ImageKind::CubeArray}};
 }
 
-}  // namespace
-
-EnvironmentPass::EnvironmentPass(gpu::Device& device)
-    : sampler_(device, gpu::Filter::Linear, gpu::Wrap::Repeat, gpu::Wrap::Clamp),
-      pipeline_(device, "reflected environment") {}
-
-gpu::GpuImage EnvironmentPass::makeBlack(gpu::Device& device) {
+// Of one texel a face.
+gpu::GpuImage makeUniformCube(gpu::Device& device, const Rgb& radiance) {
   gpu::GpuImage cube = makeCubeImage(device, 1, VK_IMAGE_USAGE_TRANSFER_DST_BIT);
-  const std::array<float, 4> black{};
+  const std::array<float, 4> texel{radiance[0], radiance[1], radiance[2], 1};
   for (std::uint32_t face = 0; face < 6; ++face)
-    gpu::uploadImage(device, cube, std::as_bytes(std::span<const float>(black)), face);
+    gpu::uploadImage(device, cube, std::as_bytes(std::span<const float>(texel)), face);
   return cube;
 }
 
-gpu::GpuImage EnvironmentPass::makeCube(gpu::Device& device, const Image& latLong,
-                                        float roughness) const {
-  gpu::GpuImage map = uploadWithLevels(device, latLong);
+}  // namespace
+
+SkyPass::SkyPass(gpu::Device& device)
+    : sampler_(device, gpu::Filter::Linear, gpu::Wrap::Repeat, gpu::Wrap::Clamp),
+      reflected_(device, "reflection of the sky") {}
+
+Sky SkyPass::makeSky(gpu::Device& device, const Lighting& lighting, float roughness,
+                     const std::vector<double>& etas) const {
+  Sky sky;
+  sky.radiance = projectSky(lighting);
+  sky.reflected = reflectedOf(device, lighting, roughness);
+  takeEtas(device, etas, sky);
+  return sky;
+}
+
+void SkyPass::takeEtas(gpu::Device& device, const std::vector<double>& etas, Sky& sky) {
+  sky.irradiance = makeIrradianceCubes(device, sky.radiance, etas);
+}
+
+gpu::GpuImage SkyPass::reflectedOf(gpu::Device& device, const Lighting& lighting,
+                                   float roughness) const {
+  if (!lighting.environment) return makeUniformCube(device, lighting.ambient);
+  const glm::vec4 ambient(glm::make_vec3(lighting.ambient.data()), 0);
+  gpu::GpuImage map = uploadWithLevels(device, *lighting.environment);
   gpu::GpuImage cube = makeCubeImage(device, skyFaceSize, VK_IMAGE_USAGE_STORAGE_BIT);
-  gpu::CommandList commands(device, "reflected environment");
+  gpu::CommandList commands(device, "reflection of the sky");
   commands.begin();
-  commands.bind(pipeline_, {.latLong = {map, sampler_}, .cube = cube},
-                {.alpha = roughness * roughness});
+  commands.bind(reflected_, {.latLong = {map, sampler_}, .cube = cube},
+                {.ambient = ambient, .alpha = roughness * roughness});
   commands.dispatch(skyFaceSize / tileSize, skyFaceSize / tileSize, 6);
   commands.submit();
   commands.wait();

@@ -14,7 +14,7 @@ namespace opaline::passes {
 /// The ambient cube map (Gong et al. 2008, section 3.2 and Figure 4b): irradiance that enters, by
 /// surface normal, from spherical-harmonic radiance; one cube for each index of refraction. Blocks.
 /// For set-up and when the light changes.
-gpu::GpuImage makeAmbientCubes(gpu::Device& device, const ShCoefficients& radiance,
-                               const std::vector<double>& etas);
+gpu::GpuImage makeIrradianceCubes(gpu::Device& device, const ShCoefficients& radiance,
+                                  const std::vector<double>& etas);
 
 }  // namespace opaline::passes

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "gpu/pipeline.h"
+#include "opaline/scene.h"
+#include "passes/products.h"
+#include "shaders/sky/reflected.comp.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Makes the sky: what of it enters surfaces, and what these reflect of it. For set-up; blocks.
+class SkyPass {
+ public:
+  explicit SkyPass(gpu::Device& device);
+
+  /// For surfaces of that roughness and these indices of refraction.
+  Sky makeSky(gpu::Device& device, const Lighting& lighting, float roughness,
+              const std::vector<double>& etas) const;
+  /// Takes up other indices of refraction, without another look at the environment.
+  static void takeEtas(gpu::Device& device, const std::vector<double>& etas, Sky& sky);
+
+ private:
+  gpu::GpuImage reflectedOf(gpu::Device& device, const Lighting& lighting, float roughness) const;
+
+  gpu::Sampler sampler_;
+  gpu::Compute<shaders::SkyReflected> reflected_;
+};
+
+}  // namespace opaline::passes
