@@ -44,26 +44,25 @@ struct Below {
   bool isTooLarge() const { return edgeMm() > wantedMm; }
 };
 
+// Where the budget is spent among equals, those that were divided lie evenly between the others:
+// one half of a plate finer than the other is seen. Nodes follow each other as they lie, so steps
+// of the golden ratio do that (Knuth 1973, 6.4). No two nodes have the same.
+std::uint32_t evenOrder(std::uint32_t node) {
+  return node * 2654435769U;
+}
+
 // How much a node that is too large for a cluster needs to be divided; the last is needed most.
 // Shape comes first: two sides in one cluster cost far more than many mean free paths.
 struct Need {
   bool forShape = false;
-  int excess = 0;           ///< of the edge, in halves of a power of 2: one division takes one off
-  std::uint32_t order = 0;  ///< among equals
+  int excess = 0;  ///< of the edge, in halves of a power of 2: one division takes one off
   std::uint32_t node = 0;
 
   bool operator<(const Need& other) const {
-    return std::tie(forShape, excess, order, node) <
-           std::tie(other.forShape, other.excess, other.order, other.node);
+    return std::tuple(forShape, excess, evenOrder(node)) <
+           std::tuple(other.forShape, other.excess, evenOrder(other.node));
   }
 };
-
-// Where the budget is spent among equals, those that were divided lie evenly between the others:
-// one half of a plate finer than the other is seen. Nodes follow each other as they lie, so steps
-// of the golden ratio do that (Knuth 1973, 6.4).
-std::uint32_t evenOrder(std::uint32_t node) {
-  return node * 2654435769U;
-}
 
 class Divider {
  public:
@@ -191,8 +190,7 @@ class Divider {
     const Edges& edges = edges_[below.object];
     const double edge = below.edgeMm();
     const auto need = [node](bool forShape, double excess) {
-      return Need{forShape, static_cast<int>(std::floor(2 * std::log2(excess))), evenOrder(node),
-                  node};
+      return Need{forShape, static_cast<int>(std::floor(2 * std::log2(excess))), node};
     };
     if (edge <= below.ofShapeMm) return need(false, edge / edges.largest);
     const double thin = std::clamp(edge * below.thinnessPerMm, 1.0, 1 / leastPart);

@@ -236,8 +236,12 @@ class Window:
         return Shot(width, height, data)
 
     def close(self):
-        """By its own key; a message of the validation layer is a failure."""
+        """By its own key."""
         self.xdotool("key", "ctrl+q")
+        self.await_end()
+
+    def await_end(self):
+        """A message of the validation layer is a failure."""
         self.test.assertEqual(self.process.wait(LONGEST_SECONDS), 0, self.said())
         self.test.assertNotIn("alidation", self.said())
 
