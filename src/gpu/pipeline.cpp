@@ -272,9 +272,9 @@ VkShaderStageFlags Pipeline::stages() const {
 
 Pipeline::~Pipeline() {
   if (device_ == nullptr) return;
-  vkDestroyPipeline(device_->handle(), pipeline_, nullptr);
-  vkDestroyPipelineLayout(device_->handle(), layout_, nullptr);
-  vkDestroyDescriptorSetLayout(device_->handle(), setLayout_, nullptr);
+  device_->retire(VK_OBJECT_TYPE_PIPELINE, pipeline_);
+  device_->retire(VK_OBJECT_TYPE_PIPELINE_LAYOUT, layout_);
+  device_->retire(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, setLayout_);
 }
 
 Pipeline::Pipeline(Pipeline&& other) noexcept {
