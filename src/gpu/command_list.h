@@ -99,6 +99,10 @@ class CommandList {
   /// tile of 8×8.
   void dispatchTiles(const GpuImage& image, std::uint32_t rounds = 1);
 
+  /// Of as many groups as stand in `groups` there, x y z; ordered with use(groups,
+  /// Access::Indirect).
+  void dispatchIndirect(Buffer& groups, std::size_t offset);
+
   /// The targets become attachments (with their barriers); viewport and scissor cover all of them.
   void beginRendering(std::span<const ColorTarget> colors, const DepthTarget* depth = nullptr);
   void beginRendering(std::initializer_list<ColorTarget> colors,
@@ -119,6 +123,8 @@ class CommandList {
   void copyFromImage(GpuImage& from, Buffer& to, std::uint32_t layer = 0, std::uint32_t level = 0,
                      std::size_t toOffset = 0);
   void fill(Buffer& buffer, std::uint32_t value);
+  /// Sets an image of floats or whole numbers to 0. Needs VK_IMAGE_USAGE_TRANSFER_DST_BIT.
+  void clear(GpuImage& image);
 
   /// Of the triangles as they lie in `corners`, the buffer that it was made of. A refit is faster
   /// than building anew, and rays take longer the further triangles have moved apart since then.

@@ -47,6 +47,15 @@ void CommandList::dispatchTiles(const GpuImage& image, std::uint32_t rounds) {
                rounds);
 }
 
+void CommandList::dispatchIndirect(Buffer& groups, std::size_t offset) {
+  assert(recording_ && !rendering_ && pipeline_ != nullptr);
+  assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
+  assert(boundIsCurrent());
+  assert((groups.state_.readAccesses & VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT) != 0);
+  assert(offset + sizeof(VkDispatchIndirectCommand) <= groups.bytes());
+  vkCmdDispatchIndirect(commands_, groups.handle(), offset);
+}
+
 void CommandList::drawEverywhere(std::uint32_t rounds) {
   const std::uint64_t ofRow = std::uint64_t{extent_.width} * rounds;
   const auto rows = static_cast<std::uint32_t>(

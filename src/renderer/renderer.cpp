@@ -28,13 +28,14 @@ DeviceDescription describe(const gpu::DeviceInfo& info) {
   return {info.name, gpu::toString(info.type), info.driver, info.rayQueries};
 }
 
-shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& camera,
-                                int shadowSize) {
+shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& camera, int shadowSize,
+                                int samples) {
   shared::FrameData frame{};
   frame.worldToClip = camera.worldToClip;
   frame.cameraPosition = {camera.position, 1};
   frame.cameraAxis = {camera.axis, 0};
   fillLights(lighting, static_cast<std::uint32_t>(shadowSize), frame);
+  fillSamples(samples, frame);
   return frame;
 }
 
@@ -120,6 +121,7 @@ class Renderer::Implementation {
     queue_.requireRoom();
     PreparedFrame& frame = prepared_.prepare(options, plan, edited_);
     fitToScene(prepared_.scene(), edited_.scene().lighting, plan);
+    makeRoom(device_, plan, frame.resources);
     plan.light = light_.mustFind(options, plan, edited_.changes(), frame);
     plan_ = plan;
     record(options, aovs, plan, frame.resources);
@@ -132,17 +134,18 @@ class Renderer::Implementation {
     const CameraView camera = makeCameraView(
         scene.camera, static_cast<float>(options.width) / static_cast<float>(options.height));
     frameData_.nextFrame();
-    const FrameUpload upload{frameData_.buffer(), frameData_.push(makeFrameData(
-                                                      scene.lighting, camera, options.shadowSize))};
+    const FrameUpload upload{
+        frameData_.buffer(),
+        frameData_.push(makeFrameData(scene.lighting, camera, options.shadowSize, plan.samples))};
     const bool solves = plan.transport == Transport::Boundary && plan.scatter;
 
     FrameSlot& slot = queue_.next();
     slot.provisional = prepared_.isProvisional();
-    slot.readback.prepare(device_, aovs, plan.site, camera, resources);
+    slot.readback.prepare(device_, aovs, camera, resources);
     slot.commands.begin();
     recordFrame(slot.commands, passes_, plan, upload, edited_.motion(), prepared_.scene(),
                 resources);
-    slot.readback.record(slot.commands, plan.site, resources);
+    slot.readback.record(slot.commands, resources);
     slot.readback.recordSolutions(slot.commands, solves ? plan.bounces + 1 : 0,
                                   prepared_.scene().solver);
     // Whoever shows pictures may sample this frame's too.

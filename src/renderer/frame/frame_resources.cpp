@@ -1,5 +1,6 @@
 #include "renderer/frame/frame_resources.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -13,16 +14,32 @@ namespace opaline {
 void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
                         const Lighting& lighting, const RenderOptions& options,
                         FrameResources& made) {
-  const auto width = static_cast<std::uint32_t>(options.width);
-  const auto height = static_cast<std::uint32_t>(options.height);
   made.view = passes::FitPass::makeView(device);
   made.tables = makeSceneTables(device, scene, options);
   remakeSky(device, passes, lighting, options, made);
-  made.surface = passes::SurfacePass::makeSurface(device, width, height);
-  made.exitance = passes::SurfacePass::makeExitance(device, width, height, scene.mesh.vertexCount);
-  made.reflectedSky = passes::ReflectedSkyPass::makeSky(device, width, height);
-  if (!made.radiance) made.radiance = passes::ShadePass::makeRadiance(device, width, height);
+  made.exitance.vertices = gpu::Buffer(
+      device, {.name = "exitance of vertices",
+               .bytes = std::max<std::size_t>(scene.mesh.vertexCount, 1) * sizeof(shared::vec4),
+               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+  if (!made.radiance)
+    made.radiance =
+        passes::ShadePass::makeRadiance(device, static_cast<std::uint32_t>(options.width),
+                                        static_cast<std::uint32_t>(options.height));
   remakeShadows(device, lighting, options, made);
+}
+
+void makeRoom(gpu::Device& device, const FramePlan& plan, FrameResources& made) {
+  const VkExtent2D picture = made.radiance.extent();
+  const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
+  const bool surfaces = !made.surfaces.words || made.surfaces.words.options().layers < samples;
+  const bool centres = plan.centre && !made.centres.position;
+  if (!surfaces && !centres) return;
+  device.waitIdle();
+  if (surfaces) {
+    made.surfaces = {};  // before memory for the next is taken
+    made.surfaces = passes::SurfacePass::makeSurfaces(device, picture, samples);
+  }
+  if (centres) made.centres = passes::CentresPass::makeCentres(device, picture);
 }
 
 void keepOnlyPicture(FrameResources& resources) {

@@ -7,6 +7,7 @@
 #include "opaline/scene.h"
 #include "paper/technique.h"
 #include "passes/products.h"
+#include "renderer/frame/frame_plan.h"
 #include "renderer/scene/scene_resources.h"
 
 namespace opaline::gpu {
@@ -22,20 +23,24 @@ struct FrameResources {
   passes::SceneTables tables;
   passes::FrameView view;
   passes::ShadowMaps shadows;
-  passes::VisibleSurface surface;
+  passes::VisibleSurfaces surfaces;
+  passes::SeenCentres centres;
   passes::Exitance exitance;
   passes::Sky sky;
-  passes::ReflectedSky reflectedSky;
   gpu::GpuImage radiance;           ///< the picture
-  passes::SeenSurfels seenSurfels;  ///< these three are empty until a plan asks for them
+  passes::SeenSurfels seenSurfels;  ///< these are empty until a plan asks for them
   gpu::GpuImage seenIrradiance;
   std::optional<paper::Map> map;
 };
 
-/// Makes everything for these options; of the picture, what is there stays.
+/// Makes everything for these options but what makeRoom adds; of the picture, what is there stays.
 void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
                         const Lighting& lighting, const RenderOptions& options,
                         FrameResources& resources);
+
+/// Makes, of what a pixel needs in a frame of this plan, what is not there yet. Waits for the
+/// device where anything has to be made.
+void makeRoom(gpu::Device& device, const FramePlan& plan, FrameResources& resources);
 
 /// Drops everything but the picture.
 void keepOnlyPicture(FrameResources& resources);

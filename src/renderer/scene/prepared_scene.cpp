@@ -38,7 +38,7 @@ PreparedFrame& PreparedScene::prepare(const RenderOptions& options, const FrameP
   if (plan.seenSurfels) makeRoomForSeenSurfels();
   if (plan.irradiance && !frame_->resources.seenIrradiance)
     frame_->resources.seenIrradiance =
-        passes::SeenIrradiancePass::makeImage(device_, frame_->resources.surface);
+        passes::SeenIrradiancePass::makeImage(device_, frame_->resources.radiance.extent());
   return *frame_;
 }
 
@@ -120,7 +120,7 @@ void PreparedScene::makeRoomForSeenSurfels() {
     resources_->rays = passes::RayPass::makeBoxes(device_, resources_->surfels);
   FrameResources& made = frame_->resources;
   if (!made.seenSurfels.image)
-    made.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, made.surface);
+    made.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, made.radiance.extent());
 }
 
 }  // namespace opaline
