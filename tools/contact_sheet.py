@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Renders every model of a folder, and ten awkward bodies, of media and sizes, into one sheet of small pictures that
 is there to be looked at; says how long each took, and fails where one took too long, ended badly, or shows a value
-that is no number. `make contact-sheet` runs it. What was rendered stays in the work folder; delete it to begin anew."""
+that is no number. Processor time does not depend on what else the machine does. `make contact-sheet` runs it. What was rendered stays in the work folder; delete it to begin anew."""
 
 import argparse
 import array
 import json
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 import time
@@ -31,6 +32,12 @@ def models(folders, work):
         write_obj(path, body)
         found.append(path)
     return found
+
+
+def processor_seconds():
+    """Of all programs that were started here and have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def render(program, model, medium, diagonal, options, output, limit):
@@ -94,12 +101,13 @@ def main():
                 name = f"{model.stem}{model.suffix.replace('.', '_')}-{medium}-{diagonal:g}"
                 exr, png, took = (arguments.work / f"{name}.{end}" for end in ("exr", "png", "seconds"))
                 if not took.exists():
+                    before = processor_seconds()
                     seconds, fault = render(arguments.program, model, medium, diagonal, options, exr, arguments.limit)
-                    took.write_text(json.dumps([seconds, fault]))
+                    took.write_text(json.dumps([seconds, processor_seconds() - before, fault]))
                     if exr.exists():
                         tone(exr, png)
-                seconds, fault = json.loads(took.read_text())
-                times.append((seconds, name))
+                seconds, processor, fault = json.loads(took.read_text())
+                times.append((processor, seconds, name))
                 if fault:
                     wrong.append(f"{name}: {fault}")
                 tiles += ["-label", f"{model.stem[:18]} {seconds:.1f}s", str(png) if png.exists() else "xc:red"]
@@ -109,7 +117,9 @@ def main():
             subprocess.run(["montage", "-font", font, "-pointsize", "10", *tiles, "-tile", f"{arguments.columns}x", "-geometry",
                             f"{arguments.size}x{arguments.size}+2+2", str(sheet)], check=True)
             print(sheet)
-    print("slowest: " + ", ".join(f"{name} {seconds:.1f} s" for seconds, name in sorted(times, reverse=True)[:5]))
+    slowest = sorted(times, reverse=True)[:5]
+    print("most processor time: " + ", ".join(f"{name} {processor:.0f} s, {seconds:.0f} s by the clock"
+                                              for processor, seconds, name in slowest))
     for line in wrong:
         print(line, file=sys.stderr)
     sys.exit(1 if wrong else 0)

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <functional>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -97,10 +99,33 @@ VkPipelineColorBlendAttachmentState withoutBlending() {
   return blend;
 }
 
-VkPipeline createGraphics(const Device& device, const std::string& name,
-                          const GraphicsOptions& options,
-                          std::span<const VkPipelineShaderStageCreateInfo> stages,
-                          VkPipelineLayout layout) {
+VkPipeline createCompute(const Device& device, const std::string& name, const Shader& shader,
+                         std::span<const std::byte> constants, VkPipelineLayout layout) {
+  const Specialization specialization(constants);
+  const ShaderModule module(device, shader.words, name);
+  VkComputePipelineCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+  info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT, specialization);
+  info.layout = layout;
+  info.flags = VK_PIPELINE_CREATE_DISPATCH_BASE_BIT;  // see CommandList::dispatchLinear
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+        fmt::format("create the pipeline \"{}\"", name));
+  return pipeline;
+}
+
+VkPipeline createGraphics(const Device& device, const std::string& name, const Shader& vertex,
+                          const Shader& fragment, const GraphicsOptions& options,
+                          std::span<const std::byte> constants, VkPipelineLayout layout) {
+  const Specialization specialization(constants);
+  const ShaderModule vertexModule(device, vertex.words, name);
+  std::vector<VkPipelineShaderStageCreateInfo> stages{
+      vertexModule.stage(VK_SHADER_STAGE_VERTEX_BIT, specialization)};
+  std::optional<ShaderModule> fragmentModule;
+  if (!fragment.words.empty()) {
+    fragmentModule.emplace(device, fragment.words, name);
+    stages.push_back(fragmentModule->stage(VK_SHADER_STAGE_FRAGMENT_BIT, specialization));
+  }
   const auto colors = static_cast<std::uint32_t>(options.colorFormats.size());
   VkPipelineRenderingCreateInfo rendering{};
   rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
@@ -175,22 +200,41 @@ VkDescriptorType descriptorTypeOf(BindingType type) {
   return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 }
 
+/// What the device makes of a pipeline, once, whichever thread asks first.
+class Pipeline::Compiled {
+ public:
+  Compiled(const Device& device, std::string name, std::function<VkPipeline()> compile)
+      : device_(device), name_(std::move(name)), compile_(std::move(compile)) {}
+  ~Compiled() { vkDestroyPipeline(device_.handle(), pipeline_, nullptr); }
+  Compiled(const Compiled&) = delete;
+  Compiled& operator=(const Compiled&) = delete;
+
+  VkPipeline handle() {
+    std::call_once(compiled_, [this] {
+      pipeline_ = compile_();
+      device_.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline_), name_);
+    });
+    return pipeline_;
+  }
+
+ private:
+  const Device& device_;
+  std::string name_;
+  std::function<VkPipeline()> compile_;
+  std::once_flag compiled_;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
 Pipeline::Pipeline(Device& device, const std::string& name, const Shader& shader,
                    std::span<const std::byte> constants)
     : Pipeline() {
   device_ = &device;
   bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
   createLayout(name, {&shader, 1});
-  const Specialization specialization(constants);
-  const ShaderModule module(device, shader.words, name);
-  VkComputePipelineCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-  info.stage = module.stage(VK_SHADER_STAGE_COMPUTE_BIT, specialization);
-  info.layout = layout_;
-  info.flags = VK_PIPELINE_CREATE_DISPATCH_BASE_BIT;  // see CommandList::dispatchLinear
-  check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_),
-        fmt::format("create the pipeline \"{}\"", name));
-  device.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline_), name);
+  const std::vector<std::byte> kept(constants.begin(), constants.end());
+  compiled_ = std::make_unique<Compiled>(device, name, [=, &device, layout = layout_] {
+    return createCompute(device, name, shader, kept, layout);
+  });
 }
 
 Pipeline::Pipeline(Device& device, const std::string& name, const Shader& vertex,
@@ -208,17 +252,14 @@ Pipeline::Pipeline(Device& device, const std::string& name, const Shader& vertex
   bindPoint_ = VK_PIPELINE_BIND_POINT_GRAPHICS;
   const std::array shaders{vertex, fragment};
   createLayout(name, shaders);
-  const Specialization specialization(constants);
-  const ShaderModule vertexModule(device, vertex.words, name);
-  std::vector<VkPipelineShaderStageCreateInfo> stages{
-      vertexModule.stage(VK_SHADER_STAGE_VERTEX_BIT, specialization)};
-  std::optional<ShaderModule> fragmentModule;
-  if (!fragment.words.empty()) {
-    fragmentModule.emplace(device, fragment.words, name);
-    stages.push_back(fragmentModule->stage(VK_SHADER_STAGE_FRAGMENT_BIT, specialization));
-  }
-  pipeline_ = createGraphics(device, name, options, stages, layout_);
-  device.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(pipeline_), name);
+  const std::vector<std::byte> kept(constants.begin(), constants.end());
+  compiled_ = std::make_unique<Compiled>(device, name, [=, &device, layout = layout_] {
+    return createGraphics(device, name, vertex, fragment, options, kept, layout);
+  });
+}
+
+VkPipeline Pipeline::handle() const {
+  return compiled_->handle();
 }
 
 void Pipeline::createLayout(const std::string& name, std::span<const Shader> shaders) {
@@ -272,7 +313,7 @@ VkShaderStageFlags Pipeline::stages() const {
 
 Pipeline::~Pipeline() {
   if (device_ == nullptr) return;
-  vkDestroyPipeline(device_->handle(), pipeline_, nullptr);
+  compiled_.reset();
   vkDestroyPipelineLayout(device_->handle(), layout_, nullptr);
   vkDestroyDescriptorSetLayout(device_->handle(), setLayout_, nullptr);
 }
@@ -291,7 +332,7 @@ void Pipeline::swap(Pipeline& other) noexcept {
   std::swap(device_, other.device_);
   std::swap(setLayout_, other.setLayout_);
   std::swap(layout_, other.layout_);
-  std::swap(pipeline_, other.pipeline_);
+  std::swap(compiled_, other.compiled_);
   std::swap(bindPoint_, other.bindPoint_);
   std::swap(pushConstantBytes_, other.pushConstantBytes_);
   std::swap(slots_, other.slots_);

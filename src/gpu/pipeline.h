@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -32,7 +33,8 @@ struct GraphicsOptions {
 };
 
 /// A pipeline without vertex input (vertices are pulled from storage buffers), with dynamic
-/// viewport, one push-descriptor set and push constants. Movable.
+/// viewport, one push-descriptor set and push constants. The device compiles it when it is first
+/// bound, so that a process pays for the passes it runs. Movable.
 class Pipeline {
  public:
   Pipeline() = default;
@@ -42,8 +44,9 @@ class Pipeline {
   Pipeline(const Pipeline&) = delete;
   Pipeline& operator=(const Pipeline&) = delete;
 
-  explicit operator bool() const { return pipeline_ != VK_NULL_HANDLE; }
-  VkPipeline handle() const { return pipeline_; }
+  explicit operator bool() const { return compiled_ != nullptr; }
+  /// Throws Error when the device cannot compile it.
+  VkPipeline handle() const;
   VkPipelineLayout layout() const { return layout_; }
   VkPipelineBindPoint bindPoint() const { return bindPoint_; }
   VkShaderStageFlags stages() const;  ///< those that see the bindings and push constants
@@ -59,13 +62,15 @@ class Pipeline {
            const GraphicsOptions& options, std::span<const std::byte> constants);
 
  private:
+  class Compiled;
+
   void createLayout(const std::string& name, std::span<const Shader> shaders);
   void swap(Pipeline& other) noexcept;
 
   Device* device_ = nullptr;
   VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;
   VkPipelineLayout layout_ = VK_NULL_HANDLE;
-  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  std::unique_ptr<Compiled> compiled_;
   VkPipelineBindPoint bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
   std::uint32_t pushConstantBytes_ = 0;
   std::uint32_t slots_ = 0;  // bit n: binding n is there

@@ -94,6 +94,23 @@ std::array<double, 3> crossOf(const core::RestSurface& surface, std::uint32_t tr
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+Vec3 middleOfMm(const core::RestSurface& surface, const Piece& piece) {
+  const Triangle& triangle = surface.triangles[piece.triangle];
+  const Vec3& a = surface.positionsMm[triangle[0]];
+  const Vec3& b = surface.positionsMm[triangle[1]];
+  const Vec3& c = surface.positionsMm[triangle[2]];
+  float v = 0;
+  float w = 0;
+  for (const std::array<float, 2>& corner : piece.corners) {
+    v += corner[0] / 3;
+    w += corner[1] / 3;
+  }
+  Vec3 place{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    place[axis] = (1 - v - w) * a[axis] + v * b[axis] + w * c[axis];
+  return place;
+}
+
 double areaMm2(const core::RestSurface& surface, std::uint32_t triangle) {
   const std::array<double, 3> cross = crossOf(surface, triangle);
   return std::hypot(cross[0], cross[1], cross[2]) / 2;

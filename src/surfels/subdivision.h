@@ -29,6 +29,8 @@ std::array<double, 3> crossOf(const core::RestSurface& surface, std::uint32_t tr
 
 double areaMm2(const core::RestSurface& surface, std::uint32_t triangle);
 
+Vec3 middleOfMm(const core::RestSurface& surface, const Piece& piece);
+
 /// Bisects the longest edge of every triangle and of its parts until none is larger than its
 /// object's spacing, mm (spacingOfMm). Nothing when that makes more than `limit` pieces.
 std::optional<std::vector<Piece>> subdivide(const core::RestSurface& surface,

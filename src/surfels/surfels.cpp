@@ -75,23 +75,6 @@ Cut cut(const core::RestSurface& surface, std::span<const double> wantedMm, std:
   }
 }
 
-Vec3 placeOf(const core::RestSurface& surface, const Piece& piece) {
-  const Triangle& triangle = surface.triangles[piece.triangle];
-  const Vec3& a = surface.positionsMm[triangle[0]];
-  const Vec3& b = surface.positionsMm[triangle[1]];
-  const Vec3& c = surface.positionsMm[triangle[2]];
-  float v = 0;
-  float w = 0;
-  for (const std::array<float, 2>& corner : piece.corners) {
-    v += corner[0] / 3;
-    w += corner[1] / 3;
-  }
-  Vec3 place{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    place[axis] = (1 - v - w) * a[axis] + v * b[axis] + w * c[axis];
-  return place;
-}
-
 // The sides of parts thinner than what is joined, surfels or clusters, are further apart than such
 // a group is large.
 void tellSidesApart(const core::RestSurface& surface, std::span<const Piece> pieces,
@@ -117,7 +100,8 @@ std::vector<std::vector<TreeItem>> itemsOfObjects(const core::RestSurface& surfa
                                                   std::uint32_t piecesPerSurfel) {
   std::vector<std::vector<TreeItem>> items(objects);
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-    items[surface.objectOfTriangle[pieces[i].triangle]].push_back({placeOf(surface, pieces[i]), i});
+    items[surface.objectOfTriangle[pieces[i].triangle]].push_back(
+        {middleOfMm(surface, pieces[i]), i});
   }
   for (std::vector<TreeItem>& list : items) {
     tellSidesApart(surface, pieces, piecesPerSurfel, list);

@@ -7,23 +7,11 @@
 #include <limits>
 #include <optional>
 
+#include "surfels/vector.h"
+
 namespace opaline::surfels {
 
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector difference(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 struct Box {
   Vector low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),

@@ -95,12 +95,14 @@ def with_value(words, option, value):
 
 
 def made_cheap(words):
-    """The same command on fewer pixels, frames and seconds."""
+    """The same command on a smaller body and on fewer pixels, surfels, frames and seconds."""
     command = words[1]
     scene = len(words) > 2 and not words[2].startswith("-") or any(
         word.endswith((".ply", ".glb", ".toml")) for word in words[2:])
     if "--help" in words:
         return words
+    if "--diagonal-mm" in words:
+        words = with_value(words, "--diagonal-mm", "5")
     if command in ("render", "reference", "info") and not scene:
         words = words[:2] + ["ball.ply"] + words[2:]
     if command in ("render", "reference"):
@@ -108,6 +110,8 @@ def made_cheap(words):
         if "-o" not in words:
             words = words + ["-o", "variable.exr" if "--aov" in words else "still.png"]
     if command == "render":
+        if "pattern" not in words and "paper" not in words:
+            words = with_value(words, "--max-surfels", "4096")
         if "--aov" not in words:
             words = with_value(words, "--antialias", "1")
         if "--frames" in words:

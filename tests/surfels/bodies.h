@@ -100,6 +100,24 @@ inline Body together(const Body& a, const Body& b) {
   return body;
 }
 
+/// A sphere whose inside is empty up to that part of its radius.
+inline Body hollowSphere(float inner) {
+  Body body = bodyOf(awkward::sphere());
+  body.name = "hollow_sphere";
+  const auto vertices = static_cast<std::uint32_t>(body.positions.size());
+  const std::size_t outside = body.triangles.size();
+  for (std::uint32_t i = 0; i < vertices; ++i) {
+    const Vec3 p = body.positions[i];
+    body.positions.push_back({inner * p[0], inner * p[1], inner * p[2]});
+  }
+  for (std::size_t t = 0; t < outside; ++t) {
+    const Triangle outer = body.triangles[t];
+    body.triangles.push_back({outer[0] + vertices, outer[2] + vertices, outer[1] + vertices});
+    body.objectOfTriangle.push_back(body.objectOfTriangle[t]);
+  }
+  return body;
+}
+
 inline std::vector<Body> allBodies() {
   std::vector<Body> bodies{withEmptyObjects(), crowd(), sliver()};
   for (const awkward::Shape& shape : awkward::all()) bodies.push_back(bodyOf(shape));

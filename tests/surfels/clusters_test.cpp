@@ -249,6 +249,23 @@ TEST(Clusters, NoneHoldsBothSidesOfASlab) {
     }
 }
 
+// Its wall is thicker than a cluster and runs in all directions; the tree divides along three.
+TEST(Clusters, NoneHoldsBothSidesOfAHollowSphere) {
+  const Body body = hollowSphere(0.85F);
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.01), unlimited);
+  const ClusterDivision made = clustersOf(body.surface(), surfels, unlimited);
+  const std::vector<Patch> patches = patchesOf(body, surfels, made);
+  double area = 0;
+  for (const Patch& patch : patches) area += patch.areaMm2;
+  const double usual = usualClusterMm(area);
+  int ofBothSides = 0;
+  for (const Patch& patch : patches)
+    if (patch.edgeMm() > usual / 4 &&
+        std::hypot(patch.normal[0], patch.normal[1], patch.normal[2]) < 0.9)
+      ++ofBothSides;
+  EXPECT_EQ(ofBothSides, 0) << "of " << made.count();
+}
+
 // From usual at the thick end to the thickness at the thin one.
 TEST(Clusters, OfAWedgeFollowItsThickness) {
   constexpr double length = 8;

@@ -21,13 +21,16 @@ const float leastFacing = 1e-4;
 const float coarseInFreePaths = 4.0;
 const float coarseInDiffusionLengths = 1.0;
 
+// Clusters whose reach is more than that many of their edges have their surfels far apart.
+const float scatteredInEdges = 3.4;
+
 // The exitance at a place, where the half-space has that one, by the clusters around: their weights
 // fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. The
 // invocations of a subgroup go in step; those with nothing to do have noNode as root.
 vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium, uint root, uint end) {
   vec3 exitance = vec3(0.0);
   vec3 mean = vec3(0.0);
-  float edge = 0.0;
+  float edges = 0.0;
   float all = 0.0;
   float inside = 0.0;
   uint next = root;
@@ -43,12 +46,17 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium, u
       bool opened = left > 0.0;
       if (opened && isLeaf(link)) {
         uint i = firstSurfelOf(link);
-        float weight = left * left * max(dot(normal, clusters[i].normal.xyz), leastFacing);
+        // Clusters that are scattered over their reach, a few surfels left over between others,
+        // would count as much as all around them.
+        float edge = sqrt(pi) * clusters[i].normal.w;
+        float fills = min(1.0, scatteredInEdges * edge / max(reach, 1e-15));
+        float weight = fills * fills * left * left *
+                       max(dot(normal, clusters[i].normal.xyz), leastFacing);
         all += weight;
         weight *= clusters[i].second.w;  // 0 without inside
         exitance += weight * exitances[i].rgb;
         mean += weight * means[i].rgb;
-        edge += weight * sqrt(pi) * clusters[i].normal.w;
+        edges += weight * edge;
         inside += weight;
       }
       next = opened ? at + 1u : afterNode(at, link);
@@ -60,7 +68,7 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium, u
   mean /= inside;
   vec3 wanted = max(medium.extinction.rgb / coarseInFreePaths,
                     medium.sigma.rgb / coarseInDiffusionLengths);
-  vec3 detail = clamp(edge / inside * wanted, 0.0, 1.0);
+  vec3 detail = clamp(edges / inside * wanted, 0.0, 1.0);
   detail *= min(exitance / max(mean, vec3(1e-30)), vec3(1.0));
   vec3 better = max(exitance + detail * (halfSpace - mean), vec3(0.0));
   return mix(halfSpace, better, inside / all);

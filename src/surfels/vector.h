@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace opaline::surfels {
+
+using Vector = std::array<double, 3>;
+
+inline Vector difference(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+inline double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline void addTimes(double weight, const Vector& part, Vector& sum) {
+  for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += weight * part[axis];
+}
+
+}  // namespace opaline::surfels

@@ -1,0 +1,58 @@
+#include "gpu/pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "gpu/command_list.h"
+#include "gpu/gpu_fixture.h"
+#include "gpu/helpers.h"
+#include "shaders/add.comp.h"
+
+namespace {
+
+int compiled = 0;
+
+}  // namespace
+
+// Stands before the loader's in this program, to count.
+extern "C" VKAPI_ATTR VkResult VKAPI_CALL
+vkCreateComputePipelines(VkDevice device, VkPipelineCache cache, std::uint32_t count,
+                         const VkComputePipelineCreateInfo* infos,
+                         const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+  ++compiled;
+  const auto create = reinterpret_cast<PFN_vkCreateComputePipelines>(
+      vkGetDeviceProcAddr(device, "vkCreateComputePipelines"));
+  return create(device, cache, count, infos, allocator, pipelines);
+}
+
+namespace opaline::gpu {
+namespace {
+
+using PipelineTest = GpuTest;
+
+TEST_F(PipelineTest, IsCompiledWhenItIsFirstBoundAndOnlyThen) {
+  const std::vector<std::uint32_t> values(64, 3U);
+  Buffer input = makeBuffer(device(), "input", values, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  Buffer output = makeBuffer(device(), "output", values, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  const int before = compiled;
+  const Compute<shaders::Add> unused(device(), "unused");
+  Compute<shaders::Add> made(device(), "add");
+  const Compute<shaders::Add> pipeline(std::move(made));
+  EXPECT_EQ(compiled, before);
+
+  CommandList list(device(), "twice");
+  for (int i = 0; i < 2; ++i) {
+    list.begin();
+    list.bind(pipeline, {.values = input, .results = output}, {.count = 64});
+    list.dispatch(1);
+    list.submit();
+    EXPECT_EQ(compiled, before + 1);
+  }
+  list.wait();
+}
+
+}  // namespace
+}  // namespace opaline::gpu
