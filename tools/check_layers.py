@@ -32,8 +32,9 @@ ALLOWED = {
     "src/shaders": ("bssrdf",),
     "src/shaders/shared": (),  # GLSL reads these too
     "src/passes": ("opaline", "core", "surfels", "soft_body", "bssrdf", "environment", "gpu", "shaders",
-                   "passes/products.h"),
-    "src/paper": ("opaline", "core", "bssrdf", "gpu", "shaders", "passes/products.h"),
+                   "passes/products.h", "passes/seen_parts.h", "passes/mechanics.h"),
+    "src/paper": ("opaline", "core", "bssrdf", "gpu", "shaders", "passes/products.h",
+                  "passes/seen_parts.h"),
     "src/paper/atlas": (*PLAIN, "core"),
     "src/renderer": ("opaline", "core", "options", "bssrdf", "scene", "environment", "deform", "surfels",
                      "soft_body", "gpu", "passes", "paper/technique.h", "shaders"),

@@ -110,8 +110,6 @@ class CommandList {
     beginRendering(std::span<const ColorTarget>(colors.begin(), colors.size()), depth);
   }
   void endRendering();
-  /// A triangle that covers the targets; `rounds` of the fragment shader.
-  void drawEverywhere(std::uint32_t rounds);
   void draw(std::uint32_t vertices, std::uint32_t firstVertex = 0);
   /// 32-bit indices; ordered with use(indices, Access::Index) before beginRendering.
   void drawIndexed(Buffer& indices, std::uint32_t count);
@@ -164,7 +162,6 @@ class CommandList {
   bool submitted_ = false;
   bool inPass_ = false;
   bool rendering_ = false;
-  VkExtent2D extent_{};  // of the targets
 
   const Pipeline* pipeline_ = nullptr;
   // What is bound at each slot, graphics and compute apart.

@@ -6,7 +6,7 @@
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "paper/shaders/shared/pattern.h"
-#include "passes/mechanics.h"
+#include "passes/seen_parts.h"
 
 namespace opaline::paper {
 

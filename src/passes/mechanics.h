@@ -10,7 +10,6 @@
 #include "gpu/device.h"
 #include "gpu/shader.h"
 #include "passes/products.h"
-#include "shaders/shared/seen.h"
 
 /// What passes are put together from.
 namespace opaline::passes {
@@ -40,17 +39,6 @@ inline gpu::TexelsOrRays rays(RayHierarchy& hierarchy) {
 
 /// Rounds of an invocation that walks a tree, or sends a ray through one: some hundreds.
 constexpr std::uint32_t roundsOfWalk = 1024;
-
-/// Calls `bind(first)` for one part of the list of surfaces after the other, each followed by its
-/// dispatch, for shaders that take long (lib/seen_list.glsl).
-template <typename Bind>
-void forEachPart(gpu::CommandList& commands, VisibleSurfaces& surfaces, const Bind& bind) {
-  commands.use(surfaces.counts, gpu::Access::Indirect);
-  for (std::uint32_t part = 0; part < surfaces.parts; ++part) {
-    bind(part * shared::seenOfPart);
-    commands.dispatchIndirect(surfaces.counts, (1 + part) * sizeof(shared::SeenCount));
-  }
-}
 
 /// A tree's nodes of one height, as its list by height has them.
 struct NodeRange {

@@ -4,6 +4,7 @@
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
+#include "shaders/shared/seen.h"
 
 namespace opaline::passes {
 

@@ -5,6 +5,7 @@
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
+#include "passes/seen_parts.h"
 
 namespace opaline::passes {
 

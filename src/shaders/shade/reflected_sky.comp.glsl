@@ -46,6 +46,7 @@ vec3 microfacet(uint i, vec3 normal, vec3 along) {
   return sine * (cos(angle) * along + sin(angle) * cross(normal, along)) + cosine * normal;
 }
 
+// The widest go first: where those agree, so do the others within the lobe.
 float shareOfSky(vec3 place, vec3 normal, vec3 facet, uint samples) {
   vec3 toCamera = normalize(frame.cameraPosition.xyz - place);
   vec3 across = unitOr(cross(normal, toCamera), normalize(cross(normal, normal.yzx + vec3(0.3, 0.5, 0.7))));
@@ -56,7 +57,11 @@ float shareOfSky(vec3 place, vec3 normal, vec3 facet, uint samples) {
   RayTarget scene = RayTarget(0u, nodeCount, everyObject);
   uint sent = 0u;
   uint free = 0u;
-  for (uint i = 0u; i < raysInAll; ++i) {
+  uint enough = max(raysInAll / 4u, 2u);
+  for (uint left = raysInAll; left > 0u; --left) {
+    bool agreed = free == 0u || free == sent;
+    if (samples == everySample && raysInAll - left == enough && agreed) break;
+    uint i = left - 1u;
     if ((samples >> i / rays & 1u) == 0u) continue;
     vec3 direction = reflect(-toCamera, microfacet(i, normal, along));
     if (dot(direction, normal) <= 0.0 && raysInAll > 1u) continue;

@@ -23,7 +23,7 @@ OPALINE_SEEN_CONSTANT maxTriangles = (1u << seenSamplesShift) - 2u;
 OPALINE_SEEN_CONSTANT seenLayerShift = 28u;
 
 /// What takes long goes over the list of surfaces by several dispatches of so many.
-OPALINE_SEEN_CONSTANT seenOfPart = 1u << 19u;
+OPALINE_SEEN_CONSTANT seenOfPart = 1u << 18u;
 
 /// Groups of a dispatch over a list, x y z, and w: entries. The list of surfaces has one for the
 /// whole and then one for each part, which has no w.
