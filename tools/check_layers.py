@@ -32,7 +32,7 @@ ALLOWED = {
     "src/shaders": ("bssrdf",),
     "src/shaders/shared": (),  # GLSL reads these too
     "src/passes": ("opaline", "core", "surfels", "soft_body", "bssrdf", "environment", "gpu", "shaders",
-                   "passes/products.h", "passes/seen_parts.h", "passes/mechanics.h"),
+                   "passes/products.h"),
     "src/paper": ("opaline", "core", "bssrdf", "gpu", "shaders", "passes/products.h",
                   "passes/seen_parts.h"),
     "src/paper/atlas": (*PLAIN, "core"),

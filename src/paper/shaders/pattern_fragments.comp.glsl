@@ -26,9 +26,10 @@ layout(std430, set = 0, binding = 3) writeonly buffer Exitances { vec4 exitances
 
 void main() {
   Seen seen = seenOfInvocation(first);
-  if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
-  if (objects[place.object].table.x != medium) return;
-  vec3 near = nearSum(place.position, media[medium], nearPlaceOn(triangleOf(seen.word), place.weights));
-  exitances[seen.entry] = vec4(near, float(nearEvaluations())) + meshExitanceAt(place);
+  // Software devices go on after `return`, but not through a branch that none of a group takes.
+  if (seen.there && objects[place.object].table.x == medium) {
+    vec3 near = nearSum(place.position, media[medium], nearPlaceOn(triangleOf(seen.word), place.weights));
+    exitances[seen.entry] = vec4(near, float(nearEvaluations())) + meshExitanceAt(place);
+  }
 }

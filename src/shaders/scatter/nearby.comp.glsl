@@ -24,10 +24,10 @@ layout(push_constant) uniform Push {
 
 void main() {
   Seen seen = seenOfInvocation(first);
-  if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   ObjectData body = objects[place.object];
-  if (body.darkest.w == 0.0 || !isSummedAtFragments(body, site)) return;
-  vec3 outwards = place.side * place.normal;
-  exitances[seen.entry] += nearbyExitance(place.position, outwards, body);
+  if (seen.there && body.darkest.w != 0.0 && isSummedAtFragments(body, site)) {
+    vec3 outwards = place.side * place.normal;
+    exitances[seen.entry] += nearbyExitance(place.position, outwards, body);
+  }
 }
