@@ -1,0 +1,100 @@
+#include "renderer/frame/view_resources.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "renderer/frame/frame.h"
+#include "renderer/frame/light_views.h"
+#include "renderer/scene/scene_tables.h"
+
+namespace opaline {
+
+namespace {
+
+bool sameSize(const RenderOptions& a, const RenderOptions& b) {
+  return a.width == b.width && a.height == b.height;
+}
+
+bool samePattern(const PatternOptions& a, const PatternOptions& b) {
+  return a.nearRings == b.nearRings && a.nearSpacing == b.nearSpacing &&
+         a.farDistance == b.farDistance;
+}
+
+}  // namespace
+
+ViewResources::ViewResources(gpu::Device& device, const Passes& passes)
+    : device_(device), passes_(passes) {}
+
+void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
+                           SceneResources& scene, const Lighting& lighting,
+                           const SceneChanges& changes) {
+  const std::optional<For> before = std::exchange(for_, std::nullopt);
+  const bool whole = !before || before->changes.whole != changes.whole;
+  const bool size = whole || !sameSize(before->options, options);
+  const bool surface = whole || before->options.roughness != options.roughness;
+  const bool transport = whole || before->options.transport != options.transport;
+  const bool media = whole || before->changes.media != changes.media;
+  const bool pattern = whole || !samePattern(before->options.pattern, options.pattern) ||
+                       before->options.dsmSize != options.dsmSize;
+  const bool sky = surface || before->changes.sky != changes.sky;
+  const std::uint32_t views = shadowViewCount(lighting);
+  const bool shadows =
+      whole || made_.view.shadowViews != views || before->options.shadowSize != options.shadowSize;
+
+  if (whole) made_ = {.radiance = std::move(made_.radiance)};
+  if (size || media || transport || pattern) made_.map.reset();
+  if (size || shadows || surface || pattern) lit.reset();
+  if (whole) made_.view = passes::FitPass::makeView(device_);
+  if (media || transport || surface) makeTables(device_, scene, options, made_);
+  if (sky) makeSky(device_, passes_, lighting, options, made_);
+  if (size) makeImages(options, scene);
+  makeRoom(plan);
+  if (shadows) makeShadows(device_, lighting, options, made_);
+  if (plan.map && !made_.map) makeMap(options, scene);
+  if (plan.seenSurfels && !made_.seenSurfels.image)
+    made_.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, made_.radiance.extent());
+  if (plan.irradiance && !made_.seenIrradiance)
+    made_.seenIrradiance = passes::SeenIrradiancePass::makeImage(device_, made_.radiance.extent());
+  for_ = {options, changes};
+}
+
+void ViewResources::makeImages(const RenderOptions& options, const SceneResources& scene) {
+  const auto width = static_cast<std::uint32_t>(options.width);
+  const auto height = static_cast<std::uint32_t>(options.height);
+  // Before memory for the next is taken.
+  made_.surfaces = {};
+  made_.centres = {};
+  made_.seenSurfels = {};
+  made_.seenIrradiance = {};
+  const bool fits = made_.radiance && made_.radiance.extent().width == width &&
+                    made_.radiance.extent().height == height;
+  if (!fits) made_.radiance = {};
+  made_.exitance.vertices = gpu::Buffer(
+      device_, {.name = "exitance of vertices",
+                .bytes = std::max<std::size_t>(scene.mesh.vertexCount, 1) * sizeof(shared::vec4),
+                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+  if (!fits) made_.radiance = passes::ShadePass::makeRadiance(device_, width, height);
+}
+
+// For as many samples as any frame has had.
+void ViewResources::makeRoom(const FramePlan& plan) {
+  const VkExtent2D extent = made_.radiance.extent();
+  const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
+  passes::VisibleSurfaces& surfaces = made_.surfaces;
+  if (!surfaces.words || surfaces.words.options().layers < samples) {
+    surfaces = {};  // before memory for the next is taken
+    surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples);
+  }
+  if (plan.centre && !made_.centres.position)
+    made_.centres = passes::CentresPass::makeCentres(device_, extent);
+}
+
+// Few frames are by the paper's method, or show its map.
+void ViewResources::makeMap(const RenderOptions& options, SceneResources& scene) {
+  made_.map = passes_.paper->makeMap(device_, restSceneOf(scene), *scene.flat, scene.mesh, options);
+  lit.reset();
+}
+
+}  // namespace opaline
