@@ -160,6 +160,14 @@ bool wantsVertices(const SceneResources& resources, std::size_t object) {
   return size.meanEdgeMm <= freePathMm && size.meanEdgeByAreaMm <= longestByArea * freePathMm;
 }
 
+paper::RestScene restSceneOf(const SceneResources& resources) {
+  paper::RestScene rest{
+      surfaceOf(*resources.merged), resources.media, resources.mediumOfObject, {}};
+  for (const SizeOfObject& size : resources.sizeOfObject)
+    rest.areaOfObjectMm2.push_back(size.areaMm2);
+  return rest;
+}
+
 bool SceneResources::hasInside() const {
   return std::any_of(surfelsOfObject.begin(), surfelsOfObject.end(),
                      [](const SurfelsOfObject& object) { return object.hasInside; });
