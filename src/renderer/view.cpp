@@ -131,8 +131,7 @@ class View::Implementation {
     frameData_.nextFrame();
     const FrameUpload upload{
         frameData_.buffer(),
-        frameData_.push(
-            makeFrameData(scene.lighting, camera, options_.shadowSize, plan_.samples))};
+        frameData_.push(makeFrameData(scene.lighting, camera, options_.shadowSize, plan_.samples))};
     const bool solves = plan_.transport == Transport::Boundary && plan_.scatter;
 
     FrameSlot& slot = queue_.next();
