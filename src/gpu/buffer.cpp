@@ -38,14 +38,14 @@ void checkSize(const Device& device, const BufferOptions& options) {
   if ((options.usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) != 0 && options.bytes > storageLimit) {
     throw Error(fmt::format(
         "the buffer \"{}\" needs {:.1f} MB, but {} reads at most {:.1f} MB from one buffer; use a "
-        "smaller mesh or map, fewer sources, or another device",
+        "smaller mesh or map, fewer surfels, or another device",
         options.name, static_cast<double>(options.bytes) / 1e6, device.info().name,
         static_cast<double>(storageLimit) / 1e6));
   }
   if (options.bytes > device.largestBufferBytes()) {
     throw Error(fmt::format(
         "the buffer \"{}\" needs {:.1f} MB, which is more than {} allows; use a smaller mesh or "
-        "map, fewer sources, or another device",
+        "map, fewer surfels, or another device",
         options.name, static_cast<double>(options.bytes) / 1e6, device.info().name));
   }
 }
@@ -90,7 +90,7 @@ void Buffer::makeTexelView(const std::string& name) {
   if (bytes_ / texelBytes > most) {
     throw Error(fmt::format(
         "the buffer \"{}\" needs {} texels, but {} reads at most {} from one buffer; use fewer "
-        "sources, or another device",
+        "surfels, or another device",
         name, bytes_ / texelBytes, device_->info().name, most));
   }
   VkBufferViewCreateInfo info{};
