@@ -28,7 +28,7 @@ PreparedFrame& PreparedScene::prepare(const RenderOptions& options, const FrameP
   const Lighting& lighting = scene.scene().lighting;
   const SceneNeeds needs = needsOf(options, plan, lighting);
   if (!resources_ || resources_->needs != needs)
-    make(scene, needs);
+    make(scene, needs, options.site);
   else
     followMedia(scene, options.patient);
   if (needs.maxClusters) followLights(lightCount(lighting));
@@ -58,10 +58,11 @@ SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan&
   return needs;
 }
 
-void PreparedScene::make(const EditedScene& scene, const SceneNeeds& needs) {
+void PreparedScene::make(const EditedScene& scene, const SceneNeeds& needs, Site site) {
   device_.waitIdle();
   clear();
   resources_ = makeSceneResources(device_, scene.scene(), scene.merged(), needs, log_);
+  noteSite(scene.scene(), *resources_, site, log_);
   media_ = scene.changes().media;
   orderDivision(scene);
 }
