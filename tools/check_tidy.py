@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """clang-tidy on every source file of the product, in parallel. Most of its time goes into reading headers,
 so files with the same compiler flags are read many at once, as one translation unit. Two files may give the
-same name to different things: those that do not compile together are read apart. What was clean and has not
-changed since, with all the headers it includes, is not read again, unless --all asks for it."""
+same name to different things: those that do not compile together are read apart. What was clean, in this
+checkout or another, is not read again until it or a header that it includes changes, unless --all asks for it."""
 
 import argparse
 import concurrent.futures
+import contextlib
 import hashlib
 import itertools
 import json
@@ -15,11 +16,16 @@ import re
 import shlex
 import subprocess
 import sys
+import time
 
 import clang_tools
 from repository import ROOT, finish
 
 FILES_AT_ONCE = 48
+
+# All checkouts share the marks of what was clean, as they share a compiler cache.
+MARKS = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "opaline" / "tidy"
+UNUSED_DAYS = 30
 
 
 def our_dependencies(build):
@@ -38,10 +44,12 @@ def our_dependencies(build):
 
 
 def fingerprint(salt, command, files):
+    """Of what clang-tidy reads, the same wherever the checkout lies."""
+    root = str(ROOT).encode()
     digest = hashlib.sha256(salt)
-    digest.update(command.encode())
+    digest.update(command.encode().replace(root, b""))
     for path in sorted(set(files)):
-        digest.update(str(path.relative_to(ROOT)).encode() + b"\0" + path.read_bytes())
+        digest.update(str(path.relative_to(ROOT)).encode() + b"\0" + path.read_bytes().replace(root, b""))
     return digest.hexdigest()
 
 
@@ -75,8 +83,24 @@ def sources(build, salt):
             seen.add(path)
             known = files is not None and path in files and all(file.is_file() for file in files)
             name = str(path.relative_to(ROOT)).encode()
-            mark = build / "tidy" / fingerprint(salt + name, entry["command"], files) if known else None
+            mark = MARKS / fingerprint(salt + name, entry["command"], files) if known else None
             yield Source(path, tuple(words[1:at]), mark)
+
+
+def was_clean(source):
+    """A mark that is asked for stays."""
+    if source.mark is None or not source.mark.exists():
+        return False
+    source.mark.touch()
+    return True
+
+
+def forget_unused_marks():
+    oldest = time.time() - UNUSED_DAYS * 24 * 3600
+    for mark in MARKS.iterdir():
+        with contextlib.suppress(FileNotFoundError):  # another checkout may forget it at the same time
+            if mark.stat().st_mtime < oldest:
+                mark.unlink()
 
 
 def batches(waiting):
@@ -123,8 +147,9 @@ def main():
         return
     salt = (ROOT / ".clang-tidy").read_bytes() + clang_tools.VERSION.encode()
     (build / "tidy").mkdir(exist_ok=True)
-    waiting = [source for source in sources(build, salt)
-               if arguments.all or source.mark is None or not source.mark.exists()]
+    MARKS.mkdir(parents=True, exist_ok=True)
+    forget_unused_marks()
+    waiting = [source for source in sources(build, salt) if arguments.all or not was_clean(source)]
     findings, done = [], 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
         # The largest first, so that no processor waits long for the last.

@@ -101,7 +101,7 @@ def made_cheap(words):
         word.endswith((".ply", ".glb", ".toml")) for word in words[2:])
     if "--help" in words:
         return words
-    if "--diagonal-mm" in words:
+    if "--diagonal-mm" in words or command == "bench":
         words = with_value(words, "--diagonal-mm", "5")
     if command in ("render", "reference", "info") and not scene:
         words = words[:2] + ["ball.ply"] + words[2:]

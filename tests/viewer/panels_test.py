@@ -2,15 +2,14 @@
 
 import unittest
 
-from driver import COARSE, WindowTest
+from driver import COARSE, CORNERS, WindowTest
 from program import CUBE_OBJ
 
 
 class Panels(WindowTest):
     def test_every_panel(self):
         """In one window, one after the other, as they stand after each other."""
-        self.window = self.view("--builtin", "teapot", "--medium", "gummy-red", "--transport", "dipole", *COARSE, "--antialias", "2", "--size",
-                                "760x600")
+        self.window = self.view("--builtin", "teapot", "--medium", "gummy-red", *CORNERS, "--size", "760x600")
         for part in (self.handles, self.camera, self.keys, self.divider, self.method, self.time, self.motion, self.quick, self.playback,
                      self.poke, self.show, self.film, self.typing, self.medium, self.light, self.many_lights):
             with self.subTest(part.__name__):

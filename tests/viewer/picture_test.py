@@ -32,8 +32,8 @@ class Picture(WindowTest):
                    "--ambient", ".3,.2,.1").close()
 
     def test_tone_and_no_reflection(self):
-        self.check("cube.obj", "--transport", "better-dipole", *COARSE, "--exposure", "1.5", "--tone", "none", "--no-specular",
-                   "--antialias", "8").close()
+        self.check("cube.obj", "--transport", "better-dipole", "--site", "vertex", *COARSE, "--exposure", "1.5", "--tone", "none",
+                   "--no-specular", "--antialias", "8").close()
 
     def test_motion_and_camera(self):
         self.check("cube.obj", "--transport", "dipole", *COARSE, "--deform", "twist:0.6", "--time", "1.25", "--camera-direction", "1,.5,2",

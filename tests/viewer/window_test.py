@@ -116,7 +116,7 @@ class Response(WindowTest):
     def test_a_click_is_seen_while_the_device_works(self):
         if self.succeed("info", "--json").json()["devices"][0]["type"] != "software":
             self.skipTest("pictures come at once")
-        window = self.view("--size", "640x480", "--antialias", "8", "--medium", "jade")
+        window = self.view("--size", "640x480", "--antialias", "4", "--medium", "jade")
         window.only("Medium")
         frames = window.state()["frames"]
         window.press("Medium/marble")

@@ -97,6 +97,7 @@ Image asColour(Image map) {
 core::Image8 photograph(Studio& studio, RenderOptions options, const Exposure& exposure) {
   options.width = 2 * exposure.width / studio.shrunk;
   options.height = 2 * exposure.height / studio.shrunk;
+  options.maxClusters /= studio.shrunk;
   return develop(halved(studio.renderer.render(options).images.at(0)), exposure.stops);
 }
 

@@ -22,7 +22,7 @@ struct Studio {
   std::filesystem::path models;
   std::filesystem::path output;
   Renderer renderer;
-  int shrunk = 1;  ///< by which photographs are smaller than usual, each way
+  int shrunk = 1;  ///< by which photographs are smaller than usual, each way, and unknowns fewer
 };
 
 /// What one panel shows, and how bright.

@@ -20,7 +20,11 @@ layout(location = 0) out vec4 exitance;
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 surface = texelFetch(surfacePosition, pixel, 0);
-  if (surface.w == 0.0 || objects[uint(surface.w) - 1u].table.x != medium) discard;
-  vec3 near = nearSum(surface.xyz, media[medium], texelFetch(surfacePlace, pixel, 0).xy);
-  exitance = vec4(near, float(nearEvaluations())) + texelFetch(farExitance, pixel, 0);
+  // Software devices go on after `discard`, but not through a branch that none of a group takes.
+  if (surface.w != 0.0 && objects[uint(surface.w) - 1u].table.x == medium) {
+    vec3 near = nearSum(surface.xyz, media[medium], texelFetch(surfacePlace, pixel, 0).xy);
+    exitance = vec4(near, float(nearEvaluations())) + texelFetch(farExitance, pixel, 0);
+  } else {
+    discard;
+  }
 }
