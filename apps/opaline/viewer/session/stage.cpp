@@ -61,7 +61,9 @@ void Stage::submit(const RenderOptions& options, Aov variable, bool own) {
   if (apart_) {
     renderer_.submit(options, aovs_);
   } else {
-    (own ? picture_ : paper_) = renderer_.submitOnDevice(options, aovs_);
+    DeviceImage& image = own ? picture_ : paper_;
+    image = {};  // where the next cannot be made, this one may be gone
+    image = renderer_.submitOnDevice(options, aovs_);
   }
   waiting_.push_back({own, variable});
 }
