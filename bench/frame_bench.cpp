@@ -73,15 +73,16 @@ struct Way {
   RenderOptions options;
   Limits most;
   Renderer& renderer;
-  FrameTimes times;
+  View view{renderer, options};
+  FrameTimes times{};
   Site site = Site::Auto;  ///< that was chosen
   std::size_t sources = 0;
   std::size_t clusters = 0;
   std::vector<Solution> solutions;
 
   void render(double seconds) {
-    options.seconds = seconds;
-    const RenderReport report = renderer.render(options).report;
+    renderer.setTime({.seconds = seconds});
+    const RenderReport report = view.render().report;
     std::vector<gpu::PassTiming> passes;
     for (const PassTime& pass : report.passes) passes.push_back({pass.name, pass.milliseconds});
     times.add(report.frameMilliseconds, passes);
@@ -129,9 +130,9 @@ Json describe(Way& way, const Image& finest, const Yardsticks& yardsticks) {
     for (const Solution& solution : way.solutions) result["steps"].push_back(solution.steps);
   }
 
-  way.options.seconds = 0;
+  way.renderer.setTime({});
   const std::vector<Image> found =
-      way.renderer.render(way.options, {Aov::Exitance, Aov::Evaluations}).images;
+      way.view.render({.aovs = {Aov::Exitance, Aov::Evaluations}}).images;
   if (way.options.sum != Sum::Pattern) result["evaluations"] = compare::meanOverCovered(found[1]);
   // Another transport is no approximation of the dipole's.
   if (way.options.transport != Transport::Dipole) return result;
@@ -153,13 +154,12 @@ Json measure(const Arguments& arguments, const Scene& scene, const char* lightin
   tree.setScene(scene);
   boundary.setScene(scene);
   OpaqueFrame opaqueFrame(scene, optionsFor(Sum::Tree, Site::Auto), arguments.device);
-  std::array ways{
-      Way{"paper fragment", optionsFor(Sum::Pattern, Site::Fragment), {}, paper, {}},
-      Way{"paper vertex", optionsFor(Sum::Pattern, Site::Vertex), {}, paper, {}},
-      Way{"tree auto", optionsFor(Sum::Tree, Site::Auto), {.papers = 1}, tree, {}},
-      Way{"tree fragment", optionsFor(Sum::Tree, Site::Fragment), {.papers = 3}, tree, {}},
-      Way{"boundary, no bounces", boundaryFor(0), {.trees = 2}, boundary, {}},
-      Way{"boundary, two bounces", boundaryFor(2), {.trees = 3}, boundary, {}}};
+  std::array ways{Way{"paper fragment", optionsFor(Sum::Pattern, Site::Fragment), {}, paper},
+                  Way{"paper vertex", optionsFor(Sum::Pattern, Site::Vertex), {}, paper},
+                  Way{"tree auto", optionsFor(Sum::Tree, Site::Auto), {.papers = 1}, tree},
+                  Way{"tree fragment", optionsFor(Sum::Tree, Site::Fragment), {.papers = 3}, tree},
+                  Way{"boundary, no bounces", boundaryFor(0), {.trees = 2}, boundary},
+                  Way{"boundary, two bounces", boundaryFor(2), {.trees = 3}, boundary}};
   constexpr std::size_t paperFragment = 0;
   constexpr std::size_t treeAuto = 2;
 
@@ -174,6 +174,7 @@ Json measure(const Arguments& arguments, const Scene& scene, const char* lightin
 
   RenderOptions finest = optionsFor(Sum::Tree, Site::Fragment);
   finest.tolerance = static_cast<float>(finestTolerance);
+  tree.setTime({});
   const RenderResult exact = tree.render(finest, {Aov::Exitance});
   const DeviceDescription& device = exact.report.device;
   Json result{{"scene", scene.name},

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,7 @@ struct Way {
   Scene scene;
   bool fromHost = false;
   std::unique_ptr<Renderer> renderer;
+  std::optional<View> view;
   std::vector<Vec3> positions;
   std::vector<double> milliseconds;
   int frame = 0;
@@ -101,17 +103,17 @@ struct Way {
   void start(const std::string& device) {
     renderer = std::make_unique<Renderer>(RendererOptions{.device = device});
     renderer->setScene(scene);
+    view.emplace(*renderer, options());
     positions = scene.objects[0].mesh.positionsMm;
   }
 
   void submit() {
-    RenderOptions asked = options();
-    asked.seconds = 0.02 * ++frame;
+    renderer->setTime({.seconds = 0.02 * ++frame});
     if (fromHost) {
       for (Vec3& p : positions) p[1] += 0.01F;
       renderer->replacePositions(0, positions);
     }
-    renderer->submit(asked);
+    view->submit();
   }
 
   /// Frames one after the other with as many under way as may be, by the clock on the wall: what
@@ -120,9 +122,9 @@ struct Way {
     const auto begin = std::chrono::steady_clock::now();
     for (int i = 0; i < framesInARow; ++i) {
       submit();
-      if (i > 0) renderer->collect(done);
+      if (i > 0) view->collect(done);
     }
-    renderer->collect(done);
+    view->collect(done);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
     milliseconds.push_back(took.count() / framesInARow);
   }
@@ -159,7 +161,7 @@ void run(int count, char** values) {
                     {"allowed", way.allowed}});
   const json result{{"scene", scene.name},
                     {"vertices", scene.objects[0].mesh.positionsMm.size()},
-                    {"device", ways[0].renderer->report().device.name},
+                    {"device", ways[0].view->report().device.name},
                     {"rows", rows}};
   if (arguments.json) return fmt::print("{}\n", result.dump(2));
   fmt::print("{}, {} vertices, 1024 x 1024, fragment, on {}\n", scene.name,

@@ -72,7 +72,7 @@ class OpaqueFrame::Implementation {
 
   void render(double seconds, FrameTimes& times) {
     commands_.begin();
-    motion_.record(commands_, deform_, 0, seconds, resources_.mesh);
+    motion_.record(commands_, deform_, {.seconds = seconds}, resources_.mesh);
     fit_.record(commands_, upload_, 0, resources_.mesh, view_);
     shadow_.record(commands_, view_, resources_.mesh, shadows_);
     surface_.record(commands_, {view_, resources_.mesh, {0, 0}, exitance_.vertices}, visible_);

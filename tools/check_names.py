@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """File names are snake_case; no source names a path of one machine or promises work for later; no message of the
-library names an option of the command line."""
+library names an option of the command line; the library waits for an idle device in one place alone."""
 
 import re
 import sys
@@ -17,6 +17,9 @@ LATER = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX)\b")
 LIBRARY = ("include/", "src/", "reference/")
 STRING = re.compile(r'"(?:[^"\\]|\\.)*"')
 OPTION = re.compile(r"(?<![\w-])--[a-z]")
+# Frames and edits wait for submissions by their number; only the device waits for all, as it goes.
+WAIT_IDLE = re.compile(r"vk(?:Device|Queue)WaitIdle")
+WAITS_IDLE = "src/gpu/device.cpp"
 # Data from outside keeps the words of its source.
 EXEMPT = ("LICENSE",)
 
@@ -38,6 +41,8 @@ def check_text(path, text):
             findings.append(f"{path}:{number}: work put off to later")
         if path.startswith(LIBRARY) and path.endswith((".h", ".cpp")) and OPTION.search(" ".join(STRING.findall(line))):
             findings.append(f"{path}:{number}: a message of the library names an option of the command line")
+        if path.startswith("src/") and path != WAITS_IDLE and WAIT_IDLE.search(line):
+            findings.append(f"{path}:{number}: waits until the device is idle")
     return findings
 
 

@@ -54,6 +54,14 @@ struct Clip {
   std::vector<Track> tracks;
 };
 
+/// A moment of a scene's motion.
+struct SceneTime {
+  double seconds = 0;  ///< of clip and deformers, s, in [0, 1e6]
+  int clip = 0;        ///< index of the clip that plays; -1: none, nodes as in the file
+
+  bool operator==(const SceneTime&) const = default;
+};
+
 /// The offsets that a morph target adds at weight 1, one per vertex.
 struct MorphTarget {
   std::vector<Vec3> positions;

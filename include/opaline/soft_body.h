@@ -39,7 +39,7 @@ class SoftBody {
   /// out of range. Throws Error when no scene is set or the device fails.
   SoftBody(Renderer& renderer, std::size_t object, std::span<const Vec3> restMm,
            std::span<const Triangle> triangles, const SoftBodyOptions& options = {});
-  /// Returns the object to its mesh or rig. Waits for the device.
+  /// Returns the object to its mesh or rig.
   ~SoftBody();
   SoftBody(SoftBody&&) noexcept;
   SoftBody& operator=(SoftBody&&) noexcept;

@@ -27,14 +27,13 @@ struct DevicePositions {
   VkDeviceSize offsetBytes = 0;    ///< multiple of 4
   std::uint32_t strideBytes = 12;  ///< from one position to the next, multiple of 4, at least 12
   bool live = true;                ///< may change at any time; false: only before another call of
-                     ///< Renderer::replacePositions, so that RenderOptions::reuseLight still works
+                     ///< Renderer::replacePositions, so that FrameOrder::reuseLight still works
 };
 
 /// Radiance times coverage in RGB, coverage in alpha, linear, top row first. Shaders on the
-/// renderer's queue may sample it. The next frame of its kind, from whichever call, waits for
-/// shaders that read it, and overwrites it. Frames of another size, transport, sum, site, pattern,
-/// roughness or shadow size are of another kind. The image lives until the renderer has made frames
-/// of two other kinds, whatever the scene. So two pictures can be shown side by side.
+/// renderer's queue may sample it. The view's next frame waits for shaders that read it, and
+/// overwrites it. The image lives until the view gets another size or goes away, whatever the
+/// scene. Work that uses it and was submitted before that is waited for.
 struct DeviceImage {
   VkImage image = VK_NULL_HANDLE;
   VkImageView view = VK_NULL_HANDLE;

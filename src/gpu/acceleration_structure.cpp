@@ -83,7 +83,6 @@ AccelerationStructure::AccelerationStructure(Device& device, const std::string& 
   commands.begin();
   commands.build(*this, corners, false);
   commands.submit();
-  commands.wait();
 }
 
 void AccelerationStructure::describe(VkDeviceAddress corners,
@@ -181,7 +180,7 @@ void AccelerationStructure::recordBodies(VkCommandBuffer commands) {
 
 AccelerationStructure::~AccelerationStructure() {
   for (const VkAccelerationStructureBuildGeometryInfoKHR& build : builds_)
-    device_->rays().destroy(device_->handle(), build.dstAccelerationStructure, nullptr);
+    device_->retire(VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR, build.dstAccelerationStructure);
 }
 
 AccelerationStructure::AccelerationStructure(AccelerationStructure&& other) noexcept {

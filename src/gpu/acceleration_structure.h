@@ -20,10 +20,9 @@ class Device;
 class AccelerationStructure {
  public:
   AccelerationStructure() = default;
-  /// Blocks until it is built of the triangles as they lie: for set-up, not for frames. `corners`
-  /// holds three vec4 a triangle and was made with cornersUsage; body i is the triangles from
-  /// firstTriangle[i] on, and firstTriangle has one more entry than there are bodies. Needs
-  /// Device::hasRayQueries().
+  /// Built of the triangles as they lie: for set-up, not for frames. `corners` holds three vec4 a
+  /// triangle and was made with cornersUsage; body i is the triangles from firstTriangle[i] on, and
+  /// firstTriangle has one more entry than there are bodies. Needs Device::hasRayQueries().
   AccelerationStructure(Device& device, const std::string& name, Buffer& corners,
                         std::span<const std::uint32_t> firstTriangle);
   ~AccelerationStructure();

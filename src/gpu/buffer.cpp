@@ -120,8 +120,8 @@ Buffer Buffer::borrowed(VkBuffer buffer, std::size_t bytes) {
 
 Buffer::~Buffer() {
   if (device_ == nullptr) return;
-  vkDestroyBufferView(device_->handle(), texelView_, nullptr);
-  vkDestroyBuffer(device_->handle(), buffer_, nullptr);
+  device_->retire(VK_OBJECT_TYPE_BUFFER_VIEW, texelView_);
+  device_->retire(VK_OBJECT_TYPE_BUFFER, buffer_);
   device_->release(memory_, allocatedBytes_);
 }
 

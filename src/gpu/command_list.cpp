@@ -51,25 +51,16 @@ CommandList::CommandList(Device& device, std::string name, std::uint32_t maxPass
     info.commandBufferCount = 1;
     result = vkAllocateCommandBuffers(device.handle(), &info, &commands_);
   }
-  if (result >= 0) {
-    VkFenceCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
-    result = vkCreateFence(device.handle(), &info, nullptr, &fence_);
-  }
   if (result < 0) {
     vkDestroyCommandPool(device.handle(), pool_, nullptr);
     check(result, fmt::format("create the command list \"{}\"", name_));
   }
   device.setName(VK_OBJECT_TYPE_COMMAND_POOL, reinterpret_cast<std::uint64_t>(pool_), name_);
   device.setName(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<std::uint64_t>(commands_), name_);
-  device.setName(VK_OBJECT_TYPE_FENCE, reinterpret_cast<std::uint64_t>(fence_), name_);
 }
 
 CommandList::~CommandList() {
-  // A lost device cannot be waited for; its objects may be destroyed all the same.
-  if (submitted_) vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX);
-  vkDestroyFence(device_.handle(), fence_, nullptr);
-  vkDestroyCommandPool(device_.handle(), pool_, nullptr);
+  device_.retire(VK_OBJECT_TYPE_COMMAND_POOL, pool_);
 }
 
 void CommandList::begin() {
@@ -93,22 +84,13 @@ void CommandList::submit() {
   const VkResult recorded = vkEndCommandBuffer(commands_);
   if (recorded < 0) check(recorded, fmt::format("record \"{}\"", name_));
   recording_ = false;
-  check(vkResetFences(device_.handle(), 1, &fence_), "reset a fence");
-  VkCommandBufferSubmitInfo commands{};
-  commands.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
-  commands.commandBuffer = commands_;
-  VkSubmitInfo2 info{};
-  info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
-  info.commandBufferInfoCount = 1;
-  info.pCommandBufferInfos = &commands;
-  check(vkQueueSubmit2(device_.queue(), 1, &info, fence_), "submit work to the device");
-  submitted_ = true;
+  submission_ = device_.submit(commands_);
 }
 
 void CommandList::wait() {
-  if (!submitted_) return;
-  check(vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX), "wait for the device");
-  submitted_ = false;
+  if (submission_ == 0) return;
+  device_.waitFor(submission_);
+  submission_ = 0;
   timer_.collect();
 }
 

@@ -42,7 +42,8 @@ struct DepthTarget {
 /// the first frames it allocates nothing. Binding of resources goes before beginRendering of the
 /// draw that uses them, because barriers cannot stand inside a rendering scope; what is bound stays
 /// bound inside it. Resources remember their last access from list to list, so lists are submitted
-/// in the order in which they were recorded, and what is recorded is submitted.
+/// in the order in which they were recorded, and what is recorded is submitted. One that goes away
+/// lets the device finish.
 class CommandList {
  public:
   CommandList(Device& device, std::string name, std::uint32_t maxPasses = 64);
@@ -153,9 +154,8 @@ class CommandList {
   PassTimer timer_;
   VkCommandPool pool_ = VK_NULL_HANDLE;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
-  VkFence fence_ = VK_NULL_HANDLE;
   bool recording_ = false;
-  bool submitted_ = false;
+  std::uint64_t submission_ = 0;  // that is not waited for yet; 0: none
   bool inPass_ = false;
   bool rendering_ = false;
   VkExtent2D extent_{};  // of the targets

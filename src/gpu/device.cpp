@@ -105,6 +105,7 @@ Device::Device(const DeviceOptions& options)
   if (rayQueries) loadRayFunctions();
   vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
   setName(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<std::uint64_t>(queue_), "queue");
+  createTimeline();
 }
 
 void Device::createDevice(const std::vector<std::string>& wanted, bool rayQueries) {
@@ -119,6 +120,7 @@ void Device::createDevice(const std::vector<std::string>& wanted, bool rayQuerie
   features.base.features.independentBlend = VK_TRUE;
   features.vulkan13.dynamicRendering = VK_TRUE;
   features.vulkan13.synchronization2 = VK_TRUE;
+  features.timeline.timelineSemaphore = VK_TRUE;
   // What glslc's SPIR-V 1.6 asks for: work-group sizes by specialization constant, and `discard`.
   features.vulkan13.maintenance4 = VK_TRUE;
   features.vulkan13.shaderDemoteToHelperInvocation = VK_TRUE;
@@ -178,8 +180,21 @@ void Device::loadRayFunctions() {
   rays_.scratchAlignment = structures.minAccelerationStructureScratchOffsetAlignment;
 }
 
+void Device::createTimeline() {
+  VkSemaphoreTypeCreateInfo type{};
+  type.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO;
+  type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
+  VkSemaphoreCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
+  info.pNext = &type;
+  check(vkCreateSemaphore(device_, &info, nullptr, &timeline_), "create a timeline");
+  setName(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<std::uint64_t>(timeline_), "timeline");
+}
+
 Device::~Device() {
   vkDeviceWaitIdle(device_);
+  retired_.destroyUpTo(UINT64_MAX, device_, rays_);
+  vkDestroySemaphore(device_, timeline_, nullptr);
   vkDestroyDevice(device_, nullptr);
 }
 
@@ -191,8 +206,76 @@ std::size_t Device::validationMessages() const {
   return instance_->messages();
 }
 
-void Device::waitIdle() const {
-  check(vkDeviceWaitIdle(device_), "wait for the device");
+std::uint64_t Device::submit(VkCommandBuffer commands) {
+  destroyRetired();
+  VkCommandBufferSubmitInfo buffer{};
+  buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
+  buffer.commandBuffer = commands;
+  VkSemaphoreSubmitInfo done{};
+  done.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
+  done.semaphore = timeline_;
+  done.value = submitted_ + 1;
+  done.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  VkSubmitInfo2 info{};
+  info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
+  info.commandBufferInfoCount = 1;
+  info.pCommandBufferInfos = &buffer;
+  info.signalSemaphoreInfoCount = 1;
+  info.pSignalSemaphoreInfos = &done;
+  check(vkQueueSubmit2(queue_, 1, &info, VK_NULL_HANDLE), "submit work to the device");
+  return ++submitted_;
+}
+
+void Device::waitFor(std::uint64_t submission) {
+  assert(submission <= submitted_);
+  VkSemaphoreWaitInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO;
+  info.semaphoreCount = 1;
+  info.pSemaphores = &timeline_;
+  info.pValues = &submission;
+  check(vkWaitSemaphores(device_, &info, UINT64_MAX), "wait for the device");
+  destroyRetired();
+}
+
+void Device::retire(std::uint64_t submission, VkObjectType type, std::uint64_t handle,
+                    std::size_t bytes) {
+  if (handle == 0) return;
+  retired_.add(submission, type, handle, bytes);
+  destroyRetired();
+}
+
+void Device::destroyRetired() {
+  if (retired_.empty()) return;
+  std::uint64_t finished = 0;
+  // A lost device cannot say; what it used goes with it.
+  if (vkGetSemaphoreCounterValue(device_, timeline_, &finished) < 0) return;
+  memoryBytes_ -= retired_.destroyUpTo(finished, device_, rays_);
+}
+
+VkDeviceMemory Device::tryAllocate(const VkMemoryRequirements& requirements,
+                                   VkMemoryPropertyFlags flags, const std::string& name,
+                                   bool addressed) {
+  for (std::uint32_t i = 0; i < memoryProperties_.memoryTypeCount; ++i) {
+    const VkMemoryType& type = memoryProperties_.memoryTypes[i];
+    if ((requirements.memoryTypeBits & (1U << i)) == 0) continue;
+    if ((type.propertyFlags & flags) != flags) continue;
+    if ((type.propertyFlags & specialMemory) != 0) continue;
+    if (requirements.size > memoryProperties_.memoryHeaps[type.heapIndex].size) continue;
+    VkMemoryAllocateFlagsInfo address{};
+    address.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO;
+    address.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
+    VkMemoryAllocateInfo info{};
+    if (addressed) info.pNext = &address;
+    info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    info.allocationSize = requirements.size;
+    info.memoryTypeIndex = i;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    const VkResult result = vkAllocateMemory(device_, &info, nullptr, &memory);
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) continue;
+    check(result, fmt::format("find memory for \"{}\"", name));
+    return memory;
+  }
+  return VK_NULL_HANDLE;
 }
 
 VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements,
@@ -201,42 +284,26 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements,
   if (requirements.size > largestAllocationBytes_) {
     throw outOfMemory(name, requirements.size, info_.name);
   }
-  const VkMemoryPropertyFlags tries[] = {wanted | preferred, wanted};
-  for (const VkMemoryPropertyFlags flags : tries) {
-    for (std::uint32_t i = 0; i < memoryProperties_.memoryTypeCount; ++i) {
-      const VkMemoryType& type = memoryProperties_.memoryTypes[i];
-      if ((requirements.memoryTypeBits & (1U << i)) == 0) continue;
-      if ((type.propertyFlags & flags) != flags) continue;
-      if ((type.propertyFlags & specialMemory) != 0) continue;
-      if (requirements.size > memoryProperties_.memoryHeaps[type.heapIndex].size) continue;
-      VkMemoryAllocateFlagsInfo address{};
-      address.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO;
-      address.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
-      VkMemoryAllocateInfo info{};
-      if (addressed) info.pNext = &address;
-      info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-      info.allocationSize = requirements.size;
-      info.memoryTypeIndex = i;
-      VkDeviceMemory memory = VK_NULL_HANDLE;
-      const VkResult result = vkAllocateMemory(device_, &info, nullptr, &memory);
-      if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
-        continue;
-      }
-      check(result, fmt::format("find memory for \"{}\"", name));
-      memoryBytes_ += requirements.size;
-      peakMemoryBytes_ = std::max(peakMemoryBytes_, memoryBytes_);
-      setName(VK_OBJECT_TYPE_DEVICE_MEMORY, reinterpret_cast<std::uint64_t>(memory), name);
-      return memory;
-    }
+  const auto tryBoth = [&] {
+    const VkDeviceMemory best = tryAllocate(requirements, wanted | preferred, name, addressed);
+    return best != VK_NULL_HANDLE ? best : tryAllocate(requirements, wanted, name, addressed);
+  };
+  destroyRetired();
+  VkDeviceMemory memory = tryBoth();
+  if (memory == VK_NULL_HANDLE && !retired_.empty()) {
+    waitFor(submitted_);
+    memory = tryBoth();
   }
-  throw outOfMemory(name, requirements.size, info_.name);
+  if (memory == VK_NULL_HANDLE) throw outOfMemory(name, requirements.size, info_.name);
+  memoryBytes_ += requirements.size;
+  peakMemoryBytes_ = std::max(peakMemoryBytes_, memoryBytes_);
+  setName(VK_OBJECT_TYPE_DEVICE_MEMORY, reinterpret_cast<std::uint64_t>(memory), name);
+  return memory;
 }
 
-void Device::release(VkDeviceMemory memory, std::size_t bytes) {
-  if (memory == VK_NULL_HANDLE) return;
-  assert(bytes <= memoryBytes_);
-  vkFreeMemory(device_, memory, nullptr);
-  memoryBytes_ -= bytes;
+void Device::release(VkDeviceMemory memory, std::size_t bytes, bool lent) {
+  retire(lent ? submitted_ + 1 : submitted_, VK_OBJECT_TYPE_DEVICE_MEMORY,
+         reinterpret_cast<std::uint64_t>(memory), bytes);
 }
 
 void Device::setName(VkObjectType type, std::uint64_t handle, const std::string& name) const {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "gpu/retired_objects.h"
 #include "opaline/log.h"
 
 namespace opaline::gpu {
@@ -48,8 +49,8 @@ struct RayFunctions {
   VkDeviceSize scratchAlignment = 0;
 };
 
-/// One Vulkan 1.3 device with one queue that does graphics, compute and transfer. Counts the memory
-/// that buffers and images take.
+/// One Vulkan 1.3 device with one queue that does graphics, compute and transfer. Numbers what is
+/// handed to the queue, from 1 on, and counts the memory that buffers and images take.
 class Device {
  public:
   /// Discrete, integrated, virtual, then software. Throws Error when there is no Vulkan device that
@@ -77,15 +78,33 @@ class Device {
   /// Warnings and errors of the validation layer so far.
   std::size_t validationMessages() const;
 
-  /// Blocks until the device has nothing left to do.
-  void waitIdle() const;
+  /// Hands commands to the queue. Returns the number of this submission.
+  std::uint64_t submit(VkCommandBuffer commands);
+  /// The number of the last submission.
+  std::uint64_t submitted() const { return submitted_; }
+  /// Blocks until the device has finished a submission, and with it all before. Throws Error when
+  /// the device is lost.
+  void waitFor(std::uint64_t submission);
+
+  /// Destroys an object as soon as the device has finished all that was submitted up to now.
+  template <typename Handle>
+  void retire(VkObjectType type, Handle handle) {
+    retire(submitted_, type, reinterpret_cast<std::uint64_t>(handle), 0);
+  }
+  /// The same of an object that others' submissions to the queue may use too: the next submission
+  /// of this device comes after theirs.
+  template <typename Handle>
+  void retireLent(VkObjectType type, Handle handle) {
+    retire(submitted_ + 1, type, reinterpret_cast<std::uint64_t>(handle), 0);
+  }
 
   /// For Buffer and Image: memory of a kind, and its account; `addressed` where a buffer's address
   /// is asked for. Throws Error when there is none left.
   VkDeviceMemory allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
                           VkMemoryPropertyFlags preferred, const std::string& name,
                           bool addressed = false);
-  void release(VkDeviceMemory memory, std::size_t bytes);
+  /// Retires memory.
+  void release(VkDeviceMemory memory, std::size_t bytes, bool lent = false);
 
   /// Names an object for debuggers and validation messages; costs nothing without
   /// VK_EXT_debug_utils.
@@ -105,6 +124,11 @@ class Device {
   void createDevice(const std::vector<std::string>& wanted, bool rayQueries);
   void loadFunctions();
   void loadRayFunctions();
+  void createTimeline();
+  void retire(std::uint64_t submission, VkObjectType type, std::uint64_t handle, std::size_t bytes);
+  void destroyRetired();
+  VkDeviceMemory tryAllocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags flags,
+                             const std::string& name, bool addressed);
 
   std::unique_ptr<Instance> instance_;
   DeviceInfo info_;
@@ -112,6 +136,9 @@ class Device {
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
   std::uint32_t queueFamily_ = 0;
+  VkSemaphore timeline_ = VK_NULL_HANDLE;  // holds the number of the submission finished last
+  std::uint64_t submitted_ = 0;
+  RetiredObjects retired_;
   VkPhysicalDeviceProperties properties_{};
   VkPhysicalDeviceMemoryProperties memoryProperties_{};
   std::size_t largestAllocationBytes_ = 0;

@@ -107,6 +107,7 @@ std::string whatIsMissing(VkPhysicalDevice physical, std::uint32_t apiVersion) {
   need(there.base.features.independentBlend == VK_TRUE, "independentBlend");
   need(there.vulkan13.dynamicRendering == VK_TRUE, "dynamicRendering");
   need(there.vulkan13.synchronization2 == VK_TRUE, "synchronization2");
+  need(there.timeline.timelineSemaphore == VK_TRUE, "timelineSemaphore");
   need(there.vulkan13.maintenance4 == VK_TRUE, "maintenance4");
   need(there.vulkan13.shaderDemoteToHelperInvocation == VK_TRUE, "shaderDemoteToHelperInvocation");
   need(there.vulkan13.shaderTerminateInvocation == VK_TRUE, "shaderTerminateInvocation");
@@ -155,10 +156,12 @@ Features::Features() {
   base.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
   base.pNext = &vulkan13;
   vulkan13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+  vulkan13.pNext = &timeline;
+  timeline.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES;
 }
 
 void Features::chainRayQueries() {
-  vulkan13.pNext = &addresses;
+  timeline.pNext = &addresses;
   addresses.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES;
   addresses.pNext = &structures;
   structures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR;

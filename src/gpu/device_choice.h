@@ -48,6 +48,7 @@ struct Features {
 
   VkPhysicalDeviceFeatures2 base{};
   VkPhysicalDeviceVulkan13Features vulkan13{};
+  VkPhysicalDeviceTimelineSemaphoreFeatures timeline{};
   VkPhysicalDeviceBufferDeviceAddressFeatures addresses{};
   VkPhysicalDeviceAccelerationStructureFeaturesKHR structures{};
   VkPhysicalDeviceRayQueryFeaturesKHR rayQueries{};

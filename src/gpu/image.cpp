@@ -192,11 +192,17 @@ VkImageView GpuImage::createView(VkImageViewType type, const VkImageSubresourceR
 
 GpuImage::~GpuImage() {
   if (device_ == nullptr) return;
-  for (const VkImageView view : layerViews_) vkDestroyImageView(device_->handle(), view, nullptr);
-  for (const VkImageView view : levelViews_) vkDestroyImageView(device_->handle(), view, nullptr);
-  vkDestroyImageView(device_->handle(), view_, nullptr);
-  vkDestroyImage(device_->handle(), image_, nullptr);
-  device_->release(memory_, allocatedBytes_);
+  const auto retire = [&](VkObjectType type, auto handle) {
+    if (options_.lent)
+      device_->retireLent(type, handle);
+    else
+      device_->retire(type, handle);
+  };
+  for (const VkImageView view : layerViews_) retire(VK_OBJECT_TYPE_IMAGE_VIEW, view);
+  for (const VkImageView view : levelViews_) retire(VK_OBJECT_TYPE_IMAGE_VIEW, view);
+  retire(VK_OBJECT_TYPE_IMAGE_VIEW, view_);
+  retire(VK_OBJECT_TYPE_IMAGE, image_);
+  device_->release(memory_, allocatedBytes_, options_.lent);
 }
 
 GpuImage::GpuImage(GpuImage&& other) noexcept {
@@ -255,7 +261,7 @@ Sampler::Sampler(Device& device, Filter filter, Wrap wrapU, Wrap wrapV) : device
 }
 
 Sampler::~Sampler() {
-  if (device_ != nullptr) vkDestroySampler(device_->handle(), sampler_, nullptr);
+  if (device_ != nullptr) device_->retire(VK_OBJECT_TYPE_SAMPLER, sampler_);
 }
 
 Sampler::Sampler(Sampler&& other) noexcept

@@ -31,6 +31,7 @@ struct ImageOptions {
   VkFormat format = VK_FORMAT_UNDEFINED;
   VkImageUsageFlags usage = 0;
   ImageKind kind = ImageKind::Flat;
+  bool lent = false;  ///< others submit work to the queue that uses it
 };
 
 /// An image with memory of its own and views of it. Movable.

@@ -41,7 +41,7 @@ PassTimer::PassTimer(Device& device, const std::string& name, std::uint32_t maxP
 }
 
 PassTimer::~PassTimer() {
-  vkDestroyQueryPool(device_.handle(), pool_, nullptr);
+  device_.retire(VK_OBJECT_TYPE_QUERY_POOL, pool_);
 }
 
 void PassTimer::reset(VkCommandBuffer commands) {

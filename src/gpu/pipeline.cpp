@@ -203,9 +203,9 @@ VkDescriptorType descriptorTypeOf(BindingType type) {
 /// What the device makes of a pipeline, once, whichever thread asks first.
 class Pipeline::Compiled {
  public:
-  Compiled(const Device& device, std::string name, std::function<VkPipeline()> compile)
+  Compiled(Device& device, std::string name, std::function<VkPipeline()> compile)
       : device_(device), name_(std::move(name)), compile_(std::move(compile)) {}
-  ~Compiled() { vkDestroyPipeline(device_.handle(), pipeline_, nullptr); }
+  ~Compiled() { device_.retire(VK_OBJECT_TYPE_PIPELINE, pipeline_); }
   Compiled(const Compiled&) = delete;
   Compiled& operator=(const Compiled&) = delete;
 
@@ -218,7 +218,7 @@ class Pipeline::Compiled {
   }
 
  private:
-  const Device& device_;
+  Device& device_;
   std::string name_;
   std::function<VkPipeline()> compile_;
   std::once_flag compiled_;
@@ -314,8 +314,8 @@ VkShaderStageFlags Pipeline::stages() const {
 Pipeline::~Pipeline() {
   if (device_ == nullptr) return;
   compiled_.reset();
-  vkDestroyPipelineLayout(device_->handle(), layout_, nullptr);
-  vkDestroyDescriptorSetLayout(device_->handle(), setLayout_, nullptr);
+  device_->retire(VK_OBJECT_TYPE_PIPELINE_LAYOUT, layout_);
+  device_->retire(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, setLayout_);
 }
 
 Pipeline::Pipeline(Pipeline&& other) noexcept {

@@ -14,12 +14,11 @@ namespace opaline::gpu {
 namespace {
 
 template <typename Record>
-void submitAndWait(Device& device, const char* name, Record record) {
+void submit(Device& device, const char* name, Record record) {
   CommandList list(device, name, 0);
   list.begin();
   record(list);
   list.submit();
-  list.wait();
 }
 
 Buffer stage(Device& device, const std::string& name, std::span<const std::byte> data) {
@@ -47,8 +46,8 @@ Buffer makeBuffer(Device& device, const std::string& name, std::span<const std::
   if (data.empty()) data = zeros;
   Buffer buffer(device, {name, data.size(), usage, Memory::Device});
   Buffer staging = stage(device, name, data);
-  submitAndWait(device, "upload",
-                [&](CommandList& list) { list.copyBuffer(staging, buffer, data.size()); });
+  submit(device, "upload",
+         [&](CommandList& list) { list.copyBuffer(staging, buffer, data.size()); });
   return buffer;
 }
 
@@ -56,8 +55,8 @@ void uploadImage(Device& device, GpuImage& image, std::span<const std::byte> tex
                  std::uint32_t layer, std::uint32_t level) {
   assert(!texels.empty() && texels.size() == levelBytes(image, level));
   Buffer staging = stage(device, image.options().name, texels);
-  submitAndWait(device, "upload",
-                [&](CommandList& list) { list.copyToImage(staging, image, layer, level); });
+  submit(device, "upload",
+         [&](CommandList& list) { list.copyToImage(staging, image, layer, level); });
 }
 
 std::vector<std::byte> readImage(Device& device, GpuImage& image,
@@ -66,35 +65,40 @@ std::vector<std::byte> readImage(Device& device, GpuImage& image,
   assert(texelBytes > 0 && texelBytes == bytesPerTexel(image.options().format));
   Buffer staging(device, {image.options().name + " (readback)", levelBytes(image, level), 0,
                           Memory::Readback});
-  submitAndWait(device, "readback", [&](CommandList& list) {
+  submit(device, "readback", [&](CommandList& list) {
     list.copyFromImage(image, staging, layer, level);
     list.use(staging, Access::HostRead);
   });
+  device.waitFor(device.submitted());
   return {staging.mapped().begin(), staging.mapped().end()};
 }
 
 std::vector<std::byte> readBuffer(Device& device, Buffer& buffer) {
   Buffer staging(device, {"readback", buffer.bytes(), 0, Memory::Readback});
-  submitAndWait(device, "readback", [&](CommandList& list) {
+  submit(device, "readback", [&](CommandList& list) {
     list.copyBuffer(buffer, staging, buffer.bytes());
     list.use(staging, Access::HostRead);
   });
+  device.waitFor(device.submitted());
   return {staging.mapped().begin(), staging.mapped().end()};
 }
 
 UploadRing::UploadRing(Device& device, const std::string& name, std::size_t bytesPerFrame,
                        std::uint32_t frames, VkBufferUsageFlags usage)
-    : alignment_(std::max<std::size_t>({16, device.limits().minUniformBufferOffsetAlignment,
+    : device_(device),
+      name_(name),
+      alignment_(std::max<std::size_t>({16, device.limits().minUniformBufferOffsetAlignment,
                                         device.limits().minStorageBufferOffsetAlignment})),
       sliceBytes_(roundUp(bytesPerFrame, alignment_)),
-      frames_(frames) {
+      submissions_(frames) {
   assert(frames > 0 && bytesPerFrame > 0);
   buffer_ = Buffer(device, {name, sliceBytes_ * frames, usage, Memory::Upload});
-  name_ = name;
 }
 
 void UploadRing::nextFrame() {
-  frame_ = (frame_ + 1) % frames_;
+  slice_ = (slice_ + 1) % submissions_.size();
+  device_.waitFor(submissions_[slice_]);
+  submissions_[slice_] = device_.submitted() + 1;
   used_ = 0;
 }
 
@@ -105,7 +109,7 @@ std::size_t UploadRing::push(std::span<const std::byte> data) {
                     "more do not fit",
                     name_, sliceBytes_, used_, data.size()));
   }
-  const std::size_t offset = frame_ * sliceBytes_ + used_;
+  const std::size_t offset = slice_ * sliceBytes_ + used_;
   std::memcpy(buffer_.mapped().data() + offset, data.data(), data.size());
   used_ = std::min(sliceBytes_, roundUp(used_ + data.size(), alignment_));
   return offset;

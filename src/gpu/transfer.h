@@ -13,8 +13,8 @@ namespace opaline::gpu {
 
 class Device;
 
-/// A device buffer that holds a copy of `data`; blocks until it is there. For set-up, not for
-/// frames. Empty data gives a buffer of 16 zero bytes, so that it can always be bound.
+/// A device buffer that holds a copy of `data` for what is submitted from now on. For set-up, not
+/// for frames. Empty data gives a buffer of 16 zero bytes, so that it can always be bound.
 Buffer makeBuffer(Device& device, const std::string& name, std::span<const std::byte> data,
                   VkBufferUsageFlags usage);
 template <typename T>
@@ -23,7 +23,8 @@ Buffer makeBuffer(Device& device, const std::string& name, const std::vector<T>&
   return makeBuffer(device, name, std::as_bytes(std::span<const T>(data)), usage);
 }
 
-/// Fills one layer and level of an image; blocks until it is there. For set-up, not for frames.
+/// Fills one layer and level of an image for what is submitted from now on. For set-up, not for
+/// frames.
 void uploadImage(Device& device, GpuImage& image, std::span<const std::byte> texels,
                  std::uint32_t layer = 0, std::uint32_t level = 0);
 
@@ -39,7 +40,8 @@ class UploadRing {
   UploadRing(Device& device, const std::string& name, std::size_t bytesPerFrame,
              std::uint32_t frames, VkBufferUsageFlags usage);
 
-  /// Starts the next slice. The caller has waited for the frame that used it last.
+  /// Starts the next slice, for what is submitted next. Waits for the device where it may still
+  /// read what the slice held before.
   void nextFrame();
   /// Copies `data` into the slice; returns its offset in buffer(), aligned for uniform and storage
   /// bindings. Throws Error when the slice is full.
@@ -51,12 +53,13 @@ class UploadRing {
   Buffer& buffer() { return buffer_; }
 
  private:
+  Device& device_;
   std::string name_;
   Buffer buffer_;
   std::size_t alignment_ = 256;
   std::size_t sliceBytes_ = 0;
-  std::uint32_t frames_ = 1;
-  std::uint32_t frame_ = 0;
+  std::vector<std::uint64_t> submissions_;  // that read each slice
+  std::size_t slice_ = 0;
   std::size_t used_ = 0;
 };
 

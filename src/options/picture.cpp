@@ -98,29 +98,32 @@ const std::vector<Field<PictureSettings>>& fieldsOf() {
       ofTone<&core::ToneOptions::curve>("tone", {}, "curve for PNG and films"),
       ofTone<&core::ToneOptions::background>("background", {{0, 1}}, "linear, for PNG and films",
                                              "transparent"),
-      of<&Options::seconds>("seconds", {{0, 1e6, "s"}}, "time of clip and deformers"),
+      field<PictureSettings, &PictureSettings::time, &SceneTime::seconds>(
+          "seconds", {{0, 1e6, "s"}}, "time of clip and deformers"),
   };
   return table;
 }
 
 void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options) {
-  PictureSettings settings{options, {}};
+  PictureSettings settings{.render = options};
   chosen.applyTo(settings);
   options = settings.render;
 }
 
 std::string complaintAbout(const RenderOptions& options) {
-  if (std::string complaint = complaintAboutFields(PictureSettings{options, {}});
+  if (std::string complaint = complaintAboutFields(PictureSettings{.render = options});
       !complaint.empty())
     return complaint;
   if (options.treeLevel < 0 || options.treeLevel > 64)
     return "the level of the tree must be a whole number from 0 to 64";
-  if (options.frames < 1 || options.frames > 1'000'000)
-    return "the number of frames must be a whole number from 1 to 1000000";
-  if (options.clip < -1) return "the clip must be a whole number of at least -1";
   if (options.transport == Transport::Boundary && options.sum == Sum::Pattern)
     return "boundary transport works with surfels: the pattern needs another transport";
   return {};
+}
+
+std::string complaintAbout(const SceneTime& time) {
+  if (time.clip < -1) return "the clip must be a whole number of at least -1";
+  return complaintAboutFields(PictureSettings{.time = time});
 }
 
 }  // namespace opaline::options

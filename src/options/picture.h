@@ -3,7 +3,8 @@
 #include <string>
 
 #include "core/tone.h"
-#include "opaline/renderer.h"
+#include "opaline/motion.h"
+#include "opaline/render_options.h"
 #include "options/field.h"
 
 namespace opaline::options {
@@ -11,6 +12,7 @@ namespace opaline::options {
 /// What decides a picture beside the scene.
 struct PictureSettings {
   RenderOptions render;
+  SceneTime time;
   core::ToneOptions tone;
 };
 
@@ -31,5 +33,8 @@ void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options);
 
 /// Why no picture can be made so, as a sentence; empty where one can.
 std::string complaintAbout(const RenderOptions& options);
+
+/// Why there is no such time, as a sentence; empty where there is.
+std::string complaintAbout(const SceneTime& time);
 
 }  // namespace opaline::options

@@ -140,7 +140,6 @@ DiffusionSources DiffusionSourcePass::prepare(gpu::Device& device, passes::Defor
   commands.drawIndexed(flat.indices, flat.indexCount);
   commands.endRendering();
   commands.submit();
-  commands.wait();
 
   const std::vector<std::byte> bytes =
       gpu::readImage(device, sources.coverage, sizeof(std::uint32_t));

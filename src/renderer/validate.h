@@ -18,7 +18,10 @@ void validate(const RenderOptions& options, const std::vector<Aov>& aovs);
 /// that are not finite, media out of range, more lights than there may be.
 void validate(const Scene& scene);
 
-/// The same of its parts.
+/// Throws UsageError for a time out of range.
+void validate(const SceneTime& time);
+
+/// As a scene's, of its parts.
 void validate(const Camera& camera);
 void validate(const Lighting& lighting);
 void validate(const Medium& medium);

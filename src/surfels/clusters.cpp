@@ -159,7 +159,7 @@ class Divider {
   SurfelShape shapeOf(const core::RestSurface& surface, std::uint32_t surfel) const {
     SurfelShape shape;
     for (std::size_t i = 0; i < surfels_.piecesPerSurfel; ++i) {
-      const Piece& piece = surfels_.pieces[surfel * surfels_.piecesPerSurfel + i];
+      const Piece& piece = surfels_.pieces[std::size_t{surfel} * surfels_.piecesPerSurfel + i];
       const auto fraction = static_cast<double>(piece.fraction);
       const double area = fraction * areaMm2(surface, piece.triangle);
       shape.areaMm2 += area;

@@ -30,10 +30,13 @@ double number(std::string text) {
   return std::strtod(text.c_str(), nullptr);
 }
 
-// The header is the library's reference, so it repeats range and default beside each member.
+// The headers are the library's reference, so they repeat range and default beside each member.
 TEST(PublicHeader, GivesTheRangesAndDefaultsOfTheTable) {
-  std::ifstream file(OPALINE_SOURCE_DIR "/include/opaline/renderer.h");
-  const std::string header{std::istreambuf_iterator<char>(file), {}};
+  std::string header;
+  for (const char* name : {"render_options.h", "motion.h"}) {
+    std::ifstream file(std::string(OPALINE_SOURCE_DIR "/include/opaline/") + name);
+    header.append(std::istreambuf_iterator<char>(file), {});
+  }
   int found = 0;
   for (const Field<PictureSettings>& field : fieldsOf<PictureSettings>()) {
     const std::regex line(

@@ -39,8 +39,10 @@ class AgreementTest : public RendererTest {
     options.sum = sum;
     options.maxSurfels = maxSurfels_;
     options.site = Site::Fragment;
-    options.clip = -1;
-    if (!std::exchange(isSet_, true)) renderer().setScene(scene_);
+    if (!std::exchange(isSet_, true)) {
+      renderer().setScene(scene_);
+      renderer().setTime({.clip = -1});
+    }
     return render(options, aovs);
   }
   std::vector<Image> exact(const std::vector<Aov>& aovs, Transport transport) const {

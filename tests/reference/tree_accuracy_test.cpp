@@ -90,6 +90,7 @@ class Comparison {
         integral_(geometry_, irradiance_, {}) {
     truth_ = exact([&](const reference::SurfacePoint& point) { return integral_.at(point); });
     sharedRenderer().renderer->setScene(scene_);
+    sharedRenderer().renderer->setTime({.seconds = accuracy_.seconds});
   }
 
   Image found(Site site) const {
@@ -97,7 +98,6 @@ class Comparison {
     options.width = options.height = edge;
     options.transport = Transport::Dipole;
     options.site = site;
-    options.seconds = accuracy_.seconds;
     options.maxSurfels = accuracy_.maxSurfels;
     options.shadowSize = accuracy_.shadowSize;
     return sharedRenderer().renderer->render(options, {Aov::Exitance}).images[0];

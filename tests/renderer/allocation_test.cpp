@@ -99,19 +99,20 @@ RenderOptions tinyOptions() {
 
 /// Allocations of this thread in the frames after the warm-up.
 template <typename BeforeFrame>
-std::size_t allocationsOfSteadyFrames(Renderer& renderer, RenderOptions options,
-                                      const std::vector<Aov>& aovs, const BeforeFrame& before) {
+std::size_t allocationsOfSteadyFrames(Renderer& renderer, const RenderOptions& options,
+                                      const FrameOrder& order, const BeforeFrame& before) {
+  View view(renderer, options);
   Frame frame;
   allocations = 0;
   for (int i = 0; i < warmUp + steady; ++i) {
-    options.seconds = 0.1 * i;
     counting = i >= warmUp;
+    renderer.setTime({.seconds = 0.1 * i});
     before();
-    renderer.submit(options, aovs);
-    if (i > 0) renderer.collect(frame);
+    view.submit(order);
+    if (i > 0) view.collect(frame);
     counting = false;
   }
-  renderer.collect(frame);
+  view.collect(frame);
   return allocations;
 }
 
@@ -128,13 +129,15 @@ TEST(AllocationTest, SteadyFramesAllocateNothing) {
         options.sum = sum;
         options.site = site;
         const auto nothing = [] {};
-        EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {}, nothing), 0U);
-        EXPECT_EQ(allocationsOfSteadyFrames(
-                      renderer, options,
-                      {Aov::Radiance, Aov::Exitance, Aov::Evaluations, Aov::DsmArea}, nothing),
-                  0U);
+        EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {.aovs = {}}, nothing), 0U);
+        EXPECT_EQ(
+            allocationsOfSteadyFrames(
+                renderer, options,
+                {.aovs = {Aov::Radiance, Aov::Exitance, Aov::Evaluations, Aov::DsmArea}}, nothing),
+            0U);
         if (sum == Sum::Pattern) continue;
-        EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {Aov::Surfels}, nothing), 0U);
+        EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {.aovs = {Aov::Surfels}}, nothing),
+                  0U);
       }
 }
 
@@ -149,7 +152,7 @@ TEST(AllocationTest, LightsThatMoveAllocateNothing) {
     scene.lighting.points[0].positionMm[1] += 1;
     renderer.setLighting(scene.lighting);
   };
-  EXPECT_EQ(allocationsOfSteadyFrames(renderer, tinyOptions(), {Aov::Radiance}, drag), 0U);
+  EXPECT_EQ(allocationsOfSteadyFrames(renderer, tinyOptions(), {}, drag), 0U);
   EXPECT_EQ(scene.lighting.environment.use_count(), 2);
 }
 
@@ -159,7 +162,7 @@ TEST(AllocationTest, GivenPositionsAllocateNothing) {
   renderer.setScene(scene);
   const RenderOptions options = tinyOptions();
   const auto give = [&] { renderer.replacePositions(0, scene.objects[0].mesh.positionsMm); };
-  EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {Aov::Radiance}, give), 0U);
+  EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {}, give), 0U);
 }
 
 TEST(AllocationTest, SoftBodiesAllocateNothing) {
@@ -174,7 +177,7 @@ TEST(AllocationTest, SoftBodiesAllocateNothing) {
     body.pull({x += 0.2F, 5, 0});
     body.step(0.02);
   };
-  EXPECT_EQ(allocationsOfSteadyFrames(renderer, tinyOptions(), {Aov::Radiance}, pull), 0U);
+  EXPECT_EQ(allocationsOfSteadyFrames(renderer, tinyOptions(), {}, pull), 0U);
   EXPECT_TRUE(body.moves());
 }
 

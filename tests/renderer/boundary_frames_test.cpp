@@ -58,10 +58,10 @@ struct Film {
   std::vector<Image> positions;
 };
 
-Film filmOf(RenderOptions options, int frames) {
+Film filmOf(const RenderOptions& options, int frames) {
   Film film;
   for (int frame = 0; frame < frames; ++frame) {
-    options.seconds = 0.2 + frame / 25.0;
+    sharedRenderer().renderer->setTime({.seconds = 0.2 + frame / 25.0});
     std::vector<Image> images =
         sharedRenderer().renderer->render(options, {Aov::Exitance, Aov::Position}).images;
     film.exitances.push_back(std::move(images[0]));
@@ -123,19 +123,14 @@ TEST_F(BoundaryFramesTest, AFrameIsTheSameWhateverWasShownBefore) {
     RenderOptions options = boundaryOptions(32, 2);
     options.site = site;
     renderer().setScene(scene);
-    options.seconds = 0.4;
-    const Image alone = render(options, {Aov::Exitance})[0];
+    const Image alone = renderAt(0.4, options, {Aov::Exitance})[0];
     renderer().setScene(scene);
     Image played;
-    for (int frame = 0; frame <= 2; ++frame) {
-      options.seconds = 0.2 * frame;
-      played = render(options, {Aov::Exitance})[0];
-    }
+    for (int frame = 0; frame <= 2; ++frame)
+      played = renderAt(0.2 * frame, options, {Aov::Exitance})[0];
     EXPECT_EQ(played.rgba, alone.rgba);
-    options.seconds = 0;
-    EXPECT_NE(render(options, {Aov::Exitance})[0].rgba, alone.rgba);
-    options.seconds = 0.4;
-    EXPECT_EQ(render(options, {Aov::Exitance})[0].rgba, alone.rgba);
+    EXPECT_NE(renderAt(0, options, {Aov::Exitance})[0].rgba, alone.rgba);
+    EXPECT_EQ(renderAt(0.4, options, {Aov::Exitance})[0].rgba, alone.rgba);
   }
 }
 

@@ -48,7 +48,8 @@ class BoundaryRayQueryTest : public RendererTest {
     options.maxClusters = 1500;
     options.maxSurfels = 6000;
     for (const double seconds : times) {
-      options.seconds = seconds;
+      withQueries_->setTime({.seconds = seconds});
+      without_->setTime({.seconds = seconds});
       const RenderResult a = withQueries_->render(options, {Aov::Exitance});
       const RenderResult b = without_->render(options, {Aov::Exitance});
       ASSERT_TRUE(a.report.device.rayQueries);

@@ -121,8 +121,8 @@ void expectIntegral(Scene scene, const std::vector<Deformer>& deformers, int edg
   options.width = options.height = edge;
   options.sum = Sum::All;
   options.site = Site::Fragment;
-  options.clip = -1;
   sharedRenderer().renderer->setScene(scene);
+  sharedRenderer().renderer->setTime({.clip = -1});
   const std::vector<Image> images =
       sharedRenderer().renderer->render(options, {Aov::Exitance, Aov::Position}).images;
   const std::vector<Vector> moved = deformedPositions(scene);
@@ -282,34 +282,32 @@ TEST_F(DeformedTest, FramesUnderWayAreThoseRenderedAlone) {
   RenderOptions options = smallOptions();
   const std::vector<Aov> aovs{Aov::Radiance, Aov::Exitance, Aov::DsmArea};
   std::vector<std::vector<Image>> alone;
-  for (int i = 0; i < 5; ++i) {
-    options.seconds = 0.15 * i;
-    alone.push_back(render(options, aovs));
-  }
+  for (int i = 0; i < 5; ++i) alone.push_back(renderAt(0.15 * i, options, aovs));
+  View view(renderer(), options);
   Frame frame;
   for (int i = 0; i < 6; ++i) {
-    options.seconds = 0.15 * i;
-    if (i < 5) renderer().submit(options, aovs);
+    renderer().setTime({.seconds = 0.15 * i});
+    if (i < 5) view.submit({.aovs = aovs});
     if (i == 0) continue;
-    renderer().collect(frame);
+    view.collect(frame);
     for (std::size_t k = 0; k < aovs.size(); ++k)
       EXPECT_TRUE(frame.images[k].rgba == alone[static_cast<std::size_t>(i - 1)][k].rgba)
           << "frame " << i - 1 << ", variable " << k;
   }
   EXPECT_FALSE(alone[0][0].rgba == alone[3][0].rgba);
-  EXPECT_THROW(renderer().collect(frame), UsageError);
-  EXPECT_GT(renderer().report().passes.size(), 5U);
+  EXPECT_THROW(view.collect(frame), UsageError);
+  EXPECT_GT(view.report().passes.size(), 5U);
 }
 
 TEST_F(DeformedTest, NoMoreFramesThanMayBeUnderWay) {
   renderer().setScene(litSnowman());
-  const RenderOptions options = smallOptions();
-  for (int i = 0; i < Renderer::framesInFlight; ++i) renderer().submit(options);
-  EXPECT_THROW(renderer().submit(options), UsageError);
-  EXPECT_THROW(renderer().render(options), UsageError);
+  View view(renderer(), smallOptions());
+  for (int i = 0; i < View::framesInFlight; ++i) view.submit();
+  EXPECT_THROW(view.submit(), UsageError);
+  EXPECT_THROW(view.render(), UsageError);
   Frame frame;
-  for (int i = 0; i < Renderer::framesInFlight; ++i) renderer().collect(frame);
-  EXPECT_NO_THROW(renderer().render(options));
+  for (int i = 0; i < View::framesInFlight; ++i) view.collect(frame);
+  EXPECT_NO_THROW(view.render());
 }
 
 TEST_F(DeformedTest, PositionsGivenWhileFramesAreUnderWayAreTheNextFrames) {
@@ -327,17 +325,17 @@ TEST_F(DeformedTest, PositionsGivenWhileFramesAreUnderWayAreTheNextFrames) {
         position, [&](std::size_t i) { sum += static_cast<double>(position.rgba[i + 1]); });
     return sum / count;
   };
-  RenderOptions options = smallOptions();
-  options.clip = -1;
+  renderer().setTime({.clip = -1});
+  View view(renderer(), smallOptions());
   Frame frame;
   double first = 0;
   for (int i = 0; i < 7; ++i) {
     if (i < 6) {
       renderer().replacePositions(0, shifted(i));
-      renderer().submit(options, {Aov::DsmPosition});
+      view.submit({.aovs = {Aov::DsmPosition}});
     }
     if (i == 0) continue;
-    renderer().collect(frame);
+    view.collect(frame);
     const double mean = meanHeight(frame.images[0]);
     if (i == 1) first = mean;
     EXPECT_NEAR(mean - first, 2 * (i - 1), 1e-3);
@@ -362,7 +360,8 @@ TEST_F(DeformedTest, GivenPositionsSurviveAnotherMapSize) {
 TEST_F(DeformedTest, ARendererMayGoWithFramesUnderWay) {
   Renderer fresh(sharedRenderer().options());
   fresh.setScene(litSnowman());
-  for (int i = 0; i < Renderer::framesInFlight; ++i) fresh.submit(smallOptions());
+  View view(fresh, smallOptions());
+  for (int i = 0; i < View::framesInFlight; ++i) view.submit();
 }
 
 }  // namespace

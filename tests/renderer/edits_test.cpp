@@ -6,25 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "opaline/vulkan.h"
 #include "renderer/renderer_fixture.h"
-#include "renderer/shapes.h"
+#include "renderer/wobbly_ball.h"
 
 namespace opaline::test {
 namespace {
-
-constexpr Aov both[] = {Aov::Radiance, Aov::Exitance};
-
-std::vector<Aov> asked() {
-  return {std::begin(both), std::end(both)};
-}
-
-Scene wobblyBall() {
-  Scene scene = sceneOf(sphere({0, 0, 0}, 6, 3), marble(), {0, 3, 24}, 7);
-  scene.lighting.directional.push_back({{0, 0.6F, -0.8F}, {3, 3, 3}});
-  scene.deformers.push_back({DeformerKind::Twist, 0.4F, 0});
-  return scene;
-}
 
 // What can be edited, done to a scene and to a renderer that shows it.
 struct Edit {
@@ -98,45 +84,20 @@ const std::vector<Edit>& edits() {
   return list;
 }
 
-struct Method {
-  const char* name;
-  Transport transport;
-  Sum sum;
-  Site site;
-};
-
-constexpr Method methods[] = {{"boundary", Transport::Boundary, Sum::Tree, Site::Vertex},
-                              {"tree", Transport::BetterDipole, Sum::Tree, Site::Fragment},
-                              {"pattern", Transport::Dipole, Sum::Pattern, Site::Fragment}};
-
-RenderOptions optionsOf(const Method& method) {
-  RenderOptions options = smallOptions();
-  options.transport = method.transport;
-  options.sum = method.sum;
-  options.site = method.site;
-  options.maxClusters = 512;
-  return options;
-}
-
-void expectSame(const std::vector<Image>& a, const std::vector<Image>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].rgba, b[i].rgba) << "image " << i;
-}
-
 class EditTest : public RendererTestBase<testing::TestWithParam<Method>> {};
 
 // The same bits as from the edited scene, whatever was shown before.
 TEST_P(EditTest, PictureIsThatOfTheEditedScene) {
-  RenderOptions options = optionsOf(GetParam());
+  const RenderOptions options = optionsOf(GetParam());
   for (const Edit& edit : edits()) {
     SCOPED_TRACE(edit.name);
     Scene scene = wobblyBall();
     const std::vector<Image> before = render(scene, options, asked());
+    View view(renderer(), options);
+    view.render({.aovs = asked()});
     edit.edit(scene);
     edit.take(renderer(), scene);
-    options.reuseLight = true;
-    const std::vector<Image> edited = render(options, asked());
-    options.reuseLight = false;
+    const std::vector<Image> edited = view.render({.aovs = asked(), .reuseLight = true}).images;
     EXPECT_NE(edited[0].rgba, before[0].rgba);
     expectSame(edited, render(scene, options, asked()));
   }
@@ -173,13 +134,13 @@ TEST_P(EditTest, MoreLightsWithAsManyShadowMapsAreSeen) {
 
 // Light from before is used, and is right, while only the camera moves.
 TEST_P(EditTest, ReusedLightIsTheSameLight) {
-  RenderOptions options = optionsOf(GetParam());
   Scene scene = wobblyBall();
-  render(scene, options, asked());
-  options.reuseLight = true;
+  renderer().setScene(scene);
+  View view(renderer(), optionsOf(GetParam()));
+  view.render({.aovs = asked()});
   scene.camera.positionMm[1] += 5;
   renderer().setCamera(scene.camera);
-  const RenderResult again = renderer().render(options, asked());
+  const RenderResult again = view.render({.aovs = asked(), .reuseLight = true});
   for (const PassTime& pass : again.report.passes) {
     EXPECT_NE(pass.name, "shadow");
     EXPECT_NE(pass.name, "deform");
@@ -190,8 +151,6 @@ TEST_P(EditTest, ReusedLightIsTheSameLight) {
 
 // What shows no light waits for none, is the same beside a picture, and does not pass for one.
 TEST_P(EditTest, VariablesWithoutLightFindNone) {
-  RenderOptions options = optionsOf(GetParam());
-  options.reuseLight = true;
   const std::vector<Aov> plain{Aov::Position, Aov::Depth, Aov::DsmArea};
   const auto plainAndLit = [&] {
     std::vector<Aov> all = plain;
@@ -201,12 +160,14 @@ TEST_P(EditTest, VariablesWithoutLightFindNone) {
   Scene scene = wobblyBall();
   scene.deformers.push_back({DeformerKind::Wobble, 0.1F, 1});
   renderer().setScene(scene);
-  options.seconds = 0.3;
-  const std::vector<Image> lit = render(options, plainAndLit);
-  options.seconds = 0.1;
-  EXPECT_NE(render(options, plain)[0].rgba, lit[0].rgba);
-  options.seconds = 0.3;
-  const RenderResult alone = renderer().render(options, plain);
+  View view(renderer(), optionsOf(GetParam()));
+  const auto at = [&](double seconds, const std::vector<Aov>& aovs) {
+    renderer().setTime({.seconds = seconds});
+    return view.render({.aovs = aovs, .reuseLight = true});
+  };
+  const std::vector<Image> lit = at(0.3, plainAndLit).images;
+  EXPECT_NE(at(0.1, plain).images[0].rgba, lit[0].rgba);
+  const RenderResult alone = at(0.3, plain);
   for (const PassTime& pass : alone.report.passes) {
     EXPECT_NE(pass.name, "solve");
     EXPECT_NE(pass.name, "scatter");
@@ -214,27 +175,26 @@ TEST_P(EditTest, VariablesWithoutLightFindNone) {
   }
   EXPECT_TRUE(alone.report.solutions.empty());
   expectSame(alone.images, {lit.begin(), lit.end() - 1});
-  expectSame(render(options, plainAndLit), lit);
+  expectSame(at(0.3, plainAndLit).images, lit);
 }
 
 // Two methods that take turns, as on the two sides of a divider, at times that differ.
 TEST_P(EditTest, MethodsTakeTurns) {
-  const RenderOptions paper = optionsOf(methods[2]);
-  const RenderOptions own = optionsOf(GetParam());
+  View paper(renderer(), optionsOf(methods[2]));
+  View own(renderer(), optionsOf(GetParam()));
   Scene scene = wobblyBall();
   scene.deformers.push_back({DeformerKind::Wobble, 0.1F, 1});
   renderer().setScene(scene);
-  const auto at = [](RenderOptions options, double seconds, bool reuse) {
-    options.seconds = seconds;
-    options.reuseLight = reuse;
-    return options;
+  const auto at = [](View& view, double seconds, bool reuse) {
+    renderer().setTime({.seconds = seconds});
+    return view.render({.aovs = asked(), .reuseLight = reuse}).images;
   };
-  const std::vector<Image> first = render(at(own, 0, false), asked());
-  const std::vector<Image> other = render(at(paper, 0.3, false), asked());
-  expectSame(render(at(own, 0, true), asked()), first);
-  expectSame(render(at(paper, 0.3, true), asked()), other);
-  expectSame(render(at(paper, 0.3, true), asked()), other);
-  expectSame(render(at(own, 0, true), asked()), first);
+  const std::vector<Image> first = at(own, 0, false);
+  const std::vector<Image> other = at(paper, 0.3, false);
+  expectSame(at(own, 0, true), first);
+  expectSame(at(paper, 0.3, true), other);
+  expectSame(at(paper, 0.3, true), other);
+  expectSame(at(own, 0, true), first);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, EditTest, testing::ValuesIn(methods),
@@ -242,18 +202,17 @@ INSTANTIATE_TEST_SUITE_P(Methods, EditTest, testing::ValuesIn(methods),
 
 // Pictures come at once, of the old division, and then the new one's.
 TEST_P(EditTest, ImpatientPicturesBecomeTheSame) {
-  RenderOptions options = optionsOf(GetParam());
+  const RenderOptions options = optionsOf(GetParam());
   Scene scene = wobblyBall();
   render(scene, options, asked());
   scene.objects[0].medium.sigmaSPrimePerMm = {9, 8, 7};
   takeMedium(renderer(), scene);
-  options.patient = false;
+  View view(renderer(), options);
   Frame frame;
   do {
-    renderer().submit(options, asked());
-    renderer().collect(frame);
+    view.submit({.aovs = asked(), .patient = false});
+    view.collect(frame);
   } while (frame.provisional);
-  options.patient = true;
   expectSame(frame.images, render(scene, options, asked()));
 }
 
@@ -275,69 +234,6 @@ TEST_F(EditErrorsTest, RefusedEditsChangeNothing) {
   EXPECT_THROW(renderer().setMedium(1, scene.objects[0].medium), UsageError);
   EXPECT_THROW(renderer().setDeformers(std::vector<Deformer>(9)), UsageError);
   expectSame(render(options, asked()), before);
-}
-
-TEST_F(EditErrorsTest, EveryMethodKeepsItsPicture) {
-  renderer().setScene(wobblyBall());
-  Frame frame;
-  std::vector<VkImage> images;
-  for (const Sum sum : {Sum::Tree, Sum::Pattern, Sum::Tree}) {
-    RenderOptions options = smallOptions();
-    options.sum = sum;
-    renderer().submitOnDevice(options);  // makes what is missing
-    renderer().collect(frame);
-  }
-  for (const Sum sum : {Sum::Tree, Sum::Pattern}) {
-    RenderOptions options = smallOptions();
-    options.sum = sum;
-    images.push_back(renderer().submitOnDevice(options).image);
-    renderer().collect(frame);
-  }
-  EXPECT_NE(images[0], images[1]);
-}
-
-// While what others need of the scene is made, or another scene is set, that picture stays.
-TEST_F(EditErrorsTest, PictureStaysUntilAThirdKindOfFrame) {
-  const auto submit = [&](const Method& method) {
-    const DeviceImage image = renderer().submitOnDevice(optionsOf(method));
-    Frame frame;
-    renderer().collect(frame);
-    return image.image;
-  };
-  // The validation layer complains of images that are gone.
-  const auto touch = [&](VkImage image) {
-    VkMemoryRequirements requirements{};
-    vkGetImageMemoryRequirements(renderer().vulkanDevice().device, image, &requirements);
-    EXPECT_GT(requirements.size, 0U);
-  };
-  renderer().setScene(wobblyBall());
-  const VkImage tree = submit(methods[1]);
-  const VkImage paper = submit(methods[2]);  // needs a map
-  touch(tree);
-  EXPECT_NE(paper, tree);
-  EXPECT_EQ(submit(methods[1]), tree);
-  renderer().setScene(wobblyBall());
-  touch(tree);
-  touch(paper);
-  EXPECT_EQ(submit(methods[2]), paper);
-  const VkImage boundary = submit(methods[0]);  // needs clusters
-  touch(paper);
-  EXPECT_NE(boundary, paper);
-}
-
-TEST_F(EditErrorsTest, PictureStaysOnTheDevice) {
-  RenderOptions options = smallOptions();
-  options.width = 40;
-  renderer().setScene(wobblyBall());
-  const DeviceImage image = renderer().submitOnDevice(options, {Aov::Exitance});
-  EXPECT_NE(image.view, VK_NULL_HANDLE);
-  EXPECT_EQ(image.extent.width, 40U);
-  EXPECT_EQ(image.extent.height, 64U);
-  EXPECT_EQ(image.layout, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL);
-  Frame frame;
-  renderer().collect(frame);
-  ASSERT_EQ(frame.images.size(), 1U);
-  expectSame(frame.images, render(options, {Aov::Exitance}));
 }
 
 }  // namespace

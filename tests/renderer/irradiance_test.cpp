@@ -158,7 +158,8 @@ TEST_P(IrradianceTest, IsTheSameHoweverItIsAskedFor) {
   Scene scene = sceneOf(sphere({0, 0, 0}, 5, 4), marble(), {0, 0, 20}, 5.25F);
   scene.lighting.directional = {{{1, 1, 2}, {3, 2, 1}}};
   const Image alone = render(scene, options(), {Aov::Irradiance})[0];
-  const auto with = render(options(), {Aov::Radiance, Aov::Irradiance});
+  View view(renderer(), options());
+  const auto with = view.render({.aovs = {Aov::Radiance, Aov::Irradiance}}).images;
   EXPECT_EQ(with[1].rgba, alone.rgba);
   // A frame of another size, whose surfels other shadow maps light.
   RenderOptions other = options();
@@ -166,9 +167,8 @@ TEST_P(IrradianceTest, IsTheSameHoweverItIsAskedFor) {
   other.shadowSize = 64;
   for (const Aov between : {Aov::Irradiance, Aov::Radiance}) {
     render(other, {between});
-    RenderOptions again = options();
-    again.reuseLight = true;
-    const auto images = render(again, {Aov::Radiance, Aov::Irradiance});
+    const auto images =
+        view.render({.aovs = {Aov::Radiance, Aov::Irradiance}, .reuseLight = true}).images;
     EXPECT_EQ(images[0].rgba, with[0].rgba);
     EXPECT_EQ(images[1].rgba, alone.rgba);
   }

@@ -53,7 +53,7 @@ class MotionTest : public gpu::GpuTest {
     const passes::DeformPass pass(device());
     gpu::CommandList commands(device(), "motion");
     commands.begin();
-    motion_->record(commands, pass, clip, seconds, resources_.mesh);
+    motion_->record(commands, pass, {seconds, clip}, resources_.mesh);
     commands.submit();
     commands.wait();
     return {read(resources_.mesh.positions), read(resources_.mesh.normals)};
@@ -260,7 +260,7 @@ TEST_F(MotionTest, GivenPositionsHoldUntilRestored) {
   put(rigged(Interpolation::Linear, true));
   const std::vector<Vec3>& rest = scene_.objects[0].mesh.positionsMm;
   const std::vector<Vec3> given = shifted(rest, 7);
-  motion_->given().give(device(), 0, given, motion_->tables());
+  motion_->given().give(0, given, motion_->tables());
   for (int frame = 0; frame < 4; ++frame) {
     const Moved moved = at(0, 0.3 * frame);
     for (std::size_t v = 0; v < rest.size(); ++v) {
@@ -268,7 +268,7 @@ TEST_F(MotionTest, GivenPositionsHoldUntilRestored) {
       // Of the sphere that the positions lie on; its triangles' mean is that good.
       ASSERT_NEAR(moved.normals[v].y, (rest[v][1] - 2) / 5, 0.01);
     }
-    motion_->given().give(device(), 0, given, motion_->tables());
+    motion_->given().give(0, given, motion_->tables());
   }
   motion_->given().restore(0);
   expectAsOnHost(0, 0.9);
@@ -285,7 +285,7 @@ TEST_F(MotionTest, GivenPositionsFromABufferOfTheDevice) {
   gpu::Buffer buffer =
       gpu::makeBuffer(device(), "caller's", floats, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   motion_->given().give(
-      device(), 0, DevicePositions{.buffer = buffer.handle(), .offsetBytes = 28, .strideBytes = 20},
+      0, DevicePositions{.buffer = buffer.handle(), .offsetBytes = 28, .strideBytes = 20},
       motion_->tables());
   const Moved moved = at(0, 0);
   for (std::size_t v = 0; v < rest.size(); ++v)
@@ -300,15 +300,12 @@ TEST_F(MotionTest, GivenPositionsThatDoNotFitAreRefused) {
   put(ball());
   GivenPositions& given = motion_->given();
   std::vector<Vec3> positions = scene_.objects[0].mesh.positionsMm;
-  EXPECT_THROW(given.give(device(), 1, std::span<const Vec3>(positions), motion_->tables()),
-               UsageError);
+  EXPECT_THROW(given.give(1, std::span<const Vec3>(positions), motion_->tables()), UsageError);
   positions[3][1] = std::numeric_limits<float>::infinity();
-  EXPECT_THROW(given.give(device(), 0, std::span<const Vec3>(positions), motion_->tables()),
-               UsageError);
+  EXPECT_THROW(given.give(0, std::span<const Vec3>(positions), motion_->tables()), UsageError);
   positions.pop_back();
-  EXPECT_THROW(given.give(device(), 0, std::span<const Vec3>(positions), motion_->tables()),
-               UsageError);
-  EXPECT_THROW(given.give(device(), 0, DevicePositions{}, motion_->tables()), UsageError);
+  EXPECT_THROW(given.give(0, std::span<const Vec3>(positions), motion_->tables()), UsageError);
+  EXPECT_THROW(given.give(0, DevicePositions{}, motion_->tables()), UsageError);
   EXPECT_THROW(given.restore(1), UsageError);
 }
 

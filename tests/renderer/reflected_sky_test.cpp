@@ -127,12 +127,13 @@ TEST_F(ReflectedSkyTest, FollowsTheBodyAsItMoves) {
   scene.deformers = {{DeformerKind::Bend, 0.6F, 4}};
   RenderOptions options = mirror();
   options.transport = Transport::BetterDipole;
+  View view(renderer());
   const auto at = [&](double seconds, bool specular) {
-    options.seconds = seconds;
     options.specular = specular;
-    return render(options, {Aov::Radiance})[0].rgba;
+    view.setOptions(options);
+    renderer().setTime({.seconds = seconds});
+    return view.render({.reuseLight = true}).images[0].rgba;
   };
-  options.reuseLight = true;
   renderer().setScene(scene);
   const auto rest = at(0, true);
   const auto bent = at(1, true);

@@ -88,6 +88,11 @@ class RendererTestBase : public Base {
     renderer().setScene(scene);
     return render(options, aovs);
   }
+  static std::vector<Image> renderAt(double seconds, const RenderOptions& options,
+                                     const std::vector<Aov>& aovs) {
+    renderer().setTime({.seconds = seconds});
+    return render(options, aovs);
+  }
 
  private:
   std::size_t messagesBefore_ = 0;

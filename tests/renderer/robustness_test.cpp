@@ -101,19 +101,16 @@ TEST_F(RobustnessTest, OptionsOutOfRangeAreRefused) {
       }),
       changed([](RenderOptions& o) { o.antialias = 3; }),
       changed([](RenderOptions& o) { o.antialias = 0; }),
-      changed([](RenderOptions& o) { o.frames = 0; }),
       changed([](RenderOptions& o) { o.pattern.nearRings = 17; }),
       changed([](RenderOptions& o) { o.pattern.nearRings = -1; }),
       changed([](RenderOptions& o) { o.pattern.nearSpacing = 0; }),
       changed([](RenderOptions& o) { o.pattern.nearSpacing = nan; }),
       changed([](RenderOptions& o) { o.pattern.farDistance = 1001; }),
-      changed([](RenderOptions& o) { o.seconds = -1; }),
-      changed([](RenderOptions& o) { o.seconds = static_cast<double>(nan); }),
-      changed([](RenderOptions& o) { o.clip = 1; }),
-      changed([](RenderOptions& o) { o.clip = -2; }),
   };
   for (std::size_t i = 0; i < wrong.size(); ++i)
     EXPECT_THROW(renderer().render(wrong[i]), UsageError) << i;
+  const SceneTime times[] = {{.seconds = -1}, {.seconds = nan}, {.clip = 1}, {.clip = -2}};
+  for (const SceneTime& time : times) EXPECT_THROW(renderer().setTime(time), UsageError);
   EXPECT_EQ(render(smallOptions(), {Aov::Depth}).size(), 1U);  // and is none the worse for it
 }
 
@@ -234,7 +231,7 @@ TEST_F(RobustnessTest, ASceneThatDoesNotFitLeavesNone) {
   try {
     fresh.setScene(scene);
   } catch (const Error&) {
-    EXPECT_THROW(fresh.submit(smallOptions()), Error);
+    EXPECT_THROW(fresh.render(smallOptions()), Error);
     EXPECT_THROW(fresh.replacePositions(0, rig.positions), Error);
   }
   fresh.setScene(riggedBall());

@@ -263,14 +263,17 @@ TEST_F(SeenSurfelsTest, ChangeFromFrameToFrame) {
     RenderOptions pattern = smallOptions();
     pattern.sum = Sum::Pattern;
     EXPECT_NO_THROW(render(pattern, {Aov::Radiance}));
-    options.reuseLight = true;
-    EXPECT_NO_THROW(render(options, {Aov::Radiance}));
-    EXPECT_TRUE(render(options, {Aov::Surfels})[0].rgba == first.rgba);
-    renderer().setCamera(aside);
-    EXPECT_TRUE(render(options, {Aov::Surfels})[0].rgba == seenAside.rgba);
-    renderer().setCamera(scene.camera);
+    View view(renderer(), options);
+    const auto surfels = [&] {
+      return view.render({.aovs = {Aov::Surfels}, .reuseLight = true}).images[0].rgba;
+    };
+    EXPECT_NO_THROW(view.render({.reuseLight = true}));
+    EXPECT_TRUE(surfels() == first.rgba);
+    view.setCamera(aside);
+    EXPECT_TRUE(surfels() == seenAside.rgba);
+    view.setCamera(std::nullopt);
     renderer().setMedium(0, marble());
-    EXPECT_TRUE(render(options, {Aov::Surfels})[0].rgba == ofHarder.rgba);
+    EXPECT_TRUE(surfels() == ofHarder.rgba);
   }
 }
 

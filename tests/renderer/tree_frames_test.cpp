@@ -40,7 +40,7 @@ Scene litBall() {
 
 /// Looks at the point from the direction; the picture has the point at its middle pixel's centre.
 /// The pixels are small, since devices round where a triangle's corners lie to a part of one.
-struct View {
+struct Sight {
   Vector direction;
   double distanceMm;
   float fovDegrees;
@@ -48,7 +48,7 @@ struct View {
   int height;
 };
 
-Rgb exitanceAt(Scene scene, const Vector& pointMm, const View& view, Site site) {
+Rgb exitanceAt(Scene scene, const Vector& pointMm, const Sight& view, Site site) {
   scene.camera.targetMm = toVec3(pointMm);
   scene.camera.positionMm = toVec3(pointMm + view.distanceMm * unit(view.direction));
   scene.camera.verticalFovDegrees = view.fovDegrees;
@@ -106,7 +106,7 @@ TEST_F(TreeFramesTest, ErrorDoesNotFlickerAsTheBodyMoves) {
     double largest = 0;  // relative to what is there
     int pixels = 0;
     for (int frame = 0; frame < 8; ++frame) {
-      options.seconds = 0.3 + frame / 30.0;
+      renderer().setTime({.seconds = 0.3 + frame / 30.0});
       const TreeAndAll images = treeAndAll(options);
       const std::array<double, 3> mean = meanOf(images.all);
       std::vector<float> error = images.tree.rgba;
@@ -140,15 +140,14 @@ TEST_F(TreeFramesTest, AFrameIsTheSameWhateverWasPlayedBefore) {
     RenderOptions options = treeFrameOptions(48, site);
     renderer().setScene(scene);
     std::vector<Image> played;
-    for (int frame = 0; frame < 6; ++frame) {
-      options.seconds = 0.2 * frame;
-      played.push_back(render(options, {Aov::Exitance})[0]);
-    }
+    for (int frame = 0; frame < 6; ++frame)
+      played.push_back(renderAt(0.2 * frame, options, {Aov::Exitance})[0]);
     for (const int frame : {4, 1}) {
-      options.seconds = 0.2 * frame;
-      EXPECT_TRUE(render(options, {Aov::Exitance})[0].rgba ==
+      const double seconds = 0.2 * frame;
+      EXPECT_TRUE(renderAt(seconds, options, {Aov::Exitance})[0].rgba ==
                   played[static_cast<std::size_t>(frame)].rgba);
-      const Image alone = render(scene, options, {Aov::Exitance})[0];
+      renderer().setScene(scene);
+      const Image alone = renderAt(seconds, options, {Aov::Exitance})[0];
       EXPECT_TRUE(alone.rgba == played[static_cast<std::size_t>(frame)].rgba);
     }
     EXPECT_FALSE(played[1].rgba == played[4].rgba);

@@ -52,7 +52,7 @@ scene::SceneFileSettings randomSettings(Numbers& random) {
   render.specular = random.below(2) == 0;
   render.roughness = random.real(0.05, 1);
   render.antialias = 1 << random.below(4);
-  render.seconds = random.within(0, 1e6);
+  picture.time.seconds = random.within(0, 1e6);
   picture.tone = {random.real(-32, 32), core::ToneCurve::None, Rgb{random.real(0, 1), 0, 1}};
   return {options::chosenIn(picture), "a \"GPU\"\t№ 1", "none"};
 }

@@ -60,15 +60,16 @@ TEST_F(SoftBodyInRendererTest, FramesUnderWayStayAsTheyWere) {
     SoftBody body = make();
     body.grab({0, 5, 0}, 1);
     body.pull({4, 6, 0});
+    View view(renderer(), smallOptions());
     std::vector<std::vector<float>> frames;
     Frame frame;
     int underWay = 0;
     for (int i = 0; i < 6; ++i) {
       body.step(0.05);
-      renderer().submit(smallOptions(), {Aov::Position});
+      view.submit({.aovs = {Aov::Position}});
       ++underWay;
       while (underWay > (together && i < 5 ? 1 : 0)) {
-        renderer().collect(frame);
+        view.collect(frame);
         frames.push_back(frame.images.at(0).rgba);
         --underWay;
       }
@@ -80,10 +81,9 @@ TEST_F(SoftBodyInRendererTest, FramesUnderWayStayAsTheyWere) {
 
 // Light that a frame found serves the next while the body stands still, and never when it moves.
 TEST_F(SoftBodyInRendererTest, LightIsFoundAnewWhileItMoves) {
-  RenderOptions options = smallOptions();
+  View view(renderer(), smallOptions());
   const auto frame = [&](bool reuse) {
-    options.reuseLight = reuse;
-    return render(options, {Aov::Radiance, Aov::Position});
+    return view.render({.aovs = {Aov::Radiance, Aov::Position}, .reuseLight = reuse}).images;
   };
   SoftBody body = make();
   frame(true);

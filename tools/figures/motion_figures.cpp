@@ -17,11 +17,11 @@ namespace opaline::figures {
 namespace {
 
 /// One panel for each time.
-std::vector<core::Image8> film(Studio& studio, RenderOptions options, const Exposure& exposure,
-                               double stepSeconds, int frames) {
+std::vector<core::Image8> film(Studio& studio, const RenderOptions& options,
+                               const Exposure& exposure, double stepSeconds, int frames) {
   std::vector<core::Image8> panels;
   for (int frame = 0; frame < frames; ++frame) {
-    options.seconds = stepSeconds * frame;
+    studio.renderer.setTime({.seconds = stepSeconds * frame});
     panels.push_back(photograph(studio, options, exposure));
   }
   return panels;

@@ -143,14 +143,17 @@ void MotionOptions::applyTo(Scene& scene) const {
   scene.deformers.insert(scene.deformers.end(), deformers_.begin(), deformers_.end());
 }
 
-void MotionOptions::applyTo(RenderOptions& options, const Scene& scene,
-                            const scene::SceneFileSettings& settings) const {
-  options::apply(chosen_, options);
+SceneTime MotionOptions::time(const Scene& scene, const scene::SceneFileSettings& settings) const {
+  options::PictureSettings found;
+  settings.picture.applyTo(found);
+  chosen_.applyTo(found);
+  SceneTime time = found.time;
   if (clip_) {
-    options.clip = findClip({"--clip", *clip_}, scene);
+    time.clip = findClip({"--clip", *clip_}, scene);
   } else if (settings.clip) {
-    options.clip = findClip({"[render] clip", *settings.clip}, scene);
+    time.clip = findClip({"[render] clip", *settings.clip}, scene);
   }
+  return time;
 }
 
 bool moves(const Scene& scene, int clip) {

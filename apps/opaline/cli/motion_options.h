@@ -36,10 +36,9 @@ class MotionOptions {
 
   /// Appends the deformers that were asked for.
   void applyTo(Scene& scene) const;
-  /// Sets time and clip: what was asked for, else what the scene file says. Throws UsageError for a
-  /// clip that the scene does not have.
-  void applyTo(RenderOptions& options, const Scene& scene,
-               const scene::SceneFileSettings& settings) const;
+  /// What was asked for, else what the scene file says. Throws UsageError for a clip that the scene
+  /// does not have.
+  SceneTime time(const Scene& scene, const scene::SceneFileSettings& settings) const;
 
  private:
   options::Chosen<options::PictureSettings> chosen_;  // the time of a still

@@ -50,14 +50,14 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
   return options;
 }
 
-scene::SceneFileSettings settingsOf(const RenderOptions& options, const core::ToneOptions& tone,
-                                    const Scene& scene) {
+scene::SceneFileSettings settingsOf(const options::PictureSettings& picture, const Scene& scene) {
   scene::SceneFileSettings settings;
-  settings.picture = options::chosenIn(options::PictureSettings{options, tone});
-  if (options.clip < 0) {
+  settings.picture = options::chosenIn(picture);
+  const int clip = picture.time.clip;
+  if (clip < 0) {
     settings.clip = "none";
-  } else if (const auto clip = static_cast<std::size_t>(options.clip); clip < scene.clips.size()) {
-    settings.clip = scene.clips[clip].name;
+  } else if (static_cast<std::size_t>(clip) < scene.clips.size()) {
+    settings.clip = scene.clips[static_cast<std::size_t>(clip)].name;
   }
   return settings;
 }
@@ -149,7 +149,7 @@ void LookOptions::applyTo(RenderOptions& options) const {
 
 core::ToneOptions LookOptions::tone(const scene::SceneFileSettings& settings,
                                     const Scene& scene) const {
-  options::PictureSettings found{{}, toneOf(settings, scene)};
+  options::PictureSettings found{.tone = toneOf(settings, scene)};
   chosen_.applyTo(found);
   return found.tone;
 }

@@ -22,8 +22,7 @@ RenderOptions optionsOf(const scene::SceneFileSettings& settings);
 
 /// The [render] table of a file that shows what is on the screen: everything, whether or not it is
 /// the default, but the device.
-scene::SceneFileSettings settingsOf(const RenderOptions& options, const core::ToneOptions& tone,
-                                    const Scene& scene);
+scene::SceneFileSettings settingsOf(const options::PictureSettings& picture, const Scene& scene);
 
 /// How a scene file wants its pictures shown, with the exposure that suits the light where it names
 /// none.

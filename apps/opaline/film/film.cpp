@@ -57,13 +57,13 @@ FramesThere countThere(const FilmOrder& order) {
   return there;
 }
 
-std::size_t renderFilm(Renderer& renderer, const FilmOrder& order) {
+FilmMade renderFilm(Renderer& renderer, const FilmOrder& order) {
   FilmJob job(order);
   Progress bar(order.frames.count(), order.quiet);
   job.step(renderer, order.frames.count(), [&](const FilmProgress& progress) {
     bar.show(progress.written + progress.skipped, progress.skipped);
   });
-  return order.frames.count() - job.progress().skipped;
+  return {order.frames.count() - job.progress().skipped, job.report()};
 }
 
 }  // namespace opaline::app

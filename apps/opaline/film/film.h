@@ -18,7 +18,8 @@ struct FilmOrder {
   FrameRange frames;
   core::Target output{""};  ///< a film, .mp4, or a name with a mark for the number
   Aov aov = Aov::Radiance;
-  RenderOptions options;   ///< but for the time
+  RenderOptions options;
+  int clip = 0;
   core::ToneOptions tone;  ///< of what is not EXR
   bool resume = false;     ///< leave out what is there already; not for a film
   /// What each picture carries, if anything; where that differs, it is not the picture. Is called
@@ -47,7 +48,14 @@ struct FramesThere {
 /// How many frames need not be made, as their files are there, and how many are others.
 FramesThere countThere(const FilmOrder& order);
 
-/// Renders the others, each while those before are still being written. Returns how many.
-std::size_t renderFilm(Renderer& renderer, const FilmOrder& order);
+/// What making a film did.
+struct FilmMade {
+  std::size_t frames = 0;  ///< that were not there before
+  RenderReport report;
+};
+
+/// Renders the missing frames, of which there is one at least, each while those before are still
+/// being written.
+FilmMade renderFilm(Renderer& renderer, const FilmOrder& order);
 
 }  // namespace opaline::app

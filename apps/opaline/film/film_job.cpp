@@ -17,7 +17,7 @@ namespace {
 /// The frames that were submitted and not collected.
 class FramesUnderWay {
  public:
-  explicit FramesUnderWay(Renderer& renderer) : renderer_(renderer) {}
+  explicit FramesUnderWay(View& view) : view_(view) {}
   ~FramesUnderWay() {
     try {
       Frame unused;
@@ -31,8 +31,8 @@ class FramesUnderWay {
 
   std::size_t count() const { return numbers_.size(); }
 
-  void submit(int number, const RenderOptions& options, const std::vector<Aov>& aovs) {
-    renderer_.submit(options, aovs);
+  void submit(int number, const FrameOrder& order) {
+    view_.submit(order);
     numbers_.push_back(number);
   }
 
@@ -40,12 +40,12 @@ class FramesUnderWay {
   int collect(Frame& frame) {
     const int number = numbers_.front();
     numbers_.pop_front();
-    renderer_.collect(frame);
+    view_.collect(frame);
     return number;
   }
 
  private:
-  Renderer& renderer_;
+  View& view_;
   std::deque<int> numbers_;
 };
 
@@ -64,9 +64,9 @@ FilmProgress FilmJob::progress() const {
 void FilmJob::step(Renderer& renderer, std::size_t frames,
                    const std::function<void(const FilmProgress&)>& progress) {
   assert(!done_);
-  RenderOptions options = order_.options;
-  const std::vector<Aov> aovs{order_.aov};
-  FramesUnderWay underWay(renderer);
+  if (!view_) view_.emplace(renderer, order_.options);
+  const FrameOrder order{.aovs = {order_.aov}};
+  FramesUnderWay underWay(*view_);
   const auto showProgress = [&] {
     if (progress) progress(this->progress());
   };
@@ -87,10 +87,10 @@ void FilmJob::step(Renderer& renderer, std::size_t frames,
       showProgress();
       return;
     }
-    if (underWay.count() == Renderer::framesInFlight) collectOldest();
-    options.seconds = order_.frames.seconds(frame);
+    if (underWay.count() == View::framesInFlight) collectOldest();
+    renderer.setTime({order_.frames.seconds(frame), order_.clip});
     if (order_.place) order_.place(renderer, frame);
-    underWay.submit(frame, options, aovs);
+    underWay.submit(frame, order);
     --frames;
   };
   try {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 #include "film/film.h"
 #include "film/film_output.h"
@@ -21,9 +22,9 @@ struct FilmProgress {
 };
 
 /// A film that is made a few frames at a time, by a program that has a renderer and other things to
-/// do in between. It borrows that renderer rather than have one on a thread of its own, as a device
-/// works on one thing at a time anyway, and a second copy of the scene might not fit its memory;
-/// pictures are written and encoded on other threads meanwhile.
+/// do in between. It borrows that renderer, which has to outlive it, rather than have one on a
+/// thread of its own, as a device works on one thing at a time anyway, and a second copy of the
+/// scene might not fit its memory; pictures are written and encoded on other threads meanwhile.
 ///
 /// Going away before it is done, it leaves no film; pictures that are there are whole.
 class FilmJob {
@@ -31,9 +32,9 @@ class FilmJob {
   /// Throws Error when the output cannot be written or ffmpeg is not there.
   explicit FilmJob(FilmOrder order);
 
-  /// Renders that many of the frames that are missing. No frame may be under way in the renderer,
-  /// and none is on return. With the last one it waits until everything is written. Throws Error
-  /// when a frame cannot be rendered or written; nothing but going away is left to the job then.
+  /// Renders that many of the frames that are missing, always with the same renderer. With the last
+  /// one it waits until everything is written. Throws Error when a frame cannot be rendered or
+  /// written; nothing but going away is left to the job then.
   void step(Renderer& renderer, std::size_t frames = 1,
             const std::function<void(const FilmProgress&)>& progress = {});
 
@@ -41,9 +42,13 @@ class FilmJob {
   /// Where the film is, once it is done.
   const std::filesystem::path& file() const { return output_.file(); }
   FilmProgress progress() const;
+  /// After the first frame that was rendered.
+  RenderReport report() const { return view_->report(); }
 
  private:
   FilmOrder order_;
+  std::optional<View> view_;  // in the renderer that makes it
+
   FilmOutput output_;
   int next_;
   std::size_t skipped_ = 0;

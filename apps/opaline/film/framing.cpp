@@ -31,16 +31,16 @@ constexpr std::int64_t mostMoments = 1024;
 
 /// Calls use(position) for all vertices of the scene as it is at that time.
 template <typename Use>
-void forEachPosition(const Scene& scene, const Bounds& box, int clip, double seconds,
+void forEachPosition(const Scene& scene, const Bounds& box, const SceneTime& time,
                      const PositionsByObject& positionsMm, const Use& use) {
   deform::Pose pose = deform::makePose(scene);
-  deform::poseAt(scene, clip, seconds, pose);
+  deform::poseAt(scene, time.clip, time.seconds, pose);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const auto given = positionsMm.find(i);
     const auto positions =
         given == positionsMm.end()
-            ? deform::deformedPositions(scene, i, pose, box, seconds)
-            : deform::deformedPositions(scene.deformers, given->second, box, seconds);
+            ? deform::deformedPositions(scene, i, pose, box, time.seconds)
+            : deform::deformedPositions(scene.deformers, given->second, box, time.seconds);
     for (const Double3& p : positions) use(p);
   }
 }
@@ -59,7 +59,8 @@ void add(const Scene& scene, const Bounds& box, const Framed& framed, const Mome
   } catch (const Error&) {
     return;
   }
-  forEachPosition(scene, box, framed.clip, moment.seconds, positionsMm, [&](const Double3& p) {
+  const SceneTime time{moment.seconds, framed.clip};
+  forEachPosition(scene, box, time, positionsMm, [&](const Double3& p) {
     to.tight.add(p);
     to.loose.add(p);
   });
@@ -137,12 +138,12 @@ void showAll(Scene& scene, const Framed& framed) {
   scene::standBack(scene.camera, needs.loose.distanceMm());
 }
 
-void frame(Scene& scene, int clip, double seconds, const PositionsByObject& positionsMm,
+void frame(Scene& scene, const SceneTime& time, const PositionsByObject& positionsMm,
            double aspect) {
   Double3 low{INFINITY, INFINITY, INFINITY};
   Double3 high{-INFINITY, -INFINITY, -INFINITY};
   std::vector<Double3> all;
-  forEachPosition(scene, boundsOf(scene), clip, seconds, positionsMm, [&](const Double3& p) {
+  forEachPosition(scene, boundsOf(scene), time, positionsMm, [&](const Double3& p) {
     if (!scene::isFinite(p)) return;
     all.push_back(p);
     for (std::size_t axis = 0; axis < 3; ++axis) {

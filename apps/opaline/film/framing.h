@@ -41,7 +41,7 @@ void showAll(Scene& scene, const Framed& framed);
 
 /// Leads the camera to where it sees all of the scene as it is at one moment, looking the way it
 /// does.
-void frame(Scene& scene, int clip, double seconds, const PositionsByObject& positionsMm,
+void frame(Scene& scene, const SceneTime& time, const PositionsByObject& positionsMm,
            double aspect);
 
 }  // namespace opaline::app

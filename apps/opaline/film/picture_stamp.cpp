@@ -129,7 +129,8 @@ void addScene(Digest& digest, const Scene& scene) {
 void addSettings(Digest& digest, const RenderOptions& options,
                  const std::optional<core::ToneOptions>& tone) {
   digest.add(tone.has_value());
-  const options::PictureSettings settings{options, tone.value_or(core::ToneOptions{})};
+  const options::PictureSettings settings{.render = options,
+                                          .tone = tone.value_or(core::ToneOptions{})};
   for (const auto& field : options::fieldsOf<options::PictureSettings>()) {
     // Each frame of a film has its own time.
     if (field.key == "seconds") continue;
@@ -138,7 +139,6 @@ void addSettings(Digest& digest, const RenderOptions& options,
     digest.addBytes(text.c_str(), text.size() + 1);
   }
   digest.add(options.treeLevel);
-  digest.add(options.clip);
 }
 
 void addFile(Digest& digest, const std::filesystem::path& file) {
@@ -172,6 +172,7 @@ std::function<std::string(int frame)> frameStamps(const PictureMakers& makers,
   ofAll.addBytes(OPALINE_VERSION, sizeof(OPALINE_VERSION));
   addScene(ofAll, makers.scene);
   addSettings(ofAll, makers.options, makers.tone);
+  ofAll.add(makers.clip);
   ofAll.add(makers.aov);
   return [ofAll, frames, json = readable(makers), sequence = makers.sequence](int frame) {
     Digest digest = ofAll;

@@ -17,7 +17,8 @@ namespace opaline::app {
 /// row may be shared among them.
 struct PictureMakers {
   const Scene& scene;
-  RenderOptions options;  ///< but for the time
+  RenderOptions options;
+  int clip = 0;
   Aov aov = Aov::Radiance;
   std::optional<core::ToneOptions> tone;         ///< none: linear, as EXR is
   std::shared_ptr<const MeshSequence> sequence;  ///< whose files the frames show

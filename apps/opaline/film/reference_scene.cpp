@@ -28,7 +28,7 @@ deform::DeformedVertices meshAt(const Scene& scene, std::size_t object, const de
   return mesh;
 }
 
-reference::Scene referenceScene(const Scene& scene, int clip, double seconds,
+reference::Scene referenceScene(const Scene& scene, const SceneTime& time,
                                 const PositionsByObject& positionsMm) {
   for (const auto& [object, positions] : positionsMm) {
     if (object >= scene.objects.size() ||
@@ -38,11 +38,11 @@ reference::Scene referenceScene(const Scene& scene, int clip, double seconds,
     }
   }
   deform::Pose pose = deform::makePose(scene);
-  deform::poseAt(scene, clip, seconds, pose);
+  deform::poseAt(scene, time.clip, time.seconds, pose);
   reference::Scene result;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    deform::DeformedVertices mesh = meshAt(scene, i, pose, seconds, positionsMm);
+    deform::DeformedVertices mesh = meshAt(scene, i, pose, time.seconds, positionsMm);
     result.bodies.push_back({std::move(mesh.positionsMm), std::move(mesh.normals),
                              object.mesh.triangles, object.medium});
   }

@@ -20,7 +20,7 @@ deform::DeformedVertices meshAt(const Scene& scene, std::size_t object, const de
 
 /// The scene as it is at that time of a clip (-1: none). The scene's deformers apply to given
 /// positions too. Throws UsageError unless they fit their object.
-reference::Scene referenceScene(const Scene& scene, int clip, double seconds,
+reference::Scene referenceScene(const Scene& scene, const SceneTime& time,
                                 const PositionsByObject& positionsMm = {});
 
 }  // namespace opaline::app

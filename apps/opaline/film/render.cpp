@@ -78,8 +78,6 @@ struct RenderCommand {
     method.applyTo(options, settings);
     picture.applyTo(options);
     method.requireUse(options, picture.aov());
-    // A report gives the time of a warm frame, so it takes a second one.
-    options.frames = report || json ? 2 : 1;
     return options;
   }
 };
@@ -89,6 +87,7 @@ struct RenderJob {
   Scene scene;
   scene::SceneFileSettings settings;
   RenderOptions options;
+  SceneTime time;
   core::ToneOptions tone;
   core::Target output;
   std::vector<std::filesystem::path> inputs;
@@ -96,9 +95,9 @@ struct RenderJob {
 
   /// Also refuses what is beyond the sequence.
   void aimCamera(const std::optional<FrameRange>& frames) {
-    showAll(scene, {options.clip, aspectOf(options), sequence.get(),
-                    frames ? momentsOf(*frames, sequence.get())
-                           : momentOf(options.seconds, sequence.get())});
+    showAll(scene,
+            {time.clip, aspectOf(options), sequence.get(),
+             frames ? momentsOf(*frames, sequence.get()) : momentOf(time.seconds, sequence.get())});
   }
 };
 
@@ -109,12 +108,12 @@ RenderJob prepareRender(const RenderCommand& command, core::Target output, const
   RenderOptions options = command.options(settings);
   command.camera.applyTo(scene);
   command.motion.applyTo(scene);
-  command.motion.applyTo(options, scene, settings);
+  const SceneTime time = command.motion.time(scene, settings);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
   const core::ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
-  return {std::move(scene),       std::move(settings), options, tone, std::move(output),
+  return {std::move(scene),       std::move(settings), options, time, tone, std::move(output),
           scene::filesOf(source), std::move(sequence)};
 }
 
@@ -144,10 +143,15 @@ Done makeStill(const RenderCommand& command, const RenderJob& job, const LogCall
   Renderer renderer = makeRenderer(command, job, log);
   if (job.sequence) {
     std::vector<Vec3> positionsMm;
-    job.sequence->read(numberAt(*job.sequence, job.options.seconds), positionsMm);
+    job.sequence->read(numberAt(*job.sequence, job.time.seconds), positionsMm);
     renderer.replacePositions(0, positionsMm);
   }
-  const RenderResult result = renderer.render(job.options, {command.picture.aov()});
+  renderer.setTime(job.time);
+  View view(renderer, job.options);
+  const FrameOrder order{.aovs = {command.picture.aov()}};
+  RenderResult result = view.render(order);
+  // A report gives the time of a warm frame.
+  if (command.report || command.json) result = view.render(order);
   const Image& image = result.images.at(0);
   if (isEmpty(image)) {
     log(LogLevel::Note,
@@ -177,15 +181,14 @@ Json emptyReportJson(const RenderJob& job, const std::vector<std::string>& outpu
 
 Done renderMissing(const RenderCommand& command, const RenderJob& job, FilmOrder order,
                    const LogCallback& log) {
-  if (!job.sequence && !moves(job.scene, job.options.clip)) {
+  if (!job.sequence && !moves(job.scene, job.time.clip)) {
     log(LogLevel::Note,
         "nothing in the scene moves, so all frames are the same picture; --deform wobble:0.1 makes "
         "it move");
   }
   Renderer renderer = makeRenderer(command, job, log);
   if (job.sequence) order.place = placeBySequence(job.sequence, order.frames);
-  const std::size_t made = renderFilm(renderer, order);
-  const RenderReport report = renderer.report();
+  const auto [made, report] = renderFilm(renderer, order);
   log(LogLevel::Note, fmt::format("wrote {} frames to {}, {}", made, job.output.path.string(),
                                   onDevice(report.device)));
   return {renderReportJson(report, job.options, outputsOf(order)), renderer.validationMessages()};
@@ -197,11 +200,12 @@ FilmOrder filmOrder(const RenderCommand& command, const RenderJob& job, const Fr
   order.output = job.output;
   order.aov = command.picture.aov();
   order.options = job.options;
+  order.clip = job.time.clip;
   order.tone = job.tone;
   order.resume = command.resume;
   order.quiet = command.quiet;
   if (isFilm(job.output.path)) return order;
-  PictureMakers makers{job.scene, job.options, order.aov, order.tone, job.sequence};
+  PictureMakers makers{job.scene, job.options, order.clip, order.aov, order.tone, job.sequence};
   if (command.picture.isExr()) makers.tone.reset();
   order.stamp = frameStamps(makers, frames);
   return order;

@@ -114,7 +114,7 @@ struct BenchCommand {
     scene::LoadedScene loaded = scene.load(log);
     lights.applyTo(loaded);
     camera.applyTo(loaded.scene);
-    showAll(loaded.scene, {RenderOptions{}.clip, 1, nullptr, {Moment{}}});
+    showAll(loaded.scene, {SceneTime{}.clip, 1, nullptr, {Moment{}}});
     return std::move(loaded.scene);
   }
 

@@ -28,10 +28,9 @@ double FrameMedians::passMilliseconds(std::initializer_list<std::string_view> na
   return sum;
 }
 
-void renderFrame(Renderer& renderer, const RenderOptions& options, const std::vector<Aov>& aovs,
-                 Frame& done) {
-  renderer.submit(options, aovs);
-  renderer.collect(done);
+void renderFrame(View& view, const FrameOrder& order, Frame& done) {
+  view.submit(order);
+  view.collect(done);
 }
 
 }  // namespace opaline::app

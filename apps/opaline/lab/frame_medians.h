@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "opaline/renderer.h"
+#include "opaline/view.h"
 
 namespace opaline::app {
 
@@ -29,7 +29,6 @@ class FrameMedians {
 };
 
 /// Renders a frame and waits for it.
-void renderFrame(Renderer& renderer, const RenderOptions& options, const std::vector<Aov>& aovs,
-                 Frame& done);
+void renderFrame(View& view, const FrameOrder& order, Frame& done);
 
 }  // namespace opaline::app

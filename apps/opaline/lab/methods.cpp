@@ -69,21 +69,19 @@ std::optional<double> blockErrorAgainst(const Image& found, const std::optional<
 }
 
 /// `exact` is nullptr where no integral is stood for.
-MethodRow measure(Renderer& renderer, const MethodsOrder& order, const RenderOptions& wanted,
-                  const Image* exact, const std::optional<Image>& truth,
-                  DeviceDescription& device) {
-  RenderOptions options = wanted;
-  options.frames = order.frames + 1;  // the first does not count
+MethodRow measure(View view, const MethodsOrder& order, const Image* exact,
+                  const std::optional<Image>& truth, DeviceDescription& device) {
+  const RenderOptions& options = view.options();
   MethodRow row;
   row.transport = options.transport;
   row.sum = options::nameOf(options.sum);
   row.site = options::nameOf(options.site);
-  const RenderReport report = renderer.render(options).report;
+  Frame frame;
+  for (int i = 0; i <= order.frames; ++i) renderFrame(view, {}, frame);  // the first does not count
+  const RenderReport report = view.report();
   row.frameMilliseconds = report.frameMilliseconds;
   device = report.device;
-  options.frames = 1;
-  const std::vector<Image> found =
-      renderer.render(options, {Aov::Exitance, Aov::Evaluations}).images;
+  const std::vector<Image> found = view.render({.aovs = {Aov::Exitance, Aov::Evaluations}}).images;
   if (exact != nullptr) row.integralError = errorAgainst(found[0], *exact);
   row.truthError = blockErrorAgainst(found[0], truth);
   if (options.sum != Sum::Pattern) row.evaluations = compare::meanOverCovered(found[1]);
@@ -160,7 +158,7 @@ Methods measureMethods(const MethodsOrder& order) {
   Methods methods;
   methods.scene = order.scene.name;
   methods.edgePixels = order.edgePixels;
-  const rf::Scene scene = referenceScene(order.scene, 0, 0);
+  const rf::Scene scene = referenceScene(order.scene, {});
   const rf::Geometry geometry(scene);
   const std::optional<Image> truth = truthFor(order, geometry, methods);
   methods.hasTruth = truth.has_value();
@@ -173,8 +171,8 @@ Methods measureMethods(const MethodsOrder& order) {
       if (sum == Sum::All && !order.all) continue;
       for (const Site site : sitesMeasured) {
         order.status(fmt::format("measuring the {}", name));
-        methods.rows.push_back(measure(renderer, order, optionsFor(order, transport, sum, site),
-                                       &exact, truth, methods.device));
+        methods.rows.push_back(measure(View(renderer, optionsFor(order, transport, sum, site)),
+                                       order, &exact, truth, methods.device));
       }
     }
     MethodRow integral{transport, "integral", "exact", {}, {}, {}, {}};
@@ -182,11 +180,11 @@ Methods measureMethods(const MethodsOrder& order) {
     methods.rows.push_back(integral);
   }
   for (const Site site : sitesMeasured) {
-    const RenderOptions options = optionsFor(order, Transport::Boundary, Sum::Tree, site);
+    View view(renderer, optionsFor(order, Transport::Boundary, Sum::Tree, site));
     // Without an inside it is the better dipole, which is there.
-    if (renderer.render(options, {Aov::Exitance}).report.clusters == 0) break;
+    if (view.render({.aovs = {Aov::Exitance}}).report.clusters == 0) break;
     order.status("measuring boundary transport");
-    methods.rows.push_back(measure(renderer, order, options, nullptr, truth, methods.device));
+    methods.rows.push_back(measure(std::move(view), order, nullptr, truth, methods.device));
   }
   clearStatus();
   return methods;

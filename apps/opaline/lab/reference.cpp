@@ -185,10 +185,10 @@ ReferenceJob prepareReference(const ReferenceCommand& command, core::Target outp
   rf::requireSound(command.pictureOptions(options));
   command.camera.applyTo(scene);
   command.motion.applyTo(scene);
-  command.motion.applyTo(options, scene, settings);
+  const SceneTime time = command.motion.time(scene, settings);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  showAll(scene, {options.clip, aspectOf(options), sequence.get(),
-                  momentOf(options.seconds, sequence.get())});
+  showAll(scene,
+          {time.clip, aspectOf(options), sequence.get(), momentOf(time.seconds, sequence.get())});
   if (options.specular && command.picture.aov() == Aov::Radiance) {
     log(LogLevel::Note,
         "the reference leaves out the reflection on the surface; compare it with render "
@@ -198,9 +198,8 @@ ReferenceJob prepareReference(const ReferenceCommand& command, core::Target outp
   const core::ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
-  return {referenceScene(scene, options.clip, options.seconds,
-                         positionsOf(sequence.get(), options.seconds)),
-          options, tone, std::move(output)};
+  return {referenceScene(scene, time, positionsOf(sequence.get(), time.seconds)), options, tone,
+          std::move(output)};
 }
 
 /// What was made.

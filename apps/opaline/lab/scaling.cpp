@@ -26,8 +26,14 @@ using SharedRenderer = std::shared_ptr<Renderer>;
 struct ScalingWay {
   ScalingRow row;
   SharedRenderer renderer;
-  RenderOptions options;
+  View view;
   FrameMedians medians;
+
+  void change(auto RenderOptions::*option, auto value) {
+    RenderOptions options = view.options();
+    options.*option = value;
+    view.setOptions(options);
+  }
 };
 
 RenderOptions optionsFor(const ScalingOrder& order) {
@@ -48,12 +54,11 @@ SharedRenderer rendererFor(const ScalingOrder& order, const Scene& scene, const 
 
 ScalingWay makeWay(const ScalingOrder& order, double value, const Scene& scene,
                    SharedRenderer renderer) {
-  ScalingWay way;
-  way.row.value = value;
-  way.row.medium = scene.objects.at(0).medium;
-  way.renderer = std::move(renderer);
-  way.options = optionsFor(order);
-  return way;
+  ScalingRow row;
+  row.value = value;
+  row.medium = scene.objects.at(0).medium;
+  View view(*renderer, optionsFor(order));
+  return {std::move(row), std::move(renderer), std::move(view), {}};
 }
 
 /// One frame of each way after the other, again and again, so that what else the machine does falls
@@ -63,16 +68,16 @@ void measureInTurns(std::vector<ScalingWay>& ways, const ScalingOrder& order, co
   for (int frame = 0; frame <= order.frames; ++frame) {
     order.status(status);
     for (ScalingWay& way : ways) {
-      way.options.seconds = frame / framesPerSecond;
-      renderFrame(*way.renderer, way.options, {Aov::Radiance}, done);
+      way.renderer->setTime({.seconds = frame / framesPerSecond});
+      renderFrame(way.view, {}, done);
       way.medians.add(done);
     }
   }
   for (ScalingWay& way : ways) {
-    way.options.seconds = 0;
-    renderFrame(*way.renderer, way.options, {Aov::Evaluations}, done);
+    way.renderer->setTime({});
+    renderFrame(way.view, {.aovs = {Aov::Evaluations}}, done);
     way.row.evaluations = compare::meanOverCovered(done.images[0]);
-    way.row.surfels = way.renderer->report().sources;
+    way.row.surfels = way.view.report().sources;
     way.row.gatherMilliseconds = way.medians.passMilliseconds({"gather", "tree"});
     way.row.scatterMilliseconds = way.medians.passMilliseconds({"estimate", "scatter"});
     way.row.nearbyMilliseconds = way.medians.passMilliseconds({"nearby"});
@@ -94,7 +99,7 @@ std::vector<ScalingRow> measureBudgets(const ScalingOrder& order, double denserB
     const int budget = order.mostSurfels / part;
     // No notes: that the budget binds is meant.
     ways.push_back(makeWay(order, budget, scene, rendererFor(order, scene, {})));
-    ways.back().options.maxSurfels = budget;
+    ways.back().change(&RenderOptions::maxSurfels, budget);
   }
   measureInTurns(ways, order, "measuring budgets of surfels");
   return rowsOf(ways);
@@ -111,10 +116,8 @@ std::vector<ScalingRow> measureDiffusion(const ScalingOrder& order) {
   return rowsOf(ways);
 }
 
-Image exitanceOf(Renderer& renderer, const RenderOptions& options) {
-  Frame done;
-  renderFrame(renderer, options, {Aov::Exitance}, done);
-  return std::move(done.images[0]);
+Image exitanceOf(View& view) {
+  return std::move(view.render({.aovs = {Aov::Exitance}}).images[0]);
 }
 
 std::vector<ScalingRow> measureTolerances(const ScalingOrder& order, DeviceDescription& device) {
@@ -122,18 +125,19 @@ std::vector<ScalingRow> measureTolerances(const ScalingOrder& order, DeviceDescr
   std::vector<ScalingWay> ways;
   for (const double tolerance : tolerancesMeasured) {
     ways.push_back(makeWay(order, tolerance, order.scene, renderer));
-    ways.back().options.tolerance = static_cast<float>(tolerance);
+    ways.back().change(&RenderOptions::tolerance, static_cast<float>(tolerance));
   }
   measureInTurns(ways, order, "measuring tolerances");
   RenderOptions options = optionsFor(order);
   options.tolerance = static_cast<float>(finestTolerance);
-  const Image finest = exitanceOf(*renderer, options);
+  View finestView(*renderer, options);
+  const Image finest = exitanceOf(finestView);
   for (ScalingWay& way : ways) {
-    const Image found = exitanceOf(*renderer, way.options);
+    const Image found = exitanceOf(way.view);
     const auto figures = compare::figuresOver(found, finest, compare::commonPixels(found, finest));
     if (figures) way.row.error = figures->all.relRmse;
   }
-  device = renderer->report().device;
+  device = finestView.report().device;
   return rowsOf(ways);
 }
 

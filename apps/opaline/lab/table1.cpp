@@ -78,7 +78,7 @@ struct Renderers {
 /// One kind of frame and what its frames took.
 struct Table1Way {
   Renderer& renderer;
-  RenderOptions options;
+  View view;
   double& perSecond;
   FrameMedians medians;
 };
@@ -89,8 +89,8 @@ void measureInTurns(std::span<Table1Way> ways, double clipSeconds, int frames) {
   Frame done;
   for (int frame = 0; frame <= frames; ++frame)
     for (Table1Way& way : ways) {
-      way.options.seconds = clipSeconds * frame / framesPerClip;
-      renderFrame(way.renderer, way.options, {Aov::Radiance}, done);
+      way.renderer.setTime({.seconds = clipSeconds * frame / framesPerClip});
+      renderFrame(way.view, {}, done);
       way.medians.add(done);
     }
   for (Table1Way& way : ways) {
@@ -99,7 +99,8 @@ void measureInTurns(std::span<Table1Way> ways, double clipSeconds, int frames) {
   }
 }
 
-Table1Row measureRow(Renderers& renderers, const PaperRow& paper, const Table1Order& order) {
+Table1Row measureRow(Renderers& renderers, const PaperRow& paper, const Table1Order& order,
+                     DeviceDescription& device) {
   Table1Row row;
   row.data = paper.data;
   row.paperFragmentPerSecond = paper.fragmentPerSecond;
@@ -108,14 +109,21 @@ Table1Row measureRow(Renderers& renderers, const PaperRow& paper, const Table1Or
   renderers.paper.setScene(scene);
   renderers.tree.setScene(scene);
   std::array ways{
-      Table1Way{renderers.paper, paperOptions(Site::Fragment), row.fragmentPerSecond, {}},
-      Table1Way{renderers.paper, paperOptions(Site::Vertex), row.vertexPerSecond, {}},
-      Table1Way{renderers.tree, treeOptions(), row.treePerSecond, {}},
+      Table1Way{renderers.paper,
+                View(renderers.paper, paperOptions(Site::Fragment)),
+                row.fragmentPerSecond,
+                {}},
+      Table1Way{renderers.paper,
+                View(renderers.paper, paperOptions(Site::Vertex)),
+                row.vertexPerSecond,
+                {}},
+      Table1Way{renderers.tree, View(renderers.tree, treeOptions()), row.treePerSecond, {}},
   };
   measureInTurns(ways, scene.clips.empty() ? 1 : double{scene.clips.front().seconds}, order.frames);
-  const RenderReport report = renderers.tree.report();
+  const RenderReport report = ways.back().view.report();
   row.triangles = report.triangles;
   row.vertices = report.vertices;
+  device = report.device;
   return row;
 }
 
@@ -140,10 +148,9 @@ Table1 measureTable1(const Table1Order& order) {
   Table1 table;
   for (const PaperRow& row : paperRows) {
     order.status(fmt::format("measuring {}", row.data));
-    table.rows.push_back(measureRow(renderers, row, order));
+    table.rows.push_back(measureRow(renderers, row, order, table.device));
   }
   clearStatus();
-  table.device = renderers.tree.report().device;
   return table;
 }
 

@@ -30,6 +30,7 @@ double secondsSince(Clock::time_point begin) {
 
 struct TruthJob::Work {
   Scene scene;
+  SceneTime time;
   RenderOptions options;
   TruthOrder order;
   PositionsByObject positionsMm;
@@ -44,9 +45,9 @@ struct TruthJob::Work {
   }
 };
 
-TruthJob::TruthJob(Scene scene, const RenderOptions& options, const TruthOrder& order,
-                   PositionsByObject positionsMm)
-    : thread_([this, work = Work{std::move(scene), options, order, std::move(positionsMm)}](
+TruthJob::TruthJob(Scene scene, const SceneTime& time, const RenderOptions& options,
+                   const TruthOrder& order, PositionsByObject positionsMm)
+    : thread_([this, work = Work{std::move(scene), time, options, order, std::move(positionsMm)}](
                   const std::stop_token& stop) { run(work, stop); }) {}
 
 TruthJob::~TruthJob() = default;
@@ -88,8 +89,7 @@ void TruthJob::run(const Work& work, const std::stop_token& stop) {
 
 void TruthJob::compute(const Work& work, const std::stop_token& stop) {
   rf::requireSound(work.picture());
-  const rf::Scene scene =
-      referenceScene(work.scene, work.options.clip, work.options.seconds, work.positionsMm);
+  const rf::Scene scene = referenceScene(work.scene, work.time, work.positionsMm);
   const rf::Geometry geometry(scene);
   rf::throwIfStopped(stop);
   if (work.order.method == TruthOrder::Method::Integral) {

@@ -45,11 +45,11 @@ class TruthJob {
  public:
   enum class State { Running, Done, Cancelled, Failed };
 
-  /// Radiance without the reflection on the surface, of the size, samples, time, clip and transport
-  /// of `options`, seen by the scene's camera. Given positions are as those that a Renderer is
+  /// Radiance without the reflection on the surface, of the size, samples and transport of
+  /// `options`, seen by the scene's camera. Given positions are as those that a Renderer is
   /// given.
-  TruthJob(Scene scene, const RenderOptions& options, const TruthOrder& order,
-           PositionsByObject positionsMm = {});
+  TruthJob(Scene scene, const SceneTime& time, const RenderOptions& options,
+           const TruthOrder& order, PositionsByObject positionsMm = {});
   /// Cancels.
   ~TruthJob();
   TruthJob(const TruthJob&) = delete;

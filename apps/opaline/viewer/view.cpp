@@ -73,7 +73,7 @@ struct ViewCommand {
     camera.applyTo(loaded.scene);
     motion.applyTo(loaded.scene);
     session.options = options(loaded.settings);
-    motion.applyTo(session.options, loaded.scene, loaded.settings);
+    session.time = motion.time(loaded.scene, loaded.settings);
     session.tone = look.tone(loaded.settings, loaded.scene);
     session.exposesByLight = look.exposesByLight(loaded.settings);
     if (const options::Value* given = loaded.settings.picture.find("size")) {

@@ -84,7 +84,7 @@ void Viewer::takeLoaded() {
     dashboard_.layOut(made);
     const Area& area = dashboard_.area();
     if (!resizing_) {
-      showAll(made.scene, {made.options.clip, area.aspect(), made.sequence.get(),
+      showAll(made.scene, {made.time.clip, area.aspect(), made.sequence.get(),
                            someMoments(lengthOfMotion(made), made.sequence.get())});
     }
     made.gizmos = session_.gizmos;

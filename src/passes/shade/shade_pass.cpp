@@ -18,7 +18,8 @@ gpu::GpuImage ShadePass::makeRadiance(gpu::Device& device, std::uint32_t width,
            .height = height,
            .format = VK_FORMAT_R32G32B32A32_SFLOAT,
            .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                    VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
+                    VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+           .lent = true}};
 }
 
 void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,

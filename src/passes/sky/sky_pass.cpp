@@ -111,7 +111,6 @@ gpu::GpuImage SkyPass::reflectedOf(gpu::Device& device, const Lighting& lighting
                 {.ambient = ambient, .alpha = roughness * roughness});
   commands.dispatch(skyFaceSize / tileSize, skyFaceSize / tileSize, 6);
   commands.submit();
-  commands.wait();
   return cube;
 }
 

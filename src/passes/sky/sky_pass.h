@@ -13,7 +13,7 @@ class Device;
 
 namespace opaline::passes {
 
-/// Makes the sky: what of it enters surfaces, and what these reflect of it. For set-up; blocks.
+/// Makes the sky: what of it enters surfaces, and what these reflect of it. For set-up.
 class SkyPass {
  public:
   explicit SkyPass(gpu::Device& device);

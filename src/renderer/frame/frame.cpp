@@ -55,7 +55,7 @@ struct FrameContext {
   FrameResources& resources;
 
   void deform(SceneMotion& motion) const {
-    motion.record(commands, passes.deform, plan.clip, plan.seconds, mesh);
+    motion.record(commands, passes.deform, plan.time, mesh);
   }
 
   void fit(const FrameUpload& upload) const {

@@ -43,9 +43,7 @@ FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bo
       .irradiance = asked(Aov::Irradiance),
       .treeLevel = options.treeLevel,
       .specular = options.specular,
-      .roughness = options.roughness,
-      .clip = options.clip,
-      .seconds = options.seconds};
+      .roughness = options.roughness};
 }
 
 bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {

@@ -26,8 +26,7 @@ struct FramePlan {
   int treeLevel = 0;           ///< of the nodes that hold them
   bool specular = true;
   float roughness = 0.25F;
-  int clip = 0;
-  double seconds = 0;
+  SceneTime time;
   bool mirrorsSky = false;  ///< in the reflection, where the scene leaves it free; else all of it
   bool light = true;        ///< else the resources hold what this frame's light does, from before
 };

@@ -32,7 +32,8 @@ FrameQueue::FrameQueue(gpu::Device& device) : slots_{FrameSlot(device), FrameSlo
 void FrameQueue::requireRoom() const {
   if (waiting_ < slots_.size()) return;
   throw UsageError(fmt::format(
-      "{} frames are under way, which is all there may be; collect one first", waiting_));
+      "{} frames of this view wait to be collected, and there may be no more; collect one first",
+      waiting_));
 }
 
 void FrameQueue::submit() {
@@ -42,7 +43,7 @@ void FrameQueue::submit() {
 }
 
 void FrameQueue::collect(Frame& frame, FrameTimes& times) {
-  if (isEmpty()) throw UsageError("no frame is under way; submit one first");
+  if (isEmpty()) throw UsageError("no frame waits to be collected; submit one first");
   FrameSlot& slot = slots_[(next_ + slots_.size() - waiting_) % slots_.size()];
   --waiting_;
   slot.commands.wait();

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "gpu/command_list.h"
-#include "opaline/renderer.h"
+#include "opaline/view.h"
 #include "renderer/frame/readback.h"
 #include "renderer/frame/timing.h"
 
@@ -23,7 +23,7 @@ struct FrameSlot {
   bool provisional = false;  ///< see Frame
 };
 
-/// The frames that were submitted and not collected.
+/// The frames of a view that were submitted and not collected.
 class FrameQueue {
  public:
   explicit FrameQueue(gpu::Device& device);
@@ -37,11 +37,9 @@ class FrameQueue {
   void submit();
   /// Waits for the oldest and takes its pictures and times. Throws UsageError when there is none.
   void collect(Frame& frame, FrameTimes& times);
-  /// Of frames that an idle device has finished, nothing is wanted any more.
-  void clear() { waiting_ = 0; }
 
  private:
-  std::array<FrameSlot, Renderer::framesInFlight> slots_;
+  std::array<FrameSlot, View::framesInFlight> slots_;
   std::size_t next_ = 0;  // slot of the next frame
   std::size_t waiting_ = 0;
 };

@@ -17,7 +17,7 @@ namespace opaline {
 
 struct Passes;
 
-/// What the passes of a frame read and write; depends on scene and options, not on the frame.
+/// What the passes of a frame read and write; depends on scene and view, not on the frame.
 struct FrameResources {
   passes::SceneTables tables;
   passes::FrameView view;
@@ -32,24 +32,16 @@ struct FrameResources {
   std::optional<paper::Map> map;
 };
 
-/// Makes everything for these options; of the picture, what is there stays.
-void makeFrameResources(gpu::Device& device, const Passes& passes, SceneResources& scene,
-                        const Lighting& lighting, const RenderOptions& options,
-                        FrameResources& resources);
+/// What depends on media, transport and roughness.
+void makeTables(gpu::Device& device, const SceneResources& scene, const RenderOptions& options,
+                FrameResources& resources);
 
-/// Drops everything but the picture.
-void keepOnlyPicture(FrameResources& resources);
+/// Makes the sky of these tables, which looks at every pixel of the environment.
+void makeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
+             const RenderOptions& options, FrameResources& resources);
 
-/// Makes the sky again, which looks at every pixel of the environment.
-void remakeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
-               const RenderOptions& options, FrameResources& resources);
-
-/// Makes again what depends on media.
-void remakeTables(gpu::Device& device, const SceneResources& scene, const RenderOptions& options,
-                  FrameResources& resources);
-
-/// Makes again what depends on how many lights there are of which kind.
-void remakeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,
-                   FrameResources& resources);
+/// What depends on how many lights there are of which kind.
+void makeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,
+                 FrameResources& resources);
 
 }  // namespace opaline

@@ -5,7 +5,7 @@ namespace opaline {
 namespace {
 
 // Whether light found for one frame is that of another: all but the camera and what is made of it.
-bool holds(const PreparedFrame::Lit& lit, const PreparedFrame::Lit& now) {
+bool holds(const ViewResources::Lit& lit, const ViewResources::Lit& now) {
   const RenderOptions& a = lit.options;
   const RenderOptions& b = now.options;
   return lit.changes == now.changes && lit.site == now.site && lit.map >= now.map &&
@@ -15,20 +15,20 @@ bool holds(const PreparedFrame::Lit& lit, const PreparedFrame::Lit& now) {
 
 }  // namespace
 
-bool LightReuse::mustFind(const RenderOptions& options, const FramePlan& plan,
-                          const SceneChanges& changes, PreparedFrame& frame) {
+bool LightReuse::mustFind(const RenderOptions& options, const FramePlan& plan, bool reuse,
+                          const SceneChanges& changes, ViewResources& view) {
   const bool rays = plan.mirrorsSky || plan.transport == Transport::Boundary;
-  const PreparedFrame::Lit now{options, changes, plan.site, plan.map, rays};
+  const ViewResources::Lit now{options, changes, plan.site, plan.map, rays};
   const bool hasSurfels = options.sum != Sum::Pattern;
   const bool readsSurfels = rays || (hasSurfels && (plan.site != Site::Vertex || plan.irradiance));
-  const bool there = !readsSurfels || litSurfels_ == &frame;
-  if (options.reuseLight && there && frame.lit && holds(*frame.lit, now)) return false;
+  const bool there = !readsSurfels || litSurfels_ == &view;
+  if (reuse && there && view.lit && holds(*view.lit, now)) return false;
   if (!plan.scatter) {  // leaves the light that was there, but what surfels have gathered
     if (hasSurfels && plan.irradiance) litSurfels_ = nullptr;
     return true;
   }
-  frame.lit = now;
-  if (hasSurfels) litSurfels_ = &frame;
+  view.lit = now;
+  if (hasSurfels) litSurfels_ = &view;
   return true;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/frame/frame_plan.h"
-#include "renderer/frame/prepared_frames.h"
+#include "renderer/frame/view_resources.h"
 #include "renderer/scene/scene_changes.h"
 
 namespace opaline {
@@ -9,15 +9,15 @@ namespace opaline {
 /// Knows whose light the device still holds.
 class LightReuse {
  public:
-  /// Whether the next frame has to find its light, or may take that which `frame` holds. If it has
-  /// to, and scatters it, `frame` counts as lit by it from now on.
-  bool mustFind(const RenderOptions& options, const FramePlan& plan, const SceneChanges& changes,
-                PreparedFrame& frame);
+  /// Whether the view's next frame has to find its light, or may `reuse` that which the view holds.
+  /// If it has to, and scatters it, the view counts as lit by it from now on.
+  bool mustFind(const RenderOptions& options, const FramePlan& plan, bool reuse,
+                const SceneChanges& changes, ViewResources& view);
 
  private:
-  // Whose light the surfels hold, and what boundary transport made of them: all frames share them.
-  // Never followed: it may be of resources that are made anew, which are not lit.
-  const PreparedFrame* litSurfels_ = nullptr;
+  // Whose light the surfels hold, and what boundary transport made of them: all views share them.
+  // Never followed: the view may be gone. Another in its place is not lit.
+  const ViewResources* litSurfels_ = nullptr;
 };
 
 }  // namespace opaline

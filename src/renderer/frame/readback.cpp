@@ -92,6 +92,11 @@ void makeRadiance(Image& image, const glm::vec4* sums) {
 
 }  // namespace
 
+bool showsMap(Aov aov) {
+  return aov == Aov::DsmPosition || aov == Aov::DsmNormal || aov == Aov::DsmIrradiance ||
+         aov == Aov::DsmArea;
+}
+
 bool needsCentre(Aov aov) {
   switch (aov) {
     case Aov::Exitance:

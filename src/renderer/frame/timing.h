@@ -17,6 +17,7 @@ class FrameTimes {
  public:
   void add(double frameMilliseconds, const std::vector<gpu::PassTiming>& passes);
   void clear() { *this = {}; }
+  bool empty() const { return names_.empty(); }
 
   double frameMilliseconds() const;
   std::vector<PassTime> passes() const;

@@ -8,14 +8,12 @@
 
 #include "gpu/device.h"
 #include "opaline/error.h"
-#include "opaline/renderer.h"
 #include "renderer/validate.h"
 
 namespace opaline {
 
 namespace {
 
-constexpr std::uint32_t slices = Renderer::framesInFlight + 1;
 constexpr std::size_t bytesPerPosition = sizeof(Vec3);
 
 // What the deform pass takes; false for NaN too.
@@ -26,8 +24,8 @@ bool isUsable(const Vec3& p) {
 
 }  // namespace
 
-GivenPositions::GivenPositions(std::vector<ObjectRange> ranges)
-    : ranges_(std::move(ranges)), objects_(ranges_.size()) {
+GivenPositions::GivenPositions(gpu::Device& device, std::vector<ObjectRange> ranges)
+    : device_(device), ranges_(std::move(ranges)), objects_(ranges_.size()) {
   if (!ranges_.empty()) vertices_ = ranges_.back().firstVertex + ranges_.back().vertexCount;
 }
 
@@ -37,20 +35,19 @@ GivenPositions::Given& GivenPositions::at(std::size_t object) {
 }
 
 std::size_t GivenPositions::stagingOffset(std::size_t object) const {
-  return (std::size_t{slice_} * vertices_ + ranges_[object].firstVertex) * bytesPerPosition;
+  return (slice_ * vertices_ + ranges_[object].firstVertex) * bytesPerPosition;
 }
 
-void GivenPositions::makeRoom(gpu::Device& device, passes::Motion& motion) {
+void GivenPositions::makeRoom(passes::Motion& motion) {
   if (hasRoom_) return;
-  device.waitIdle();
-  motion.replaced = gpu::Buffer(device, {.name = "given positions",
-                                         .bytes = vertices_ * bytesPerPosition,
-                                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+  motion.replaced = gpu::Buffer(device_, {.name = "given positions",
+                                          .bytes = vertices_ * bytesPerPosition,
+                                          .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
   hasRoom_ = true;
 }
 
-void GivenPositions::give(gpu::Device& device, std::size_t object,
-                          std::span<const Vec3> positionsMm, passes::Motion& motion) {
+void GivenPositions::give(std::size_t object, std::span<const Vec3> positionsMm,
+                          passes::Motion& motion) {
   Given& given = at(object);
   if (positionsMm.size() != ranges_[object].vertexCount)
     throw UsageError(fmt::format("object {} has {} vertices, but {} positions are given", object,
@@ -61,18 +58,19 @@ void GivenPositions::give(gpu::Device& device, std::size_t object,
         fmt::format("the position given for vertex {} of object {} is not finite, or "
                     "beyond 1e18 mm",
                     bad - positionsMm.begin(), object));
-  makeRoom(device, motion);
+  makeRoom(motion);
   if (!staging_)
-    staging_ = gpu::Buffer(device, {.name = "given positions (staging)",
-                                    .bytes = std::size_t{slices} * vertices_ * bytesPerPosition,
-                                    .memory = gpu::Memory::Upload});
+    staging_ = gpu::Buffer(device_, {.name = "given positions (staging)",
+                                     .bytes = slices * vertices_ * bytesPerPosition,
+                                     .memory = gpu::Memory::Upload});
+  device_.waitFor(submissions_[slice_]);
   std::memcpy(staging_.mapped().data() + stagingOffset(object), positionsMm.data(),
               positionsMm.size_bytes());
   given.source = Source::Host;
   given.pending = true;
 }
 
-void GivenPositions::give(gpu::Device& device, std::size_t object, const DevicePositions& positions,
+void GivenPositions::give(std::size_t object, const DevicePositions& positions,
                           passes::Motion& motion) {
   Given& given = at(object);
   constexpr std::uint32_t leastStride = 12;
@@ -84,14 +82,14 @@ void GivenPositions::give(gpu::Device& device, std::size_t object, const DeviceP
         object));
   const std::size_t steps = std::max(ranges_[object].vertexCount, 1U) - 1;
   const std::size_t ownBytes = positions.strideBytes * steps + bytesPerPosition;
-  const std::size_t limit = device.limits().maxStorageBufferRange;
+  const std::size_t limit = device_.limits().maxStorageBufferRange;
   if (ownBytes > limit || positions.offsetBytes > limit - ownBytes)
     throw UsageError(fmt::format(
         "the positions for object {} are {} bytes from byte {} on, but {} reads at most {} from "
         "one buffer",
-        object, ownBytes, positions.offsetBytes, device.info().name, limit));
+        object, ownBytes, positions.offsetBytes, device_.info().name, limit));
   const std::size_t bytes = positions.offsetBytes + ownBytes;
-  makeRoom(device, motion);
+  makeRoom(motion);
   given.source = Source::Device;
   given.buffer = gpu::Buffer::borrowed(positions.buffer, bytes);
   given.offset = static_cast<std::uint32_t>(positions.offsetBytes / 4);
@@ -126,7 +124,9 @@ void GivenPositions::record(gpu::CommandList& commands, const passes::DeformPass
                    range.vertexCount, motion);
     }
   }
-  if (copied) slice_ = (slice_ + 1) % slices;
+  if (!copied) return;
+  submissions_[slice_] = device_.submitted() + 1;
+  slice_ = (slice_ + 1) % slices;
 }
 
 }  // namespace opaline

@@ -8,6 +8,7 @@
 #include "gpu/buffer.h"
 #include "gpu/command_list.h"
 #include "opaline/types.h"
+#include "opaline/view.h"
 #include "opaline/vulkan.h"
 #include "passes/deform/deform_pass.h"
 #include "passes/products.h"
@@ -19,13 +20,11 @@ namespace opaline {
 /// Memory for them is taken at the first use.
 class GivenPositions {
  public:
-  explicit GivenPositions(std::vector<ObjectRange> ranges);
+  GivenPositions(gpu::Device& device, std::vector<ObjectRange> ranges);
 
   /// Throw UsageError for an object that does not exist or positions that do not fit it.
-  void give(gpu::Device& device, std::size_t object, std::span<const Vec3> positionsMm,
-            passes::Motion& motion);
-  void give(gpu::Device& device, std::size_t object, const DevicePositions& positions,
-            passes::Motion& motion);
+  void give(std::size_t object, std::span<const Vec3> positionsMm, passes::Motion& motion);
+  void give(std::size_t object, const DevicePositions& positions, passes::Motion& motion);
   void restore(std::size_t object);
 
   bool isGiven(std::size_t object) const { return objects_[object].source != Source::Pose; }
@@ -36,6 +35,7 @@ class GivenPositions {
   void record(gpu::CommandList& commands, const passes::DeformPass& pass, passes::Motion& motion);
 
  private:
+  static constexpr std::size_t slices = View::framesInFlight + 1;
   enum class Source { Pose, Host, Device };
   struct Given {
     Source source = Source::Pose;
@@ -48,14 +48,16 @@ class GivenPositions {
 
   Given& at(std::size_t object);
   std::size_t stagingOffset(std::size_t object) const;
-  void makeRoom(gpu::Device& device, passes::Motion& motion);
+  void makeRoom(passes::Motion& motion);
 
+  gpu::Device& device_;
   std::vector<ObjectRange> ranges_;
   std::vector<Given> objects_;
   std::uint32_t vertices_ = 0;
   bool hasRoom_ = false;
-  gpu::Buffer staging_;      // one slice a frame under way and one that is being written
-  std::uint32_t slice_ = 0;  // that is being written
+  gpu::Buffer staging_;  // in slices: one is being written, and frames under way read others
+  std::array<std::uint64_t, slices> submissions_{};  // that read each slice last
+  std::size_t slice_ = 0;                            // that is being written
 };
 
 }  // namespace opaline

@@ -9,7 +9,7 @@
 
 #include "deform/deformer.h"
 #include "gpu/device.h"
-#include "opaline/renderer.h"
+#include "opaline/view.h"
 
 namespace opaline {
 
@@ -53,14 +53,13 @@ SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const scene::M
     : scene_(scene),
       ranges_(rangesOf(scene)),
       motion_(makeMotionTables(device, scene, merged, ranges_)),
-      given_(ranges_),
+      given_(device, ranges_),
       pose_(deform::makePose(scene)),
       joints_(mostJoints(ranges_)),
       weights_(totalWeights(ranges_)),
       matrices_(3 * totalMatrices(ranges_)),
       objects_(ranges_.size()),
-      ring_(device, "motion of a frame", uploadBytes(device, ranges_), Renderer::framesInFlight,
-            0) {
+      ring_(device, "motion of a frame", uploadBytes(device, ranges_), View::framesInFlight, 0) {
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     const std::span<scene::Matrix4> joints(joints_.data(), ranges_[i].matrixCount);
     if (scene.objects[i].rig) deform::jointMatrices(*scene.objects[i].rig, pose_, joints);
@@ -98,8 +97,8 @@ void SceneMotion::fillFrame(double seconds) {
   }
 }
 
-void SceneMotion::fillPose(int clip, double seconds) {
-  deform::poseAt(scene_, clip, seconds, pose_);
+void SceneMotion::fillPose(const SceneTime& time) {
+  deform::poseAt(scene_, time.clip, time.seconds, pose_);
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     const std::optional<Rig>& rig = scene_.objects[i].rig;
     if (!rig) continue;
@@ -127,10 +126,10 @@ void SceneMotion::upload(gpu::CommandList& commands) {
   copy(std::as_bytes(std::span(std::as_const(objects_))), motion_.objects);
 }
 
-void SceneMotion::record(gpu::CommandList& commands, const passes::DeformPass& pass, int clip,
-                         double seconds, passes::DeformedMesh& mesh) {
-  fillFrame(seconds);
-  fillPose(clip, seconds);
+void SceneMotion::record(gpu::CommandList& commands, const passes::DeformPass& pass,
+                         const SceneTime& time, passes::DeformedMesh& mesh) {
+  fillFrame(time.seconds);
+  fillPose(time);
   commands.beginPass("deform");
   upload(commands);
   given_.record(commands, pass, motion_);

@@ -23,7 +23,7 @@ class SceneMotion {
   SceneMotion(gpu::Device& device, const Scene& scene, const scene::MergedMesh& merged);
 
   /// Moves `mesh` to where it is at that time; allocates nothing.
-  void record(gpu::CommandList& commands, const passes::DeformPass& pass, int clip, double seconds,
+  void record(gpu::CommandList& commands, const passes::DeformPass& pass, const SceneTime& time,
               passes::DeformedMesh& mesh);
 
   GivenPositions& given() { return given_; }
@@ -31,7 +31,7 @@ class SceneMotion {
 
  private:
   void fillFrame(double seconds);
-  void fillPose(int clip, double seconds);
+  void fillPose(const SceneTime& time);
   void upload(gpu::CommandList& commands);
 
   const Scene& scene_;

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <exception>
-
-#include "gpu/device.h"
 #include "opaline/error.h"
 #include "opaline/renderer.h"
 #include "opaline/vulkan.h"
+#include "renderer/context.h"
 #include "renderer/motion/soft_body_motion.h"
 
 namespace opaline {
@@ -16,27 +14,21 @@ class SoftBody::Implementation {
  public:
   Implementation(Renderer& renderer, std::size_t object, std::span<const Vec3> restMm,
                  std::span<const Triangle> triangles, const SoftBodyOptions& options)
-      : renderer_(renderer),
-        scene_(renderer.sceneNumber()),
+      : context_(renderer.context()),
+        scene_(context_.edited.number()),
         object_(object),
-        motion_(renderer.device(), fitting(renderer, object, restMm), triangles, options) {
+        motion_(context_.device, fitting(context_, object, restMm), triangles, options) {
     replacePositions();
   }
 
-  // Frames that read the positions may still be under way.
   ~Implementation() {
-    try {
-      renderer_.device().waitIdle();
-      if (renderer_.sceneNumber() == scene_) renderer_.restorePositions(object_);
-    } catch (const std::exception&) {
-      // A device that has failed fails the renderer's next call, which can say so.
-    }
+    if (context_.edited.number() == scene_) context_.edited.restorePositions(object_);
   }
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
 
   void step(double seconds) {
-    if (renderer_.sceneNumber() != scene_)
+    if (context_.edited.number() != scene_)
       throw UsageError("the scene has been set anew since this soft body was made of its object");
     if (motion_.step(seconds)) replacePositions();
   }
@@ -44,9 +36,9 @@ class SoftBody::Implementation {
   SoftBodyMotion& motion() { return motion_; }
 
  private:
-  static std::span<const Vec3> fitting(const Renderer& renderer, std::size_t object,
+  static std::span<const Vec3> fitting(const RendererContext& context, std::size_t object,
                                        std::span<const Vec3> restMm) {
-    const std::size_t vertices = renderer.vertexCount(object);
+    const std::size_t vertices = context.edited.object(object).mesh.positionsMm.size();
     if (restMm.size() != vertices)
       throw UsageError(fmt::format("object {} has {} vertices, but its soft body {} positions",
                                    object, vertices, restMm.size()));
@@ -54,11 +46,11 @@ class SoftBody::Implementation {
   }
 
   void replacePositions() {
-    renderer_.replacePositions(
+    context_.edited.replacePositions(
         object_, DevicePositions{.buffer = motion_.state().positions.handle(), .live = false});
   }
 
-  Renderer& renderer_;
+  RendererContext& context_;
   std::uint64_t scene_;
   std::size_t object_;
   SoftBodyMotion motion_;

@@ -10,6 +10,7 @@ namespace opaline {
 
 void EditedScene::set(gpu::Device& device, const Scene& scene) {
   ++number_;
+  time_ = {};
   motion_.reset();
   scene_.reset();  // before memory for the next is taken
   scene_ = scene;
@@ -73,13 +74,18 @@ void EditedScene::restorePositions(std::size_t object) {
   ++changes_.pose;
 }
 
-void EditedScene::moveTo(int clip, double seconds) {
+void EditedScene::setTime(const SceneTime& time) {
   const auto clips = static_cast<int>(scene().clips.size());
-  if (clip > 0 && clip >= clips)
-    throw UsageError(fmt::format("there is no clip {}: the scene has {}", clip, clips));
-  if (motion_->given().readsDevice() || seconds != seconds_ || clip != clip_) ++changes_.pose;
-  seconds_ = seconds;
-  clip_ = clip;
+  validate(time);
+  if (time.clip > 0 && time.clip >= clips)
+    throw UsageError(fmt::format("there is no clip {}: the scene has {}", time.clip, clips));
+  if (time == time_) return;
+  time_ = time;
+  ++changes_.pose;
+}
+
+void EditedScene::beginFrame() {
+  if (motion().given().readsDevice()) ++changes_.pose;
 }
 
 }  // namespace opaline

@@ -25,7 +25,7 @@ class EditedScene {
   EditedScene(const EditedScene&) = delete;
   EditedScene& operator=(const EditedScene&) = delete;
 
-  /// The device is idle. After an exception there is none.
+  /// At time 0 of its first clip. After an exception there is none.
   void set(gpu::Device& device, const Scene& scene);
   /// How often one was set.
   std::uint64_t number() const { return number_; }
@@ -41,16 +41,22 @@ class EditedScene {
   void setMedium(std::size_t object, const Medium& medium);
   void setDeformers(const std::vector<Deformer>& deformers);
   template <typename Positions>
-  void replacePositions(gpu::Device& device, std::size_t object, const Positions& positions) {
-    motion().given().give(device, object, positions, motion().tables());
+  void replacePositions(std::size_t object, const Positions& positions) {
+    motion().given().give(object, positions, motion().tables());
     ++changes_.pose;
   }
   void restorePositions(std::size_t object);
 
   /// Throws UsageError for a clip that it does not have.
-  void moveTo(int clip, double seconds);
+  void setTime(const SceneTime& time);
+  const SceneTime& time() const { return time_; }
+
+  /// A frame will be made of it.
+  void beginFrame();
   /// Its surface has been divided anew.
   void noteDivision() { ++changes_.media; }
+  /// The device has it anew.
+  void noteMaking() { ++changes_.whole; }
 
  private:
   Scene& edit();
@@ -60,8 +66,7 @@ class EditedScene {
   scene::MergedMesh merged_;
   std::optional<SceneMotion> motion_;
   SceneChanges changes_;
-  double seconds_ = -1;
-  int clip_ = 0;
+  SceneTime time_;
 };
 
 }  // namespace opaline

@@ -8,43 +8,25 @@
 
 namespace opaline {
 
-namespace {
-
-paper::RestScene restOf(const SceneResources& resources) {
-  paper::RestScene rest{
-      surfaceOf(*resources.merged), resources.media, resources.mediumOfObject, {}};
-  for (const SizeOfObject& size : resources.sizeOfObject)
-    rest.areaOfObjectMm2.push_back(size.areaMm2);
-  return rest;
-}
-
-}  // namespace
-
 PreparedScene::PreparedScene(gpu::Device& device, Passes& passes, LogCallback log)
-    : device_(device), passes_(passes), log_(std::move(log)), frames_(device, passes) {}
+    : device_(device), passes_(passes), log_(std::move(log)) {}
 
-PreparedFrame& PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
-                                      EditedScene& scene) {
+void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan, bool patient,
+                            EditedScene& scene) {
   const Lighting& lighting = scene.scene().lighting;
   const SceneNeeds needs = needsOf(options, plan, lighting);
   if (!resources_ || resources_->needs != needs)
     make(scene, needs, options.site);
   else
-    followMedia(scene, options.patient);
+    followMedia(scene, patient);
   if (needs.maxClusters) followLights(lightCount(lighting));
-  frame_ = nullptr;
-  frame_ = &frames_.of(options, *resources_, lighting, scene.changes());
-  if (plan.map) makeMap(options);
-  if (plan.seenSurfels) makeRoomForSeenSurfels();
-  if (plan.irradiance && !frame_->resources.seenIrradiance)
-    frame_->resources.seenIrradiance =
-        passes::SeenIrradiancePass::makeImage(device_, frame_->resources.surface);
-  return *frame_;
+  if (plan.map) layFlat(options.dsmSize);
+  // Most frames are not asked which surfels they show.
+  if (plan.seenSurfels && !resources_->rays.boxes)
+    resources_->rays = passes::RayPass::makeBoxes(device_, resources_->surfels);
 }
 
 void PreparedScene::clear() {
-  frame_ = nullptr;
-  frames_.clear();
   divider_.forget();
   resources_.reset();
 }
@@ -58,9 +40,9 @@ SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan&
   return needs;
 }
 
-void PreparedScene::make(const EditedScene& scene, const SceneNeeds& needs, Site site) {
-  device_.waitIdle();
+void PreparedScene::make(EditedScene& scene, const SceneNeeds& needs, Site site) {
   clear();
+  scene.noteMaking();
   resources_ = makeSceneResources(device_, scene.scene(), scene.merged(), needs, log_);
   noteSite(scene.scene(), *resources_, site, log_);
   media_ = scene.changes().media;
@@ -77,7 +59,6 @@ void PreparedScene::followMedia(EditedScene& scene, bool patient) {
   divider_.want(wanted_, scene.merged());
   const std::optional<Division> division = divider_.take(patient);
   if (!division || !(division->order == wanted_)) return;
-  device_.waitIdle();
   takeDivision(device_, *division, *resources_);
   scene.noteDivision();  // tables name where surfels lie
   media_ = scene.changes().media;
@@ -86,7 +67,6 @@ void PreparedScene::followMedia(EditedScene& scene, bool patient) {
 void PreparedScene::followLights(std::uint32_t lights) {
   resources_->clusters.lights = lights;
   if (lights <= resources_->surfels.lights) return;
-  device_.waitIdle();
   passes::SurfelPass::makeRoomForLights(device_, lights, resources_->surfels);
 }
 
@@ -99,29 +79,12 @@ bool PreparedScene::isProvisional() const {
 }
 
 // Few frames are by the paper's method, or show its map.
-void PreparedScene::makeMap(const RenderOptions& options) {
-  std::optional<paper::FlatScene>& flat = resources_->flat;
-  const bool fits = flat && flat->mapSize == options.dsmSize;
-  if (fits && frame_->resources.map) return;
-  device_.waitIdle();
+void PreparedScene::layFlat(int mapSize) {
   if (!passes_.paper) passes_.paper = std::make_unique<const paper::Technique>(device_);
-  if (!fits) {
-    frames_.dropMaps();
-    flat.reset();  // before memory for the next is taken
-    flat = paper::Technique::layFlat(device_, surfaceOf(*resources_->merged), options.dsmSize);
-  }
-  frame_->resources.map =
-      passes_.paper->makeMap(device_, restOf(*resources_), *flat, resources_->mesh, options);
-  frame_->lit.reset();
-}
-
-// Most frames are not asked which surfels they show.
-void PreparedScene::makeRoomForSeenSurfels() {
-  if (!resources_->rays.boxes)
-    resources_->rays = passes::RayPass::makeBoxes(device_, resources_->surfels);
-  FrameResources& made = frame_->resources;
-  if (!made.seenSurfels.image)
-    made.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, made.surface);
+  std::optional<paper::FlatScene>& flat = resources_->flat;
+  if (flat && flat->mapSize == mapSize) return;
+  flat.reset();  // before memory for the next is taken
+  flat = paper::Technique::layFlat(device_, surfaceOf(*resources_->merged), mapSize);
 }
 
 }  // namespace opaline

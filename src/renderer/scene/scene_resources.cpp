@@ -179,6 +179,14 @@ void noteSite(const Scene& scene, const SceneResources& resources, Site site,
   }
 }
 
+paper::RestScene restSceneOf(const SceneResources& resources) {
+  paper::RestScene rest{
+      surfaceOf(*resources.merged), resources.media, resources.mediumOfObject, {}};
+  for (const SizeOfObject& size : resources.sizeOfObject)
+    rest.areaOfObjectMm2.push_back(size.areaMm2);
+  return rest;
+}
+
 bool SceneResources::hasInside() const {
   return std::any_of(surfelsOfObject.begin(), surfelsOfObject.end(),
                      [](const SurfelsOfObject& object) { return object.hasInside; });

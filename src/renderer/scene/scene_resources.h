@@ -82,8 +82,11 @@ void takeMedia(const Scene& scene, SceneResources& resources);
 DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
                        const SceneResources& resources);
 
-/// Divides the surface anew. No frame is under way.
+/// Divides the surface anew.
 void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources);
+
+/// What the paper's method reads of them.
+paper::RestScene restSceneOf(const SceneResources& resources);
 
 /// Whether light is summed well enough at an object's vertices (Gong et al. 2008): edges are no
 /// longer than a mean free path, and no large part of the surface has far longer ones.

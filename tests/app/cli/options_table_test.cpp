@@ -79,7 +79,7 @@ PictureSettings typed(const PictureField& field, const std::string& text) {
   PictureSettings settings;
   method.applyTo(settings.render, {});
   picture.applyTo(settings.render);
-  motion.applyTo(settings.render, {}, {});
+  settings.time = motion.time({}, {});
   settings.tone = picture.tone({}, {});
   return settings;
 }

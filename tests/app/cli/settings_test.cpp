@@ -13,19 +13,19 @@ Scene withClips() {
 }
 
 /// As the command line understands a file, where no option is given.
-RenderOptions understood(const scene::SceneFileSettings& settings, const Scene& scene) {
+options::PictureSettings understood(const scene::SceneFileSettings& settings, const Scene& scene) {
   RenderOptions options = optionsOf(settings);
   MethodOptions().applyTo(options, settings);
   PictureOptions().applyTo(options);
-  MotionOptions().applyTo(options, scene, settings);
-  return options;
+  return {.render = options, .time = MotionOptions().time(scene, settings)};
 }
 
-void expectSame(const RenderOptions& a, const RenderOptions& b) {
+void expectSame(const options::PictureSettings& found, const options::PictureSettings& wanted) {
+  const RenderOptions& a = found.render;
   // As many names as there are options, so that a new one does not compile before it is here.
   const auto& [width, height, transport, sum, site, tolerance, maxSurfels, maxClusters, bounces,
-               pattern, dsmSize, shadowSize, specular, roughness, treeLevel, antialias, frames,
-               seconds, clip, patient, reuseLight] = b;
+               pattern, dsmSize, shadowSize, specular, roughness, treeLevel, antialias] =
+      wanted.render;
   const auto& [nearRings, nearSpacing, farDistance] = pattern;
   EXPECT_EQ(a.width, width);
   EXPECT_EQ(a.height, height);
@@ -44,12 +44,8 @@ void expectSame(const RenderOptions& a, const RenderOptions& b) {
   EXPECT_EQ(a.specular, specular);
   EXPECT_EQ(a.roughness, roughness);
   EXPECT_EQ(a.antialias, antialias);
-  EXPECT_EQ(a.seconds, seconds);
-  EXPECT_EQ(a.clip, clip);
-  static_cast<void>(frames);      // how often a picture is made for its time
-  static_cast<void>(treeLevel);   // of a variable, not of the picture
-  static_cast<void>(patient);     // how a program that waits for the picture gets it
-  static_cast<void>(reuseLight);  // the same picture, sooner
+  EXPECT_EQ(found.time, wanted.time);
+  static_cast<void>(treeLevel);  // of a variable, not of the picture
 }
 
 TEST(Settings, OptionsComeBack) {
@@ -69,15 +65,15 @@ TEST(Settings, OptionsComeBack) {
   options.specular = false;
   options.roughness = 0.7F;
   options.antialias = 8;
-  options.seconds = 1.23;
   for (const int clip : {-1, 0, 1}) {
-    options.clip = clip;
-    expectSame(understood(settingsOf(options, {}, withClips()), withClips()), options);
+    const options::PictureSettings picture{.render = options, .time = {1.23, clip}};
+    expectSame(understood(settingsOf(picture, withClips()), withClips()), picture);
   }
-  expectSame(understood(settingsOf({}, {}, {}), {}), {});
+  expectSame(understood(settingsOf({}, {}), {}), {});
   // What the file of the paper's method says is not taken for the pattern alone.
   options.sum = Sum::Pattern;
-  expectSame(understood(settingsOf(options, {}, withClips()), withClips()), options);
+  const options::PictureSettings paper{.render = options};
+  expectSame(understood(settingsOf(paper, withClips()), withClips()), paper);
 }
 
 TEST(Settings, ToneComesBack) {
@@ -86,7 +82,7 @@ TEST(Settings, ToneComesBack) {
   tone.curve = core::ToneCurve::None;
   tone.background = Rgb{0.25F, 0.5F, 1};
   for (const core::ToneOptions& wanted : {tone, core::ToneOptions{}}) {
-    const scene::SceneFileSettings settings = settingsOf({}, wanted, {});
+    const scene::SceneFileSettings settings = settingsOf({.tone = wanted}, {});
     for (const core::ToneOptions& found :
          {toneOf(settings, {}), PictureOptions().tone(settings, {})}) {
       EXPECT_EQ(found.exposureStops, wanted.exposureStops);

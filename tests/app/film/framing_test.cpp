@@ -100,13 +100,13 @@ TEST(Frame, OfTheMomentIsFilled) {
   Scene scene = builtInTeapot();
   scene.deformers = {{DeformerKind::Bend, 1.5F, 0}};
   scene.camera.positionMm = {300, 100, 50};
-  frame(scene, 0, 0, {}, 1.5);
+  frame(scene, {}, {}, 1.5);
   EXPECT_NEAR(farthestOut(scene, {0, 1.5, nullptr, {Moment{}}}), 0.97, 1e-4);
   // What is given moves the target.
   PositionsByObject given{{0, scene.objects[0].mesh.positionsMm}};
   for (Vec3& p : given[0]) p[0] += 100;
   scene.deformers.clear();
-  frame(scene, 0, 0, given, 1.5);
+  frame(scene, {}, given, 1.5);
   const Bounds box = boundsOf(scene);
   EXPECT_NEAR(scene.camera.targetMm[0], (box.minMm[0] + box.maxMm[0]) / 2 + 100, 1e-3);
 }

@@ -52,8 +52,9 @@ void await(const TruthJob& job) {
 
 std::shared_ptr<const TruthPicture> finished(const Scene& scene, const RenderOptions& options,
                                              const TruthOrder& order,
-                                             PositionsByObject positions = {}) {
-  const TruthJob job(scene, options, order, std::move(positions));
+                                             PositionsByObject positions = {},
+                                             const SceneTime& time = {}) {
+  const TruthJob job(scene, time, options, order, std::move(positions));
   await(job);
   EXPECT_EQ(job.state(), State::Done) << job.error();
   EXPECT_EQ(job.progress(), 1);
@@ -81,7 +82,7 @@ double difference(const Image& a, const Image& b) {
 
 TEST(TruthJob, IntegralIsThatOfTheReferenceOnAnyThreads) {
   const Scene scene = litBall();
-  const rf::Scene still = referenceScene(scene, 0, 0);
+  const rf::Scene still = referenceScene(scene, {});
   const rf::Geometry geometry(still);
   const rf::Irradiance irradiance(geometry);
   rf::PictureOptions picture;
@@ -105,7 +106,7 @@ TEST(TruthJob, IntegralIsThatOfTheReferenceOnAnyThreads) {
 
 TEST(TruthJob, ParticlesAreThoseOfTheReference) {
   const Scene scene = litBall();
-  const rf::Scene still = referenceScene(scene, 0, 0);
+  const rf::Scene still = referenceScene(scene, {});
   const rf::Geometry geometry(still);
   const rf::Irradiance irradiance(geometry);
   rf::PictureOptions picture;
@@ -130,7 +131,7 @@ TEST(TruthJob, WithoutALimitItGoesOnUntilTheUsualError) {
 }
 
 TEST(TruthJob, PicturesImproveAndThoseHandedOutStay) {
-  const TruthJob job(litBall(), small(), particles(100'000));
+  const TruthJob job(litBall(), {}, small(), particles(100'000));
   std::shared_ptr<const TruthPicture> first;
   double progress = 0;
   while (job.state() == State::Running) {
@@ -160,7 +161,7 @@ TEST(TruthJob, EndsWhenCancelled) {
   endless.limits.error = 1e-5;
   for (const TruthOrder& order : {endless, integral(1e-7)}) {
     for (const int milliseconds : {0, 30, 300, 900}) {
-      TruthJob job(litBall(), large, order);
+      TruthJob job(litBall(), {}, large, order);
       std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
       job.cancel();
       await(job);
@@ -174,7 +175,7 @@ TEST(TruthJob, EndsWhenCancelled) {
 TEST(TruthJob, MayGoAwayWhileItRuns) {
   RenderOptions large;
   for (const int milliseconds : {0, 50, 200}) {
-    const TruthJob job(litBall(), large, integral(1e-7));
+    const TruthJob job(litBall(), {}, large, integral(1e-7));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
   }
 }
@@ -182,7 +183,7 @@ TEST(TruthJob, MayGoAwayWhileItRuns) {
 TEST(TruthJob, SaysWhatWentWrong) {
   const auto errorOf = [](const Scene& scene, const RenderOptions& options, const TruthOrder& order,
                           PositionsByObject positions) {
-    const TruthJob job(scene, options, order, std::move(positions));
+    const TruthJob job(scene, {}, options, order, std::move(positions));
     await(job);
     EXPECT_EQ(job.state(), State::Failed);
     EXPECT_FALSE(job.picture());
@@ -232,10 +233,10 @@ TEST(TruthJob, ShowsTheMomentThatIsAskedFor) {
   swinging.deformers = {{DeformerKind::Squash, 0.4F, 4}};
   Scene still = litBall();
   still.deformers = {{DeformerKind::Squash, 0.4F, 0}};
-  RenderOptions options = small();
-  options.seconds = 1;  // a quarter of the period
+  const SceneTime quarterOfPeriod{.seconds = 1};
   const auto expected = finished(still, small(), integral());
-  EXPECT_LT(difference(finished(swinging, options, integral())->image, expected->image), 1e-4);
+  const auto found = finished(swinging, small(), integral(), {}, quarterOfPeriod);
+  EXPECT_LT(difference(found->image, expected->image), 1e-4);
   EXPECT_GT(difference(finished(swinging, small(), integral())->image, expected->image), 0.1);
 }
 

@@ -86,13 +86,13 @@ TEST(EditState, NeitherCameraNorTimeIsAnEdit) {
   const EditState before = editStateOf(session);
   session.scene.camera.positionMm = {1, 2, 3};
   session.scene.camera.targetMm = {4, 5, 6};
-  session.options.seconds = 3;
+  session.time.seconds = 3;
   session.playback.playing = true;
   session.divider = 0.2F;
   EXPECT_TRUE(isStateOf(before, session));
   session.options.antialias = 1;
   restore(before, session);
-  EXPECT_EQ(session.options.seconds, 3);
+  EXPECT_EQ(session.time.seconds, 3);
   EXPECT_EQ(session.scene.camera.positionMm, (Vec3{1, 2, 3}));
 }
 
@@ -116,7 +116,7 @@ TEST(EditState, EveryKindOfEditIsSeenAndUndone) {
       [](Session& s) { s.options.pattern.nearRings = 2; },
       [](Session& s) { s.options.shadowSize = 512; },
       [](Session& s) { s.options.specular = false; },
-      [](Session& s) { s.options.clip = -1; },
+      [](Session& s) { s.time.clip = -1; },
       [](Session& s) { s.tone.curve = core::ToneCurve::None; },
       [](Session& s) { s.exposesByLight = false; },
       [](Session& s) { s.film.perSecond = 24; },

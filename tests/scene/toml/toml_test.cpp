@@ -133,7 +133,7 @@ device = "llvmpipe"
   EXPECT_EQ(scene.camera.up, (Vec3{0, 0.5F, 2}));
   options::PictureSettings picture;
   loaded.settings.picture.applyTo(picture);
-  const auto& [render, tone] = picture;
+  const auto& [render, time, tone] = picture;
   EXPECT_EQ(render.width, 640);
   EXPECT_EQ(render.height, 480);
   EXPECT_EQ(render.transport, Transport::BetterDipole);

@@ -20,13 +20,13 @@ std::string saved(const std::filesystem::path& file, const core::Target& wanted)
 
 // Which `opaline render` draws as the picture.
 std::string saveScene(const Session& session, const core::Target& target, int width, int height) {
-  scene::SceneFileSettings settings =
-      settingsOf(sized(session.options, width, height), session.tone, session.scene);
+  scene::SceneFileSettings settings = settingsOf(
+      {sized(session.options, width, height), session.time, session.tone}, session.scene);
   if (session.exposesByLight) settings.picture.erase("exposure");
   // Between the last file and the end, the last is shown; render knows no such time.
   if (session.sequence) {
     settings.picture.set(options::fieldOf<options::PictureSettings>("seconds"),
-                         std::min(session.options.seconds, lastSecond(*session.sequence)));
+                         std::min(session.time.seconds, lastSecond(*session.sequence)));
   }
   return saved(scene::writeScene(target, scene::describe(session.scene, session.source, settings)),
                target);
@@ -64,14 +64,15 @@ std::optional<std::string> Saver::save(Save wanted, const Session& session, int 
 
 std::string Saver::savePicture(const Session& session, const core::Target& target, int width,
                                int height) {
-  const RenderResult result = renderer_.render(sized(session.options, width, height));
-  return saved(writePicture(target, result.images.front(), session.tone), target);
+  const Image picture = pictureOf(session, renderer_, sized(session.options, width, height));
+  return saved(writePicture(target, picture, session.tone), target);
 }
 
 void Saver::startFilm(const Session& session, const core::Target& target, int width, int height) {
   // Films have an even number of pixels each way.
   FilmOrder order;
   order.options = sized(session.options, std::max(2, width / 2 * 2), std::max(2, height / 2 * 2));
+  order.clip = session.time.clip;
   order.frames = filmFrames(session);
   order.output = target;
   order.tone = session.tone;

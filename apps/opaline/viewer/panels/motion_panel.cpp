@@ -88,9 +88,9 @@ void drawClips(Session& session) {
   for (const Clip& clip : session.scene.clips) {
     names.push_back(clip.name.empty() ? fmt::format("clip {}", names.size()) : clip.name);
   }
-  int chosen = session.options.clip + 1;
+  int chosen = session.time.clip + 1;
   if (names.size() > 1 && controls::choice("clip", chosen, names, "Which animation plays.")) {
-    session.options.clip = chosen - 1;
+    session.time.clip = chosen - 1;
     session.playback.lengthSeconds = lengthOfMotion(session);
     session.edits.picture = true;
   }
@@ -113,9 +113,9 @@ void drawMotionPanel(Session& session) {
   ImGui::SameLine();
   controls::checkbox("turntable", playback.turntable, "Turns the camera about the scene. Key: T.");
   ImGui::BeginDisabled(!moving);
-  session.edits.picture |= controls::slider("time", session.options.seconds, 0,
-                                            static_cast<double>(playback.lengthSeconds), "%.3f s",
-                                            orWhyNot("The moment that is shown."));
+  session.edits.picture |=
+      controls::slider("time", session.time.seconds, 0, static_cast<double>(playback.lengthSeconds),
+                       "%.3f s", orWhyNot("The moment that is shown."));
   ImGui::EndDisabled();
   controls::checkbox("poke", session.poke,
                      "The mouse pulls at the body as if it were jelly; beside the body it turns "

@@ -60,7 +60,7 @@ struct Control {
 
 bool drawOption(const char* name, RenderOptions& options, std::string_view key, const char* about) {
   const auto& field = options::fieldOf<options::PictureSettings>(key);
-  options::PictureSettings settings{options, {}};
+  options::PictureSettings settings{.render = options};
   std::optional<options::Value> value = field.get(settings);
   if (!value || !std::visit(Control{name, field.allowed, about}, *value)) return false;
   field.set(settings, *value);

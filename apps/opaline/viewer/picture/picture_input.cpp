@@ -25,7 +25,7 @@ void expose(Session& session, float stops) {
 }
 
 void step(Session& session, double seconds) {
-  session.options.seconds = std::max(0.0, session.options.seconds + seconds);
+  session.time.seconds = std::max(0.0, session.time.seconds + seconds);
   session.edits.picture = true;
 }
 
@@ -124,8 +124,7 @@ void PictureInput::useKey(const KeyPress& press, Session& session, const Area& a
   switch (press.key) {
     case GLFW_KEY_F:
       if (area.empty()) return;
-      frame(session.scene, session.options.clip, session.options.seconds, session.positionsMm,
-            area.aspect());
+      frame(session.scene, session.time, session.positionsMm, area.aspect());
       session.edits.camera = true;
       return;
     case GLFW_KEY_T:

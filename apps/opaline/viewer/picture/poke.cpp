@@ -19,9 +19,9 @@ std::vector<Vec3> verticesOf(Session& session, std::size_t object, bool deformed
   std::vector<Deformer> deformers;
   if (!deformed) deformers = std::exchange(scene.deformers, {});
   deform::Pose pose = deform::makePose(scene);
-  deform::poseAt(scene, session.options.clip, session.options.seconds, pose);
+  deform::poseAt(scene, session.time.clip, session.time.seconds, pose);
   const deform::DeformedVertices mesh =
-      meshAt(scene, object, pose, session.options.seconds, session.positionsMm);
+      meshAt(scene, object, pose, session.time.seconds, session.positionsMm);
   if (!deformed) scene.deformers = std::move(deformers);
   std::vector<Vec3> vertices;
   vertices.reserve(mesh.positionsMm.size());
@@ -95,8 +95,7 @@ bool Poke::grab(Session& session, const Ray& ray) {
   rest_ = within(rest, hit.u, hit.v);
   back_ = frameOf(rest) * glm::transpose(frameOf(hit.corners));
   if (!finite(back_)) back_ = glm::mat3(1);
-  const bool plays =
-      session.sequence || (!session.scene.clips.empty() && session.options.clip >= 0);
+  const bool plays = session.sequence || (!session.scene.clips.empty() && session.time.clip >= 0);
   if (plays) session.playback.playing = false;
   constexpr float radiusInDiagonals = 0.08F;
   wanted_ = {hit.object, restVertices, triangles, radiusInDiagonals * session.diagonalMm};

@@ -64,32 +64,28 @@ bool sameEnvironment(const EditState& state, const Session& session) {
          state.environmentFile->intensity == file->intensity;
 }
 
-RenderOptions atTime(RenderOptions options, double seconds) {
-  options.seconds = seconds;
-  return options;
-}
-
 // Options and tone as a scene file has them: all that makes a picture.
 bool sameLook(const EditState& state, const Session& session) {
   core::ToneOptions tone = session.tone;
   // What follows from the light is no edit of its own.
   if (session.exposesByLight) tone.exposureStops = state.tone.exposureStops;
-  return settingsOf(state.options, state.tone, session.scene) ==
-         settingsOf(atTime(session.options, state.options.seconds), tone, session.scene);
+  using Picture = options::PictureSettings;
+  return options::chosenIn(Picture{.render = state.options, .tone = state.tone}) ==
+         options::chosenIn(Picture{.render = session.options, .tone = tone});
 }
 
 template <typename OfState>
 auto viewOfState(OfState& s) {
   return std::tie(s.fovDegrees, s.exposesByLight, s.speed, s.lengthSeconds, s.loop,
                   s.quickWhileMoving, s.divided, s.aov, s.surfelIndex, s.treeLevel, s.film,
-                  s.pictureSize);
+                  s.pictureSize, s.clip);
 }
 
 template <typename OfSession>
 auto viewOf(OfSession& s) {
   return std::tie(s.scene.camera.verticalFovDegrees, s.exposesByLight, s.playback.speed,
                   s.playback.lengthSeconds, s.playback.loop, s.quickWhileMoving, s.divided, s.aov,
-                  s.surfelIndex, s.treeLevel, s.film, s.pictureSize);
+                  s.surfelIndex, s.treeLevel, s.film, s.pictureSize, s.time.clip);
 }
 
 bool sameMedium(const EditState& state, const Session& session, std::size_t object) {
@@ -125,7 +121,7 @@ EditState editStateOf(const Session& session) {
   state.environmentFile = session.source.environment;
   state.environment = session.environment;
   state.deformers = session.scene.deformers;
-  state.options = atTime(session.options, 0);
+  state.options = session.options;
   state.tone = session.tone;
   state.diagonalMm = session.asked.diagonalMm();
   viewOfState(state) = viewOf(session);
@@ -168,7 +164,7 @@ void restore(const EditState& state, Session& session) {
     edits.deformers = true;
   }
   if (state.fovDegrees != session.scene.camera.verticalFovDegrees) edits.camera = true;
-  session.options = atTime(state.options, session.options.seconds);
+  session.options = state.options;
   session.tone = state.tone;
   viewOf(session) = viewOfState(state);
   exposeByLight(session);

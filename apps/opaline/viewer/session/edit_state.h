@@ -17,7 +17,8 @@ struct EditState {
   std::optional<scene::EnvironmentFile> environmentFile;
   std::shared_ptr<const Image> environment;  ///< as the file has it, not turned
   std::vector<Deformer> deformers;
-  RenderOptions options;  ///< of time 0
+  RenderOptions options;
+  int clip = 0;
   core::ToneOptions tone;
   bool exposesByLight = true;  ///< what the tone says of exposure then means nothing
   float fovDegrees = 0;

@@ -48,7 +48,7 @@ Session opened(Loader::Result result, const Prepare& prepare) {
   made.sequence = std::move(loaded.sequence);
   made.playback.lengthSeconds = lengthOfMotion(made);
   made.playback.playing =
-      (made.sequence || moves(made.scene, made.options.clip)) && made.options.seconds == 0;
+      (made.sequence || moves(made.scene, made.time.clip)) && made.time.seconds == 0;
   made.edits = newScene(made.scene);
   return made;
 }

@@ -11,12 +11,12 @@ void playOn(double seconds, Session& session) {
   if (!movesInTime(session)) playback.playing = false;
   if (playback.playing) {
     const auto length = static_cast<double>(playback.lengthSeconds);
-    double at = session.options.seconds + static_cast<double>(playback.speed) * seconds;
+    double at = session.time.seconds + static_cast<double>(playback.speed) * seconds;
     if (at >= length && !playback.loop) {
       at = length;
       playback.playing = false;
     }
-    session.options.seconds = at >= length && playback.loop ? std::fmod(at, length) : at;
+    session.time.seconds = at >= length && playback.loop ? std::fmod(at, length) : at;
     session.edits.picture = true;
   }
   if (playback.turntable) {

@@ -12,7 +12,7 @@ void SequencePlayer::place(Session& session) {
     if (sequence_) positions_.emplace(positionsOf(sequence_, sequence_->lastNumber()));
   }
   if (!sequence_) return;
-  const int number = nearestNumber(*sequence_, session.options.seconds);
+  const int number = nearestNumber(*sequence_, session.time.seconds);
   if (shown_ == number) return;
   shown_ = number;  // also where it cannot be read: once is enough to say so
   const std::vector<Vec3>& positionsMm = positions_->of(number);

@@ -31,6 +31,11 @@ RenderOptions coarser(const RenderOptions& options) {
   return coarse;
 }
 
+Image pictureOf(const Session& session, Renderer& renderer, const RenderOptions& options) {
+  renderer.setTime(session.time);
+  return std::move(View(renderer, options).render().images.front());
+}
+
 RenderOptions paperOptions(const RenderOptions& options) {
   RenderOptions paper = options;
   paper.transport = Transport::Dipole;
@@ -42,7 +47,7 @@ RenderOptions paperOptions(const RenderOptions& options) {
 float lengthOfMotion(const Session& session) {
   constexpr float usual = 4;
   const Scene& scene = session.scene;
-  const int clip = session.options.clip;
+  const int clip = session.time.clip;
   if (session.sequence) return static_cast<float>(secondsOf(*session.sequence));
   if (clip >= 0 && static_cast<std::size_t>(clip) < scene.clips.size()) {
     const float seconds = scene.clips[static_cast<std::size_t>(clip)].seconds;
@@ -56,7 +61,7 @@ float lengthOfMotion(const Session& session) {
 }
 
 bool movesInTime(const Session& session) {
-  return session.sequence || moves(session.scene, session.options.clip);
+  return session.sequence || moves(session.scene, session.time.clip);
 }
 
 FrameRange filmFrames(const Session& session) {

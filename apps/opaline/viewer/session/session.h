@@ -81,6 +81,7 @@ struct Session {
   std::vector<std::string> notes;                ///< of loading
 
   RenderOptions options;
+  SceneTime time;
   core::ToneOptions tone;
   bool exposesByLight = true;  ///< nobody has said how to expose
   Playback playback;
@@ -126,6 +127,9 @@ RenderOptions sized(const RenderOptions& options, int width, int height);
 
 /// The same transport, found more coarsely: what is shown while light, medium or body move.
 RenderOptions coarser(const RenderOptions& options);
+
+/// Renders the session's scene once, as its renderer has it.
+Image pictureOf(const Session& session, Renderer& renderer, const RenderOptions& options);
 
 /// The method of Gong et al. 2008 for the same picture.
 RenderOptions paperOptions(const RenderOptions& options);

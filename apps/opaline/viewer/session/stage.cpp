@@ -7,14 +7,19 @@ namespace opaline::app::viewer {
 Stage::Stage(Renderer& renderer, const VulkanDevice& window)
     : renderer_(renderer),
       apart_(window.device != renderer.vulkanDevice().device),
+      view_(renderer),
       hostPicture_(window),
       hostPaper_(window),
-      watch_(renderer.vulkanDevice()) {}
+      watch_(renderer.vulkanDevice()) {
+  order_.onDevice = !apart_;
+  order_.patient = false;
+  order_.reuseLight = true;
+}
 
 void Stage::setScene(const Scene& scene) {
   finish();
   hasScene_ = false;
-  picture_ = paper_ = {};
+  picture_ = paperPicture_ = {};
   hostPicture_.clear();
   hostPaper_.clear();
   divided_ = false;
@@ -27,6 +32,7 @@ bool Stage::handOver(Session& session) {
   Edits others = session.edits;
   others.camera = false;
   const Scene& scene = session.scene;
+  renderer_.setTime(session.time);
   if (session.edits.camera) renderer_.setCamera(scene.camera);
   if (session.edits.lighting) renderer_.setLighting(scene.lighting);
   if (session.edits.deformers) renderer_.setDeformers(scene.deformers);
@@ -42,7 +48,7 @@ void Stage::collect() {
   const Waiting done = waiting_.front();
   waiting_.erase(waiting_.begin());
   Frame& frame = done.own ? frame_ : other_;
-  renderer_.collect(frame);
+  (done.own ? view_ : *paper_).collect(frame);
   if (apart_) (done.own ? hostPicture_ : hostPaper_).set(frame.images.front());
   if (!done.own) return;
   ++framesFinished_;
@@ -53,18 +59,16 @@ void Stage::collect() {
   }
 }
 
-void Stage::submit(const RenderOptions& options, Aov variable, bool own) {
-  while (waiting_.size() >= Renderer::framesInFlight) collect();
-  aovs_.clear();
-  if (apart_) aovs_.push_back(Aov::Radiance);
-  if (variable != Aov::Radiance) aovs_.push_back(variable);
-  if (apart_) {
-    renderer_.submit(options, aovs_);
-  } else {
-    DeviceImage& image = own ? picture_ : paper_;
-    image = {};  // where the next cannot be made, this one may be gone
-    image = renderer_.submitOnDevice(options, aovs_);
-  }
+void Stage::submit(View& view, Aov variable) {
+  const bool own = &view == &view_;
+  while (waiting_.size() >= View::framesInFlight) collect();
+  order_.aovs.clear();
+  if (apart_) order_.aovs.push_back(Aov::Radiance);
+  if (variable != Aov::Radiance) order_.aovs.push_back(variable);
+  DeviceImage& image = own ? picture_ : paperPicture_;
+  image = {};  // where the next cannot be made, this one may be gone
+  view.submit(order_);
+  if (!apart_) image = view.picture();
   waiting_.push_back({own, variable});
 }
 
@@ -72,8 +76,6 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   constexpr double slowMs = 150;
   const bool lightChanges = handOver(session);
   RenderOptions options = sized(session.options, width, height);
-  options.reuseLight = true;
-  options.patient = false;
   options.treeLevel = session.treeLevel;
   resting_ = !moving;
   const bool quick = moving && session.quickWhileMoving && !session.divided && restMs_ > slowMs;
@@ -84,8 +86,13 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
   if (coarse_) options = coarser(options);
   busySince_ = std::chrono::steady_clock::now();
   divided_ = session.divided;
-  if (divided_) submit(paperOptions(options), Aov::Radiance, false);
-  submit(options, session.aov, true);
+  if (divided_) {
+    if (!paper_) paper_.emplace(renderer_);
+    paper_->setOptions(paperOptions(options));
+    submit(*paper_, Aov::Radiance);
+  }
+  view_.setOptions(options);
+  submit(view_, session.aov);
   if (apart_) {
     watch_.begin();
     // The device works on while the picture before, which is done, is brought over.
@@ -93,7 +100,7 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
     return;
   }
   // What is drawn next was asked for after the frame before this one was finished.
-  while (waiting_.size() >= Renderer::framesInFlight) collect();
+  while (waiting_.size() >= View::framesInFlight) collect();
 }
 
 void Stage::takeUp() {
@@ -105,8 +112,9 @@ void Stage::finish() {
 }
 
 std::optional<DeviceImage> Stage::paper() const {
-  if (!divided_ || (apart_ && hostPaper_.empty())) return std::nullopt;
-  return apart_ ? hostPaper_.shown() : paper_;
+  const DeviceImage& image = apart_ ? hostPaper_.shown() : paperPicture_;
+  if (!divided_ || image.view == VK_NULL_HANDLE) return std::nullopt;
+  return image;
 }
 
 const Image* Stage::variableImage() const {

@@ -54,7 +54,7 @@ class Stage {
   Aov variable() const { return variable_; }
   const Image* variableImage() const;
   std::size_t framesFinished() const { return framesFinished_; }
-  RenderReport report() const { return renderer_.report(); }
+  RenderReport report() const { return view_.report(); }
 
  private:
   struct Waiting {
@@ -63,15 +63,17 @@ class Stage {
   };
 
   bool handOver(Session& session);
-  void submit(const RenderOptions& options, Aov variable, bool own);
+  void submit(View& view, Aov variable);
   void collect();
 
   Renderer& renderer_;
   const bool apart_;  // the window has a device of its own
   bool hasScene_ = false;
   bool divided_ = false;
+  View view_;
+  std::optional<View> paper_;  // of the paper's method, while the session is divided
   DeviceImage picture_;
-  DeviceImage paper_;
+  DeviceImage paperPicture_;
   HostPicture hostPicture_;
   HostPicture hostPaper_;
   QueueWatch watch_;  // of the frames under way
@@ -84,7 +86,7 @@ class Stage {
   bool resting_ = true;  // the frame drawn last was not in motion
   double restMs_ = 0;    // of the last one at rest that found its light
   std::size_t framesFinished_ = 0;
-  std::vector<Aov> aovs_;
+  FrameOrder order_;
 };
 
 }  // namespace opaline::app::viewer

@@ -32,12 +32,13 @@ void TruthView::start(const Session& session, Renderer& renderer, TruthOrder::Me
   cancel();
   RenderOptions options = sized(session.options, width, height);
   options.specular = false;
-  picture_ = std::move(renderer.render(options).images.front());
+  picture_ = pictureOf(session, renderer, options);
   TruthOrder order;
   order.method = method;
   // A core stays for the window.
   order.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()) + 1) / 2;
-  job_ = std::make_unique<TruthJob>(session.scene, options, order, session.positionsMm);
+  job_ =
+      std::make_unique<TruthJob>(session.scene, session.time, options, order, session.positionsMm);
   running_ = true;
 }
 

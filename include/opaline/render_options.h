@@ -1,0 +1,83 @@
+#pragma once
+
+namespace opaline {
+
+/// How light travels from the place where it enters to the place where it leaves.
+enum class Transport {
+  Dipole,        ///< Jensen et al. 2001, Eq. 4; the paper's
+  BetterDipole,  ///< d'Eon 2012
+  Boundary,  ///< diffusion solved on the body's surface, with fine detail from the better dipole
+};
+
+/// The sources of the sum.
+enum class Sum {
+  Pattern,  ///< near block and eight far samples of the diffusion source map (Gong et al. 2008),
+            ///< not for Transport::Boundary
+  Tree,     ///< surfels in object space, in groups where the tolerance allows
+  All,      ///< every surfel, one by one
+};
+
+/// Where the sum is evaluated.
+enum class Site {
+  Auto,      ///< chosen for each object: Vertex if its edges are at most one mean free path long,
+             ///< else Fragment; Sum::Pattern uses Fragment for all if one object needs it
+  Vertex,    ///< once per vertex, interpolated (the paper's VTF)
+  Fragment,  ///< once per visible pixel (the paper's FTF)
+};
+
+/// The output variables. All but Radiance are sampled once, at the pixel's centre.
+enum class Aov {
+  Radiance,     ///< leaving towards the camera
+  Exitance,     ///< B
+  Irradiance,   ///< E, the light that has entered: from lights with shadows and from all around
+                ///< without, but not light that left and enters again. Of the surfel seen there;
+                ///< for Sum::Pattern of the diffusion source map
+  Position,     ///< mm
+  Normal,       ///< unit
+  Depth,        ///< distance along the viewing axis, mm, in R, G and B
+  Evaluations,  ///< of the profile, for a pixel or interpolated from vertices, in R, G and B
+  Object,       ///< index of the object, from 0, in R, G and B
+  /// Indices from 0 through all objects: in R of the visible surfel; in G of its cluster of
+  /// boundary transport, -1 without one; in B of the node of the tree that contains it,
+  /// RenderOptions::treeLevel below its object's root. Not for Sum::Pattern.
+  Surfels,
+  DsmPosition,    ///< the diffusion source map: mm
+  DsmNormal,      ///< the diffusion source map: unit
+  DsmIrradiance,  ///< the diffusion source map: E
+  DsmArea,        ///< the diffusion source map: area of a texel on the surface, mm², in R, G and B
+};
+
+/// Whether a variable is read from the diffusion source map.
+bool showsMap(Aov aov);
+
+/// Shape of the pattern of Gong et al. 2008, Figure 5. Lengths are in mean free paths 1/σ_t' of the
+/// channel with the shortest.
+struct PatternOptions {
+  int nearRings = 4;          ///< the near block has (2·nearRings+1)² samples, in [0, 15]
+  float nearSpacing = 2.0F;   ///< between near samples, mean free paths, in [1e-3, 100]
+  float farDistance = 24.0F;  ///< of the eight far samples, mean free paths, in [1e-3, 1000]
+};
+
+/// What describes a picture beside the scene.
+struct RenderOptions {
+  int width = 1024;   ///< pixels, in [1, 16384]
+  int height = 1024;  ///< pixels, in [1, 16384]
+  Transport transport = Transport::Boundary;
+  Sum sum = Sum::Tree;
+  Site site = Site::Auto;
+  float tolerance = 0.01F;   ///< error of a node of Sum::Tree, relative to exitance, in [1e-4, 1]
+  int maxSurfels = 262'144;  ///< largest number for Sum::Tree and Sum::All, in [1024, 4194304]
+  int maxClusters = 8192;    ///< largest number for Transport::Boundary, in [64, 262144]
+  static constexpr int maxBounces = 8;
+  int bounces = 2;  ///< times that light leaves and enters again, Transport::Boundary, in [0, 8]
+  PatternOptions pattern;
+  int dsmSize = 512;        ///< edge of the diffusion source map, texels, in [64, 4096]
+  int shadowSize = 1024;    ///< edge of each shadow map, texels, in [64, 8192]
+  bool specular = true;     ///< GGX reflection of lights and environment on top
+  float roughness = 0.25F;  ///< of that reflection, GGX α = roughness², in [0.05, 1]
+  int treeLevel = 64;       ///< of the nodes in Aov::Surfels: 0 for the objects' roots, leaves if
+                            ///< these come first; in [0, 64]
+  int antialias = 4;        ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
+};
+
+}  // namespace opaline

@@ -1,0 +1,68 @@
+#include "gpu/retired_objects.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "gpu/device.h"
+
+namespace opaline::gpu {
+
+namespace {
+
+template <typename Handle>
+Handle as(std::uint64_t handle) {
+  return reinterpret_cast<Handle>(handle);
+}
+
+void destroy(VkObjectType type, std::uint64_t handle, VkDevice device, const RayFunctions& rays) {
+  switch (type) {
+    case VK_OBJECT_TYPE_BUFFER:
+      return vkDestroyBuffer(device, as<VkBuffer>(handle), nullptr);
+    case VK_OBJECT_TYPE_BUFFER_VIEW:
+      return vkDestroyBufferView(device, as<VkBufferView>(handle), nullptr);
+    case VK_OBJECT_TYPE_IMAGE:
+      return vkDestroyImage(device, as<VkImage>(handle), nullptr);
+    case VK_OBJECT_TYPE_IMAGE_VIEW:
+      return vkDestroyImageView(device, as<VkImageView>(handle), nullptr);
+    case VK_OBJECT_TYPE_SAMPLER:
+      return vkDestroySampler(device, as<VkSampler>(handle), nullptr);
+    case VK_OBJECT_TYPE_DEVICE_MEMORY:
+      return vkFreeMemory(device, as<VkDeviceMemory>(handle), nullptr);
+    case VK_OBJECT_TYPE_PIPELINE:
+      return vkDestroyPipeline(device, as<VkPipeline>(handle), nullptr);
+    case VK_OBJECT_TYPE_PIPELINE_LAYOUT:
+      return vkDestroyPipelineLayout(device, as<VkPipelineLayout>(handle), nullptr);
+    case VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT:
+      return vkDestroyDescriptorSetLayout(device, as<VkDescriptorSetLayout>(handle), nullptr);
+    case VK_OBJECT_TYPE_COMMAND_POOL:
+      return vkDestroyCommandPool(device, as<VkCommandPool>(handle), nullptr);
+    case VK_OBJECT_TYPE_QUERY_POOL:
+      return vkDestroyQueryPool(device, as<VkQueryPool>(handle), nullptr);
+    case VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR:
+      return rays.destroy(device, as<VkAccelerationStructureKHR>(handle), nullptr);
+    default:
+      assert(false && "nothing of this type is retired");
+  }
+}
+
+}  // namespace
+
+void RetiredObjects::add(std::uint64_t submission, VkObjectType type, std::uint64_t handle,
+                         std::size_t bytes) {
+  objects_.push_back({submission, type, handle, bytes});
+}
+
+std::size_t RetiredObjects::destroyUpTo(std::uint64_t submission, VkDevice device,
+                                        const RayFunctions& rays) {
+  std::size_t freed = 0;
+  const auto isDone = [&](const Object& object) {
+    if (object.submission > submission) return false;
+    destroy(object.type, object.handle, device, rays);
+    freed += object.bytes;
+    return true;
+  };
+  objects_.erase(std::remove_if(objects_.begin(), objects_.end(), isDone), objects_.end());
+  return freed;
+}
+
+}  // namespace opaline::gpu

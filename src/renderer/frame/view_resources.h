@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+
+#include "opaline/render_options.h"
+#include "opaline/scene.h"
+#include "renderer/frame/frame_plan.h"
+#include "renderer/frame/frame_resources.h"
+#include "renderer/scene/scene_changes.h"
+#include "renderer/scene/scene_resources.h"
+
+namespace opaline {
+
+/// What a view has on the device. Follows its options and the scene, and makes again only what a
+/// change concerns. The picture stays through all changes but one of its size: others may show it
+/// while the rest is made anew.
+class ViewResources {
+ public:
+  ViewResources(gpu::Device& device, const Passes& passes);
+
+  /// Brings all that the frame needs up to date.
+  void follow(const RenderOptions& options, const FramePlan& plan, SceneResources& scene,
+              const Lighting& lighting, const SceneChanges& changes);
+
+  FrameResources& made() { return made_; }
+  const FrameResources& made() const { return made_; }
+
+  /// The frame whose light they hold; none where something that holds light was made anew.
+  struct Lit {
+    RenderOptions options;
+    SceneChanges changes;
+    Site site = Site::Vertex;
+    bool map = false;
+    bool rays = false;  ///< the surface is ready for them
+  };
+  std::optional<Lit> lit;
+
+ private:
+  /// What they were made for.
+  struct For {
+    RenderOptions options;
+    SceneChanges changes;
+  };
+  void makeImages(const RenderOptions& options, const SceneResources& scene);
+  void makeMap(const RenderOptions& options, SceneResources& scene);
+
+  gpu::Device& device_;
+  const Passes& passes_;
+  FrameResources made_;
+  std::optional<For> for_;  // none: before the first frame, and after one that failed
+};
+
+}  // namespace opaline

@@ -1,0 +1,198 @@
+#include "opaline/view.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "gpu/command_list.h"
+#include "gpu/transfer.h"
+#include "opaline/error.h"
+#include "opaline/renderer.h"
+#include "opaline/vulkan.h"
+#include "renderer/context.h"
+#include "renderer/frame/camera_view.h"
+#include "renderer/frame/frame.h"
+#include "renderer/frame/frame_plan.h"
+#include "renderer/frame/frame_queue.h"
+#include "renderer/frame/light_views.h"
+#include "renderer/frame/timing.h"
+#include "renderer/frame/view_resources.h"
+#include "renderer/validate.h"
+
+namespace opaline {
+
+namespace {
+
+shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& camera,
+                                int shadowSize) {
+  shared::FrameData frame{};
+  frame.worldToClip = camera.worldToClip;
+  frame.cameraPosition = {camera.position, 1};
+  frame.cameraAxis = {camera.axis, 0};
+  fillLights(lighting, static_cast<std::uint32_t>(shadowSize), frame);
+  return frame;
+}
+
+}  // namespace
+
+class View::Implementation {
+ public:
+  Implementation(RendererContext& context, const RenderOptions& options)
+      : context_(context),
+        queue_(context.device),
+        frameData_(context.device, "frame data", sizeof(shared::FrameData), framesInFlight, 0),
+        resources_(context.device, context.passes) {
+    setOptions(options);
+  }
+
+  void setOptions(const RenderOptions& options) {
+    validate(options);
+    options_ = options;
+  }
+  const RenderOptions& options() const { return options_; }
+
+  void setCamera(const std::optional<Camera>& camera) {
+    if (camera) validate(*camera);
+    camera_ = camera;
+  }
+
+  RenderResult render(const FrameOrder& order) {
+    if (!queue_.isEmpty())
+      throw UsageError("frames wait to be collected; collect them before calling render");
+    times_.clear();
+    Frame frame;
+    submit(order);
+    collect(frame);
+    return {std::move(frame.images), report()};
+  }
+
+  void submit(const FrameOrder& order) {
+    validate(options_, order.aovs);
+    queue_.requireRoom();
+    EditedScene& edited = context_.edited;
+    edited.beginFrame();
+    if (std::exchange(scene_, edited.number()) != edited.number()) times_.clear();
+    const Lighting& lighting = edited.scene().lighting;
+    FramePlan plan = planFor(options_, order.aovs, order.onDevice);
+    plan.time = edited.time();
+    context_.prepared.prepare(options_, plan, order.patient, edited);
+    resources_.follow(options_, plan, context_.prepared.scene(), lighting, edited.changes());
+    fitToScene(context_.prepared.scene(), lighting, plan);
+    plan.light =
+        context_.light.mustFind(options_, plan, order.reuseLight, edited.changes(), resources_);
+    plan_ = plan;
+    record(order);
+    queue_.submit();
+    shown_ = order.onDevice;
+  }
+
+  void collect(Frame& frame) {
+    queue_.collect(frame, times_);
+    solutions_ = frame.solutions;
+  }
+
+  DeviceImage picture() const {
+    if (!shown_) throw UsageError("the last frame did not leave its picture on the device");
+    const gpu::GpuImage& radiance = resources_.made().radiance;
+    return {radiance.handle(), radiance.view(), radiance.options().format,
+            gpu::scopeOf(gpu::Access::Sampled).layout, radiance.extent()};
+  }
+
+  RenderReport report() const {
+    if (times_.empty() || scene_ != context_.edited.number())
+      throw UsageError("there is no report before the first frame");
+    constexpr double megabyte = 1e6;
+    const SceneResources& scene = context_.prepared.scene();
+    const bool solved = plan_.transport == Transport::Boundary;
+    return {
+        .device = describe(context_.device.info()),
+        .transport = plan_.transport,
+        .sum = plan_.sum,
+        .site = plan_.site,
+        .triangles = scene.triangles,
+        .vertices = scene.mesh.vertexCount,
+        .sources = plan_.sum == Sum::Pattern ? resources_.made().map->sources.sourceCount
+                                             : scene.surfels.count,
+        .clusters = solved ? scene.clusters.count : 0,
+        .solutions = solutions_,
+        .passes = times_.passes(),
+        .frameMilliseconds = times_.frameMilliseconds(),
+        .peakMemoryMegabytes = static_cast<double>(context_.device.peakMemoryBytes()) / megabyte};
+  }
+
+ private:
+  void record(const FrameOrder& order) {
+    const Scene& scene = context_.edited.scene();
+    SceneResources& prepared = context_.prepared.scene();
+    FrameResources& resources = resources_.made();
+    const CameraView camera =
+        makeCameraView(camera_.value_or(scene.camera),
+                       static_cast<float>(options_.width) / static_cast<float>(options_.height));
+    frameData_.nextFrame();
+    const FrameUpload upload{
+        frameData_.buffer(),
+        frameData_.push(makeFrameData(scene.lighting, camera, options_.shadowSize))};
+    const bool solves = plan_.transport == Transport::Boundary && plan_.scatter;
+
+    FrameSlot& slot = queue_.next();
+    slot.provisional = context_.prepared.isProvisional();
+    slot.readback.prepare(context_.device, order.aovs, plan_.site, camera, resources);
+    slot.commands.begin();
+    recordFrame(slot.commands, context_.passes, plan_, upload, context_.edited.motion(), prepared,
+                resources);
+    slot.readback.record(slot.commands, plan_.site, resources);
+    slot.readback.recordSolutions(slot.commands, solves ? plan_.bounces + 1 : 0, prepared.solver);
+    if (order.onDevice) slot.commands.use(resources.radiance, gpu::Access::Sampled);
+  }
+
+  RendererContext& context_;
+  RenderOptions options_;
+  std::optional<Camera> camera_;  // none: the scene's
+  FrameQueue queue_;
+  gpu::UploadRing frameData_;
+  ViewResources resources_;
+  bool shown_ = false;       // the last frame's picture was left for others to sample
+  std::uint64_t scene_ = 0;  // number of the scene that was rendered last
+  FramePlan plan_;           // of the frame submitted last
+  FrameTimes times_;
+  std::vector<Solution> solutions_;  // of the frame collected last
+};
+
+View::View(Renderer& renderer, const RenderOptions& options)
+    : implementation_(std::make_unique<Implementation>(renderer.context(), options)) {}
+View::~View() = default;
+View::View(View&&) noexcept = default;
+View& View::operator=(View&&) noexcept = default;
+
+void View::setOptions(const RenderOptions& options) {
+  implementation_->setOptions(options);
+}
+
+const RenderOptions& View::options() const {
+  return implementation_->options();
+}
+
+void View::setCamera(const std::optional<Camera>& camera) {
+  implementation_->setCamera(camera);
+}
+
+RenderResult View::render(const FrameOrder& order) {
+  return implementation_->render(order);
+}
+
+void View::submit(const FrameOrder& order) {
+  implementation_->submit(order);
+}
+
+void View::collect(Frame& frame) {
+  implementation_->collect(frame);
+}
+
+DeviceImage View::picture() const {
+  return implementation_->picture();
+}
+
+RenderReport View::report() const {
+  return implementation_->report();
+}
+
+}  // namespace opaline
