@@ -36,6 +36,7 @@ shared::FrameData makeFrameData(const Scene& scene, const RenderOptions& options
   frame.cameraPosition = {camera.position, 1};
   frame.cameraAxis = {camera.axis, 0};
   fillLights(scene.lighting, unsignedOf(options.shadowSize), frame);
+  fillSamples(1, frame);
   return frame;
 }
 
@@ -62,9 +63,7 @@ class OpaqueFrame::Implementation {
     view_.shadowViews = shadowViewCount(scene.lighting);
     shadows_ =
         passes::ShadowPass::makeMaps(device_, unsignedOf(options.shadowSize), view_.shadowViews);
-    visible_ = passes::SurfacePass::makeSurface(device_, width, height);
-    exitance_ =
-        passes::SurfacePass::makeExitance(device_, width, height, resources_.mesh.vertexCount);
+    visible_ = passes::SurfacePass::makeSurfaces(device_, {width, height}, 1);
     radiance_ = passes::ShadePass::makeRadiance(device_, width, height);
     upload_ = gpu::makeBuffer(device_, "frame data",
                               std::vector<shared::FrameData>{makeFrameData(scene, options)}, 0);
@@ -75,14 +74,18 @@ class OpaqueFrame::Implementation {
     motion_.record(commands_, deform_, {.seconds = seconds}, resources_.mesh);
     fit_.record(commands_, upload_, 0, resources_.mesh, view_);
     shadow_.record(commands_, view_, resources_.mesh, shadows_);
-    surface_.record(commands_, {view_, resources_.mesh, {0, 0}, exitance_.vertices}, visible_);
+    surface_.draw(commands_, {view_, resources_.mesh, visible_}, samplePattern(1));
+    surface_.list(commands_, {view_, resources_.mesh, visible_}, 0, 1);
     commands_.beginPass("lambert");
     commands_.bind(lambert_,
                    {.frame = view_.data,
-                    .surfacePosition = {visible_.position, nearest_},
-                    .surfaceNormal = {visible_.normal, nearest_},
+                    .seenWords = {visible_.words, nearest_},
                     .shadowMaps = {shadows_.depth, nearest_},
-                    .radiance = radiance_},
+                    .radiance = radiance_,
+                    .meshIndices = resources_.mesh.indices,
+                    .meshPositions = resources_.mesh.positions,
+                    .meshNormals = resources_.mesh.normals,
+                    .meshObjects = resources_.mesh.objectOf},
                    {.ambient = glm::vec4(glm::make_vec3(scene_.lighting.ambient.data()), 0)});
     commands_.dispatchTiles(radiance_);
     commands_.endPass();
@@ -106,8 +109,7 @@ class OpaqueFrame::Implementation {
   passes::FrameView view_;
   gpu::CommandList commands_;
   passes::ShadowMaps shadows_;
-  passes::VisibleSurface visible_;
-  passes::Exitance exitance_;
+  passes::VisibleSurfaces visible_;
   gpu::GpuImage radiance_;
   gpu::Buffer upload_;
 };

@@ -33,7 +33,8 @@ ALLOWED = {
     "src/shaders/shared": (),  # GLSL reads these too
     "src/passes": ("opaline", "core", "surfels", "soft_body", "bssrdf", "environment", "gpu", "shaders",
                    "passes/products.h"),
-    "src/paper": ("opaline", "core", "bssrdf", "gpu", "shaders", "passes/products.h"),
+    "src/paper": ("opaline", "core", "bssrdf", "gpu", "shaders", "passes/products.h",
+                  "passes/seen_parts.h"),
     "src/paper/atlas": (*PLAIN, "core"),
     "src/renderer": ("opaline", "core", "options", "bssrdf", "scene", "environment", "deform", "surfels",
                      "soft_body", "gpu", "passes", "paper/technique.h", "shaders"),

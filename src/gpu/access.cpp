@@ -55,6 +55,9 @@ AccessScope scopeOf(Access access) {
     case Access::Index:
       return {VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT, VK_ACCESS_2_INDEX_READ_BIT,
               VK_IMAGE_LAYOUT_UNDEFINED, false};
+    case Access::Indirect:
+      return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT,
+              VK_IMAGE_LAYOUT_UNDEFINED, false};
     case Access::TransferRead:
       return {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
               VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, false};

@@ -17,6 +17,7 @@ enum class Access {
   StorageWrite,  ///< storage image or buffer written or read and written, any shader stage
   Uniform,       ///< uniform buffer
   Index,         ///< index buffer
+  Indirect,      ///< says how large dispatches are
   TransferRead,
   TransferWrite,
   RayBuild,  ///< acceleration structure built or refitted, or what building it needs

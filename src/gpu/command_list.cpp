@@ -328,7 +328,6 @@ void CommandList::beginRendering(std::span<const ColorTarget> colors, const Dept
   info.pDepthAttachment = depth != nullptr ? &depthInfo : nullptr;
   vkCmdBeginRendering(commands_, &info);
   rendering_ = true;
-  extent_ = extent;
   coverWith(extent);
 }
 

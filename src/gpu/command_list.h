@@ -100,6 +100,10 @@ class CommandList {
   /// tile of 8×8.
   void dispatchTiles(const GpuImage& image, std::uint32_t rounds = 1);
 
+  /// Of as many groups as stand in `groups` there, x y z; ordered with use(groups,
+  /// Access::Indirect).
+  void dispatchIndirect(Buffer& groups, std::size_t offset);
+
   /// The targets become attachments (with their barriers); viewport and scissor cover all of them.
   void beginRendering(std::span<const ColorTarget> colors, const DepthTarget* depth = nullptr);
   void beginRendering(std::initializer_list<ColorTarget> colors,
@@ -107,8 +111,6 @@ class CommandList {
     beginRendering(std::span<const ColorTarget>(colors.begin(), colors.size()), depth);
   }
   void endRendering();
-  /// A triangle that covers the targets; `rounds` of the fragment shader.
-  void drawEverywhere(std::uint32_t rounds);
   void draw(std::uint32_t vertices, std::uint32_t firstVertex = 0);
   /// 32-bit indices; ordered with use(indices, Access::Index) before beginRendering.
   void drawIndexed(Buffer& indices, std::uint32_t count);
@@ -120,6 +122,8 @@ class CommandList {
   void copyFromImage(GpuImage& from, Buffer& to, std::uint32_t layer = 0, std::uint32_t level = 0,
                      std::size_t toOffset = 0);
   void fill(Buffer& buffer, std::uint32_t value);
+  /// Sets an image of floats or whole numbers to 0. Needs VK_IMAGE_USAGE_TRANSFER_DST_BIT.
+  void clear(GpuImage& image);
 
   /// Of the triangles as they lie in `corners`, the buffer that it was made of. A refit is faster
   /// than building anew, and rays take longer the further triangles have moved apart since then.
@@ -158,7 +162,6 @@ class CommandList {
   std::uint64_t submission_ = 0;  // that is not waited for yet; 0: none
   bool inPass_ = false;
   bool rendering_ = false;
-  VkExtent2D extent_{};  // of the targets
 
   const Pipeline* pipeline_ = nullptr;
   // What is bound at each slot, graphics and compute apart.

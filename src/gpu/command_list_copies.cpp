@@ -63,4 +63,14 @@ void CommandList::fill(Buffer& buffer, std::uint32_t value) {
   vkCmdFillBuffer(commands_, buffer.handle(), 0, VK_WHOLE_SIZE, value);
 }
 
+void CommandList::clear(GpuImage& image) {
+  assert(recording_ && !rendering_ && image.aspect() == VK_IMAGE_ASPECT_COLOR_BIT);
+  order(image, scopeOf(Access::TransferWrite));
+  flushBarriers();
+  const VkClearColorValue nothing{};
+  const VkImageSubresourceRange whole{VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0,
+                                      VK_REMAINING_ARRAY_LAYERS};
+  vkCmdClearColorImage(commands_, image.handle(), image.state_.layout, &nothing, 1, &whole);
+}
+
 }  // namespace opaline::gpu

@@ -47,16 +47,13 @@ void CommandList::dispatchTiles(const GpuImage& image, std::uint32_t rounds) {
                rounds);
 }
 
-void CommandList::drawEverywhere(std::uint32_t rounds) {
-  const std::uint64_t ofRow = std::uint64_t{extent_.width} * rounds;
-  const auto rows = static_cast<std::uint32_t>(
-      std::clamp<std::uint64_t>(mostRounds / std::max<std::uint64_t>(ofRow, 1), 1, extent_.height));
-  for (std::uint32_t row = 0; row < extent_.height; row += rows) {
-    const VkRect2D scissor{{0, static_cast<std::int32_t>(row)},
-                           {extent_.width, std::min(rows, extent_.height - row)}};
-    vkCmdSetScissor(commands_, 0, 1, &scissor);
-    draw(3);
-  }
+void CommandList::dispatchIndirect(Buffer& groups, std::size_t offset) {
+  assert(recording_ && !rendering_ && pipeline_ != nullptr);
+  assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
+  assert(boundIsCurrent());
+  assert((groups.state_.readAccesses & VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT) != 0);
+  assert(offset + sizeof(VkDispatchIndirectCommand) <= groups.bytes());
+  vkCmdDispatchIndirect(commands_, groups.handle(), offset);
 }
 
 void CommandList::draw(std::uint32_t vertices, std::uint32_t firstVertex) {

@@ -43,7 +43,7 @@ FlatScene makeFlatScene(gpu::Device& device, const core::RestSurface& surface, i
       gpu::makeBuffer(device, "corner of each vertex",
                       cornerOfVertex(corners, surface.positionsMm.size()), storage);
   flat.indices = gpu::makeBuffer(device, "indices of corners", flat.atlas.triangles,
-                                 VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+                                 VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
   flat.indexCount = static_cast<std::uint32_t>(3 * flat.atlas.triangles.size());
   return flat;
 }

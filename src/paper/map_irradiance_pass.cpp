@@ -7,13 +7,20 @@ namespace opaline::paper {
 MapIrradiancePass::MapIrradiancePass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest), pipeline_(device, "irradiance of the map") {}
 
-void MapIrradiancePass::record(gpu::CommandList& commands, passes::VisibleSurface& surface,
-                               Map& map, gpu::GpuImage& irradiance) const {
+void MapIrradiancePass::record(gpu::CommandList& commands, const passes::SeenSurfaces& seen,
+                               FlatScene& flat, Map& map, gpu::GpuImage& irradiance) const {
   commands.beginPass("seen irradiance");
-  commands.bind(pipeline_, {.surfacePosition = {surface.position, nearest_},
-                            .surfacePlace = {map.place, nearest_},
+  commands.bind(pipeline_, {.frame = seen.frame.data,
+                            .seenWords = {seen.surfaces.words, nearest_},
                             .nearFlux = {map.sources.nearFlux, nearest_},
-                            .seen = irradiance});
+                            .seen = irradiance,
+                            .meshIndices = seen.mesh.indices,
+                            .meshPositions = seen.mesh.positions,
+                            .meshNormals = seen.mesh.normals,
+                            .meshObjects = seen.mesh.objectOf,
+                            .corners = flat.corners,
+                            .cornerIndices = flat.indices,
+                            .charts = map.sources.charts});
   commands.dispatchTiles(irradiance);
   commands.endPass();
 }

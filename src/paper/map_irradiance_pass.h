@@ -17,8 +17,8 @@ class MapIrradiancePass {
  public:
   explicit MapIrradiancePass(gpu::Device& device);
 
-  void record(gpu::CommandList& commands, passes::VisibleSurface& surface, Map& map,
-              gpu::GpuImage& irradiance) const;
+  void record(gpu::CommandList& commands, const passes::SeenSurfaces& seen, FlatScene& flat,
+              Map& map, gpu::GpuImage& irradiance) const;
 
  private:
   gpu::Sampler nearest_;

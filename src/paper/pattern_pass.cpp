@@ -6,6 +6,7 @@
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "paper/shaders/shared/pattern.h"
+#include "passes/seen_parts.h"
 
 namespace opaline::paper {
 
@@ -50,10 +51,7 @@ PatternPass::PatternPass(gpu::Device& device)
 
 PatternPass::Pipelines PatternPass::makePipelines(gpu::Device& device,
                                                   passes::ScatterTransport transport) {
-  return {{device,
-           "pattern over fragments",
-           {.colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT}},
-           {.transport = transport}},
+  return {{device, "pattern over fragments", {.transport = transport}},
           {device, "pattern over vertices", {.transport = transport, .withNearBlock = 0}},
           {device, "pattern over vertices", {.transport = transport, .withNearBlock = 1}}};
 }
@@ -85,24 +83,33 @@ void PatternPass::overVertices(gpu::CommandList& commands, passes::ScatterTransp
 }
 
 void PatternPass::overFragments(gpu::CommandList& commands, passes::ScatterTransport transport,
-                                const Inputs& inputs, passes::VisibleSurface& surface) const {
+                                const Inputs& inputs, FlatScene& flat,
+                                const passes::SeenSurfaces& seen) const {
   DiffusionSources& sources = inputs.map.sources;
   commands.beginPass("scatter");
-  for (std::uint32_t medium = 0; medium < inputs.tables.mediumCount; ++medium) {
-    commands.bind(pipelines(transport).patternFragments, {},
-                  {.surfacePosition = {surface.position, nearest_},
-                   .surfacePlace = {inputs.map.place, nearest_},
-                   .farExitance = {surface.exitance, nearest_},
-                   .objects = inputs.tables.objects,
-                   .media = inputs.tables.media,
-                   .pattern = patternOf(inputs.map.pattern, medium),
-                   .nearPosition = {sources.nearPosition, linear_},
-                   .nearFlux = {sources.nearFlux, linear_}},
-                  {.medium = medium});
-    commands.beginRendering({{.image = &inputs.exitance.image, .clear = medium == 0}});
-    commands.drawEverywhere(shared::maxPatternEntries);
-    commands.endRendering();
-  }
+  for (std::uint32_t medium = 0; medium < inputs.tables.mediumCount; ++medium)
+    passes::forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
+      commands.bind(pipelines(transport).patternFragments,
+                    {.frame = seen.frame.data,
+                     .seenWords = {seen.surfaces.words, nearest_},
+                     .meshExitances = inputs.exitance.vertices,
+                     .exitances = seen.surfaces.light,
+                     .objects = inputs.tables.objects,
+                     .media = inputs.tables.media,
+                     .pattern = patternOf(inputs.map.pattern, medium),
+                     .nearPosition = {sources.nearPosition, linear_},
+                     .nearFlux = {sources.nearFlux, linear_},
+                     .meshIndices = seen.mesh.indices,
+                     .meshPositions = seen.mesh.positions,
+                     .meshNormals = seen.mesh.normals,
+                     .meshObjects = seen.mesh.objectOf,
+                     .corners = flat.corners,
+                     .cornerIndices = flat.indices,
+                     .charts = sources.charts,
+                     .seenList = seen.surfaces.list,
+                     .seenCount = seen.surfaces.counts},
+                    {.first = first, .medium = medium});
+    });
   commands.endPass();
 }
 

@@ -6,8 +6,7 @@
 #include "paper/pattern_layout.h"
 #include "paper/products.h"
 #include "passes/products.h"
-#include "shaders/pattern.frag.h"
-#include "shaders/pattern.vert.h"
+#include "shaders/pattern_fragments.comp.h"
 #include "shaders/pattern_vertices.comp.h"
 
 namespace opaline::gpu {
@@ -34,13 +33,13 @@ class PatternPass {
   /// The far samples, and with `everything` the near block too.
   void overVertices(gpu::CommandList& commands, passes::ScatterTransport transport, bool everything,
                     const Inputs& inputs, FlatScene& flat, passes::DeformedMesh& mesh) const;
-  /// Adds the near block to the far samples' part, which has been interpolated: surface.exitance.
+  /// Adds the near block to the far samples' part, which the vertices have.
   void overFragments(gpu::CommandList& commands, passes::ScatterTransport transport,
-                     const Inputs& inputs, passes::VisibleSurface& surface) const;
+                     const Inputs& inputs, FlatScene& flat, const passes::SeenSurfaces& seen) const;
 
  private:
   struct Pipelines {
-    gpu::Graphics<shaders::PatternVert, shaders::PatternFrag> patternFragments;
+    gpu::Compute<shaders::PatternFragments> patternFragments;
     gpu::Compute<shaders::PatternVertices> patternFar;
     gpu::Compute<shaders::PatternVertices> patternVertices;
   };

@@ -64,7 +64,6 @@ struct PatternTable {
 struct Map {
   DiffusionSources sources;
   PatternTable pattern;
-  gpu::GpuImage place;  ///< xy place among the neighbourhoods, a texel a pixel
 };
 
 }  // namespace opaline::paper

@@ -4,19 +4,16 @@
 #include "paper/diffusion_source_pass.h"
 #include "paper/flat_scene.h"
 #include "paper/map_irradiance_pass.h"
-#include "paper/mapped_surface_pass.h"
 #include "paper/pattern_layout.h"
 #include "paper/pattern_pass.h"
 
 namespace opaline::paper {
 
 struct Technique::Passes {
-  explicit Passes(gpu::Device& device)
-      : map(device), pattern(device), surface(device), irradiance(device) {}
+  explicit Passes(gpu::Device& device) : map(device), pattern(device), irradiance(device) {}
 
   DiffusionSourcePass map;
   PatternPass pattern;
-  MappedSurfacePass surface;
   MapIrradiancePass irradiance;
 };
 
@@ -34,9 +31,7 @@ Map Technique::makeMap(gpu::Device& device, const RestScene& scene, FlatScene& f
           .pattern = PatternPass::makeTable(device, scene, layout, flat.texelEdgeMm(),
                                             options.transport == Transport::Dipole
                                                 ? bssrdf::Model::Dipole
-                                                : bssrdf::Model::BetterDipole),
-          .place = MappedSurfacePass::makePlace(device, static_cast<std::uint32_t>(options.width),
-                                                static_cast<std::uint32_t>(options.height))};
+                                                : bssrdf::Model::BetterDipole)};
 }
 
 void Technique::gather(gpu::CommandList& commands, const Frame& frame) const {
@@ -51,23 +46,16 @@ void Technique::scatterAtVertices(gpu::CommandList& commands, passes::ScatterTra
                                 {frame.tables, frame.map, frame.exitance}, frame.flat, frame.mesh);
 }
 
-void Technique::drawSurface(gpu::CommandList& commands, shared::vec2 jitter,
-                            const Frame& frame) const {
-  passes_->surface.record(commands,
-                          {frame.view, frame.mesh, frame.flat, frame.map.sources.charts, jitter,
-                           frame.exitance.vertices},
-                          frame.surface, frame.map.place);
-}
-
 void Technique::scatterAtFragments(gpu::CommandList& commands, passes::ScatterTransport transport,
                                    const Frame& frame) const {
   passes_->pattern.overFragments(commands, transport, {frame.tables, frame.map, frame.exitance},
-                                 frame.surface);
+                                 frame.flat, {frame.view, frame.mesh, frame.surfaces});
 }
 
 void Technique::showIrradiance(gpu::CommandList& commands, const Frame& frame,
                                gpu::GpuImage& irradiance) const {
-  passes_->irradiance.record(commands, frame.surface, frame.map, irradiance);
+  passes_->irradiance.record(commands, {frame.view, frame.mesh, frame.surfaces}, frame.flat,
+                             frame.map, irradiance);
 }
 
 }  // namespace opaline::paper

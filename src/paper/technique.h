@@ -41,7 +41,7 @@ class Technique {
     passes::SceneTables& tables;
     passes::ShadowMaps& shadows;
     passes::Sky& sky;
-    passes::VisibleSurface& surface;
+    passes::VisibleSurfaces& surfaces;
     passes::Exitance& exitance;
     FlatScene& flat;
     Map& map;
@@ -54,13 +54,10 @@ class Technique {
   void gather(gpu::CommandList& commands, const Frame& frame) const;
   void scatterAtVertices(gpu::CommandList& commands, passes::ScatterTransport transport,
                          VertexPart part, const Frame& frame) const;
-  /// Draws what the camera sees, and interpolates the exitance of the vertices. Leaves
-  /// VisibleSurface::facet as it was. `jitter` is of the picture, in clip space.
-  void drawSurface(gpu::CommandList& commands, shared::vec2 jitter, const Frame& frame) const;
-  /// Adds the near block to the far samples' part, for every visible pixel.
+  /// Adds the near block to the far samples' part, for all surfaces that pixels see.
   void scatterAtFragments(gpu::CommandList& commands, passes::ScatterTransport transport,
                           const Frame& frame) const;
-  /// The map's irradiance at every visible pixel, in the first three channels.
+  /// The map's irradiance at the first surface of every pixel, in the first three channels.
   void showIrradiance(gpu::CommandList& commands, const Frame& frame,
                       gpu::GpuImage& irradiance) const;
 

@@ -43,7 +43,7 @@ struct DeformedMesh {
   gpu::Buffer normals;    ///< vec4 a vertex, unit; w -1 where the body is mirrored, else 1
   gpu::Buffer bounds;     ///< of the positions; see lib/bounds.glsl
   gpu::Buffer objectOf;   ///< uint a vertex
-  gpu::Buffer indices;    ///< of vertices, three a triangle
+  gpu::Buffer indices;    ///< uint, of vertices, three a triangle
   std::uint32_t vertexCount = 0;
   std::uint32_t indexCount = 0;
 };
@@ -162,25 +162,38 @@ struct Solver {
   gpu::Buffer states;     ///< shared::SolverState, of every solution of a frame
 };
 
-/// What the camera sees, a texel a pixel.
-struct VisibleSurface {
+/// Which surfaces the camera sees (shared/seen.h), and what is found of them. The lists are those
+/// of one band of the picture after the other, since a pixel may see as many as it has samples.
+struct VisibleSurfaces {
+  gpu::GpuImage words;     ///< a layer for each sample; a pixel's surfaces are in the first layers
+  gpu::GpuImage depth;     ///< of one sample after the other
+  gpu::Buffer mixed;       ///< pixels that see several triangles
+  gpu::Buffer mixedCount;  ///< shared::SeenCount
+  gpu::Buffer list;        ///< surfaces; those of a pixel follow each other
+  gpu::Buffer counts;      ///< shared::SeenCount, of all and of parts
+  gpu::Buffer light;       ///< vec4 for each on the list: its exitance, then its radiance
+  std::uint32_t rowsOfBand = 0;
+  std::uint32_t parts = 0;  ///< of the list, at most
+};
+
+/// The surfaces on the list, with what tells where they lie (lib/seen_list.glsl).
+struct SeenSurfaces {
+  FrameView& frame;
+  DeformedMesh& mesh;
+  VisibleSurfaces& surfaces;
+};
+
+/// What the pixels' centres see.
+struct SeenCentres {
   gpu::GpuImage position;  ///< xyz mm, w object + 1
   gpu::GpuImage normal;    ///< xyz unit, towards the camera; w -1 where that is inwards, else 1
-  gpu::GpuImage exitance;  ///< rgb of the vertices, interpolated
-  gpu::GpuImage facet;     ///< normal of the triangle, to either side; see lib/octahedron.glsl
-  gpu::GpuImage depth;
+  gpu::GpuImage exitance;  ///< rgb B, a evaluations
 };
 
-/// Exitance B of what the camera sees; and of the vertices, all of it or, for the paper's
-/// fragments, the far samples' part.
+/// Exitance B of the vertices, all of it or, for the paper's fragments, the far samples' part. What
+/// is summed at fragments is VisibleSurfaces::light.
 struct Exitance {
-  gpu::GpuImage image;
   gpu::Buffer vertices;
-};
-
-/// Of what the surface mirrors towards the camera, how much is sky, a texel a pixel.
-struct ReflectedSky {
-  gpu::GpuImage share;  ///< from 0 to 1
 };
 
 /// Which surfels the camera sees.

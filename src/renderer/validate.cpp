@@ -7,6 +7,7 @@
 
 #include "opaline/error.h"
 #include "options/picture.h"
+#include "shaders/shared/seen.h"
 
 namespace opaline {
 
@@ -79,6 +80,9 @@ void validate(const Scene& scene) {
     triangles += object.mesh.triangles.size();
   }
   if (triangles == 0) throw Error(fmt::format("scene '{}' has no triangles", scene.name));
+  if (triangles > shared::maxTriangles)
+    throw Error(fmt::format("scene '{}' has {} triangles, but {} are the most there may be",
+                            scene.name, triangles, shared::maxTriangles));
   validateMotion(scene);
   validate(scene.lighting);
   validate(scene.camera);

@@ -22,13 +22,14 @@ namespace opaline {
 
 namespace {
 
-shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& camera,
-                                int shadowSize) {
+shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& camera, int shadowSize,
+                                int samples) {
   shared::FrameData frame{};
   frame.worldToClip = camera.worldToClip;
   frame.cameraPosition = {camera.position, 1};
   frame.cameraAxis = {camera.axis, 0};
   fillLights(lighting, static_cast<std::uint32_t>(shadowSize), frame);
+  fillSamples(samples, frame);
   return frame;
 }
 
@@ -130,16 +131,16 @@ class View::Implementation {
     frameData_.nextFrame();
     const FrameUpload upload{
         frameData_.buffer(),
-        frameData_.push(makeFrameData(scene.lighting, camera, options_.shadowSize))};
+        frameData_.push(makeFrameData(scene.lighting, camera, options_.shadowSize, plan_.samples))};
     const bool solves = plan_.transport == Transport::Boundary && plan_.scatter;
 
     FrameSlot& slot = queue_.next();
     slot.provisional = context_.prepared.isProvisional();
-    slot.readback.prepare(context_.device, order.aovs, plan_.site, camera, resources);
+    slot.readback.prepare(context_.device, order.aovs, camera, resources);
     slot.commands.begin();
     recordFrame(slot.commands, context_.passes, plan_, upload, context_.edited.motion(), prepared,
                 resources);
-    slot.readback.record(slot.commands, plan_.site, resources);
+    slot.readback.record(slot.commands, resources);
     slot.readback.recordSolutions(slot.commands, solves ? plan_.bounces + 1 : 0, prepared.solver);
     if (order.onDevice) slot.commands.use(resources.radiance, gpu::Access::Sampled);
   }

@@ -221,22 +221,6 @@ TEST_F(GraphicsTest, DepthAloneNeedsNoFragmentShader) {
   EXPECT_EQ(depths.back(), 0.0625F);
 }
 
-TEST_F(GraphicsTest, LongDrawsAreCutWithoutGaps) {
-  Buffer all = vertices(everywhere(0, green));
-  const Triangles pipeline(device(), "triangles", {.colorFormats = {color32}});
-  for (const std::uint32_t rounds : {1U, 1U << 25U, ~0U}) {
-    GpuImage color = image("color", color32);
-    CommandList list(device(), "frame");
-    list.begin();
-    list.bind(pipeline, {.vertices = all}, {});
-    list.beginRendering({ColorTarget{&color}});
-    list.drawEverywhere(rounds);
-    list.endRendering();
-    list.submit();
-    EXPECT_EQ(colors(color), std::vector<Color>(std::size_t{side} * side, green)) << rounds;
-  }
-}
-
 // What needs no barrier may be bound between the draws of one rendering scope.
 TEST_F(GraphicsTest, ResourcesCanBeBoundAgainInsideRendering) {
   Buffer left = vertices(upperLeft(0, red));

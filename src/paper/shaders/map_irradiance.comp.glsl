@@ -1,10 +1,15 @@
 // The map's irradiance at every visible pixel, between texels by linear interpolation.
 #version 460
+#extension GL_GOOGLE_include_directive : require
+#define BINDING_SEEN 1
+#define MESH_BINDING 4
+#define BINDING_CORNERS 8
+#include "lib/frame.glsl"
+#include "lib/seen.glsl"
+#include "paper/shaders/lib/place.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 0) uniform sampler2D surfacePosition;
-layout(set = 0, binding = 1) uniform sampler2D surfacePlace;
 layout(set = 0, binding = 2) uniform sampler2D nearFlux;
 layout(set = 0, binding = 3, rgba32f) writeonly uniform image2D seen;
 
@@ -24,7 +29,7 @@ void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, imageSize(seen)))) return;
   vec4 mean = vec4(0.0);
-  if (texelFetch(surfacePosition, pixel, 0).w > 0.0)
-    mean = fluxAt(texelFetch(surfacePlace, pixel, 0).xy);
+  uint word = seenWord(pixel, 0u);
+  if (word != 0u) mean = fluxAt(nearPlaceOn(triangleOf(word), seenPlace(pixel, word).weights));
   imageStore(seen, pixel, mean.a > 0.0 ? vec4(mean.rgb / mean.a, 1.0) : vec4(0.0));
 }

@@ -2,6 +2,7 @@
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
+#include "passes/seen_parts.h"
 
 namespace opaline::passes {
 
@@ -47,21 +48,27 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
 }
 
 void CarryPass::overFragments(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
-                              Clusters& clusters, VisibleSurface& surface,
-                              Exitance& exitance) const {
+                              Clusters& clusters, const SeenSurfaces& seen) const {
   commands.beginPass("carry");
-  commands.bind(fragments_,
-                {.objects = tables.objects,
-                 .media = tables.media,
-                 .clusters = clusters.clusters,
-                 .clusterNodes = clusters.nodes,
-                 .exitances = clusters.exitances,
-                 .means = clusters.means,
-                 .surfacePosition = {surface.position, nearest_},
-                 .surfaceNormal = {surface.normal, nearest_},
-                 .exitance = exitance.image},
-                {.site = site});
-  commands.dispatchTiles(exitance.image, roundsOfWalk);
+  forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
+    commands.bind(fragments_,
+                  {.frame = seen.frame.data,
+                   .media = tables.media,
+                   .clusters = clusters.clusters,
+                   .clusterNodes = clusters.nodes,
+                   .exitances = clusters.exitances,
+                   .means = clusters.means,
+                   .seenWords = {seen.surfaces.words, nearest_},
+                   .objects = tables.objects,
+                   .found = seen.surfaces.light,
+                   .meshIndices = seen.mesh.indices,
+                   .meshPositions = seen.mesh.positions,
+                   .meshNormals = seen.mesh.normals,
+                   .meshObjects = seen.mesh.objectOf,
+                   .seenList = seen.surfaces.list,
+                   .seenCount = seen.surfaces.counts},
+                  {.first = first, .site = site});
+  });
   commands.endPass();
 }
 

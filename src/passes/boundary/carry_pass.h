@@ -27,7 +27,7 @@ class CarryPass {
   void overVertices(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
                     Clusters& clusters, const Places& vertices) const;
   void overFragments(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
-                     Clusters& clusters, VisibleSurface& surface, Exitance& exitance) const;
+                     Clusters& clusters, const SeenSurfaces& seen) const;
 
  private:
   gpu::Sampler nearest_;

@@ -4,6 +4,7 @@
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
+#include "passes/seen_parts.h"
 
 namespace opaline::passes {
 
@@ -41,23 +42,29 @@ void NearbyPass::overPlaces(gpu::CommandList& commands, ScatterTransport transpo
 }
 
 void NearbyPass::overFragments(gpu::CommandList& commands, ScatterTransport transport,
-                               ScatterSite site, const Inputs& inputs, VisibleSurface& surface,
-                               Exitance& exitance) const {
+                               ScatterSite site, const Inputs& inputs,
+                               const SeenSurfaces& seen) const {
   commands.beginPass("nearby");
-  commands.bind(pipelines(transport).fragments,
-                {.frame = inputs.frame.data,
-                 .surfacePosition = {surface.position, nearest_},
-                 .exitance = exitance.image,
-                 .surfaceNormal = {surface.normal, nearest_},
-                 .objects = inputs.tables.objects,
-                 .media = inputs.tables.media,
-                 .shadowMaps = {inputs.shadows.depth, nearest_},
-                 .skyIrradiance = {inputs.sky.irradiance, linear_},
-                 .nodes = inputs.surfels.nodes,
-                 .sources = inputs.surfels.sources,
-                 .surfelNormals = inputs.surfels.normals},
-                {.site = site});
-  commands.dispatchTiles(exitance.image, roundsOfWalk);
+  forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
+    commands.bind(pipelines(transport).fragments,
+                  {.frame = seen.frame.data,
+                   .seenWords = {seen.surfaces.words, nearest_},
+                   .exitances = seen.surfaces.light,
+                   .objects = inputs.tables.objects,
+                   .media = inputs.tables.media,
+                   .shadowMaps = {inputs.shadows.depth, nearest_},
+                   .skyIrradiance = {inputs.sky.irradiance, linear_},
+                   .nodes = inputs.surfels.nodes,
+                   .sources = inputs.surfels.sources,
+                   .surfelNormals = inputs.surfels.normals,
+                   .meshIndices = seen.mesh.indices,
+                   .meshPositions = seen.mesh.positions,
+                   .meshNormals = seen.mesh.normals,
+                   .meshObjects = seen.mesh.objectOf,
+                   .seenList = seen.surfaces.list,
+                   .seenCount = seen.surfaces.counts},
+                  {.first = first, .site = site});
+  });
   commands.endPass();
 }
 

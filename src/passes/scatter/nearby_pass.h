@@ -28,7 +28,7 @@ class NearbyPass {
   void overPlaces(gpu::CommandList& commands, ScatterTransport transport, ScatterSite site,
                   const Inputs& inputs, const Places& places) const;
   void overFragments(gpu::CommandList& commands, ScatterTransport transport, ScatterSite site,
-                     const Inputs& inputs, VisibleSurface& surface, Exitance& exitance) const;
+                     const Inputs& inputs, const SeenSurfaces& seen) const;
 
  private:
   struct Pipelines {

@@ -3,79 +3,124 @@
 #include <algorithm>
 
 #include "gpu/device.h"
+#include "passes/mechanics.h"
+#include "shaders/shared/seen.h"
 
 namespace opaline::passes {
 
 namespace {
 
-gpu::GpuImage makeTarget(gpu::Device& device, const char* name, std::uint32_t width,
-                         std::uint32_t height, VkFormat format, VkImageUsageFlags usage) {
-  return {device,
-          {.name = name,
-           .width = width,
-           .height = height,
-           .format = format,
-           .usage = usage | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
+// Surfaces that a band's list has room for, if a band is no less than a row of tiles. Most pixels
+// see one or none, so that a list is rarely as long.
+constexpr std::uint32_t surfacesOfBand = 1U << 21U;
+constexpr std::uint32_t tile = 8;
+
+std::uint32_t rowsOfBand(VkExtent2D extent, std::uint32_t samples) {
+  const std::uint32_t tiles = surfacesOfBand / (extent.width * samples * tile);
+  return tile * std::clamp(tiles, 1U, (extent.height + tile - 1) / tile);
 }
 
 }  // namespace
 
 SurfacePass::SurfacePass(gpu::Device& device)
-    : pipeline_(device, "surface",
-                {.colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
-                                  VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16_SFLOAT},
-                 .depthFormat = VK_FORMAT_D32_SFLOAT,
-                 .depth = gpu::DepthMode::Write}) {}
+    : triangles_(device, "triangles",
+                 {.colorFormats = {VK_FORMAT_R32_UINT},
+                  .depthFormat = VK_FORMAT_D32_SFLOAT,
+                  .depth = gpu::DepthMode::Write}),
+      seen_(device, "seen pixels"),
+      surfaces_(device, "seen surfaces") {}
 
-VisibleSurface SurfacePass::makeSurface(gpu::Device& device, std::uint32_t width,
-                                        std::uint32_t height) {
-  constexpr VkImageUsageFlags color = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-  VisibleSurface surface;
-  surface.position =
-      makeTarget(device, "surface position", width, height, VK_FORMAT_R32G32B32A32_SFLOAT, color);
-  surface.normal =
-      makeTarget(device, "surface normal", width, height, VK_FORMAT_R16G16B16A16_SFLOAT, color);
-  surface.exitance =
-      makeTarget(device, "surface exitance", width, height, VK_FORMAT_R32G32B32A32_SFLOAT, color);
-  surface.facet =
-      makeTarget(device, "surface facet", width, height, VK_FORMAT_R16G16_SFLOAT, color);
-  surface.depth = makeTarget(device, "surface depth", width, height, VK_FORMAT_D32_SFLOAT,
-                             VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
-  return surface;
+VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent,
+                                          std::uint32_t samples) {
+  constexpr VkBufferUsageFlags counted = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                         VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
+                                         VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+  VisibleSurfaces made;
+  made.words = {device,
+                {.name = "seen surfaces",
+                 .width = extent.width,
+                 .height = extent.height,
+                 .layers = samples,
+                 .format = VK_FORMAT_R32_UINT,
+                 .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
+                          VK_IMAGE_USAGE_SAMPLED_BIT,
+                 .kind = gpu::ImageKind::Array}};
+  made.depth = {device,
+                {.name = "depth",
+                 .width = extent.width,
+                 .height = extent.height,
+                 .format = VK_FORMAT_D32_SFLOAT,
+                 .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT}};
+  made.rowsOfBand = rowsOfBand(extent, samples);
+  const std::uint32_t pixels = extent.width * made.rowsOfBand;
+  const std::uint32_t room = pixels * samples;
+  made.parts = (room + shared::seenOfPart - 1) / shared::seenOfPart;
+  made.mixed = makeRoom<std::uint32_t>(device, "pixels of several triangles", pixels);
+  made.mixedCount = {device,
+                     {.name = "number of pixels of several triangles",
+                      .bytes = sizeof(shared::SeenCount),
+                      .usage = counted}};
+  made.list = makeRoom<std::uint32_t>(device, "list of seen surfaces", room);
+  made.counts = {device,
+                 {.name = "number of seen surfaces",
+                  .bytes = (1 + made.parts) * sizeof(shared::SeenCount),
+                  .usage = counted}};
+  made.light = makeRoom<shared::vec4>(device, "light of seen surfaces", room);
+  return made;
 }
 
-Exitance SurfacePass::makeExitance(gpu::Device& device, std::uint32_t width, std::uint32_t height,
-                                   std::uint32_t vertices) {
-  Exitance exitance;
-  exitance.image = makeTarget(device, "exitance", width, height, VK_FORMAT_R32G32B32A32_SFLOAT,
-                              VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT);
-  exitance.vertices = gpu::Buffer(
-      device, {.name = "exitance of vertices",
-               .bytes = std::max<std::size_t>(vertices, 1) * sizeof(shared::vec4),
-               .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
-  return exitance;
-}
-
-void SurfacePass::record(gpu::CommandList& commands, const Inputs& inputs,
-                         VisibleSurface& surface) const {
-  DeformedMesh& mesh = inputs.mesh;
+void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen,
+                       std::span<const shared::vec2> samples) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
+  const VkExtent2D extent = surfaces.words.extent();
+  const shared::vec2 pixel(2 / static_cast<float>(extent.width),
+                           2 / static_cast<float>(extent.height));
   commands.beginPass("surface");
-  commands.use(mesh.indices, gpu::Access::Index);
-  commands.bind(pipeline_,
-                {.frame = inputs.frame.data,
-                 .positions = mesh.positions,
-                 .normals = mesh.normals,
-                 .objectOf = mesh.objectOf,
-                 .exitances = inputs.vertexExitance},
-                {}, {.jitter = inputs.jitter});
-  const gpu::DepthTarget depth{.image = &surface.depth};
-  commands.beginRendering({{.image = &surface.position},
-                           {.image = &surface.normal},
-                           {.image = &surface.exitance},
-                           {.image = &surface.facet}},
-                          &depth);
-  commands.drawIndexed(mesh.indices, mesh.indexCount);
-  commands.endRendering();
+  const gpu::DepthTarget depth{.image = &surfaces.depth};
+  for (std::uint32_t sample = 0; sample < samples.size(); ++sample) {
+    commands.bind(
+        triangles_,
+        {.frame = seen.frame.data, .indices = seen.mesh.indices, .positions = seen.mesh.positions},
+        {}, {.jitter = -samples[sample] * pixel});
+    commands.beginRendering({{.image = &surfaces.words, .layer = sample}}, &depth);
+    commands.draw(seen.mesh.indexCount);
+    commands.endRendering();
+  }
+  commands.endPass();
+}
+
+void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std::uint32_t firstRow,
+                       std::uint32_t samples) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
+  const VkExtent2D extent = surfaces.words.extent();
+  const std::uint32_t rows = std::min(surfaces.rowsOfBand, extent.height - firstRow);
+  commands.beginPass("surface");
+  commands.fill(surfaces.counts, 0);
+  commands.fill(surfaces.mixedCount, 0);
+  commands.bind(seen_,
+                {.words = surfaces.words,
+                 .surfaces = surfaces.list,
+                 .surfaceCounts = surfaces.counts,
+                 .mixed = surfaces.mixed,
+                 .mixedCount = surfaces.mixedCount},
+                {.samples = samples, .firstRow = firstRow});
+  commands.dispatch((extent.width + tile - 1) / tile, (rows + tile - 1) / tile);
+  if (samples > 1) {
+    commands.use(surfaces.mixedCount, gpu::Access::Indirect);
+    commands.bind(surfaces_,
+                  {.frame = seen.frame.data,
+                   .words = surfaces.words,
+                   .surfaces = surfaces.list,
+                   .surfaceCounts = surfaces.counts,
+                   .mixed = surfaces.mixed,
+                   .mixedCount = surfaces.mixedCount,
+                   .meshIndices = seen.mesh.indices,
+                   .meshPositions = seen.mesh.positions,
+                   .meshNormals = seen.mesh.normals,
+                   .meshObjects = seen.mesh.objectOf},
+                  {.samples = samples});
+    commands.dispatchIndirect(surfaces.mixedCount, 0);
+  }
   commands.endPass();
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/scatter/seen.comp.h"
 #include "shaders/scatter/surface.frag.h"
 #include "shaders/scatter/surface.vert.h"
+#include "shaders/scatter/surfaces.comp.h"
 #include "shaders/shared/frame.h"
 
 namespace opaline::gpu {
@@ -15,26 +18,35 @@ class Device;
 
 namespace opaline::passes {
 
-/// Draws what the camera sees, so that sums are spent on visible fragments alone, and interpolates
-/// the exitance of the vertices.
+/// Finds what the camera sees: draws the triangles for every antialiasing sample, and lists the
+/// surfaces that the samples of each pixel see. Sums and shading are spent on those alone.
 class SurfacePass {
  public:
   explicit SurfacePass(gpu::Device& device);
 
-  static VisibleSurface makeSurface(gpu::Device& device, std::uint32_t width, std::uint32_t height);
-  static Exitance makeExitance(gpu::Device& device, std::uint32_t width, std::uint32_t height,
-                               std::uint32_t vertices);
+  /// Throws Error where the picture is too large for the device.
+  static VisibleSurfaces makeSurfaces(gpu::Device& device, VkExtent2D extent,
+                                      std::uint32_t samples);
 
-  struct Inputs {
-    FrameView& frame;
-    DeformedMesh& mesh;
-    shared::vec2 jitter;  ///< of the picture, in clip space
-    gpu::Buffer& vertexExitance;
-  };
-  void record(gpu::CommandList& commands, const Inputs& inputs, VisibleSurface& surface) const;
+  /// `samples`: from the pixel's centre, pixels; of several, those that shared::FrameData has.
+  void draw(gpu::CommandList& commands, const SeenSurfaces& seen,
+            std::span<const shared::vec2> samples) const;
+
+  /// Of a band of the picture that starts at that row, after draw() with as many samples.
+  void list(gpu::CommandList& commands, const SeenSurfaces& seen, std::uint32_t firstRow,
+            std::uint32_t samples) const;
 
  private:
-  gpu::Graphics<shaders::ScatterSurfaceVert, shaders::ScatterSurfaceFrag> pipeline_;
+  gpu::Graphics<shaders::ScatterSurfaceVert, shaders::ScatterSurfaceFrag> triangles_;
+  gpu::Compute<shaders::ScatterSeen> seen_;
+  gpu::Compute<shaders::ScatterSurfaces> surfaces_;
 };
+
+/// Calls `record(firstRow)` for one band of the picture after the other.
+template <typename Record>
+void forEachBand(const VisibleSurfaces& surfaces, const Record& record) {
+  const std::uint32_t rows = surfaces.words.extent().height;
+  for (std::uint32_t row = 0; row < rows; row += surfaces.rowsOfBand) record(row);
+}
 
 }  // namespace opaline::passes

@@ -6,6 +6,7 @@
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
+#include "passes/seen_parts.h"
 
 namespace opaline::passes {
 
@@ -64,17 +65,26 @@ void SurfelSumPass::treeOverPlaces(gpu::CommandList& commands, const Order& orde
 
 void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& order,
                                       const Fragments& over) const {
+  const SeenSurfaces& seen = over.seen;
   commands.beginPass("scatter");
-  commands.bind(pipelines(order.transport).treeFragments,
-                {.surfacePosition = {over.surface.position, nearest_},
-                 .exitance = over.exitance.image,
-                 .vertexExitance = {over.surface.exitance, nearest_},
-                 .objects = over.tables.objects,
-                 .media = over.tables.media,
-                 .nodes = over.surfels.nodes,
-                 .sources = over.surfels.sources},
-                {.tolerance = order.tolerance, .site = order.site});
-  commands.dispatchTiles(over.exitance.image, roundsOfWalk);
+  forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
+    commands.bind(pipelines(order.transport).treeFragments,
+                  {.frame = seen.frame.data,
+                   .seenWords = {seen.surfaces.words, nearest_},
+                   .exitances = seen.surfaces.light,
+                   .meshExitances = over.exitance.vertices,
+                   .objects = over.tables.objects,
+                   .media = over.tables.media,
+                   .nodes = over.surfels.nodes,
+                   .sources = over.surfels.sources,
+                   .meshIndices = seen.mesh.indices,
+                   .meshPositions = seen.mesh.positions,
+                   .meshNormals = seen.mesh.normals,
+                   .meshObjects = seen.mesh.objectOf,
+                   .seenList = seen.surfaces.list,
+                   .seenCount = seen.surfaces.counts},
+                  {.first = first, .tolerance = order.tolerance, .site = order.site});
+  });
   commands.endPass();
 }
 
@@ -100,17 +110,27 @@ void SurfelSumPass::allOverPlaces(gpu::CommandList& commands, const Order& order
 
 void SurfelSumPass::allOverFragments(gpu::CommandList& commands, const Order& order,
                                      const Fragments& over) const {
+  const SeenSurfaces& seen = over.seen;
   commands.beginPass("scatter");
-  forEachRange(over.surfels.count, [&](std::uint32_t first, std::uint32_t end) {
-    commands.bind(pipelines(order.transport).allFragments,
-                  {.surfacePosition = {over.surface.position, nearest_},
-                   .exitance = over.exitance.image,
-                   .vertexExitance = {over.surface.exitance, nearest_},
-                   .objects = over.tables.objects,
-                   .media = over.tables.media,
-                   .sources = over.surfels.sources},
-                  {.firstSurfel = first, .endSurfel = end, .site = order.site});
-    commands.dispatchTiles(over.exitance.image, surfelsPerDispatch);
+  forEachRange(over.surfels.count, [&](std::uint32_t firstSurfel, std::uint32_t endSurfel) {
+    forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
+      commands.bind(
+          pipelines(order.transport).allFragments,
+          {.frame = seen.frame.data,
+           .seenWords = {seen.surfaces.words, nearest_},
+           .exitances = seen.surfaces.light,
+           .meshExitances = over.exitance.vertices,
+           .objects = over.tables.objects,
+           .media = over.tables.media,
+           .sources = over.surfels.sources,
+           .meshIndices = seen.mesh.indices,
+           .meshPositions = seen.mesh.positions,
+           .meshNormals = seen.mesh.normals,
+           .meshObjects = seen.mesh.objectOf,
+           .seenList = seen.surfaces.list,
+           .seenCount = seen.surfaces.counts},
+          {.first = first, .firstSurfel = firstSurfel, .endSurfel = endSurfel, .site = order.site});
+    });
   });
   commands.endPass();
 }

@@ -32,11 +32,11 @@ class SurfelSumPass {
     Surfels& surfels;
     Places places;
   };
-  /// Objects that are summed at vertices keep what was interpolated, surface.exitance.
+  /// Objects that are summed at vertices keep what those have.
   struct Fragments {
     SceneTables& tables;
     Surfels& surfels;
-    VisibleSurface& surface;
+    SeenSurfaces seen;
     Exitance& exitance;
   };
 

@@ -5,6 +5,7 @@
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
+#include "passes/seen_parts.h"
 
 namespace opaline::passes {
 
@@ -22,37 +23,32 @@ ReflectedSkyPass::ReflectedSkyPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       pipeline_(device, "reflected sky", rayShader<shaders::ShadeReflectedSky>(device)) {}
 
-ReflectedSky ReflectedSkyPass::makeSky(gpu::Device& device, std::uint32_t width,
-                                       std::uint32_t height) {
-  return {
-      gpu::GpuImage(device, {.name = "reflected sky",
-                             .width = width,
-                             .height = height,
-                             .format = VK_FORMAT_R32_SFLOAT,
-                             .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT})};
-}
-
 void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
-                              ReflectedSky& sky) const {
+                              const SeenSurfaces& seen) const {
   const float alpha = inputs.roughness * inputs.roughness;
   const std::uint32_t rays = raysOfSample(alpha);
   commands.beginPass("reflected sky");
-  commands.bind(pipeline_,
-                {.frame = inputs.frame.data,
-                 .surfacePosition = {inputs.surface.position, nearest_},
-                 .surfaceNormal = {inputs.surface.normal, nearest_},
-                 .surfaceFacet = {inputs.surface.facet, nearest_},
-                 .objects = inputs.tables.objects,
-                 .pieceCorners = inputs.rays.corners,
-                 .rayHierarchy = passes::rays(inputs.rays),
-                 .skyShare = sky.share},
-                {.nodeCount = inputs.surfels.firstOfHeight.back(),
-                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
-                 .firstRay = rays * inputs.sample,
-                 .rays = rays,
-                 .raysInAll = rays * inputs.samples,
-                 .alpha = alpha});
-  commands.dispatchTiles(sky.share, rays * roundsOfWalk);
+  forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
+    commands.bind(pipeline_,
+                  {.frame = seen.frame.data,
+                   .seenWords = {seen.surfaces.words, nearest_},
+                   .seenList = seen.surfaces.list,
+                   .seenCount = seen.surfaces.counts,
+                   .objects = inputs.tables.objects,
+                   .pieceCorners = inputs.rays.corners,
+                   .rayHierarchy = passes::rays(inputs.rays),
+                   .light = seen.surfaces.light,
+                   .meshIndices = seen.mesh.indices,
+                   .meshPositions = seen.mesh.positions,
+                   .meshNormals = seen.mesh.normals,
+                   .meshObjects = seen.mesh.objectOf},
+                  {.first = first,
+                   .nodeCount = inputs.surfels.firstOfHeight.back(),
+                   .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                   .rays = rays,
+                   .raysInAll = rays * inputs.samples,
+                   .alpha = alpha});
+  });
   commands.endPass();
 }
 

@@ -19,19 +19,15 @@ class ReflectedSkyPass {
  public:
   explicit ReflectedSkyPass(gpu::Device& device);
 
-  static ReflectedSky makeSky(gpu::Device& device, std::uint32_t width, std::uint32_t height);
-
   struct Inputs {
-    FrameView& frame;
     SceneTables& tables;
-    VisibleSurface& surface;
     Surfels& surfels;
     RayHierarchy& rays;
-    std::uint32_t sample;  ///< of `samples`
-    std::uint32_t samples;
+    std::uint32_t samples;  ///< of a pixel
     float roughness;
   };
-  void record(gpu::CommandList& commands, const Inputs& inputs, ReflectedSky& sky) const;
+  /// Leaves it in the last channel of VisibleSurfaces::light.
+  void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;
 
  private:
   gpu::Sampler nearest_;

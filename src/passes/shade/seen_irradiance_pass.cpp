@@ -7,8 +7,7 @@ namespace opaline::passes {
 SeenIrradiancePass::SeenIrradiancePass(gpu::Device& device)
     : pipeline_(device, "seen irradiance") {}
 
-gpu::GpuImage SeenIrradiancePass::makeImage(gpu::Device& device, const VisibleSurface& surface) {
-  const VkExtent2D extent = surface.position.extent();
+gpu::GpuImage SeenIrradiancePass::makeImage(gpu::Device& device, VkExtent2D extent) {
   return {device,
           {.name = "seen irradiance",
            .width = extent.width,

@@ -17,7 +17,7 @@ class SeenIrradiancePass {
   explicit SeenIrradiancePass(gpu::Device& device);
 
   /// For set-up, not for frames: rgb E, a texel a pixel.
-  static gpu::GpuImage makeImage(gpu::Device& device, const VisibleSurface& surface);
+  static gpu::GpuImage makeImage(gpu::Device& device, VkExtent2D extent);
 
   void record(gpu::CommandList& commands, SeenSurfels& seen, Surfels& surfels,
               gpu::GpuImage& irradiance) const;

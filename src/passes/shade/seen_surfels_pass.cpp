@@ -8,8 +8,7 @@ namespace opaline::passes {
 SeenSurfelsPass::SeenSurfelsPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest), pipeline_(device, "seen surfels") {}
 
-SeenSurfels SeenSurfelsPass::makeSeen(gpu::Device& device, const VisibleSurface& surface) {
-  const VkExtent2D extent = surface.position.extent();
+SeenSurfels SeenSurfelsPass::makeSeen(gpu::Device& device, VkExtent2D extent) {
   return {gpu::GpuImage(device,
                         {.name = "seen surfels",
                          .width = extent.width,
@@ -24,7 +23,7 @@ void SeenSurfelsPass::record(gpu::CommandList& commands, const Inputs& inputs,
   commands.beginPass("seen surfels");
   commands.bind(
       pipeline_,
-      {.surfacePosition = {inputs.surface.position, nearest_},
+      {.surfacePosition = {inputs.centres.position, nearest_},
        .seen = seen.image,
        .objects = inputs.tables.objects,
        .pieceCorners = inputs.rays.corners,

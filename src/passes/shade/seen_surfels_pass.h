@@ -19,11 +19,11 @@ class SeenSurfelsPass {
   explicit SeenSurfelsPass(gpu::Device& device);
 
   /// For set-up, not for frames.
-  static SeenSurfels makeSeen(gpu::Device& device, const VisibleSurface& surface);
+  static SeenSurfels makeSeen(gpu::Device& device, VkExtent2D extent);
 
   struct Inputs {
     SceneTables& tables;
-    VisibleSurface& surface;
+    SeenCentres& centres;
     Surfels& surfels;
     RayHierarchy& rays;           ///< of this frame
     Clusters* clusters;           ///< none where light is not carried by them

@@ -1,14 +1,14 @@
 #include "passes/shade/shade_pass.h"
 
 #include "gpu/device.h"
-#include "shaders/shared/frame.h"
 
 namespace opaline::passes {
 
 ShadePass::ShadePass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       linear_(device, gpu::Filter::Linear),
-      pipeline_(device, "shade") {}
+      shade_(device, "shade"),
+      sum_(device, "sum of surfaces") {}
 
 gpu::GpuImage ShadePass::makeRadiance(gpu::Device& device, std::uint32_t width,
                                       std::uint32_t height) {
@@ -18,31 +18,41 @@ gpu::GpuImage ShadePass::makeRadiance(gpu::Device& device, std::uint32_t width,
            .height = height,
            .format = VK_FORMAT_R32G32B32A32_SFLOAT,
            .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
-                    VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                    VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
            .lent = true}};
 }
 
-void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
+void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen,
                        gpu::GpuImage& radiance) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("shade");
-  commands.bind(pipeline_,
-                {.frame = inputs.frame.data,
-                 .surfacePosition = {inputs.surface.position, nearest_},
-                 .surfaceNormal = {inputs.surface.normal, nearest_},
-                 .surfaceExitance = {inputs.exitance, nearest_},
+  commands.use(surfaces.counts, gpu::Access::Indirect);
+  commands.bind(shade_,
+                {.frame = seen.frame.data,
+                 .seenWords = {surfaces.words, nearest_},
+                 .meshExitances = inputs.exitance.vertices,
+                 .light = surfaces.light,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
                  .skyReflection = {inputs.sky.reflected, linear_},
                  .specularAlbedo = inputs.tables.specularAlbedo,
-                 .radiance = radiance,
-                 .skyShare = {inputs.reflectedSky.share, nearest_}},
-                {.samplesBefore = inputs.sample,
-                 .sampleWeight = 1.0F / static_cast<float>(inputs.samples),
+                 .seenList = surfaces.list,
+                 .seenCount = surfaces.counts,
+                 .meshIndices = seen.mesh.indices,
+                 .meshPositions = seen.mesh.positions,
+                 .meshNormals = seen.mesh.normals,
+                 .meshObjects = seen.mesh.objectOf},
+                {.atFragments = inputs.atFragments,
                  .alpha = inputs.roughness * inputs.roughness,
                  .specular = inputs.specular,
                  .skyIsMirrored = inputs.mirrorsSky});
-  commands.dispatchTiles(radiance, shared::maxLights);
+  commands.dispatchIndirect(surfaces.counts, 0);
+  commands.bind(sum_, {.seenList = surfaces.list,
+                       .seenCount = surfaces.counts,
+                       .light = surfaces.light,
+                       .radiance = radiance});
+  commands.dispatchIndirect(surfaces.counts, 0);
   commands.endPass();
 }
 

@@ -7,6 +7,7 @@
 #include "gpu/pipeline.h"
 #include "passes/products.h"
 #include "shaders/shade/shade.comp.h"
+#include "shaders/shade/sum.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -14,8 +15,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// Radiance towards the camera from exitance, with the reflection on top; adds antialiasing
-/// samples.
+/// Radiance towards the camera from exitance, with the reflection on top, of all surfaces that a
+/// pixel sees.
 class ShadePass {
  public:
   explicit ShadePass(gpu::Device& device);
@@ -23,25 +24,24 @@ class ShadePass {
   static gpu::GpuImage makeRadiance(gpu::Device& device, std::uint32_t width, std::uint32_t height);
 
   struct Inputs {
-    FrameView& frame;
     SceneTables& tables;
     ShadowMaps& shadows;
-    VisibleSurface& surface;
-    gpu::GpuImage& exitance;  ///< of what is visible
+    Exitance& exitance;
     Sky& sky;
-    ReflectedSky& reflectedSky;
-    std::uint32_t sample;  ///< of `samples`
-    std::uint32_t samples;
     float roughness;
+    bool atFragments;  ///< VisibleSurfaces::light has the exitance; else the vertices have it
     bool specular;
-    bool mirrorsSky;  ///< `reflectedSky` says how much of it
+    bool mirrorsSky;  ///< VisibleSurfaces::light says how much of it
   };
-  void record(gpu::CommandList& commands, const Inputs& inputs, gpu::GpuImage& radiance) const;
+  /// Pixels that see nothing stay as they are.
+  void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen,
+              gpu::GpuImage& radiance) const;
 
  private:
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
-  gpu::Compute<shaders::ShadeShade> pipeline_;
+  gpu::Compute<shaders::ShadeShade> shade_;
+  gpu::Compute<shaders::ShadeSum> sum_;
 };
 
 }  // namespace opaline::passes

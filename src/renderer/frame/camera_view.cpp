@@ -69,4 +69,10 @@ std::span<const glm::vec2> samplePattern(int samples) {
   }
 }
 
+void fillSamples(int samples, shared::FrameData& frame) {
+  const std::span<const glm::vec2> pattern = samplePattern(std::max(samples, 1));
+  for (std::size_t i = 0; i < pattern.size(); ++i) frame.samples[i] = {pattern[i], 0, 0};
+  frame.counts.z = static_cast<std::uint32_t>(pattern.size());
+}
+
 }  // namespace opaline

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "opaline/scene.h"
+#include "shaders/shared/frame.h"
 
 namespace opaline {
 
@@ -23,5 +24,8 @@ CameraView makeCameraView(const Camera& camera, float aspect);
 /// Offsets of the antialiasing samples from the pixel's centre, in pixels: the standard patterns of
 /// Direct3D for 1, 2, 4 and 8 samples.
 std::span<const glm::vec2> samplePattern(int samples);
+
+/// For 0 samples, as for one.
+void fillSamples(int samples, shared::FrameData& frame);
 
 }  // namespace opaline

@@ -76,7 +76,7 @@ struct FrameContext {
 
   paper::Technique::Frame onPaper(SceneResources& scene) const {
     return {resources.view,     mesh,          resources.tables,
-            resources.shadows,  resources.sky, resources.surface,
+            resources.shadows,  resources.sky, resources.surfaces,
             resources.exitance, *scene.flat,   *resources.map};
   }
 
@@ -159,12 +159,14 @@ struct FrameContext {
       passes.carry.overVertices(commands, order().site, resources.tables, scene.clusters, vertices);
   }
 
+  passes::SeenSurfaces seen() const { return {resources.view, mesh, resources.surfaces}; }
+
   void scatterAtFragments(SceneResources& scene) const {
     passes::Surfels& surfels = scene.surfels;
     if (plan.sum == Sum::Pattern)
       return passes.paper->scatterAtFragments(commands, scatterTransport(plan.transport),
                                               onPaper(scene));
-    const passes::SurfelSumPass::Fragments over{resources.tables, surfels, resources.surface,
+    const passes::SurfelSumPass::Fragments over{resources.tables, surfels, seen(),
                                                 resources.exitance};
     if (plan.sum == Sum::Tree)
       passes.sum.treeOverFragments(commands, order(), over);
@@ -172,23 +174,13 @@ struct FrameContext {
       passes.sum.allOverFragments(commands, order(), over);
     if (surfels.coarse)
       passes.nearby.overFragments(commands, order().transport, order().site, nearbyInputs(surfels),
-                                  resources.surface, resources.exitance);
+                                  seen());
     if (boundary())
-      passes.carry.overFragments(commands, order().site, resources.tables, scene.clusters,
-                                 resources.surface, resources.exitance);
+      passes.carry.overFragments(commands, order().site, resources.tables, scene.clusters, seen());
   }
 
   passes::NearbyPass::Inputs nearbyInputs(passes::Surfels& surfels) const {
     return {resources.view, resources.tables, resources.shadows, resources.sky, surfels};
-  }
-
-  void seeSurface(const glm::vec2& jitter, SceneResources& scene) const {
-    if (plan.sum == Sum::Pattern)
-      passes.paper->drawSurface(commands, jitter, onPaper(scene));
-    else
-      passes.surface.record(commands, {resources.view, mesh, jitter, resources.exitance.vertices},
-                            resources.surface);
-    if (plan.scatter && plan.site != Site::Vertex) scatterAtFragments(scene);
   }
 
   void findSurfels(SceneResources& scene) const {
@@ -198,7 +190,7 @@ struct FrameContext {
     passes.rays.recordBoxes(commands, scene.surfels, scene.rays);
     passes.seenSurfels.record(
         commands,
-        {resources.tables, resources.surface, scene.surfels, scene.rays,
+        {resources.tables, resources.centres, scene.surfels, scene.rays,
          boundary() ? &scene.clusters : nullptr, static_cast<std::uint32_t>(plan.treeLevel)},
         resources.seenSurfels);
   }
@@ -211,26 +203,50 @@ struct FrameContext {
                                    resources.seenIrradiance);
   }
 
-  void shade(std::uint32_t sample, std::uint32_t samples, SceneResources& scene) const {
+  bool atFragments() const { return plan.scatter && plan.site != Site::Vertex; }
+
+  // The surfaces of a band of the picture, and what is summed there.
+  void findSurfaces(std::uint32_t firstRow, int samples, SceneResources& scene) const {
+    passes.surface.list(commands, seen(), firstRow, static_cast<std::uint32_t>(samples));
+    if (atFragments()) scatterAtFragments(scene);
+  }
+
+  void shade(SceneResources& scene) const {
     if (plan.mirrorsSky)
       passes.reflectedSky.record(commands,
-                                 {resources.view, resources.tables, resources.surface,
-                                  scene.surfels, scene.rays, sample, samples, plan.roughness},
-                                 resources.reflectedSky);
-    passes.shade.record(
-        commands,
-        {resources.view, resources.tables, resources.shadows, resources.surface,
-         visibleExitance(plan.site, resources), resources.sky, resources.reflectedSky, sample,
-         samples, plan.roughness, plan.specular, plan.mirrorsSky},
-        resources.radiance);
+                                 {resources.tables, scene.surfels, scene.rays,
+                                  static_cast<std::uint32_t>(plan.samples), plan.roughness},
+                                 seen());
+    passes.shade.record(commands,
+                        {resources.tables, resources.shadows, resources.exitance, resources.sky,
+                         plan.roughness, atFragments(), plan.specular, plan.mirrorsSky},
+                        seen(), resources.radiance);
+  }
+
+  void makePicture(SceneResources& scene) const {
+    passes.surface.draw(commands, seen(), samplePattern(plan.samples));
+    commands.clear(resources.radiance);
+    passes::forEachBand(resources.surfaces, [&](std::uint32_t firstRow) {
+      findSurfaces(firstRow, plan.samples, scene);
+      shade(scene);
+    });
+  }
+
+  void lookAtCentres(SceneResources& scene) const {
+    passes::SeenCentres& centres = resources.centres;
+    passes.surface.draw(commands, seen(), samplePattern(1));
+    for (gpu::GpuImage* image : {&centres.position, &centres.normal, &centres.exitance})
+      commands.clear(*image);
+    passes::forEachBand(resources.surfaces, [&](std::uint32_t firstRow) {
+      findSurfaces(firstRow, 1, scene);
+      passes.centres.record(commands, seen(), resources.exitance, atFragments(), centres);
+    });
+    if (plan.seenSurfels) findSurfels(scene);
+    if (plan.irradiance) showIrradiance(scene);
   }
 };
 
 }  // namespace
-
-gpu::GpuImage& visibleExitance(Site site, FrameResources& resources) {
-  return site == Site::Vertex ? resources.surface.exitance : resources.exitance.image;
-}
 
 Passes::Passes(gpu::Device& device)
     : deform(device),
@@ -248,6 +264,7 @@ Passes::Passes(gpu::Device& device)
       sky(device),
       reflectedSky(device),
       shade(device),
+      centres(device),
       seenSurfels(device),
       seenIrradiance(device) {}
 
@@ -272,20 +289,8 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
     context.scatterAtVertices(scene);
   }
 
-  if (plan.samples > 0) {
-    const VkExtent2D extent = resources.radiance.extent();
-    const glm::vec2 pixel(2 / static_cast<float>(extent.width),
-                          2 / static_cast<float>(extent.height));
-    const auto samples = static_cast<std::uint32_t>(plan.samples);
-    const std::span<const glm::vec2> pattern = samplePattern(plan.samples);
-    for (std::uint32_t sample = 0; sample < samples; ++sample) {
-      context.seeSurface(pattern[sample] * pixel, scene);
-      context.shade(sample, samples, scene);
-    }
-  }
-  if (plan.centre) context.seeSurface({0, 0}, scene);
-  if (plan.seenSurfels) context.findSurfels(scene);
-  if (plan.irradiance) context.showIrradiance(scene);
+  if (plan.samples > 0) context.makePicture(scene);
+  if (plan.centre) context.lookAtCentres(scene);
 }
 
 }  // namespace opaline

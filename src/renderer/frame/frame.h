@@ -20,6 +20,7 @@
 #include "passes/scatter/nearby_pass.h"
 #include "passes/scatter/surface_pass.h"
 #include "passes/scatter/surfel_sum_pass.h"
+#include "passes/shade/centres_pass.h"
 #include "passes/shade/reflected_sky_pass.h"
 #include "passes/shade/seen_irradiance_pass.h"
 #include "passes/shade/seen_surfels_pass.h"
@@ -51,13 +52,11 @@ struct Passes {
   passes::SkyPass sky;
   passes::ReflectedSkyPass reflectedSky;
   passes::ShadePass shade;
+  passes::CentresPass centres;
   passes::SeenSurfelsPass seenSurfels;
   passes::SeenIrradiancePass seenIrradiance;
   std::unique_ptr<const paper::Technique> paper;  ///< none until a frame needs it
 };
-
-/// The image that a frame leaves the exitance of visible pixels in.
-gpu::GpuImage& visibleExitance(Site site, FrameResources& resources);
 
 /// What the host sets for a frame, in memory that the device reads.
 struct FrameUpload {
@@ -66,9 +65,9 @@ struct FrameUpload {
 };
 
 /// Records one frame: the surface where it is at that time, shadows, gathering, scattering at
-/// vertices, all of which a plan without `light` leaves out, then for every antialiasing sample the
-/// visible surface, scattering at fragments and shading. A plan that does not `scatter` leaves the
-/// exitance as it was.
+/// vertices, all of which a plan without `light` leaves out, then the surfaces that pixels see,
+/// scattering at fragments and shading, for one band of the picture after the other. A plan that
+/// does not `scatter` leaves the exitance as it was.
 void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePlan& plan,
                  const FrameUpload& upload, SceneMotion& motion, SceneResources& scene,
                  FrameResources& resources);

@@ -16,12 +16,13 @@ namespace {
 // Every pass of a frame: deform, normals, fit, shadow, map, neighbours, surfels, tree; of boundary
 // transport the rays' boxes, clusters, their rays, rays and sources of every light, sources of
 // every bounce, as many solutions, means and what is carried to vertices; estimate, scatter and
-// nearby at the vertices and at the surfels; and surface, scatter, nearby, carry and shade for each
-// look, of which there are as many as antialiasing samples and one at the pixels' centres; and the
-// surfels seen there.
+// nearby at the vertices and at the surfels; surface, scatter, nearby, carry, reflected sky and
+// shade of every band of the largest picture, and as many at the pixels' centres; and the surfels
+// seen there.
+constexpr std::uint32_t mostBands = 512;
 constexpr std::uint32_t maxPassesOfFrame =
     8 + (3 + 2 * (shared::maxLights + 1) + 3 * (RenderOptions::maxBounces + 1) + 2) + 2 * 3 +
-    5 * (8 + 1) + 1;
+    2 * 6 * mostBands + 2;
 
 }  // namespace
 

@@ -22,12 +22,12 @@ struct FrameResources {
   passes::SceneTables tables;
   passes::FrameView view;
   passes::ShadowMaps shadows;
-  passes::VisibleSurface surface;
+  passes::VisibleSurfaces surfaces;
   passes::Exitance exitance;
   passes::Sky sky;
-  passes::ReflectedSky reflectedSky;
-  gpu::GpuImage radiance;           ///< the picture
-  passes::SeenSurfels seenSurfels;  ///< these three are empty until a plan asks for them
+  gpu::GpuImage radiance;       ///< the picture
+  passes::SeenCentres centres;  ///< these four are empty until a plan asks for them
+  passes::SeenSurfels seenSurfels;
   gpu::GpuImage seenIrradiance;
   std::optional<paper::Map> map;
 };

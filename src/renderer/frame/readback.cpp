@@ -17,14 +17,14 @@ namespace {
 using Halves = std::array<std::uint16_t, 4>;
 
 // The images that a variable is made from.
-std::array<gpu::GpuImage*, 2> imagesOf(Aov aov, Site site, FrameResources& resources) {
-  gpu::GpuImage* const position = &resources.surface.position;
+std::array<gpu::GpuImage*, 2> imagesOf(Aov aov, FrameResources& resources) {
+  gpu::GpuImage* const position = &resources.centres.position;
   switch (aov) {
     case Aov::Radiance:
       return {&resources.radiance, nullptr};
     case Aov::Exitance:
     case Aov::Evaluations:
-      return {position, &visibleExitance(site, resources)};
+      return {position, &resources.centres.exitance};
     case Aov::Irradiance:
       return {position, &resources.seenIrradiance};
     case Aov::Position:
@@ -32,7 +32,7 @@ std::array<gpu::GpuImage*, 2> imagesOf(Aov aov, Site site, FrameResources& resou
     case Aov::Object:
       return {position};
     case Aov::Normal:
-      return {position, &resources.surface.normal};
+      return {position, &resources.centres.normal};
     case Aov::Surfels:
       return {position, &resources.seenSurfels.image};
     case Aov::DsmPosition:
@@ -125,8 +125,8 @@ bool needsScattering(Aov aov) {
   }
 }
 
-void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site site,
-                       const CameraView& camera, FrameResources& resources) {
+void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, const CameraView& camera,
+                       FrameResources& resources) {
   if (!states_)
     states_ =
         gpu::Buffer(device, {.name = "solutions on the host",
@@ -137,7 +137,7 @@ void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site s
   std::size_t bytes = 0;
   for (const Aov aov : aovs) {
     Entry entry{.aov = aov};
-    const std::array<gpu::GpuImage*, 2> images = imagesOf(aov, site, resources);
+    const std::array<gpu::GpuImage*, 2> images = imagesOf(aov, resources);
     for (std::size_t i = 0; i < images.size(); ++i) {
       if (images[i] == nullptr) continue;
       entry.sources[i] = {bytes, images[i]->extent()};
@@ -151,10 +151,10 @@ void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site s
       gpu::Buffer(device, {.name = "readback", .bytes = bytes, .memory = gpu::Memory::Readback});
 }
 
-void Readback::record(gpu::CommandList& commands, Site site, FrameResources& resources) {
+void Readback::record(gpu::CommandList& commands, FrameResources& resources) {
   if (entries_.empty()) return;
   for (const Entry& entry : entries_) {
-    const std::array<gpu::GpuImage*, 2> images = imagesOf(entry.aov, site, resources);
+    const std::array<gpu::GpuImage*, 2> images = imagesOf(entry.aov, resources);
     for (std::size_t i = 0; i < images.size(); ++i)
       if (images[i] != nullptr)
         commands.copyFromImage(*images[i], buffer_, 0, 0, entry.sources[i].offset);

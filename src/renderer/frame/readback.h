@@ -24,11 +24,11 @@ bool needsScattering(Aov aov);
 class Readback {
  public:
   /// Makes room for these variables of the next frame. The last frame has finished.
-  void prepare(gpu::Device& device, const std::vector<Aov>& aovs, Site site,
-               const CameraView& camera, FrameResources& resources);
+  void prepare(gpu::Device& device, const std::vector<Aov>& aovs, const CameraView& camera,
+               FrameResources& resources);
 
   /// Records the copies.
-  void record(gpu::CommandList& commands, Site site, FrameResources& resources);
+  void record(gpu::CommandList& commands, FrameResources& resources);
 
   /// Records the copy of how `count` solutions went; none where it is 0.
   void recordSolutions(gpu::CommandList& commands, int count, passes::Solver& solver);

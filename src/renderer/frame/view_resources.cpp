@@ -1,5 +1,7 @@
 #include "renderer/frame/view_resources.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -48,12 +50,13 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   if (media || transport || surface) makeTables(device_, scene, options, made_);
   if (sky) makeSky(device_, passes_, lighting, options, made_);
   if (size) makeImages(options, scene);
+  makeRoom(plan);
   if (shadows) makeShadows(device_, lighting, options, made_);
   if (plan.map && !made_.map) makeMap(options, scene);
   if (plan.seenSurfels && !made_.seenSurfels.image)
-    made_.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, made_.surface);
+    made_.seenSurfels = passes::SeenSurfelsPass::makeSeen(device_, made_.radiance.extent());
   if (plan.irradiance && !made_.seenIrradiance)
-    made_.seenIrradiance = passes::SeenIrradiancePass::makeImage(device_, made_.surface);
+    made_.seenIrradiance = passes::SeenIrradiancePass::makeImage(device_, made_.radiance.extent());
   for_ = {options, changes};
 }
 
@@ -61,19 +64,31 @@ void ViewResources::makeImages(const RenderOptions& options, const SceneResource
   const auto width = static_cast<std::uint32_t>(options.width);
   const auto height = static_cast<std::uint32_t>(options.height);
   // Before memory for the next is taken.
-  made_.surface = {};
-  made_.exitance = {};
-  made_.reflectedSky = {};
+  made_.surfaces = {};
+  made_.centres = {};
   made_.seenSurfels = {};
   made_.seenIrradiance = {};
   const bool fits = made_.radiance && made_.radiance.extent().width == width &&
                     made_.radiance.extent().height == height;
   if (!fits) made_.radiance = {};
-  made_.surface = passes::SurfacePass::makeSurface(device_, width, height);
-  made_.exitance =
-      passes::SurfacePass::makeExitance(device_, width, height, scene.mesh.vertexCount);
-  made_.reflectedSky = passes::ReflectedSkyPass::makeSky(device_, width, height);
+  made_.exitance.vertices = gpu::Buffer(
+      device_, {.name = "exitance of vertices",
+                .bytes = std::max<std::size_t>(scene.mesh.vertexCount, 1) * sizeof(shared::vec4),
+                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
   if (!fits) made_.radiance = passes::ShadePass::makeRadiance(device_, width, height);
+}
+
+// For as many samples as any frame has had.
+void ViewResources::makeRoom(const FramePlan& plan) {
+  const VkExtent2D extent = made_.radiance.extent();
+  const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
+  passes::VisibleSurfaces& surfaces = made_.surfaces;
+  if (!surfaces.words || surfaces.words.options().layers < samples) {
+    surfaces = {};  // before memory for the next is taken
+    surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples);
+  }
+  if (plan.centre && !made_.centres.position)
+    made_.centres = passes::CentresPass::makeCentres(device_, extent);
 }
 
 // Few frames are by the paper's method, or show its map.

@@ -42,6 +42,7 @@ class ViewResources {
     SceneChanges changes;
   };
   void makeImages(const RenderOptions& options, const SceneResources& scene);
+  void makeRoom(const FramePlan& plan);
   void makeMap(const RenderOptions& options, SceneResources& scene);
 
   gpu::Device& device_;

@@ -80,8 +80,8 @@ void makeMesh(gpu::Device& device, SceneResources& resources) {
   mesh.bounds =
       gpu::Buffer(device, {.name = "bounds", .bytes = 6 * sizeof(std::uint32_t), .usage = storage});
   mesh.objectOf = gpu::makeBuffer(device, "objects of vertices", objectsOf(merged), storage);
-  mesh.indices =
-      gpu::makeBuffer(device, "indices", merged.triangles, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+  mesh.indices = gpu::makeBuffer(device, "indices", merged.triangles,
+                                 VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
   mesh.vertexCount = static_cast<std::uint32_t>(merged.positionsMm.size());
   mesh.indexCount = static_cast<std::uint32_t>(3 * merged.triangles.size());
 }

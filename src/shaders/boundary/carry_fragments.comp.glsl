@@ -1,36 +1,35 @@
-// Corrects the exitance of visible pixels, for objects whose light is summed there.
+// Corrects the exitance of surfaces that pixels see, for objects whose light is summed there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#define BINDING_OBJECTS 0
+#define BINDING_SEEN 6
+#define BINDING_OBJECTS 7
 #define BINDING_MEDIA 1
 #define BINDING_CLUSTERS 2
 #define BINDING_CLUSTER_NODES 3
 #define BINDING_EXITANCES 4
 #define BINDING_MEANS 5
+#define MESH_BINDING 9
+#define BINDING_SEEN_LIST 13
 #include "lib/carry.glsl"
+#include "lib/frame.glsl"
 #include "lib/material.glsl"
-#include "lib/tile.glsl"
+#include "lib/seen_list.glsl"
 
-layout(set = 0, binding = 6) uniform sampler2D surfacePosition;
-layout(set = 0, binding = 7) uniform sampler2D surfaceNormal;
-layout(set = 0, binding = 8, rgba32f) uniform image2D exitance;
+layout(std430, set = 0, binding = 8) buffer Found { vec4 found[]; };
 
 layout(push_constant) uniform Push {
+  uint first;
   uint site;
 };
 
 void main() {
-  ivec2 pixel = pixelOfInvocation();
-  bool inside = all(lessThan(pixel, imageSize(exitance)));
-  vec4 surface = inside ? texelFetch(surfacePosition, pixel, 0) : vec4(0.0);
-  bool covered = surface.w > 0.0;
-  ObjectData body = objects[covered ? uint(surface.w) - 1u : 0u];
-  bool here = covered && body.clusters.z != 0u && isSummedAtFragments(body, site);
-  vec4 normal = inside ? texelFetch(surfaceNormal, pixel, 0) : vec4(0.0);
-  vec4 known = inside ? imageLoad(exitance, pixel) : vec4(0.0);
-  vec3 better = corrected(known.rgb, surface.xyz, normal.w * normal.xyz,
-                          insideOf(body),
+  Seen seen = seenOfInvocation(first);
+  MeshPlace place = seenPlace(seen.pixel, seen.word);
+  ObjectData body = objects[place.object];
+  bool here = seen.there && body.clusters.z != 0u && isSummedAtFragments(body, site);
+  vec4 known = found[seen.entry];
+  vec3 better = corrected(known.rgb, place.position, place.side * place.normal, insideOf(body),
                           here ? body.clusters.x : noNode, body.clusters.y);
-  if (here) imageStore(exitance, pixel, vec4(better, known.a));
+  if (here) found[seen.entry] = vec4(better, known.a);
 }

@@ -1,28 +1,27 @@
-// How much of what the surface mirrors towards the camera is sky, at every visible pixel: rays of the
-// GGX lobe that meet nothing. One antialiasing sample takes some of the lobe's rays.
+// How much of what a surface mirrors towards the camera is sky, of all that pixels see: rays of the
+// GGX lobe that meet nothing. Each of a pixel's samples that see it has some of the lobe's rays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_SEEN 1
+#define BINDING_SEEN_LIST 2
+#define MESH_BINDING 8
 #define BINDING_OBJECTS 4
 #define BINDING_PIECE_CORNERS 5
 #define BINDING_RAYS 6
 #include "lib/bodies.glsl"
 #include "lib/frame.glsl"
-#include "lib/octahedron.glsl"
 #include "lib/pi.glsl"
 #include "lib/rays.glsl"
-#include "lib/tile.glsl"
+#include "lib/seen_list.glsl"
 #include "lib/unit.glsl"
 
-layout(set = 0, binding = 1) uniform sampler2D surfacePosition;
-layout(set = 0, binding = 2) uniform sampler2D surfaceNormal;
-layout(set = 0, binding = 3) uniform sampler2D surfaceFacet;
-layout(set = 0, binding = 7, r32f) uniform writeonly image2D skyShare;
+layout(std430, set = 0, binding = 7) buffer Light { vec4 light[]; };  // the share in w
 
 layout(push_constant) uniform Push {
+  uint first;
   uint nodeCount;  // of all surfels' trees
   uint piecesPerSurfel;
-  uint firstRay;
-  uint rays;       // of this sample
+  uint rays;       // of one sample
   uint raysInAll;  // of all samples
   float alpha;
 };
@@ -47,9 +46,9 @@ vec3 microfacet(uint i, vec3 normal, vec3 along) {
   return sine * (cos(angle) * along + sin(angle) * cross(normal, along)) + cosine * normal;
 }
 
-float shareOfSky(vec3 place, vec3 normal, vec3 facet) {
+// The widest go first: where those agree, so do the others within the lobe.
+float shareOfSky(vec3 place, vec3 normal, vec3 facet, uint samples) {
   vec3 toCamera = normalize(frame.cameraPosition.xyz - place);
-  if (dot(facet, toCamera) < 0.0) facet = -facet;
   vec3 across = unitOr(cross(normal, toCamera), normalize(cross(normal, normal.yzx + vec3(0.3, 0.5, 0.7))));
   vec3 along = cross(across, normal);
   vec3 places = abs(place);
@@ -58,7 +57,12 @@ float shareOfSky(vec3 place, vec3 normal, vec3 facet) {
   RayTarget scene = RayTarget(0u, nodeCount, everyObject);
   uint sent = 0u;
   uint free = 0u;
-  for (uint i = firstRay; i < firstRay + rays; ++i) {
+  uint enough = max(raysInAll / 4u, 2u);
+  for (uint left = raysInAll; left > 0u; --left) {
+    bool agreed = free == 0u || free == sent;
+    if (samples == everySample && raysInAll - left == enough && agreed) break;
+    uint i = left - 1u;
+    if ((samples >> i / rays & 1u) == 0u) continue;
     vec3 direction = reflect(-toCamera, microfacet(i, normal, along));
     if (dot(direction, normal) <= 0.0 && raysInAll > 1u) continue;
     float sine = dot(direction, facet);
@@ -70,12 +74,8 @@ float shareOfSky(vec3 place, vec3 normal, vec3 facet) {
 }
 
 void main() {
-  ivec2 pixel = pixelOfInvocation();
-  if (any(greaterThanEqual(pixel, imageSize(skyShare)))) return;
-  vec4 surface = texelFetch(surfacePosition, pixel, 0);
-  float share = 1.0;
-  if (surface.w > 0.0)
-    share = shareOfSky(surface.xyz, unitOr(texelFetch(surfaceNormal, pixel, 0).xyz, vec3(0.0, 1.0, 0.0)),
-                       fromOctahedron(texelFetch(surfaceFacet, pixel, 0).xy));
-  imageStore(skyShare, pixel, vec4(share));
+  Seen seen = seenOfInvocation(first);
+  if (!seen.there) return;
+  MeshPlace place = seenPlace(seen.pixel, seen.word);
+  light[seen.entry].w = shareOfSky(place.position, place.normal, place.facet, samplesOf(seen.word));
 }

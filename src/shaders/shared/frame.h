@@ -20,6 +20,7 @@ using glm::vec4;
 
 OPALINE_CONSTANT maxLights = 16;
 OPALINE_CONSTANT maxShadowViews = 48;
+OPALINE_CONSTANT maxSamples = 8;
 
 /// Kinds of lights.
 OPALINE_CONSTANT directionalLight = 0;
@@ -38,8 +39,9 @@ struct FrameData {
   mat4 worldToClip;
   vec4 cameraPosition;  // xyz mm
   vec4 cameraAxis;      // xyz unit, towards the scene
-  uvec4 counts;         // x: lights; y: shadow map size
+  uvec4 counts;         // x: lights; y: shadow map size; z: antialiasing samples
   LightData lights[maxLights];
+  vec4 samples[maxSamples];          // xy: from the pixel's centre, pixels
   mat4 shadowViews[maxShadowViews];  // world to clip
 };
 

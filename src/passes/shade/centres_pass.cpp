@@ -1,0 +1,49 @@
+#include "passes/shade/centres_pass.h"
+
+#include "gpu/device.h"
+
+namespace opaline::passes {
+
+CentresPass::CentresPass(gpu::Device& device)
+    : nearest_(device, gpu::Filter::Nearest), pipeline_(device, "centres of pixels") {}
+
+SeenCentres CentresPass::makeCentres(gpu::Device& device, VkExtent2D extent) {
+  const auto image = [&](const char* name, VkFormat format) {
+    return gpu::GpuImage(
+        device, {.name = name,
+                 .width = extent.width,
+                 .height = extent.height,
+                 .format = format,
+                 .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                          VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+  };
+  return {image("seen position", VK_FORMAT_R32G32B32A32_SFLOAT),
+          image("seen normal", VK_FORMAT_R16G16B16A16_SFLOAT),
+          image("seen exitance", VK_FORMAT_R32G32B32A32_SFLOAT)};
+}
+
+void CentresPass::record(gpu::CommandList& commands, const SeenSurfaces& seen, Exitance& exitance,
+                         bool atFragments, SeenCentres& centres) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
+  commands.beginPass("surface");
+  commands.use(surfaces.counts, gpu::Access::Indirect);
+  commands.bind(pipeline_,
+                {.frame = seen.frame.data,
+                 .seenWords = {surfaces.words, nearest_},
+                 .meshExitances = exitance.vertices,
+                 .positionObject = centres.position,
+                 .unitNormal = centres.normal,
+                 .exitance = centres.exitance,
+                 .meshIndices = seen.mesh.indices,
+                 .meshPositions = seen.mesh.positions,
+                 .meshNormals = seen.mesh.normals,
+                 .meshObjects = seen.mesh.objectOf,
+                 .seenList = surfaces.list,
+                 .seenCount = surfaces.counts,
+                 .light = surfaces.light},
+                {.atFragments = atFragments});
+  commands.dispatchIndirect(surfaces.counts, 0);
+  commands.endPass();
+}
+
+}  // namespace opaline::passes

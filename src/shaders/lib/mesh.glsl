@@ -1,0 +1,87 @@
+// The triangles of this frame, and places on them as the camera sees them. Needs, before it,
+// lib/frame.glsl and MESH_BINDING, the first of four bindings; BINDING_MESH_EXITANCES for light.
+#ifndef OPALINE_LIB_MESH
+#define OPALINE_LIB_MESH
+#include "lib/unit.glsl"
+
+layout(std430, set = 0, binding = MESH_BINDING) readonly buffer MeshIndices { uint meshIndices[]; };
+layout(std430, set = 0, binding = MESH_BINDING + 1) readonly buffer MeshPositions { vec4 meshPositions[]; };
+layout(std430, set = 0, binding = MESH_BINDING + 2) readonly buffer MeshNormals { vec4 meshNormals[]; };
+layout(std430, set = 0, binding = MESH_BINDING + 3) readonly buffer MeshObjects { uint meshObjects[]; };
+
+struct MeshPlace {
+  uvec3 vertices;  // of the triangle
+  vec3 weights;    // of them; their sum is 1
+  uint object;
+  vec3 position;  // mm
+  vec3 normal;    // unit, interpolated, towards the side that is seen
+  float side;     // -1 where that is the inside, else 1
+  vec3 facet;     // unit, at right angles to the triangle, towards the camera
+};
+
+uvec3 verticesOf(uint triangle) {
+  return uvec3(meshIndices[3u * triangle], meshIndices[3u * triangle + 1u], meshIndices[3u * triangle + 2u]);
+}
+
+float cross2(vec2 a, vec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+// Of the triangle's corners where a line of sight meets its plane (Olano and Greer 1997). `clip` is
+// that of the line, over w. Relative to it, nothing that is subtracted is large.
+vec3 weightsOn(uvec3 vertices, vec2 clip) {
+  vec2 off[3];
+  for (int i = 0; i < 3; ++i) {
+    vec4 corner = frame.worldToClip * vec4(meshPositions[vertices[i]].xyz, 1.0);
+    off[i] = corner.xy - clip * corner.w;
+  }
+  vec3 areas = vec3(cross2(off[1], off[2]), cross2(off[2], off[0]), cross2(off[0], off[1]));
+  float sum = areas.x + areas.y + areas.z;
+  return sum != 0.0 ? areas / sum : vec3(1.0 / 3.0);
+}
+
+// How far outside the triangle it lets the plane go on: a line may miss the triangle by part of a
+// pixel, which is far for one that is seen edge on.
+const float furthestOutside = 0.5;
+
+vec3 weightsNear(uvec3 vertices, vec2 clip) {
+  vec3 weights = clamp(weightsOn(vertices, clip), -furthestOutside, 1.0 + furthestOutside);
+  return weights / (weights.x + weights.y + weights.z);
+}
+
+// Interpolated, to the side to which those of the vertices are.
+vec3 normalOn(uvec3 vertices, vec3 weights) {
+  return unitOr(mat3(meshNormals[vertices.x].xyz, meshNormals[vertices.y].xyz, meshNormals[vertices.z].xyz) *
+                    weights, vec3(0.0, 1.0, 0.0));
+}
+
+MeshPlace placeOn(uint triangle, vec2 clip) {
+  MeshPlace place;
+  place.vertices = verticesOf(triangle);
+  place.weights = weightsNear(place.vertices, clip);
+  vec3 a = meshPositions[place.vertices.x].xyz;
+  vec3 b = meshPositions[place.vertices.y].xyz;
+  vec3 c = meshPositions[place.vertices.z].xyz;
+  place.position = mat3(a, b, c) * place.weights;
+  place.object = meshObjects[place.vertices.x];
+  vec3 normal = normalOn(place.vertices, place.weights);
+  vec3 facet = unitOr(cross(unitOr(b - a, vec3(0.0)), unitOr(c - a, vec3(0.0))), normal);
+  bool front = dot(facet, frame.cameraPosition.xyz - a) > 0.0;
+  place.facet = front ? facet : -facet;
+  bool mirrored = meshNormals[place.vertices.x].w < 0.0;
+  place.side = front != mirrored ? 1.0 : -1.0;
+  place.normal = place.side * normal;
+  return place;
+}
+
+#ifdef BINDING_MESH_EXITANCES
+layout(std430, set = 0, binding = BINDING_MESH_EXITANCES) readonly buffer MeshExitances { vec4 meshExitances[]; };
+
+vec4 meshExitanceAt(MeshPlace place) {
+  return place.weights.x * meshExitances[place.vertices.x] +
+         place.weights.y * meshExitances[place.vertices.y] +
+         place.weights.z * meshExitances[place.vertices.z];
+}
+#endif
+
+#endif

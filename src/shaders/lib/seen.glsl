@@ -1,0 +1,23 @@
+// The surfaces that pixels see. Needs, before it, BINDING_SEEN and what lib/mesh.glsl needs.
+#ifndef OPALINE_LIB_SEEN
+#define OPALINE_LIB_SEEN
+#include "lib/mesh.glsl"
+#include "lib/samples.glsl"
+
+layout(set = 0, binding = BINDING_SEEN) uniform usampler2DArray seenWords;
+
+uint seenWord(ivec2 pixel, uint layer) {
+  return texelFetch(seenWords, ivec3(pixel, layer), 0).r;
+}
+
+// Clip space over w, so far from the pixel's centre.
+vec2 seenClip(ivec2 pixel, vec2 place) {
+  return clipAt(pixel, textureSize(seenWords, 0).xy, place);
+}
+
+// Where the surface is looked at: in the midst of the samples that see it.
+MeshPlace seenPlace(ivec2 pixel, uint word) {
+  return placeOn(triangleOf(word), seenClip(pixel, middleOf(samplesOf(word))));
+}
+
+#endif

@@ -1,0 +1,33 @@
+// One invocation for each surface that pixels see. Needs, before it, BINDING_SEEN_LIST, the first of
+// two bindings, and what lib/seen.glsl needs.
+#ifndef OPALINE_LIB_SEEN_LIST
+#define OPALINE_LIB_SEEN_LIST
+#include "lib/linear.glsl"
+#include "lib/seen.glsl"
+
+layout(std430, set = 0, binding = BINDING_SEEN_LIST) readonly buffer SeenList { uint seenList[]; };
+layout(std140, set = 0, binding = BINDING_SEEN_LIST + 1) uniform SeenCounts { SeenCount seenCount; };
+
+struct Seen {
+  bool there;  // else the invocation has none, and the rest is of some other
+  uint entry;  // in the list, and of what is kept for each surface
+  ivec2 pixel;
+  uint word;
+};
+
+ivec2 pixelOf(uint listed) {
+  int index = int(bitfieldExtract(listed, 0, int(seenLayerShift)));
+  int width = textureSize(seenWords, 0).x;
+  return ivec2(index % width, index / width);
+}
+
+Seen seenOfInvocation(uint first) {
+  uint i = first + linearIndex();
+  bool there = i < seenCount.groupsEntries.w;
+  uint entry = there ? i : 0u;
+  uint listed = seenList[entry];
+  ivec2 pixel = pixelOf(listed);
+  return Seen(there, entry, pixel, seenWord(pixel, listed >> seenLayerShift));
+}
+
+#endif

@@ -1,0 +1,48 @@
+// Which pixels see anything, and which of them several triangles: for a piece of the picture.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#define BINDING_SURFACES 1
+#include "lib/listing.glsl"
+#include "lib/tile.glsl"
+
+layout(set = 0, binding = 0, r32ui) uniform uimage2DArray words;  // the samples' triangles, plus one
+layout(std430, set = 0, binding = 3) writeonly buffer Mixed { uint mixed[]; };
+layout(std430, set = 0, binding = 4) buffer MixedCount { SeenCount mixedCount; };
+
+layout(push_constant) uniform Push {
+  uint samples;
+  uint firstRow;
+};
+
+void listMixed(bool several, uint pixel) {
+  uint added = several ? 1u : 0u;
+  uint before = subgroupExclusiveAdd(added);
+  uint all = subgroupAdd(added);
+  uint start = 0u;
+  if (subgroupElect() && all != 0u) {
+    start = atomicAdd(mixedCount.groupsEntries.w, all);
+    atomicMax(mixedCount.groupsEntries.x, groupsFor(start + all));
+    atomicMax(mixedCount.groupsEntries.y, 1u);
+    atomicMax(mixedCount.groupsEntries.z, 1u);
+  }
+  start = subgroupMax(start);
+  if (several) mixed[start + before] = pixel;
+}
+
+void main() {
+  ivec2 pixel = pixelOfInvocation() + ivec2(0, firstRow);
+  ivec2 size = imageSize(words).xy;
+  bool inside = all(lessThan(pixel, size));
+  uint index = uint(pixel.y * size.x + pixel.x);
+  uint triangle = inside ? imageLoad(words, ivec3(pixel, 0)).r : 0u;
+  bool several = false;
+  for (uint i = 1u; i < samples; ++i)
+    several = several || inside && imageLoad(words, ivec3(pixel, i)).r != triangle;
+  bool one = !several && triangle != 0u;
+  if (one) imageStore(words, ivec3(pixel, 0), uvec4(triangle | 0xffu << seenSamplesShift));
+  uint place = placesForSurfaces(one ? 1u : 0u);
+  if (one) listSurface(place, index, 0u);
+  listMixed(several, index);
+}
