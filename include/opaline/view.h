@@ -125,7 +125,8 @@ class View {
   /// UsageError if it was not.
   DeviceImage picture() const;
 
-  /// How the frames collected so far of this scene were made. Throws UsageError before the first.
+  /// How the frames of this scene were made that were collected since the last render(), and its
+  /// own. Throws UsageError before the first.
   RenderReport report() const;
 
  private:

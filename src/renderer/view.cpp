@@ -69,6 +69,7 @@ class View::Implementation {
   void submit(const FrameOrder& order) {
     validate(options_, order.aovs);
     queue_.requireRoom();
+    shown_ = false;
     EditedScene& edited = context_.edited;
     edited.beginFrame();
     if (std::exchange(scene_, edited.number()) != edited.number()) times_.clear();
