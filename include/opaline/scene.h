@@ -91,8 +91,9 @@ struct Scene {
   std::vector<Object> objects;
   Lighting lighting;
   Camera camera;
-  /// Whether the place or field of view of the camera was chosen. Otherwise it is defaultCamera(),
-  /// and may move back until everything is visible.
+  /// Whether the place or field of view of the camera was chosen. Otherwise it is defaultCamera().
+  /// The library renders it as it is. The program moves a camera that was not chosen back until the
+  /// scene fits into the picture at every time that is rendered.
   bool cameraChosen = false;
   std::vector<Node> nodes;  ///< parents before children
   std::vector<Clip> clips;
@@ -137,7 +138,10 @@ Scene builtInBear(const LoadOptions& options = {});
 Scene builtInTeapot(const LoadOptions& options = {});
 
 /// The default camera: in the given direction from the centre of the box (default +z), looking at
-/// the centre, 1.4 diagonals away.
+/// the centre, 1.4 diagonals away. It knows neither the picture's width over its height nor the
+/// scene's motion, so it may cut off a scene's ends. From 0.5 / sin(half the field of view)
+/// diagonals, 1.93 for 30 degrees, all of a scene at rest is seen in a picture at least as wide as
+/// high.
 Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre = {0, 0, 1},
                      float verticalFovDegrees = 30);
 

@@ -57,6 +57,28 @@ TEST_F(SurfelOptionsTest, ABudgetThatBindsIsKeptAndSaid) {
   }
 }
 
+// Four corners tell nothing of what lies between them; a fine grid does.
+TEST_F(SurfelOptionsTest, SumsAtVerticesFarApartAreSaid) {
+  std::vector<std::string> notes;
+  RendererOptions rendererOptions = sharedRenderer().options();
+  rendererOptions.log = [&](LogLevel level, std::string_view message) {
+    if (level == LogLevel::Note) notes.emplace_back(message);
+  };
+  Renderer fresh(rendererOptions);
+  const auto notesOf = [&](int cells, Site site) {
+    notes.clear();
+    fresh.setScene(sceneOf(sheet({}, {5, 0, 0}, {0, 5, 0}, cells), marble(), {0, 0, 40}, 6));
+    RenderOptions options = optionsOf(262'144);
+    options.site = site;
+    fresh.render(options);
+    return notes.size();
+  };
+  EXPECT_EQ(notesOf(1, Site::Auto), 0U);
+  EXPECT_EQ(notesOf(24, Site::Vertex), 0U);
+  ASSERT_EQ(notesOf(1, Site::Vertex), 1U);
+  EXPECT_NE(notes[0].find("RenderOptions::site"), std::string::npos) << notes[0];
+}
+
 // A body far larger than the medium is deep wants millions of surfels; with the default budget they
 // are coarse, and a sphere in uniform light is still B = E · D(2R).
 TEST_F(SurfelOptionsTest, TheDefaultBudgetServesLargeBodies) {

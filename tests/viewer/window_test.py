@@ -60,6 +60,26 @@ class Opening(WindowTest):
         self.refused(2, "view", "--transport", "boundary", "--sum", "pattern", says="boundary")
 
 
+class NoRoom(WindowTest):
+    def test_an_edit_that_the_device_has_no_memory_for_is_taken_back(self):
+        """48 shadow maps of 64 MiB are more than it gives to one image."""
+        lights = [word for x in range(8) for word in ("--point", f"{10 * x - 35},90,60:2000,2000,2000")]
+        window = self.view("--builtin", "teapot", *CORNERS, "--size", "700x850", *lights)
+        window.only("Light")
+        before = window.picture()
+        window.choose("Light/shadow map", "4096")
+        self.assertIn("shadow maps", window.state()["message"])
+        self.assertIn("memory", window.state()["message"])
+        self.assertEqual(window.picture().part(top=100).worst(before.part(top=100)), 0)
+        window.choose("Light/shadow map", "512")
+        self.assertEqual(window.state()["message"], "")
+        window.key("ctrl+z")
+        window.key("s")
+        window.wait_for((window.folder / "teapot.toml").exists, "no scene was saved")
+        self.assertIn("shadow_size = 256", (window.folder / "teapot.toml").read_text(encoding="utf-8"))
+        window.close()
+
+
 class Sizes(WindowTest):
     def test_every_size_is_drawn(self):
         self.write("cube.obj", CUBE_OBJ)

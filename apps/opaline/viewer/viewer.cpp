@@ -74,7 +74,6 @@ void Viewer::keepState() {
 }
 
 void Viewer::open(const SceneOptions& asked) {
-  notice_.reset();
   resizing_ = false;
   loader_.start(asked);
 }
@@ -244,9 +243,25 @@ void Viewer::drawPicture() {
   drawn_ = area;
   placeBody();
   exposing_ = exposing_ || session_.edits.lighting;
-  stage_.draw(session_, area.width, area.height, moving);
   awake_ = std::max(awake_, 1);
-  if (!moving && !stage_.isBusy()) stage_.finish();
+  try {
+    stage_.draw(session_, area.width, area.height, moving);
+    if (!moving && !stage_.isBusy()) stage_.finish();
+  } catch (const Error& error) {
+    return takeBackEdit(error.what());
+  }
+  undo_.markSound();
+}
+
+// The device had no room for what was edited, for example. What failed for another reason is not
+// tried again by itself.
+void Viewer::takeBackEdit(std::string_view error) {
+  say(error, true);
+  session_.edits = {};
+  session_.edits.medium.assign(session_.scene.objects.size(), false);
+  if (undo_.isSound() && isStateOf(undo_.present(), session_)) return;
+  reaching_ = undo_.takeBack();
+  session_.edits.camera = reaching_;
 }
 
 void Viewer::takeFinished() {

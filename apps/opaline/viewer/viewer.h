@@ -87,6 +87,7 @@ class Viewer {
   void followEdits();
   void placeBody();
   void drawPicture();
+  void takeBackEdit(std::string_view error);
   void takeFinished();
   void present();
   std::vector<Caption> captions() const;

@@ -16,6 +16,7 @@ namespace opaline::app::viewer {
 void Viewer::openFile(const std::filesystem::path& file) {
   const auto begin = [this, file] {
     stopWork(saver_, truth_);
+    notice_.reset();
     SceneOptions asked;
     asked.setFile(file);
     open(asked);

@@ -16,7 +16,7 @@ void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
   const Lighting& lighting = scene.scene().lighting;
   const SceneNeeds needs = needsOf(options, plan, lighting);
   if (!resources_ || resources_->needs != needs)
-    make(scene, needs);
+    make(scene, needs, options.site);
   else
     followMedia(scene, patient);
   if (needs.maxClusters) followLights(lightCount(lighting));
@@ -40,10 +40,11 @@ SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan&
   return needs;
 }
 
-void PreparedScene::make(EditedScene& scene, const SceneNeeds& needs) {
+void PreparedScene::make(EditedScene& scene, const SceneNeeds& needs, Site site) {
   clear();
   scene.noteMaking();
   resources_ = makeSceneResources(device_, scene.scene(), scene.merged(), needs, log_);
+  noteSite(scene.scene(), *resources_, site, log_);
   media_ = scene.changes().media;
   orderDivision(scene);
 }

@@ -41,7 +41,7 @@ class PreparedScene {
  private:
   SceneNeeds needsOf(const RenderOptions& options, const FramePlan& plan,
                      const Lighting& lighting) const;
-  void make(EditedScene& scene, const SceneNeeds& needs);
+  void make(EditedScene& scene, const SceneNeeds& needs, Site site);
   void followMedia(EditedScene& scene, bool patient);
   void followLights(std::uint32_t lights);
   void orderDivision(const EditedScene& scene);

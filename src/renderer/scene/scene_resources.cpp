@@ -160,6 +160,25 @@ bool wantsVertices(const SceneResources& resources, std::size_t object) {
   return size.meanEdgeMm <= freePathMm && size.meanEdgeByAreaMm <= longestByArea * freePathMm;
 }
 
+// Mean edge by area, in mean free paths: far more than what is interpolated well.
+constexpr double loseDetail = 30;
+
+void noteSite(const Scene& scene, const SceneResources& resources, Site site,
+              const LogCallback& log) {
+  if (site != Site::Vertex || !log) return;
+  for (std::size_t i = 0; i < resources.objects; ++i) {
+    const double edgeMm = resources.sizeOfObject[i].meanEdgeByAreaMm;
+    const double freePathMm =
+        bssrdf::shortestMeanFreePathMm(resources.media[resources.mediumOfObject[i]]);
+    if (edgeMm > loseDetail * freePathMm)
+      log(LogLevel::Note,
+          fmt::format("light on object '{}' is summed at vertices that are about {:.0f} mean free "
+                      "paths apart: shadows and detail between them are lost; RenderOptions::site "
+                      "auto keeps them",
+                      scene.objects[i].name, edgeMm / freePathMm));
+  }
+}
+
 paper::RestScene restSceneOf(const SceneResources& resources) {
   paper::RestScene rest{
       surfaceOf(*resources.merged), resources.media, resources.mediumOfObject, {}};

@@ -92,4 +92,8 @@ paper::RestScene restSceneOf(const SceneResources& resources);
 /// longer than a mean free path, and no large part of the surface has far longer ones.
 bool wantsVertices(const SceneResources& resources, std::size_t object);
 
+/// Says of which objects sums at vertices, where those are asked for, show next to nothing.
+void noteSite(const Scene& scene, const SceneResources& resources, Site site,
+              const LogCallback& log);
+
 }  // namespace opaline

@@ -202,5 +202,44 @@ TEST(EditState, ALightThatIsGoneIsNotSelected) {
   EXPECT_EQ(session.light, -1);
 }
 
+TEST(UndoList, WhatMakesNoPictureIsTakenBackToWhatDid) {
+  Session session = sessionWithTwoObjects();
+  session.exposesByLight = false;
+  UndoList list;
+  list.begin(editStateOf(session));
+  EXPECT_FALSE(list.takeBack()) << "nothing has made one yet";
+  list.markSound();
+  for (const float stops : {1.0F, 2.0F}) {
+    session.tone.exposureStops = stops;
+    list.add(editStateOf(session));
+  }
+  EXPECT_FALSE(list.isSound());
+  EXPECT_TRUE(list.takeBack());
+  EXPECT_TRUE(list.isSound());
+  EXPECT_EQ(list.present().tone.exposureStops, 0);
+  EXPECT_FALSE(list.canRedo());
+}
+
+TEST(UndoList, TakesBackAlsoWhenTheOldestStatesAreForgotten) {
+  Session session = sessionWithTwoObjects();
+  session.exposesByLight = false;
+  UndoList list;
+  list.begin(editStateOf(session));
+  const auto edit = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      session.tone.exposureStops += 1;
+      list.add(editStateOf(session));
+    }
+  };
+  edit(100);
+  list.markSound();
+  edit(static_cast<int>(UndoList::most) - 1);
+  EXPECT_TRUE(list.takeBack());
+  EXPECT_EQ(list.present().tone.exposureStops, 100);
+  list.markSound();
+  edit(static_cast<int>(UndoList::most));
+  EXPECT_FALSE(list.takeBack()) << "it is not remembered";
+}
+
 }  // namespace
 }  // namespace opaline::app::viewer

@@ -65,8 +65,10 @@ void Stage::submit(View& view, Aov variable) {
   order_.aovs.clear();
   if (apart_) order_.aovs.push_back(Aov::Radiance);
   if (variable != Aov::Radiance) order_.aovs.push_back(variable);
+  DeviceImage& image = own ? picture_ : paperPicture_;
+  image = {};  // where the next cannot be made, this one may be gone
   view.submit(order_);
-  if (!apart_) (own ? picture_ : paperPicture_) = view.picture();
+  if (!apart_) image = view.picture();
   waiting_.push_back({own, variable});
 }
 
@@ -110,8 +112,9 @@ void Stage::finish() {
 }
 
 std::optional<DeviceImage> Stage::paper() const {
-  if (!divided_ || (apart_ && hostPaper_.empty())) return std::nullopt;
-  return apart_ ? hostPaper_.shown() : paperPicture_;
+  const DeviceImage& image = apart_ ? hostPaper_.shown() : paperPicture_;
+  if (!divided_ || image.view == VK_NULL_HANDLE) return std::nullopt;
+  return image;
 }
 
 const Image* Stage::variableImage() const {

@@ -29,7 +29,8 @@ class Stage {
   /// Hands the session's edits to the renderer and has it draw the picture, and the paper's where
   /// the session is divided; the variable that the session shows, where that is another, comes a
   /// frame later. While something is `moving`, pictures come fast: one sample a pixel, and coarser
-  /// light where the session allows it and its transport took long. Not while it is busy.
+  /// light where the session allows it and its transport took long. Not while it is busy. Throws
+  /// Error where the renderer does, and can be called again.
   void draw(Session& session, int width, int height, bool moving);
   /// Whether there is a picture to be taken up, now or once it is done.
   bool isUnderWay() const { return apart_ && !waiting_.empty(); }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 
 #include "viewer/session/edit_state.h"
 
@@ -23,12 +24,20 @@ class UndoList {
   /// A state back or on, where there is one.
   void undo();
   void redo();
+
+  /// The present state makes a picture.
+  void markSound() { sound_ = present_; }
+  bool isSound() const { return sound_ == present_; }
+  /// The present one makes none: goes to the last that did, and forgets what came after it. False
+  /// where none did.
+  bool takeBack();
   /// Where there is any.
   const EditState& present() const { return states_[present_]; }
 
  private:
   std::deque<EditState> states_;
   std::size_t present_ = 0;
+  std::optional<std::size_t> sound_;  // the last state that made a picture, while it is here
 };
 
 }  // namespace opaline::app::viewer
