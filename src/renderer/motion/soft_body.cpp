@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+#include <exception>
+
 #include "opaline/error.h"
 #include "opaline/renderer.h"
 #include "opaline/vulkan.h"
@@ -22,7 +25,12 @@ class SoftBody::Implementation {
   }
 
   ~Implementation() {
-    if (context_.edited.number() == scene_) context_.edited.restorePositions(object_);
+    if (context_.edited.number() != scene_) return;
+    try {
+      context_.edited.restorePositions(object_);
+    } catch (const std::exception&) {
+      assert(false && "the scene has the object");
+    }
   }
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
