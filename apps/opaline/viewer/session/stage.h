@@ -71,7 +71,7 @@ class Stage {
   bool hasScene_ = false;
   bool divided_ = false;
   View view_;
-  std::optional<View> paper_;  // of the paper's method, while the session is divided
+  std::optional<View> paper_;  // of the paper's method; none until the session is divided
   DeviceImage picture_;
   DeviceImage paperPicture_;
   HostPicture hostPicture_;
