@@ -237,10 +237,9 @@ void Device::waitFor(std::uint64_t submission) {
   destroyRetired();
 }
 
-void Device::retire(std::uint64_t submission, VkObjectType type, std::uint64_t handle,
-                    std::size_t bytes) {
+void Device::retire(VkObjectType type, std::uint64_t handle, std::size_t bytes, bool lent) {
   if (handle == 0) return;
-  retired_.add(submission, type, handle, bytes);
+  retired_.add(lent ? submitted_ + 1 : submitted_, type, handle, bytes);
   destroyRetired();
 }
 
@@ -302,8 +301,7 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements,
 }
 
 void Device::release(VkDeviceMemory memory, std::size_t bytes, bool lent) {
-  retire(lent ? submitted_ + 1 : submitted_, VK_OBJECT_TYPE_DEVICE_MEMORY,
-         reinterpret_cast<std::uint64_t>(memory), bytes);
+  retire(VK_OBJECT_TYPE_DEVICE_MEMORY, reinterpret_cast<std::uint64_t>(memory), bytes, lent);
 }
 
 void Device::setName(VkObjectType type, std::uint64_t handle, const std::string& name) const {

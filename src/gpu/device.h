@@ -87,15 +87,11 @@ class Device {
   void waitFor(std::uint64_t submission);
 
   /// Destroys an object as soon as the device has finished all that was submitted up to now.
+  /// `lent`: others' submissions to the queue may use it too; the next submission of this device
+  /// comes after theirs.
   template <typename Handle>
-  void retire(VkObjectType type, Handle handle) {
-    retire(submitted_, type, reinterpret_cast<std::uint64_t>(handle), 0);
-  }
-  /// The same of an object that others' submissions to the queue may use too: the next submission
-  /// of this device comes after theirs.
-  template <typename Handle>
-  void retireLent(VkObjectType type, Handle handle) {
-    retire(submitted_ + 1, type, reinterpret_cast<std::uint64_t>(handle), 0);
+  void retire(VkObjectType type, Handle handle, bool lent = false) {
+    retire(type, reinterpret_cast<std::uint64_t>(handle), 0, lent);
   }
 
   /// For Buffer and Image: memory of a kind, and its account; `addressed` where a buffer's address
@@ -103,7 +99,7 @@ class Device {
   VkDeviceMemory allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
                           VkMemoryPropertyFlags preferred, const std::string& name,
                           bool addressed = false);
-  /// Retires memory.
+  /// Retires memory, as retire() does.
   void release(VkDeviceMemory memory, std::size_t bytes, bool lent = false);
 
   /// Names an object for debuggers and validation messages; costs nothing without
@@ -125,7 +121,7 @@ class Device {
   void loadFunctions();
   void loadRayFunctions();
   void createTimeline();
-  void retire(std::uint64_t submission, VkObjectType type, std::uint64_t handle, std::size_t bytes);
+  void retire(VkObjectType type, std::uint64_t handle, std::size_t bytes, bool lent);
   void destroyRetired();
   VkDeviceMemory tryAllocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags flags,
                              const std::string& name, bool addressed);

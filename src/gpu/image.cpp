@@ -193,10 +193,7 @@ VkImageView GpuImage::createView(VkImageViewType type, const VkImageSubresourceR
 GpuImage::~GpuImage() {
   if (device_ == nullptr) return;
   const auto retire = [&](VkObjectType type, auto handle) {
-    if (options_.lent)
-      device_->retireLent(type, handle);
-    else
-      device_->retire(type, handle);
+    device_->retire(type, handle, options_.lent);
   };
   for (const VkImageView view : layerViews_) retire(VK_OBJECT_TYPE_IMAGE_VIEW, view);
   for (const VkImageView view : levelViews_) retire(VK_OBJECT_TYPE_IMAGE_VIEW, view);
