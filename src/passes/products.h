@@ -165,13 +165,14 @@ struct Solver {
 /// Which surfaces the camera sees (shared/seen.h), and what is found of them. The lists are those
 /// of one band of the picture after the other, since a pixel may see as many as it has samples.
 struct VisibleSurfaces {
-  gpu::GpuImage words;     ///< a layer for each sample; a pixel's surfaces are in the first layers
-  gpu::GpuImage depth;     ///< of one sample after the other
-  gpu::Buffer mixed;       ///< pixels that see several triangles
-  gpu::Buffer mixedCount;  ///< shared::SeenCount
-  gpu::Buffer list;        ///< surfaces; those of a pixel follow each other
-  gpu::Buffer counts;      ///< shared::SeenCount, of all and of parts
-  gpu::Buffer light;       ///< vec4 for each on the list: its exitance, then its radiance
+  gpu::GpuImage words;      ///< a layer for each sample; a pixel's surfaces are in the first layers
+  gpu::GpuImage depth;      ///< of one sample after the other
+  gpu::Buffer mixed;        ///< pixels that see several triangles
+  gpu::Buffer mixedCount;   ///< shared::SeenCount
+  gpu::Buffer list;         ///< surfaces; those of a pixel follow each other
+  gpu::Buffer counts;       ///< shared::SeenCount, of all and of parts
+  gpu::Buffer light;        ///< vec4 for each on the list: its exitance, then its radiance
+  gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: whether all mirror the sky, or none, or unknown
   std::uint32_t rowsOfBand = 0;
   std::uint32_t parts = 0;  ///< of the list, at most
 };

@@ -66,6 +66,12 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                   .bytes = (1 + made.parts) * sizeof(shared::SeenCount),
                   .usage = counted}};
   made.light = makeRoom<shared::vec4>(device, "light of seen surfaces", room);
+  made.skyBlocks = {device,
+                    {.name = "blocks of reflected sky",
+                     .width = (extent.width + 1) / 2,
+                     .height = (extent.height + 1) / 2,
+                     .format = VK_FORMAT_R32_UINT,
+                     .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT}};
   return made;
 }
 

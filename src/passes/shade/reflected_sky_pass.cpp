@@ -21,29 +21,52 @@ std::uint32_t raysOfSample(float alpha) {
 
 ReflectedSkyPass::ReflectedSkyPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
-      pipeline_(device, "reflected sky", rayShader<shaders::ShadeReflectedSky>(device)) {}
+      blocks_(device, "blocks of reflected sky", rayShader<shaders::ShadeSkyBlocks>(device)),
+      pixels_(device, "reflected sky", rayShader<shaders::ShadeReflectedSky>(device)) {}
 
 void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
-                              const SeenSurfaces& seen) const {
+                              std::uint32_t firstRow, const SeenSurfaces& seen) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
   const float alpha = inputs.roughness * inputs.roughness;
   const std::uint32_t rays = raysOfSample(alpha);
+  const std::uint32_t nodeCount = inputs.surfels.firstOfHeight.back();
   commands.beginPass("reflected sky");
-  forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
-    commands.bind(pipeline_,
+  commands.bind(blocks_,
+                {.frame = seen.frame.data,
+                 .seenWords = {surfaces.words, nearest_},
+                 .objects = inputs.tables.objects,
+                 .pieceCorners = inputs.rays.corners,
+                 .rayHierarchy = passes::rays(inputs.rays),
+                 .skyBlocks = surfaces.skyBlocks,
+                 .meshIndices = seen.mesh.indices,
+                 .meshPositions = seen.mesh.positions,
+                 .meshNormals = seen.mesh.normals,
+                 .meshObjects = seen.mesh.objectOf},
+                {.first = firstRow,
+                 .nodeCount = nodeCount,
+                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                 .rays = rays,
+                 .raysInAll = rays * inputs.samples,
+                 .alpha = alpha});
+  const auto groupsOf = [](std::uint32_t pixels) { return (pixels + 15) / 16; };
+  commands.dispatch(groupsOf(surfaces.words.extent().width), groupsOf(surfaces.rowsOfBand));
+  forEachPart(commands, surfaces, [&](std::uint32_t first) {
+    commands.bind(pixels_,
                   {.frame = seen.frame.data,
-                   .seenWords = {seen.surfaces.words, nearest_},
-                   .seenList = seen.surfaces.list,
-                   .seenCount = seen.surfaces.counts,
+                   .seenWords = {surfaces.words, nearest_},
+                   .seenList = surfaces.list,
+                   .seenCount = surfaces.counts,
                    .objects = inputs.tables.objects,
                    .pieceCorners = inputs.rays.corners,
                    .rayHierarchy = passes::rays(inputs.rays),
-                   .light = seen.surfaces.light,
+                   .light = surfaces.light,
+                   .skyBlocks = {surfaces.skyBlocks, nearest_},
                    .meshIndices = seen.mesh.indices,
                    .meshPositions = seen.mesh.positions,
                    .meshNormals = seen.mesh.normals,
                    .meshObjects = seen.mesh.objectOf},
                   {.first = first,
-                   .nodeCount = inputs.surfels.firstOfHeight.back(),
+                   .nodeCount = nodeCount,
                    .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                    .rays = rays,
                    .raysInAll = rays * inputs.samples,

@@ -6,6 +6,7 @@
 #include "gpu/pipeline.h"
 #include "passes/products.h"
 #include "shaders/shade/reflected_sky.comp.h"
+#include "shaders/shade/sky_blocks.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -14,7 +15,8 @@ class Device;
 namespace opaline::passes {
 
 /// Finds how much of what the surface mirrors towards the camera is sky, and not the scene itself,
-/// by rays from every visible pixel. What is rougher takes more of them.
+/// by rays from every visible pixel, or from two of 2×2 where those agree. What is rougher takes
+/// more of them.
 class ReflectedSkyPass {
  public:
   explicit ReflectedSkyPass(gpu::Device& device);
@@ -26,12 +28,15 @@ class ReflectedSkyPass {
     std::uint32_t samples;  ///< of a pixel
     float roughness;
   };
-  /// Leaves it in the last channel of VisibleSurfaces::light.
-  void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;
+  /// Of the band of the picture from `firstRow` on. Leaves it in the last channel of
+  /// VisibleSurfaces::light.
+  void record(gpu::CommandList& commands, const Inputs& inputs, std::uint32_t firstRow,
+              const SeenSurfaces& seen) const;
 
  private:
   gpu::Sampler nearest_;
-  gpu::Compute<shaders::ShadeReflectedSky> pipeline_;
+  gpu::Compute<shaders::ShadeSkyBlocks> blocks_;
+  gpu::Compute<shaders::ShadeReflectedSky> pixels_;
 };
 
 }  // namespace opaline::passes

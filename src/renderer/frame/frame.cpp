@@ -211,12 +211,12 @@ struct FrameContext {
     if (atFragments()) scatterAtFragments(scene);
   }
 
-  void shade(SceneResources& scene) const {
+  void shade(std::uint32_t firstRow, SceneResources& scene) const {
     if (plan.mirrorsSky)
       passes.reflectedSky.record(commands,
                                  {resources.tables, scene.surfels, scene.rays,
                                   static_cast<std::uint32_t>(plan.samples), plan.roughness},
-                                 seen());
+                                 firstRow, seen());
     passes.shade.record(commands,
                         {resources.tables, resources.shadows, resources.exitance, resources.sky,
                          plan.roughness, atFragments(), plan.specular, plan.mirrorsSky},
@@ -228,7 +228,7 @@ struct FrameContext {
     commands.clear(resources.radiance);
     passes::forEachBand(resources.surfaces, [&](std::uint32_t firstRow) {
       findSurfaces(firstRow, plan.samples, scene);
-      shade(scene);
+      shade(firstRow, scene);
     });
   }
 

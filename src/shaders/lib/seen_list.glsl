@@ -21,13 +21,18 @@ ivec2 pixelOf(uint listed) {
   return ivec2(index % width, index / width);
 }
 
+Seen seenOfEntry(uint entry) {
+  uint listed = seenList[entry];
+  ivec2 pixel = pixelOf(listed);
+  return Seen(true, entry, pixel, seenWord(pixel, listed >> seenLayerShift));
+}
+
 Seen seenOfInvocation(uint first) {
   uint i = first + linearIndex();
   bool there = i < seenCount.groupsEntries.w;
-  uint entry = there ? i : 0u;
-  uint listed = seenList[entry];
-  ivec2 pixel = pixelOf(listed);
-  return Seen(there, entry, pixel, seenWord(pixel, listed >> seenLayerShift));
+  Seen seen = seenOfEntry(there ? i : 0u);
+  seen.there = there;
+  return seen;
 }
 
 #endif
