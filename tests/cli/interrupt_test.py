@@ -12,7 +12,7 @@ from images import read_exr, read_png
 from program import ProgramTest
 
 ENDLESS = ("render", "--builtin", "teapot", "--shadow-size", 64, "--transport", "dipole", "--max-surfels", 1024, "--deform", "wobble:0.1", "--frames",
-           "0:999999", "--quiet")
+           "0:9999", "--quiet")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 

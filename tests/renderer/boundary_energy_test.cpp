@@ -190,7 +190,8 @@ TEST_F(BoundaryEnergyTest, TheRimOfABowlHidesPartOfTheSky) {
 
 Image pictureWith(Scene scene, const Lighting& lighting) {
   scene.lighting = lighting;
-  RenderOptions options = boundaryOptions(48, 2);
+  RenderOptions options = boundaryOptions(32, 2);
+  options.maxSurfels = 8192;
   options.tolerance = 1e-3F;  // of what is near linear anyway, so that the solver's share is small
   return renderBoundary(scene, options, {Aov::Exitance}).images[0];
 }

@@ -33,14 +33,14 @@ Scene twistingBear(float radians) {
 constexpr int sourcesOfBear = 1 << 16;
 
 RenderOptions coarseOptions() {
-  RenderOptions options = boundaryOptions(64, 2);
+  RenderOptions options = boundaryOptions(64, 1);
   options.maxSurfels = sourcesOfBear;
   options.maxClusters = 2400;  // of 4500
   return options;
 }
 
 RenderOptions fineOptions() {
-  RenderOptions options = boundaryOptions(64, 2);
+  RenderOptions options = boundaryOptions(64, 1);
   options.maxSurfels = sourcesOfBear;
   options.tolerance = 1e-3F;
   return options;
@@ -121,6 +121,7 @@ TEST_F(BoundaryFramesTest, AFrameIsTheSameWhateverWasShownBefore) {
   scene.deformers = {{DeformerKind::Twist, 1.5F, 2}, {DeformerKind::Bend, 0.8F, 3}};
   for (const Site site : {Site::Fragment, Site::Vertex}) {
     RenderOptions options = boundaryOptions(32, 2);
+    options.maxSurfels = 4096;
     options.site = site;
     renderer().setScene(scene);
     const Image alone = renderAt(0.4, options, {Aov::Exitance})[0];

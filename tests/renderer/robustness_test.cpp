@@ -339,7 +339,7 @@ TEST_F(RobustnessTest, SharedModelsAreBorne) {
     renderer().setScene(scene);
     RenderOptions options = smallOptions();
     options.transport = Transport::Boundary;
-    options.maxClusters = 2000;
+    options.maxClusters = 1000;
     options.maxSurfels = 20'000;
     expectSound(render(options, {Aov::Radiance, Aov::Exitance}), file.filename().string());
   }
