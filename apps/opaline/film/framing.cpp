@@ -64,6 +64,8 @@ void add(const Scene& scene, const Bounds& box, const Framed& framed, const Mome
     to.tight.add(p);
     to.loose.add(p);
   });
+  if (moment.number && framed.kept != nullptr)
+    framed.kept->keep(*moment.number, std::move(positionsMm[0]));
 }
 
 Needs needsOf(const Scene& scene, const Framed& framed) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/motion_options.h"
+#include "film/kept_positions.h"
 #include "film/reference_scene.h"
 #include "opaline/scene.h"
 #include "opaline/sequence.h"
@@ -22,6 +23,7 @@ struct Framed {
   double aspect = 1;                       ///< of the picture, width over height
   const MeshSequence* sequence = nullptr;  ///< of the scene's only object
   std::vector<Moment> moments{};
+  KeptPositions* kept = nullptr;  ///< gets what is read of the sequence
 };
 
 double aspectOf(const RenderOptions& options);

@@ -20,6 +20,7 @@
 #include "film/film.h"
 #include "film/film_output.h"
 #include "film/framing.h"
+#include "film/kept_positions.h"
 #include "film/picture_stamp.h"
 #include "film/render_report.h"
 #include "film/sequence_frames.h"
@@ -92,12 +93,14 @@ struct RenderJob {
   core::Target output;
   std::vector<std::filesystem::path> inputs;
   std::shared_ptr<const MeshSequence> sequence;
+  std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>();
 
   /// Also refuses what is beyond the sequence.
   void aimCamera(const std::optional<FrameRange>& frames) {
     showAll(scene,
             {time.clip, aspectOf(options), sequence.get(),
-             frames ? momentsOf(*frames, sequence.get()) : momentOf(time.seconds, sequence.get())});
+             frames ? momentsOf(*frames, sequence.get()) : momentOf(time.seconds, sequence.get()),
+             kept.get()});
   }
 };
 
@@ -143,7 +146,8 @@ Done makeStill(const RenderCommand& command, const RenderJob& job, const LogCall
   Renderer renderer = makeRenderer(command, job, log);
   if (job.sequence) {
     std::vector<Vec3> positionsMm;
-    job.sequence->read(numberAt(*job.sequence, job.time.seconds), positionsMm);
+    const int number = numberAt(*job.sequence, job.time.seconds);
+    if (!job.kept->take(number, positionsMm)) job.sequence->read(number, positionsMm);
     renderer.replacePositions(0, positionsMm);
   }
   renderer.setTime(job.time);
@@ -187,7 +191,7 @@ Done renderMissing(const RenderCommand& command, const RenderJob& job, FilmOrder
         "it move");
   }
   Renderer renderer = makeRenderer(command, job, log);
-  if (job.sequence) order.place = placeBySequence(job.sequence, order.frames);
+  if (job.sequence) order.place = placeBySequence(job.sequence, order.frames, job.kept);
   const auto [made, report] = renderFilm(renderer, order);
   log(LogLevel::Note, fmt::format("wrote {} frames to {}, {}", made, job.output.path.string(),
                                   onDevice(report.device)));

@@ -50,16 +50,20 @@ double secondsOf(const MeshSequence& sequence) {
   return sequence.frameCount() / FrameRange{}.perSecond;
 }
 
-PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber, int step) {
-  return {lastNumber, step, [of = std::move(sequence)](int number, std::vector<Vec3>& positionsMm) {
-            of->read(number, positionsMm);
+PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber, int step,
+                           std::shared_ptr<KeptPositions> kept) {
+  return {lastNumber, step,
+          [of = std::move(sequence), kept = std::move(kept)](int number,
+                                                             std::vector<Vec3>& positionsMm) {
+            if (!kept->take(number, positionsMm)) of->read(number, positionsMm);
           }};
 }
 
 std::function<void(Renderer& renderer, int frame)> placeBySequence(
-    std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames) {
+    std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames,
+    std::shared_ptr<KeptPositions> kept) {
   const auto positions = std::make_shared<PositionsAhead>(
-      positionsOf(sequence, numberOfFrame(*sequence, frames.last), frames.step));
+      positionsOf(sequence, numberOfFrame(*sequence, frames.last), frames.step, std::move(kept)));
   return [positions, of = std::move(sequence)](Renderer& renderer, int frame) {
     renderer.replacePositions(0, positions->of(numberOfFrame(*of, frame)));
   };

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/motion_options.h"
+#include "film/kept_positions.h"
 #include "film/positions_ahead.h"
 #include "opaline/renderer.h"
 #include "opaline/sequence.h"
@@ -24,12 +25,16 @@ int nearestNumber(const MeshSequence& sequence, double seconds);
 double lastSecond(const MeshSequence& sequence);
 double secondsOf(const MeshSequence& sequence);
 
-/// The files from now on, up to that number, each so many behind the one before.
+/// The files from now on, up to that number, each so many behind the one before; none of them is
+/// read that is kept.
 PositionsAhead positionsOf(std::shared_ptr<const MeshSequence> sequence, int lastNumber,
-                           int step = 1);
+                           int step = 1,
+                           std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>());
 
-/// For FilmOrder::place: puts the body where the frame's file has it. Throws as numberOfFrame().
+/// For FilmOrder::place: puts the body where the frame's file has it. What is kept already is not
+/// read again. Throws as numberOfFrame().
 std::function<void(Renderer& renderer, int frame)> placeBySequence(
-    std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames);
+    std::shared_ptr<const MeshSequence> sequence, const FrameRange& frames,
+    std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>());
 
 }  // namespace opaline::app

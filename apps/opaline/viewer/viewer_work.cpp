@@ -90,7 +90,7 @@ void Viewer::takeLoaded() {
     made.gizmos = session_.gizmos;
     made.scaleBar = session_.scaleBar;
     poke_.end();
-    stage_.setScene(made.scene);
+    stage_.setScene(made.scene, session_.scene);
     session_ = std::move(made);
     if (!resizing_) {
       undo_.begin(editStateOf(session_));
@@ -101,6 +101,8 @@ void Viewer::takeLoaded() {
     window_.setTitle(fmt::format("{} - Opaline", session_.name));
   } catch (const Error& error) {
     reaching_ = false;
+    sequence_.forget();
+    session_.edits.picture = stage_.hasScene();
     say(error.what(), true);
   }
 }

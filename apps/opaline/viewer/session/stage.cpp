@@ -1,6 +1,9 @@
 #include "viewer/session/stage.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "opaline/error.h"
 
 namespace opaline::app::viewer {
 
@@ -16,14 +19,22 @@ Stage::Stage(Renderer& renderer, const VulkanDevice& window)
   order_.reuseLight = true;
 }
 
-void Stage::setScene(const Scene& scene) {
+void Stage::setScene(const Scene& scene, const Scene& before) {
   finish();
-  hasScene_ = false;
+  const bool hadScene = std::exchange(hasScene_, false);
   picture_ = paperPicture_ = {};
   hostPicture_.clear();
   hostPaper_.clear();
   divided_ = false;
-  renderer_.setScene(scene);
+  try {
+    renderer_.setScene(scene);
+  } catch (const Error&) {
+    if (hadScene) {
+      renderer_.setScene(before);
+      hasScene_ = true;
+    }
+    throw;
+  }
   hasScene_ = true;
 }
 

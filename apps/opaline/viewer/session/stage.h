@@ -22,8 +22,9 @@ class Stage {
  public:
   Stage(Renderer& renderer, const VulkanDevice& window);
 
-  /// From now on it is this session's scene.
-  void setScene(const Scene& scene);
+  /// From now on it is this scene. Throws Error where the renderer refuses it, which then has the
+  /// one before again, if there was one; what was placed in that is to be placed anew.
+  void setScene(const Scene& scene, const Scene& before);
   bool hasScene() const { return hasScene_; }
 
   /// Hands the session's edits to the renderer and has it draw the picture, and the paper's where

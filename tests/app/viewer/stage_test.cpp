@@ -1,0 +1,49 @@
+#include "viewer/session/stage.h"
+
+#include <gtest/gtest.h>
+
+#include "opaline/error.h"
+#include "renderer/shapes.h"
+
+namespace opaline::app::viewer {
+namespace {
+
+Session litCube() {
+  Session session;
+  session.scene = test::sceneOf(test::box({0, 0, 0}, {5, 5, 5}, 1), test::marble(), {0, 0, 40}, 9);
+  session.scene.lighting.ambient = {1, 1, 1};
+  session.options.transport = Transport::Dipole;
+  session.options.maxSurfels = 1024;
+  session.options.shadowSize = 64;
+  session.aov = Aov::Exitance;
+  session.edits.medium.assign(1, false);
+  return session;
+}
+
+Image exitanceOf(Stage& stage, Session& session) {
+  stage.draw(session, 16, 16, false);
+  stage.finish();
+  return *stage.variableImage();
+}
+
+TEST(StageTest, ASceneThatIsRefusedLeavesTheOneBefore) {
+  Renderer renderer;
+  Stage stage(renderer, renderer.vulkanDevice());
+  Session session = litCube();
+  stage.setScene(session.scene, {});
+  const Image before = exitanceOf(stage, session);
+  EXPECT_GT(before.pixel(8, 8)[0], 0);
+  EXPECT_THROW(stage.setScene({}, session.scene), Error);
+  ASSERT_TRUE(stage.hasScene());
+  EXPECT_EQ(exitanceOf(stage, session).rgba, before.rgba);
+}
+
+TEST(StageTest, WithoutASceneBeforeThereIsNone) {
+  Renderer renderer;
+  Stage stage(renderer, renderer.vulkanDevice());
+  EXPECT_THROW(stage.setScene({}, {}), Error);
+  EXPECT_FALSE(stage.hasScene());
+}
+
+}  // namespace
+}  // namespace opaline::app::viewer
