@@ -130,12 +130,15 @@ struct Clusters {
   gpu::Buffer byHeight;                      ///< nodes, leaves first
   std::vector<std::uint32_t> firstOfHeight;  ///< one more than there are heights
   std::uint32_t count = 0;                   ///< of clusters
-  std::uint32_t surfelNodes = 0;             ///< of the tree of all surfels
-  gpu::Buffer clusters;                      ///< shared::Cluster
-  gpu::Buffer nodes;                         ///< shared::ClusterNode
-  gpu::Buffer entries;                       ///< shared::Entry a cluster for each light, then
-                                             ///< for what comes from everywhere
-  std::uint32_t lights = 0;                  ///< of the frame
+  std::uint32_t tileCount = 0;
+  gpu::Buffer tiles;               ///< shared::ClusterTile
+  gpu::Buffer lists;               ///< interaction lists: shared::roomOfList a tile
+  std::uint32_t surfelNodes = 0;   ///< of the tree of all surfels
+  gpu::Buffer clusters;            ///< shared::Cluster
+  gpu::Buffer nodes;               ///< shared::ClusterNode
+  gpu::Buffer entries;             ///< shared::Entry a cluster for each light, then
+                                   ///< for what comes from everywhere
+  std::uint32_t lights = 0;        ///< of the frame
   gpu::Buffer meetings;            ///< shared::Meeting, of the rays outwards of each cluster
   std::uint32_t raysOutwards = 0;  ///< of each cluster
   Beams fromLight;                 ///< of one light after the other
@@ -152,6 +155,12 @@ struct Clusters {
   gpu::Buffer means;               ///< vec4 a cluster: exitance of a half-space
   gpu::Buffer exitancesOfSurfels;  ///< vec4 a surfel: of a half-space
 };
+
+/// Of a dispatch with a work group for each tile (lib/cluster_tile.glsl).
+inline std::uint32_t invocationsOfTiles(const Clusters& clusters) {
+  constexpr std::uint32_t ofTile = 64;
+  return ofTile * clusters.tileCount;
+}
 
 /// What the solver of boundary transport works with.
 struct Solver {

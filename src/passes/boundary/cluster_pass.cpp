@@ -58,6 +58,17 @@ std::vector<std::uint32_t> clusterOfSurfel(const surfels::ClusterDivision& made)
   return cluster;
 }
 
+std::vector<shared::ClusterTile> tilesOf(const surfels::ClusterDivision& made) {
+  std::vector<shared::ClusterTile> tiles;
+  for (std::uint32_t object = 0; object + 1 < made.firstOfObject.size(); ++object) {
+    const std::uint32_t end = made.firstOfObject[object + 1];
+    for (std::uint32_t first = made.firstOfObject[object]; first < end;
+         first += shared::maxClustersOfTile)
+      tiles.push_back({first, std::min(first + shared::maxClustersOfTile, end), object, 0});
+  }
+  return tiles;
+}
+
 Beams makeBeams(gpu::Device& device, const char* points, const char* strengths,
                 std::uint32_t clusters) {
   return {makeRoom<shared::BeamPoint>(device, points, std::size_t{shared::maxPoints} * clusters),
@@ -89,6 +100,11 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
                       rangesOf(made, surface, surfels, triangleHasInside), clusterBuffer);
   clusters.clusterOfSurfel =
       gpu::makeBuffer(device, "cluster of each surfel", clusterOfSurfel(made), clusterBuffer);
+  const std::vector<shared::ClusterTile> tiles = tilesOf(made);
+  clusters.tileCount = static_cast<std::uint32_t>(tiles.size());
+  clusters.tiles = gpu::makeBuffer(device, "tiles of clusters", tiles, clusterBuffer);
+  clusters.lists =
+      makeRoom<std::uint32_t>(device, "interaction lists", tiles.size() * shared::roomOfList);
   clusters.links = gpu::makeBuffer(device, "links of clusters", made.tree.links, clusterBuffer);
   clusters.byHeight =
       gpu::makeBuffer(device, "clusters by height", made.tree.byHeight, clusterBuffer);
@@ -164,11 +180,13 @@ void ClusterPass::enclose(gpu::CommandList& commands, const Inputs& inputs,
   commands.bind(enclose_,
                 {.objects = inputs.tables.objects,
                  .media = inputs.tables.media,
-                 .ranges = clusters.ranges,
+                 .tiles = clusters.tiles,
+                 .clusterTexels = clusters.clusters,
+                 .clusterNodes = clusters.nodes,
                  .clusters = clusters.clusters,
-                 .clusterNodes = clusters.nodes},
-                {.clusterCount = clusters.count, .openingAngle = inputs.openingAngle});
-  commands.dispatchLinear(clusters.count, roundsOfWalk);
+                 .lists = clusters.lists},
+                {.tileCount = clusters.tileCount, .openingAngle = inputs.openingAngle});
+  commands.dispatchLinear(invocationsOfTiles(clusters), roundsOfWalk);
 }
 
 void ClusterPass::survey(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,

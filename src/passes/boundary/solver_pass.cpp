@@ -100,19 +100,22 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
   commands.bind(product_,
                 {.objects = tables.objects,
                  .media = tables.media,
-                 .ranges = clusters.ranges,
-                 .clusters = clusters.clusters,
+                 .tiles = clusters.tiles,
+                 .clusterTexels = clusters.clusters,
                  .clusterNodes = clusters.nodes,
+                 .clusters = clusters.clusters,
+                 .ranges = clusters.ranges,
+                 .lists = clusters.lists,
                  .densities = solver.densities,
                  .fluences = solver.basis,
                  .products = solver.products,
                  .states = solver.states},
-                {.clusterCount = clusters.count,
+                {.tileCount = clusters.tileCount,
                  .openingAngle = order.openingAngle,
                  .first = firstFluence,
                  .step = step,
                  .solution = order.solution});
-  commands.dispatchLinear(clusters.count, roundsOfWalk);
+  commands.dispatchLinear(invocationsOfTiles(clusters), roundsOfWalk);
 }
 
 }  // namespace opaline::passes

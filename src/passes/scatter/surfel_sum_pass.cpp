@@ -45,19 +45,22 @@ void SurfelSumPass::treeOverPlaces(gpu::CommandList& commands, const Order& orde
                                    const OverPlaces& over) const {
   const Pipelines& made = pipelines(order.transport);
   for (const auto* pipeline : {&made.roughVertices, &made.treeVertices}) {
+    if (pipeline == &made.roughVertices && !order.estimate) continue;
     if (pipeline == &made.treeVertices && order.site == ScatterSite::Fragments) break;
     commands.beginPass(pipeline == &made.roughVertices ? "estimate" : "scatter");
-    commands.bind(
-        *pipeline,
-        {.positions = over.places.positions,
-         .objectOf = over.places.objectOf,
-         .exitances = over.places.exitances,
-         .objects = over.tables.objects,
-         .media = over.tables.media,
-         .nodes = over.surfels.nodes,
-         .sources = over.surfels.sources,
-         .order = over.places.order},
-        {.vertexCount = over.places.count, .tolerance = order.tolerance, .site = order.site});
+    commands.bind(*pipeline,
+                  {.positions = over.places.positions,
+                   .objectOf = over.places.objectOf,
+                   .exitances = over.places.exitances,
+                   .objects = over.tables.objects,
+                   .media = over.tables.media,
+                   .nodes = over.surfels.nodes,
+                   .sources = over.surfels.sources,
+                   .order = over.places.order},
+                  {.vertexCount = over.places.count,
+                   .tolerance = order.tolerance,
+                   .estimated = order.estimate ? 1U : 0U,
+                   .site = order.site});
     commands.dispatchLinear(over.places.count, roundsOfWalk);
     commands.endPass();
   }

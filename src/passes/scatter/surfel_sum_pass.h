@@ -26,6 +26,9 @@ class SurfelSumPass {
     ScatterTransport transport = ScatterTransport::Dipole;
     ScatterSite site = ScatterSite::PerObject;
     float tolerance = 0.01F;  ///< of the tree: error of a node relative to the sum
+    /// Over places: whether the tolerance needs an estimate of the sum. Else a node is taken
+    /// wherever its series converges; that has an error of half a per cent, most of it smooth.
+    bool estimate = true;
   };
   struct OverPlaces {
     SceneTables& tables;

@@ -116,6 +116,13 @@ struct FrameContext {
     }
   }
 
+  // Under boundary transport nothing but the half-space's detail between clusters is seen, from
+  // which most of the errors cancel. Coarse surfels need to know what is negligible.
+  bool wantsEstimate(const SceneResources& scene) const {
+    constexpr float errorWithout = 0.001F;  // of what is seen, at most
+    return !boundary() || scene.surfels.coarse || plan.tolerance < 5 * errorWithout;
+  }
+
   // Sums the half-space where its mean over clusters is taken from.
   void meansOverClusters(SceneResources& scene) const {
     using From = passes::CarryPass::From;
@@ -124,8 +131,10 @@ struct FrameContext {
                                       scene.surfels, scene.clusters);
     const passes::Places surfels =
         passes::placesOf(scene.surfels, scene.clusters.exitancesOfSurfels);
-    sumOver(surfels, Sum::Tree, {order().transport, passes::ScatterSite::Vertices, plan.tolerance},
-            scene.surfels);
+    sumOver(
+        surfels, Sum::Tree,
+        {order().transport, passes::ScatterSite::Vertices, plan.tolerance, wantsEstimate(scene)},
+        scene.surfels);
     passes.carry.recordMeans(commands, From::Surfels, surfels.exitances, scene.surfels,
                              scene.clusters);
   }
@@ -151,8 +160,10 @@ struct FrameContext {
     }
     const passes::Places vertices = passes::verticesOf(mesh, scene.surfels, resources.exitance);
     // The tree's rough sum is wanted by fragments too.
+    passes::SurfelSumPass::Order how = order();
+    how.estimate = plan.site != Site::Vertex || wantsEstimate(scene);
     if (plan.sum == Sum::Tree || plan.site != Site::Fragment)
-      sumOver(vertices, plan.sum, order(), scene.surfels);
+      sumOver(vertices, plan.sum, how, scene.surfels);
     if (!boundary()) return;
     meansOverClusters(scene);
     if (plan.site != Site::Fragment)

@@ -1,60 +1,96 @@
-// The share of the solid angle that the body fills around each cluster: c_i = Σ (x_j - x_i)·A_j /
-// (4π r³), over the same nodes as the product takes, with their first moments.
+// The interaction lists of a frame, and the share of the solid angle that the body fills around each
+// cluster: c_i = Σ (x_j - x_i)·A_j / (4π r³), over the same nodes as the product takes, with their
+// first moments.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
+#define BINDING_TILES 2
 #define BINDING_CLUSTER_NODES 4
-#include "lib/boundary.glsl"
-#include "lib/cluster_node.glsl"
-#include "lib/linear.glsl"
+#include "lib/cluster_tile.glsl"
+#include "lib/tile_sum.glsl"
 
-layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(std430, set = 0, binding = 3) buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 5) writeonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 6) writeonly buffer Lists { uint lists[]; };
 
 const float leastShare = 0.05;
 
 layout(push_constant) uniform Push {
-  uint clusterCount;
+  uint tileCount;
   float openingAngle;
 };
 
+// What leaves so many lengths of extinction away does not arrive.
+const float furthestFelt = 16.0;
+
+bool isFelt(uint node) {
+  float reach = leastSigma * (sqrt(nearestSquared(centroidLinkOf(node).xyz)) - spreadOf(node).x);
+  return reach < furthestFelt;
+}
+
+shared uint countOfSubgroup[invocationsOfTile];
+
+// Of this invocation's nodes in the list.
+uint placeFor(uint count, out uint all) {
+  uint before = subgroupExclusiveAdd(count);
+  uint ours = subgroupAdd(count);
+  if (subgroupElect()) countOfSubgroup[gl_SubgroupID] = ours;
+  barrier();
+  all = 0u;
+  for (uint g = 0u; g < gl_NumSubgroups; ++g) {
+    if (g == gl_SubgroupID) before += all;
+    all += countOfSubgroup[g];
+  }
+  return before;
+}
+
+float shareOf(vec3 offset, float squared, bool leaf, vec3 vectorArea, float area, Moment moment) {
+  float over = inversesqrt(squared);
+  float over3 = over * over * over;
+  float fills = over3 * dot(offset, vectorArea);
+  if (leaf) return fills * coverageOfDisc(squared, area);
+  return fills + over3 * (traceOf(moment) - 3.0 * over * over * alongTwice(moment, offset));
+}
+
 void main() {
-  uint i = linearIndex();
-  bool inside = i < clusterCount;
-  ClusterRange range = ranges[inside ? i : 0u];
-  ObjectData body = objects[range.object];
-  float sigma = leastOf(insideOf(body).sigma.rgb);
-  vec3 place = clusters[inside ? i : 0u].centroidArea.xyz;
-  float share = 0.0;
-  uint next = inside ? body.clusters.x : noNode;
-  while (true) {
-    uint at = subgroupMin(next);
-    if (at == noNode) break;
-    if (next == at) {
-      vec4 centroidLink = centroidLinkOf(at);
-      uint link = floatBitsToUint(centroidLink.w);
-      vec3 offset = centroidLink.xyz - place;
+  if (!enterTile(tileCount)) return;
+  float shares[maxClustersOfTile];
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) shares[t] = 0.0;
+  uint felt = 0u;
+  uint at = body.clusters.x;
+  for (uint node = nextOnWalk(at, openingAngle); node != noNode; node = nextOnWalk(at, openingAngle)) {
+    felt += isFelt(node) ? 1u : 0u;
+    vec4 centroidLink = centroidLinkOf(node);
+    vec3 vectorArea = vectorAreaOf(node);
+    float area = spreadOf(node).w;
+    uint link = floatBitsToUint(centroidLink.w);
+    Moment moment = momentOf(node);
+    [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+      vec3 offset = centroidLink.xyz - targets[t].xyz;
       float squared = dot(offset, offset);
-      bool taken = isLeaf(link) ||
-                   isFar(squared, spreadOf(at).x, sigma, openingAngle);
-      if (taken && at != range.node && squared > leastSquaredMm2) {
-        float over = inversesqrt(squared);
-        float over3 = over * over * over;
-        float fills = over3 * dot(offset, vectorAreaOf(at));
-        if (isLeaf(link)) {
-          fills *= coverageOfDisc(squared, spreadOf(at).w);
-        } else {
-          Moment moment = momentOf(at);
-          fills += over3 * (traceOf(moment) - 3.0 * over * over * alongTwice(moment, offset));
-        }
-        share += fills;
-      }
-      next = taken ? afterNode(at, link) : at + 1u;
-      if (next >= body.clusters.y) next = noNode;
+      bool itself = isLeaf(link) && firstSurfelOf(link) == tile.firstCluster + t;
+      if (!itself && squared > leastSquaredMm2)
+        shares[t] += shareOf(offset, squared, isLeaf(link), vectorArea, area, moment);
     }
   }
+
+  uint all;
+  uint place = placeFor(felt, all);
+  uint list = tileIndex * roomOfList;
+  if (gl_LocalInvocationIndex == 0u) lists[list] = all;
+  if (all < roomOfList) {
+    at = body.clusters.x;
+    for (uint node = nextOnWalk(at, openingAngle); node != noNode; node = nextOnWalk(at, openingAngle))
+      if (isFelt(node)) lists[list + 1u + place++] = node;
+  }
+
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, vec3(shares[t]));
+  uint target = gl_LocalInvocationIndex;
+  vec3 sum = sumOfTile(target);
   // Clusters that lie upon each other might give any number.
-  if (inside) clusters[i].vectorArea.w = clamp(share / (4.0 * pi), leastShare, 1.0);
+  if (target < tile.endCluster - tile.firstCluster)
+    clusters[tile.firstCluster + target].vectorArea.w = clamp(sum.x / (4.0 * pi), leastShare, 1.0);
 }

@@ -3,91 +3,124 @@
 //   K_ij φ_j = -(1 + σr) e^{-σr} (x_j - x_i)·A_j φ_j / 4πr³, single clusters covering what a disc does.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
+#define BINDING_TILES 2
 #define BINDING_CLUSTER_NODES 4
-#include "lib/boundary.glsl"
-#include "lib/cluster_node.glsl"
-#include "lib/linear.glsl"
+#include "lib/cluster_tile.glsl"
 #include "lib/solver.glsl"
+#include "lib/tile_sum.glsl"
 
-layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Clusters { Cluster clusters[]; };
-layout(set = 0, binding = 5) uniform samplerBuffer densities;  // DensityNode
-layout(std430, set = 0, binding = 6) readonly buffer Fluences { vec4 fluences[]; };
-layout(std430, set = 0, binding = 7) writeonly buffer Products { vec4 products[]; };
-layout(std430, set = 0, binding = 8) readonly buffer States { SolverState states[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 6) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Lists { uint lists[]; };
+layout(set = 0, binding = 8) uniform samplerBuffer densities;  // DensityNode
+layout(std430, set = 0, binding = 9) readonly buffer Fluences { vec4 fluences[]; };
+layout(std430, set = 0, binding = 10) writeonly buffer Products { vec4 products[]; };
+layout(std430, set = 0, binding = 11) readonly buffer States { SolverState states[]; };
 
 layout(push_constant) uniform Push {
-  uint clusterCount;
+  uint tileCount;
   float openingAngle;
   uint first;  // of the fluences
   uint step;   // of the solver; skipped when that is done
   uint solution;
 };
 
-void main() {
-  uint i = linearIndex();
-  if (step > 0u && states[solution].done[doneBefore(step)] != 0u) return;
-  bool inside = i < clusterCount;
-  ClusterRange range = ranges[inside ? i : 0u];
-  ObjectData body = objects[range.object];
-  BoundaryMedium medium = insideOf(body);
-  vec3 sigma = medium.sigma.rgb;
-  float leastSigma = leastOf(sigma);
-  vec3 weightS = 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);  // 1 / 2AD
-  Cluster cluster = clusters[inside ? i : 0u];
-  vec3 place = cluster.centroidArea.xyz;
+// A node, as every cluster of the tile needs it.
+struct ActingNode {
+  vec3 place;
+  bool leaf;
+  float radius;       // of all below it
+  float area;
+  vec3 second;        // from afar, how much more its single layer gives than from its middle
+  uint cluster;       // of a leaf
+  mat3 dipoles;       // a column for each channel
+  vec3 density;       // Σ a φ / 2AD
+  vec3 mean;          // φ where its areas cancel: of a sheet's two sides
+  Moment moment;
+};
 
-  vec3 sum = vec3(0.0);
-  uint next = inside ? body.clusters.x : noNode;
+vec3 weightS;  // 1 / 2AD
+
+ActingNode actingNode(uint at) {
+  vec4 centroidLink = centroidLinkOf(at);
+  vec4 spread = spreadOf(at);
+  uint link = floatBitsToUint(centroidLink.w);
+  vec4 red = texelFetch(densities, 3 * int(at));
+  vec4 green = texelFetch(densities, 3 * int(at) + 1);
+  vec4 blue = texelFetch(densities, 3 * int(at) + 2);
+  vec3 density = vec3(red.w, green.w, blue.w);
+  vec3 mean = isLeaf(link) ? vec3(0.0) : density / max(spread.w, 1e-30);
+  vec3 second = 1.0 + medium.sigma.rgb * medium.sigma.rgb * (spread.y / 6.0);
+  return ActingNode(centroidLink.xyz, isLeaf(link), spread.x, spread.w, second, firstSurfelOf(link),
+                    mat3(red.xyz, green.xyz, blue.xyz), weightS * density, mean, momentOf(at));
+}
+
+// From a single layer as from its middle, and from a double one of that dipole.
+vec3 actionOf(ActingNode node, vec4 target) {
+  vec3 sigma = medium.sigma.rgb;
+  vec3 offset = node.place - target.xyz;
+  float squared = dot(offset, offset);
+  if (squared <= leastSquaredMm2) return vec3(0.0);
+  float over = inversesqrt(squared);
+  float over2 = over * over;
+  vec3 x = sigma * (squared * over);
+  vec3 e = exp(-x) * over2 * over;
+  float smoothed = squared + smoothingOf(target.w, node.leaf ? node.area : 0.0);
+  float overAway = inversesqrt(smoothed);
+  vec3 single = exp(-sigma * (smoothed * overAway)) * overAway * node.density;
+  vec3 along = (1.0 + x) * (offset * node.dipoles);
+  if (node.leaf) {
+    // An expansion about the middle, for places outside alone.
+    if (isFar(squared, node.radius, leastSigma, openingAngle)) single *= node.second;
+    return single - e * (coverageOfDisc(squared, node.area) * along);
+  }
+  // Both sides of a sheet, whose areas cancel, by the moment.
+  vec3 sheet = (3.0 + x * (3.0 + x)) * (over2 * alongTwice(node.moment, offset)) -
+               (1.0 + x) * traceOf(node.moment);
+  return single * node.second + e * (node.mean * sheet - along);
+}
+
+void main() {
+  if (step > 0u && states[solution].done[doneBefore(step)] != 0u) return;
+  if (!enterTile(tileCount)) return;
+  weightS = 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);
+  vec3 sums[maxClustersOfTile];
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) sums[t] = vec3(0.0);
+  uint list = tileIndex * roomOfList;
+  uint count = lists[list];
+  bool listed = count < roomOfList;
+  uint next = listed ? gl_LocalInvocationIndex : body.clusters.x;
   while (true) {
-    uint at = subgroupMin(next);
+    uint at = noNode;
+    if (!listed) {
+      at = nextOnWalk(next, openingAngle);
+    } else if (next < count) {
+      at = lists[list + 1u + next];
+      next += invocationsOfTile;
+    }
     if (at == noNode) break;
-    if (next == at) {
-      vec4 centroidLink = centroidLinkOf(at);
-      vec4 spread = spreadOf(at);
-      uint link = floatBitsToUint(centroidLink.w);
-      vec3 offset = centroidLink.xyz - place;
-      float squared = dot(offset, offset);
-      bool far = isFar(squared, spread.x, leastSigma, openingAngle);
-      bool taken = isLeaf(link) || far;
-      if (taken && at != range.node && squared > leastSquaredMm2) {
-        vec4 red = texelFetch(densities, 3 * int(at));
-        vec4 green = texelFetch(densities, 3 * int(at) + 1);
-        vec4 blue = texelFetch(densities, 3 * int(at) + 2);
-        float over = inversesqrt(squared);
-        float fills = isLeaf(link) ? coverageOfDisc(squared, spread.w) : 1.0;
-        vec3 x = sigma * (squared * over);
-        vec3 e = exp(-x) * over;
-        float away = sqrt(squared + smoothingOf(cluster.normal.w, isLeaf(link) ? sqrt(spread.w / pi) : 0.0));
-        vec3 single = exp(-sigma * away) / away;
-        // An expansion about the middle, for places outside alone.
-        vec3 second = 1.0 + (far ? sigma * sigma * (spread.y / 6.0) : vec3(0.0));
-        vec3 along = vec3(dot(offset, red.xyz), dot(offset, green.xyz), dot(offset, blue.xyz));
-        sum += single * (weightS * second * vec3(red.w, green.w, blue.w)) -
-               e * (1.0 + x) * (over * over * fills) * along;
-        if (!isLeaf(link)) {
-          // The moment of the double layer: both sides of a sheet, whose areas cancel.
-          Moment moment = momentOf(at);
-          vec3 mean = vec3(red.w, green.w, blue.w) / max(spread.w, 1e-30);
-          float over2 = over * over;
-          sum += mean * e * over2 *
-                 ((3.0 + x * (3.0 + x)) * (over2 * alongTwice(moment, offset)) -
-                  (1.0 + x) * traceOf(moment));
-        }
-      }
-      next = taken ? afterNode(at, link) : at + 1u;
-      if (next >= body.clusters.y) next = noNode;
+    ActingNode node = actingNode(at);
+    [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+      bool itself = node.leaf && node.cluster == tile.firstCluster + t;
+      if (!itself) sums[t] += actionOf(node, targets[t]);
     }
   }
-  if (!inside) return;
-  if (range.hasInside == 0u) {  // there is no equation
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, sums[t]);
+  uint target = gl_LocalInvocationIndex;
+  vec3 sum = sumOfTile(target);
+  if (target >= tile.endCluster - tile.firstCluster) return;
+  uint i = tile.firstCluster + target;
+  if (ranges[i].hasInside == 0u) {  // there is no equation
     products[i] = vec4(0.0);
     return;
   }
-  vec3 own = 0.5 * absorbedLength(sigma, vec3(cluster.normal.w)) / medium.diffusion.rgb;
+  Cluster cluster = clusters[i];
+  vec3 own = 0.5 * absorbedLength(medium.sigma.rgb, vec3(cluster.normal.w)) / medium.diffusion.rgb;
   vec3 fluence = fluences[first + i].rgb;
   products[i] = vec4(sum / (4.0 * pi) +
                          fluence * (cluster.vectorArea.w + own / (2.0 * medium.diffusion.w)),

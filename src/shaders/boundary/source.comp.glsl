@@ -6,9 +6,9 @@
 #include "lib/linear.glsl"
 #include "lib/beam_walk.glsl"
 
-// e^{-σr} / r of light that entered through a disc of that radius.
-vec3 kernel(vec3 squared, float radiusMm) {
-  vec3 away = sqrt(squared + smoothingOf(its.normal.w, radiusMm));
+// e^{-σr} / r of light that entered through a disc of that area.
+vec3 kernel(vec3 squared, float areaMm2) {
+  vec3 away = sqrt(squared + smoothingOf(its.centroidArea.w, areaMm2));
   return exp(-medium.sigma.rgb * away) / away;
 }
 
@@ -70,12 +70,12 @@ vec3 fromPoints(uint cluster) {
   uint firstCount = shareOfFirst(from) == vec3(0.0) ? 0u : counts.x;
   for (uint p = cluster == receiver ? pointsOfFirstSegment : 0u; p < firstCount; ++p) {
     BeamPoint point = readPoint(at + p);
-    first += shareOf(point) * kernel(squaredDistances(point, place), from.normal.w);
+    first += shareOf(point) * kernel(squaredDistances(point, place), from.centroidArea.w);
   }
   vec3 second = vec3(0.0);
   for (uint p = 0u; p < counts.y; ++p) {
     BeamPoint point = readPoint(at + maxFirstPoints + p);
-    second += shareOf(point) * kernel(squaredDistances(point, place), from.normal.w);
+    second += shareOf(point) * kernel(squaredDistances(point, place), from.centroidArea.w);
   }
   return strength.rgb * (shareOfFirst(from) * first + shareOfSecond(from, medium) * second);
 }

@@ -29,10 +29,8 @@ float coverageOfDisc(float squaredMm2, float areaMm2) {
 // What is added to the square of the distance between two clusters for 1 over it to be a mean over
 // both, mm²: in the middle of a disc it is 2/ρ, and over a disc that lies on another of its size,
 // 16/3πρ.
-float smoothingOf(float radiusMm, float radiusOfOtherMm) {
-  float larger = max(radiusMm, radiusOfOtherMm);
-  float smaller = min(radiusMm, radiusOfOtherMm);
-  return 0.25 * larger * larger + 0.097 * smaller * smaller;
+float smoothingOf(float areaMm2, float areaOfOtherMm2) {
+  return (0.25 * max(areaMm2, areaOfOtherMm2) + 0.097 * min(areaMm2, areaOfOtherMm2)) / pi;
 }
 
 // Rays start that far from where they leave a cluster's surface, mm.

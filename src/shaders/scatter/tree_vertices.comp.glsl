@@ -21,8 +21,13 @@ layout(std430, set = 0, binding = 8) readonly buffer Order { uint order[]; };
 layout(push_constant) uniform Push {
   uint vertexCount;
   float tolerance;
+  uint estimated;  // else a node is taken wherever its series converges
   uint site;
 };
+
+vec3 toleratedHere(vec3 estimate) {
+  return estimated != 0u ? toleratedAt(estimate, tolerance) : vec3(3e38);
+}
 
 void main() {
   uint i = linearIndex();
@@ -36,6 +41,6 @@ void main() {
   vec4 sum = rough != 0u
                  ? vec4(max(roughSum(position, body, root, profile), darkestOf(body, root)), 0.0)
                  : treeSum(position, root, body.tree.y, profile, body.darkest.w,
-                           toleratedAt(exitances[vertex].rgb, tolerance));
+                           toleratedHere(exitances[vertex].rgb));
   if (here) exitances[vertex] = sum;
 }

@@ -36,6 +36,20 @@ struct Cluster {
                 // inside
 };
 
+/// Clusters of one body that follow each other: the same nodes act on all of them, so that what is
+/// known of a node is used for each.
+OPALINE_BOUNDARY_CONSTANT maxClustersOfTile = 8u;
+struct ClusterTile {
+  uint firstCluster;
+  uint endCluster;
+  uint object;
+  uint unused;
+};
+
+/// The interaction list of a tile: how many nodes act on it, and then which. Where there are more
+/// than it has room for, it has none, and they are found again each time.
+OPALINE_BOUNDARY_CONSTANT roomOfList = 1024u;
+
 /// Light of one kind that enters through a cluster.
 struct Entry {
   vec4 irradiance;  // rgb, mean over the cluster

@@ -1,0 +1,68 @@
+// A tile of clusters and the nodes that act on them: nodes which are far from all of them, and leaves.
+// A work group has a tile, and its invocations share the nodes among them. Needs, before it,
+// BINDING_OBJECTS, BINDING_MEDIA, BINDING_CLUSTER_NODES, and BINDING_TILES, the first of two bindings.
+#ifndef OPALINE_LIB_CLUSTER_TILE
+#define OPALINE_LIB_CLUSTER_TILE
+#include "lib/boundary.glsl"
+#include "lib/cluster_node.glsl"
+#include "lib/linear.glsl"
+
+layout(std430, set = 0, binding = BINDING_TILES) readonly buffer Tiles { ClusterTile tiles[]; };
+layout(set = 0, binding = BINDING_TILES + 1) uniform samplerBuffer clusterTexels;  // Cluster
+
+const uint invocationsOfTile = gl_WorkGroupSize.x;
+
+uint tileIndex;
+ClusterTile tile;
+ObjectData body;
+BoundaryMedium medium;
+float leastSigma;
+vec4 targets[maxClustersOfTile];  // centroid, mm; area, mm². Where the tile has fewer, the last again
+
+// Of the body's nodes, those that this invocation looks at in a walk.
+uint sliceBegin;
+uint sliceEnd;
+
+// False where there is no such tile, for all of the work group.
+bool enterTile(uint tileCount) {
+  tileIndex = linearIndex() / invocationsOfTile;
+  if (tileIndex >= tileCount) return false;
+  tile = tiles[tileIndex];
+  body = objects[tile.object];
+  medium = insideOf(body);
+  leastSigma = leastOf(medium.sigma.rgb);
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
+    targets[t] = texelFetch(clusterTexels, 7 * int(min(tile.firstCluster + t, tile.endCluster - 1u)));
+  uint nodes = body.clusters.y - body.clusters.x;
+  uint i = gl_LocalInvocationIndex;
+  sliceBegin = body.clusters.x + nodes * i / invocationsOfTile;
+  sliceEnd = body.clusters.x + nodes * (i + 1u) / invocationsOfTile;
+  return true;
+}
+
+float nearestSquared(vec3 place) {
+  float least = 3e38;
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+    vec3 offset = place - targets[t].xyz;
+    least = min(least, dot(offset, offset));
+  }
+  return least;
+}
+
+// Of this invocation's slice, the next node from `at` on that acts on the tile, or noNode.
+uint nextOnWalk(inout uint at, float openingAngle) {
+  uint found = noNode;
+  while (found == noNode && at < sliceEnd) {
+    vec4 centroidLink = centroidLinkOf(at);
+    uint link = floatBitsToUint(centroidLink.w);
+    uint after = afterNode(at, link);
+    bool before = after <= sliceBegin;
+    bool taken = isLeaf(link) ||
+                 isFar(nearestSquared(centroidLink.xyz), spreadOf(at).x, leastSigma, openingAngle);
+    if (taken && at >= sliceBegin) found = at;
+    at = before || taken ? after : at + 1u;
+  }
+  return found;
+}
+
+#endif
