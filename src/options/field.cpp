@@ -49,6 +49,7 @@ bool Allowed::holds(const Value& value) const {
                  },
                  [&](double number) { return range.holds(number); },
                  [&](const std::string& text) {
+                   if (choices.empty()) return !text.empty();
                    return std::find(choices.begin(), choices.end(), text) != choices.end();
                  },
                  [&](const auto& several) { return allIn(several, range); }},
@@ -64,7 +65,8 @@ std::string requirement(const Allowed& allowed, const Value& like) {
             return allowed.counts.empty() ? fmt::format("must be a whole number {}", range)
                                           : fmt::format("must be {}", listed(allowed.counts));
           },
-          [&](const std::string&) {
+          [&](const std::string&) -> std::string {
+            if (allowed.choices.empty()) return "must be a name";
             return fmt::format("must be one of {}", fmt::join(allowed.choices, ", "));
           },
           [&](const Size&) { return fmt::format("must be WIDTHxHEIGHT, each {}", range); },

@@ -20,13 +20,13 @@ namespace opaline::options {
 /// Width and height, pixels.
 using Size = std::array<int, 2>;
 
-/// What an option may be set to. A text is the name of a choice.
+/// What an option may be set to. A text is a name.
 using Value = std::variant<bool, int, float, double, std::string, Size, Rgb, std::array<double, 3>>;
 
 /// What values an option takes.
 struct Allowed {
   Range range{0, 0};                           ///< of a number, and of each of several
-  std::vector<std::string_view> choices = {};  ///< of a text
+  std::vector<std::string_view> choices = {};  ///< of a text; empty: any text but an empty one
   std::vector<int> counts = {};                ///< of a whole number; empty: all in the range
 
   bool holds(const Value& value) const;

@@ -104,6 +104,17 @@ const std::vector<Field<PictureSettings>>& fieldsOf() {
   return table;
 }
 
+template <>
+const std::vector<Field<NamedSettings>>& fieldsOf() {
+  static const std::vector<Field<NamedSettings>> table{
+      field<NamedSettings, &NamedSettings::device>("device", {}, "name or number from opaline info",
+                                                   "the best"),
+      field<NamedSettings, &NamedSettings::clip>("clip", {}, "name from opaline info, or none",
+                                                 "the first"),
+  };
+  return table;
+}
+
 void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options) {
   PictureSettings settings{.render = options};
   chosen.applyTo(settings);

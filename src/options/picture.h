@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/tone.h"
@@ -18,6 +19,17 @@ struct PictureSettings {
 
 template <>
 const std::vector<Field<PictureSettings>>& fieldsOf();
+
+/// What is chosen by a name that only the machine or the model knows.
+struct NamedSettings {
+  std::optional<std::string> device;
+  std::optional<std::string> clip;
+
+  bool operator==(const NamedSettings&) const = default;
+};
+
+template <>
+const std::vector<Field<NamedSettings>>& fieldsOf();
 
 template <>
 const std::vector<std::string_view>& namesOf<Transport>();

@@ -14,6 +14,7 @@ namespace {
 constexpr Range scattering{0, 1e6, "per mm", true};
 constexpr Range absorption{0, 1e6, "per mm"};
 constexpr Range power{0, 1e30};
+constexpr Range period{1e-3, 1e6, "s"};
 
 }  // namespace
 
@@ -69,6 +70,49 @@ const std::vector<Field<Lighting>>& fieldsOf() {
       field<Lighting, &Lighting::ambient>("radiance", {power}, "radiance from everywhere"),
   };
   return table;
+}
+
+template <>
+const std::vector<std::string_view>& namesOf<DeformerKind>() {
+  static const std::vector<std::string_view> names{"twist", "bend", "squash", "wobble"};
+  return names;
+}
+
+template <>
+const std::vector<Field<Deformer>>& fieldsOf() {
+  static const std::vector<Field<Deformer>> table{
+      field<Deformer, &Deformer::kind>("kind", {}, "what it does"),
+      field<Deformer, &Deformer::amount>("amount", {{-100, 100}}, "an angle or a part of the size"),
+      field<Deformer, &Deformer::periodSeconds>("period_seconds", {{0, period.most, "s"}},
+                                                "of a swing"),
+  };
+  return table;
+}
+
+Range rangeOfAmount(const Deformer& deformer) {
+  switch (deformer.kind) {
+    case DeformerKind::Twist:
+      return {-100, 100, "radians"};
+    case DeformerKind::Bend:
+      return {-6.28, 6.28, "radians"};
+    case DeformerKind::Squash:
+      // Swinging it takes both signs, and what is squashed by 1 has no height.
+      return {deformer.periodSeconds == 0 ? -3 : -0.9, 0.9};
+    case DeformerKind::Wobble:
+      break;
+  }
+  return {-1, 1, "diagonals"};
+}
+
+std::string complaintAbout(const Deformer& deformer) {
+  if (deformer.periodSeconds != 0 && !Allowed{period}.holds(deformer.periodSeconds))
+    return fmt::format("period_seconds {}: must be 0 or {}", deformer.periodSeconds,
+                       describe(period));
+  const Range amounts = rangeOfAmount(deformer);
+  if (Allowed{amounts}.holds(deformer.amount)) return {};
+  const bool swings = deformer.kind == DeformerKind::Squash && deformer.periodSeconds != 0;
+  return fmt::format("amount {}: must be {} for a {}{}", deformer.amount, describe(amounts),
+                     nameOf(deformer.kind), swings ? " that swings" : "");
 }
 
 }  // namespace options

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "opaline/motion.h"
 #include "opaline/scene.h"
 #include "options/field.h"
 
@@ -15,6 +16,19 @@ template <>
 const std::vector<Field<DirectionalLight>>& fieldsOf();
 template <>
 const std::vector<Field<PointLight>>& fieldsOf();
+
+template <>
+const std::vector<std::string_view>& namesOf<DeformerKind>();
+
+/// The amount's range is the widest; rangeOfAmount() knows that of each kind.
+template <>
+const std::vector<Field<Deformer>>& fieldsOf();
+
+/// What a deformer's amount may be. One that swings takes both signs.
+Range rangeOfAmount(const Deformer& deformer);
+
+/// What is wrong with a deformer, as a sentence; empty if nothing.
+std::string complaintAbout(const Deformer& deformer);
 
 /// Of LoadOptions only the size.
 template <>

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "opaline/error.h"
+#include "options/scene.h"
 #include "renderer/validate.h"
-#include "scene/deformer_check.h"
 #include "shaders/shared/deform.h"
 
 namespace opaline {
@@ -121,8 +121,8 @@ void validateMotion(const Scene& scene) {
 
 void validate(const std::vector<Deformer>& deformers) {
   for (const Deformer& deformer : deformers)
-    if (const std::string complaint = scene::complaintAbout(deformer); !complaint.empty())
-      throw UsageError(complaint);
+    if (const std::string complaint = options::complaintAbout(deformer); !complaint.empty())
+      throw UsageError("a deformer: " + complaint);
   if (deformers.size() > shared::maxDeformers)
     throw UsageError(fmt::format("there are {} deformers, but there may be {}", deformers.size(),
                                  shared::maxDeformers));

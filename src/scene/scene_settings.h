@@ -16,8 +16,7 @@ namespace opaline::scene {
 /// What a .toml scene says beyond the scene itself: its [render] table.
 struct SceneFileSettings {
   options::Chosen<options::PictureSettings> picture;
-  std::optional<std::string> device;
-  std::optional<std::string> clip;  ///< by name, or none
+  options::NamedSettings named;
 
   bool operator==(const SceneFileSettings&) const = default;
 };

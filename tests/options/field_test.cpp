@@ -62,8 +62,8 @@ TEST(Text, IsWhatPeopleType) {
 template <typename Owner>
 class Table : public testing::Test {};
 
-using Owners = testing::Types<PictureSettings, Medium, Camera, DirectionalLight, PointLight,
-                              Lighting, LoadOptions>;
+using Owners = testing::Types<PictureSettings, NamedSettings, Medium, Camera, DirectionalLight,
+                              PointLight, Lighting, Deformer, LoadOptions>;
 TYPED_TEST_SUITE(Table, Owners);
 
 TYPED_TEST(Table, HasEachKeyOnce) {
@@ -179,6 +179,49 @@ TEST(Lights, AreRefusedWhereTheyMakeNoSense) {
   lighting.points.clear();
   lighting.ambient = {0, -1, 0};
   EXPECT_THAT(complaintAbout(lighting), HasSubstr("the ambient light: radiance 0,-1,0"));
+}
+
+TEST(Deformers, HaveTheRangesOfTheirKinds) {
+  struct Case {
+    Deformer least, most;
+    const char* allowed;
+  };
+  using Kind = DeformerKind;
+  for (const auto& [least, most, allowed] :
+       {Case{{Kind::Twist, -100, 0}, {Kind::Twist, 100, 2}, "from -100 to 100 radians"},
+        Case{{Kind::Bend, -6.28F, 0}, {Kind::Bend, 6.28F, 2}, "from -6.28 to 6.28 radians"},
+        Case{{Kind::Squash, -3, 0}, {Kind::Squash, 0.9F, 0}, "from -3 to 0.9"},
+        Case{{Kind::Squash, -0.9F, 2}, {Kind::Squash, 0.9F, 2}, "from -0.9 to 0.9"},
+        Case{{Kind::Wobble, -1, 0}, {Kind::Wobble, 1, 2}, "from -1 to 1 diagonals"}}) {
+    for (Deformer deformer : {least, most}) {
+      EXPECT_EQ(complaintAbout(deformer), "");
+      EXPECT_TRUE(fieldOf<Deformer>("amount").allowed.holds(deformer.amount));
+      deformer.amount *= 1.01F;
+      EXPECT_THAT(complaintAbout(deformer), HasSubstr(allowed));
+      EXPECT_THAT(complaintAbout(deformer), HasSubstr(nameOf(deformer.kind)));
+      deformer.amount = std::nanf("");
+      EXPECT_THAT(complaintAbout(deformer), HasSubstr(allowed));
+    }
+  }
+}
+
+TEST(Deformers, SwingNeitherTooFastNorTooSlowly) {
+  for (const float period : {0.0F, 0.001F, 1e6F})
+    EXPECT_EQ(complaintAbout(Deformer{DeformerKind::Twist, 1, period}), "");
+  for (const float period : {-1.0F, 0.0009F, 1.1e6F, std::nanf("")})
+    EXPECT_THAT(complaintAbout(Deformer{DeformerKind::Twist, 1, period}),
+                HasSubstr("must be 0 or from 0.001 to 1e6 s"));
+}
+
+TEST(Names, AreAnyTextThatIsNotEmpty) {
+  for (const Field<NamedSettings>& field : fieldsOf<NamedSettings>()) {
+    EXPECT_TRUE(field.allowed.holds(std::string("xyzzy")));
+    EXPECT_FALSE(field.allowed.holds(std::string()));
+    NamedSettings settings;
+    EXPECT_FALSE(field.get(settings));
+    field.set(settings, std::string("xyzzy"));
+    EXPECT_EQ(field.get(settings), Value(std::string("xyzzy")));
+  }
 }
 
 TEST(Camera, IsRefusedWhereItMakesNoSense) {

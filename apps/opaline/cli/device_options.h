@@ -5,6 +5,7 @@
 
 #include "opaline/log.h"
 #include "opaline/renderer.h"
+#include "options/picture.h"
 
 namespace opaline::app {
 
@@ -12,7 +13,7 @@ class CommandLine;
 
 /// Which device renders, and how: what render and view share of their section "Run".
 struct DeviceOptions {
-  std::optional<std::string> device;
+  options::Chosen<options::NamedSettings> named;
   std::optional<bool> rayQueries;
   bool validation = false;
 

@@ -25,7 +25,7 @@ std::string helpOf(std::string_view help, const options::Allowed& allowed,
                    const options::Value& like, const std::string& standard) {
   std::string text{help};
   if (std::holds_alternative<std::string>(like)) {
-    text += fmt::format(": {}", fmt::join(allowed.choices, ", "));
+    if (!allowed.choices.empty()) text += fmt::format(": {}", fmt::join(allowed.choices, ", "));
   } else if (!allowed.counts.empty()) {
     text += fmt::format(", {}", fmt::join(allowed.counts, " "));
   } else {

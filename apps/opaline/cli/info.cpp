@@ -22,9 +22,9 @@
 #include "core/tone.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "options/scene.h"
 #include "paper/atlas/atlas.h"
 #include "paper/atlas/draw.h"
-#include "scene/deformer_check.h"
 #include "scene/mesh/insides.h"
 #include "scene/mesh/merged_mesh.h"
 #include "scene/not_shown.h"
@@ -94,9 +94,7 @@ std::string motionText(const Scene& scene) {
     text += fmt::format("clip {}: {:.4g} s\n", clip.name, clip.seconds);
   }
   for (const Deformer& deformer : scene.deformers) {
-    text +=
-        fmt::format("deform {}: {:.4g}",
-                    scene::deformerNames[static_cast<std::size_t>(deformer.kind)], deformer.amount);
+    text += fmt::format("deform {}: {:.4g}", options::nameOf(deformer.kind), deformer.amount);
     if (deformer.periodSeconds > 0)
       text += fmt::format(", period {:.4g} s", deformer.periodSeconds);
     text += "\n";

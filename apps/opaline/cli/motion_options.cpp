@@ -9,7 +9,7 @@
 #include "cli/fields.h"
 #include "cli/values.h"
 #include "opaline/error.h"
-#include "scene/deformer_check.h"
+#include "options/scene.h"
 
 namespace opaline::app {
 
@@ -17,27 +17,6 @@ namespace {
 
 constexpr int lastFrame = 999999;
 constexpr const char* noClip = "none";
-
-Choices<DeformerKind> deformerKinds() {
-  Choices<DeformerKind> kinds;
-  for (const std::string_view name : scene::deformerNames) {
-    kinds.emplace_back(name, static_cast<DeformerKind>(kinds.size()));
-  }
-  return kinds;
-}
-
-const char* unitOfAmount(DeformerKind kind) {
-  switch (kind) {
-    case DeformerKind::Twist:
-    case DeformerKind::Bend:
-      return "radians";
-    case DeformerKind::Squash:
-      return "";
-    case DeformerKind::Wobble:
-      break;
-  }
-  return "diagonals";
-}
 
 std::vector<std::string> splitAtColons(const std::string& text) {
   std::vector<std::string> parts;
@@ -52,19 +31,20 @@ std::vector<std::string> splitAtColons(const std::string& text) {
 Deformer readDeformer(const Given& given) {
   const std::vector<std::string> parts = splitAtColons(given.text);
   Deformer deformer;
-  deformer.kind = readChoice(Given{given.option, parts[0]}, deformerKinds());
+  const auto read = [&](std::string_view key, const Given& part) {
+    const auto& field = options::fieldOf<Deformer>(key);
+    field.set(deformer, readValue(part, field.allowed, field.like));
+  };
+  read("kind", {given.option, parts[0]});
   if (parts.size() != 2 && parts.size() != 3) {
     throw UsageError(fmt::format("{} {}: must be KIND:AMOUNT or KIND:AMOUNT:PERIOD, as {}:0.5:2",
                                  given.option, given.text, parts[0]));
   }
   const std::string option = given.option + " " + parts[0];
-  if (parts.size() == 3) {
-    deformer.periodSeconds = static_cast<float>(readNumber({option, parts[2]}, {0, 1e6, "s"}));
-  }
-  const scene::AmountRange amounts = scene::amountRange(deformer);
-  deformer.amount = static_cast<float>(
-      readNumber({option, parts[1]}, {amounts.least, amounts.most, unitOfAmount(deformer.kind)}));
-  if (const std::string complaint = scene::complaintAbout(deformer); !complaint.empty()) {
+  if (parts.size() == 3) read("period_seconds", {option, parts[2]});
+  deformer.amount =
+      static_cast<float>(readNumber({option, parts[1]}, options::rangeOfAmount(deformer)));
+  if (const std::string complaint = options::complaintAbout(deformer); !complaint.empty()) {
     throw UsageError(fmt::format("{} {}: {}", given.option, given.text, complaint));
   }
   return deformer;
@@ -118,8 +98,7 @@ void MotionOptions::addTo(CommandLine& line, bool films) {
       framesPerSecond_ = readNumber(given, {1, 1000});
     });
   }
-  line.value("--clip", "NAME", "name from opaline info, or none [the first]",
-             [this](const Given& given) { clip_ = given.text; });
+  addField(line, options::fieldOf<options::NamedSettings>("clip"), named_);
   line.repeated("--deform", "KIND:X[:PERIOD]", "twist or bend (radians), squash, wobble; seconds",
                 [this](const Given& given) { deformers_.push_back(readDeformer(given)); });
 }
@@ -148,11 +127,10 @@ SceneTime MotionOptions::time(const Scene& scene, const scene::SceneFileSettings
   settings.picture.applyTo(found);
   chosen_.applyTo(found);
   SceneTime time = found.time;
-  if (clip_) {
-    time.clip = findClip({"--clip", *clip_}, scene);
-  } else if (settings.clip) {
-    time.clip = findClip({"[render] clip", *settings.clip}, scene);
-  }
+  options::NamedSettings named = settings.named;
+  named_.applyTo(named);
+  if (named.clip)
+    time.clip = findClip({named_.has("clip") ? "--clip" : "[render] clip", *named.clip}, scene);
   return time;
 }
 

@@ -44,7 +44,7 @@ class MotionOptions {
   options::Chosen<options::PictureSettings> chosen_;  // the time of a still
   std::optional<FrameRange> frames_;
   std::optional<double> framesPerSecond_;
-  std::optional<std::string> clip_;
+  options::Chosen<options::NamedSettings> named_;  // the clip
   std::vector<Deformer> deformers_;
 };
 

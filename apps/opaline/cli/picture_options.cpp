@@ -55,9 +55,9 @@ scene::SceneFileSettings settingsOf(const options::PictureSettings& picture, con
   settings.picture = options::chosenIn(picture);
   const int clip = picture.time.clip;
   if (clip < 0) {
-    settings.clip = "none";
+    settings.named.clip = "none";
   } else if (static_cast<std::size_t>(clip) < scene.clips.size()) {
-    settings.clip = scene.clips[static_cast<std::size_t>(clip)].name;
+    settings.named.clip = scene.clips[static_cast<std::size_t>(clip)].name;
   }
   return settings;
 }

@@ -138,6 +138,8 @@ options::Value readValue(const Given& given, const options::Allowed& allowed,
     } else if constexpr (std::is_same_v<Kind, options::Size>) {
       return readSize(given, allowed.range);
     } else if constexpr (std::is_same_v<Kind, std::string>) {
+      if (!allowed.holds(given.text) && allowed.choices.empty())
+        refuse(given, options::requirement(allowed, like));
       if (!allowed.holds(given.text))
         refuseChoice(given, {allowed.choices.begin(), allowed.choices.end()});
       return given.text;

@@ -131,7 +131,7 @@ struct Done {
 };
 
 Renderer makeRenderer(const RenderCommand& command, const RenderJob& job, const LogCallback& log) {
-  Renderer renderer(command.device.rendererOptions(job.settings.device.value_or(""), log));
+  Renderer renderer(command.device.rendererOptions(job.settings.named.device.value_or(""), log));
   renderer.setScene(job.scene);
   return renderer;
 }

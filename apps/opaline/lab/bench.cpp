@@ -7,6 +7,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/fields.h"
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/scene_options.h"
@@ -18,6 +19,7 @@
 #include "lab/scaling.h"
 #include "lab/table1.h"
 #include "opaline/error.h"
+#include "options/picture.h"
 
 namespace opaline::app {
 
@@ -31,7 +33,7 @@ struct BenchCommand {
   LightOptions lights;
   CameraOptions camera;
   std::optional<std::filesystem::path> models;
-  std::optional<std::string> device;
+  options::Chosen<options::NamedSettings> named;  // the device
   std::optional<int> frames;
   std::optional<int> edge;
   std::optional<double> seconds;
@@ -77,9 +79,14 @@ struct BenchCommand {
     line.section("Run");
     line.value("--frames", "N", "frames of each measurement, 1 to 1000",
                [this](const Given& given) { frames = readInteger(given, 1, 1000); });
-    line.value("--device", "NAME|INDEX", "as opaline info lists them [the best]",
-               [this](const Given& given) { device = given.text; });
+    addField(line, options::fieldOf<options::NamedSettings>("device"), named);
     line.outputFlags("one JSON object on standard output", json, quiet);
+  }
+
+  std::string device() const {
+    options::NamedSettings chosen;
+    named.applyTo(chosen);
+    return chosen.device.value_or("");
   }
 
   std::filesystem::path folder() const {
@@ -133,7 +140,7 @@ struct BenchCommand {
   void runTable1() const {
     Table1Order order;
     order.models = folder();
-    order.device = device.value_or("");
+    order.device = device();
     order.frames = frames.value_or(order.frames);
     order.log = noteTaker(quiet);
     order.status = statusTaker(quiet);
@@ -151,7 +158,7 @@ struct BenchCommand {
     order.truthSeconds = seconds.value_or(order.truthSeconds);
     order.frames = frames.value_or(order.frames);
     order.all = all;
-    order.device = device.value_or("");
+    order.device = device();
     if (truth) order.truth = core::readHdrImage(*truth);
     const Methods methods = measureMethods(order);
     if (plot) core::writeWhole(*plot, plotSvg(methods));
@@ -166,7 +173,7 @@ struct BenchCommand {
     order.edgePixels = edge.value_or(order.edgePixels);
     order.mostSurfels = maxSurfels.value_or(order.mostSurfels);
     order.frames = frames.value_or(order.frames);
-    order.device = device.value_or("");
+    order.device = device();
     const Scaling scaling = measureScaling(order);
     if (plot) core::writeWhole(*plot, plotSvg(scaling));
     printOut(json ? toText(toJson(scaling)) : toReadable(scaling));

@@ -159,7 +159,9 @@ std::vector<T> GltfAccessors::read(int index, int components, std::optional<std:
       tinygltf::GetComponentSizeInBytes(static_cast<unsigned>(sparse.indices.componentType));
   if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > accessor.count ||
       sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 || indexSize <= 0) {
-    failGltf(input_, fmt::format("the sparse part of accessor {} makes no sense", index));
+    failGltf(input_, fmt::format("the sparse part of accessor {} must replace 0 to {} elements, by "
+                                 "unsigned indices, from offsets of at least 0",
+                                 index, accessor.count));
   }
   const auto changed = static_cast<std::size_t>(sparse.count);
   std::size_t indexStride = 0;

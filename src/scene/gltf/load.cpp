@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "options/scene.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
 #include "scene/gltf/accessor.h"
@@ -138,8 +139,8 @@ Rgb lightColor(const Input& input, const tinygltf::Light& light) {
   for (std::size_t c = 0; c < 3; ++c) {
     const double value = (c < light.color.size() ? light.color[c] : 1.0) * light.intensity;
     if (!(value >= 0) || value > 1e30) {
-      failGltf(input, fmt::format("the intensity of light '{}' makes no sense",
-                                  cleanText(light.name, 60)));
+      failGltf(input, fmt::format("the intensity of light '{}' is {}, but must be from 0 to 1e30",
+                                  cleanText(light.name, 60), value));
     }
     rgb[c] = static_cast<float>(value);
   }
@@ -190,8 +191,17 @@ void takeCamera(Gathering& to, std::size_t nodeIndex) {
   const auto back = axisOf(world, 2);
   const auto up = axisOf(world, 1);
   const double degrees = camera.perspective.yfov * 180 / std::numbers::pi;
-  if (!back || !up || !isFinite(world.column[3]) || !(degrees >= 1 && degrees <= 170)) {
-    failGltf(to.input, fmt::format("camera '{}' makes no sense", cleanText(camera.name, 60)));
+  const std::string name = cleanText(camera.name, 60);
+  if (!back || !up || !isFinite(world.column[3])) {
+    failGltf(to.input, fmt::format("the node of camera '{}' gives it no place or no direction: its "
+                                   "transform must be finite and invertible",
+                                   name));
+  }
+  const options::Range degreesAllowed = options::fieldOf<Camera>("fov_degrees").allowed.range;
+  if (!degreesAllowed.holds(degrees)) {
+    failGltf(to.input, fmt::format("the vertical field of view of camera '{}' is {:g} degrees, but "
+                                   "must be {}",
+                                   name, degrees, options::describe(degreesAllowed)));
   }
   Camera taken;
   taken.positionMm = toFloat(world.column[3]);

@@ -158,7 +158,9 @@ Header parseHeader(const Input& input) {
     } else if (line[0] == "property" && !header.elements.empty()) {
       header.elements.back().properties.push_back(parseProperty(input, line));
     } else {
-      fail(input, fmt::format("line {} of the PLY header makes no sense", lineNumber + 1));
+      fail(input, fmt::format("line {} of the PLY header is '{}', but a format, an element, or a "
+                              "property of an element must stand there",
+                              lineNumber + 1, cleanText(std::string(line[0]), 40)));
     }
   }
   if (!sawFormat) fail(input, "the PLY header names no format");

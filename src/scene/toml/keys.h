@@ -25,7 +25,5 @@ inline constexpr Keys<3> point{"type", "position_mm", "intensity"};
 inline constexpr Keys<2> ambient{"type", "radiance"};
 inline constexpr Keys<3> environment{"file", "intensity", "rotation_degrees"};
 inline constexpr Keys<5> camera{"direction", "position_mm", "target_mm", "up", "fov_degrees"};
-// Beside the fields of options::PictureSettings.
-inline constexpr Keys<2> render{"device", "clip"};
 
 }  // namespace opaline::scene::keys

@@ -9,7 +9,6 @@
 #include "core/file.h"
 #include "opaline/error.h"
 #include "options/scene.h"
-#include "scene/deformer_check.h"
 #include "scene/environment_file.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
@@ -232,18 +231,13 @@ void readObjects(const TomlTable& root, Assembly& to) {
 void readDeformers(const TomlTable& root, Assembly& to) {
   for (const TomlTable& table : root.tables("deform")) {
     table.requireKeys(keys::deform);
-    const auto kind = table.choice("kind", deformerNames);
-    if (!kind) table.fail("", "has no 'kind': twist, bend, squash or wobble");
-    const auto amount = table.number("amount", {-1e9, 1e9});
-    if (!amount) table.fail("", "has no 'amount'");
+    const options::Chosen<Deformer> chosen = chosenIn<Deformer>(table);
+    if (!chosen.has("kind")) table.fail("", "has no 'kind': twist, bend, squash or wobble");
+    if (!chosen.has("amount")) table.fail("", "has no 'amount'");
     Deformer deformer;
-    const auto name = std::find(deformerNames.begin(), deformerNames.end(), *kind);
-    deformer.kind = static_cast<DeformerKind>(name - deformerNames.begin());
-    deformer.amount = static_cast<float>(*amount);
-    deformer.periodSeconds =
-        static_cast<float>(table.number("period_seconds", {0, 1e6, "s"}).value_or(0));
-    const std::string complaint = complaintAbout(deformer);
-    if (!complaint.empty()) table.fail("", "makes no sense: " + complaint);
+    chosen.applyTo(deformer);
+    const std::string complaint = options::complaintAbout(deformer);
+    if (!complaint.empty()) table.fail("", complaint);
     to.scene.deformers.push_back(deformer);
   }
 }

@@ -57,14 +57,20 @@ class TomlTable {
   std::string place_;  ///< "[camera]" for messages
 };
 
-/// What the table says of an Owner's options, by their older names too.
+/// What the table says of an Owner's options, by their older names too. Throws Error for an option
+/// under both of its names.
 template <typename Owner>
 options::Chosen<Owner> chosenIn(const TomlTable& table) {
   options::Chosen<Owner> chosen;
   for (const options::Field<Owner>& field : options::fieldsOf<Owner>())
-    for (const std::string_view key : {field.formerKey, field.key})
-      if (auto value = key.empty() ? std::nullopt : table.value(key, field.allowed, field.like))
-        chosen.set(field, *std::move(value));
+    for (const std::string_view key : {field.formerKey, field.key}) {
+      auto value = key.empty() ? std::nullopt : table.value(key, field.allowed, field.like);
+      if (!value) continue;
+      if (chosen.has(field.key))
+        table.fail(key, "stands beside '" + std::string(field.formerKey) +
+                            "', its older name: keep one of the two");
+      chosen.set(field, *std::move(value));
+    }
   return chosen;
 }
 

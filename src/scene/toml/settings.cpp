@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "scene/text.h"
-#include "scene/toml/keys.h"
 
 namespace opaline::scene {
 
@@ -14,7 +13,8 @@ SceneFileSettings readSettings(const TomlTable& root, const LogCallback& log) {
   SceneFileSettings settings;
   const auto table = root.table("render");
   if (!table) return settings;
-  std::vector<std::string_view> known{keys::render.begin(), keys::render.end()};
+  std::vector<std::string_view> known;
+  for (const auto& field : options::fieldsOf<options::NamedSettings>()) known.push_back(field.key);
   std::vector<std::string_view> former;
   for (const auto& field : options::fieldsOf<options::PictureSettings>()) {
     known.push_back(field.key);
@@ -27,13 +27,12 @@ SceneFileSettings readSettings(const TomlTable& root, const LogCallback& log) {
   }
   table->requireKeys(known, former);
   settings.picture = chosenIn<options::PictureSettings>(*table);
-  settings.device = table->text("device");
-  settings.clip = table->text("clip");
+  chosenIn<options::NamedSettings>(*table).applyTo(settings.named);
   return settings;
 }
 
 void requireClip(const TomlTable& root, const LoadedScene& loaded) {
-  const std::optional<std::string>& wanted = loaded.settings.clip;
+  const std::optional<std::string>& wanted = loaded.settings.named.clip;
   if (!wanted) return;
   std::vector<std::string_view> names{"none"};
   for (const Clip& clip : loaded.scene.clips) names.emplace_back(clip.name);

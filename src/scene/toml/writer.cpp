@@ -11,7 +11,6 @@
 #include "bssrdf/media.h"
 #include "opaline/error.h"
 #include "options/scene.h"
-#include "scene/deformer_check.h"
 #include "scene/environment_file.h"
 #include "scene/finish.h"
 #include "scene/text.h"
@@ -96,8 +95,7 @@ class MediaNames {
     for (const auto& [object, medium] : scene.media) {
       const std::string complaint = complaintAbout(medium);
       if (!complaint.empty()) {
-        throw Error(fmt::format("the medium of object '{}' makes no sense: {}", cleanText(object),
-                                complaint));
+        throw Error(fmt::format("the medium of object '{}': {}", cleanText(object), complaint));
       }
       names_.emplace(nameOf(medium), medium);
     }
@@ -256,12 +254,12 @@ void addCamera(const SceneDescription& scene, Text& to) {
 
 void addDeformers(const SceneDescription& scene, Text& to) {
   for (const Deformer& deformer : scene.deformers) {
-    const std::string complaint = complaintAbout(deformer);
-    if (!complaint.empty()) throw Error("a deformer makes no sense: " + complaint);
+    const std::string complaint = options::complaintAbout(deformer);
+    if (!complaint.empty()) throw Error("a deformer: " + complaint);
     to.header("[[deform]]");
-    to.text("kind", deformerNames[static_cast<std::size_t>(deformer.kind)]);
-    to.number("amount", deformer.amount);
-    if (deformer.periodSeconds != 0) to.number("period_seconds", deformer.periodSeconds);
+    options::Chosen<Deformer> chosen = options::chosenIn(deformer);
+    if (deformer.periodSeconds == 0) chosen.erase("period_seconds");
+    to.fields(chosen);
   }
 }
 
@@ -269,8 +267,7 @@ void addSettings(const SceneFileSettings& settings, Text& to) {
   if (settings == SceneFileSettings{}) return;
   to.header("[render]");
   to.fields(settings.picture);
-  if (settings.device) to.text("device", *settings.device);
-  if (settings.clip) to.text("clip", *settings.clip);
+  to.fields(options::chosenIn(settings.named));
 }
 
 }  // namespace

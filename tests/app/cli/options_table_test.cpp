@@ -131,6 +131,30 @@ TEST_F(OptionsTable, SceneFilesKeepEach) {
   }
 }
 
+TEST_F(OptionsTable, SceneFilesKeepNames) {
+  scene::LoadedScene loaded = load("device = 'some \"device\"'\nclip = 'none'");
+  EXPECT_EQ(loaded.settings.named, (options::NamedSettings{"some \"device\"", "none"}));
+  const std::filesystem::path file = folder_ / "written.toml";
+  scene::writeScene({file, core::Existing::Replace},
+                    scene::describe(loaded.scene, loaded.source, loaded.settings));
+  EXPECT_EQ(scene::loadSceneFile(file, {}).settings, loaded.settings);
+  for (const auto& field : options::fieldsOf<options::NamedSettings>()) {
+    EXPECT_THAT(refusal(std::string(field.key) + " = 3"), HasSubstr("must be a name"));
+    EXPECT_THAT(refusal(std::string(field.key) + " = ''"), HasSubstr("must be a name"));
+  }
+}
+
+TEST_F(OptionsTable, BothNamesOfAnOptionAreRefused) {
+  for (const PictureField& field : options::fieldsOf<PictureSettings>()) {
+    if (field.formerKey.empty()) continue;
+    const std::string value = options::textOf(another(field));
+    const std::string former(field.formerKey);
+    const std::string key(field.key);
+    EXPECT_THAT(refusal(former + " = " + value + "\n" + key + " = " + value),
+                HasSubstr("'" + key + "' in [render] stands beside '" + former + "'"));
+  }
+}
+
 TEST_F(OptionsTable, NumbersOutOfRangeAreRefusedWithTheSameSentenceEverywhere) {
   for (const PictureField& field : numbers()) {
     for (const double number : {field.allowed.range.least - 1, field.allowed.range.most + 1}) {

@@ -236,8 +236,9 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   want("lights.", scene::keys::ambient);
   want("environment.", scene::keys::environment);
   want("camera.", scene::keys::camera);
-  want("render.", scene::keys::render);
   for (const auto& field : options::fieldsOf<options::PictureSettings>())
+    wanted.insert("render." + std::string(field.key));
+  for (const auto& field : options::fieldsOf<options::NamedSettings>())
     wanted.insert("render." + std::string(field.key));
   for (const char* otherwise : {"media.measured", "camera.direction", "models.medium"})
     wanted.erase(otherwise);
@@ -278,10 +279,10 @@ TEST(SceneKeys, AreAllInTheDocument) {
   expectAll(scene::keys::ambient);
   expectAll(scene::keys::environment);
   expectAll(scene::keys::camera);
-  expectAll(scene::keys::render);
   std::vector<std::string_view> fields;
   for (const auto& field : options::fieldsOf<options::PictureSettings>())
     fields.push_back(field.key);
+  for (const auto& field : options::fieldsOf<options::NamedSettings>()) fields.push_back(field.key);
   expectAll(fields);
 }
 
@@ -333,10 +334,10 @@ TEST_F(SceneWriter, MorphsComeBack) {
   LoadOptions options;
   options.morphTo = folder / "models" / "other.glb";
   scene::LoadedScene loaded = scene::loadSceneFile(folder / "models" / "one.glb", options);
-  loaded.settings.clip = "morph";
+  loaded.settings.named.clip = "morph";
   EXPECT_THAT(written(loaded), HasSubstr("morph_to = \"../../models/other.glb\""));
   EXPECT_EQ(back().scene.clips.size(), 1U);
-  EXPECT_EQ(back().settings.clip, "morph");
+  EXPECT_EQ(back().settings.named.clip, "morph");
 }
 
 TEST_F(SceneWriter, MediaWithoutNeedStayOutAndNamesAreMadeUnique) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "options/scene.h"
 #include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 
@@ -17,13 +18,16 @@ namespace {
 constexpr std::size_t mostDeformers = 8;
 
 const Choices<DeformerKind>& kinds() {
-  static const Choices<DeformerKind> table{{"twist", DeformerKind::Twist},
-                                           {"bend", DeformerKind::Bend},
-                                           {"squash", DeformerKind::Squash},
-                                           {"wobble", DeformerKind::Wobble}};
+  static const Choices<DeformerKind> table = [] {
+    Choices<DeformerKind> choices;
+    for (const std::string_view name : options::namesOf<DeformerKind>())
+      choices.emplace_back(name, options::named<DeformerKind>(name));
+    return choices;
+  }();
   return table;
 }
 
+/// What is of use, within what is allowed.
 struct Limits {
   float low;
   float high;
