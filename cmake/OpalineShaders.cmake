@@ -30,6 +30,7 @@ function(opaline_shaders target)
   foreach(folder shaders/shared paper/shaders/shared)  # of structs that C++ knows too
     list(APPEND shared ${folder}=${PROJECT_SOURCE_DIR}/src/${folder})
   endforeach()
+  set(groups ${PROJECT_SOURCE_DIR}/src/shaders/binding_groups.h)
   set(files)
   foreach(entry ${ARGN})
     string(REGEX MATCH "^((.*)\\.(vert|frag|comp)\\.glsl)(:([a-z_]+))?$" matched ${entry})
@@ -80,8 +81,8 @@ function(opaline_shaders target)
       list(APPEND unoptimised ${spirv})
     endforeach()
     add_custom_command(OUTPUT ${header} ${layout}
-      COMMAND ${Python3_EXECUTABLE} ${interface} --type ${type} --shared ${shared} --header ${header} --layouts ${layout} ${modules}
-      DEPENDS ${interface} ${unoptimised} COMMENT "Reading the interface of ${file}" VERBATIM)
+      COMMAND ${Python3_EXECUTABLE} ${interface} --type ${type} --shared ${shared} --groups shaders=${groups} --header ${header} --layouts ${layout} ${modules}
+      DEPENDS ${interface} ${groups} ${unoptimised} COMMENT "Reading the interface of ${file}" VERBATIM)
     list(APPEND sources ${header} ${layout})
     string(APPEND layouts "#include \"${layout}\"\n")
   endforeach()

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Writes the C++ side of a shader's interface, read from its compiled SPIR-V.
 
-shader_interface.py --type NAME --shared PREFIX=FOLDER... --header FILE --layouts FILE [VARIANT]=WORDS=SPIRV...
+shader_interface.py --type NAME --shared PREFIX=FOLDER... --groups PREFIX=FILE --header FILE --layouts FILE
+                    [VARIANT]=WORDS=SPIRV...
 
 The header declares the struct opaline::shaders::NAME with the shader's push constants, its bindings and
-its specialization constants by the names that they have in GLSL. The layouts are static_asserts on the
+its specialization constants by the names that they have in GLSL. Bindings that make up a struct of the
+groups' FILE stand there as one field of it, called like the struct. The layouts are static_asserts on the
 structs of the FOLDERs that the shader reads or writes. WORDS names the span of the optimised code; SPIRV is the
 same shader compiled without optimisation, which keeps names. A variant differs in the kind of a binding
 at most.
@@ -186,6 +188,29 @@ def merged(variants):
     return fields
 
 
+def groups_in(path):
+    """struct -> binding's (name, field's class) -> the path to it in the struct. A group may be a member of a later one."""
+    groups = {}
+    for struct, members in re.findall(r"^struct (\w+) {\n((?:  [\w:]+ \w+;\n)+)};", pathlib.Path(path).read_text(),
+                                      re.MULTILINE):
+        groups[struct] = {}
+        for kind, name in re.findall(r"([\w:]+) (\w+);", members):
+            inner = {of: f"{name}.{place}" for of, place in groups[kind].items()} if kind in groups else {(name, kind): name}
+            groups[struct].update(inner)
+    return groups
+
+
+def grouped(fields, groups):
+    """The members of Bindings, (class, name) of each, and name -> the path to it there."""
+    for struct, places in reversed(groups.items()):
+        if places.keys() <= set(fields.values()):
+            group = struct[0].lower() + struct[1:]
+            left = [(kind, name) for name, kind in fields.values() if (name, kind) not in places]
+            paths = {name: f"{group}.{places[name, kind]}" if (name, kind) in places else name for name, kind in fields.values()}
+            return [(struct, group), *left], paths
+    return [(kind, name) for name, kind in fields.values()], {name: name for name, _ in fields.values()}
+
+
 def fields_of(struct, members):
     lines = "".join(f"    {kind} {name};\n" for name, kind in members)
     return f"  struct {struct} {{\n{lines}  }};\n"
@@ -199,19 +224,22 @@ def header_text(arguments, modules, shared):
         if push_of(module, shared)[0] != push or constants_of(module) != constants:
             fail("the variants of a shader have the same push constants and specialization constants")
     fields = merged(variants)
+    prefix, groups_file = arguments.groups.split("=")
+    members, places = grouped(fields, groups_in(groups_file))
 
     headers = sorted({header for _, _, header, _ in push if header})
     out = "// Made by cmake/shader_interface.py.\n#pragma once\n\n#include <array>\n#include <cstddef>\n"
     out += "#include <cstdint>\n#include <span>\n\n" + "".join(f"#include {header}\n" for header in headers)
-    out += '#include "gpu/binding.h"\n#include "gpu/shader.h"\n\nnamespace opaline::shaders {\n\n'
+    out += f'#include "gpu/binding.h"\n#include "gpu/shader.h"\n#include "{prefix}/{pathlib.Path(groups_file).name}"\n'
+    out += '\nnamespace opaline::shaders {\n\n'
     out += "// Names are those of GLSL. NOLINTBEGIN\n"
     out += "".join(f"extern const std::span<const std::uint32_t> {words};\n" for _, words, _ in modules)
     out += f"\nstruct {arguments.type} {{\n"
     out += fields_of("Push", [(name, f"gpu::Required<{kind}>") for name, kind, _, _ in push])
     out += fields_of("Constants", [(name, f"gpu::Required<{kind}>") for name, kind in constants])
     out += "  struct Bindings {\n"
-    out += "".join(f"    {kind} {name};\n" for name, kind in fields.values())
-    listed = ", ".join(f"{name}.at({binding})" for binding, (name, _) in fields.items())
+    out += "".join(f"    {kind} {name};\n" for kind, name in members)
+    listed = ", ".join(f"{places[name]}.at({binding})" for binding, (name, _) in fields.items())
     out += f"    std::array<gpu::Binding, {len(fields)}> list() const {{ return {{{listed}}}; }}\n  }};\n"
     for (variant, words, _), found in zip(modules, variants):
         slots = ", ".join(f"{{{binding}, gpu::BindingType::{kind[1]}}}" for binding, (_, kind) in sorted(found.items()))
@@ -254,7 +282,7 @@ def shared_structs(folders):
 
 def main():
     parser = argparse.ArgumentParser()
-    for option in ("--type", "--header", "--layouts"):
+    for option in ("--type", "--groups", "--header", "--layouts"):
         parser.add_argument(option, required=True)
     parser.add_argument("--shared", nargs="+", required=True)
     parser.add_argument("variants", nargs="+")

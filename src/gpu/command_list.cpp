@@ -75,7 +75,7 @@ void CommandList::begin() {
   rendering_ = false;
   pipeline_ = nullptr;
   for (auto& slots : bound_) slots.fill({});
-  timer_.reset(commands_);
+  timer_.reset();
 }
 
 void CommandList::submit() {
@@ -95,7 +95,7 @@ void CommandList::wait() {
 }
 
 void CommandList::beginPass(const char* name) {
-  assert(recording_ && !inPass_);
+  assert(recording_ && !inPass_ && !rendering_);
   timer_.begin(commands_, name);
   device_.beginLabel(commands_, name);
   inPass_ = true;

@@ -44,10 +44,8 @@ PassTimer::~PassTimer() {
   device_.retire(VK_OBJECT_TYPE_QUERY_POOL, pool_);
 }
 
-void PassTimer::reset(VkCommandBuffer commands) {
+void PassTimer::reset() {
   count_ = 0;
-  if (pool_ == VK_NULL_HANDLE) return;
-  vkCmdResetQueryPool(commands, pool_, 0, static_cast<std::uint32_t>(ticks_.size()));
 }
 
 // Both timestamps wait for everything before them, so that passes that overlap on the device are
@@ -58,6 +56,12 @@ void PassTimer::begin(VkCommandBuffer commands, const char* name) {
   }
   names_[count_] = name;
   if (pool_ == VK_NULL_HANDLE) return;
+  // The largest picture has thousands of passes, most others few.
+  constexpr std::uint32_t passesAtOnce = 64;
+  if (count_ % passesAtOnce == 0) {
+    const auto left = static_cast<std::uint32_t>(names_.size()) - count_;
+    vkCmdResetQueryPool(commands, pool_, 2 * count_, 2 * std::min(passesAtOnce, left));
+  }
   vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_, 2 * count_);
 }
 

@@ -27,7 +27,7 @@ class PassTimer {
   PassTimer& operator=(const PassTimer&) = delete;
 
   /// First in a command buffer.
-  void reset(VkCommandBuffer commands);
+  void reset();
   /// Throws Error when there are more than maxPasses.
   void begin(VkCommandBuffer commands, const char* name);
   void end(VkCommandBuffer commands);

@@ -10,14 +10,9 @@ MapIrradiancePass::MapIrradiancePass(gpu::Device& device)
 void MapIrradiancePass::record(gpu::CommandList& commands, const passes::SeenSurfaces& seen,
                                FlatScene& flat, Map& map, gpu::GpuImage& irradiance) const {
   commands.beginPass("seen irradiance");
-  commands.bind(pipeline_, {.frame = seen.frame.data,
-                            .seenWords = {seen.surfaces.words, nearest_},
+  commands.bind(pipeline_, {.seenPlaces = passes::seenPlaces(seen, nearest_),
                             .nearFlux = {map.sources.nearFlux, nearest_},
                             .seen = irradiance,
-                            .meshIndices = seen.mesh.indices,
-                            .meshPositions = seen.mesh.positions,
-                            .meshNormals = seen.mesh.normals,
-                            .meshObjects = seen.mesh.objectOf,
                             .corners = flat.corners,
                             .cornerIndices = flat.indices,
                             .charts = map.sources.charts});

@@ -90,8 +90,7 @@ void PatternPass::overFragments(gpu::CommandList& commands, passes::ScatterTrans
   for (std::uint32_t medium = 0; medium < inputs.tables.mediumCount; ++medium)
     passes::forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
       commands.bind(pipelines(transport).patternFragments,
-                    {.frame = seen.frame.data,
-                     .seenWords = {seen.surfaces.words, nearest_},
+                    {.listedPlaces = passes::listedPlaces(seen, nearest_),
                      .meshExitances = inputs.exitance.vertices,
                      .exitances = seen.surfaces.light,
                      .objects = inputs.tables.objects,
@@ -99,15 +98,9 @@ void PatternPass::overFragments(gpu::CommandList& commands, passes::ScatterTrans
                      .pattern = patternOf(inputs.map.pattern, medium),
                      .nearPosition = {sources.nearPosition, linear_},
                      .nearFlux = {sources.nearFlux, linear_},
-                     .meshIndices = seen.mesh.indices,
-                     .meshPositions = seen.mesh.positions,
-                     .meshNormals = seen.mesh.normals,
-                     .meshObjects = seen.mesh.objectOf,
                      .corners = flat.corners,
                      .cornerIndices = flat.indices,
-                     .charts = sources.charts,
-                     .seenList = seen.surfaces.list,
-                     .seenCount = seen.surfaces.counts},
+                     .charts = sources.charts},
                     {.first = first, .medium = medium});
     });
   commands.endPass();

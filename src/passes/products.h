@@ -8,6 +8,7 @@
 #include "gpu/acceleration_structure.h"
 #include "gpu/buffer.h"
 #include "gpu/image.h"
+#include "shaders/binding_groups.h"
 
 /// What the passes hand to each other. A pass knows these, never another pass.
 namespace opaline::passes {
@@ -192,6 +193,21 @@ struct SeenSurfaces {
   DeformedMesh& mesh;
   VisibleSurfaces& surfaces;
 };
+
+inline shaders::SeenPlaces seenPlaces(const SeenSurfaces& seen, const gpu::Sampler& nearest) {
+  return {.frame = seen.frame.data,
+          .seenWords = {seen.surfaces.words, nearest},
+          .meshIndices = seen.mesh.indices,
+          .meshPositions = seen.mesh.positions,
+          .meshNormals = seen.mesh.normals,
+          .meshObjects = seen.mesh.objectOf};
+}
+
+inline shaders::ListedPlaces listedPlaces(const SeenSurfaces& seen, const gpu::Sampler& nearest) {
+  return {.seen = seenPlaces(seen, nearest),
+          .seenList = seen.surfaces.list,
+          .seenCount = seen.surfaces.counts};
+}
 
 /// What the pixels' centres see.
 struct SeenCentres {

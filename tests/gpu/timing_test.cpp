@@ -61,6 +61,26 @@ TEST_F(TimingTest, TimingsAreThoseOfTheLastFinishedSubmission) {
   EXPECT_EQ(list.frameMilliseconds(), 0);
 }
 
+// Of bands of a large picture there are thousands, and in the next frame fewer or more.
+TEST_F(TimingTest, ManyPassesAreTimed) {
+  constexpr int most = 150;
+  Buffer buffer(device(), {"filled", 1U << 16, 0, Memory::Device});
+  CommandList list(device(), "frame", most);
+  for (const int passes : {most, 1, 64, 65, most}) {
+    list.begin();
+    for (int pass = 0; pass < passes; ++pass) {
+      list.beginPass("band");
+      list.fill(buffer, 1);
+      list.endPass();
+    }
+    list.submit();
+    list.wait();
+    ASSERT_EQ(list.timings().size(), 1U);
+    EXPECT_GT(list.timings()[0].milliseconds, 0) << passes;
+    EXPECT_LE(list.timings()[0].milliseconds, list.frameMilliseconds() * (1 + 1e-9)) << passes;
+  }
+}
+
 TEST_F(TimingTest, MorePassesThanAskedForAreRefused) {
   CommandList list(device(), "frame", 1);
   list.begin();

@@ -37,6 +37,7 @@ class ShaderInterface(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+        self.groups = ROOT / "src/shaders/binding_groups.h"
 
     def interface(self, push=PUSH):
         """What the tool answers of the shader with these push constants."""
@@ -45,7 +46,8 @@ class ShaderInterface(unittest.TestCase):
                         self.folder / "sum.comp"], check=True)
         return subprocess.run(
             [sys.executable, ROOT / "cmake/shader_interface.py", "--type", "Sum",
-             "--shared", f"shaders/shared={ROOT / 'src/shaders/shared'}", "--header", self.folder / "shaders/sum.comp.h",
+             "--shared", f"shaders/shared={ROOT / 'src/shaders/shared'}", "--groups", f"shaders={self.groups}",
+             "--header", self.folder / "shaders/sum.comp.h",
              "--layouts", self.folder / "layouts.h", f"=wordsSum={self.folder / 'sum.spv'}"],
             capture_output=True, text=True)
 
@@ -74,6 +76,21 @@ class ShaderInterface(unittest.TestCase):
         self.assertIn("sums.at(1), nodes.at(2), lengths.at(3)", header)
         self.interface(PUSH + " uint more;")
         self.assertFalse(self.compiles())
+
+    def test_a_group_stands_for_its_members(self):
+        self.groups = self.folder / "shaders/groups.h"
+        self.groups.parent.mkdir()
+        group = '#pragma once\n#include "gpu/binding.h"\nnamespace opaline::shaders {\n%s}\n'
+        small = "struct Ends {\n  gpu::Read lengths;\n};\n"
+        large = "struct BothEnds {\n  gpu::Write sums;\n  Ends ends;\n};\n"
+        other = "struct Others {\n  gpu::Write sums;\n  gpu::Read widths;\n};\n"
+        self.groups.write_text(group % (small + large + other))
+        self.assertEqual(self.interface().returncode, 0)
+        header = (self.folder / "shaders/sum.comp.h").read_text()
+        self.assertIn("    BothEnds bothEnds;\n    gpu::Texels nodes;\n    std::array", header)
+        self.assertIn("bothEnds.sums.at(1), nodes.at(2), bothEnds.ends.lengths.at(3)", header)
+        self.assertFalse(self.compiles())
+        self.assertTrue(self.compiles(bindings="{.bothEnds = {.sums = buffer, .ends = {.lengths = buffer}}, .nodes = buffer}"))
 
     def test_a_gap_in_push_constants_does_not_compile(self):
         self.interface("uint count; vec2 place; float factor;")

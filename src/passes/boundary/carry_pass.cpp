@@ -52,21 +52,14 @@ void CarryPass::overFragments(gpu::CommandList& commands, ScatterSite site, Scen
   commands.beginPass("carry");
   forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
     commands.bind(fragments_,
-                  {.frame = seen.frame.data,
+                  {.listedPlaces = listedPlaces(seen, nearest_),
                    .media = tables.media,
                    .clusters = clusters.clusters,
                    .clusterNodes = clusters.nodes,
                    .exitances = clusters.exitances,
                    .means = clusters.means,
-                   .seenWords = {seen.surfaces.words, nearest_},
                    .objects = tables.objects,
-                   .found = seen.surfaces.light,
-                   .meshIndices = seen.mesh.indices,
-                   .meshPositions = seen.mesh.positions,
-                   .meshNormals = seen.mesh.normals,
-                   .meshObjects = seen.mesh.objectOf,
-                   .seenList = seen.surfaces.list,
-                   .seenCount = seen.surfaces.counts},
+                   .found = seen.surfaces.light},
                   {.first = first, .site = site});
   });
   commands.endPass();

@@ -47,8 +47,7 @@ void NearbyPass::overFragments(gpu::CommandList& commands, ScatterTransport tran
   commands.beginPass("nearby");
   forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
     commands.bind(pipelines(transport).fragments,
-                  {.frame = seen.frame.data,
-                   .seenWords = {seen.surfaces.words, nearest_},
+                  {.listedPlaces = listedPlaces(seen, nearest_),
                    .exitances = seen.surfaces.light,
                    .objects = inputs.tables.objects,
                    .media = inputs.tables.media,
@@ -56,13 +55,7 @@ void NearbyPass::overFragments(gpu::CommandList& commands, ScatterTransport tran
                    .skyIrradiance = {inputs.sky.irradiance, linear_},
                    .nodes = inputs.surfels.nodes,
                    .sources = inputs.surfels.sources,
-                   .surfelNormals = inputs.surfels.normals,
-                   .meshIndices = seen.mesh.indices,
-                   .meshPositions = seen.mesh.positions,
-                   .meshNormals = seen.mesh.normals,
-                   .meshObjects = seen.mesh.objectOf,
-                   .seenList = seen.surfaces.list,
-                   .seenCount = seen.surfaces.counts},
+                   .surfelNormals = inputs.surfels.normals},
                   {.first = first, .site = site});
   });
   commands.endPass();

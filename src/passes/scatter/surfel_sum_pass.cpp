@@ -72,20 +72,13 @@ void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& o
   commands.beginPass("scatter");
   forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
     commands.bind(pipelines(order.transport).treeFragments,
-                  {.frame = seen.frame.data,
-                   .seenWords = {seen.surfaces.words, nearest_},
+                  {.listedPlaces = listedPlaces(seen, nearest_),
                    .exitances = seen.surfaces.light,
                    .meshExitances = over.exitance.vertices,
                    .objects = over.tables.objects,
                    .media = over.tables.media,
                    .nodes = over.surfels.nodes,
-                   .sources = over.surfels.sources,
-                   .meshIndices = seen.mesh.indices,
-                   .meshPositions = seen.mesh.positions,
-                   .meshNormals = seen.mesh.normals,
-                   .meshObjects = seen.mesh.objectOf,
-                   .seenList = seen.surfaces.list,
-                   .seenCount = seen.surfaces.counts},
+                   .sources = over.surfels.sources},
                   {.first = first, .tolerance = order.tolerance, .site = order.site});
   });
   commands.endPass();
@@ -119,19 +112,12 @@ void SurfelSumPass::allOverFragments(gpu::CommandList& commands, const Order& or
     forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
       commands.bind(
           pipelines(order.transport).allFragments,
-          {.frame = seen.frame.data,
-           .seenWords = {seen.surfaces.words, nearest_},
+          {.listedPlaces = listedPlaces(seen, nearest_),
            .exitances = seen.surfaces.light,
            .meshExitances = over.exitance.vertices,
            .objects = over.tables.objects,
            .media = over.tables.media,
-           .sources = over.surfels.sources,
-           .meshIndices = seen.mesh.indices,
-           .meshPositions = seen.mesh.positions,
-           .meshNormals = seen.mesh.normals,
-           .meshObjects = seen.mesh.objectOf,
-           .seenList = seen.surfaces.list,
-           .seenCount = seen.surfaces.counts},
+           .sources = over.surfels.sources},
           {.first = first, .firstSurfel = firstSurfel, .endSurfel = endSurfel, .site = order.site});
     });
   });

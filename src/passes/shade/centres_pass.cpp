@@ -28,18 +28,11 @@ void CentresPass::record(gpu::CommandList& commands, const SeenSurfaces& seen, E
   commands.beginPass("surface");
   commands.use(surfaces.counts, gpu::Access::Indirect);
   commands.bind(pipeline_,
-                {.frame = seen.frame.data,
-                 .seenWords = {surfaces.words, nearest_},
+                {.listedPlaces = listedPlaces(seen, nearest_),
                  .meshExitances = exitance.vertices,
                  .positionObject = centres.position,
                  .unitNormal = centres.normal,
                  .exitance = centres.exitance,
-                 .meshIndices = seen.mesh.indices,
-                 .meshPositions = seen.mesh.positions,
-                 .meshNormals = seen.mesh.normals,
-                 .meshObjects = seen.mesh.objectOf,
-                 .seenList = surfaces.list,
-                 .seenCount = surfaces.counts,
                  .light = surfaces.light},
                 {.atFragments = atFragments});
   commands.dispatchIndirect(surfaces.counts, 0);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gpu/binding.h"
+
+/// Bindings that many shaders have, by the names that these have in GLSL. Where a shader has all of
+/// a group, its C++ side has the group in their place; see cmake/shader_interface.py. Of two groups
+/// that fit it is the later one.
+namespace opaline::shaders {
+
+/// What lib/seen.glsl needs.
+struct SeenPlaces {
+  gpu::Uniform frame;
+  gpu::Sampled seenWords;
+  gpu::Read meshIndices;
+  gpu::Read meshPositions;
+  gpu::Read meshNormals;
+  gpu::Read meshObjects;
+};
+
+/// What lib/seen_list.glsl needs.
+struct ListedPlaces {
+  SeenPlaces seen;
+  gpu::Read seenList;
+  gpu::Uniform seenCount;
+};
+
+}  // namespace opaline::shaders
