@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -79,6 +80,8 @@ struct Way {
   std::size_t sources = 0;
   std::size_t clusters = 0;
   std::vector<Solution> solutions;
+  std::uint32_t dispatches = 0;
+  std::uint32_t barriers = 0;
 
   void render(double seconds) {
     renderer.setTime({.seconds = seconds});
@@ -90,6 +93,8 @@ struct Way {
     sources = report.sources;
     clusters = report.clusters;
     solutions = report.solutions;
+    dispatches = report.dispatches;
+    barriers = report.barriers;
   }
 };
 
@@ -118,6 +123,8 @@ Json describe(Way& way, const Image& finest, const Yardsticks& yardsticks) {
   result["site"] = nameOf(way.site);
   result["sources"] = way.sources;
   result["frame_ms"] = way.times.frameMilliseconds();
+  result["dispatches"] = way.dispatches;
+  result["barriers"] = way.barriers;
   for (const PassTime& pass : way.times.passes())
     result["passes_ms"][pass.name] = pass.milliseconds;
   result["opaque_frames"] = way.times.frameMilliseconds() / yardsticks.opaqueMs;
@@ -223,6 +230,8 @@ void print(const Json& result) {
                verdict(row, "papers"));
     fmt::print("  {:<24}{:>10.2f} frames of the tree's dipole{}\n", "", row["trees"].get<double>(),
                verdict(row, "trees"));
+    fmt::print("  {:<24}{:>10} dispatches, {} barriers\n", "",
+               row["dispatches"].get<std::uint32_t>(), row["barriers"].get<std::uint32_t>());
     if (row.contains("steps"))
       fmt::print("  {:<24}{:>10} of {} unknowns\n", "solved in steps", row["steps"].dump(),
                  row["clusters"].get<std::size_t>());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,6 +51,8 @@ struct RenderReport {
   std::vector<Solution> solutions;
   std::vector<PassTime> passes;    ///< in the order they ran
   double frameMilliseconds = 0;    ///< GPU time, median over the frames after the first
+  std::uint32_t dispatches = 0;    ///< of the last frame
+  std::uint32_t barriers = 0;      ///< of the last frame
   double peakMemoryMegabytes = 0;  ///< of the device's memory, by this renderer
 };
 

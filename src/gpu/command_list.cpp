@@ -71,6 +71,7 @@ void CommandList::begin() {
   info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   check(vkBeginCommandBuffer(commands_, &info), "begin a command list");
   recording_ = true;
+  counts_ = {};
   inPass_ = false;
   rendering_ = false;
   pipeline_ = nullptr;
@@ -157,6 +158,7 @@ void CommandList::flushBarriers() {
   info.pMemoryBarriers = &memoryBarrier_;
   info.imageMemoryBarrierCount = imageBarrierCount_;
   info.pImageMemoryBarriers = imageBarriers_.data();
+  ++counts_.barriers;
   vkCmdPipelineBarrier2(commands_, &info);
   memoryBarrier_ = {};
   imageBarrierCount_ = 0;

@@ -38,6 +38,12 @@ struct DepthTarget {
   bool write = true;
 };
 
+/// What a device is asked to do one after the other.
+struct CommandCounts {
+  std::uint32_t dispatches = 0;
+  std::uint32_t barriers = 0;
+};
+
 /// Records commands, orders accesses, submits, waits. One list is reused frame after frame: after
 /// the first frames it allocates nothing. Binding of resources goes before beginRendering of the
 /// draw that uses them, because barriers cannot stand inside a rendering scope; what is bound stays
@@ -67,6 +73,9 @@ class CommandList {
   const std::vector<PassTiming>& timings();
   /// From the first pass's begin to the last pass's end, ms.
   double frameMilliseconds();
+
+  /// Since begin().
+  const CommandCounts& counts() const { return counts_; }
 
   /// A pipeline with all that its shader reads and writes. It is not destroyed before the
   /// submission has finished. A resource may stand at several bindings if the accesses agree.
@@ -169,6 +178,7 @@ class CommandList {
 
   std::array<VkImageMemoryBarrier2, maxSlots> imageBarriers_;
   std::uint32_t imageBarrierCount_ = 0;
+  CommandCounts counts_;
   VkMemoryBarrier2 memoryBarrier_{};
 };
 

@@ -10,6 +10,7 @@ void CommandList::dispatch(std::uint32_t groupsX, std::uint32_t groupsY, std::ui
   assert(recording_ && !rendering_ && pipeline_ != nullptr);
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
   assert(boundIsCurrent());
+  ++counts_.dispatches;
   vkCmdDispatch(commands_, groupsX, groupsY, groupsZ);
 }
 
@@ -24,8 +25,10 @@ void CommandList::dispatchRows(std::uint32_t groupsX, std::uint32_t groupsY, std
   assert(recording_ && !rendering_ && pipeline_ != nullptr);
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
   assert(boundIsCurrent());
-  for (std::uint32_t row = 0; row < groupsY; row += rows)
+  for (std::uint32_t row = 0; row < groupsY; row += rows) {
+    ++counts_.dispatches;
     vkCmdDispatchBase(commands_, 0, row, 0, groupsX, std::min(rows, groupsY - row), 1);
+  }
 }
 
 void CommandList::dispatchLinear(std::uint32_t count, std::uint32_t rounds) {
@@ -53,6 +56,7 @@ void CommandList::dispatchIndirect(Buffer& groups, std::size_t offset) {
   assert(boundIsCurrent());
   assert((groups.state_.readAccesses & VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT) != 0);
   assert(offset + sizeof(VkDispatchIndirectCommand) <= groups.bytes());
+  ++counts_.dispatches;
   vkCmdDispatchIndirect(commands_, groups.handle(), offset);
 }
 

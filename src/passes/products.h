@@ -132,17 +132,20 @@ struct Clusters {
   std::vector<std::uint32_t> firstOfHeight;  ///< one more than there are heights
   std::uint32_t count = 0;                   ///< of clusters
   std::uint32_t tileCount = 0;
-  gpu::Buffer tiles;               ///< shared::ClusterTile
-  gpu::Buffer lists;               ///< interaction lists: shared::roomOfList a tile
-  std::uint32_t surfelNodes = 0;   ///< of the tree of all surfels
-  gpu::Buffer clusters;            ///< shared::Cluster
-  gpu::Buffer nodes;               ///< shared::ClusterNode
-  gpu::Buffer entries;             ///< shared::Entry a cluster for each light, then
-                                   ///< for what comes from everywhere
-  std::uint32_t lights = 0;        ///< of the frame
-  gpu::Buffer meetings;            ///< shared::Meeting, of the rays outwards of each cluster
-  std::uint32_t raysOutwards = 0;  ///< of each cluster
-  Beams fromLight;                 ///< of one light after the other
+  gpu::Buffer tiles;  ///< shared::ClusterTile
+  std::uint32_t innerCount = 0;
+  std::uint32_t smallInnerCount = 0;  ///< those of few clusters, which come first
+  gpu::Buffer inner;                  ///< shared::InnerNode
+  gpu::Buffer lists;                  ///< interaction lists: shared::roomOfList a tile
+  std::uint32_t surfelNodes = 0;      ///< of the tree of all surfels
+  gpu::Buffer clusters;               ///< shared::Cluster
+  gpu::Buffer nodes;                  ///< shared::ClusterNode
+  gpu::Buffer entries;                ///< shared::Entry a cluster for each light, then
+                                      ///< for what comes from everywhere
+  std::uint32_t lights = 0;           ///< of the frame
+  gpu::Buffer meetings;               ///< shared::Meeting, of the rays outwards of each cluster
+  std::uint32_t raysOutwards = 0;     ///< of each cluster
+  Beams fromLight;                    ///< of one light after the other
   Beams fromEverywhere;
   gpu::Buffer mirrored;            ///< shared::Mirrored a cluster, of one light after the other
   gpu::Buffer peak;                ///< largest power of those, a float's bits

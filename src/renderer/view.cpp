@@ -88,7 +88,7 @@ class View::Implementation {
   }
 
   void collect(Frame& frame) {
-    queue_.collect(frame, times_);
+    counts_ = queue_.collect(frame, times_);
     solutions_ = frame.solutions;
   }
 
@@ -118,6 +118,8 @@ class View::Implementation {
         .solutions = solutions_,
         .passes = times_.passes(),
         .frameMilliseconds = times_.frameMilliseconds(),
+        .dispatches = counts_.dispatches,
+        .barriers = counts_.barriers,
         .peakMemoryMegabytes = static_cast<double>(context_.device.peakMemoryBytes()) / megabyte};
   }
 
@@ -156,6 +158,7 @@ class View::Implementation {
   std::uint64_t scene_ = 0;  // number of the scene that was rendered last
   FramePlan plan_;           // of the frame submitted last
   FrameTimes times_;
+  gpu::CommandCounts counts_;        // of the last frame
   std::vector<Solution> solutions_;  // of the frame collected last
 };
 

@@ -8,7 +8,7 @@ from images import read_exr, read_png
 from program import CUBE_OBJ, ProgramTest
 
 REPORT = {"device", "size", "transport", "sum", "site", "triangles", "vertices", "sources", "clusters",
-          "solutions", "passes", "frame_ms", "peak_memory_mb", "outputs", "exposure_stops"}
+          "solutions", "passes", "frame_ms", "dispatches", "barriers", "peak_memory_mb", "outputs", "exposure_stops"}
 DIAGONAL = 30
 EDGE = DIAGONAL / math.sqrt(3)
 # Marble's boundary at normal incidence, eta 1.5: 1 - ((1.5 - 1) / (1.5 + 1))^2.
@@ -82,6 +82,7 @@ class Outputs(Render):
         for entry in report["passes"]:
             self.assertTrue(entry["name"] and entry["ms"] >= 0, entry)
         self.assertGreater(report["frame_ms"], 0)
+        self.assertTrue(0 < report["barriers"] <= report["dispatches"] + 50, report)
         self.assertGreater(report["peak_memory_mb"], 0)
 
     def test_how_the_body_was_solved_is_reported(self):

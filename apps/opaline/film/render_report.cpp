@@ -26,6 +26,8 @@ Json renderReportJson(const RenderReport& report, const RenderOptions& options,
           {"solutions", std::move(solutions)},
           {"passes", std::move(passes)},
           {"frame_ms", report.frameMilliseconds},
+          {"dispatches", report.dispatches},
+          {"barriers", report.barriers},
           {"peak_memory_mb", report.peakMemoryMegabytes},
           {"outputs", outputs}};
 }

@@ -69,6 +69,27 @@ std::vector<shared::ClusterTile> tilesOf(const surfels::ClusterDivision& made) {
   return tiles;
 }
 
+// By their number of clusters, so that neighbours take equally long.
+std::vector<shared::InnerNode> innerNodesOf(const surfels::ClusterDivision& made) {
+  const std::vector<std::uint32_t>& roots = made.tree.rootOfObject;
+  std::vector<shared::InnerNode> inner;
+  for (std::uint32_t object = 0; object + 1 < roots.size(); ++object) {
+    std::uint32_t cluster = made.firstOfObject[object];
+    for (std::uint32_t node = roots[object]; node < roots[object + 1]; ++node) {
+      const surfels::NodeLink link = surfels::linkOf(made.tree, node);
+      if (link.leaf)
+        cluster = link.first + 1;
+      else
+        inner.push_back(
+            {node, cluster, surfels::linkOf(made.tree, link.end - 1).first + 1, object});
+    }
+  }
+  std::stable_sort(inner.begin(), inner.end(), [](const auto& a, const auto& b) {
+    return a.endCluster - a.firstCluster < b.endCluster - b.firstCluster;
+  });
+  return inner;
+}
+
 Beams makeBeams(gpu::Device& device, const char* points, const char* strengths,
                 std::uint32_t clusters) {
   return {makeRoom<shared::BeamPoint>(device, points, std::size_t{shared::maxPoints} * clusters),
@@ -105,6 +126,13 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.tiles = gpu::makeBuffer(device, "tiles of clusters", tiles, clusterBuffer);
   clusters.lists =
       makeRoom<std::uint32_t>(device, "interaction lists", tiles.size() * shared::roomOfList);
+  const std::vector<shared::InnerNode> inner = innerNodesOf(made);
+  clusters.innerCount = static_cast<std::uint32_t>(inner.size());
+  clusters.smallInnerCount =
+      static_cast<std::uint32_t>(std::count_if(inner.begin(), inner.end(), [](const auto& node) {
+        return node.endCluster - node.firstCluster <= shared::fewClusters;
+      }));
+  clusters.inner = gpu::makeBuffer(device, "inner nodes of clusters", inner, clusterBuffer);
   clusters.links = gpu::makeBuffer(device, "links of clusters", made.tree.links, clusterBuffer);
   clusters.byHeight =
       gpu::makeBuffer(device, "clusters by height", made.tree.byHeight, clusterBuffer);

@@ -10,13 +10,16 @@ namespace opaline::passes {
 
 namespace {
 
-constexpr std::uint32_t clustersOfGroup = 64;
+constexpr std::uint32_t groupSize = 64;
+
+std::uint32_t groupsOf(std::uint32_t invocations) {
+  return (invocations + groupSize - 1) / groupSize;
+}
 
 }  // namespace
 
 SolverPass::SolverPass(gpu::Device& device)
-    : leaves_(device, "densities of leaves", {.ofLeaves = 1}),
-      nodes_(device, "densities of nodes", {.ofLeaves = 0}),
+    : densities_(device, "densities"),
       product_(device, "product"),
       dots_(device, "inner products"),
       step_(device, "step of the solver"),
@@ -26,7 +29,7 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
                               std::uint32_t solutions) {
   const std::size_t nodes = clusters.firstOfHeight.back();
   const std::size_t count = clusters.count;
-  const std::size_t groups = (count + clustersOfGroup - 1) / clustersOfGroup;
+  const std::size_t groups = groupsOf(clusters.count);
   Solver solver;
   solver.densities = makeRoom<shared::DensityNode>(device, "densities", nodes);
   solver.products = makeRoom<shared::vec4>(device, "products", count);
@@ -79,24 +82,24 @@ void SolverPass::orthogonalise(gpu::CommandList& commands, const Order& order, s
 void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                           SceneTables& tables, Clusters& clusters, Solver& solver) const {
   const std::uint32_t firstFluence = (step - 1) * clusters.count;
-  forEachHeight(clusters.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
-    commands.bind(height == 0 ? leaves_ : nodes_,
-                  {.links = clusters.links,
-                   .byHeight = clusters.byHeight,
-                   .nodes = solver.densities,
-                   .clusters = clusters.clusters,
-                   .ranges = clusters.ranges,
-                   .fluences = solver.basis,
-                   .states = solver.states,
-                   .objects = tables.objects,
-                   .media = tables.media,
-                   .shapes = clusters.nodes},
-                  {.first = height == 0 ? firstFluence : range.first,
-                   .count = range.count,
-                   .step = step,
-                   .solution = order.solution});
-    commands.dispatchLinear(range.count);
-  });
+  commands.bind(densities_,
+                {.objects = tables.objects,
+                 .media = tables.media,
+                 .clusterNodes = clusters.nodes,
+                 .innerNodes = clusters.inner,
+                 .ranges = clusters.ranges,
+                 .clusterTexels = clusters.clusters,
+                 .fluences = solver.basis,
+                 .nodes = solver.densities,
+                 .states = solver.states},
+                {.clusterCount = clusters.count,
+                 .smallCount = clusters.smallInnerCount,
+                 .innerCount = clusters.innerCount,
+                 .first = firstFluence,
+                 .step = step,
+                 .solution = order.solution});
+  const std::uint32_t alone = groupsOf(clusters.count + clusters.smallInnerCount);
+  commands.dispatchLinear(groupSize * (alone + clusters.innerCount - clusters.smallInnerCount));
   commands.bind(product_,
                 {.objects = tables.objects,
                  .media = tables.media,

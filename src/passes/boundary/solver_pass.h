@@ -44,8 +44,7 @@ class SolverPass {
   void multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                 SceneTables& tables, Clusters& clusters, Solver& solver) const;
 
-  gpu::Compute<shaders::BoundaryDensities> leaves_;
-  gpu::Compute<shaders::BoundaryDensities> nodes_;
+  gpu::Compute<shaders::BoundaryDensities> densities_;
   gpu::Compute<shaders::BoundaryProduct> product_;
   gpu::Compute<shaders::BoundarySolverDots> dots_;
   gpu::Compute<shaders::BoundarySolverStep> step_;

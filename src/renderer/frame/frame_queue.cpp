@@ -43,7 +43,7 @@ void FrameQueue::submit() {
   ++waiting_;
 }
 
-void FrameQueue::collect(Frame& frame, FrameTimes& times) {
+gpu::CommandCounts FrameQueue::collect(Frame& frame, FrameTimes& times) {
   if (isEmpty()) throw UsageError("no frame waits to be collected; submit one first");
   FrameSlot& slot = slots_[(next_ + slots_.size() - waiting_) % slots_.size()];
   --waiting_;
@@ -59,6 +59,7 @@ void FrameQueue::collect(Frame& frame, FrameTimes& times) {
     frame.passes[i].milliseconds = timings[i].milliseconds;
   }
   times.add(frame.milliseconds, timings);
+  return slot.commands.counts();
 }
 
 }  // namespace opaline

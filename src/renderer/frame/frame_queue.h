@@ -36,7 +36,7 @@ class FrameQueue {
   /// Hands next() to the device.
   void submit();
   /// Waits for the oldest and takes its pictures and times. Throws UsageError when there is none.
-  void collect(Frame& frame, FrameTimes& times);
+  gpu::CommandCounts collect(Frame& frame, FrameTimes& times);
 
  private:
   std::array<FrameSlot, View::framesInFlight> slots_;

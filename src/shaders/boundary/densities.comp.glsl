@@ -1,57 +1,87 @@
-// A fluence at the clusters as densities on their nodes: at leaves, one a cluster, or at inner nodes
-// of one height.
+// A fluence at the clusters as densities on their nodes, each from the clusters below it, so that no
+// node waits for another. An invocation has a leaf or a node of few clusters, a work group one of many.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define BINDING_OBJECTS 7
-#define BINDING_MEDIA 8
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#define BINDING_OBJECTS 0
+#define BINDING_MEDIA 1
+#define BINDING_CLUSTER_NODES 2
 #include "lib/boundary.glsl"
+#include "lib/cluster_node.glsl"
 #include "lib/linear.glsl"
 #include "lib/solver.glsl"
 
-layout(constant_id = 0) const uint ofLeaves = 1u;
-
-layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
-layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
-layout(std430, set = 0, binding = 2) buffer Nodes { DensityNode nodes[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Inner { InnerNode innerNodes[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(std430, set = 0, binding = 5) readonly buffer Fluences { vec4 fluences[]; };
-layout(std430, set = 0, binding = 6) readonly buffer States { SolverState states[]; };
-
-layout(std430, set = 0, binding = 9) readonly buffer Shapes { ClusterNode shapes[]; };
+layout(set = 0, binding = 5) uniform samplerBuffer clusterTexels;  // Cluster
+layout(set = 0, binding = 6) uniform samplerBuffer fluences;
+layout(std430, set = 0, binding = 7) writeonly buffer Nodes { DensityNode nodes[]; };
+layout(std430, set = 0, binding = 8) readonly buffer States { SolverState states[]; };
 
 layout(push_constant) uniform Push {
-  uint first;  // of the nodes by height, or of the fluences
-  uint count;
-  uint step;  // of the solver; skipped when that is done
+  uint clusterCount;
+  uint smallCount;  // of inner nodes, those of few clusters
+  uint innerCount;
+  uint first;  // of the fluences
+  uint step;   // of the solver; skipped when that is done
   uint solution;
 };
 
-// Seen from another place, a density is one there and a dipole.
-vec4 moved(vec4 density, vec3 offset) {
-  return vec4(density.xyz + density.w * offset, density.w);
+DensityNode noDensity() {
+  return DensityNode(vec4(0.0), vec4(0.0), vec4(0.0));
+}
+
+// Seen from `place`, a density is one there and a dipole.
+void add(inout DensityNode sum, uint cluster, vec3 place, vec3 weightS) {
+  vec4 centroidArea = texelFetch(clusterTexels, 7 * int(cluster));
+  vec3 vectorArea = texelFetch(clusterTexels, 7 * int(cluster) + 2).xyz;
+  vec3 fluence = texelFetch(fluences, int(first + cluster)).rgb;
+  vec3 arm = centroidArea.w * (centroidArea.xyz - place);
+  sum.red += fluence.r * vec4(vectorArea + weightS.r * arm, centroidArea.w);
+  sum.green += fluence.g * vec4(vectorArea + weightS.g * arm, centroidArea.w);
+  sum.blue += fluence.b * vec4(vectorArea + weightS.b * arm, centroidArea.w);
+}
+
+// Of the clusters below, every `stride`-th from the `start`-th on.
+DensityNode densityOf(InnerNode inner, uint start, uint stride) {
+  BoundaryMedium medium = insideOf(objects[inner.object]);
+  vec3 weightS = 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);
+  vec3 place = centroidLinkOf(inner.node).xyz;
+  DensityNode sum = noDensity();
+  for (uint i = inner.firstCluster + start; i < inner.endCluster; i += stride) add(sum, i, place, weightS);
+  return sum;
+}
+
+shared DensityNode ofSubgroup[gl_WorkGroupSize.x];
+
+void putLarge(InnerNode inner) {
+  DensityNode sum = densityOf(inner, gl_LocalInvocationIndex, gl_WorkGroupSize.x);
+  sum = DensityNode(subgroupAdd(sum.red), subgroupAdd(sum.green), subgroupAdd(sum.blue));
+  if (subgroupElect()) ofSubgroup[gl_SubgroupID] = sum;
+  barrier();
+  if (gl_LocalInvocationIndex != 0u) return;
+  for (uint g = 1u; g < gl_NumSubgroups; ++g) {
+    sum.red += ofSubgroup[g].red;
+    sum.green += ofSubgroup[g].green;
+    sum.blue += ofSubgroup[g].blue;
+  }
+  nodes[inner.node] = sum;
+}
+
+void putLeaf(uint cluster) {
+  DensityNode sum = noDensity();
+  add(sum, cluster, vec3(0.0), vec3(0.0));
+  nodes[ranges[cluster].node] = sum;
 }
 
 void main() {
+  if (step > 0u && states[solution].done[doneBefore(step)] != 0u) return;
   uint i = linearIndex();
-  if (i >= count || step > 0u && states[solution].done[doneBefore(step)] != 0u) return;
-  if (ofLeaves != 0u) {
-    vec4 shape = vec4(clusters[i].vectorArea.xyz, clusters[i].centroidArea.w);
-    vec3 fluence = fluences[first + i].rgb;
-    nodes[ranges[i].node] = DensityNode(fluence.r * shape, fluence.g * shape, fluence.b * shape);
-    return;
-  }
-  uint node = byHeight[first + i];
-  uint end = afterNode(node, links[node]);
-  BoundaryMedium medium = insideOf(objects[uint(shapes[node].vectorArea.w)]);
-  vec3 weightS = 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);
-  vec3 place = shapes[node].centroidLink.xyz;
-  DensityNode sum = DensityNode(vec4(0.0), vec4(0.0), vec4(0.0));
-  for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
-    vec3 offset = shapes[child].centroidLink.xyz - place;
-    sum.red += moved(nodes[child].red, weightS.r * offset);
-    sum.green += moved(nodes[child].green, weightS.g * offset);
-    sum.blue += moved(nodes[child].blue, weightS.b * offset);
-  }
-  nodes[node] = sum;
+  uint alone = clusterCount + smallCount;
+  uint groupsAlone = (alone + gl_WorkGroupSize.x - 1u) / gl_WorkGroupSize.x;
+  uint large = smallCount + i / gl_WorkGroupSize.x - groupsAlone;
+  if (i < clusterCount) putLeaf(i);
+  else if (i < alone) nodes[innerNodes[i - clusterCount].node] = densityOf(innerNodes[i - clusterCount], 0u, 1u);
+  else if (i / gl_WorkGroupSize.x >= groupsAlone && large < innerCount) putLarge(innerNodes[large]);
 }

@@ -110,6 +110,15 @@ struct ClusterNode {
   vec4 momentRest;  // xz yz
 };
 
+/// An inner node of the tree of clusters, and what is below it. Those of few clusters come first.
+struct InnerNode {
+  uint node;
+  uint firstCluster;
+  uint endCluster;
+  uint object;
+};
+OPALINE_BOUNDARY_CONSTANT fewClusters = 32u;
+
 /// Fluence φ over what is below a node, for each channel: Σ φ (A + a δ / 2AD), with the offset δ
 /// from the node's centroid; Σ a φ.
 struct DensityNode {
