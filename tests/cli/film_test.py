@@ -51,6 +51,20 @@ class Pictures(Film):
             self.succeed("render", *MOVING, "--time", frame / 4, "-o", "still.png")
             self.assertEqual(self.pixels_of("still.png"), self.pixels_of(f"f_{frame:03}.png"), frame)
 
+    def most_memory(self, frames, *options):
+        """Of the process, MB."""
+        process = self.start("render", *MOVING, "--frames", f"0:{frames}", "--quiet", *options)
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        return used.ru_maxrss / 1024
+
+    def test_more_frames_need_no_more_memory(self):
+        for options in (("-o", "f%d.png"), ("--aov", "exitance", "-o", "f%d.exr")):
+            with self.subTest(options=options):
+                few, many = (self.most_memory(frames, *options) for frames in (5, 80))
+                self.assertLess(many, few + 16)
+
     def test_what_moves_differs_from_frame_to_frame(self):
         for motion in ("twist:0.6:2", "bend:0.8:2", "squash:0.4:2", "wobble:0.1:2"):
             self.succeed("render", *TEAPOT, "--deform", motion, "--frames", "1:2", "--fps", 4, "-o", "f%d.png")

@@ -181,7 +181,7 @@ void main() {
                                   vec4(radius, square, reach, area), vec4(vectorArea, float(range.object)),
                                   moment.first, vec4(moment.rest, 0.0, 0.0));
 
-  for (uint beam = 0u; beam <= frame.counts.x; ++beam)
+  for (uint beam = 0u; beam <= lightsAt(middle); ++beam)
     entries[beam * clusterCount + i] =
         entryOf(first, end, cluster, body, beam < frame.counts.x ? beam : everywhere);
 }

@@ -87,7 +87,7 @@ void keepVisibility(uint piece) {
   PiecePlace place = placeOf(pieces[piece]);
   for (uint i = 0u; i < pointsPerPiece; ++i) {
     vec3 position = positionAt(place, pointOf(place.corners, i));
-    for (uint k = 0u; k < frame.counts.x; ++k)
+    for (uint k = 0u; k < lightsAt(position); ++k)
       keep(visibilityOn(place, position, incidentLight(k, position)), k, piece, i);
   }
 }
@@ -100,7 +100,7 @@ vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
   vec3 outside = outsideOf(facetOf(place), normal);
   MediumData medium = mediumAt(objects[pieces[piece].object], position);
   vec3 sum = vec3(0.0);
-  for (uint k = 0u; k < frame.counts.x; ++k) {
+  for (uint k = 0u; k < lightsAt(position); ++k) {
     IncidentLight light = incidentLight(k, position);
     float part = enteringPart(light, normal, outside, medium);
     float visible = 0.0;

@@ -9,7 +9,7 @@
 // Of all lights.
 vec3 lightsIrradiance(vec3 position, vec3 normal, vec3 outside, MediumData medium) {
   vec3 sum = vec3(0.0);
-  for (uint i = 0u; i < frame.counts.x; ++i) {
+  for (uint i = 0u; i < lightsAt(position); ++i) {
     IncidentLight light = incidentLight(i, position);
     float part = enteringPart(light, normal, outside, medium);
     if (part > 0.0) sum += light.irradiance * (part * visibilityOf(light, position, outside));

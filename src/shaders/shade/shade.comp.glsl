@@ -107,7 +107,7 @@ vec3 reflection(MediumData medium, vec3 position, NormalsNearby normals, uint sa
                 float sky, vec3 own) {
   float eta = medium.boundary.x;
   vec3 sum = vec3(0.0);
-  for (uint i = 0u; i < frame.counts.x; ++i) {
+  for (uint i = 0u; i < lightsAt(position); ++i) {
     IncidentLight light = incidentLight(i, position);
     if (dot(normals.middle, light.direction) <= 0.0) continue;
     float value = lobeOfSamples(normals, samples, light.direction, toCamera, eta);
