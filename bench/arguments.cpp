@@ -15,14 +15,21 @@ namespace opaline::bench {
 
 namespace {
 
-std::optional<std::filesystem::path> findBunny() {
+std::optional<std::filesystem::path> findModel(const char* name) {
   const char* models = std::getenv("OPALINE_MODELS");
   const std::filesystem::path folder =
       models != nullptr ? std::filesystem::path(models)
                         : std::filesystem::path(OPALINE_SOURCE_DIR) / ".." / "shared" / "models";
-  std::filesystem::path file = folder / "bunny.ply";
+  std::filesystem::path file = folder / name;
   if (std::filesystem::exists(file)) return file;
   return std::nullopt;
+}
+
+LoadOptions optionsFor(const char* medium) {
+  LoadOptions options;
+  options.diagonalMm = 50;
+  options.medium = bssrdf::findMedium(medium);
+  return options;
 }
 
 int positive(std::string_view text) {
@@ -54,15 +61,23 @@ Arguments parse(std::string_view program, int count, char** values, int defaultF
   return arguments;
 }
 
-Scene loadModel() {
-  LoadOptions options;
-  options.diagonalMm = 50;
-  options.medium = bssrdf::findMedium("marble");
-  if (const auto bunny = findBunny()) return loadScene(*bunny, options);
+Scene loadModel(const char* medium) {
+  const LoadOptions options = optionsFor(medium);
+  if (const auto bunny = findModel("bunny.ply")) return loadScene(*bunny, options);
   fmt::print(
       stderr,
       "no bunny.ply in the folder that OPALINE_MODELS names; the built-in bear stands in for it\n");
   return builtInBear(options);
+}
+
+std::vector<Scene> loadScenes() {
+  std::vector<Scene> scenes;
+  for (const char* medium : {"marble", "skin1"}) scenes.push_back(loadModel(medium));
+  for (const char* medium : {"gummy-red", "jade"})
+    scenes.push_back(builtInBear(optionsFor(medium)));
+  if (const auto man = findModel("gltf/CesiumMan.glb"))
+    scenes.push_back(loadScene(*man, optionsFor("marble")));
+  return scenes;
 }
 
 int runMain(void (*run)(int count, char** values), int count, char** values) {

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "opaline/scene.h"
 
@@ -16,8 +17,12 @@ struct Arguments {
 /// --json, --frames N and --device NAME|INDEX. Throws UsageError for anything else.
 Arguments parse(std::string_view program, int count, char** values, int defaultFrames);
 
-/// The bunny of the models, or the built-in bear where there are none, of marble, 50 mm.
-Scene loadModel();
+/// The bunny of the models, or the built-in bear where there are none, 50 mm.
+Scene loadModel(const char* medium = "marble");
+
+/// What frames of default settings are measured of, each 50 mm: bunnies, bears, and a walking man
+/// where the models are there.
+std::vector<Scene> loadScenes();
 
 /// Runs a benchmark; what it throws becomes a sentence on standard error and an exit status.
 int runMain(void (*run)(int count, char** values), int count, char** values);

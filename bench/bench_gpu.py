@@ -73,6 +73,19 @@ def frame_lines(frame):
     return lines + table(passes, [[f"{ms:.3f}" for ms in passes.values()]])
 
 
+def default_lines(frames):
+    """A column for each scene, so that passes can be held side by side."""
+    rows = [frame["rows"][0] for frame in frames]
+    passes = list(dict.fromkeys(name for row in rows for name in row["passes_ms"]))
+    lines = ["", "## Default frames, ms", ""]
+    return lines + table(
+        ("", *(f"{frame['scene']}, {frame['medium']}" for frame in frames)),
+        [(name, *(f"{row['passes_ms'][name]:.3f}" if name in row["passes_ms"] else "" for row in rows)) for name in passes] +
+        [("**whole frame**", *(f"**{row['frame_ms']:.3f}**" for row in rows)),
+         ("opaque frames", *(f"{row['opaque_frames']:.2f}" for row in rows)),
+         ("dispatches, barriers", *(f"{row['dispatches']}, {row['barriers']}" for row in rows))])
+
+
 def motion_lines(motion):
     return ["", "## Motion", ""] + table(
         ("motion", "ms", "of the still", "allowed"),
@@ -104,8 +117,9 @@ def report(figures):
     """What was measured, as Markdown."""
     device = figures["device"]
     lines = [f"# {device['name']}, {device['driver']}"]
-    for frame in figures["frames"]:
+    for frame in figures["frames"]["ways"]:
         lines += frame_lines(frame)
+    lines += default_lines(figures["frames"]["defaults"])
     lines += motion_lines(figures["motion"]) + scaling_lines(figures["scaling"])
     if figures["table1"]:
         lines += table1_lines(figures["table1"])

@@ -117,7 +117,7 @@ struct Yardsticks {
   double treeMs;
 };
 
-Json describe(Way& way, const Image& finest, const Yardsticks& yardsticks) {
+Json describe(const Way& way, double opaqueMs) {
   Json result;
   result["way"] = way.name;
   result["site"] = nameOf(way.site);
@@ -127,15 +127,20 @@ Json describe(Way& way, const Image& finest, const Yardsticks& yardsticks) {
   result["barriers"] = way.barriers;
   for (const PassTime& pass : way.times.passes())
     result["passes_ms"][pass.name] = pass.milliseconds;
-  result["opaque_frames"] = way.times.frameMilliseconds() / yardsticks.opaqueMs;
-  result["papers"] = way.times.frameMilliseconds() / yardsticks.paperMs;
-  if (way.most.papers) result["papers_allowed"] = *way.most.papers;
-  result["trees"] = way.times.frameMilliseconds() / yardsticks.treeMs;
-  if (way.most.trees) result["trees_allowed"] = *way.most.trees;
+  result["opaque_frames"] = way.times.frameMilliseconds() / opaqueMs;
   if (way.options.transport == Transport::Boundary) {
     result["clusters"] = way.clusters;
     for (const Solution& solution : way.solutions) result["steps"].push_back(solution.steps);
   }
+  return result;
+}
+
+Json compareWith(Way& way, const Image& finest, const Yardsticks& yardsticks) {
+  Json result = describe(way, yardsticks.opaqueMs);
+  result["papers"] = way.times.frameMilliseconds() / yardsticks.paperMs;
+  if (way.most.papers) result["papers_allowed"] = *way.most.papers;
+  result["trees"] = way.times.frameMilliseconds() / yardsticks.treeMs;
+  if (way.most.trees) result["trees_allowed"] = *way.most.trees;
 
   way.renderer.setTime({});
   const std::vector<Image> found =
@@ -149,6 +154,35 @@ Json describe(Way& way, const Image& finest, const Yardsticks& yardsticks) {
     result["rel_rmse"] = figures->all.relRmse;
     result["p95_rel"] = figures->all.p95Rel;
   }
+  return result;
+}
+
+Json headOf(const Scene& scene, const RenderReport& report, const RenderOptions& options,
+            const FrameTimes& opaque) {
+  const DeviceDescription& device = report.device;
+  return {{"scene", scene.name},
+          {"device", {{"name", device.name}, {"type", device.type}, {"driver", device.driver}}},
+          {"size", {options.width, options.height}},
+          {"triangles", report.triangles},
+          {"vertices", report.vertices},
+          {"opaque_ms", opaque.frameMilliseconds()},
+          {"rows", Json::array()}};
+}
+
+/// A frame of default settings.
+Json measureDefault(const Arguments& arguments, const Scene& scene) {
+  Renderer renderer({arguments.device, false, {}});
+  renderer.setScene(scene);
+  OpaqueFrame opaqueFrame(scene, optionsFor(Sum::Tree, Site::Auto), arguments.device);
+  Way way{"default", {}, {}, renderer};
+  FrameTimes opaque;
+  for (int i = 0; i < arguments.frames; ++i) {
+    opaqueFrame.render(secondsPerFrame * i, opaque);
+    way.render(secondsPerFrame * i);
+  }
+  Json result = headOf(scene, way.view.render().report, way.options, opaque);
+  result["medium"] = scene.objects.front().medium.name;
+  result["rows"].push_back(describe(way, opaque.frameMilliseconds()));
   return result;
 }
 
@@ -183,20 +217,13 @@ Json measure(const Arguments& arguments, const Scene& scene, const char* lightin
   finest.tolerance = static_cast<float>(finestTolerance);
   tree.setTime({});
   const RenderResult exact = tree.render(finest, {Aov::Exitance});
-  const DeviceDescription& device = exact.report.device;
-  Json result{{"scene", scene.name},
-              {"lighting", lighting},
-              {"device", {{"name", device.name}, {"type", device.type}, {"driver", device.driver}}},
-              {"size", {finest.width, finest.height}},
-              {"triangles", exact.report.triangles},
-              {"vertices", exact.report.vertices},
-              {"finest_tolerance", finestTolerance},
-              {"opaque_ms", opaque.frameMilliseconds()},
-              {"rows", Json::array()}};
+  Json result = headOf(scene, exact.report, finest, opaque);
+  result["lighting"] = lighting;
+  result["finest_tolerance"] = finestTolerance;
   const Yardsticks yardsticks{opaque.frameMilliseconds(),
                               ways[paperFragment].times.frameMilliseconds(),
                               ways[treeAuto].times.frameMilliseconds()};
-  for (Way& way : ways) result["rows"].push_back(describe(way, exact.images[0], yardsticks));
+  for (Way& way : ways) result["rows"].push_back(compareWith(way, exact.images[0], yardsticks));
   return result;
 }
 
@@ -209,32 +236,38 @@ std::string verdict(const Json& row, const std::string& yardstick) {
                                                  : fmt::format(" (MORE than {:g})", allowed);
 }
 
-void print(const Json& result) {
+void printHead(const Json& result, const std::string& what) {
   fmt::print("{}, deforming, {}, {} triangles, {} vertices, {} x {} pixels, on {}, {}\n",
-             result["scene"].get<std::string>(), result["lighting"].get<std::string>(),
-             result["triangles"].get<std::size_t>(), result["vertices"].get<std::size_t>(),
-             result["size"][0].get<int>(), result["size"][1].get<int>(),
-             result["device"]["name"].get<std::string>(),
+             result["scene"].get<std::string>(), what, result["triangles"].get<std::size_t>(),
+             result["vertices"].get<std::size_t>(), result["size"][0].get<int>(),
+             result["size"][1].get<int>(), result["device"]["name"].get<std::string>(),
              result["device"]["driver"].get<std::string>());
   fmt::print("medians of warm frames in turns; an opaque frame takes {:.2f} ms\n",
              result["opaque_ms"].get<double>());
+}
+
+void printFrame(const Json& row) {
+  fmt::print("\n{}, {} sources, at {}\n", row["way"].get<std::string>(),
+             row["sources"].get<std::size_t>(), row["site"] == "vertex" ? "vertices" : "fragments");
+  for (const auto& [name, milliseconds] : row["passes_ms"].items())
+    fmt::print("  {:<24}{:>10.2f} ms\n", name, milliseconds.get<double>());
+  fmt::print("  {:<24}{:>10.2f} ms\n", "whole frame", row["frame_ms"].get<double>());
+  fmt::print("  {:<24}{:>10} dispatches, {} barriers\n", "", row["dispatches"].get<std::uint32_t>(),
+             row["barriers"].get<std::uint32_t>());
+  fmt::print("  {:<24}{:>10.2f} opaque frames\n", "", row["opaque_frames"].get<double>());
+  if (row.contains("steps"))
+    fmt::print("  {:<24}{:>10} of {} unknowns\n", "solved in steps", row["steps"].dump(),
+               row["clusters"].get<std::size_t>());
+}
+
+void printWays(const Json& result) {
+  printHead(result, result["lighting"].get<std::string>());
   for (const Json& row : result["rows"]) {
-    fmt::print("\n{}, {} sources, at {}\n", row["way"].get<std::string>(),
-               row["sources"].get<std::size_t>(),
-               row["site"] == "vertex" ? "vertices" : "fragments");
-    for (const auto& [name, milliseconds] : row["passes_ms"].items())
-      fmt::print("  {:<24}{:>10.2f} ms\n", name, milliseconds.get<double>());
-    fmt::print("  {:<24}{:>10.2f} ms\n", "whole frame", row["frame_ms"].get<double>());
-    fmt::print("  {:<24}{:>10.2f} opaque frames\n", "", row["opaque_frames"].get<double>());
+    printFrame(row);
     fmt::print("  {:<24}{:>10.2f} frames of the paper{}\n", "", row["papers"].get<double>(),
                verdict(row, "papers"));
     fmt::print("  {:<24}{:>10.2f} frames of the tree's dipole{}\n", "", row["trees"].get<double>(),
                verdict(row, "trees"));
-    fmt::print("  {:<24}{:>10} dispatches, {} barriers\n", "",
-               row["dispatches"].get<std::uint32_t>(), row["barriers"].get<std::uint32_t>());
-    if (row.contains("steps"))
-      fmt::print("  {:<24}{:>10} of {} unknowns\n", "solved in steps", row["steps"].dump(),
-                 row["clusters"].get<std::size_t>());
     if (row.contains("evaluations"))
       fmt::print("  {:<24}{:>10.1f} a {}\n", "evaluations", row["evaluations"].get<double>(),
                  row["site"] == "vertex" ? "vertex" : "pixel");
@@ -248,13 +281,20 @@ void print(const Json& result) {
 void run(int count, char** values) {
   const Arguments arguments = parse("opaline_frame_bench", count, values, 11);
   const Scene scene = deforming(loadModel());
-  Json results = Json::array();
-  results.push_back(measure(arguments, litFromBehind(scene), "lit from behind"));
-  results.push_back(measure(arguments, scene, "in the default lights"));
+  Json results{{"ways", Json::array()}, {"defaults", Json::array()}};
+  results["ways"].push_back(measure(arguments, litFromBehind(scene), "lit from behind"));
+  results["ways"].push_back(measure(arguments, scene, "in the default lights"));
+  for (const Scene& model : loadScenes())
+    results["defaults"].push_back(measureDefault(arguments, deforming(model)));
   if (arguments.json) return fmt::print("{}\n", results.dump(2));
-  for (const Json& result : results) {
-    if (&result != &results[0]) fmt::print("\n\n");
-    print(result);
+  for (const Json& result : results["ways"]) {
+    printWays(result);
+    fmt::print("\n\n");
+  }
+  for (const Json& result : results["defaults"]) {
+    printHead(result, "of " + result["medium"].get<std::string>());
+    printFrame(result["rows"].front());
+    fmt::print("\n\n");
   }
 }
 

@@ -74,18 +74,14 @@ class OpaqueFrame::Implementation {
     motion_.record(commands_, deform_, {.seconds = seconds}, resources_.mesh);
     fit_.record(commands_, upload_, 0, resources_.mesh, view_);
     shadow_.record(commands_, view_, resources_.mesh, shadows_);
-    surface_.draw(commands_, {view_, resources_.mesh, visible_}, samplePattern(1));
-    surface_.list(commands_, {view_, resources_.mesh, visible_}, 0, 1);
+    const passes::SeenSurfaces seen{view_, resources_.mesh, visible_};
+    surface_.draw(commands_, seen, samplePattern(1));
+    surface_.list(commands_, seen, 0, 1);
     commands_.beginPass("lambert");
     commands_.bind(lambert_,
-                   {.frame = view_.data,
-                    .seenWords = {visible_.words, nearest_},
+                   {.seenPlaces = passes::seenPlaces(seen, nearest_),
                     .shadowMaps = {shadows_.depth, nearest_},
-                    .radiance = radiance_,
-                    .meshIndices = resources_.mesh.indices,
-                    .meshPositions = resources_.mesh.positions,
-                    .meshNormals = resources_.mesh.normals,
-                    .meshObjects = resources_.mesh.objectOf},
+                    .radiance = radiance_},
                    {.ambient = glm::vec4(glm::make_vec3(scene_.lighting.ambient.data()), 0)});
     commands_.dispatchTiles(radiance_);
     commands_.endPass();

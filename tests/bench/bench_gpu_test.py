@@ -21,6 +21,9 @@ FRAME_ROW = {"site": "fragment", "sources": 7, "frame_ms": 1.25, "opaque_frames"
              "passes_ms": {"gather": .25, "estimate": .125, "scatter": .25}}
 FRAME = {"scene": "bunny", "lighting": "lit from behind", "device": DISCRETE, "size": [1024, 1024], "opaque_ms": .5,
          "rows": [{"way": way, **FRAME_ROW} for way in ("paper fragment", "tree auto", "tree fragment")]}
+FRAMES = {"ways": [FRAME],
+          "defaults": [{"scene": "walker", "medium": "jade", "rows": [
+              {"passes_ms": {"solve": .625}, "frame_ms": 1.875, "opaque_frames": 4.5, "dispatches": 221, "barriers": 251}]}]}
 MOTION = {"rows": [{"motion": "skin", "frame_ms": 2, "ratio": 1.0625, "allowed": 1.1}]}
 SCALING_ROW = {"surfels": 9, "gather_ms": 1, "scatter_ms": 2, "nearby_ms": 0, "frame_ms": 3, "scatter_ratio": 1,
                "frame_ratio": 1, "evaluations": 111.5}
@@ -47,7 +50,7 @@ class BenchGpu(unittest.TestCase):
 
     def run_with(self, devices, *options, models=()):
         answers = {"opaline info": {"devices": devices}, "bench table1": TABLE1, "bench scaling": SCALING,
-                   "frame_bench": [FRAME], "motion_bench": MOTION}
+                   "frame_bench": FRAMES, "motion_bench": MOTION}
         for name in ("opaline", "opaline_frame_bench", "opaline_motion_bench"):
             program = self.folder / name
             program.write_text(STAND_IN.format(python=sys.executable, answers=json.dumps(answers)))
@@ -80,9 +83,9 @@ class BenchGpu(unittest.TestCase):
         figures = json.loads((self.folder / "bench_gpu.json").read_text())
         self.assertEqual(figures["device"], DISCRETE)
         self.assertEqual((figures["frames"], figures["motion"], figures["scaling"], figures["table1"]),
-                         ([FRAME], MOTION, SCALING, TABLE1))
+                         (FRAMES, MOTION, SCALING, TABLE1))
         text = (self.folder / "bench_gpu.md").read_text()
-        for part in ("Large One", "3.4", "measured 0.375 ms", "measured 1.250 ms", "1.062", "0.125 %", "345.5"):
+        for part in ("Large One", "3.4", "measured 0.375 ms", "measured 1.250 ms", "walker, jade", "0.625", "1.875", "4.50", "221, 251", "1.062", "0.125 %", "345.5"):
             self.assertIn(part, text)
 
     def test_does_without_the_models(self):
