@@ -27,7 +27,7 @@ class SurfelSumPass {
     ScatterSite site = ScatterSite::PerObject;
     float tolerance = 0.01F;  ///< of the tree: error of a node relative to the sum
     /// Over places: whether the tolerance needs an estimate of the sum. Else a node is taken
-    /// wherever its series converges; that has an error of half a per cent, most of it smooth.
+    /// wherever its series converges; that has an error of 0.6 % rms (bunny of marble).
     bool estimate = true;
   };
   struct OverPlaces {
