@@ -45,8 +45,7 @@ void add(inout DensityNode sum, uint cluster, vec3 place, vec3 weightS) {
 
 // Of the clusters below, every `stride`-th from the `start`-th on.
 DensityNode densityOf(InnerNode inner, uint start, uint stride) {
-  BoundaryMedium medium = insideOf(objects[inner.object]);
-  vec3 weightS = 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);
+  vec3 weightS = singleLayerWeight(insideOf(objects[inner.object]));
   vec3 place = centroidLinkOf(inner.node).xyz;
   DensityNode sum = noDensity();
   for (uint i = inner.firstCluster + start; i < inner.endCluster; i += stride) add(sum, i, place, weightS);

@@ -88,7 +88,7 @@ vec3 actionOf(ActingNode node, vec4 target) {
 void main() {
   if (step > 0u && states[solution].done[doneBefore(step)] != 0u) return;
   if (!enterTile(tileCount)) return;
-  weightS = 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);
+  weightS = singleLayerWeight(medium);
   vec3 sums[maxClustersOfTile];
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) sums[t] = vec3(0.0);
   uint list = tileIndex * roomOfList;

@@ -38,6 +38,11 @@ float rayStartOf(Cluster cluster) {
   return 1e-4 * cluster.normal.w;
 }
 
+// Of the single layer in the equation, 1 / 2AD.
+vec3 singleLayerWeight(BoundaryMedium medium) {
+  return 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);
+}
+
 float leastOf(vec3 v) {
   return min(min(v.x, v.y), v.z);
 }
