@@ -40,18 +40,4 @@ inline gpu::TexelsOrRays rays(RayHierarchy& hierarchy) {
 /// Rounds of an invocation that walks a tree, or sends a ray through one: some hundreds.
 constexpr std::uint32_t roundsOfWalk = 1024;
 
-/// A tree's nodes of one height, as its list by height has them.
-struct NodeRange {
-  std::uint32_t first;
-  std::uint32_t count;
-};
-
-/// Calls `record(height, range)` from the leaves, which are of height 0, to the roots.
-template <typename Record>
-void forEachHeight(const std::vector<std::uint32_t>& firstOfHeight, const Record& record) {
-  for (std::size_t height = 0; height + 1 < firstOfHeight.size(); ++height)
-    record(height,
-           NodeRange{firstOfHeight[height], firstOfHeight[height + 1] - firstOfHeight[height]});
-}
-
 }  // namespace opaline::passes

@@ -77,26 +77,36 @@ struct ShadowMaps {
   gpu::GpuImage depth;
 };
 
+/// A tree whose nodes frames fit to the surface (passes/fitted_tree.h).
+struct FittedTree {
+  gpu::Buffer links;  ///< which no frame changes
+  gpu::Buffer leafNodes;
+  gpu::Buffer treeletNodes;  ///< this and the next two as surfels::Treelets has them
+  gpu::Buffer firstOfLevel;
+  gpu::Buffer levelOfTreelet;
+  std::vector<std::uint32_t> firstOfStage;  ///< treelets; one more than there are stages
+  std::uint32_t leafCount = 0;
+  std::uint32_t nodeCount = 0;
+};
+
 /// The surface as surfels and their tree.
 struct Surfels {
-  gpu::Buffer pieces;                        ///< shared::SurfelPiece
-  std::uint32_t piecesPerSurfel = 1;         ///< that follow each other
-  gpu::Buffer sources;                       ///< shared::Source, sourcesPerSurfel of each
-  gpu::Buffer normals;                       ///< vec4 a surfel, unit
-  gpu::Buffer visibilities;                  ///< of lights, where boundary transport reads them: a
-                                             ///< word for each and each piece, see lib/piece.glsl
-  std::uint32_t lights = 0;                  ///< that there is room for
-  std::uint32_t count = 0;                   ///< of surfels
-  gpu::Buffer nodes;                         ///< shared::TreeNode, depth first
-  gpu::Buffer boxes;                         ///< shared::NodeBox, one a node
-  gpu::Buffer links;                         ///< the nodes' links, which no frame changes
-  gpu::Buffer byHeight;                      ///< nodes, leaves first
-  std::vector<std::uint32_t> firstOfHeight;  ///< one more than there are heights
-  bool coarse = false;                       ///< of any object: wants what NearbyPass adds
-  gpu::Buffer vertexOrder;                   ///< vertices, neighbours in space together
-  gpu::Buffer places;                        ///< vec4 a surfel, mm
-  gpu::Buffer objectOf;                      ///< uint a surfel
-  gpu::Buffer order;                         ///< every surfel's own index
+  gpu::Buffer pieces;                 ///< shared::SurfelPiece
+  std::uint32_t piecesPerSurfel = 1;  ///< that follow each other
+  gpu::Buffer sources;                ///< shared::Source, sourcesPerSurfel of each
+  gpu::Buffer normals;                ///< vec4 a surfel, unit
+  gpu::Buffer visibilities;           ///< of lights, where boundary transport reads them: a
+                                      ///< word for each and each piece, see lib/piece.glsl
+  std::uint32_t lights = 0;           ///< that there is room for
+  std::uint32_t count = 0;            ///< of surfels
+  gpu::Buffer nodes;                  ///< shared::TreeNode, depth first
+  gpu::Buffer boxes;                  ///< shared::NodeBox, one a node
+  FittedTree tree;
+  bool coarse = false;      ///< of any object: wants what NearbyPass adds
+  gpu::Buffer vertexOrder;  ///< vertices, neighbours in space together
+  gpu::Buffer places;       ///< vec4 a surfel, mm
+  gpu::Buffer objectOf;     ///< uint a surfel
+  gpu::Buffer order;        ///< every surfel's own index
 };
 
 /// Where light is summed in a compute shader of one invocation a place: vertices or surfels.
@@ -125,19 +135,16 @@ struct Beams {
 
 /// Clusters of surfels, their tree, and what boundary transport makes of them in a frame.
 struct Clusters {
-  gpu::Buffer ranges;                        ///< shared::ClusterRange
-  gpu::Buffer clusterOfSurfel;               ///< one a surfel
-  gpu::Buffer links;                         ///< of the nodes
-  gpu::Buffer byHeight;                      ///< nodes, leaves first
-  std::vector<std::uint32_t> firstOfHeight;  ///< one more than there are heights
-  std::uint32_t count = 0;                   ///< of clusters
+  gpu::Buffer ranges;           ///< shared::ClusterRange
+  gpu::Buffer clusterOfSurfel;  ///< one a surfel
+  FittedTree tree;
+  std::uint32_t count = 0;  ///< of clusters
   std::uint32_t tileCount = 0;
   gpu::Buffer tiles;  ///< shared::ClusterTile
   std::uint32_t innerCount = 0;
   std::uint32_t smallInnerCount = 0;  ///< those of few clusters, which come first
   gpu::Buffer inner;                  ///< shared::InnerNode
   gpu::Buffer lists;                  ///< interaction lists: shared::roomOfList a tile
-  std::uint32_t surfelNodes = 0;      ///< of the tree of all surfels
   gpu::Buffer clusters;               ///< shared::Cluster
   gpu::Buffer nodes;                  ///< shared::ClusterNode
   gpu::Buffer entries;                ///< shared::Entry a cluster for each light, then

@@ -24,4 +24,12 @@ struct ListedPlaces {
   gpu::Uniform seenCount;
 };
 
+/// What lib/treelets.glsl needs.
+struct TreeletOrder {
+  gpu::Read links;
+  gpu::Read treeletNodes;
+  gpu::Read firstOfLevel;
+  gpu::Read levelOfTreelet;
+};
+
 }  // namespace opaline::shaders

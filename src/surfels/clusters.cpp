@@ -134,7 +134,6 @@ class Divider {
     made_.firstOfObject.push_back(count());
     made_.tree.rootOfObject.push_back(nodeCount());
     made_.firstSurfel.push_back(surfels_.count());
-    made_.tree.sortByHeight();
     return std::move(made_);
   }
 

@@ -54,7 +54,6 @@ class TreeBuilder {
 
   Tree finish() {
     tree_.rootOfObject.push_back(nodeCount());
-    tree_.sortByHeight();
     return std::move(tree_);
   }
 
@@ -137,24 +136,6 @@ NodeLink linkOf(const Tree& tree, std::uint32_t node) {
           .first = link & ((1U << Tree::countShift) - 1),
           .count = ((link & (Tree::setBit - 1)) >> Tree::countShift) + 1,
           .end = node + 1};
-}
-
-void Tree::sortByHeight() {
-  std::vector<std::uint32_t> heights(links.size(), 0);
-  for (auto node = static_cast<std::uint32_t>(links.size()); node-- > 0;) {
-    const NodeLink link = linkOf(*this, node);
-    for (std::uint32_t child = node + 1; child < link.end; child = linkOf(*this, child).end)
-      heights[node] = std::max(heights[node], heights[child] + 1);
-  }
-  const std::uint32_t tallest =
-      heights.empty() ? 0 : *std::max_element(heights.begin(), heights.end());
-  firstOfHeight.assign(std::size_t{tallest} + 2, 0);
-  for (const std::uint32_t height : heights) ++firstOfHeight[height + 1];
-  for (std::size_t i = 1; i < firstOfHeight.size(); ++i) firstOfHeight[i] += firstOfHeight[i - 1];
-  std::vector<std::uint32_t> next(firstOfHeight.begin(), firstOfHeight.end() - 1);
-  byHeight.resize(heights.size());
-  for (std::uint32_t node = 0; node < heights.size(); ++node)
-    byHeight[next[heights[node]]++] = node;
 }
 
 Tree makeTree(std::span<const std::span<TreeItem>> itemsOfObject, std::uint32_t itemsPerSurfel) {

@@ -21,14 +21,7 @@ struct Tree {
   /// One a node. A leaf: leafBit, number of surfels - 1 from bit countShift, first surfel below. An
   /// inner node, which has two to four children: the node after the last of all below it.
   std::vector<std::uint32_t> links;
-  /// Nodes by their height above their lowest leaf, leaves first, so that children come before
-  /// parents.
-  std::vector<std::uint32_t> byHeight;
-  std::vector<std::uint32_t> firstOfHeight;  ///< into byHeight; one more than there are heights
-  std::vector<std::uint32_t> rootOfObject;   ///< one more than there are objects
-
-  /// Fills byHeight and firstOfHeight from the links.
-  void sortByHeight();
+  std::vector<std::uint32_t> rootOfObject;  ///< one more than there are objects
 };
 
 /// A node's link taken apart.

@@ -16,6 +16,7 @@
 #include "gpu/helpers.h"
 #include "gpu/pipeline.h"
 #include "gpu/transfer.h"
+#include "passes/fitted_tree.h"
 #include "renderer/shapes.h"
 #include "shaders/gather/tree_leaves.comp.h"
 #include "shaders/gather/tree_nodes.comp.h"
@@ -72,8 +73,7 @@ class RefitTest : public gpu::GpuTest {
  protected:
   static std::vector<TreeNode> nodesOf(const Lit& lit) {
     const surfels::Tree& tree = lit.tree;
-    gpu::Buffer links = gpu::makeBuffer(device(), "links", tree.links, storage);
-    gpu::Buffer byHeight = gpu::makeBuffer(device(), "by height", tree.byHeight, storage);
+    passes::FittedTree fitted = passes::makeFittedTree(device(), tree);
     gpu::Buffer sources = gpu::makeBuffer(device(), "sources", lit.sources, storage);
     gpu::Buffer nodes =
         gpu::makeBuffer(device(), "nodes", std::vector<TreeNode>(tree.links.size()), storage);
@@ -83,22 +83,19 @@ class RefitTest : public gpu::GpuTest {
     const gpu::Compute<shaders::GatherTreeNodes> inner(device(), "nodes");
     gpu::CommandList commands(device(), "refit");
     commands.begin();
-    for (std::size_t height = 0; height + 1 < tree.firstOfHeight.size(); ++height) {
-      const std::uint32_t first = tree.firstOfHeight[height];
-      const std::uint32_t count = tree.firstOfHeight[height + 1] - first;
-      if (height == 0)
-        commands.bind(leaves,
-                      {.links = links,
-                       .byHeight = byHeight,
-                       .sources = sources,
-                       .nodes = nodes,
-                       .boxes = boxes},
-                      {.first = first, .count = count});
-      else
-        commands.bind(inner, {.links = links, .byHeight = byHeight, .nodes = nodes, .boxes = boxes},
-                      {.first = first, .count = count});
-      commands.dispatchLinear(count);
-    }
+    commands.bind(leaves,
+                  {.links = fitted.links,
+                   .leafNodes = fitted.leafNodes,
+                   .sources = sources,
+                   .nodes = nodes,
+                   .boxes = boxes},
+                  {.leafCount = fitted.leafCount});
+    commands.dispatchLinear(fitted.leafCount);
+    passes::fitInnerNodes(commands, fitted, [&](std::uint32_t first, std::uint32_t count) {
+      commands.bind(inner,
+                    {.treeletOrder = passes::treeletOrder(fitted), .nodes = nodes, .boxes = boxes},
+                    {.firstTreelet = first, .treeletCount = count});
+    });
     commands.submit();
     return gpu::readAs<TreeNode>(device(), nodes);
   }

@@ -31,10 +31,9 @@ constexpr std::size_t unlimited = 1'000'000;
 /// By the words of tree.h: depth first, the leaves in the order of the clusters.
 class ClusterWalk {
  public:
-  explicit ClusterWalk(const Tree& tree) : tree_(tree), heights_(tree.links.size(), 0) {}
+  explicit ClusterWalk(const Tree& tree) : tree_(tree) {}
 
   std::uint32_t clusters() const { return next_; }
-  const std::vector<std::uint32_t>& heights() const { return heights_; }
 
   /// Returns the node after all below.
   std::uint32_t enter(std::uint32_t node, std::uint32_t end) {
@@ -49,12 +48,8 @@ class ClusterWalk {
     EXPECT_GT(after, node + 1);
     EXPECT_LE(after, end);
     std::uint32_t children = 0;
-    for (std::uint32_t child = node + 1; child < after && !testing::Test::HasFailure();
-         ++children) {
-      const std::uint32_t next = enter(child, after);
-      heights_[node] = std::max(heights_[node], heights_[child] + 1);
-      child = next;
-    }
+    for (std::uint32_t child = node + 1; child < after && !testing::Test::HasFailure(); ++children)
+      child = enter(child, after);
     EXPECT_GE(children, 2U);
     EXPECT_LE(children, 4U);
     return after;
@@ -63,7 +58,6 @@ class ClusterWalk {
  private:
   const Tree& tree_;
   std::uint32_t next_ = 0;
-  std::vector<std::uint32_t> heights_;
 };
 
 void expectTree(const ClusterDivision& made) {
@@ -78,16 +72,6 @@ void expectTree(const ClusterDivision& made) {
     }
   }
   ASSERT_EQ(walk.clusters(), made.count());
-
-  ASSERT_EQ(made.tree.byHeight.size(), made.tree.links.size());
-  std::vector<std::uint32_t> sorted = made.tree.byHeight;
-  std::sort(sorted.begin(), sorted.end());
-  for (std::uint32_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], i);
-  ASSERT_EQ(made.tree.firstOfHeight.back(), made.tree.byHeight.size());
-  for (std::size_t height = 0; height + 1 < made.tree.firstOfHeight.size(); ++height)
-    for (std::uint32_t i = made.tree.firstOfHeight[height]; i < made.tree.firstOfHeight[height + 1];
-         ++i)
-      ASSERT_EQ(walk.heights()[made.tree.byHeight[i]], height);
 }
 
 /// Every surfel in exactly one cluster, those of a cluster together and of one object.

@@ -54,13 +54,11 @@ Node nodeOf(const Tree& tree, std::uint32_t index) {
 /// Goes through the tree depth first, as what sums over it does.
 class Walk {
  public:
-  explicit Walk(const Tree& tree) : tree_(tree), heightOfNode_(tree.links.size(), 0) {}
+  explicit Walk(const Tree& tree) : tree_(tree) {}
 
   std::uint32_t surfels() const { return nextSurfel_; }
-  const std::vector<std::uint32_t>& heights() const { return heightOfNode_; }
 
-  // Returns the node's height.
-  std::uint32_t enter(std::uint32_t index, std::uint32_t end, bool root) {
+  void enter(std::uint32_t index, std::uint32_t end, bool root) {
     const Node node = nodeOf(tree_, index);
     EXPECT_LE(node.end, end) << index;
     if (node.leaf) {
@@ -70,40 +68,23 @@ class Walk {
         EXPECT_GE(node.surfels, 2U);
       }
       nextSurfel_ += node.surfels;
-      return 0;
+      return;
     }
     EXPECT_GT(node.end, index + 1) << index;
-    std::uint32_t height = 0;
     std::uint32_t children = 0;
     for (std::uint32_t child = index + 1; child < node.end && !testing::Test::HasFailure();
          child = nodeOf(tree_, child).end) {
-      height = std::max(height, enter(child, node.end, false) + 1);
+      enter(child, node.end, false);
       ++children;
     }
     EXPECT_GE(children, 2U) << index;
     EXPECT_LE(children, 4U) << index;
-    heightOfNode_[index] = height;
-    return height;
   }
 
  private:
   const Tree& tree_;
   std::uint32_t nextSurfel_ = 0;
-  std::vector<std::uint32_t> heightOfNode_;
 };
-
-void expectHeights(const Tree& tree, const std::vector<std::uint32_t>& heights) {
-  ASSERT_EQ(tree.byHeight.size(), tree.links.size());
-  std::vector<std::uint32_t> sorted = tree.byHeight;
-  std::sort(sorted.begin(), sorted.end());
-  for (std::uint32_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], i);
-  ASSERT_GE(tree.firstOfHeight.size(), 2U);
-  EXPECT_EQ(tree.firstOfHeight.front(), 0U);
-  EXPECT_EQ(tree.firstOfHeight.back(), tree.byHeight.size());
-  for (std::size_t height = 0; height + 1 < tree.firstOfHeight.size(); ++height)
-    for (std::uint32_t i = tree.firstOfHeight[height]; i < tree.firstOfHeight[height + 1]; ++i)
-      ASSERT_EQ(heights[tree.byHeight[i]], height);
-}
 
 void expectSound(std::vector<Items> objects, std::uint32_t itemsPerSurfel = 1) {
   const std::vector<Items> before = objects;
@@ -133,7 +114,6 @@ void expectSound(std::vector<Items> objects, std::uint32_t itemsPerSurfel = 1) {
       ASSERT_EQ(sorted[k].placeMm, before[i][k].placeMm);
     }
   }
-  expectHeights(tree, walk.heights());
 }
 
 TEST(Tree, HoldsEverySurfelOnceWhateverTheirNumber) {
@@ -214,7 +194,6 @@ TEST(Tree, IsAlwaysTheSame) {
   const Tree other = treeOf(shuffled);
   EXPECT_EQ(tree.links, same.links);
   EXPECT_EQ(tree.links, other.links);
-  EXPECT_EQ(tree.byHeight, same.byHeight);
   for (std::size_t i = 0; i < items.size(); ++i)
     for (std::size_t k = 0; k < items[i].size(); ++k)
       ASSERT_EQ(items[i][k].index, again[i][k].index);

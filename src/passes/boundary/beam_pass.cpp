@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "gpu/device.h"
+#include "passes/fitted_tree.h"
 #include "passes/mechanics.h"
 #include "shaders/shared/boundary.h"
 
@@ -110,7 +111,7 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
                 {.clusterCount = clusters.count,
                  .beam = beam.index,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
-                 .nodeCount = clusters.surfelNodes,
+                 .nodeCount = inputs.surfels.tree.nodeCount,
                  .mirrors = beam.mirrors});
   commands.dispatchLinear(clusters.count, shared::maxPoints * roundsOfWalk);
 }
@@ -147,7 +148,7 @@ template <typename S>
 void BeamPass::sum(gpu::CommandList& commands, const gpu::Compute<S>& pipeline,
                    const Inputs& inputs, Clusters& clusters, Beams& beams, gpu::Buffer& sums,
                    bool adds) const {
-  const std::uint32_t nodes = clusters.firstOfHeight.back();
+  const std::uint32_t nodes = clusters.tree.nodeCount;
   for (std::uint32_t from = 0; from < nodes; from += nodesPerDispatch) {
     // Bound each time, so that each adds to what the one before has written.
     commands.bind(pipeline,
@@ -170,19 +171,22 @@ void BeamPass::sum(gpu::CommandList& commands, const gpu::Compute<S>& pipeline,
 
 void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
                         Beams& beams, bool scattersOnce) const {
-  forEachHeight(clusters.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
-    commands.bind(height == 0 ? leaves_ : nodes_,
-                  {.objects = tables.objects,
+  const auto bind = [&](const auto& pipeline, std::uint32_t firstTreelet, std::uint32_t count) {
+    commands.bind(pipeline,
+                  {.treeletOrder = treeletOrder(clusters.tree),
+                   .objects = tables.objects,
                    .media = tables.media,
                    .points = beams.points,
                    .strengths = beams.strengths,
-                   .links = clusters.links,
-                   .byHeight = clusters.byHeight,
                    .ranges = clusters.ranges,
                    .clusters = clusters.clusters,
                    .nodes = clusters.beamNodes},
-                  {.first = range.first, .count = range.count, .scattersOnce = scattersOnce});
-    commands.dispatchLinear(range.count);
+                  {.firstTreelet = firstTreelet, .count = count, .scattersOnce = scattersOnce});
+  };
+  bind(leaves_, 0, clusters.count);
+  commands.dispatchLinear(clusters.count);
+  fitInnerNodes(commands, clusters.tree, [&](std::uint32_t firstTreelet, std::uint32_t count) {
+    bind(nodes_, firstTreelet, count);
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "gpu/device.h"
 #include "gpu/transfer.h"
+#include "passes/fitted_tree.h"
 #include "passes/mechanics.h"
 #include "shaders/shared/boundary.h"
 #include "shaders/shared/frame.h"
@@ -114,8 +115,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   Clusters clusters;
   clusters.count = made.count();
   clusters.raysOutwards = raysOutwards;
-  clusters.surfelNodes = static_cast<std::uint32_t>(surfels.tree.links.size());
-  clusters.firstOfHeight = made.tree.firstOfHeight;
+  clusters.tree = makeFittedTree(device, made.tree);
   clusters.ranges =
       gpu::makeBuffer(device, "ranges of clusters",
                       rangesOf(made, surface, surfels, triangleHasInside), clusterBuffer);
@@ -133,9 +133,6 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
         return node.endCluster - node.firstCluster <= shared::fewClusters;
       }));
   clusters.inner = gpu::makeBuffer(device, "inner nodes of clusters", inner, clusterBuffer);
-  clusters.links = gpu::makeBuffer(device, "links of clusters", made.tree.links, clusterBuffer);
-  clusters.byHeight =
-      gpu::makeBuffer(device, "clusters by height", made.tree.byHeight, clusterBuffer);
   clusters.clusters = makeRoom<shared::Cluster>(device, "clusters", count);
   clusters.nodes = makeRoom<shared::ClusterNode>(device, "tree of clusters", nodes);
   clusters.entries = makeRoom<shared::Entry>(device, "light that enters",
@@ -194,12 +191,9 @@ void ClusterPass::gather(gpu::CommandList& commands, const Inputs& inputs,
 }
 
 void ClusterPass::fitNodes(gpu::CommandList& commands, Clusters& clusters) const {
-  forEachHeight(clusters.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
-    if (height == 0) return;  // clusters, which are there
-    commands.bind(nodes_,
-                  {.links = clusters.links, .byHeight = clusters.byHeight, .nodes = clusters.nodes},
-                  {.first = range.first, .count = range.count});
-    commands.dispatchLinear(range.count);
+  fitInnerNodes(commands, clusters.tree, [&](std::uint32_t first, std::uint32_t count) {
+    commands.bind(nodes_, {.treeletOrder = treeletOrder(clusters.tree), .nodes = clusters.nodes},
+                  {.firstTreelet = first, .treeletCount = count});
   });
 }
 
@@ -231,7 +225,7 @@ void ClusterPass::survey(gpu::CommandList& commands, const Inputs& inputs, bool 
                 {.clusterCount = clusters.count,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .raysOutwards = looksAround ? clusters.raysOutwards : 0,
-                 .nodeCount = clusters.surfelNodes});
+                 .nodeCount = inputs.surfels.tree.nodeCount});
   commands.dispatchLinear(clusters.count, (raysOutwards + 1) * roundsOfWalk);
 }
 

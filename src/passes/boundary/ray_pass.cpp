@@ -6,16 +6,13 @@
 
 #include "gpu/device.h"
 #include "gpu/transfer.h"
+#include "passes/fitted_tree.h"
 #include "passes/mechanics.h"
 #include "shaders/shared/rays.h"
 
 namespace opaline::passes {
 
 namespace {
-
-std::size_t nodesOf(const Surfels& surfels) {
-  return surfels.firstOfHeight.empty() ? 0 : surfels.firstOfHeight.back();
-}
 
 glm::vec4 cornerAt(const core::RestSurface& surface, const surfels::Piece& piece,
                    std::size_t corner) {
@@ -51,7 +48,7 @@ RayHierarchy RayPass::makeBoxes(gpu::Device& device, const Surfels& surfels) {
   const std::size_t pieces = std::size_t{surfels.count} * surfels.piecesPerSurfel;
   RayHierarchy hierarchy;
   hierarchy.corners = makeRoom<shared::RayPiece>(device, "pieces for rays", pieces);
-  hierarchy.boxes = makeRoom<shared::RayBox>(device, "boxes for rays", nodesOf(surfels));
+  hierarchy.boxes = makeRoom<shared::RayBox>(device, "boxes for rays", surfels.tree.nodeCount);
   return hierarchy;
 }
 
@@ -62,7 +59,7 @@ RayHierarchy RayPass::makeHierarchy(gpu::Device& device, const Surfels& surfels,
   RayHierarchy hierarchy;
   hierarchy.corners = gpu::makeBuffer(device, "pieces for rays", piecesAt(made, rest),
                                       roomUsage | gpu::AccelerationStructure::cornersUsage);
-  hierarchy.boxes = makeRoom<shared::RayBox>(device, "boxes for rays", nodesOf(surfels));
+  hierarchy.boxes = makeRoom<shared::RayBox>(device, "boxes for rays", surfels.tree.nodeCount);
   std::vector<std::uint32_t> firstPiece;
   for (const std::uint32_t surfel : made.firstOfObject)
     firstPiece.push_back(surfel * made.piecesPerSurfel);
@@ -92,28 +89,24 @@ void RayPass::recordBoxes(gpu::CommandList& commands, Surfels& surfels,
 
 void RayPass::recordPieces(gpu::CommandList& commands, DeformedMesh& mesh, Surfels& surfels,
                            RayHierarchy& hierarchy) const {
-  const NodeRange leaves{surfels.firstOfHeight[0],
-                         surfels.firstOfHeight[1] - surfels.firstOfHeight[0]};
-  commands.bind(
-      leaves_,
-      {.links = surfels.links,
-       .byHeight = surfels.byHeight,
-       .positions = mesh.positions,
-       .pieces = surfels.pieces,
-       .rayPieces = hierarchy.corners,
-       .boxes = hierarchy.boxes},
-      {.first = leaves.first, .count = leaves.count, .piecesPerSurfel = surfels.piecesPerSurfel});
-  commands.dispatchLinear(leaves.count);
+  const std::uint32_t leaves = surfels.tree.leafCount;
+  commands.bind(leaves_,
+                {.links = surfels.tree.links,
+                 .leafNodes = surfels.tree.leafNodes,
+                 .positions = mesh.positions,
+                 .pieces = surfels.pieces,
+                 .rayPieces = hierarchy.corners,
+                 .boxes = hierarchy.boxes},
+                {.leafCount = leaves, .piecesPerSurfel = surfels.piecesPerSurfel});
+  commands.dispatchLinear(leaves);
 }
 
 void RayPass::recordNodes(gpu::CommandList& commands, Surfels& surfels,
                           RayHierarchy& hierarchy) const {
-  forEachHeight(surfels.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
-    if (height == 0) return;  // leaves, whose boxes their pieces have made
+  fitInnerNodes(commands, surfels.tree, [&](std::uint32_t first, std::uint32_t count) {
     commands.bind(
-        nodes_, {.links = surfels.links, .byHeight = surfels.byHeight, .boxes = hierarchy.boxes},
-        {.first = range.first, .count = range.count, .piecesPerSurfel = surfels.piecesPerSurfel});
-    commands.dispatchLinear(range.count);
+        nodes_, {.treeletOrder = treeletOrder(surfels.tree), .boxes = hierarchy.boxes},
+        {.firstTreelet = first, .treeletCount = count, .piecesPerSurfel = surfels.piecesPerSurfel});
   });
 }
 

@@ -27,7 +27,7 @@ SolverPass::SolverPass(gpu::Device& device)
 
 Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
                               std::uint32_t solutions) {
-  const std::size_t nodes = clusters.firstOfHeight.back();
+  const std::size_t nodes = clusters.tree.nodeCount;
   const std::size_t count = clusters.count;
   const std::size_t groups = groupsOf(clusters.count);
   Solver solver;

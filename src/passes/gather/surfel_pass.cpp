@@ -8,6 +8,7 @@
 
 #include "gpu/device.h"
 #include "gpu/transfer.h"
+#include "passes/fitted_tree.h"
 #include "passes/mechanics.h"
 #include "shaders/shared/surfels.h"
 
@@ -70,11 +71,9 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivisi
   Surfels surfels;
   surfels.count = made.count();
   surfels.piecesPerSurfel = made.piecesPerSurfel;
-  surfels.firstOfHeight = made.tree.firstOfHeight;
   surfels.pieces =
       gpu::makeBuffer(device, "pieces of surfels", packPieces(made, surface), surfelBuffer);
-  surfels.links = gpu::makeBuffer(device, "links of the tree", made.tree.links, surfelBuffer);
-  surfels.byHeight = gpu::makeBuffer(device, "nodes by height", made.tree.byHeight, surfelBuffer);
+  surfels.tree = makeFittedTree(device, made.tree);
   surfels.vertexOrder =
       gpu::makeBuffer(device, "order of vertices", made.vertexOrder, surfelBuffer);
   surfels.sources = makeRoom<shared::Source>(device, "sources",
@@ -130,23 +129,20 @@ void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfel
 }
 
 void SurfelPass::fitTree(gpu::CommandList& commands, Surfels& surfels) const {
-  forEachHeight(surfels.firstOfHeight, [&](std::size_t height, const NodeRange& range) {
-    if (height == 0)
-      commands.bind(leaves_,
-                    {.links = surfels.links,
-                     .byHeight = surfels.byHeight,
-                     .sources = surfels.sources,
-                     .nodes = surfels.nodes,
-                     .boxes = surfels.boxes},
-                    {.first = range.first, .count = range.count});
-    else
-      commands.bind(nodes_,
-                    {.links = surfels.links,
-                     .byHeight = surfels.byHeight,
-                     .nodes = surfels.nodes,
-                     .boxes = surfels.boxes},
-                    {.first = range.first, .count = range.count});
-    commands.dispatchLinear(range.count);
+  commands.bind(leaves_,
+                {.links = surfels.tree.links,
+                 .leafNodes = surfels.tree.leafNodes,
+                 .sources = surfels.sources,
+                 .nodes = surfels.nodes,
+                 .boxes = surfels.boxes},
+                {.leafCount = surfels.tree.leafCount});
+  commands.dispatchLinear(surfels.tree.leafCount);
+  fitInnerNodes(commands, surfels.tree, [&](std::uint32_t first, std::uint32_t count) {
+    commands.bind(nodes_,
+                  {.treeletOrder = treeletOrder(surfels.tree),
+                   .nodes = surfels.nodes,
+                   .boxes = surfels.boxes},
+                  {.firstTreelet = first, .treeletCount = count});
   });
 }
 

@@ -29,7 +29,7 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
   VisibleSurfaces& surfaces = seen.surfaces;
   const float alpha = inputs.roughness * inputs.roughness;
   const std::uint32_t rays = raysOfSample(alpha);
-  const std::uint32_t nodeCount = inputs.surfels.firstOfHeight.back();
+  const std::uint32_t nodeCount = inputs.surfels.tree.nodeCount;
   commands.beginPass("reflected sky");
   commands.bind(blocks_,
                 {.seenPlaces = seenPlaces(seen, nearest_),

@@ -1,26 +1,25 @@
 // Points of light in the body on the nodes of the tree of clusters: at leaves, one a cluster, or at
-// inner nodes of one height. Either as sources of fluence or, of the part that is followed to its
-// second collision, as sources of light that scatters once.
+// inner nodes. Either as sources of fluence or, of the part that is followed to its second collision,
+// as sources of light that scatters once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #define BINDING_POINTS 2
 #define BINDING_STRENGTHS 3
+#define BINDING_TREELETS 4
 #include "lib/beam.glsl"
-#include "lib/linear.glsl"
+#include "lib/treelets.glsl"
 
 layout(constant_id = 0) const uint ofLeaves = 1u;
 
-layout(std430, set = 0, binding = 4) readonly buffer Links { uint links[]; };
-layout(std430, set = 0, binding = 5) readonly buffer ByHeight { uint byHeight[]; };
-layout(std430, set = 0, binding = 6) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(std430, set = 0, binding = 7) readonly buffer Clusters { Cluster clusters[]; };
-layout(std430, set = 0, binding = 8) buffer Nodes { BeamNode nodes[]; };
+layout(std430, set = 0, binding = 8) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 9) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 10) coherent buffer Nodes { BeamNode nodes[]; };
 
 layout(push_constant) uniform Push {
-  uint first;
-  uint count;
+  uint firstTreelet;
+  uint count;         // of treelets, or of clusters
   uint scattersOnce;  // 1: sources of light that scatters once
 };
 
@@ -120,8 +119,8 @@ void gatherLeaf(uint i) {
       squares, square, power);
 }
 
-void gatherNode(uint node) {
-  uint end = afterNode(node, links[node]);
+void fitNode(uint node, uint link) {
+  uint end = afterNode(node, link);
   vec3 power = vec3(0.0);
   mat3 weighted = mat3(0.0);
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
@@ -156,10 +155,8 @@ void gatherNode(uint node) {
 }
 
 void main() {
-  uint i = linearIndex();
-  if (i >= count) return;
-  if (ofLeaves != 0u)
-    gatherLeaf(i);
-  else
-    gatherNode(byHeight[first + i]);
+  if (ofLeaves == 0u)
+    fitTreelets(firstTreelet, count);
+  else if (linearIndex() < count)
+    gatherLeaf(linearIndex());
 }

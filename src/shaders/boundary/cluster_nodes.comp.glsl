@@ -1,25 +1,19 @@
-// Inner nodes of the tree of clusters, all of one height, from their children: the shape.
+// Inner nodes of the tree of clusters from their children: the shape.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/linear.glsl"
+#define BINDING_TREELETS 0
 #include "lib/moment.glsl"
-#include "lib/tree_node.glsl"
+#include "lib/treelets.glsl"
 #include "shared/boundary.h"
 
-layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
-layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
-layout(std430, set = 0, binding = 2) buffer Nodes { ClusterNode nodes[]; };
+layout(std430, set = 0, binding = 4) coherent buffer Nodes { ClusterNode nodes[]; };
 
 layout(push_constant) uniform Push {
-  uint first;
-  uint count;
+  uint firstTreelet;
+  uint treeletCount;
 };
 
-void main() {
-  uint i = linearIndex();
-  if (i >= count) return;
-  uint node = byHeight[first + i];
-  uint link = links[node];
+void fitNode(uint node, uint link) {
   uint end = afterNode(node, link);
 
   float area = 0.0;
@@ -51,4 +45,8 @@ void main() {
   nodes[node] = ClusterNode(vec4(middle, uintBitsToFloat(link)), vec4(radius, square, reach, area),
                             vec4(vectorArea, nodes[node + 1u].vectorArea.w), moment.first,
                             vec4(moment.rest, 0.0, 0.0));
+}
+
+void main() {
+  fitTreelets(firstTreelet, treeletCount);
 }

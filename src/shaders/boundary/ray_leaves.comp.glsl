@@ -8,15 +8,14 @@
 layout(constant_id = 0) const uint forQueries = 0u;
 
 layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
-layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
+layout(std430, set = 0, binding = 1) readonly buffer LeafNodes { uint leafNodes[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
 layout(std430, set = 0, binding = 4) writeonly buffer RayPieces { RayPiece rayPieces[]; };
 layout(std430, set = 0, binding = 5) writeonly buffer RayBoxes { RayBox boxes[]; };
 
 layout(push_constant) uniform Push {
-  uint first;
-  uint count;
+  uint leafCount;
   uint piecesPerSurfel;
 };
 
@@ -50,8 +49,8 @@ mat3 widened(mat3 corners, float byMm) {
 
 void main() {
   uint i = linearIndex();
-  if (i >= count) return;
-  uint node = byHeight[first + i];
+  if (i >= leafCount) return;
+  uint node = leafNodes[i];
   uint link = links[node];
   uint from = firstSurfelOf(link) * piecesPerSurfel;
   uint to = from + surfelCountOf(link) * piecesPerSurfel;

@@ -1,25 +1,19 @@
-// The boxes of inner nodes, all of one height, around those of their children.
+// The boxes of inner nodes around those of their children.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/linear.glsl"
-#include "lib/tree_node.glsl"
+#define BINDING_TREELETS 0
+#include "lib/treelets.glsl"
 #include "shared/rays.h"
 
-layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
-layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
-layout(std430, set = 0, binding = 2) buffer RayBoxes { RayBox boxes[]; };
+layout(std430, set = 0, binding = 4) coherent buffer RayBoxes { RayBox boxes[]; };
 
 layout(push_constant) uniform Push {
-  uint first;
-  uint count;
+  uint firstTreelet;
+  uint treeletCount;
   uint piecesPerSurfel;
 };
 
-void main() {
-  uint i = linearIndex();
-  if (i >= count) return;
-  uint node = byHeight[first + i];
-  uint link = links[node];
+void fitNode(uint node, uint link) {
   uint end = afterNode(node, link);
   vec3 low = boxes[node + 1u].lowLink.xyz;
   vec3 high = boxes[node + 1u].highPieces.xyz;
@@ -29,4 +23,8 @@ void main() {
   }
   boxes[node] =
       RayBox(vec4(low, uintBitsToFloat(link)), vec4(high, float(piecesPerSurfel)));
+}
+
+void main() {
+  fitTreelets(firstTreelet, treeletCount);
 }

@@ -5,21 +5,20 @@
 #include "lib/tree_node.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
-layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
+layout(std430, set = 0, binding = 1) readonly buffer LeafNodes { uint leafNodes[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Sources { Source sources[]; };
 layout(std430, set = 0, binding = 3) writeonly buffer Nodes { TreeNode nodes[]; };
 
 layout(std430, set = 0, binding = 4) writeonly buffer Boxes { NodeBox boxes[]; };
 
 layout(push_constant) uniform Push {
-  uint first;
-  uint count;
+  uint leafCount;
 };
 
 void main() {
   uint i = linearIndex();
-  if (i >= count) return;
-  uint node = byHeight[first + i];
+  if (i >= leafCount) return;
+  uint node = leafNodes[i];
   uint link = links[node];
   uint from = sourcesPerSurfel * firstSurfelOf(link);
   uint to = from + sourcesPerSurfel * surfelCountOf(link);

@@ -1,25 +1,18 @@
-// Inner nodes of the tree, all of one height, from their children.
+// Inner nodes of the tree from their children.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/linear.glsl"
-#include "lib/tree_node.glsl"
+#define BINDING_TREELETS 0
+#include "lib/treelets.glsl"
 
-layout(std430, set = 0, binding = 0) readonly buffer Links { uint links[]; };
-layout(std430, set = 0, binding = 1) readonly buffer ByHeight { uint byHeight[]; };
-layout(std430, set = 0, binding = 2) buffer Nodes { TreeNode nodes[]; };
-
-layout(std430, set = 0, binding = 3) buffer Boxes { NodeBox boxes[]; };
+layout(std430, set = 0, binding = 4) coherent buffer Nodes { TreeNode nodes[]; };
+layout(std430, set = 0, binding = 5) coherent buffer Boxes { NodeBox boxes[]; };
 
 layout(push_constant) uniform Push {
-  uint first;
-  uint count;
+  uint firstTreelet;
+  uint treeletCount;
 };
 
-void main() {
-  uint i = linearIndex();
-  if (i >= count) return;
-  uint node = byHeight[first + i];
-  uint link = links[node];
+void fitNode(uint node, uint link) {
   uint end = afterNode(node, link);
 
   vec3 flux = vec3(0.0);
@@ -65,4 +58,8 @@ void main() {
   boxes[node] = NodeBox(vec4(low, 0.0), vec4(high, 0.0));
   if (all > 0.0) moments /= all;
   nodes[node] = makeNode(centroids, radius, link, flux, moments);
+}
+
+void main() {
+  fitTreelets(firstTreelet, treeletCount);
 }

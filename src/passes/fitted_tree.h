@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "gpu/transfer.h"
+#include "passes/mechanics.h"
+#include "surfels/treelets.h"
+
+/// A tree whose nodes frames fit to the surface, in few dispatches.
+namespace opaline::passes {
+
+inline FittedTree makeFittedTree(gpu::Device& device, const surfels::Tree& tree) {
+  constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+  const surfels::Treelets order = surfels::makeTreelets(tree);
+  return {.links = gpu::makeBuffer(device, "links of a tree", tree.links, usage),
+          .leafNodes = gpu::makeBuffer(device, "leaves of a tree", order.leaves, usage),
+          .treeletNodes = gpu::makeBuffer(device, "nodes of treelets", order.nodes, usage),
+          .firstOfLevel = gpu::makeBuffer(device, "levels of treelets", order.firstOfLevel, usage),
+          .levelOfTreelet = gpu::makeBuffer(device, "treelets", order.levelOfTreelet, usage),
+          .firstOfStage = order.firstOfStage,
+          .leafCount = static_cast<std::uint32_t>(order.leaves.size()),
+          .nodeCount = static_cast<std::uint32_t>(tree.links.size())};
+}
+
+/// What shaders with lib/treelets.glsl need.
+inline shaders::TreeletOrder treeletOrder(FittedTree& tree) {
+  return {.links = tree.links,
+          .treeletNodes = tree.treeletNodes,
+          .firstOfLevel = tree.firstOfLevel,
+          .levelOfTreelet = tree.levelOfTreelet};
+}
+
+/// Fits the inner nodes: calls `bind(firstTreelet, treeletCount)`, which binds a shader with
+/// lib/treelets.glsl, for each stage, and dispatches it.
+template <typename Bind>
+void fitInnerNodes(gpu::CommandList& commands, const FittedTree& tree, const Bind& bind) {
+  constexpr std::uint32_t groupSize = 64;
+  for (std::size_t stage = 0; stage + 1 < tree.firstOfStage.size(); ++stage) {
+    const std::uint32_t first = tree.firstOfStage[stage];
+    const std::uint32_t count = tree.firstOfStage[stage + 1] - first;
+    bind(first, count);
+    commands.dispatchLinear(groupSize * count);
+  }
+}
+
+}  // namespace opaline::passes

@@ -1,0 +1,35 @@
+// Fits the inner nodes of a tree, children before parents: a work group has a treelet (surfels/treelets.h),
+// and its invocations share the nodes of a level. Needs BINDING_TREELETS, the first of four bindings,
+// and fitNode() after it; what nodes are written to has to be coherent.
+#ifndef OPALINE_LIB_TREELETS
+#define OPALINE_LIB_TREELETS
+#include "lib/linear.glsl"
+#include "lib/tree_node.glsl"
+
+layout(std430, set = 0, binding = BINDING_TREELETS) readonly buffer Links { uint links[]; };
+layout(std430, set = 0, binding = BINDING_TREELETS + 1) readonly buffer TreeletNodes {
+  uint treeletNodes[];
+};
+layout(std430, set = 0, binding = BINDING_TREELETS + 2) readonly buffer FirstOfLevel {
+  uint firstOfLevel[];  // into treeletNodes
+};
+layout(std430, set = 0, binding = BINDING_TREELETS + 3) readonly buffer LevelOfTreelet {
+  uint levelOfTreelet[];  // the first of each treelet, into firstOfLevel
+};
+
+void fitNode(uint node, uint link);
+
+void fitTreelets(uint first, uint count) {
+  uint i = linearIndex() / gl_WorkGroupSize.x;
+  if (i >= count) return;
+  uint endLevel = levelOfTreelet[first + i + 1u];
+  for (uint level = levelOfTreelet[first + i]; level < endLevel; ++level) {
+    uint end = firstOfLevel[level + 1u];
+    for (uint at = firstOfLevel[level] + gl_LocalInvocationIndex; at < end; at += gl_WorkGroupSize.x)
+      fitNode(treeletNodes[at], links[treeletNodes[at]]);
+    memoryBarrierBuffer();
+    barrier();
+  }
+}
+
+#endif
