@@ -3,6 +3,7 @@
 #include <vulkan/vulkan.h>
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -95,6 +96,12 @@ class CommandList {
     bindPipeline(pipeline);
     bindResources(ofVertices.list());
     bindResources(ofFragments.list());
+    pushConstants(push);
+  }
+  /// Other push constants for the pipeline that is bound.
+  template <typename S>
+  void push([[maybe_unused]] const Compute<S>& pipeline, const typename S::Push& push) {
+    assert(pipeline_ == &pipeline);
     pushConstants(push);
   }
   /// Dispatches with no bind between them are not ordered.

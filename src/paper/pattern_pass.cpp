@@ -88,21 +88,19 @@ void PatternPass::overFragments(gpu::CommandList& commands, passes::ScatterTrans
   DiffusionSources& sources = inputs.map.sources;
   commands.beginPass("scatter");
   for (std::uint32_t medium = 0; medium < inputs.tables.mediumCount; ++medium)
-    passes::forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
-      commands.bind(pipelines(transport).patternFragments,
-                    {.listedPlaces = passes::listedPlaces(seen, nearest_),
-                     .meshExitances = inputs.exitance.vertices,
-                     .exitances = seen.surfaces.light,
-                     .objects = inputs.tables.objects,
-                     .media = inputs.tables.media,
-                     .pattern = patternOf(inputs.map.pattern, medium),
-                     .nearPosition = {sources.nearPosition, linear_},
-                     .nearFlux = {sources.nearFlux, linear_},
-                     .corners = flat.corners,
-                     .cornerIndices = flat.indices,
-                     .charts = sources.charts},
-                    {.first = first, .medium = medium});
-    });
+    passes::dispatchParts(commands, seen.surfaces, pipelines(transport).patternFragments,
+                          {.listedPlaces = passes::listedPlaces(seen, nearest_),
+                           .meshExitances = inputs.exitance.vertices,
+                           .exitances = seen.surfaces.light,
+                           .objects = inputs.tables.objects,
+                           .media = inputs.tables.media,
+                           .pattern = patternOf(inputs.map.pattern, medium),
+                           .nearPosition = {sources.nearPosition, linear_},
+                           .nearFlux = {sources.nearFlux, linear_},
+                           .corners = flat.corners,
+                           .cornerIndices = flat.indices,
+                           .charts = sources.charts},
+                          {.first = 0, .medium = medium});
   commands.endPass();
 }
 

@@ -160,7 +160,6 @@ struct Clusters {
   gpu::Buffer arrived;             ///< vec4 a cluster: power that enters after it was mirrored
   gpu::Buffer beamNodes;           ///< shared::BeamNode
   gpu::Buffer sources;             ///< vec4 a cluster: fluence in a medium without end
-  gpu::Buffer fluences;            ///< vec4 a cluster: on the body's surface
   gpu::Buffer latest;              ///< vec4 a cluster: exitance of the light that entered last
   gpu::Buffer exitances;           ///< vec4 a cluster: of all light
   gpu::Buffer means;               ///< vec4 a cluster: exitance of a half-space
@@ -178,7 +177,8 @@ struct Solver {
   gpu::Buffer densities;  ///< shared::DensityNode
   gpu::Buffer products;   ///< vec4 a cluster
   gpu::Buffer basis;      ///< vec4 a cluster for each step and one more
-  gpu::Buffer sums;       ///< vec4, of work groups
+  gpu::Buffer sums;       ///< vec4, of tiles
+  gpu::Buffer arrived;    ///< tiles that a step has done, of each
   gpu::Buffer states;     ///< shared::SolverState, of every solution of a frame
 };
 

@@ -3,18 +3,23 @@
 #include <cstdint>
 
 #include "gpu/command_list.h"
+#include "gpu/pipeline.h"
 #include "passes/products.h"
 #include "shaders/shared/seen.h"
 
 namespace opaline::passes {
 
-/// Calls `bind(first)` for one part of the list of surfaces after the other, each followed by its
-/// dispatch, for shaders that take long (lib/seen_list.glsl).
-template <typename Bind>
-void forEachPart(gpu::CommandList& commands, VisibleSurfaces& surfaces, const Bind& bind) {
+/// Dispatches a shader that takes long (lib/seen_list.glsl) for one part of the list of surfaces
+/// after the other, whose beginning it sets in the push constants.
+template <typename S>
+void dispatchParts(gpu::CommandList& commands, VisibleSurfaces& surfaces,
+                   const gpu::Compute<S>& pipeline, const typename S::Bindings& bindings,
+                   typename S::Push push) {
   commands.use(surfaces.counts, gpu::Access::Indirect);
+  commands.bind(pipeline, bindings, push);
   for (std::uint32_t part = 0; part < surfaces.parts; ++part) {
-    bind(part * shared::seenOfPart);
+    push.first = part * shared::seenOfPart;
+    commands.push(pipeline, push);
     commands.dispatchIndirect(surfaces.counts, (1 + part) * sizeof(shared::SeenCount));
   }
 }

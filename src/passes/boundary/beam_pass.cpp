@@ -26,8 +26,7 @@ BeamPass::BeamPass(gpu::Device& device)
       nodes_(device, "nodes of points", {.ofLeaves = 0}),
       source_(device, "sources of fluence"),
       single_(device, "light that scatters once"),
-      reentry_(device, "light that enters again"),
-      exitance_(device, "exitance of clusters") {}
+      reentry_(device, "light that enters again") {}
 
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                             Clusters& clusters) const {
@@ -74,21 +73,6 @@ void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, C
       {.clusterCount = clusters.count, .raysOutwards = clusters.raysOutwards, .isFirst = isFirst});
   commands.dispatchLinear(clusters.count);
   spread(commands, inputs, clusters, clusters.fromEverywhere, false);
-  commands.endPass();
-}
-
-void BeamPass::recordExitance(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
-                              bool adds) const {
-  commands.beginPass("solve");
-  commands.bind(exitance_,
-                {.objects = tables.objects,
-                 .media = tables.media,
-                 .ranges = clusters.ranges,
-                 .fluences = clusters.fluences,
-                 .latest = clusters.latest,
-                 .exitances = clusters.exitances},
-                {.clusterCount = clusters.count, .adds = adds});
-  commands.dispatchLinear(clusters.count);
   commands.endPass();
 }
 

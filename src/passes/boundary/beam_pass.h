@@ -7,7 +7,6 @@
 #include "passes/products.h"
 #include "shaders/boundary/beam_nodes.comp.h"
 #include "shaders/boundary/beams.comp.h"
-#include "shaders/boundary/exitance.comp.h"
 #include "shaders/boundary/mirrored.comp.h"
 #include "shaders/boundary/reentry.comp.h"
 #include "shaders/boundary/single.comp.h"
@@ -42,9 +41,6 @@ class BeamPass {
   /// Light that just left, `latest`, where it enters again.
   void recordReentry(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                      bool isFirst) const;
-  /// Turns fluences into `latest` exitance and adds it to the rest, or starts that.
-  void recordExitance(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
-                      bool adds) const;
 
  private:
   struct Beam {
@@ -70,7 +66,6 @@ class BeamPass {
   gpu::Compute<shaders::BoundarySource> source_;
   gpu::Compute<shaders::BoundarySingle> single_;
   gpu::Compute<shaders::BoundaryReentry> reentry_;
-  gpu::Compute<shaders::BoundaryExitance> exitance_;
 };
 
 }  // namespace opaline::passes

@@ -50,18 +50,16 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
 void CarryPass::overFragments(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
                               Clusters& clusters, const SeenSurfaces& seen) const {
   commands.beginPass("carry");
-  forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
-    commands.bind(fragments_,
-                  {.listedPlaces = listedPlaces(seen, nearest_),
-                   .media = tables.media,
-                   .clusters = clusters.clusters,
-                   .clusterNodes = clusters.nodes,
-                   .exitances = clusters.exitances,
-                   .means = clusters.means,
-                   .objects = tables.objects,
-                   .found = seen.surfaces.light},
-                  {.first = first, .site = site});
-  });
+  dispatchParts(commands, seen.surfaces, fragments_,
+                {.listedPlaces = listedPlaces(seen, nearest_),
+                 .media = tables.media,
+                 .clusters = clusters.clusters,
+                 .clusterNodes = clusters.nodes,
+                 .exitances = clusters.exitances,
+                 .means = clusters.means,
+                 .objects = tables.objects,
+                 .found = seen.surfaces.light},
+                {.first = 0, .site = site});
   commands.endPass();
 }
 

@@ -21,22 +21,21 @@ std::uint32_t groupsOf(std::uint32_t invocations) {
 SolverPass::SolverPass(gpu::Device& device)
     : densities_(device, "densities"),
       product_(device, "product"),
-      dots_(device, "inner products"),
-      step_(device, "step of the solver"),
-      finish_(device, "solution") {}
+      exitance_(device, "exitance of clusters") {}
 
 Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
                               std::uint32_t solutions) {
   const std::size_t nodes = clusters.tree.nodeCount;
   const std::size_t count = clusters.count;
-  const std::size_t groups = groupsOf(clusters.count);
   Solver solver;
   solver.densities = makeRoom<shared::DensityNode>(device, "densities", nodes);
   solver.products = makeRoom<shared::vec4>(device, "products", count);
   solver.basis =
       makeRoom<shared::vec4>(device, "basis of the solver", count * (shared::maxSolverSteps + 1));
-  solver.sums =
-      makeRoom<shared::vec4>(device, "sums of the solver", groups * (shared::maxSolverSteps + 1));
+  solver.sums = makeRoom<shared::vec4>(
+      device, "sums of the solver", std::size_t{clusters.tileCount} * (shared::maxSolverSteps + 1));
+  solver.arrived =
+      makeRoom<std::uint32_t>(device, "tiles that are done", shared::maxSolverSteps + 1);
   solver.states = makeRoom<shared::SolverState>(device, "states of the solver", solutions);
   return solver;
 }
@@ -44,44 +43,28 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
 void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTables& tables,
                         Clusters& clusters, Solver& solver) const {
   commands.beginPass("solve");
-  commands.fill(clusters.fluences, 0);
-  orthogonalise(commands, order, 0, clusters, clusters.sources, solver);
+  commands.fill(solver.arrived, 0);
+  multiply(commands, order, 0, tables, clusters, solver);
   for (std::uint32_t step = 1; step <= std::min(order.steps, shared::maxSolverSteps); ++step) {
+    findDensities(commands, order, tables, clusters, solver);
     multiply(commands, order, step, tables, clusters, solver);
-    orthogonalise(commands, order, step, clusters, solver.products, solver);
   }
-  commands.bind(finish_,
-                {.fluences = clusters.fluences, .basis = solver.basis, .states = solver.states},
-                {.clusterCount = clusters.count, .solution = order.solution});
+  commands.bind(exitance_,
+                {.objects = tables.objects,
+                 .media = tables.media,
+                 .ranges = clusters.ranges,
+                 .basis = solver.basis,
+                 .states = solver.states,
+                 .latest = clusters.latest,
+                 .exitances = clusters.exitances},
+                {.clusterCount = clusters.count, .solution = order.solution, .adds = order.adds});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
 }
 
-void SolverPass::orthogonalise(gpu::CommandList& commands, const Order& order, std::uint32_t step,
-                               Clusters& clusters, gpu::Buffer& product, Solver& solver) const {
-  commands.bind(dots_,
-                {.clusters = clusters.clusters,
-                 .products = product,
-                 .basis = solver.basis,
-                 .wanted = clusters.sources,
-                 .sums = solver.sums,
-                 .states = solver.states},
-                {.clusterCount = clusters.count, .step = step, .solution = order.solution});
-  commands.dispatchLinear(clusters.count);
-  commands.bind(
-      step_,
-      {.products = product, .basis = solver.basis, .sums = solver.sums, .states = solver.states},
-      {.clusterCount = clusters.count,
-       .step = step,
-       .tolerance = order.tolerance,
-       .solution = order.solution});
-  commands.dispatchLinear(clusters.count);
-}
-
-// The operator on the last vector of the basis.
-void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
-                          SceneTables& tables, Clusters& clusters, Solver& solver) const {
-  const std::uint32_t firstFluence = (step - 1) * clusters.count;
+// Of the vector that the last product adds to the basis.
+void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, SceneTables& tables,
+                               Clusters& clusters, Solver& solver) const {
   commands.bind(densities_,
                 {.objects = tables.objects,
                  .media = tables.media,
@@ -89,17 +72,21 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                  .innerNodes = clusters.inner,
                  .ranges = clusters.ranges,
                  .clusterTexels = clusters.clusters,
-                 .fluences = solver.basis,
+                 .products = solver.products,
+                 .basis = solver.basis,
                  .nodes = solver.densities,
                  .states = solver.states},
                 {.clusterCount = clusters.count,
                  .smallCount = clusters.smallInnerCount,
                  .innerCount = clusters.innerCount,
-                 .first = firstFluence,
-                 .step = step,
                  .solution = order.solution});
   const std::uint32_t alone = groupsOf(clusters.count + clusters.smallInnerCount);
   commands.dispatchLinear(groupSize * (alone + clusters.innerCount - clusters.smallInnerCount));
+}
+
+// The operator on the last vector of the basis; in step 0 the sources themselves.
+void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
+                          SceneTables& tables, Clusters& clusters, Solver& solver) const {
   commands.bind(product_,
                 {.objects = tables.objects,
                  .media = tables.media,
@@ -110,15 +97,19 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                  .ranges = clusters.ranges,
                  .lists = clusters.lists,
                  .densities = solver.densities,
-                 .fluences = solver.basis,
+                 .sources = clusters.sources,
+                 .basis = solver.basis,
                  .products = solver.products,
-                 .states = solver.states},
+                 .sums = solver.sums,
+                 .states = solver.states,
+                 .arrived = solver.arrived},
                 {.tileCount = clusters.tileCount,
+                 .clusterCount = clusters.count,
                  .openingAngle = order.openingAngle,
-                 .first = firstFluence,
+                 .tolerance = order.tolerance,
                  .step = step,
                  .solution = order.solution});
-  commands.dispatchLinear(invocationsOfTiles(clusters), roundsOfWalk);
+  commands.dispatchLinear(invocationsOfTiles(clusters), step > 0 ? roundsOfWalk : 1);
 }
 
 }  // namespace opaline::passes

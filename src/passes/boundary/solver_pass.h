@@ -7,10 +7,8 @@
 #include "gpu/pipeline.h"
 #include "passes/products.h"
 #include "shaders/boundary/densities.comp.h"
+#include "shaders/boundary/exitance.comp.h"
 #include "shaders/boundary/product.comp.h"
-#include "shaders/boundary/solver_dots.comp.h"
-#include "shaders/boundary/solver_finish.comp.h"
-#include "shaders/boundary/solver_step.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -20,7 +18,7 @@ namespace opaline::passes {
 
 /// Solves the boundary's equation for the fluence at clusters by generalised minimal residuals
 /// (Saad and Schultz 1986), on the device alone: it stops by itself once the residual is small
-/// enough.
+/// enough. Then turns the fluence into what leaves.
 class SolverPass {
  public:
   explicit SolverPass(gpu::Device& device);
@@ -33,22 +31,21 @@ class SolverPass {
     std::uint32_t steps = 8;     ///< at most, up to shared::maxSolverSteps
     float openingAngle;          ///< of nodes: taken from further than their radius over this
     float tolerance = 0.01F;     ///< of the residual, relative to the sources
+    bool adds = false;           ///< to the exitance of light that entered before
   };
-  /// From clusters.sources to clusters.fluences.
+  /// From clusters.sources to clusters.latest and clusters.exitances.
   void record(gpu::CommandList& commands, const Order& order, SceneTables& tables,
               Clusters& clusters, Solver& solver) const;
 
  private:
-  void orthogonalise(gpu::CommandList& commands, const Order& order, std::uint32_t step,
-                     Clusters& clusters, gpu::Buffer& product, Solver& solver) const;
+  void findDensities(gpu::CommandList& commands, const Order& order, SceneTables& tables,
+                     Clusters& clusters, Solver& solver) const;
   void multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                 SceneTables& tables, Clusters& clusters, Solver& solver) const;
 
   gpu::Compute<shaders::BoundaryDensities> densities_;
   gpu::Compute<shaders::BoundaryProduct> product_;
-  gpu::Compute<shaders::BoundarySolverDots> dots_;
-  gpu::Compute<shaders::BoundarySolverStep> step_;
-  gpu::Compute<shaders::BoundarySolverFinish> finish_;
+  gpu::Compute<shaders::BoundaryExitance> exitance_;
 };
 
 }  // namespace opaline::passes

@@ -45,19 +45,17 @@ void NearbyPass::overFragments(gpu::CommandList& commands, ScatterTransport tran
                                ScatterSite site, const Inputs& inputs,
                                const SeenSurfaces& seen) const {
   commands.beginPass("nearby");
-  forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
-    commands.bind(pipelines(transport).fragments,
-                  {.listedPlaces = listedPlaces(seen, nearest_),
-                   .exitances = seen.surfaces.light,
-                   .objects = inputs.tables.objects,
-                   .media = inputs.tables.media,
-                   .shadowMaps = {inputs.shadows.depth, nearest_},
-                   .skyIrradiance = {inputs.sky.irradiance, linear_},
-                   .nodes = inputs.surfels.nodes,
-                   .sources = inputs.surfels.sources,
-                   .surfelNormals = inputs.surfels.normals},
-                  {.first = first, .site = site});
-  });
+  dispatchParts(commands, seen.surfaces, pipelines(transport).fragments,
+                {.listedPlaces = listedPlaces(seen, nearest_),
+                 .exitances = seen.surfaces.light,
+                 .objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .shadowMaps = {inputs.shadows.depth, nearest_},
+                 .skyIrradiance = {inputs.sky.irradiance, linear_},
+                 .nodes = inputs.surfels.nodes,
+                 .sources = inputs.surfels.sources,
+                 .surfelNormals = inputs.surfels.normals},
+                {.first = 0, .site = site});
   commands.endPass();
 }
 

@@ -70,17 +70,15 @@ void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& o
                                       const Fragments& over) const {
   const SeenSurfaces& seen = over.seen;
   commands.beginPass("scatter");
-  forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
-    commands.bind(pipelines(order.transport).treeFragments,
-                  {.listedPlaces = listedPlaces(seen, nearest_),
-                   .exitances = seen.surfaces.light,
-                   .meshExitances = over.exitance.vertices,
-                   .objects = over.tables.objects,
-                   .media = over.tables.media,
-                   .nodes = over.surfels.nodes,
-                   .sources = over.surfels.sources},
-                  {.first = first, .tolerance = order.tolerance, .site = order.site});
-  });
+  dispatchParts(commands, seen.surfaces, pipelines(order.transport).treeFragments,
+                {.listedPlaces = listedPlaces(seen, nearest_),
+                 .exitances = seen.surfaces.light,
+                 .meshExitances = over.exitance.vertices,
+                 .objects = over.tables.objects,
+                 .media = over.tables.media,
+                 .nodes = over.surfels.nodes,
+                 .sources = over.surfels.sources},
+                {.first = 0, .tolerance = order.tolerance, .site = order.site});
   commands.endPass();
 }
 
@@ -109,17 +107,15 @@ void SurfelSumPass::allOverFragments(gpu::CommandList& commands, const Order& or
   const SeenSurfaces& seen = over.seen;
   commands.beginPass("scatter");
   forEachRange(over.surfels.count, [&](std::uint32_t firstSurfel, std::uint32_t endSurfel) {
-    forEachPart(commands, seen.surfaces, [&](std::uint32_t first) {
-      commands.bind(
-          pipelines(order.transport).allFragments,
-          {.listedPlaces = listedPlaces(seen, nearest_),
-           .exitances = seen.surfaces.light,
-           .meshExitances = over.exitance.vertices,
-           .objects = over.tables.objects,
-           .media = over.tables.media,
-           .sources = over.surfels.sources},
-          {.first = first, .firstSurfel = firstSurfel, .endSurfel = endSurfel, .site = order.site});
-    });
+    dispatchParts(
+        commands, seen.surfaces, pipelines(order.transport).allFragments,
+        {.listedPlaces = listedPlaces(seen, nearest_),
+         .exitances = seen.surfaces.light,
+         .meshExitances = over.exitance.vertices,
+         .objects = over.tables.objects,
+         .media = over.tables.media,
+         .sources = over.surfels.sources},
+        {.first = 0, .firstSurfel = firstSurfel, .endSurfel = endSurfel, .site = order.site});
   });
   commands.endPass();
 }

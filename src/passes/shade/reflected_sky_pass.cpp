@@ -45,21 +45,19 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .alpha = alpha});
   const auto groupsOf = [](std::uint32_t pixels) { return (pixels + 15) / 16; };
   commands.dispatch(groupsOf(surfaces.words.extent().width), groupsOf(surfaces.rowsOfBand));
-  forEachPart(commands, surfaces, [&](std::uint32_t first) {
-    commands.bind(pixels_,
-                  {.listedPlaces = listedPlaces(seen, nearest_),
-                   .objects = inputs.tables.objects,
-                   .pieceCorners = inputs.rays.corners,
-                   .rayHierarchy = passes::rays(inputs.rays),
-                   .light = surfaces.light,
-                   .skyBlocks = {surfaces.skyBlocks, nearest_}},
-                  {.first = first,
-                   .nodeCount = nodeCount,
-                   .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
-                   .rays = rays,
-                   .raysInAll = rays * inputs.samples,
-                   .alpha = alpha});
-  });
+  dispatchParts(commands, surfaces, pixels_,
+                {.listedPlaces = listedPlaces(seen, nearest_),
+                 .objects = inputs.tables.objects,
+                 .pieceCorners = inputs.rays.corners,
+                 .rayHierarchy = passes::rays(inputs.rays),
+                 .light = surfaces.light,
+                 .skyBlocks = {surfaces.skyBlocks, nearest_}},
+                {.first = 0,
+                 .nodeCount = nodeCount,
+                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                 .rays = rays,
+                 .raysInAll = rays * inputs.samples,
+                 .alpha = alpha});
   commands.endPass();
 }
 

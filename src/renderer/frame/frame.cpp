@@ -110,9 +110,9 @@ struct FrameContext {
       passes.solver.record(commands,
                            {.solution = static_cast<std::uint32_t>(bounce),
                             .openingAngle = openingAngle,
-                            .tolerance = tolerance},
+                            .tolerance = tolerance,
+                            .adds = again},
                            resources.tables, clusters, scene.solver);
-      passes.beams.recordExitance(commands, resources.tables, clusters, again);
     }
   }
 

@@ -1,5 +1,6 @@
-// A fluence at the clusters as densities on their nodes, each from the clusters below it, so that no
-// node waits for another. An invocation has a leaf or a node of few clusters, a work group one of many.
+// The next vector of the solver's basis, from the last product, and as a fluence at the clusters its
+// densities on their nodes. Each node has them from the clusters below it, so that none waits for
+// another. An invocation has a leaf or a node of few clusters, a work group one of many.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -10,33 +11,41 @@
 #include "lib/boundary.glsl"
 #include "lib/cluster_node.glsl"
 #include "lib/linear.glsl"
-#include "lib/solver.glsl"
+#include "lib/over_or_0.glsl"
 
 layout(std430, set = 0, binding = 3) readonly buffer Inner { InnerNode innerNodes[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(set = 0, binding = 5) uniform samplerBuffer clusterTexels;  // Cluster
-layout(set = 0, binding = 6) uniform samplerBuffer fluences;
-layout(std430, set = 0, binding = 7) writeonly buffer Nodes { DensityNode nodes[]; };
-layout(std430, set = 0, binding = 8) readonly buffer States { SolverState states[]; };
+layout(set = 0, binding = 6) uniform samplerBuffer products;
+layout(std430, set = 0, binding = 7) buffer Basis { vec4 basis[]; };
+layout(std430, set = 0, binding = 8) writeonly buffer Nodes { DensityNode nodes[]; };
+layout(std430, set = 0, binding = 9) readonly buffer States { SolverState states[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint smallCount;  // of inner nodes, those of few clusters
   uint innerCount;
-  uint first;  // of the fluences
-  uint step;   // of the solver; skipped when that is done
-  uint solution;
+  uint solution;  // nothing to do when that is done
 };
+
+// What is left of the last product without its parts along the vectors of the basis so far. Those are
+// as many as there were steps, and are not written here.
+vec3 nextVector(uint cluster) {
+  vec3 vector = texelFetch(products, int(cluster)).rgb;
+  uint steps = states[solution].steps;
+  for (uint k = 0u; k < steps; ++k)
+    vector -= states[solution].projections[k].rgb * basis[k * clusterCount + cluster].rgb;
+  return overOr0(vector, states[solution].projections[steps].rgb);
+}
 
 DensityNode noDensity() {
   return DensityNode(vec4(0.0), vec4(0.0), vec4(0.0));
 }
 
 // Seen from `place`, a density is one there and a dipole.
-void add(inout DensityNode sum, uint cluster, vec3 place, vec3 weightS) {
+void add(inout DensityNode sum, uint cluster, vec3 fluence, vec3 place, vec3 weightS) {
   vec4 centroidArea = texelFetch(clusterTexels, 7 * int(cluster));
   vec3 vectorArea = texelFetch(clusterTexels, 7 * int(cluster) + 2).xyz;
-  vec3 fluence = texelFetch(fluences, int(first + cluster)).rgb;
   vec3 arm = centroidArea.w * (centroidArea.xyz - place);
   sum.red += fluence.r * vec4(vectorArea + weightS.r * arm, centroidArea.w);
   sum.green += fluence.g * vec4(vectorArea + weightS.g * arm, centroidArea.w);
@@ -48,7 +57,8 @@ DensityNode densityOf(InnerNode inner, uint start, uint stride) {
   vec3 weightS = singleLayerWeight(insideOf(objects[inner.object]));
   vec3 place = centroidLinkOf(inner.node).xyz;
   DensityNode sum = noDensity();
-  for (uint i = inner.firstCluster + start; i < inner.endCluster; i += stride) add(sum, i, place, weightS);
+  for (uint i = inner.firstCluster + start; i < inner.endCluster; i += stride)
+    add(sum, i, nextVector(i), place, weightS);
   return sum;
 }
 
@@ -69,13 +79,15 @@ void putLarge(InnerNode inner) {
 }
 
 void putLeaf(uint cluster) {
+  vec3 fluence = nextVector(cluster);
+  basis[states[solution].steps * clusterCount + cluster] = vec4(fluence, 0.0);
   DensityNode sum = noDensity();
-  add(sum, cluster, vec3(0.0), vec3(0.0));
+  add(sum, cluster, fluence, vec3(0.0), vec3(0.0));
   nodes[ranges[cluster].node] = sum;
 }
 
 void main() {
-  if (step > 0u && states[solution].done[doneBefore(step)] != 0u) return;
+  if (states[solution].done != 0u) return;
   uint i = linearIndex();
   uint alone = clusterCount + smallCount;
   uint groupsAlone = (alone + gl_WorkGroupSize.x - 1u) / gl_WorkGroupSize.x;

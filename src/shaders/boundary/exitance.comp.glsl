@@ -1,26 +1,43 @@
 // What leaves through every cluster: M = M₁ + α'φ / 2A, added to that of light which entered before.
+// The fluence φ is the combination of the solver's basis that leaves the smallest residual.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #include "lib/boundary.glsl"
 #include "lib/linear.glsl"
+#include "lib/over_or_0.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Fluences { vec4 fluences[]; };
-layout(std430, set = 0, binding = 4) buffer Latest { vec4 latest[]; };  // M₁, then M of this light
-layout(std430, set = 0, binding = 5) buffer Exitances { vec4 exitances[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Basis { vec4 basis[]; };
+layout(std430, set = 0, binding = 4) readonly buffer States { SolverState states[]; };
+layout(std430, set = 0, binding = 5) buffer Latest { vec4 latest[]; };  // M₁, then M of this light
+layout(std430, set = 0, binding = 6) buffer Exitances { vec4 exitances[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
+  uint solution;
   uint adds;  // 1: to what entered before
 };
+
+vec3 fluenceOf(uint cluster) {
+  vec3 weights[maxSolverSteps];
+  vec3 sum = vec3(0.0);
+  for (uint k = states[solution].steps; k-- > 0u;) {
+    vec3 rest = states[solution].rotated[k].rgb;
+    for (uint j = k + 1u; j < states[solution].steps; ++j)
+      rest -= states[solution].hessenberg[j * (maxSolverSteps + 1u) + k].rgb * weights[j];
+    weights[k] = overOr0(rest, states[solution].hessenberg[k * (maxSolverSteps + 1u) + k].rgb);
+    sum += weights[k] * basis[k * clusterCount + cluster].rgb;
+  }
+  return sum;
+}
 
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount) return;
   BoundaryMedium medium = insideOf(objects[ranges[i].object]);
-  vec3 leaves = latest[i].rgb + medium.albedo.rgb * fluences[i].rgb / (2.0 * medium.diffusion.w);
+  vec3 leaves = latest[i].rgb + medium.albedo.rgb * fluenceOf(i) / (2.0 * medium.diffusion.w);
   leaves = max(leaves, vec3(0.0));
   latest[i] = vec4(leaves, 0.0);
   exitances[i] = vec4(adds != 0u ? exitances[i].rgb + leaves : leaves, 0.0);

@@ -1,6 +1,7 @@
 // The operator of the boundary's equation on a fluence:
 //   c_i φ_i + S_ii φ_i / 2A + Σ_j [S_ij / 2A + K_ij] φ_j,  S = e^{-σr} / 4πDr,
 //   K_ij φ_j = -(1 + σr) e^{-σr} (x_j - x_i)·A_j φ_j / 4πr³, single clusters covering what a disc does.
+// With it a step of the solver ends. The first, step 0, takes the sources instead of the product.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -11,24 +12,29 @@
 #define BINDING_TILES 2
 #define BINDING_CLUSTER_NODES 4
 #include "lib/cluster_tile.glsl"
-#include "lib/solver.glsl"
 #include "lib/tile_sum.glsl"
 
 layout(std430, set = 0, binding = 5) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 6) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 7) readonly buffer Lists { uint lists[]; };
 layout(set = 0, binding = 8) uniform samplerBuffer densities;  // DensityNode
-layout(std430, set = 0, binding = 9) readonly buffer Fluences { vec4 fluences[]; };
-layout(std430, set = 0, binding = 10) writeonly buffer Products { vec4 products[]; };
-layout(std430, set = 0, binding = 11) readonly buffer States { SolverState states[]; };
+layout(std430, set = 0, binding = 9) readonly buffer Sources { vec4 sources[]; };
+layout(std430, set = 0, binding = 10) readonly buffer Basis { vec4 basis[]; };
+layout(std430, set = 0, binding = 11) writeonly buffer Products { vec4 products[]; };
+layout(std430, set = 0, binding = 12) coherent buffer Sums { vec4 sums[]; };  // of each tile
+layout(std430, set = 0, binding = 13) coherent buffer States { SolverState states[]; };
+layout(std430, set = 0, binding = 14) coherent buffer Arrived { uint arrived[]; };  // tiles, in each step
 
 layout(push_constant) uniform Push {
   uint tileCount;
+  uint clusterCount;
   float openingAngle;
-  uint first;  // of the fluences
-  uint step;   // of the solver; skipped when that is done
+  float tolerance;  // of the residual, relative to the sources
+  uint step;        // skipped when the solver is done
   uint solution;
 };
+
+#include "lib/solver_step.glsl"
 
 // A node, as every cluster of the tile needs it.
 struct ActingNode {
@@ -85,9 +91,8 @@ vec3 actionOf(ActingNode node, vec4 target) {
   return single * node.second + e * (node.mean * sheet - along);
 }
 
-void main() {
-  if (step > 0u && states[solution].done[doneBefore(step)] != 0u) return;
-  if (!enterTile(tileCount)) return;
+// What acts on each cluster of the tile, for sumOfTile().
+void sumActions() {
   weightS = singleLayerWeight(medium);
   vec3 sums[maxClustersOfTile];
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) sums[t] = vec3(0.0);
@@ -111,18 +116,31 @@ void main() {
     }
   }
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, sums[t]);
-  uint target = gl_LocalInvocationIndex;
-  vec3 sum = sumOfTile(target);
-  if (target >= tile.endCluster - tile.firstCluster) return;
-  uint i = tile.firstCluster + target;
-  if (ranges[i].hasInside == 0u) {  // there is no equation
-    products[i] = vec4(0.0);
-    return;
-  }
+}
+
+// Of all that act on a cluster, and of itself.
+vec3 productOf(uint i, vec3 sum) {
+  if (ranges[i].hasInside == 0u) return vec3(0.0);  // there is no equation
   Cluster cluster = clusters[i];
   vec3 own = 0.5 * absorbedLength(medium.sigma.rgb, vec3(cluster.normal.w)) / medium.diffusion.rgb;
-  vec3 fluence = fluences[first + i].rgb;
-  products[i] = vec4(sum / (4.0 * pi) +
-                         fluence * (cluster.vectorArea.w + own / (2.0 * medium.diffusion.w)),
-                     0.0);
+  vec3 fluence = basis[(step - 1u) * clusterCount + i].rgb;
+  return sum / (4.0 * pi) + fluence * (cluster.vectorArea.w + own / (2.0 * medium.diffusion.w));
+}
+
+void main() {
+  if (step > 0u && states[solution].done != 0u) return;
+  if (!enterTile(tileCount)) return;
+  uint target = gl_LocalInvocationIndex;
+  uint i = tile.firstCluster + target;
+  vec3 sum = vec3(0.0);
+  if (step > 0u) {
+    sumActions();
+    sum = sumOfTile(target);
+  }
+  vec3 product = vec3(0.0);
+  if (i < tile.endCluster) {
+    product = step > 0u ? productOf(i, sum) : sources[i].rgb;
+    products[i] = vec4(product, 0.0);
+  }
+  endStep(product);
 }

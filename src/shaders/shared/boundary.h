@@ -149,9 +149,11 @@ struct SolverState {
   vec4 rotated[maxSolverSteps + 1u];  // right-hand side under these rotations
   vec4 wanted;                        // rgb: norm below which the residual is small enough
   vec4 residual;                      // rgb: relative to the right-hand side
-  uint steps;                         // that were made
-  uint done[2];                       // after the last even and odd step, 1: nothing more to do
-  uint unused;
+  vec4
+      projections[maxSolverSteps + 1u];  // of the last product on the basis, and what is left of it
+  uint steps;                            // that were made
+  uint done;                             // 1: nothing more to do
+  uint unused[2];
 };
 
 #ifdef __cplusplus

@@ -1,0 +1,114 @@
+// The end of a step of generalised minimal residuals (Saad and Schultz 1986), each channel by itself:
+// inner products, weighted by area, of the product with each vector of the basis so far and with
+// itself; from these what makes it orthogonal to the basis (Gram and Schmidt), and the residual by
+// Givens rotations. The work group of the last tile to get here does what needs those of all. Needs
+// lib/cluster_tile.glsl and `basis`, `sums`, `states` and `arrived` before it, the last three coherent.
+#ifndef OPALINE_LIB_SOLVER_STEP
+#define OPALINE_LIB_SOLVER_STEP
+#include "lib/group_sum.glsl"
+#include "lib/over_or_0.glsl"
+
+// What is left of a vector, relative to what it was and squared, when rounding may have made it: some
+// roundings of sums of single precision.
+const float leastLeft2 = 1.0 / float(1u << 21u);
+
+shared vec3 tileProducts[maxClustersOfTile];
+shared bool isLast;
+
+void putInnerProducts() {
+  uint k = gl_LocalInvocationIndex;
+  if (k > step) return;
+  vec3 sum = vec3(0.0);
+  for (uint t = 0u; t < maxClustersOfTile; ++t) {
+    uint cluster = min(tile.firstCluster + t, tile.endCluster - 1u);
+    vec3 other = k < step ? basis[k * clusterCount + cluster].rgb : tileProducts[t];
+    sum += targets[t].w * tileProducts[t] * other;
+  }
+  sums[tileIndex * (maxSolverSteps + 1u) + k] = vec4(sum, 0.0);
+}
+
+vec3 total(uint k) {
+  vec3 sum = vec3(0.0);
+  for (uint t = gl_LocalInvocationIndex; t < tileCount; t += invocationsOfTile)
+    sum += sums[t * (maxSolverSteps + 1u) + k].rgb;
+  return groupSum(sum);
+}
+
+void setDone(vec3 toGo) {
+  states[solution].done = all(lessThanEqual(toGo, states[solution].wanted.rgb)) ? 1u : 0u;
+}
+
+void start(vec3 norm) {
+  states[solution].wanted = vec4(tolerance * norm, 0.0);
+  states[solution].rotated[0] = vec4(norm, 0.0);
+  states[solution].residual = vec4(overOr0(norm, norm), 0.0);
+  states[solution].steps = 0u;
+  setDone(norm);
+}
+
+// The column of the Hessenberg matrix under all rotations, and the one it adds. Where nothing but
+// rounding is left of the vector, no larger than `hidden`, there is no next one, and that is as much as
+// is known of the residual.
+void rotate(vec3 column[maxSolverSteps + 1u], vec3 hidden) {
+  uint last = step - 1u;
+  for (uint k = 0u; k < last; ++k) {
+    vec3 c = states[solution].cosine[k].rgb;
+    vec3 s = states[solution].sine[k].rgb;
+    vec3 upper = c * column[k] + s * column[k + 1u];
+    column[k + 1u] = c * column[k + 1u] - s * column[k];
+    column[k] = upper;
+  }
+  vec3 size = sqrt(column[last] * column[last] + column[step] * column[step]);
+  vec3 c = overOr0(column[last], size);
+  vec3 s = overOr0(column[step], size);
+  column[last] = size;
+  for (uint k = 0u; k <= last; ++k)
+    states[solution].hessenberg[last * (maxSolverSteps + 1u) + k] = vec4(column[k], 0.0);
+  vec3 before = states[solution].rotated[last].rgb;
+  states[solution].cosine[last] = vec4(c, 0.0);
+  states[solution].sine[last] = vec4(s, 0.0);
+  states[solution].rotated[last] = vec4(c * before, 0.0);
+  vec3 part = mix(min(max(s, overOr0(hidden, size)), 1.0), vec3(1.0), lessThanEqual(size, vec3(0.0)));
+  states[solution].rotated[step] = vec4(-part * before, 0.0);
+  vec3 left = abs(part * before);
+  states[solution].residual = vec4(overOr0(left * tolerance, states[solution].wanted.rgb), 0.0);
+  states[solution].steps = step;
+  vec3 toGo = mix(left, vec3(0.0), lessThanEqual(column[step], vec3(0.0)));
+  setDone(toGo);
+}
+
+// Of all tiles.
+void orthogonalise() {
+  vec3 column[maxSolverSteps + 1u];
+  vec3 left2 = total(step);
+  vec3 all2 = left2;
+  for (uint k = 0u; k < step; ++k) {
+    column[k] = total(k);
+    left2 -= column[k] * column[k];
+  }
+  bvec3 rounded = step == 0u ? bvec3(false) : lessThanEqual(left2, leastLeft2 * all2);
+  column[step] = mix(sqrt(max(left2, 0.0)), vec3(0.0), rounded);
+  if (gl_LocalInvocationIndex != 0u) return;
+  for (uint k = 0u; k <= step; ++k) states[solution].projections[k] = vec4(column[k], 0.0);
+  if (step == 0u)
+    start(column[0]);
+  else
+    rotate(column, mix(vec3(0.0), sqrt(leastLeft2 * all2), rounded));
+}
+
+// Every invocation of the tile's group calls it, those that there are clusters for with their products.
+void endStep(vec3 product) {
+  uint i = gl_LocalInvocationIndex;
+  if (i < maxClustersOfTile) tileProducts[i] = product;
+  barrier();
+  putInnerProducts();
+  memoryBarrierBuffer();
+  barrier();
+  if (i == 0u) isLast = atomicAdd(arrived[step], 1u) + 1u == tileCount;
+  barrier();
+  if (!isLast) return;
+  memoryBarrierBuffer();
+  orthogonalise();
+}
+
+#endif
