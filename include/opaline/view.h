@@ -86,9 +86,9 @@ struct FrameOrder {
 /// is seen from. A view owns its images, what it has prepared on the device and the light that its
 /// frames have found. Dropping a view frees all of it, as soon as the device has finished.
 ///
-/// All views of a renderer share the scene, its time, and its division into surfels and clusters.
-/// Views with other maxSurfels or maxClusters divide it anew each time they take turns. The
-/// renderer must outlive its views. Not thread-safe: use them on the renderer's thread.
+/// All views of a renderer share the scene and its time, and those with the same maxSurfels and
+/// maxClusters its division into surfels and clusters. The renderer must outlive its views. Not
+/// thread-safe: use them on the renderer's thread.
 class View {
  public:
   /// Throws UsageError for options out of range.

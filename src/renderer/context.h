@@ -7,9 +7,8 @@
 #include "opaline/renderer.h"
 #include "opaline/view.h"
 #include "renderer/frame/frame.h"
-#include "renderer/frame/light_reuse.h"
 #include "renderer/scene/edited_scene.h"
-#include "renderer/scene/prepared_scene.h"
+#include "renderer/scene/prepared_scenes.h"
 
 namespace opaline {
 
@@ -21,8 +20,7 @@ class RendererContext {
   gpu::Device device;
   Passes passes;
   EditedScene edited;
-  PreparedScene prepared;
-  LightReuse light;
+  PreparedScenes prepared;
   std::optional<View> view;  ///< of Renderer::render
 };
 

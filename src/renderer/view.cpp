@@ -76,11 +76,12 @@ class View::Implementation {
     const Lighting& lighting = edited.scene().lighting;
     FramePlan plan = planFor(options_, order.aovs, order.onDevice);
     plan.time = edited.time();
-    context_.prepared.prepare(options_, plan, order.patient, edited);
-    resources_.follow(options_, plan, context_.prepared.scene(), lighting, edited.changes());
-    fitToScene(context_.prepared.scene(), lighting, plan);
-    plan.light =
-        context_.light.mustFind(options_, plan, order.reuseLight, edited.changes(), resources_);
+    prepared_ = context_.prepared.share(options_, plan, lighting, std::move(prepared_));
+    prepared_->prepare(options_, plan, order.patient, edited);
+    const SceneChanges changes = prepared_->changes(edited);
+    resources_.follow(options_, plan, prepared_->scene(), lighting, changes);
+    fitToScene(prepared_->scene(), lighting, plan);
+    plan.light = prepared_->light().mustFind(options_, plan, order.reuseLight, changes, resources_);
     plan_ = plan;
     record(order);
     queue_.submit();
@@ -103,7 +104,7 @@ class View::Implementation {
     if (times_.empty() || scene_ != context_.edited.number())
       throw UsageError("there is no report before the first frame");
     constexpr double megabyte = 1e6;
-    const SceneResources& scene = context_.prepared.scene();
+    const SceneResources& scene = prepared_->scene();
     const bool solved = plan_.transport == Transport::Boundary;
     return {
         .device = describe(context_.device.info()),
@@ -126,7 +127,7 @@ class View::Implementation {
  private:
   void record(const FrameOrder& order) {
     const Scene& scene = context_.edited.scene();
-    SceneResources& prepared = context_.prepared.scene();
+    SceneResources& prepared = prepared_->scene();
     FrameResources& resources = resources_.made();
     const CameraView camera =
         makeCameraView(camera_.value_or(scene.camera),
@@ -138,7 +139,7 @@ class View::Implementation {
     const bool solves = plan_.transport == Transport::Boundary && plan_.scatter;
 
     FrameSlot& slot = queue_.next();
-    slot.provisional = context_.prepared.isProvisional();
+    slot.provisional = prepared_->isProvisional();
     slot.readback.prepare(context_.device, order.aovs, camera, resources);
     slot.commands.begin();
     recordFrame(slot.commands, context_.passes, plan_, upload, context_.edited.motion(), prepared,
@@ -153,6 +154,7 @@ class View::Implementation {
   std::optional<Camera> camera_;  // none: the scene's
   FrameQueue queue_;
   gpu::UploadRing frameData_;
+  std::shared_ptr<PreparedScene> prepared_;  // none before the first frame
   ViewResources resources_;
   bool shown_ = false;       // the last frame's picture was left for others to sample
   std::uint64_t scene_ = 0;  // number of the scene that was rendered last

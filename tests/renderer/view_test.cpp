@@ -2,6 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -45,6 +46,29 @@ TEST_F(ViewTest, PictureStaysOnTheDevice) {
   expectSame(frame.images, render(options, {Aov::Exitance}));
   view.render();
   EXPECT_THROW(view.picture(), UsageError);
+}
+
+// Each keeps its own division and the light that its surfels hold.
+TEST_F(ViewTest, ThoseThatDivideTheSceneOtherwiseMayTakeTurns) {
+  renderer().setScene(wobblyBall());
+  RenderOptions coarse = optionsOf(methods[0]);
+  coarse.maxClusters = 64;
+  const std::vector<Image> fineAlone = render(optionsOf(methods[0]), asked());
+  const std::vector<Image> coarseAlone = render(coarse, asked());
+  View fine(renderer(), optionsOf(methods[0]));
+  View few(renderer(), coarse);
+  const auto findsLight = [](const View& view) {
+    const std::vector<PassTime> passes = view.report().passes;
+    return std::any_of(passes.begin(), passes.end(),
+                       [](const PassTime& pass) { return pass.name == "shadow"; });
+  };
+  for (int turn = 0; turn < 2; ++turn) {
+    expectSame(fine.render({.aovs = asked(), .reuseLight = true}).images, fineAlone);
+    EXPECT_EQ(findsLight(fine), turn == 0);
+    expectSame(few.render({.aovs = asked(), .reuseLight = true}).images, coarseAlone);
+    EXPECT_EQ(findsLight(few), turn == 0);
+  }
+  EXPECT_GT(fine.report().clusters, few.report().clusters);
 }
 
 // Whatever other views need of the scene is made, and whatever scene is set.

@@ -6,7 +6,7 @@
 
 namespace opaline {
 
-/// Knows whose light the device still holds.
+/// Knows whose light the surfels of a scene on the device still hold.
 class LightReuse {
  public:
   /// Whether the view's next frame has to find its light, or may `reuse` that which the view holds.
@@ -15,7 +15,7 @@ class LightReuse {
                 const SceneChanges& changes, ViewResources& view);
 
  private:
-  // Whose light the surfels hold, and what boundary transport made of them: all views share them.
+  // Whose light the surfels hold, and what boundary transport made of them: views share them.
   // Never followed: the view may be gone. Another in its place is not lit.
   const ViewResources* litSurfels_ = nullptr;
 };

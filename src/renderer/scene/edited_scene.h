@@ -34,6 +34,7 @@ class EditedScene {
   const Object& object(std::size_t index) const;
   const scene::MergedMesh& merged() const { return merged_; }
   SceneMotion& motion();
+  /// All but what devices have of it.
   const SceneChanges& changes() const { return changes_; }
 
   void setCamera(const Camera& camera);
@@ -55,13 +56,14 @@ class EditedScene {
   void beginFrame();
   /// Its surface has been divided anew.
   void noteDivision() { ++changes_.media; }
-  /// The device has it anew.
-  void noteMaking() { ++changes_.whole; }
+  /// A device has it anew. Returns how often that was, for any.
+  std::uint64_t noteMaking() { return ++makings_; }
 
  private:
   Scene& edit();
 
   std::uint64_t number_ = 0;
+  std::uint64_t makings_ = 0;
   std::optional<Scene> scene_;
   scene::MergedMesh merged_;
   std::optional<SceneMotion> motion_;

@@ -26,6 +26,23 @@ void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
     resources_->rays = passes::RayPass::makeBoxes(device_, resources_->surfels);
 }
 
+bool PreparedScene::fits(const RenderOptions& options, const FramePlan& plan,
+                         const Lighting& lighting) const {
+  if (!resources_) return true;
+  const auto agree = [](const std::optional<int>& had, const std::optional<int>& wanted) {
+    return !had || had == wanted;
+  };
+  const SceneNeeds wanted = needsOf(options, plan, lighting);
+  return agree(resources_->needs.maxSurfels, wanted.maxSurfels) &&
+         agree(resources_->needs.maxClusters, wanted.maxClusters);
+}
+
+SceneChanges PreparedScene::changes(const EditedScene& scene) const {
+  SceneChanges changes = scene.changes();
+  changes.whole = made_;
+  return changes;
+}
+
 void PreparedScene::clear() {
   divider_.forget();
   resources_.reset();
@@ -42,7 +59,7 @@ SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan&
 
 void PreparedScene::make(EditedScene& scene, const SceneNeeds& needs, Site site) {
   clear();
-  scene.noteMaking();
+  made_ = scene.noteMaking();
   resources_ = makeSceneResources(device_, scene.scene(), scene.merged(), needs, log_);
   noteSite(scene.scene(), *resources_, site, log_);
   media_ = scene.changes().media;

@@ -6,6 +6,7 @@
 #include "opaline/log.h"
 #include "opaline/render_options.h"
 #include "renderer/frame/frame_plan.h"
+#include "renderer/frame/light_reuse.h"
 #include "renderer/scene/background_divider.h"
 #include "renderer/scene/edited_scene.h"
 #include "renderer/scene/scene_resources.h"
@@ -18,19 +19,25 @@ namespace opaline {
 
 struct Passes;
 
-/// The scene on the device, as far as the frames so far needed it: decides what has to be made, and
-/// what made anew because of an edit.
+/// The scene on the device, divided in one way, as far as the frames so far needed it: decides what
+/// has to be made, and what made anew because of an edit.
 class PreparedScene {
  public:
   PreparedScene(gpu::Device& device, Passes& passes, LogCallback log);
 
-  /// Brings what the frame needs up to date, and notes in the scene's changes what was made anew.
-  /// What one sum needs is kept for when it is asked for again. `patient`: waits until the surface
-  /// is divided for the scene's media.
+  /// Whether it has nothing else that the frame needs otherwise, but lacks it at most.
+  bool fits(const RenderOptions& options, const FramePlan& plan, const Lighting& lighting) const;
+  /// Brings what the frame needs up to date. What one sum needs is kept for when it is asked for
+  /// again. `patient`: waits until the surface is divided for the scene's media.
   void prepare(const RenderOptions& options, const FramePlan& plan, bool patient,
                EditedScene& scene);
   /// Another scene will be set.
   void clear();
+
+  /// Those of the scene, and what was made anew here.
+  SceneChanges changes(const EditedScene& scene) const;
+  /// Whose light the surfels hold.
+  LightReuse& light() { return light_; }
 
   /// After the first frame.
   SceneResources& scene() { return *resources_; }
@@ -51,9 +58,11 @@ class PreparedScene {
   Passes& passes_;
   LogCallback log_;
   std::optional<SceneResources> resources_;
+  std::uint64_t made_ = 0;   // number of the last making, of all scenes
   std::uint64_t media_ = 0;  // count of changes that they have followed
   DivisionOrder wanted_;     // for these media
   BackgroundDivider divider_;
+  LightReuse light_;
 };
 
 }  // namespace opaline

@@ -6,7 +6,7 @@ namespace opaline {
 
 /// Counts that rise when something of a scene changes.
 struct SceneChanges {
-  std::uint64_t whole = 0;   ///< all that the device has of it
+  std::uint64_t whole = 0;   ///< all that a view's device has of it; see PreparedScene::changes
   std::uint64_t media = 0;   ///< or how the surface is divided for them
   std::uint64_t sky = 0;     ///< see environment/sky.h
   std::uint64_t lights = 0;  ///< any light

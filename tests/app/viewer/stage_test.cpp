@@ -45,5 +45,16 @@ TEST(StageTest, WithoutASceneBeforeThereIsNone) {
   EXPECT_FALSE(stage.hasScene());
 }
 
+// Where the budget leaves surfels larger than the medium asks for, fewer would cost more.
+TEST(SessionTest, IsDividedCoarselyWhereSurfelsMayBeLarger) {
+  RenderOptions options;
+  options.maxSurfels = 50'000;
+  EXPECT_EQ(coarselyDivided(options, 40'000).maxSurfels, 10'000);
+  EXPECT_EQ(coarselyDivided(options, 50'000).maxSurfels, 50'000);
+  EXPECT_EQ(coarselyDivided(options, 10).maxSurfels, 1024);
+  options.maxClusters = 500;
+  EXPECT_EQ(coarselyDivided(options, 40'000).maxClusters, 500);
+}
+
 }  // namespace
 }  // namespace opaline::app::viewer

@@ -6,6 +6,7 @@
 
 #include "film/sequence_frames.h"
 #include "opaline/exposure.h"
+#include "options/picture.h"
 
 namespace opaline::app::viewer {
 
@@ -28,6 +29,21 @@ RenderOptions coarser(const RenderOptions& options) {
   RenderOptions coarse = options;
   // Where most time is won for least colour: fewer bounces or a looser tolerance shift it more.
   coarse.tolerance = std::max(options.tolerance, 0.05F);
+  return coarse;
+}
+
+RenderOptions coarselyDivided(const RenderOptions& options, std::size_t surfels) {
+  constexpr int clusters = 1024;
+  // Of twice the size they still hold a medium's light; any larger and sums over them take longer.
+  constexpr std::size_t surfelsForOne = 4;
+  RenderOptions coarse = coarser(options);
+  coarse.maxClusters = std::min(options.maxClusters, clusters);
+  const double least = opaline::options::fieldOf<opaline::options::PictureSettings>("max_surfels")
+                           .allowed.range.least;
+  const bool asTheMediumAsks = surfels < static_cast<std::size_t>(options.maxSurfels);
+  if (asTheMediumAsks)
+    coarse.maxSurfels =
+        std::max(static_cast<int>(surfels / surfelsForOne), static_cast<int>(least));
   return coarse;
 }
 

@@ -127,6 +127,8 @@ RenderOptions sized(const RenderOptions& options, int width, int height);
 
 /// The same transport, found more coarsely: what is shown while light, medium or body move.
 RenderOptions coarser(const RenderOptions& options);
+/// And on a surface that is divided more coarsely than into so many surfels.
+RenderOptions coarselyDivided(const RenderOptions& options, std::size_t surfels);
 
 /// Renders the session's scene once, as its renderer has it.
 Image pictureOf(const Session& session, Renderer& renderer, const RenderOptions& options);

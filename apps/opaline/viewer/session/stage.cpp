@@ -26,6 +26,10 @@ void Stage::setScene(const Scene& scene, const Scene& before) {
   hostPicture_.clear();
   hostPaper_.clear();
   divided_ = false;
+  coarseView_.reset();
+  shown_ = &view_;
+  restMs_ = 0;
+  restSurfels_ = 0;
   try {
     renderer_.setScene(scene);
   } catch (const Error&) {
@@ -38,10 +42,8 @@ void Stage::setScene(const Scene& scene, const Scene& before) {
   hasScene_ = true;
 }
 
-// Whether light changes, not only the camera.
-bool Stage::handOver(Session& session) {
-  Edits others = session.edits;
-  others.camera = false;
+// What changes.
+Edits Stage::handOver(Session& session) {
   const Scene& scene = session.scene;
   renderer_.setTime(session.time);
   if (session.edits.camera) renderer_.setCamera(scene.camera);
@@ -50,51 +52,67 @@ bool Stage::handOver(Session& session) {
   for (std::size_t i = 0; i < session.edits.medium.size(); ++i) {
     if (session.edits.medium[i]) renderer_.setMedium(i, scene.objects[i].medium);
   }
-  session.edits = {};
+  Edits handedOver = std::exchange(session.edits, {});
   session.edits.medium.assign(scene.objects.size(), false);
-  return others.any();
+  return handedOver;
 }
 
 void Stage::collect() {
   const Waiting done = waiting_.front();
   waiting_.erase(waiting_.begin());
-  Frame& frame = done.own ? frame_ : other_;
-  (done.own ? view_ : *paper_).collect(frame);
-  if (apart_) (done.own ? hostPicture_ : hostPaper_).set(frame.images.front());
-  if (!done.own) return;
+  const bool own = !isPaper(*done.view);
+  Frame& frame = own ? frame_ : other_;
+  done.view->collect(frame);
+  if (apart_) (own ? hostPicture_ : hostPaper_).set(frame.images.front());
+  if (!own) return;
   ++framesFinished_;
+  shown_ = done.view;
   variable_ = done.variable;
   const auto lights = [](const PassTime& pass) { return pass.name == "shadow"; };
-  if (resting_ && std::any_of(frame_.passes.begin(), frame_.passes.end(), lights)) {
+  if (resting_ && done.view == &view_ &&
+      std::any_of(frame_.passes.begin(), frame_.passes.end(), lights)) {
     restMs_ = frame_.milliseconds;
+    restSurfels_ = view_.report().sources;
   }
 }
 
 void Stage::submit(View& view, Aov variable) {
-  const bool own = &view == &view_;
   while (waiting_.size() >= View::framesInFlight) collect();
   order_.aovs.clear();
   if (apart_) order_.aovs.push_back(Aov::Radiance);
   if (variable != Aov::Radiance) order_.aovs.push_back(variable);
-  DeviceImage& image = own ? picture_ : paperPicture_;
+  DeviceImage& image = isPaper(view) ? paperPicture_ : picture_;
   image = {};  // where the next cannot be made, this one may be gone
   view.submit(order_);
   if (!apart_) image = view.picture();
-  waiting_.push_back({own, variable});
+  waiting_.push_back({&view, variable});
+}
+
+// A medium that changes asks for another division itself.
+View& Stage::viewFor(const RenderOptions& options, const Edits& edits) {
+  const bool mediumChanges =
+      std::any_of(edits.medium.begin(), edits.medium.end(), [](bool changes) { return changes; });
+  if (!coarse_ || mediumChanges) {
+    view_.setOptions(coarse_ ? coarser(options) : options);
+    return view_;
+  }
+  if (!coarseView_) coarseView_.emplace(renderer_);
+  coarseView_->setOptions(coarselyDivided(options, restSurfels_));
+  return *coarseView_;
 }
 
 void Stage::draw(Session& session, int width, int height, bool moving) {
   constexpr double slowMs = 150;
-  const bool lightChanges = handOver(session);
+  Edits edits = handOver(session);
+  edits.camera = false;
   RenderOptions options = sized(session.options, width, height);
   options.treeLevel = session.treeLevel;
   resting_ = !moving;
   const bool quick = moving && session.quickWhileMoving && !session.divided && restMs_ > slowMs;
-  coarse_ = quick && lightChanges && options.transport == Transport::Boundary;
+  coarse_ = quick && edits.any() && options.transport == Transport::Boundary;
   if (moving) options.antialias = 1;
   // Light at vertices stays while the camera moves.
   if (quick && options.sum != Sum::Pattern) options.site = Site::Vertex;
-  if (coarse_) options = coarser(options);
   busySince_ = std::chrono::steady_clock::now();
   divided_ = session.divided;
   if (divided_) {
@@ -102,8 +120,7 @@ void Stage::draw(Session& session, int width, int height, bool moving) {
     paper_->setOptions(paperOptions(options));
     submit(*paper_, Aov::Radiance);
   }
-  view_.setOptions(options);
-  submit(view_, session.aov);
+  submit(viewFor(options, edits), session.aov);
   if (apart_) {
     watch_.begin();
     // The device works on while the picture before, which is done, is brought over.

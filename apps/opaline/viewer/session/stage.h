@@ -55,24 +55,28 @@ class Stage {
   Aov variable() const { return variable_; }
   const Image* variableImage() const;
   std::size_t framesFinished() const { return framesFinished_; }
-  RenderReport report() const { return view_.report(); }
+  RenderReport report() const { return shown_->report(); }
 
  private:
   struct Waiting {
-    bool own = true;  // of the session's method, not the paper's
+    View* view = nullptr;
     Aov variable = Aov::Radiance;
   };
 
-  bool handOver(Session& session);
+  Edits handOver(Session& session);
+  View& viewFor(const RenderOptions& options, const Edits& edits);
   void submit(View& view, Aov variable);
   void collect();
+  bool isPaper(const View& view) const { return paper_ && &view == &*paper_; }
 
   Renderer& renderer_;
   const bool apart_;  // the window has a device of its own
   bool hasScene_ = false;
   bool divided_ = false;
   View view_;
-  std::optional<View> paper_;  // of the paper's method; none until the session is divided
+  std::optional<View> coarseView_;  // on a coarse division; none until something moves
+  View* shown_ = &view_;            // which of them made the last frame that finished
+  std::optional<View> paper_;       // of the paper's method; none until the session is divided
   DeviceImage picture_;
   DeviceImage paperPicture_;
   HostPicture hostPicture_;
@@ -86,6 +90,7 @@ class Stage {
   bool coarse_ = false;
   bool resting_ = true;  // the frame drawn last was not in motion
   double restMs_ = 0;    // of the last one at rest that found its light
+  std::size_t restSurfels_ = 0;
   std::size_t framesFinished_ = 0;
   FrameOrder order_;
 };
