@@ -53,6 +53,8 @@ struct RenderReport {
   double frameMilliseconds = 0;    ///< GPU time, median over the frames after the first
   std::uint32_t dispatches = 0;    ///< of the last frame
   std::uint32_t barriers = 0;      ///< of the last frame
+  std::uint32_t recordings = 0;    ///< of command buffers for the last frame; 0 if it took the same
+                                   ///< commands as the frame before last
   double peakMemoryMegabytes = 0;  ///< of the device's memory, by this renderer
 };
 

@@ -40,14 +40,16 @@ class AccelerationStructure {
   VkAccelerationStructureKHR handle() const { return builds_.back().dstAccelerationStructure; }
   Buffer& storage() { return storage_; }
 
+  /// For CommandTape: of the triangles, then of the bodies that they make.
+  void recordTriangles(VkCommandBuffer commands, bool refit);
+  void recordBodies(VkCommandBuffer commands);
+
  private:
   friend class CommandList;
 
   void describe(VkDeviceAddress corners, std::span<const std::uint32_t> firstTriangle);
   void makeRoom(const std::string& name);
   void placeBodies();
-  void recordTriangles(VkCommandBuffer commands, bool refit);
-  void recordBodies(VkCommandBuffer commands);
   void swap(AccelerationStructure& other) noexcept;
 
   Device* device_ = nullptr;

@@ -23,7 +23,7 @@ enum class Access {
   RayBuild,  ///< acceleration structure built or refitted, or what building it needs
   RayInput,  ///< triangles that an acceleration structure is built of
   RayQuery,  ///< acceleration structure that shaders send rays through
-  HostRead,  ///< by the host, once the submission has finished
+  HostRead,  ///< by the host, once the submission has finished; nothing writes there before
 };
 
 struct AccessScope {
@@ -54,6 +54,8 @@ struct AccessBarrier {
   VkAccessFlags2 toAccesses = 0;
   VkImageLayout oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
   VkImageLayout newLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+
+  bool operator==(const AccessBarrier&) const = default;
 };
 
 /// Moves `state` on to the next access and returns the barrier that has to stand before it, if any.

@@ -42,6 +42,7 @@ class Buffer {
   explicit operator bool() const { return buffer_ != VK_NULL_HANDLE; }
   VkBuffer handle() const { return buffer_; }
   std::size_t bytes() const { return bytes_; }
+  bool isBorrowed() const { return device_ == nullptr; }
   VkBufferView texelView() const { return texelView_; }  ///< of all of it
   /// Where shaders and builds find it. Needs VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT.
   VkDeviceAddress address() const;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <utility>
 
@@ -14,15 +15,13 @@ namespace opaline::gpu {
 
 namespace {
 
-VkDescriptorBufferInfo bufferInfoOf(const Binding& binding, const VkPhysicalDeviceLimits& limits) {
+VkDeviceSize rangeOf(const Binding& binding, const VkPhysicalDeviceLimits& limits) {
   assert(binding.offset < binding.buffer->bytes());
   const std::size_t rest = binding.buffer->bytes() - binding.offset;
   assert(binding.bytes <= rest);
-  VkDeviceSize range = binding.bytes == 0 ? rest : binding.bytes;
-  if (binding.type == BindingType::UniformBuffer && binding.bytes == 0) {
-    range = std::min<VkDeviceSize>(range, limits.maxUniformBufferRange);
-  }
-  return {binding.buffer->handle(), binding.offset, range};
+  if (binding.bytes != 0) return binding.bytes;
+  if (binding.type != BindingType::UniformBuffer) return rest;
+  return std::min<VkDeviceSize>(rest, limits.maxUniformBufferRange);
 }
 
 bool sameResource(const Binding& a, const Binding& b) {
@@ -35,28 +34,56 @@ AccessScope bindingScope(const Binding& binding) {
   return scope;
 }
 
+tape::Resource resourceOf(const Binding& binding, const VkPhysicalDeviceLimits& limits) {
+  tape::Resource resource{.slot = binding.slot, .type = descriptorTypeOf(binding.type)};
+  if (binding.type == BindingType::TexelBuffer) {
+    resource.texels = binding.buffer->texelView();
+  } else if (binding.type == BindingType::AccelerationStructure) {
+    resource.structure = binding.structure;
+  } else if (binding.buffer != nullptr) {
+    resource.buffer = binding.buffer->handle();
+    resource.offset = binding.offset;
+    resource.range = rangeOf(binding, limits);
+  } else {
+    resource.sampler = binding.sampler;
+    resource.view = binding.view;
+    resource.imageLayout = bindingScope(binding).layout;
+  }
+  return resource;
+}
+
+std::array<std::uint32_t, 4> bitsOf(const float (&values)[4]) {
+  return std::bit_cast<std::array<std::uint32_t, 4>>(values);
+}
+
 }  // namespace
 
 CommandList::CommandList(Device& device, std::string name, std::uint32_t maxPasses)
     : device_(device), name_(std::move(name)), timer_(device, name_, maxPasses) {
   VkCommandPoolCreateInfo poolInfo{};
   poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+  poolInfo.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
   poolInfo.queueFamilyIndex = device.queueFamily();
   VkResult result = vkCreateCommandPool(device.handle(), &poolInfo, nullptr, &pool_);
+  std::array<VkCommandBuffer, maxParts> buffers{};
   if (result >= 0) {
     VkCommandBufferAllocateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
     info.commandPool = pool_;
     info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-    info.commandBufferCount = 1;
-    result = vkAllocateCommandBuffers(device.handle(), &info, &commands_);
+    info.commandBufferCount = maxParts;
+    result = vkAllocateCommandBuffers(device.handle(), &info, buffers.data());
   }
   if (result < 0) {
     vkDestroyCommandPool(device.handle(), pool_, nullptr);
     check(result, fmt::format("create the command list \"{}\"", name_));
   }
   device.setName(VK_OBJECT_TYPE_COMMAND_POOL, reinterpret_cast<std::uint64_t>(pool_), name_);
-  device.setName(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<std::uint64_t>(commands_), name_);
+  for (std::size_t i = 0; i < maxParts; ++i) {
+    parts_[i].buffer = buffers[i];
+    device.setName(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<std::uint64_t>(buffers[i]),
+                   name_);
+  }
 }
 
 CommandList::~CommandList() {
@@ -65,27 +92,56 @@ CommandList::~CommandList() {
 
 void CommandList::begin() {
   wait();
-  check(vkResetCommandPool(device_.handle(), pool_, 0), "reset a command list");
-  VkCommandBufferBeginInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-  info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  check(vkBeginCommandBuffer(commands_, &info), "begin a command list");
-  recording_ = true;
+  filling_ = true;
   counts_ = {};
   inPass_ = false;
   rendering_ = false;
-  pipeline_ = nullptr;
-  for (auto& slots : bound_) slots.fill({});
+  part_ = 0;
+  beginPart();
   timer_.reset();
 }
 
+void CommandList::beginPart() {
+  parts_[part_].wanted.clear();
+  parts_[part_].borrows = false;
+  pipeline_ = nullptr;
+  for (auto& slots : bound_) slots.fill({});
+}
+
+void CommandList::cut() {
+  assert(filling_ && !inPass_ && !rendering_ && part_ + 1 < maxParts);
+  ++part_;
+  beginPart();
+}
+
 void CommandList::submit() {
-  assert(recording_ && !inPass_ && !rendering_);
+  assert(filling_ && !inPass_ && !rendering_);
+  filling_ = false;
+  std::array<VkCommandBuffer, maxParts> buffers{};
+  for (std::size_t i = 0; i <= part_; ++i) {
+    Part& part = parts_[i];
+    // Equal handles mean equal objects only where none has gone since.
+    const bool same =
+        part.keeps && part.destroyed == device_.destroyed() && part.recorded == part.wanted;
+    if (!same) record(part);
+    buffers[i] = part.buffer;
+  }
+  submission_ = device_.submit(std::span(buffers).first(part_ + 1));
+}
+
+void CommandList::record(Part& part) {
+  part.keeps = false;
+  VkCommandBufferBeginInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+  check(vkBeginCommandBuffer(part.buffer, &info), "begin a command list");
+  part.wanted.record(device_, part.buffer);
   // Its name only where it fails: frames allocate nothing.
-  const VkResult recorded = vkEndCommandBuffer(commands_);
+  const VkResult recorded = vkEndCommandBuffer(part.buffer);
   if (recorded < 0) check(recorded, fmt::format("record \"{}\"", name_));
-  recording_ = false;
-  submission_ = device_.submit(commands_);
+  std::swap(part.recorded, part.wanted);
+  part.destroyed = device_.destroyed();
+  part.keeps = !part.borrows;
+  ++counts_.recordings;
 }
 
 void CommandList::wait() {
@@ -96,16 +152,16 @@ void CommandList::wait() {
 }
 
 void CommandList::beginPass(const char* name) {
-  assert(recording_ && !inPass_ && !rendering_);
-  timer_.begin(commands_, name);
-  device_.beginLabel(commands_, name);
+  assert(filling_ && !inPass_ && !rendering_);
+  timer_.begin(commands(), name);
+  commands().add(tape::BeginLabel{name});
   inPass_ = true;
 }
 
 void CommandList::endPass() {
-  assert(recording_ && inPass_);
-  device_.endLabel(commands_);
-  timer_.end(commands_);
+  assert(filling_ && inPass_);
+  commands().add(tape::EndLabel{});
+  timer_.end(commands());
   inPass_ = false;
 }
 
@@ -119,47 +175,28 @@ double CommandList::frameMilliseconds() {
 
 void CommandList::order(Buffer& buffer, AccessScope scope) {
   scope.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+  if (buffer.isBorrowed()) parts_[part_].borrows = true;
   const auto barrier = advance(buffer.state_, scope);
   if (!barrier) return;
-  memoryBarrier_.srcStageMask |= barrier->fromStages;
-  memoryBarrier_.srcAccessMask |= barrier->fromAccesses;
-  memoryBarrier_.dstStageMask |= barrier->toStages;
-  memoryBarrier_.dstAccessMask |= barrier->toAccesses;
+  memoryBarrier_.fromStages |= barrier->fromStages;
+  memoryBarrier_.fromAccesses |= barrier->fromAccesses;
+  memoryBarrier_.toStages |= barrier->toStages;
+  memoryBarrier_.toAccesses |= barrier->toAccesses;
 }
 
 void CommandList::order(GpuImage& image, const AccessScope& scope) {
   const auto barrier = advance(image.state_, scope);
   if (!barrier) return;
   assert(imageBarrierCount_ < imageBarriers_.size());
-  VkImageMemoryBarrier2& out = imageBarriers_[imageBarrierCount_++];
-  out = {};
-  out.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
-  out.srcStageMask = barrier->fromStages;
-  out.srcAccessMask = barrier->fromAccesses;
-  out.dstStageMask = barrier->toStages;
-  out.dstAccessMask = barrier->toAccesses;
-  out.oldLayout = barrier->oldLayout;
-  out.newLayout = barrier->newLayout;
-  out.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  out.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  out.image = image.handle();
-  out.subresourceRange = {image.aspect(), 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS};
+  imageBarriers_[imageBarrierCount_++] = {image.handle(), image.aspect(), *barrier};
 }
 
 void CommandList::flushBarriers() {
-  const bool memory = memoryBarrier_.dstStageMask != 0;
-  if (!memory && imageBarrierCount_ == 0) return;
-  assert(recording_);
+  if (memoryBarrier_.toStages == 0 && imageBarrierCount_ == 0) return;
+  assert(filling_);
   assert(!rendering_ && "a barrier inside a rendering scope: bind before beginRendering");
-  memoryBarrier_.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-  VkDependencyInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-  info.memoryBarrierCount = memory ? 1 : 0;
-  info.pMemoryBarriers = &memoryBarrier_;
-  info.imageMemoryBarrierCount = imageBarrierCount_;
-  info.pImageMemoryBarriers = imageBarriers_.data();
   ++counts_.barriers;
-  vkCmdPipelineBarrier2(commands_, &info);
+  commands().add(memoryBarrier_, std::span(imageBarriers_).first(imageBarrierCount_));
   memoryBarrier_ = {};
   imageBarrierCount_ = 0;
 }
@@ -167,6 +204,8 @@ void CommandList::flushBarriers() {
 void CommandList::use(Buffer& buffer, Access access) {
   order(buffer, scopeOf(access));
   flushBarriers();
+  // Nothing is left to be ordered: the host waits for all of it.
+  if (access == Access::HostRead) buffer.state_ = {};
 }
 
 void CommandList::use(GpuImage& image, Access access) {
@@ -175,10 +214,10 @@ void CommandList::use(GpuImage& image, Access access) {
 }
 
 void CommandList::bindPipeline(const Pipeline& pipeline) {
-  assert(recording_ && pipeline);
+  assert(filling_ && pipeline);
   if (pipeline_ == &pipeline) return;
   pipeline_ = &pipeline;
-  vkCmdBindPipeline(commands_, pipeline.bindPoint(), pipeline.handle());
+  commands().add(tape::BindPipeline{pipeline.bindPoint(), pipeline.handle()});
 }
 
 void CommandList::orderBindings(std::span<const Binding> bindings) {
@@ -201,43 +240,17 @@ void CommandList::orderBindings(std::span<const Binding> bindings) {
 }
 
 void CommandList::bindResources(std::span<const Binding> bindings) {
-  assert(recording_ && pipeline_ != nullptr && bindings.size() <= maxSlots);
+  assert(filling_ && pipeline_ != nullptr && bindings.size() <= maxSlots);
   if (bindings.empty()) return;
   orderBindings(bindings);
-  std::array<VkWriteDescriptorSet, maxSlots> writes;
-  std::array<VkDescriptorBufferInfo, maxSlots> buffers;
-  std::array<VkDescriptorImageInfo, maxSlots> images;
-  std::array<VkBufferView, maxSlots> texels;
-  std::array<VkWriteDescriptorSetAccelerationStructureKHR, maxSlots> structures;
+  std::array<tape::Resource, maxSlots> resources;
   for (std::size_t i = 0; i < bindings.size(); ++i) {
-    const Binding& binding = bindings[i];
-    assert(pipeline_->hasSlot(binding.slot));
-    VkWriteDescriptorSet& write = writes[i];
-    write = {};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstBinding = binding.slot;
-    write.descriptorCount = 1;
-    write.descriptorType = descriptorTypeOf(binding.type);
-    if (binding.type == BindingType::TexelBuffer) {
-      texels[i] = binding.buffer->texelView();
-      write.pTexelBufferView = &texels[i];
-    } else if (binding.type == BindingType::AccelerationStructure) {
-      structures[i] = {};
-      structures[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR;
-      structures[i].accelerationStructureCount = 1;
-      structures[i].pAccelerationStructures = &binding.structure;
-      write.pNext = &structures[i];
-    } else if (binding.buffer != nullptr) {
-      buffers[i] = bufferInfoOf(binding, device_.limits());
-      write.pBufferInfo = &buffers[i];
-    } else {
-      images[i] = {binding.sampler, binding.view, bindingScope(binding).layout};
-      write.pImageInfo = &images[i];
-    }
-    bound_[pipeline_->bindPoint()][binding.slot] = binding;
+    assert(pipeline_->hasSlot(bindings[i].slot));
+    resources[i] = resourceOf(bindings[i], device_.limits());
+    bound_[pipeline_->bindPoint()][bindings[i].slot] = bindings[i];
   }
-  device_.pushDescriptorSet()(commands_, pipeline_->bindPoint(), pipeline_->layout(), 0,
-                              static_cast<std::uint32_t>(bindings.size()), writes.data());
+  commands().add(pipeline_->bindPoint(), pipeline_->layout(),
+                 std::span(std::as_const(resources)).first(bindings.size()));
 }
 
 /// Whether nothing that the pipeline reads or writes was used otherwise since it was bound, for
@@ -255,95 +268,71 @@ bool CommandList::boundIsCurrent() const {
 }
 
 void CommandList::build(AccelerationStructure& structure, Buffer& corners, bool refit) {
-  assert(recording_ && !rendering_);
+  assert(filling_ && !rendering_);
   order(corners, scopeOf(Access::RayInput));
   order(structure.storage_, scopeOf(Access::RayBuild));
   order(structure.scratch_, scopeOf(Access::RayBuild));
   flushBarriers();
-  structure.recordTriangles(commands_, refit);
+  using Part = tape::BuildStructure::Part;
+  commands().add(tape::BuildStructure{&structure, structure.handle(),
+                                      refit ? Part::RefitTriangles : Part::Triangles});
   order(structure.storage_, scopeOf(Access::RayBuild));
   flushBarriers();
-  structure.recordBodies(commands_);
+  commands().add(tape::BuildStructure{&structure, structure.handle(), Part::Bodies});
 }
 
 void CommandList::pushBytes(const void* data, std::uint32_t bytes) {
   assert(bytes == pipeline_->pushConstantBytes());
-  vkCmdPushConstants(commands_, pipeline_->layout(), pipeline_->stages(), 0, bytes, data);
+  commands().add(pipeline_->layout(), pipeline_->stages(),
+                 std::span(static_cast<const std::byte*>(data), bytes));
 }
 
-VkRenderingAttachmentInfo CommandList::attachment(const ColorTarget& target) {
+tape::Target CommandList::attachment(const ColorTarget& target) {
   GpuImage& image = *target.image;
   assert(target.clear || image.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
   const AccessScope scope = scopeOf(Access::ColorWrite);
   order(image, scope);
-  VkRenderingAttachmentInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-  info.imageView = image.layerView(target.layer);
-  info.imageLayout = scope.layout;
-  info.loadOp = target.clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
-  info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-  std::copy(std::begin(target.clearValue), std::end(target.clearValue),
-            std::begin(info.clearValue.color.float32));
-  return info;
+  return {image.layerView(target.layer), scope.layout, target.clear, true,
+          bitsOf(target.clearValue)};
 }
 
-VkRenderingAttachmentInfo CommandList::attachment(const DepthTarget& target) {
+tape::Target CommandList::attachment(const DepthTarget& target) {
   GpuImage& image = *target.image;
   assert(target.clear || image.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
   assert(target.write || !target.clear);
   const AccessScope scope = scopeOf(target.write ? Access::DepthWrite : Access::DepthTest);
   order(image, scope);
-  VkRenderingAttachmentInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-  info.imageView = image.layerView(target.layer);
-  info.imageLayout = scope.layout;
-  info.loadOp = target.clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
-  info.storeOp = target.write ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_NONE;
-  info.clearValue.depthStencil.depth = target.clearValue;
-  return info;
+  return {image.layerView(target.layer), scope.layout, target.clear, target.write,
+          bitsOf({target.clearValue, 0, 0, 0})};
 }
 
 void CommandList::beginRendering(std::span<const ColorTarget> colors, const DepthTarget* depth) {
-  assert(recording_ && !rendering_);
+  assert(filling_ && !rendering_);
   assert(colors.size() <= maxColors && (!colors.empty() || depth != nullptr));
   const VkExtent2D extent = colors.empty() ? depth->image->extent() : colors[0].image->extent();
-  std::array<VkRenderingAttachmentInfo, maxColors> colorInfos;
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    assert(colors[i].image->extent().width == extent.width &&
-           colors[i].image->extent().height == extent.height);
-    colorInfos[i] = attachment(colors[i]);
+  [[maybe_unused]] const auto covers = [extent](const GpuImage& image) {
+    return image.extent().width == extent.width && image.extent().height == extent.height;
+  };
+  std::array<tape::Target, maxColors + 1> targets;
+  std::size_t count = 0;
+  for (const ColorTarget& color : colors) {
+    assert(covers(*color.image));
+    targets[count++] = attachment(color);
   }
-  VkRenderingAttachmentInfo depthInfo{};
   if (depth != nullptr) {
-    assert(depth->image->extent().width == extent.width &&
-           depth->image->extent().height == extent.height);
-    depthInfo = attachment(*depth);
+    assert(covers(*depth->image));
+    targets[count++] = attachment(*depth);
   }
   flushBarriers();
-
-  VkRenderingInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-  info.renderArea.extent = extent;
-  info.layerCount = 1;
-  info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
-  info.pColorAttachments = colorInfos.data();
-  info.pDepthAttachment = depth != nullptr ? &depthInfo : nullptr;
-  vkCmdBeginRendering(commands_, &info);
+  commands().add(
+      {extent.width, extent.height, static_cast<std::uint32_t>(colors.size()), depth != nullptr},
+      std::span(std::as_const(targets)).first(count));
   rendering_ = true;
-  coverWith(extent);
-}
-
-void CommandList::coverWith(VkExtent2D extent) {
-  const VkViewport viewport{
-      0.0F, 0.0F, static_cast<float>(extent.width), static_cast<float>(extent.height), 0.0F, 1.0F};
-  const VkRect2D scissor{{0, 0}, extent};
-  vkCmdSetViewport(commands_, 0, 1, &viewport);
-  vkCmdSetScissor(commands_, 0, 1, &scissor);
 }
 
 void CommandList::endRendering() {
-  assert(recording_ && rendering_);
-  vkCmdEndRendering(commands_);
+  assert(filling_ && rendering_);
+  commands().add(tape::EndRendering{});
   rendering_ = false;
 }
 

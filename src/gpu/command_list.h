@@ -15,6 +15,8 @@
 #include "gpu/access.h"
 #include "gpu/binding.h"
 #include "gpu/buffer.h"
+#include "gpu/command_tape.h"
+#include "gpu/device.h"
 #include "gpu/image.h"
 #include "gpu/pass_timer.h"
 #include "gpu/pipeline.h"
@@ -22,7 +24,6 @@
 namespace opaline::gpu {
 
 class AccelerationStructure;
-class Device;
 
 struct ColorTarget {
   GpuImage* image = nullptr;
@@ -43,13 +44,15 @@ struct DepthTarget {
 struct CommandCounts {
   std::uint32_t dispatches = 0;
   std::uint32_t barriers = 0;
+  std::uint32_t recordings = 0;  ///< of its parts, of which those that are kept need none
 };
 
-/// Records commands, orders accesses, submits, waits. One list is reused frame after frame: after
-/// the first frames it allocates nothing. Binding of resources goes before beginRendering of the
+/// Takes commands, orders accesses, submits, waits. One list is reused frame after frame: after the
+/// first frames it allocates nothing, and a part whose commands are the same as in its last
+/// submission is not recorded anew. Binding of resources goes before beginRendering of the
 /// draw that uses them, because barriers cannot stand inside a rendering scope; what is bound stays
 /// bound inside it. Resources remember their last access from list to list, so lists are submitted
-/// in the order in which they were recorded, and what is recorded is submitted. One that goes away
+/// in the order in which they were filled, and what is in them is submitted. One that goes away
 /// lets the device finish.
 class CommandList {
  public:
@@ -60,7 +63,10 @@ class CommandList {
 
   /// Waits until the last submission has finished, then starts anew.
   void begin();
-  /// Hands everything recorded to the queue; does not wait.
+  /// Between passes: ends a part, so that what changes from frame to frame stands apart from what
+  /// stays. Nothing is bound any more.
+  void cut();
+  /// Hands everything to the queue; does not wait.
   void submit();
   /// Blocks until the last submission has finished. Throws Error when the device is lost.
   void wait();
@@ -150,7 +156,21 @@ class CommandList {
   void use(GpuImage& image, Access access);
 
  private:
-  static constexpr std::size_t maxSlots = 32;
+  static constexpr std::size_t maxSlots = CommandTape::maxResources;
+  static constexpr std::size_t maxParts = Device::mostBuffers;
+
+  /// A command buffer, and what it holds.
+  struct Part {
+    VkCommandBuffer buffer = VK_NULL_HANDLE;
+    CommandTape recorded;
+    std::uint64_t destroyed = 0;  // by the device until it was recorded
+    CommandTape wanted;
+    bool borrows = false;  // others may put another object in a borrowed one's place
+    bool keeps = false;    // what is recorded may be submitted again
+  };
+  CommandTape& commands() { return parts_[part_].wanted; }
+  void beginPart();
+  void record(Part& part);
 
   void order(Buffer& buffer, AccessScope scope);
   void order(GpuImage& image, const AccessScope& scope);
@@ -165,16 +185,16 @@ class CommandList {
     if constexpr (!std::is_empty_v<T>) pushBytes(&constants, static_cast<std::uint32_t>(sizeof(T)));
   }
   bool boundIsCurrent() const;
-  VkRenderingAttachmentInfo attachment(const ColorTarget& target);
-  VkRenderingAttachmentInfo attachment(const DepthTarget& target);
-  void coverWith(VkExtent2D extent);
+  tape::Target attachment(const ColorTarget& target);
+  tape::Target attachment(const DepthTarget& target);
 
   Device& device_;
   std::string name_;
   PassTimer timer_;
   VkCommandPool pool_ = VK_NULL_HANDLE;
-  VkCommandBuffer commands_ = VK_NULL_HANDLE;
-  bool recording_ = false;
+  std::array<Part, maxParts> parts_;
+  std::size_t part_ = 0;  // that is being filled
+  bool filling_ = false;
   std::uint64_t submission_ = 0;  // that is not waited for yet; 0: none
   bool inPass_ = false;
   bool rendering_ = false;
@@ -183,10 +203,10 @@ class CommandList {
   // What is bound at each slot, graphics and compute apart.
   std::array<std::array<Binding, maxSlots>, 2> bound_;
 
-  std::array<VkImageMemoryBarrier2, maxSlots> imageBarriers_;
+  std::array<tape::ImageBarrier, maxSlots> imageBarriers_;
   std::uint32_t imageBarrierCount_ = 0;
+  AccessBarrier memoryBarrier_;
   CommandCounts counts_;
-  VkMemoryBarrier2 memoryBarrier_{};
 };
 
 }  // namespace opaline::gpu

@@ -7,11 +7,11 @@
 namespace opaline::gpu {
 
 void CommandList::dispatch(std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t groupsZ) {
-  assert(recording_ && !rendering_ && pipeline_ != nullptr);
+  assert(filling_ && !rendering_ && pipeline_ != nullptr);
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
   assert(boundIsCurrent());
   ++counts_.dispatches;
-  vkCmdDispatch(commands_, groupsX, groupsY, groupsZ);
+  commands().add(tape::Dispatch{0, groupsX, groupsY, groupsZ});
 }
 
 // Of one dispatch or draw. Displays' devices are reset when they do one thing for some 2 s; an
@@ -22,12 +22,12 @@ void CommandList::dispatchRows(std::uint32_t groupsX, std::uint32_t groupsY, std
   const std::uint64_t ofRow = std::uint64_t{64} * groupsX * rounds;
   const auto rows = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(
       mostRounds / std::max<std::uint64_t>(ofRow, 1), 1, std::max(groupsY, 1U)));
-  assert(recording_ && !rendering_ && pipeline_ != nullptr);
+  assert(filling_ && !rendering_ && pipeline_ != nullptr);
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
   assert(boundIsCurrent());
   for (std::uint32_t row = 0; row < groupsY; row += rows) {
     ++counts_.dispatches;
-    vkCmdDispatchBase(commands_, 0, row, 0, groupsX, std::min(rows, groupsY - row), 1);
+    commands().add(tape::Dispatch{row, groupsX, std::min(rows, groupsY - row), 1});
   }
 }
 
@@ -51,29 +51,28 @@ void CommandList::dispatchTiles(const GpuImage& image, std::uint32_t rounds) {
 }
 
 void CommandList::dispatchIndirect(Buffer& groups, std::size_t offset) {
-  assert(recording_ && !rendering_ && pipeline_ != nullptr);
+  assert(filling_ && !rendering_ && pipeline_ != nullptr);
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
   assert(boundIsCurrent());
   assert((groups.state_.readAccesses & VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT) != 0);
   assert(offset + sizeof(VkDispatchIndirectCommand) <= groups.bytes());
   ++counts_.dispatches;
-  vkCmdDispatchIndirect(commands_, groups.handle(), offset);
+  commands().add(tape::DispatchIndirect{groups.handle(), offset});
 }
 
 void CommandList::draw(std::uint32_t vertices, std::uint32_t firstVertex) {
-  assert(recording_ && rendering_ && pipeline_ != nullptr);
+  assert(filling_ && rendering_ && pipeline_ != nullptr);
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_GRAPHICS);
   assert(boundIsCurrent());
-  vkCmdDraw(commands_, vertices, 1, firstVertex, 0);
+  commands().add(tape::Draw{vertices, firstVertex});
 }
 
 void CommandList::drawIndexed(Buffer& indices, std::uint32_t count) {
-  assert(recording_ && rendering_ && pipeline_ != nullptr);
+  assert(filling_ && rendering_ && pipeline_ != nullptr);
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_GRAPHICS);
   assert(boundIsCurrent());
   assert(count * sizeof(std::uint32_t) <= indices.bytes());
-  vkCmdBindIndexBuffer(commands_, indices.handle(), 0, VK_INDEX_TYPE_UINT32);
-  vkCmdDrawIndexed(commands_, count, 1, 0, 0, 0);
+  commands().add(tape::DrawIndexed{indices.handle(), count});
 }
 
 }  // namespace opaline::gpu

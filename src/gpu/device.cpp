@@ -206,11 +206,14 @@ std::size_t Device::validationMessages() const {
   return instance_->messages();
 }
 
-std::uint64_t Device::submit(VkCommandBuffer commands) {
+std::uint64_t Device::submit(std::span<const VkCommandBuffer> commands) {
+  assert(commands.size() <= mostBuffers);
   destroyRetired();
-  VkCommandBufferSubmitInfo buffer{};
-  buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
-  buffer.commandBuffer = commands;
+  std::array<VkCommandBufferSubmitInfo, mostBuffers> buffers{};
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    buffers[i].sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
+    buffers[i].commandBuffer = commands[i];
+  }
   VkSemaphoreSubmitInfo done{};
   done.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
   done.semaphore = timeline_;
@@ -218,8 +221,8 @@ std::uint64_t Device::submit(VkCommandBuffer commands) {
   done.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
   VkSubmitInfo2 info{};
   info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
-  info.commandBufferInfoCount = 1;
-  info.pCommandBufferInfos = &buffer;
+  info.commandBufferInfoCount = static_cast<std::uint32_t>(commands.size());
+  info.pCommandBufferInfos = buffers.data();
   info.signalSemaphoreInfoCount = 1;
   info.pSignalSemaphoreInfos = &done;
   check(vkQueueSubmit2(queue_, 1, &info, VK_NULL_HANDLE), "submit work to the device");

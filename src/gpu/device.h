@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -78,8 +79,10 @@ class Device {
   /// Warnings and errors of the validation layer so far.
   std::size_t validationMessages() const;
 
-  /// Hands commands to the queue. Returns the number of this submission.
-  std::uint64_t submit(VkCommandBuffer commands);
+  /// Hands commands to the queue, one buffer after the other. Returns the number of this
+  /// submission.
+  static constexpr std::size_t mostBuffers = 2;
+  std::uint64_t submit(std::span<const VkCommandBuffer> commands);
   /// The number of the last submission.
   std::uint64_t submitted() const { return submitted_; }
   /// Blocks until the device has finished a submission, and with it all before. Throws Error when
@@ -93,6 +96,10 @@ class Device {
   void retire(VkObjectType type, Handle handle, bool lent = false) {
     retire(type, reinterpret_cast<std::uint64_t>(handle), 0, lent);
   }
+
+  /// How many objects it has destroyed: while that stays the same, a handle that was valid still
+  /// means the same object.
+  std::uint64_t destroyed() const { return retired_.destroyed(); }
 
   /// For Buffer and Image: memory of a kind, and its account; `addressed` where a buffer's address
   /// is asked for. Throws Error when there is none left.

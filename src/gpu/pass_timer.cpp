@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "gpu/command_tape.h"
 #include "gpu/device.h"
 #include "gpu/vulkan_result.h"
 #include "opaline/error.h"
@@ -50,7 +51,7 @@ void PassTimer::reset() {
 
 // Both timestamps wait for everything before them, so that passes that overlap on the device are
 // not counted twice.
-void PassTimer::begin(VkCommandBuffer commands, const char* name) {
+void PassTimer::begin(CommandTape& commands, const char* name) {
   if (count_ == names_.size()) {
     throw Error(fmt::format("a frame has more than {} passes at \"{}\"", names_.size(), name));
   }
@@ -60,16 +61,14 @@ void PassTimer::begin(VkCommandBuffer commands, const char* name) {
   constexpr std::uint32_t passesAtOnce = 64;
   if (count_ % passesAtOnce == 0) {
     const auto left = static_cast<std::uint32_t>(names_.size()) - count_;
-    vkCmdResetQueryPool(commands, pool_, 2 * count_, 2 * std::min(passesAtOnce, left));
+    commands.add(tape::ResetQueries{pool_, 2 * count_, 2 * std::min(passesAtOnce, left)});
   }
-  vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_, 2 * count_);
+  commands.add(tape::WriteTimestamp{pool_, 2 * count_});
 }
 
-void PassTimer::end(VkCommandBuffer commands) {
+void PassTimer::end(CommandTape& commands) {
   assert(count_ < names_.size());
-  if (pool_ != VK_NULL_HANDLE) {
-    vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool_, 2 * count_ + 1);
-  }
+  if (pool_ != VK_NULL_HANDLE) commands.add(tape::WriteTimestamp{pool_, 2 * count_ + 1});
   ++count_;
 }
 

@@ -9,6 +9,7 @@
 
 namespace opaline::gpu {
 
+class CommandTape;
 class Device;
 
 /// GPU time between the begin and the end of one named pass.
@@ -17,7 +18,7 @@ struct PassTiming {
   double milliseconds = 0;
 };
 
-/// Pairs of timestamps around the passes of one command buffer. Where the device's queue has no
+/// Pairs of timestamps around the passes of one submission. Where the device's queue has no
 /// timestamps, passes take 0 ms.
 class PassTimer {
  public:
@@ -26,11 +27,11 @@ class PassTimer {
   PassTimer(const PassTimer&) = delete;
   PassTimer& operator=(const PassTimer&) = delete;
 
-  /// First in a command buffer.
+  /// First of a submission.
   void reset();
   /// Throws Error when there are more than maxPasses.
-  void begin(VkCommandBuffer commands, const char* name);
-  void end(VkCommandBuffer commands);
+  void begin(CommandTape& commands, const char* name);
+  void end(CommandTape& commands);
 
   /// Reads the timestamps of a submission that has finished.
   void collect();

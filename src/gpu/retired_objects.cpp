@@ -59,6 +59,7 @@ std::size_t RetiredObjects::destroyUpTo(std::uint64_t submission, VkDevice devic
     if (object.submission > submission) return false;
     destroy(object.type, object.handle, device, rays);
     freed += object.bytes;
+    ++destroyed_;
     return true;
   };
   objects_.erase(std::remove_if(objects_.begin(), objects_.end(), isDone), objects_.end());

@@ -121,6 +121,7 @@ class View::Implementation {
         .frameMilliseconds = times_.frameMilliseconds(),
         .dispatches = counts_.dispatches,
         .barriers = counts_.barriers,
+        .recordings = counts_.recordings,
         .peakMemoryMegabytes = static_cast<double>(context_.device.peakMemoryBytes()) / megabyte};
   }
 

@@ -8,7 +8,7 @@ from images import read_exr, read_png
 from program import CUBE_OBJ, ProgramTest
 
 REPORT = {"device", "size", "transport", "sum", "site", "triangles", "vertices", "sources", "clusters",
-          "solutions", "passes", "frame_ms", "dispatches", "barriers", "peak_memory_mb", "outputs", "exposure_stops"}
+          "solutions", "passes", "frame_ms", "dispatches", "barriers", "recordings", "peak_memory_mb", "outputs", "exposure_stops"}
 DIAGONAL = 30
 EDGE = DIAGONAL / math.sqrt(3)
 # Marble's boundary at normal incidence, eta 1.5: 1 - ((1.5 - 1) / (1.5 + 1))^2.

@@ -177,7 +177,7 @@ Json emptyReportJson(const RenderJob& job, const std::vector<std::string>& outpu
   nothing.site = job.options.site;
   Json json = renderReportJson(nothing, job.options, outputs);
   for (const char* unknown : {"device", "triangles", "vertices", "sources", "clusters", "frame_ms",
-                              "dispatches", "barriers", "peak_memory_mb"}) {
+                              "dispatches", "barriers", "recordings", "peak_memory_mb"}) {
     json[unknown] = nullptr;
   }
   return json;

@@ -28,6 +28,7 @@ Json renderReportJson(const RenderReport& report, const RenderOptions& options,
           {"frame_ms", report.frameMilliseconds},
           {"dispatches", report.dispatches},
           {"barriers", report.barriers},
+          {"recordings", report.recordings},
           {"peak_memory_mb", report.peakMemoryMegabytes},
           {"outputs", outputs}};
 }

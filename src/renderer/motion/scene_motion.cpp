@@ -133,6 +133,9 @@ void SceneMotion::record(gpu::CommandList& commands, const passes::DeformPass& p
   commands.beginPass("deform");
   upload(commands);
   given_.record(commands, pass, motion_);
+  commands.endPass();
+  commands.cut();  // what is given may lie in another place in every frame
+  commands.beginPass("deform");
   pass.record(commands, motion_, mesh);
   commands.endPass();
 }

@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "opaline/vulkan.h"
+#include "renderer/renderer_fixture.h"
+#include "renderer/wobbly_ball.h"
+
+namespace opaline::test {
+namespace {
+
+class FrameRecordingTest : public RendererTest {
+ protected:
+  void SetUp() override {
+    RendererTest::SetUp();
+    scene_ = wobblyBall();
+    scene_.deformers.push_back({DeformerKind::Wobble, 0.1F, 1});
+    renderer().setScene(scene_);
+  }
+
+  /// How often each frame of a film is recorded, two of them under way.
+  static std::vector<std::uint32_t> recordingsOf(View& view, int frames,
+                                                 const std::function<void(int)>& before) {
+    std::vector<std::uint32_t> recordings;
+    Frame frame;
+    const auto collect = [&] {
+      view.collect(frame);
+      recordings.push_back(view.report().recordings);
+    };
+    for (int i = 0; i < frames; ++i) {
+      before(i);
+      if (i >= View::framesInFlight) collect();
+      view.submit();
+    }
+    while (recordings.size() < static_cast<std::size_t>(frames)) collect();
+    return recordings;
+  }
+
+  Scene scene_;
+};
+
+// The first frame differs from the others in where its images come from, so that the first slot is
+// recorded twice. A frame has two parts.
+const std::vector<std::uint32_t> ofFilm{2, 2, 2, 0, 0, 0, 0, 0};
+
+TEST_F(FrameRecordingTest, AFilmIsRecordedOncePerSlot) {
+  for (const Method& method : methods) {
+    SCOPED_TRACE(method.name);
+    View view(renderer(), optionsOf(method));
+    const auto change = [&](int i) {
+      const auto step = static_cast<float>(i);
+      renderer().setTime({.seconds = 0.1 * i});
+      Camera camera = scene_.camera;
+      camera.positionMm[0] += step;
+      view.setCamera(camera);
+      Lighting lighting = scene_.lighting;
+      lighting.directional[0].irradiance = {1 + step, 1, 1};
+      lighting.directional[0].directionToLight[0] = 0.1F * step;
+      renderer().setLighting(lighting);
+    };
+    const std::vector<std::uint32_t> recordings = recordingsOf(view, 8, change);
+    for (std::size_t i = 0; i < recordings.size(); ++i) EXPECT_LE(recordings[i], ofFilm[i]) << i;
+  }
+}
+
+// What is kept must be what the next frame would record.
+TEST_F(FrameRecordingTest, KeptFramesAreWhatNewOnesWouldBe) {
+  for (const Method& method : methods) {
+    SCOPED_TRACE(method.name);
+    constexpr int frames = 6;
+    const auto setTime = [&](int i) { renderer().setTime({.seconds = 0.1 * i}); };
+    std::vector<std::vector<Image>> alone;
+    for (int i = 0; i < frames; ++i) {
+      setTime(i);
+      View view(renderer(), optionsOf(method));
+      alone.push_back(view.render({.aovs = asked()}).images);
+    }
+    View kept(renderer(), optionsOf(method));
+    for (int i = 0; i < frames; ++i) {
+      setTime(i);
+      expectSame(kept.render({.aovs = asked()}).images, alone[static_cast<std::size_t>(i)]);
+    }
+    EXPECT_EQ(kept.report().recordings, 0U);
+  }
+}
+
+TEST_F(FrameRecordingTest, PositionsThatAreGivenAreRecordedApart) {
+  const std::vector<Vec3> positions = scene_.objects[0].mesh.positionsMm;
+  View view(renderer(), optionsOf(methods[0]));
+  const std::vector<std::uint32_t> recordings =
+      recordingsOf(view, 8, [&](int) { renderer().replacePositions(0, positions); });
+  for (std::size_t i = 3; i < recordings.size(); ++i) EXPECT_LE(recordings[i], 1U) << i;
+}
+
+// Each change, after frames enough that all is kept, gives the picture of a view that never saw
+// anything else, and so does the way back.
+TEST_F(FrameRecordingTest, EveryChangeIsSeen) {
+  using Change = std::function<void(RenderOptions&, FrameOrder&)>;
+  const std::vector<Change> changes{
+      [](RenderOptions& o, FrameOrder&) { o.transport = Transport::Dipole; },
+      [](RenderOptions& o, FrameOrder&) { o.transport = Transport::BetterDipole; },
+      [](RenderOptions& o, FrameOrder&) { o.sum = Sum::All; },
+      [](RenderOptions& o, FrameOrder&) { o.site = Site::Fragment; },
+      [](RenderOptions& o, FrameOrder&) { o.site = Site::Auto; },
+      [](RenderOptions& o, FrameOrder&) { o.tolerance = 0.1F; },
+      [](RenderOptions& o, FrameOrder&) { o.tolerance = 0.001F; },
+      [](RenderOptions& o, FrameOrder&) { o.bounces = 0; },
+      [](RenderOptions& o, FrameOrder&) { o.bounces = 3; },
+      [](RenderOptions& o, FrameOrder&) { o.antialias = 1; },
+      [](RenderOptions& o, FrameOrder&) { o.antialias = 8; },
+      [](RenderOptions& o, FrameOrder&) { o.specular = false; },
+      [](RenderOptions& o, FrameOrder&) { o.roughness = 0.7F; },
+      [](RenderOptions& o, FrameOrder&) { o.width = 40; },
+      [](RenderOptions& o, FrameOrder&) { o.shadowSize = 64; },
+      [](RenderOptions& o, FrameOrder&) { o.maxSurfels = 4096; },
+      [](RenderOptions& o, FrameOrder&) { o.maxClusters = 128; },
+      [](RenderOptions& o, FrameOrder& f) {
+        o.treeLevel = 2;
+        f.aovs = {Aov::Surfels, Aov::Radiance};
+      },
+      [](RenderOptions&, FrameOrder& f) {
+        f.aovs = {Aov::Depth, Aov::Irradiance, Aov::Normal};
+      },
+      [](RenderOptions&, FrameOrder& f) { f.onDevice = true; },
+      [](RenderOptions&, FrameOrder& f) { f.reuseLight = true; }};
+  const RenderOptions plain = optionsOf(methods[0]);
+  View view(renderer(), plain);
+  const std::vector<Image> unchanged = view.render({.aovs = asked()}).images;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    SCOPED_TRACE(i);
+    RenderOptions options = plain;
+    FrameOrder order{.aovs = asked()};
+    changes[i](options, order);
+    const std::vector<Image> alone = View(renderer(), options).render(order).images;
+    view.setOptions(options);
+    for (int frame = 0; frame < 4; ++frame) expectSame(view.render(order).images, alone);
+    EXPECT_EQ(view.report().recordings, 0U);
+    view.setOptions(plain);
+    expectSame(view.render({.aovs = asked()}).images, unchanged);
+  }
+}
+
+// One point light has as many shadow maps as six lights from infinitely far away.
+TEST_F(FrameRecordingTest, OtherLightsAreSeen) {
+  Lighting six;
+  for (int i = 0; i < 6; ++i)
+    six.directional.push_back({{0.3F * static_cast<float>(i), 1, 1}, {1, 1, 1}});
+  Lighting one;
+  one.points.push_back({{0, 12, 12}, {900, 900, 900}});
+  Lighting none;
+  none.ambient = {1, 1, 1};
+  View view(renderer(), optionsOf(methods[0]));
+  for (int round = 0; round < 2; ++round)
+    for (const Lighting& lighting : {six, one, none, scene_.lighting}) {
+      renderer().setLighting(lighting);
+      const std::vector<Image> fresh =
+          View(renderer(), optionsOf(methods[0])).render({.aovs = asked()}).images;
+      for (int i = 0; i < 3; ++i) expectSame(view.render({.aovs = asked()}).images, fresh);
+    }
+}
+
+}  // namespace
+}  // namespace opaline::test
