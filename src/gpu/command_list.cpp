@@ -122,7 +122,7 @@ void CommandList::submit() {
     Part& part = parts_[i];
     // Equal handles mean equal objects only where none has gone since.
     const bool same =
-        part.keeps && part.destroyed == device_.destroyed() && part.recorded == part.wanted;
+        part.keeps && part.retired == device_.retired() && part.recorded == part.wanted;
     if (!same) record(part);
     buffers[i] = part.buffer;
   }
@@ -138,8 +138,8 @@ void CommandList::record(Part& part) {
   // Its name only where it fails: frames allocate nothing.
   const VkResult recorded = vkEndCommandBuffer(part.buffer);
   if (recorded < 0) check(recorded, fmt::format("record \"{}\"", name_));
-  std::swap(part.recorded, part.wanted);
-  part.destroyed = device_.destroyed();
+  part.recorded = part.wanted;
+  part.retired = device_.retired();
   part.keeps = !part.borrows;
   ++counts_.recordings;
 }

@@ -163,7 +163,7 @@ class CommandList {
   struct Part {
     VkCommandBuffer buffer = VK_NULL_HANDLE;
     CommandTape recorded;
-    std::uint64_t destroyed = 0;  // by the device until it was recorded
+    std::uint64_t retired = 0;  // by the device until it was recorded
     CommandTape wanted;
     bool borrows = false;  // others may put another object in a borrowed one's place
     bool keeps = false;    // what is recorded may be submitted again

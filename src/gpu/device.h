@@ -97,9 +97,9 @@ class Device {
     retire(type, reinterpret_cast<std::uint64_t>(handle), 0, lent);
   }
 
-  /// How many objects it has destroyed: while that stays the same, a handle that was valid still
+  /// How many objects have been retired: while that stays the same, a handle that was valid still
   /// means the same object.
-  std::uint64_t destroyed() const { return retired_.destroyed(); }
+  std::uint64_t retired() const { return retired_.count(); }
 
   /// For Buffer and Image: memory of a kind, and its account; `addressed` where a buffer's address
   /// is asked for. Throws Error when there is none left.

@@ -50,6 +50,7 @@ void destroy(VkObjectType type, std::uint64_t handle, VkDevice device, const Ray
 void RetiredObjects::add(std::uint64_t submission, VkObjectType type, std::uint64_t handle,
                          std::size_t bytes) {
   objects_.push_back({submission, type, handle, bytes});
+  ++count_;
 }
 
 std::size_t RetiredObjects::destroyUpTo(std::uint64_t submission, VkDevice device,
@@ -59,7 +60,6 @@ std::size_t RetiredObjects::destroyUpTo(std::uint64_t submission, VkDevice devic
     if (object.submission > submission) return false;
     destroy(object.type, object.handle, device, rays);
     freed += object.bytes;
-    ++destroyed_;
     return true;
   };
   objects_.erase(std::remove_if(objects_.begin(), objects_.end(), isDone), objects_.end());

@@ -14,7 +14,8 @@ struct RayFunctions;
 class RetiredObjects {
  public:
   bool empty() const { return objects_.empty(); }
-  std::uint64_t destroyed() const { return destroyed_; }
+  /// How many have been added so far.
+  std::uint64_t count() const { return count_; }
   /// `bytes` of memory, where the object is that. The device uses it up to the submission of that
   /// number.
   void add(std::uint64_t submission, VkObjectType type, std::uint64_t handle, std::size_t bytes);
@@ -30,7 +31,7 @@ class RetiredObjects {
     std::size_t bytes = 0;
   };
   std::vector<Object> objects_;
-  std::uint64_t destroyed_ = 0;  // how many so far
+  std::uint64_t count_ = 0;
 };
 
 }  // namespace opaline::gpu
