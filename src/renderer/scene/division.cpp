@@ -29,30 +29,37 @@ double longestMeanFreePathMm(const Medium& medium) {
   return longest;
 }
 
-void noteClusters(const Division& division, const LogCallback& log) {
-  if (!division.clusters || !(division.clusters->coarseness() > notableCoarseness)) return;
+constexpr const char* noRoom = "this device has no room for more";
+
+std::string cureOfClusters(const Division& division, const DeviceRoom& room) {
+  if (division.order.maxClusters >= room.clusters) return noRoom;
   const std::size_t wanted = division.clusters->wanted;
+  const bool mayBeAsked =
+      wanted <= room.clusters && options::fieldOf<options::PictureSettings>("max_clusters")
+                                     .allowed.range.holds(static_cast<double>(wanted));
+  return mayBeAsked ? fmt::format("raise RenderOptions::maxClusters to {}, which is enough", wanted)
+                    : "raise RenderOptions::maxClusters for more accuracy";
+}
+
+void noteClusters(const Division& division, const DeviceRoom& room, const LogCallback& log) {
+  if (!division.clusters || !(division.clusters->coarseness() > notableCoarseness)) return;
   log(LogLevel::Note,
-      fmt::format(
-          "the budget of {} clusters leaves them {:.1f} times as large as shape and "
-          "medium ask for; {}",
-          division.order.maxClusters, division.clusters->coarseness(),
-          options::fieldOf<options::PictureSettings>("max_clusters")
-                  .allowed.range.holds(static_cast<double>(wanted))
-              ? fmt::format("raise RenderOptions::maxClusters to {}, which is enough", wanted)
-              : "raise RenderOptions::maxClusters for more accuracy"));
+      fmt::format("the budget of {} clusters leaves them {:.1f} times as large as shape and medium "
+                  "ask for; {}",
+                  division.order.maxClusters, division.clusters->coarseness(),
+                  cureOfClusters(division, room)));
 }
 
 }  // namespace
 
 DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHasInside,
-                          std::size_t maxSurfels, std::optional<int> maxClusters) {
+                          std::size_t maxSurfels, std::optional<std::size_t> maxClusters) {
   DivisionOrder order{.maxSurfels = maxSurfels};
   for (const Object& object : scene.objects)
     order.spacingOfObjectMm.push_back(sizeInFreePaths *
                                       bssrdf::shortestMeanFreePathMm(object.medium));
   if (!maxClusters) return order;
-  order.maxClusters = static_cast<std::size_t>(*maxClusters);
+  order.maxClusters = *maxClusters;
   // Without an inside nothing is solved: what such an object sends to others has only its shape.
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     order.largestClusterOfObjectMm.push_back(
@@ -71,7 +78,7 @@ Division divide(const scene::MergedMesh& merged, const DivisionOrder& order) {
   return made;
 }
 
-void noteCoarseness(const Division& division, bool asked, const LogCallback& log) {
+void noteCoarseness(const Division& division, const DeviceRoom& room, const LogCallback& log) {
   if (!log) return;
   double coarsest = 1;
   for (std::size_t i = 0; i < division.order.spacingOfObjectMm.size(); ++i)
@@ -82,9 +89,10 @@ void noteCoarseness(const Division& division, bool asked, const LogCallback& log
         fmt::format("the budget of {} surfels leaves them {:.1f} times as large as the medium asks "
                     "for; {}",
                     division.order.maxSurfels, coarsest,
-                    asked ? "raise RenderOptions::maxSurfels for more accuracy"
-                          : "this device has no room for more"));
-  noteClusters(division, log);
+                    division.order.maxSurfels < room.surfels
+                        ? "raise RenderOptions::maxSurfels for more accuracy"
+                        : noRoom));
+  noteClusters(division, room, log);
 }
 
 }  // namespace opaline

@@ -7,6 +7,7 @@
 #include "opaline/log.h"
 #include "opaline/medium.h"
 #include "opaline/scene.h"
+#include "renderer/scene/device_room.h"
 #include "scene/mesh/merged_mesh.h"
 #include "surfels/clusters.h"
 #include "surfels/surfels.h"
@@ -25,7 +26,7 @@ struct DivisionOrder {
 
 /// Clusters where `maxClusters` says so; only then is it asked which objects have an inside.
 DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHasInside,
-                          std::size_t maxSurfels, std::optional<int> maxClusters);
+                          std::size_t maxSurfels, std::optional<std::size_t> maxClusters);
 
 /// A surface in surfels and, where they were ordered, clusters of them; on the host.
 struct Division {
@@ -37,8 +38,8 @@ struct Division {
 /// Pure, so for any thread; takes tenths of a second for 100,000 triangles.
 Division divide(const scene::MergedMesh& merged, const DivisionOrder& order);
 
-/// Says what the budgets of surfels and of clusters leave to be wished for. `asked`: that of
-/// surfels is the one that was asked for, not the device's.
-void noteCoarseness(const Division& division, bool asked, const LogCallback& log);
+/// Says what the budgets of surfels and of clusters leave to be wished for, and whether larger ones
+/// would help.
+void noteCoarseness(const Division& division, const DeviceRoom& room, const LogCallback& log);
 
 }  // namespace opaline

@@ -17,6 +17,7 @@
 #include "passes/boundary/ray_pass.h"
 #include "passes/boundary/solver_pass.h"
 #include "passes/gather/surfel_pass.h"
+#include "renderer/scene/device_room.h"
 #include "scene/mesh/insides.h"
 #include "shaders/shared/surfels.h"
 #include "surfels/surfels.h"
@@ -107,14 +108,6 @@ void noteSpacing(SceneResources& resources) {
   }
 }
 
-// As many surfels as asked for, or as many as the device reads the sources of from one buffer.
-std::size_t budgetOf(const gpu::Device& device, int maxSurfels) {
-  constexpr std::size_t bytes = shared::sourcesPerSurfel * sizeof(shared::Source);
-  const std::size_t range = std::min(std::size_t{device.limits().maxStorageBufferRange},
-                                     device.limits().maxTexelBufferElements * sizeof(glm::vec4));
-  return std::min(static_cast<std::size_t>(maxSurfels), range / bytes);
-}
-
 void findInsides(const Scene& scene, SceneResources& resources, const LogCallback& log) {
   for (const Object& object : scene.objects) {
     const std::vector<bool> inside =
@@ -202,12 +195,13 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
   listMedia(scene, resources);
   measure(scene, resources);
+  if (needs.maxSurfels)
+    requireRoom(resources.triangles, roomOf(device.limits()), device.info().name);
   makeMesh(device, resources);
   if (needs.maxClusters) findInsides(scene, resources, log);
   if (needs.maxSurfels) {
     const Division division = divide(merged, orderFor(device, scene, resources));
-    noteCoarseness(division,
-                   division.order.maxSurfels == static_cast<std::size_t>(*needs.maxSurfels), log);
+    noteCoarseness(division, roomOf(device.limits()), log);
     takeDivision(device, division, resources);
   }
   return resources;
@@ -220,8 +214,13 @@ void takeMedia(const Scene& scene, SceneResources& resources) {
 
 DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
                        const SceneResources& resources) {
+  const DeviceRoom room = roomOf(device.limits());
+  const SceneNeeds& needs = resources.needs;
+  std::optional<std::size_t> clusters;
+  if (needs.maxClusters)
+    clusters = std::min(static_cast<std::size_t>(*needs.maxClusters), room.clusters);
   return divisionFor(scene, resources.objectHasInside,
-                     budgetOf(device, *resources.needs.maxSurfels), resources.needs.maxClusters);
+                     std::min(static_cast<std::size_t>(*needs.maxSurfels), room.surfels), clusters);
 }
 
 void takeDivision(gpu::Device& device, const Division& division, SceneResources& resources) {
