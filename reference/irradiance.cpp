@@ -5,6 +5,7 @@
 
 #include "bssrdf/fresnel.h"
 #include "environment/sky.h"
+#include "environment/suns.h"
 
 namespace opaline::reference {
 
@@ -37,7 +38,8 @@ Arriving arrivingFrom(bool isPoint, const Vector& place, const Vector& position)
 }  // namespace
 
 Irradiance::Irradiance(const Geometry& geometry) : geometry_(geometry) {
-  const Lighting& lighting = geometry.scene().lighting;
+  const Lighting& given = geometry.scene().lighting;
+  const Lighting lighting = withSuns(given, findSuns(given.environment));
   for (const DirectionalLight& light : lighting.directional) {
     lights_.push_back(
         {false, unitOr(toVector(light.directionToLight), {0, 0, 1}), toColour(light.irradiance)});

@@ -55,6 +55,7 @@ struct Lighting {
   Rgb ambient{};  ///< radiance, the same from all directions, in [0, 1e30]
   /// Radiance, latitude-longitude; the top row is +y, the centre column −z, and u grows towards +x.
   /// Null: no environment. Copies share it and it never changes: another picture is another object.
+  /// Up to four suns in it cast shadows, and count for neither limit above.
   std::shared_ptr<const Image> environment;
 };
 

@@ -73,7 +73,7 @@ class View::Implementation {
     EditedScene& edited = context_.edited;
     edited.beginFrame();
     if (std::exchange(scene_, edited.number()) != edited.number()) times_.clear();
-    const Lighting& lighting = edited.scene().lighting;
+    const Lighting& lighting = edited.lighting();
     FramePlan plan = planFor(options_, order.aovs, order.onDevice);
     plan.time = edited.time();
     prepared_ = context_.prepared.share(options_, plan, lighting, std::move(prepared_));
@@ -134,9 +134,9 @@ class View::Implementation {
         makeCameraView(camera_.value_or(scene.camera),
                        static_cast<float>(options_.width) / static_cast<float>(options_.height));
     frameData_.nextFrame();
-    const FrameUpload upload{
-        frameData_.buffer(),
-        frameData_.push(makeFrameData(scene.lighting, camera, options_.shadowSize, plan_.samples))};
+    const FrameUpload upload{frameData_.buffer(),
+                             frameData_.push(makeFrameData(context_.edited.lighting(), camera,
+                                                           options_.shadowSize, plan_.samples))};
     const bool solves = plan_.transport == Transport::Boundary && plan_.scatter;
 
     FrameSlot& slot = queue_.next();

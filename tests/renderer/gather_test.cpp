@@ -147,6 +147,33 @@ TEST_F(GatherTest, SunOfOnePixelStaysFiniteAndRight) {
   });
 }
 
+// One pixel before even light is a directional light beside ambient light, shadows and all.
+TEST_F(GatherTest, SunOfAnEnvironmentIsADirectionalLight) {
+  constexpr float sun = 70'000;
+  constexpr float around = 0.5F;
+  auto environment = std::make_shared<Image>(64, 32);
+  std::fill(environment->rgba.begin(), environment->rgba.end(), around);
+  for (int c = 0; c < 3; ++c) environment->pixel(40, 9)[c] = sun;
+  const double azimuth = 2 * pi * (40.5 / 64 - 0.5);
+  const double polar = pi * 9.5 / 32;
+  const double solidAngle = 2 * pi / 64 * (std::cos(pi * 9 / 32) - std::cos(pi * 10 / 32));
+  const auto irradiance = static_cast<float>((double{sun} - double{around}) * solidAngle);
+
+  Scene apart = ball(5);
+  apart.objects.push_back(apart.objects[0]);
+  for (Vec3& position : apart.objects[1].mesh.positionsMm) position[1] += 8;
+  Scene whole = apart;
+  whole.lighting.environment = environment;
+  apart.lighting.ambient = {around, around, around};
+  apart.lighting.directional = {{toVec3({std::sin(polar) * std::sin(azimuth), std::cos(polar),
+                                         -std::sin(polar) * std::cos(azimuth)}),
+                                 {irradiance, irradiance, irradiance}}};
+  const Image expected = render(apart, smallOptions(), {Aov::Exitance})[0];
+  const Image made = render(whole, smallOptions(), {Aov::Exitance})[0];
+  forEachCovered(expected,
+                 [&](std::size_t i) { ASSERT_NEAR(made.rgba[i] / expected.rgba[i], 1, 1e-3); });
+}
+
 TEST_F(GatherTest, TexelsCarryTheAreaOfTheSphere) {
   renderer().setScene(ball(5));
   for (const int size : {128, 256, 512}) {

@@ -4,10 +4,12 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
 
+#include "environment/suns.h"
+
 namespace opaline {
 
-static_assert(shared::maxLights == Lighting::maxLights);
-static_assert(shared::maxShadowViews == Lighting::maxShadowMaps);
+static_assert(shared::maxLights == Lighting::maxLights + maxSuns);
+static_assert(shared::maxShadowViews == Lighting::maxShadowMaps + maxSuns);
 
 namespace {
 

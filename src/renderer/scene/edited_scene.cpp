@@ -17,6 +17,7 @@ void EditedScene::set(gpu::Device& device, const Scene& scene) {
   try {
     merged_ = scene::mergedMesh(*scene_);
     motion_.emplace(device, *scene_, merged_);
+    followLighting();
   } catch (...) {
     scene_.reset();  // half a scene is none
     throw;
@@ -26,6 +27,18 @@ void EditedScene::set(gpu::Device& device, const Scene& scene) {
 const Scene& EditedScene::scene() const {
   if (!scene_) throw Error("no scene is set; call setScene first");
   return *scene_;
+}
+
+const Lighting& EditedScene::lighting() const {
+  scene();
+  return lighting_;
+}
+
+// Environments are large and seldom change.
+void EditedScene::followLighting() {
+  const Lighting& lighting = scene_->lighting;
+  if (suns_.environment != lighting.environment) suns_ = findSuns(lighting.environment);
+  lighting_ = withSuns(lighting, suns_);
 }
 
 Scene& EditedScene::edit() {
@@ -54,6 +67,7 @@ void EditedScene::setLighting(const Lighting& lighting) {
   ++changes_.lights;
   if (!sameSky(lighting, present)) ++changes_.sky;
   present = lighting;
+  followLighting();
 }
 
 void EditedScene::setMedium(std::size_t object, const Medium& medium) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "environment/suns.h"
 #include "opaline/scene.h"
 #include "renderer/motion/scene_motion.h"
 #include "renderer/scene/scene_changes.h"
@@ -31,6 +32,8 @@ class EditedScene {
   std::uint64_t number() const { return number_; }
 
   const Scene& scene() const;
+  /// Its lights and the suns of its environment, which then lacks them.
+  const Lighting& lighting() const;
   const Object& object(std::size_t index) const;
   const scene::MergedMesh& merged() const { return merged_; }
   SceneMotion& motion();
@@ -61,10 +64,13 @@ class EditedScene {
 
  private:
   Scene& edit();
+  void followLighting();
 
   std::uint64_t number_ = 0;
   std::uint64_t makings_ = 0;
   std::optional<Scene> scene_;
+  Suns suns_;
+  Lighting lighting_;
   scene::MergedMesh merged_;
   std::optional<SceneMotion> motion_;
   SceneChanges changes_;

@@ -13,7 +13,7 @@ PreparedScene::PreparedScene(gpu::Device& device, Passes& passes, LogCallback lo
 
 void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan, bool patient,
                             EditedScene& scene) {
-  const Lighting& lighting = scene.scene().lighting;
+  const Lighting& lighting = scene.lighting();
   const SceneNeeds needs = needsOf(options, plan, lighting);
   if (!resources_ || resources_->needs != needs)
     make(scene, needs, options.site);

@@ -18,8 +18,8 @@ using glm::vec4;
 #define OPALINE_CONSTANT const uint
 #endif
 
-OPALINE_CONSTANT maxLights = 16;
-OPALINE_CONSTANT maxShadowViews = 48;
+OPALINE_CONSTANT maxLights = 20;
+OPALINE_CONSTANT maxShadowViews = 52;
 OPALINE_CONSTANT maxSamples = 8;
 
 /// Kinds of lights.
