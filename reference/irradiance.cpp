@@ -38,8 +38,8 @@ Arriving arrivingFrom(bool isPoint, const Vector& place, const Vector& position)
 }  // namespace
 
 Irradiance::Irradiance(const Geometry& geometry) : geometry_(geometry) {
-  const Lighting& given = geometry.scene().lighting;
-  const Lighting lighting = withSuns(given, findSuns(given.environment));
+  Lighting lighting = geometry.scene().lighting;
+  separate(findSuns(lighting.environment), lighting);
   for (const DirectionalLight& light : lighting.directional) {
     lights_.push_back(
         {false, unitOr(toVector(light.directionToLight), {0, 0, 1}), toColour(light.irradiance)});

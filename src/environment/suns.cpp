@@ -194,7 +194,7 @@ DirectionalLight lightOf(const Spot& sun) {
 }  // namespace
 
 Suns findSuns(std::shared_ptr<const Image> environment) {
-  Suns suns{{}, environment, environment};
+  Suns suns{{}, environment};
   if (!environment || environment->width == 0 || environment->height == 0) return suns;
   SunFinder finder(*environment);
   const std::vector<Spot> found = finder.find();
@@ -204,11 +204,9 @@ Suns findSuns(std::shared_ptr<const Image> environment) {
   return suns;
 }
 
-Lighting withSuns(const Lighting& lighting, const Suns& suns) {
-  Lighting all = lighting;
-  all.environment = suns.rest;
-  all.directional.insert(all.directional.end(), suns.lights.begin(), suns.lights.end());
-  return all;
+void separate(const Suns& suns, Lighting& lighting) {
+  lighting.environment = suns.rest;
+  lighting.directional.insert(lighting.directional.end(), suns.lights.begin(), suns.lights.end());
 }
 
 }  // namespace opaline

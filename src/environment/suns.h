@@ -12,9 +12,8 @@ constexpr std::size_t maxSuns = 4;
 
 /// An environment's suns, which cast shadows of their own, and what is left of it without them.
 struct Suns {
-  std::vector<DirectionalLight> lights;      ///< brightest first
-  std::shared_ptr<const Image> rest;         ///< the environment itself where it has no sun
-  std::shared_ptr<const Image> environment;  ///< that they are of
+  std::vector<DirectionalLight> lights;  ///< brightest first
+  std::shared_ptr<const Image> rest;     ///< the environment itself where it has no sun
 };
 
 /// A sun is a connected part of the environment, at most 10° wide, that is more than 30 times as
@@ -23,8 +22,7 @@ struct Suns {
 /// the sun's.
 Suns findSuns(std::shared_ptr<const Image> environment);
 
-/// The same light with the suns of its environment among the directional lights. `suns` are of that
-/// environment.
-Lighting withSuns(const Lighting& lighting, const Suns& suns);
+/// Puts the suns of a light's environment, which these are, among its directional lights.
+void separate(const Suns& suns, Lighting& lighting);
 
 }  // namespace opaline

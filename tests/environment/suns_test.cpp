@@ -141,9 +141,9 @@ TEST(Suns, JoinTheOtherLights) {
   lighting.directional.resize(2);
   lighting.environment = skyWith({{unit(1, 0, 0), pi / 90, 5000}});
   const Suns suns = findSuns(lighting.environment);
-  const Lighting all = withSuns(lighting, suns);
-  ASSERT_EQ(all.directional.size(), 3U);
-  EXPECT_EQ(all.environment, suns.rest);
+  separate(suns, lighting);
+  ASSERT_EQ(lighting.directional.size(), 3U);
+  EXPECT_EQ(lighting.environment, suns.rest);
 }
 
 }  // namespace

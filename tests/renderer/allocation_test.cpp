@@ -147,13 +147,14 @@ TEST(AllocationTest, LightsThatMoveAllocateNothing) {
   Scene scene = moving();
   scene.lighting.environment = std::make_shared<const Image>(64, 32);
   renderer.setScene(scene);
-  EXPECT_EQ(scene.lighting.environment.use_count(), 2);
+  const long owners = scene.lighting.environment.use_count();
+  EXPECT_GT(owners, 1);
   const auto drag = [&] {
     scene.lighting.points[0].positionMm[1] += 1;
     renderer.setLighting(scene.lighting);
   };
   EXPECT_EQ(allocationsOfSteadyFrames(renderer, tinyOptions(), {}, drag), 0U);
-  EXPECT_EQ(scene.lighting.environment.use_count(), 2);
+  EXPECT_EQ(scene.lighting.environment.use_count(), owners);
 }
 
 TEST(AllocationTest, GivenPositionsAllocateNothing) {

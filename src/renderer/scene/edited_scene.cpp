@@ -17,7 +17,8 @@ void EditedScene::set(gpu::Device& device, const Scene& scene) {
   try {
     merged_ = scene::mergedMesh(*scene_);
     motion_.emplace(device, *scene_, merged_);
-    followLighting();
+    suns_ = findSuns(scene_->lighting.environment);
+    separateSuns();
   } catch (...) {
     scene_.reset();  // half a scene is none
     throw;
@@ -34,11 +35,9 @@ const Lighting& EditedScene::lighting() const {
   return lighting_;
 }
 
-// Environments are large and seldom change.
-void EditedScene::followLighting() {
-  const Lighting& lighting = scene_->lighting;
-  if (suns_.environment != lighting.environment) suns_ = findSuns(lighting.environment);
-  lighting_ = withSuns(lighting, suns_);
+void EditedScene::separateSuns() {
+  lighting_ = scene_->lighting;
+  separate(suns_, lighting_);
 }
 
 Scene& EditedScene::edit() {
@@ -66,8 +65,10 @@ void EditedScene::setLighting(const Lighting& lighting) {
   Lighting& present = edit().lighting;
   ++changes_.lights;
   if (!sameSky(lighting, present)) ++changes_.sky;
+  // Environments are large and seldom change.
+  if (lighting.environment != present.environment) suns_ = findSuns(lighting.environment);
   present = lighting;
-  followLighting();
+  separateSuns();
 }
 
 void EditedScene::setMedium(std::size_t object, const Medium& medium) {

@@ -64,7 +64,7 @@ class EditedScene {
 
  private:
   Scene& edit();
-  void followLighting();
+  void separateSuns();
 
   std::uint64_t number_ = 0;
   std::uint64_t makings_ = 0;
