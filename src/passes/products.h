@@ -178,7 +178,6 @@ struct Solver {
   gpu::Buffer products;   ///< vec4 a cluster
   gpu::Buffer basis;      ///< vec4 a cluster for each step and one more
   gpu::Buffer sums;       ///< vec4, of tiles
-  gpu::Buffer arrived;    ///< tiles that a step has done, of each
   gpu::Buffer states;     ///< shared::SolverState, of every solution of a frame
 };
 

@@ -21,6 +21,7 @@ std::uint32_t groupsOf(std::uint32_t invocations) {
 SolverPass::SolverPass(gpu::Device& device)
     : densities_(device, "densities"),
       product_(device, "product"),
+      step_(device, "step of the solver"),
       exitance_(device, "exitance of clusters") {}
 
 Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
@@ -34,8 +35,6 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
       makeRoom<shared::vec4>(device, "basis of the solver", count * (shared::maxSolverSteps + 1));
   solver.sums = makeRoom<shared::vec4>(
       device, "sums of the solver", std::size_t{clusters.tileCount} * (shared::maxSolverSteps + 1));
-  solver.arrived =
-      makeRoom<std::uint32_t>(device, "tiles that are done", shared::maxSolverSteps + 1);
   solver.states = makeRoom<shared::SolverState>(device, "states of the solver", solutions);
   return solver;
 }
@@ -43,7 +42,6 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
 void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTables& tables,
                         Clusters& clusters, Solver& solver) const {
   commands.beginPass("solve");
-  commands.fill(solver.arrived, 0);
   multiply(commands, order, 0, tables, clusters, solver);
   for (std::uint32_t step = 1; step <= std::min(order.steps, shared::maxSolverSteps); ++step) {
     findDensities(commands, order, tables, clusters, solver);
@@ -84,7 +82,8 @@ void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, S
   commands.dispatchLinear(groupSize * (alone + clusters.innerCount - clusters.smallInnerCount));
 }
 
-// The operator on the last vector of the basis; in step 0 the sources themselves.
+// The operator on the last vector of the basis, or in step 0 the sources themselves; then what that
+// says of the solution.
 void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                           SceneTables& tables, Clusters& clusters, Solver& solver) const {
   commands.bind(product_,
@@ -101,15 +100,19 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                  .basis = solver.basis,
                  .products = solver.products,
                  .sums = solver.sums,
-                 .states = solver.states,
-                 .arrived = solver.arrived},
+                 .states = solver.states},
                 {.tileCount = clusters.tileCount,
                  .clusterCount = clusters.count,
                  .openingAngle = order.openingAngle,
-                 .tolerance = order.tolerance,
                  .step = step,
                  .solution = order.solution});
   commands.dispatchLinear(invocationsOfTiles(clusters), step > 0 ? roundsOfWalk : 1);
+  commands.bind(step_, {.sums = solver.sums, .states = solver.states},
+                {.tileCount = clusters.tileCount,
+                 .tolerance = order.tolerance,
+                 .step = step,
+                 .solution = order.solution});
+  commands.dispatchLinear(groupSize);
 }
 
 }  // namespace opaline::passes

@@ -9,6 +9,7 @@
 #include "shaders/boundary/densities.comp.h"
 #include "shaders/boundary/exitance.comp.h"
 #include "shaders/boundary/product.comp.h"
+#include "shaders/boundary/solver_step.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -45,6 +46,7 @@ class SolverPass {
 
   gpu::Compute<shaders::BoundaryDensities> densities_;
   gpu::Compute<shaders::BoundaryProduct> product_;
+  gpu::Compute<shaders::BoundarySolverStep> step_;
   gpu::Compute<shaders::BoundaryExitance> exitance_;
 };
 

@@ -1,7 +1,8 @@
 // The operator of the boundary's equation on a fluence:
 //   c_i φ_i + S_ii φ_i / 2A + Σ_j [S_ij / 2A + K_ij] φ_j,  S = e^{-σr} / 4πDr,
 //   K_ij φ_j = -(1 + σr) e^{-σr} (x_j - x_i)·A_j φ_j / 4πr³, single clusters covering what a disc does.
-// With it a step of the solver ends. The first, step 0, takes the sources instead of the product.
+// With its inner products, weighted by area: with each vector of the basis so far, then with itself, one
+// sum a tile. The first step, 0, takes the sources instead of the product.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -21,20 +22,19 @@ layout(set = 0, binding = 8) uniform samplerBuffer densities;  // DensityNode
 layout(std430, set = 0, binding = 9) readonly buffer Sources { vec4 sources[]; };
 layout(std430, set = 0, binding = 10) readonly buffer Basis { vec4 basis[]; };
 layout(std430, set = 0, binding = 11) writeonly buffer Products { vec4 products[]; };
-layout(std430, set = 0, binding = 12) coherent buffer Sums { vec4 sums[]; };  // of each tile
-layout(std430, set = 0, binding = 13) coherent buffer States { SolverState states[]; };
-layout(std430, set = 0, binding = 14) coherent buffer Arrived { uint arrived[]; };  // tiles, in each step
+layout(std430, set = 0, binding = 12) writeonly buffer Sums { vec4 sums[]; };  // of each tile
+layout(std430, set = 0, binding = 13) readonly buffer States { SolverState states[]; };
 
 layout(push_constant) uniform Push {
   uint tileCount;
   uint clusterCount;
   float openingAngle;
-  float tolerance;  // of the residual, relative to the sources
-  uint step;        // skipped when the solver is done
+  uint step;  // skipped when the solver is done
   uint solution;
 };
 
-#include "lib/solver_step.glsl"
+shared vec3 tileProducts[maxClustersOfTile];
+shared vec3 innerTerms[maxSolverSteps + 1u][maxClustersOfTile];  // of inner products
 
 // A node, as every cluster of the tile needs it.
 struct ActingNode {
@@ -127,6 +127,23 @@ vec3 productOf(uint i, vec3 sum) {
   return sum / (4.0 * pi) + fluence * (cluster.vectorArea.w + own / (2.0 * medium.diffusion.w));
 }
 
+// Of the tile's clusters, an invocation for each and each vector.
+void putInnerProducts() {
+  uint t = gl_LocalInvocationIndex % maxClustersOfTile;
+  uint cluster = min(tile.firstCluster + t, tile.endCluster - 1u);
+  vec3 weighted = clusters[cluster].centroidArea.w * tileProducts[t];
+  const uint atOnce = invocationsOfTile / maxClustersOfTile;
+  for (uint k = gl_LocalInvocationIndex / maxClustersOfTile; k <= step; k += atOnce)
+    innerTerms[k][t] =
+        weighted * (k < step ? basis[k * clusterCount + cluster].rgb : tileProducts[t]);
+  barrier();
+  uint k = gl_LocalInvocationIndex;
+  if (k > step) return;
+  vec3 sum = vec3(0.0);
+  [[unroll]] for (uint i = 0u; i < maxClustersOfTile; ++i) sum += innerTerms[k][i];
+  sums[tileIndex * (maxSolverSteps + 1u) + k] = vec4(sum, 0.0);
+}
+
 void main() {
   if (step > 0u && states[solution].done != 0u) return;
   if (!enterTile(tileCount)) return;
@@ -142,5 +159,7 @@ void main() {
     product = step > 0u ? productOf(i, sum) : sources[i].rgb;
     products[i] = vec4(product, 0.0);
   }
-  endStep(product);
+  if (target < maxClustersOfTile) tileProducts[target] = product;
+  barrier();
+  putInnerProducts();
 }

@@ -1,35 +1,30 @@
-// The end of a step of generalised minimal residuals (Saad and Schultz 1986), each channel by itself:
-// inner products, weighted by area, of the product with each vector of the basis so far and with
-// itself; from these what makes it orthogonal to the basis (Gram and Schmidt), and the residual by
-// Givens rotations. The work group of the last tile to get here does what needs those of all. Needs
-// lib/cluster_tile.glsl and `basis`, `sums`, `states` and `arrived` before it, the last three coherent.
-#ifndef OPALINE_LIB_SOLVER_STEP
-#define OPALINE_LIB_SOLVER_STEP
+// The end of a step of generalised minimal residuals (Saad and Schultz 1986), each channel by itself: from
+// the inner products what makes the last product orthogonal to the basis (Gram and Schmidt), and the
+// residual by Givens rotations. One work group.
+#version 460
+#extension GL_GOOGLE_include_directive : require
 #include "lib/group_sum.glsl"
+#include "lib/linear.glsl"
 #include "lib/over_or_0.glsl"
+#include "shared/boundary.h"
+
+layout(std430, set = 0, binding = 0) readonly buffer Sums { vec4 sums[]; };  // of tiles
+layout(std430, set = 0, binding = 1) buffer States { SolverState states[]; };
+
+layout(push_constant) uniform Push {
+  uint tileCount;
+  float tolerance;  // of the residual, relative to the sources
+  uint step;        // skipped when the solver is done
+  uint solution;
+};
 
 // What is left of a vector, relative to what it was and squared, when rounding may have made it: some
 // roundings of sums of single precision.
 const float leastLeft2 = 1.0 / float(1u << 21u);
 
-shared vec3 tileProducts[maxClustersOfTile];
-shared bool isLast;
-
-void putInnerProducts() {
-  uint k = gl_LocalInvocationIndex;
-  if (k > step) return;
-  vec3 sum = vec3(0.0);
-  for (uint t = 0u; t < maxClustersOfTile; ++t) {
-    uint cluster = min(tile.firstCluster + t, tile.endCluster - 1u);
-    vec3 other = k < step ? basis[k * clusterCount + cluster].rgb : tileProducts[t];
-    sum += targets[t].w * tileProducts[t] * other;
-  }
-  sums[tileIndex * (maxSolverSteps + 1u) + k] = vec4(sum, 0.0);
-}
-
 vec3 total(uint k) {
   vec3 sum = vec3(0.0);
-  for (uint t = gl_LocalInvocationIndex; t < tileCount; t += invocationsOfTile)
+  for (uint t = gl_LocalInvocationIndex; t < tileCount; t += gl_WorkGroupSize.x)
     sum += sums[t * (maxSolverSteps + 1u) + k].rgb;
   return groupSum(sum);
 }
@@ -77,8 +72,8 @@ void rotate(vec3 column[maxSolverSteps + 1u], vec3 hidden) {
   setDone(toGo);
 }
 
-// Of all tiles.
-void orthogonalise() {
+void main() {
+  if (step > 0u && states[solution].done != 0u) return;
   vec3 column[maxSolverSteps + 1u];
   vec3 left2 = total(step);
   vec3 all2 = left2;
@@ -95,20 +90,3 @@ void orthogonalise() {
   else
     rotate(column, mix(vec3(0.0), sqrt(leastLeft2 * all2), rounded));
 }
-
-// Every invocation of the tile's group calls it, those that there are clusters for with their products.
-void endStep(vec3 product) {
-  uint i = gl_LocalInvocationIndex;
-  if (i < maxClustersOfTile) tileProducts[i] = product;
-  barrier();
-  putInnerProducts();
-  memoryBarrierBuffer();
-  barrier();
-  if (i == 0u) isLast = atomicAdd(arrived[step], 1u) + 1u == tileCount;
-  barrier();
-  if (!isLast) return;
-  memoryBarrierBuffer();
-  orthogonalise();
-}
-
-#endif
