@@ -43,7 +43,8 @@ struct Spot {
   std::vector<Place> pixels;
   std::array<double, 3> towards{};  // unit
   double radius = 0;                // angle: of a disc whose mean direction is as long
-  Colour irradiance{};              // on a surface that faces it
+  Colour around{};                  // radiance
+  Colour irradiance{};              // on a surface that faces it, above that
 };
 
 class SunFinder {
@@ -65,7 +66,10 @@ class SunFinder {
     for (int y = 0; y < image_.height; ++y)
       for (int x = 0; x < image_.width; ++x) {
         if (!isBright({x, y}) || wasSeen({x, y})) continue;
-        Spot spot = measured(connectedTo({x, y}));
+        std::vector<Place> pixels = connectedTo({x, y});
+        // There may be very many that are too faint, and weighing one takes long.
+        if (!(grossLightOf(pixels) > leastPart * allLight_)) continue;
+        Spot spot = measured(std::move(pixels));
         if (spot.radius <= largestRadius) spots.push_back(std::move(spot));
       }
     for (Spot& spot : spots) weigh(spot);
@@ -80,11 +84,10 @@ class SunFinder {
   Image rest(const std::vector<Spot>& suns) const {
     Image rest = image_;
     for (const Spot& sun : suns) {
-      const Colour around = medianAround(sun);
       for (const Place& at : sun.pixels)
         for (std::size_t c = 0; c < 3; ++c) {
           float& value = rest.pixel(at.x, at.y)[c];
-          value = std::min(value, static_cast<float>(around[c]));
+          value = std::min(value, static_cast<float>(sun.around[c]));
         }
     }
     return rest;
@@ -127,6 +130,14 @@ class SunFinder {
     return found;
   }
 
+  // With what would be there without it.
+  double grossLightOf(const std::vector<Place>& pixels) const {
+    double sum = 0;
+    for (const Place& at : pixels)
+      sum += solidAngleOfRow_[index(at.y)] * luminance(image_.pixel(at.x, at.y));
+    return sum;
+  }
+
   Spot measured(std::vector<Place> pixels) const {
     std::array<double, 3> sum{};
     double all = 0;
@@ -144,11 +155,11 @@ class SunFinder {
   }
 
   void weigh(Spot& spot) const {
-    const Colour around = medianAround(spot);
+    spot.around = medianAround(spot);
     for (const Place& at : spot.pixels)
       for (std::size_t c = 0; c < 3; ++c)
         spot.irradiance[c] += solidAngleOfRow_[index(at.y)] *
-                              std::max(double{image_.pixel(at.x, at.y)[c]} - around[c], 0.0);
+                              std::max(double{image_.pixel(at.x, at.y)[c]} - spot.around[c], 0.0);
   }
 
   // Of pixels that are no candidates themselves, by channel; each stands for the same solid angle,

@@ -35,7 +35,6 @@ inline shaders::TreeletOrder treeletOrder(FittedTree& tree) {
 /// lib/treelets.glsl, for each stage, and dispatches it.
 template <typename Bind>
 void fitInnerNodes(gpu::CommandList& commands, const FittedTree& tree, const Bind& bind) {
-  constexpr std::uint32_t groupSize = 64;
   for (std::size_t stage = 0; stage + 1 < tree.firstOfStage.size(); ++stage) {
     const std::uint32_t first = tree.firstOfStage[stage];
     const std::uint32_t count = tree.firstOfStage[stage + 1] - first;

@@ -166,12 +166,6 @@ struct Clusters {
   gpu::Buffer exitancesOfSurfels;  ///< vec4 a surfel: of a half-space
 };
 
-/// Of a dispatch with a work group for each tile (lib/cluster_tile.glsl).
-inline std::uint32_t invocationsOfTiles(const Clusters& clusters) {
-  constexpr std::uint32_t ofTile = 64;
-  return ofTile * clusters.tileCount;
-}
-
 /// What the solver of boundary transport works with.
 struct Solver {
   gpu::Buffer densities;  ///< shared::DensityNode

@@ -136,6 +136,17 @@ TEST(Suns, AreNothingElse) {
   }
 }
 
+// Each of many bright pixels alone gives too little, and all are looked at soon.
+TEST(Suns, AreNotManySparks) {
+  auto sky = std::make_shared<Image>(2048, 1024);
+  for (int y = 0; y < sky->height; y += 16)
+    for (int x = 0; x < sky->width; x += 16) {
+      float* rgba = sky->pixel(x, y);
+      rgba[0] = rgba[1] = rgba[2] = 1000;
+    }
+  EXPECT_TRUE(findSuns(sky).lights.empty());
+}
+
 TEST(Suns, JoinTheOtherLights) {
   Lighting lighting;
   lighting.directional.resize(2);

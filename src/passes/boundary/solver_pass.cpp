@@ -10,8 +10,6 @@ namespace opaline::passes {
 
 namespace {
 
-constexpr std::uint32_t groupSize = 64;
-
 std::uint32_t groupsOf(std::uint32_t invocations) {
   return (invocations + groupSize - 1) / groupSize;
 }

@@ -21,6 +21,8 @@ namespace opaline::app::viewer {
 class Stage {
  public:
   Stage(Renderer& renderer, const VulkanDevice& window);
+  Stage(const Stage&) = delete;  // it points into itself
+  Stage& operator=(const Stage&) = delete;
 
   /// From now on it is this scene. Throws Error where the renderer refuses it, which then has the
   /// one before again, if there was one; what was placed in that is to be placed anew.
