@@ -27,12 +27,14 @@ struct Arriving {
   double falloff;
 };
 
-Arriving arrivingFrom(bool isPoint, const Vector& place, const Vector& position) {
-  if (!isPoint) return {place, std::numeric_limits<double>::infinity(), 1};
-  const Vector offset = place - position;
+template <typename Light>
+Arriving arrivingFrom(const Light& light, const Vector& position) {
+  if (!light.isPoint) return {light.place, std::numeric_limits<double>::infinity(), 1};
+  const Vector offset = light.place - position;
   const double squared = std::max(dot(offset, offset), 1e-12);
   const double distance = std::sqrt(squared);
-  return {(1 / distance) * offset, distance, 1 / squared};
+  const Vector direction = (1 / distance) * offset;
+  return {direction, distance, light.falloff(-dot(direction, light.axis)) / squared};
 }
 
 }  // namespace
@@ -46,6 +48,10 @@ Irradiance::Irradiance(const Geometry& geometry) : geometry_(geometry) {
   }
   for (const PointLight& light : lighting.points) {
     lights_.push_back({true, toVector(light.positionMm), toColour(light.intensity)});
+  }
+  for (const SpotLight& light : lighting.spots) {
+    lights_.push_back({true, toVector(light.positionMm), toColour(light.intensity),
+                       unitOr(toVector(light.direction), {0, 0, -1}), falloffOf(light)});
   }
   const ShCoefficients radiance = projectSky(lighting);
   for (const Body& body : geometry.scene().bodies) {
@@ -67,10 +73,10 @@ Colour Irradiance::operator()(const SurfacePoint& point) const {
   const Vector outside =
       dot(point.facetNormal, point.shadingNormal) < 0 ? -point.facetNormal : point.facetNormal;
   for (const Light& light : lights_) {
-    const Arriving arriving = arrivingFrom(light.isPoint, light.place, point.position);
+    const Arriving arriving = arrivingFrom(light, point.position);
     const double cosine = std::min(dot(point.shadingNormal, arriving.direction), 1.0);
     // What lies behind its own facet is in the body's shadow.
-    if (cosine <= 0 || dot(outside, arriving.direction) <= 0) continue;
+    if (cosine <= 0 || dot(outside, arriving.direction) <= 0 || arriving.falloff <= 0) continue;
     if (geometry_.occluded(point, arriving.direction, arriving.distanceMm)) continue;
     const double entering =
         cosine * (1 - bssrdf::fresnelReflectance(ambient.eta, cosine)) * arriving.falloff;
@@ -83,7 +89,7 @@ Colour Irradiance::facing(const SurfacePoint& point) const {
   const Ambient& ambient = ambients_[ambientOf_[point.body]];
   Colour sum = ambientIrradiance(ambient.radiance, ambient.kernel, toFloat(point.shadingNormal));
   for (const Light& light : lights_) {
-    const Arriving arriving = arrivingFrom(light.isPoint, light.place, point.position);
+    const Arriving arriving = arrivingFrom(light, point.position);
     for (std::size_t c = 0; c < 3; ++c) sum[c] += light.power[c] * arriving.falloff;
   }
   return sum;

@@ -3,14 +3,15 @@
 #include <vector>
 
 #include "environment/spherical_harmonics.h"
+#include "lights/spot.h"
 #include "reference/geometry.h"
 #include "reference/vector.h"
 
 namespace opaline::reference {
 
-/// Irradiance that enters the surface (physics of Gong et al. 2008, Eq. 7 and 9): directional and
-/// point lights with exact Fresnel transmittance and exact shadows; ambient light and environment
-/// unshadowed, by spherical harmonics of bands 0-2.
+/// Irradiance that enters the surface (physics of Gong et al. 2008, Eq. 7 and 9): directional,
+/// point and spot lights with exact Fresnel transmittance and exact shadows; ambient light and
+/// environment unshadowed, by spherical harmonics of bands 0-2.
 class Irradiance {
  public:
   explicit Irradiance(const Geometry& geometry);
@@ -27,6 +28,8 @@ class Irradiance {
     bool isPoint = false;
     Vector place{};  ///< unit direction to it, or position in mm
     Colour power{};  ///< irradiance, or intensity
+    Vector axis{};   ///< where a spot light shines to
+    SpotFalloff falloff{};
   };
   struct Ambient {
     double eta = 0;

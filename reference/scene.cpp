@@ -67,8 +67,18 @@ void requireSound(const Lighting& lighting) {
   const bool points = std::all_of(
       lighting.points.begin(), lighting.points.end(),
       [](const PointLight& light) { return finite(light.positionMm) && isPower(light.intensity); });
-  if (!directional || !points || !isPower(lighting.ambient)) {
-    throw Error("every light must have a direction or a place and power of at least 0");
+  const bool spots =
+      std::all_of(lighting.spots.begin(), lighting.spots.end(), [](const SpotLight& light) {
+        return finite(light.positionMm) && finite(light.direction) &&
+               length(toVector(light.direction)) > 0 && isPower(light.intensity) &&
+               light.innerDegrees >= 0 && light.innerDegrees <= light.outerDegrees &&
+               light.outerDegrees > 0 && light.outerDegrees <= 90;
+      });
+  if (!directional || !points || !spots || !isPower(lighting.ambient)) {
+    throw Error(
+        "every light must have a direction or a place, a cone of at most 90 degrees where it has "
+        "one, "
+        "and power of at least 0");
   }
 }
 

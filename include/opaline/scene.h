@@ -45,13 +45,28 @@ struct PointLight {
   Rgb intensity{1, 1, 1};  ///< in [0, 1e30]
 };
 
+/// A point light that shines into a cone. From the inner to the outer angle it falls off as
+/// KHR_lights_punctual of glTF has it.
+struct SpotLight {
+  Vec3 positionMm{};
+  Vec3 direction{0, 0, -1};  ///< unit, away from the light
+  Rgb intensity{1, 1, 1};    ///< along the axis, in [0, 1e30]
+  float innerDegrees = 0;    ///< from the axis, in [0, outerDegrees]; as bright as there up to here
+  float outerDegrees = 45;   ///< from the axis, in (0, 90]; dark from here on
+};
+
+/// 1 up to 50 outer degrees, 6 beyond.
+std::size_t shadowMapsOf(const SpotLight& light);
+
 /// Everything that shines.
 struct Lighting {
   static constexpr std::size_t maxLights = 16;
-  static constexpr std::size_t maxShadowMaps = 48;  ///< 1 a directional light, 6 a point light
+  /// 1 a directional light, 6 a point light, 1 or 6 a spot light.
+  static constexpr std::size_t maxShadowMaps = 48;
 
   std::vector<DirectionalLight> directional;
   std::vector<PointLight> points;
+  std::vector<SpotLight> spots;
   Rgb ambient{};  ///< radiance, the same from all directions, in [0, 1e30]
   /// Radiance, latitude-longitude; the top row is +y, the centre column −z, and u grows towards +x.
   /// Null: no environment. Copies share it and it never changes: another picture is another object.
@@ -70,6 +85,7 @@ struct Camera {
 /// Why the lights, or the camera, cannot be rendered, as a sentence; empty if they can.
 std::string complaintAbout(const DirectionalLight& light);
 std::string complaintAbout(const PointLight& light);
+std::string complaintAbout(const SpotLight& light);
 std::string complaintAbout(const Lighting& lighting);
 std::string complaintAbout(const Camera& camera);
 

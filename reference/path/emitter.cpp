@@ -24,23 +24,35 @@ Emitter::Emitter(const Scene& scene, int channel) {
   const auto c = static_cast<std::size_t>(channel);
   const double disc = pi * radiusMm_ * radiusMm_;
   for (const DirectionalLight& light : scene.lighting.directional)
-    add(Kind::Directional, unitOr(toVector(light.directionToLight), {0, 0, 1}), -1,
+    add({Kind::Directional, unitOr(toVector(light.directionToLight), {0, 0, 1})},
         double{light.irradiance[c]} * disc);
   for (const PointLight& light : scene.lighting.points) {
     const Vector position = toVector(light.positionMm);
-    const double distance = length(position - centre_);
-    const double ratio = radiusMm_ / distance;
-    const double cosine = distance > radiusMm_ ? std::sqrt(1 - ratio * ratio) : -1;
-    add(Kind::Point, position, cosine, double{light.intensity[c]} * 2 * pi * (1 - cosine));
+    const double cosine = cosineOfScene(position);
+    add({Kind::Point, position, cosine}, double{light.intensity[c]} * 2 * pi * (1 - cosine));
   }
-  add(Kind::Ambient, {}, -1, double{scene.lighting.ambient[c]} * pi * 4 * disc);
+  for (const SpotLight& light : scene.lighting.spots) {
+    const Vector position = toVector(light.positionMm);
+    const double cosine = cosineOfScene(position);
+    const Vector axis = unitOr(toVector(light.direction), {0, 0, -1});
+    add({Kind::Point, position, cosine, 0, axis, falloffOf(light)},
+        double{light.intensity[c]} * 2 * pi * (1 - cosine));
+  }
+  add({Kind::Ambient}, double{scene.lighting.ambient[c]} * pi * 4 * disc);
   if (scene.lighting.environment) addEnvironment(*scene.lighting.environment, channel);
 }
 
-void Emitter::add(Kind kind, const Vector& place, double cosine, double flux) {
+void Emitter::add(Source source, double flux) {
   if (!(flux > 0)) return;
   flux_ += flux;
-  sources_.push_back({kind, place, cosine, flux_});
+  source.fluxSoFar = flux_;
+  sources_.push_back(source);
+}
+
+double Emitter::cosineOfScene(const Vector& position) const {
+  const double distance = length(position - centre_);
+  const double ratio = radiusMm_ / distance;
+  return distance > radiusMm_ ? std::sqrt(1 - ratio * ratio) : -1;
 }
 
 void Emitter::addEnvironment(const Image& image, int channel) {
@@ -56,7 +68,7 @@ void Emitter::addEnvironment(const Image& image, int channel) {
       pixelsSoFar_.push_back(sum);
     }
   }
-  add(Kind::Environment, {}, -1, sum * pi * radiusMm_ * radiusMm_);
+  add({Kind::Environment}, sum * pi * radiusMm_ * radiusMm_);
 }
 
 Flight Emitter::throughDisc(const Vector& toLight, Random& random) const {
@@ -71,7 +83,14 @@ Flight Emitter::throughDisc(const Vector& toLight, Random& random) const {
 Flight Emitter::fromPoint(const Source& source, Random& random) const {
   const double cosine = 1 - random() * (1 - source.cosine);
   const double angle = 2 * pi * random();
-  return {source.place, around(unitOr(centre_ - source.place, {0, 0, 1}), cosine, angle)};
+  const Vector direction = around(unitOr(centre_ - source.place, {0, 0, 1}), cosine, angle);
+  const double part = source.falloff(dot(direction, source.axis));
+  if (part < 1 && random() >= part) return nowhere();
+  return {source.place, direction};
+}
+
+Flight Emitter::nowhere() const {
+  return {centre_ + Vector{0, 0, 2 * radiusMm_}, {0, 0, 1}};
 }
 
 // Uniform radiance through a sphere: uniform places, directions by the cosine.

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lights/spot.h"
 #include "reference/geometry.h"
 #include "reference/path/walk.h"
 
@@ -9,7 +10,8 @@ namespace opaline::reference {
 
 /// All lights of a scene in one channel, as a source of particles of equal flux. Directional lights
 /// and the environment shine on a disc that hides the ball around the scene, point lights into the
-/// cone that holds it, constant ambient light through its whole surface.
+/// cone that holds it, spot lights into that part of it which is in their own, constant ambient
+/// light through its whole surface.
 class Emitter {
  public:
   Emitter(const Scene& scene, int channel);
@@ -26,12 +28,18 @@ class Emitter {
     Vector place{};        ///< direction to the light, or its position
     double cosine = -1;    ///< of the cone around the direction to the scene
     double fluxSoFar = 0;  ///< of this and all before
+    Vector axis{};         ///< where a spot light shines to
+    SpotFalloff falloff{};
   };
 
-  void add(Kind kind, const Vector& place, double cosine, double flux);
+  void add(Source source, double flux);
+  /// The cone from there that holds the scene.
+  double cosineOfScene(const Vector& position) const;
   void addEnvironment(const Image& image, int channel);
   Flight throughDisc(const Vector& toLight, Random& random) const;
   Flight fromPoint(const Source& source, Random& random) const;
+  /// Starts behind the scene and leaves it.
+  Flight nowhere() const;
   Flight fromAround(Random& random) const;
   Vector environmentDirection(Random& random) const;
 

@@ -34,6 +34,7 @@ std::uint64_t PathTracer::fingerprint() const {
   const Lighting& lighting = geometry_.scene().lighting;
   print.add(lighting.directional);
   print.add(lighting.points);
+  print.add(lighting.spots);
   print.add(lighting.ambient);
   if (lighting.environment) {
     print.add(lighting.environment->width);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "environment/sky.h"
+#include "lights/spot.h"
 
 namespace opaline {
 
@@ -47,8 +48,17 @@ Beam beamOf(const PointLight& light, const Vec3& middle, double leastDistanceMm)
   return beam;
 }
 
+Beam beamOf(const SpotLight& light, const Vec3& middle, double leastDistanceMm) {
+  Beam beam = beamOf(PointLight{light.positionMm, light.intensity}, middle, leastDistanceMm);
+  const double cosine =
+      -dot(beam.toLight, light.direction) / std::sqrt(dot(light.direction, light.direction));
+  for (double& channel : beam.irradiance) channel *= falloffOf(light)(cosine);
+  return beam;
+}
+
 std::vector<Beam> beamsOf(const Scene& scene) {
   const Vec3 middle = middleOf(boundsOf(scene));
+  const double leastDistanceMm = 0.5 * double{diagonalMm(scene)};
   std::vector<Beam> beams;
   for (const DirectionalLight& light : scene.lighting.directional) {
     const Rgb& irradiance = light.irradiance;
@@ -56,7 +66,9 @@ std::vector<Beam> beamsOf(const Scene& scene) {
                      {double{irradiance[0]}, double{irradiance[1]}, double{irradiance[2]}}});
   }
   for (const PointLight& light : scene.lighting.points)
-    beams.push_back(beamOf(light, middle, 0.5 * double{diagonalMm(scene)}));
+    beams.push_back(beamOf(light, middle, leastDistanceMm));
+  for (const SpotLight& light : scene.lighting.spots)
+    beams.push_back(beamOf(light, middle, leastDistanceMm));
   return beams;
 }
 

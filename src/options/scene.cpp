@@ -65,6 +65,19 @@ const std::vector<Field<PointLight>>& fieldsOf() {
 }
 
 template <>
+const std::vector<Field<SpotLight>>& fieldsOf() {
+  static const std::vector<Field<SpotLight>> table{
+      field<SpotLight, &SpotLight::intensity>("intensity", {power},
+                                              "irradiance at 1 mm, on its axis"),
+      field<SpotLight, &SpotLight::innerDegrees>("inner_degrees", {{0, 90, "degrees"}},
+                                                 "from its axis, where it begins to fall off"),
+      field<SpotLight, &SpotLight::outerDegrees>("outer_degrees", {{0, 90, "degrees", true}},
+                                                 "from its axis, where it ends"),
+  };
+  return table;
+}
+
+template <>
 const std::vector<Field<Lighting>>& fieldsOf() {
   static const std::vector<Field<Lighting>> table{
       field<Lighting, &Lighting::ambient>("radiance", {power}, "radiance from everywhere"),
@@ -119,6 +132,8 @@ std::string complaintAbout(const Deformer& deformer) {
 
 namespace {
 
+constexpr std::size_t mapsOfCube = 6;
+
 bool isFinite(const Vec3& v) {
   return std::all_of(v.begin(), v.end(), [](float x) { return std::isfinite(x); });
 }
@@ -147,21 +162,43 @@ std::string complaintAbout(const PointLight& light) {
   return options::complaintAboutFields(light);
 }
 
+std::string complaintAbout(const SpotLight& light) {
+  if (!isFinite(light.positionMm)) return "its position must be finite";
+  if (!isFinite(light.direction) || light.direction == Vec3{})
+    return "its direction must be finite and not zero";
+  std::string complaint = options::complaintAboutFields(light);
+  if (complaint.empty() && light.innerDegrees > light.outerDegrees)
+    complaint = fmt::format("inner_degrees {}: must not be above outer_degrees, which is {}",
+                            light.innerDegrees, light.outerDegrees);
+  return complaint;
+}
+
+std::size_t shadowMapsOf(const SpotLight& light) {
+  constexpr float widestView = 50;  // degrees; of wider ones the rim has few texels
+  return light.outerDegrees <= widestView ? 1 : mapsOfCube;
+}
+
 std::string complaintAbout(const Lighting& lighting) {
   const std::size_t directional = lighting.directional.size();
   const std::size_t points = lighting.points.size();
-  if (directional + points > Lighting::maxLights ||
-      directional + 6 * points > Lighting::maxShadowMaps)
+  const std::size_t spots = lighting.spots.size();
+  std::size_t maps = directional + mapsOfCube * points;
+  for (const SpotLight& light : lighting.spots) maps += shadowMapsOf(light);
+  if (directional + points + spots > Lighting::maxLights || maps > Lighting::maxShadowMaps)
     return fmt::format(
-        "there are {} directional and {} point lights, but there may be {} lights in all and {} "
-        "shadow maps, 1 for a directional and 6 for a point light",
-        directional, points, Lighting::maxLights, Lighting::maxShadowMaps);
+        "there are {} directional, {} point and {} spot lights, which need {} shadow maps, but "
+        "there may be {} lights in all and {} shadow maps, 1 for a directional light, 6 for a "
+        "point light and 1 for a spot light, or 6 where its outer angle is above 50 degrees",
+        directional, points, spots, maps, Lighting::maxLights, Lighting::maxShadowMaps);
   for (const DirectionalLight& light : lighting.directional)
     if (std::string complaint = complaintAbout(light); !complaint.empty())
       return "a directional light: " + complaint;
   for (const PointLight& light : lighting.points)
     if (std::string complaint = complaintAbout(light); !complaint.empty())
       return "a point light: " + complaint;
+  for (const SpotLight& light : lighting.spots)
+    if (std::string complaint = complaintAbout(light); !complaint.empty())
+      return "a spot light: " + complaint;
   std::string complaint = options::complaintAboutFields(lighting);
   return complaint.empty() ? complaint : "the ambient light: " + complaint;
 }

@@ -16,6 +16,8 @@ template <>
 const std::vector<Field<DirectionalLight>>& fieldsOf();
 template <>
 const std::vector<Field<PointLight>>& fieldsOf();
+template <>
+const std::vector<Field<SpotLight>>& fieldsOf();
 
 template <>
 const std::vector<std::string_view>& namesOf<DeformerKind>();

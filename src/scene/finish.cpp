@@ -10,6 +10,7 @@
 #include "options/scene.h"
 #include "scene/formats.h"
 #include "scene/matrix.h"
+#include "scene/placed_lights.h"
 #include "scene/repair/repair.h"
 #include "scene/rig.h"
 #include "scene/text.h"
@@ -103,14 +104,7 @@ void scaleBy(RawScene& raw, double factor, const std::string& file) {
     }
     if (object.rig) finite = scaleRig(*object.rig, factor) && finite;
   }
-  for (PointLight& light : raw.lighting.points) {
-    scalePoint(light.positionMm, factor);
-    for (float& channel : light.intensity) {
-      channel = static_cast<float>(double{channel} * factor * factor);
-      finite = finite && std::isfinite(channel);
-    }
-    finite = finite && isFinite(light.positionMm);
-  }
+  finite = scaleLights(factor, raw.lighting) && finite;
   if (raw.camera) {
     scalePoint(raw.camera->positionMm, factor);
     scalePoint(raw.camera->targetMm, factor);

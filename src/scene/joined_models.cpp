@@ -63,6 +63,7 @@ void joinLights(RawScene& scene, RawScene& model) {
   scene.hasLights = true;
   append(scene.lighting.directional, std::move(model.lighting.directional));
   append(scene.lighting.points, std::move(model.lighting.points));
+  append(scene.lighting.spots, std::move(model.lighting.spots));
   for (std::size_t c = 0; c < 3; ++c) scene.lighting.ambient[c] += model.lighting.ambient[c];
 }
 

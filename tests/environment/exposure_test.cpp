@@ -104,6 +104,18 @@ TEST(Exposure, PointLightsCountAtTheMiddleOfTheBody) {
   EXPECT_NEAR(stopsAt({10, 0, 0}, 25 * 10 * piF), -2, hundredth);
 }
 
+TEST(Exposure, SpotLightsCountWhereTheyShine) {
+  Scene scene = emptyScene();
+  scene.objects.emplace_back().mesh.positionsMm = {{10, -3, -4}, {10, 3, 4}};
+  SpotLight light{
+      .positionMm = {30, 0, 0}, .direction = {-1, 0, 0}, .intensity = grey(400 * 10 * piF)};
+  scene.lighting.spots = {light};
+  EXPECT_NEAR(automaticExposureStops(scene), -2, hundredth);
+  light.direction = {1, 0, 0};
+  scene.lighting = {.spots = {light}, .ambient = grey(1)};
+  EXPECT_EQ(automaticExposureStops(scene), 0);
+}
+
 TEST(Exposure, IsFiniteForAnyLight) {
   EXPECT_EQ(stopsOf({}), 0);
   constexpr float most = std::numeric_limits<float>::max();

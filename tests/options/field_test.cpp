@@ -63,7 +63,7 @@ template <typename Owner>
 class Table : public testing::Test {};
 
 using Owners = testing::Types<PictureSettings, NamedSettings, Medium, Camera, DirectionalLight,
-                              PointLight, Lighting, Deformer, LoadOptions>;
+                              PointLight, SpotLight, Lighting, Deformer, LoadOptions>;
 TYPED_TEST_SUITE(Table, Owners);
 
 TYPED_TEST(Table, HasEachKeyOnce) {
@@ -176,9 +176,39 @@ TEST(Lights, AreRefusedWhereTheyMakeNoSense) {
   EXPECT_EQ(complaintAbout(lighting), "");
   lighting.points.emplace_back();
   EXPECT_THAT(complaintAbout(lighting), HasSubstr("48 shadow maps"));
+  lighting.points.pop_back();
+  lighting.spots.emplace_back();
+  EXPECT_THAT(complaintAbout(lighting), HasSubstr("need 49 shadow maps"));
   lighting.points.clear();
+  lighting.spots.assign(16, SpotLight{});
+  EXPECT_EQ(complaintAbout(lighting), "");
+  lighting.spots.emplace_back();
+  EXPECT_THAT(complaintAbout(lighting), HasSubstr("17 spot lights"));
+  lighting.spots.assign(9, SpotLight{.outerDegrees = 51});
+  EXPECT_THAT(complaintAbout(lighting), HasSubstr("need 54 shadow maps"));
+  lighting.spots.assign(1, SpotLight{.direction = {}});
+  EXPECT_EQ(complaintAbout(lighting), "a spot light: its direction must be finite and not zero");
+  lighting.spots.clear();
   lighting.ambient = {0, -1, 0};
   EXPECT_THAT(complaintAbout(lighting), HasSubstr("the ambient light: radiance 0,-1,0"));
+}
+
+TEST(SpotLights, AreRefusedWhereTheyMakeNoSense) {
+  EXPECT_EQ(complaintAbout(SpotLight{}), "");
+  EXPECT_THAT(complaintAbout(SpotLight{.positionMm = {0, std::nanf(""), 0}}), HasSubstr("finite"));
+  EXPECT_THAT(complaintAbout(SpotLight{.direction = {0, 0, std::nanf("")}}), HasSubstr("finite"));
+  EXPECT_THAT(complaintAbout(SpotLight{.direction = {}}), HasSubstr("not zero"));
+  EXPECT_THAT(complaintAbout(SpotLight{.intensity = {0, -1, 0}}), HasSubstr("intensity 0,-1,0"));
+  EXPECT_EQ(complaintAbout(SpotLight{.innerDegrees = 46}),
+            "inner_degrees 46: must not be above outer_degrees, which is 45");
+  EXPECT_EQ(complaintAbout(SpotLight{.innerDegrees = 45}), "");
+  EXPECT_EQ(complaintAbout(SpotLight{.innerDegrees = -1}),
+            "inner_degrees -1: must be from 0 to 90 degrees");
+  EXPECT_EQ(complaintAbout(SpotLight{.outerDegrees = 91}),
+            "outer_degrees 91: must be above 0 and at most 90 degrees");
+  EXPECT_THAT(complaintAbout(SpotLight{.outerDegrees = std::nanf("")}), HasSubstr("outer_degrees"));
+  EXPECT_EQ(shadowMapsOf({.outerDegrees = 50}), 1U);
+  EXPECT_EQ(shadowMapsOf({.outerDegrees = 50.1F}), 6U);
 }
 
 TEST(Deformers, HaveTheRangesOfTheirKinds) {

@@ -211,6 +211,30 @@ TEST(IntegralTest, PlaneUnderALamp) {
   }
 }
 
+// The same lamp with a cone of 40° to 60°: the cosine to its axis is H/√(H² + r²).
+TEST(IntegralTest, PlaneUnderASpotLight) {
+  const double height = 6;
+  auto scene = sceneOfBodies({bodyOf(sheet({0, 0, 0}, {100, 0, 0}, {0, 100, 0}, 8))});
+  scene.lighting.spots = {{{0, 0, 6}, {0, 0, -1}, {10, 10, 10}, 40, 60}};
+  const Solved solved(scene, Transport::Dipole, 1e-4);
+  const auto found = solved.at({0, 0, 0});
+  const double inner = std::cos(40 * pi / 180);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const DipoleByTheBook dipole(marble(), c);
+    const double exact = quadrature(
+        [&](double r) {
+          const double distance = std::hypot(r, height);
+          const double cosine = height / distance;
+          const double part = std::clamp((cosine - 0.5) / (inner - 0.5), 0.0, 1.0);
+          const double irradiance =
+              part * part * 10 * height / std::pow(distance, 3) * fresnelTransmittance(1.5, cosine);
+          return 2 * pi * r * irradiance * dipole(r);
+        },
+        0, 10.5);  // mm, where the cone ends
+    EXPECT_NEAR(found.value[c] / exact, 1, 2e-4) << "channel " << c;
+  }
+}
+
 // The pole of a ball that faces the sun: ∫ cos θ F_t R_d(2R sin θ/2) 2πR² sin θ dθ.
 TEST(IntegralTest, BallInTheSun) {
   constexpr double radius = 5;

@@ -222,6 +222,43 @@ TEST(PathTest, WhatEntersLeavesWithoutAbsorption) {
 
 // In the same light from everywhere a body that does not absorb cannot be told from its
 // surroundings: as much leaves it, through its surface or reflected off it, as falls on it.
+// As many particles meet a ball as light of a spot that shines past its rim falls on it.
+TEST(PathTest, ASpotLightShinesIntoItsCone) {
+  const double radius = 3;
+  const double distance = 10;
+  Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, static_cast<float>(radius), 5), 1, 0, 1.4));
+  // 5° beside the middle of the ball, which is seen under 17.5°.
+  const SpotLight light{{0, 0, 10}, {0.0871557F, 0, -0.9961947F}, {2, 2, 2}, 8, 20};
+  scene.lighting.spots = {light};
+  const Geometry geometry(scene);
+  const Emitter emitter(scene, 0);
+  constexpr int particles = 100'000;
+  int met = 0;
+  for (int i = 0; i < particles; ++i) {
+    Random random(5, static_cast<std::uint64_t>(i));
+    const Flight flight = emitter.emit(random);
+    if (geometry.closestHit(flight.origin, flight.direction)) ++met;
+  }
+  const auto cosineOf = [](double degrees) { return std::cos(degrees * pi / 180); };
+  const double least = std::sqrt(1 - radius * radius / (distance * distance));
+  double expected = 0;
+  constexpr int steps = 400;
+  for (int i = 0; i < steps; ++i) {
+    const double cosine = least + (1 - least) * (i + 0.5) / steps;
+    const double sine = std::sqrt(1 - cosine * cosine);
+    for (int k = 0; k < steps; ++k) {
+      const double across = sine * std::cos(2 * pi * (k + 0.5) / steps);
+      const double toAxis = across * 0.0871557 + cosine * 0.9961947;
+      const double part =
+          std::clamp((toAxis - cosineOf(20)) / (cosineOf(8) - cosineOf(20)), 0.0, 1.0);
+      expected += 2 * part * part * 2 * pi * (1 - least) / (steps * steps);
+    }
+  }
+  const double found = emitter.flux() * met / particles;
+  EXPECT_NEAR(found, expected, 4 * emitter.flux() * std::sqrt(double{particles}) / particles);
+  EXPECT_NEAR(found / expected, 1, 0.01);
+}
+
 TEST(PathTest, WhiteFurnace) {
   Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 2, 4), 2, 0, 1.3));
   scene.lighting.ambient = {1, 1, 1};

@@ -116,6 +116,49 @@ TEST_F(ShadowTest, OfAPointLightLiesWhereItShould) {
   EXPECT_NEAR(std::sqrt(area), 2 * half, texelMm);  // half a texel an edge
 }
 
+// By one view of its cone and by the six of a cube.
+TEST_F(ShadowTest, OfASpotLightLiesWhereItShould) {
+  const Vector light{0, 25, 0};
+  for (const float outer : {40.0F, 60.0F}) {
+    Scene scene = floorAnd(sheet({0, 10, 0}, {0, 0, 4}, {4, 0, 0}, 8));
+    const float inner = 0.8F * outer;
+    scene.lighting.spots = {{toVec3(light), {0, -1, 0}, {1000, 1000, 1000}, inner, outer}};
+    RenderOptions options = smallOptions();
+    options.dsmSize = 512;
+    const auto images =
+        render(scene, options, {Aov::DsmPosition, Aov::DsmIrradiance, Aov::DsmArea});
+    const double ends = std::cos(static_cast<double>(outer) * pi / 180);
+    const double begins = std::cos(static_cast<double>(inner) * pi / 180);
+    const auto unshadowed = [&](const Vector& p) {
+      const Vector offset = light - p;
+      const double cosine = unit(offset)[1];
+      const double part = std::clamp((cosine - ends) / (begins - ends), 0.0, 1.0);
+      return part * part * 1000 / dot(offset, offset) * entering(1.5, cosine);
+    };
+    const double half = 4 * 25.0 / 15;
+    const double view = outer < 50 ? std::tan(static_cast<double>(outer) * pi / 180) : 1;
+    const double texelMm = 2.0 * 25 * view / options.shadowSize;
+    int cone = 0;
+    int dark = 0;
+    forEachCovered(images[0], [&](std::size_t i) {
+      const Vector place = toVector(&images[0].rgba[i]);
+      if (std::abs(place[1]) > 1e-4) return;  // not the floor
+      const double distance = outside(place[0], place[2], half, 0);
+      const auto found = static_cast<double>(images[1].rgba[i]);
+      const double expected = unshadowed(place);
+      if (expected == 0 || distance < -2.5 * texelMm) {
+        ++dark;
+        ASSERT_NEAR(found, 0, 1e-6);
+      } else if (distance > 2.5 * texelMm) {
+        ++cone;
+        ASSERT_NEAR(found, expected, 1e-3 * expected + 1e-5) << place[0] << ' ' << place[2];
+      }
+    });
+    EXPECT_GT(dark, 1000);
+    EXPECT_GT(cone, 1000);
+  }
+}
+
 // A plane at steep incidence receives the closed form everywhere, whatever way it is turned.
 TEST_F(ShadowTest, TiltedPlaneDoesNotShadowItself) {
   Scene scene = sceneOf(sheet({0, 0, 0}, {0, 0, 20}, {20, 0, 0}), marble(), {0, 80, 1}, 20);

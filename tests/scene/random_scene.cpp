@@ -85,6 +85,9 @@ scene::LoadedScene randomScene(unsigned seed, const std::filesystem::path& model
   for (int i = random.below(3); i >= 0; --i) {
     scene.lighting.directional.push_back({random.direction(), random.light()});
     scene.lighting.points.push_back({random.place(), random.light()});
+    const float outer = random.real(0.1, 90);
+    scene.lighting.spots.push_back(
+        {random.place(), random.direction(), random.light(), outer * random.real(0, 1), outer});
   }
   scene.lighting.points.push_back({{0, 1e-4F, -3e-5F}, {1, 1e20F, 0}});
   scene.lighting.ambient = random.light();

@@ -49,6 +49,14 @@ class Panels(WindowTest):
         window.click("Light/add point")
         self.assertIn("Light/point 1", window.state()["controls"])
         self.assertIn("Light/intensity", window.state()["controls"])
+        window.click("Light/add spot")
+        self.assertIn("Light/spot 1", window.state()["controls"])
+        before = window.picture()
+        place = window.place("Light/outer angle")
+        window.drag((place[0] - 20, place[1]), (place[0] - 60, place[1]))
+        self.assertGreater(before.difference(window.picture()), .01, "a narrow cone is another light")
+        window.click("Light/delete")
+        self.assertNotIn("Light/spot 1", window.state()["controls"])
 
     def handles(self):
         """A light's handle is dragged; the camera stays."""

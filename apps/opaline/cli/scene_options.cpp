@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "cli/fields.h"
 #include "cli/frame_names.h"
@@ -38,6 +40,50 @@ PlacedColour readPlacedColour(const Given& given, const Range& range) {
     result.colour = readColour({given.option, given.text.substr(colon + 1)}, range);
   }
   return result;
+}
+
+/// The parts of a text between its colons.
+std::vector<Given> partsOf(const Given& given) {
+  std::vector<Given> parts;
+  std::size_t from = 0;
+  while (from <= given.text.size()) {
+    const std::size_t end = std::min(given.text.find(':', from), given.text.size());
+    parts.push_back({given.option, given.text.substr(from, end - from)});
+    from = end + 1;
+  }
+  return parts;
+}
+
+/// X,Y,Z:R,G,B:DX,DY,DZ[:INNER,OUTER]
+SpotLight readSpot(const Given& given) {
+  const std::vector<Given> parts = partsOf(given);
+  if (parts.size() < 3 || parts.size() > 4) {
+    throw UsageError(fmt::format(
+        "{} {}: needs a place, an intensity and a direction, X,Y,Z:R,G,B:DX,DY,DZ, and perhaps the "
+        "degrees from its axis between which it falls off, :INNER,OUTER",
+        given.option, given.text));
+  }
+  SpotLight light{
+      .positionMm = readPlace(parts[0], lengthRange),
+      .direction = readDirection(parts[2]),
+      .intensity = readColour(parts[1], options::fieldOf<SpotLight>("intensity").allowed.range)};
+  if (parts.size() == 4) {
+    const std::string& angles = parts[3].text;
+    const std::size_t comma = angles.find(',');
+    if (comma == std::string::npos) {
+      throw UsageError(fmt::format("{} {}: needs two angles, INNER,OUTER, in degrees", given.option,
+                                   given.text));
+    }
+    const auto degrees = [&](const std::string& text, std::string_view key) {
+      return static_cast<float>(
+          readNumber({given.option, text}, options::fieldOf<SpotLight>(key).allowed.range));
+    };
+    light.innerDegrees = degrees(angles.substr(0, comma), "inner_degrees");
+    light.outerDegrees = degrees(angles.substr(comma + 1), "outer_degrees");
+  }
+  if (const std::string complaint = complaintAbout(light); !complaint.empty())
+    throw UsageError(fmt::format("{} {}: {}", given.option, given.text, complaint));
+  return light;
 }
 
 Vec3 sum(const Vec3& a, const Vec3& b) {
@@ -111,17 +157,20 @@ void LightOptions::addTo(CommandLine& line) {
         directional_.push_back({readDirection(light.place), light.colour.value_or(Rgb{1, 1, 1})});
         any_ = true;
       });
-  line.repeated("--point", "X,Y,Z:R,G,B", "mm from the box's centre, irradiance at 1 mm",
-                [this](const Given& given) {
-                  const PlacedColour light = readPlacedColour(
-                      given, options::fieldOf<PointLight>("intensity").allowed.range);
-                  if (!light.colour) {
-                    throw UsageError(fmt::format("{} {}: needs an intensity, X,Y,Z:R,G,B",
-                                                 given.option, given.text));
-                  }
-                  points_.push_back({readPlace(light.place, lengthRange), *light.colour});
-                  any_ = true;
-                });
+  line.repeated("--point", "X,Y,Z:R,G,B", "mm, irradiance at 1 mm", [this](const Given& given) {
+    const PlacedColour light =
+        readPlacedColour(given, options::fieldOf<PointLight>("intensity").allowed.range);
+    if (!light.colour) {
+      throw UsageError(
+          fmt::format("{} {}: needs an intensity, X,Y,Z:R,G,B", given.option, given.text));
+    }
+    points_.push_back({readPlace(light.place, lengthRange), *light.colour});
+    any_ = true;
+  });
+  line.repeated("--spot", "X,Y,Z:R,G,B[:DIR[:INNER,OUTER]]", "", [this](const Given& given) {
+    spots_.push_back(readSpot(given));
+    any_ = true;
+  });
   line.value("--ambient", "R,G,B", "radiance from everywhere; one number is grey",
              [this](const Given& given) {
                ambient_ = readColour(given, options::fieldOf<Lighting>("radiance").allowed.range);
@@ -162,6 +211,10 @@ Lighting LightOptions::lightingFor(const Scene& scene) const {
   for (PointLight light : points_) {
     light.positionMm = sum(middle, light.positionMm);
     lighting.points.push_back(light);
+  }
+  for (SpotLight light : spots_) {
+    light.positionMm = sum(middle, light.positionMm);
+    lighting.spots.push_back(light);
   }
   lighting.ambient = ambient_;
   return lighting;

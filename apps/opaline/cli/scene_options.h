@@ -40,7 +40,7 @@ class SceneOptions {
   MediumOptions medium_;
 };
 
-/// --directional, --point, --ambient, --environment and what turns and scales it.
+/// --directional, --point, --spot, --ambient, --environment and what turns and scales it.
 class LightOptions {
  public:
   void addTo(CommandLine& line);
@@ -56,6 +56,7 @@ class LightOptions {
   bool any_ = false;
   std::vector<DirectionalLight> directional_;
   std::vector<PointLight> points_;  ///< relative to the centre of the scene's box
+  std::vector<SpotLight> spots_;    ///< the same
   Rgb ambient_{};
   std::optional<std::filesystem::path> environment_;
   options::Chosen<scene::EnvironmentFile> turned_;

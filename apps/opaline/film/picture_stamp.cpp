@@ -94,7 +94,7 @@ void addMotion(Digest& digest, const Scene& scene) {
 }
 
 void addLighting(Digest& digest, const Lighting& lighting) {
-  const auto& [directional, points, ambient, environment] = lighting;
+  const auto& [directional, points, spots, ambient, environment] = lighting;
   addEach(digest, directional, [&](const DirectionalLight& light) {
     const auto& [directionToLight, irradiance] = light;
     digest.add(directionToLight);
@@ -104,6 +104,14 @@ void addLighting(Digest& digest, const Lighting& lighting) {
     const auto& [positionMm, intensity] = light;
     digest.add(positionMm);
     digest.add(intensity);
+  });
+  addEach(digest, spots, [&](const SpotLight& light) {
+    const auto& [positionMm, direction, intensity, innerDegrees, outerDegrees] = light;
+    digest.add(positionMm);
+    digest.add(direction);
+    digest.add(intensity);
+    digest.add(innerDegrees);
+    digest.add(outerDegrees);
   });
   digest.add(ambient);
   digest.add(environment != nullptr);

@@ -1,10 +1,13 @@
 #include "renderer/frame/light_views.h"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "environment/suns.h"
+#include "lights/spot.h"
 
 namespace opaline {
 
@@ -15,33 +18,59 @@ namespace {
 
 constexpr std::uint32_t viewsOfPoint = 6;
 
+shared::LightData dataOf(const DirectionalLight& light) {
+  shared::LightData data{};
+  data.place = {glm::normalize(glm::make_vec3(light.directionToLight.data())), 0};
+  data.power = {glm::make_vec3(light.irradiance.data()), 0};
+  data.kind = {shared::directionalLight, 0, 1, 0};
+  return data;
+}
+
+shared::LightData dataOf(const PointLight& light) {
+  shared::LightData data{};
+  data.place = {glm::make_vec3(light.positionMm.data()), 0};
+  data.power = {glm::make_vec3(light.intensity.data()), 0};
+  data.cone = {0, 1, 0, 0};
+  data.kind = {shared::pointLight, 0, viewsOfPoint, 0};
+  return data;
+}
+
+shared::LightData dataOf(const SpotLight& light) {
+  const SpotFalloff falloff = falloffOf(light);
+  shared::LightData data{};
+  data.place = {glm::make_vec3(light.positionMm.data()), 0};
+  data.power = {glm::make_vec3(light.intensity.data()), 0};
+  data.axis = {glm::normalize(glm::make_vec3(light.direction.data())), 0};
+  data.cone = {falloff.scale, falloff.offset, std::tan(glm::radians(double{light.outerDegrees})),
+               0};
+  data.kind = {shared::pointLight, 0, shadowMapsOf(light), 0};
+  return data;
+}
+
 }  // namespace
 
 std::uint32_t lightCount(const Lighting& lighting) {
-  return static_cast<std::uint32_t>(lighting.directional.size() + lighting.points.size());
+  return static_cast<std::uint32_t>(lighting.directional.size() + lighting.points.size() +
+                                    lighting.spots.size());
 }
 
 std::uint32_t shadowViewCount(const Lighting& lighting) {
-  return static_cast<std::uint32_t>(lighting.directional.size() +
-                                    viewsOfPoint * lighting.points.size());
+  std::size_t views = lighting.directional.size() + viewsOfPoint * lighting.points.size();
+  for (const SpotLight& light : lighting.spots) views += shadowMapsOf(light);
+  return static_cast<std::uint32_t>(views);
 }
 
 void fillLights(const Lighting& lighting, std::uint32_t shadowSize, shared::FrameData& frame) {
   std::uint32_t light = 0;
   std::uint32_t view = 0;
-  for (const DirectionalLight& directional : lighting.directional) {
-    shared::LightData& data = frame.lights[light++];
-    data.place = {glm::normalize(glm::make_vec3(directional.directionToLight.data())), 0};
-    data.power = {glm::make_vec3(directional.irradiance.data()), 0};
-    data.kind = {shared::directionalLight, view++, 0, 0};
-  }
-  for (const PointLight& point : lighting.points) {
-    shared::LightData& data = frame.lights[light++];
-    data.place = {glm::make_vec3(point.positionMm.data()), 0};
-    data.power = {glm::make_vec3(point.intensity.data()), 0};
-    data.kind = {shared::pointLight, view, 0, 0};
-    view += viewsOfPoint;
-  }
+  const auto add = [&](shared::LightData data) {
+    data.kind.y = view;
+    view += data.kind.z;
+    frame.lights[light++] = data;
+  };
+  for (const DirectionalLight& directional : lighting.directional) add(dataOf(directional));
+  for (const PointLight& point : lighting.points) add(dataOf(point));
+  for (const SpotLight& spot : lighting.spots) add(dataOf(spot));
   frame.counts.x = light;
   frame.counts.y = shadowSize;
 }

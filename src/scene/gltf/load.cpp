@@ -147,6 +147,28 @@ Rgb lightColor(const Input& input, const tinygltf::Light& light) {
   return rgb;
 }
 
+SpotLight spotLight(const Input& input, const tinygltf::Light& light, const Matrix4& world,
+                    std::size_t nodeIndex) {
+  const auto back = axisOf(world, 2);
+  if (!back) failGltf(input, fmt::format("light node {} has no direction", nodeIndex));
+  constexpr double toDegrees = 180 / std::numbers::pi;
+  const double inner = light.spot.innerConeAngle * toDegrees;
+  const double outer = light.spot.outerConeAngle * toDegrees;
+  // The extension allows no more than these. Rounding of π/2 is no mistake of the file.
+  if (!(inner >= 0) || !(outer >= inner) || !(outer > 0) || !(outer <= 90 + 1e-4)) {
+    failGltf(input, fmt::format("the cone of light '{}' goes from {:g} to {:g} degrees, but must "
+                                "end between its inner angle and 90 degrees",
+                                cleanText(light.name, 60), inner, outer));
+  }
+  SpotLight spot;
+  spot.positionMm = toFloat(world.column[3]);
+  spot.direction = toFloat(-1.0 * *back);
+  spot.intensity = lightColor(input, light);
+  spot.outerDegrees = static_cast<float>(std::min(outer, 90.0));
+  spot.innerDegrees = std::min(static_cast<float>(inner), spot.outerDegrees);
+  return spot;
+}
+
 /// KHR_lights_punctual: lux become irradiance as they are; candela become intensity in W/sr per
 /// unit², where the unit is still a metre here.
 void addLight(Gathering& to, std::size_t nodeIndex) {
@@ -167,6 +189,9 @@ void addLight(Gathering& to, std::size_t nodeIndex) {
     to.scene.hasLights = true;
   } else if (light.type == "point") {
     to.scene.lighting.points.push_back({toFloat(world.column[3]), lightColor(to.input, light)});
+    to.scene.hasLights = true;
+  } else if (light.type == "spot") {
+    to.scene.lighting.spots.push_back(spotLight(to.input, light, world, nodeIndex));
     to.scene.hasLights = true;
   } else {
     addNotShown(to.scene.notShown, cleanText(light.type, 20) + " lights", light.name);

@@ -22,6 +22,8 @@ inline constexpr Keys<5> object{"medium", "transform", "translation_mm", "rotati
 inline constexpr Keys<3> deform{"kind", "amount", "period_seconds"};
 inline constexpr Keys<3> directional{"type", "direction_to_light", "irradiance"};
 inline constexpr Keys<3> point{"type", "position_mm", "intensity"};
+inline constexpr Keys<6> spot{"type",      "position_mm",   "direction",
+                              "intensity", "inner_degrees", "outer_degrees"};
 inline constexpr Keys<2> ambient{"type", "radiance"};
 inline constexpr Keys<3> environment{"file", "intensity", "rotation_degrees"};
 inline constexpr Keys<5> camera{"direction", "position_mm", "target_mm", "up", "fov_degrees"};

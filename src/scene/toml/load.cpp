@@ -250,12 +250,12 @@ std::optional<Vec3> placeFrom(const TomlTable& table, std::string_view key, cons
 }
 
 void readLight(const TomlTable& table, Assembly& to) {
-  constexpr keys::Keys<3> types{"directional", "point", "ambient"};
+  constexpr keys::Keys<4> types{"directional", "point", "spot", "ambient"};
   const auto type = table.choice("type", types);
   const auto need = [&](std::string_view key) {
     if (!table.has(key)) table.fail("", fmt::format("of type '{}' has no '{}'", *type, key));
   };
-  if (!type) table.fail("", "has no 'type': directional, point or ambient");
+  if (!type) table.fail("", "has no 'type': directional, point, spot or ambient");
   Lighting& lighting = to.scene.lighting;
   if (*type == "directional") {
     table.requireKeys(keys::directional);
@@ -270,6 +270,15 @@ void readLight(const TomlTable& table, Assembly& to) {
     PointLight light{.positionMm = *placeFrom(table, "position_mm", to)};
     chosenIn<PointLight>(table).applyTo(light);
     lighting.points.push_back(light);
+  } else if (*type == "spot") {
+    table.requireKeys(keys::spot);
+    for (const std::string_view key : {"position_mm", "direction", "intensity"}) need(key);
+    SpotLight light{.positionMm = *placeFrom(table, "position_mm", to),
+                    .direction = *table.direction("direction")};
+    chosenIn<SpotLight>(table).applyTo(light);
+    if (const std::string complaint = complaintAbout(light); !complaint.empty())
+      table.fail("", "of type 'spot': " + complaint);
+    lighting.spots.push_back(light);
   } else {
     table.requireKeys(keys::ambient);
     need("radiance");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/matrix.h"
+#include "scene/placed_lights.h"
 
 namespace opaline::scene {
 
@@ -81,17 +82,7 @@ void place(RawScene& model, const Placement& placement, const TomlTable& table) 
     const Double3 turned = matrix.point(toDouble(direction)) - matrix.point({0, 0, 0});
     direction = toFloat((1 / length(turned)) * turned);
   };
-  const double area = std::pow(std::abs(matrix.determinant()), 2.0 / 3);
-  for (DirectionalLight& light : model.lighting.directional) turn(light.directionToLight);
-  bool finite = true;
-  for (PointLight& light : model.lighting.points) {
-    place(light.positionMm);
-    for (float& channel : light.intensity) {
-      channel = static_cast<float>(double{channel} * area);
-      finite = finite && std::isfinite(channel);
-    }
-    finite = finite && isFinite(light.positionMm);
-  }
+  bool finite = placeLights(matrix, model.lighting);
   if (model.camera) {
     place(model.camera->positionMm);
     place(model.camera->targetMm);

@@ -224,8 +224,16 @@ void addLighting(const SceneDescription& scene, const fs::path& file, Text& to) 
     to.raw("position_mm", toml_text::offset(light.positionMm, scene.centreMm, "position_mm"));
     to.fields(options::chosenIn(light));
   }
+  for (const SpotLight& light : scene.spots) {
+    requireSensible(light, "a spot light");
+    addLight("spot", to);
+    to.raw("position_mm", toml_text::offset(light.positionMm, scene.centreMm, "position_mm"));
+    to.list("direction", light.direction);
+    to.fields(options::chosenIn(light));
+  }
   const auto& environment = scene.source.environment;
-  const bool nothingElse = scene.directional.empty() && scene.points.empty() && !environment;
+  const bool nothingElse =
+      scene.directional.empty() && scene.points.empty() && scene.spots.empty() && !environment;
   // In a file without lights those of the model shine, or the usual ones.
   if (scene.ambient != Rgb{} || nothingElse) {
     const Lighting ambient{.ambient = scene.ambient};
@@ -286,6 +294,7 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
   }
   description.directional = lighting.directional;
   description.points = lighting.points;
+  description.spots = lighting.spots;
   description.ambient = lighting.ambient;
   description.camera = scene.camera;
   description.deformers = scene.deformers;

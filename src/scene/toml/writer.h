@@ -24,6 +24,7 @@ struct SceneDescription {
   std::vector<ObjectMedium> media;  ///< of every object
   std::vector<DirectionalLight> directional;
   std::vector<PointLight> points;
+  std::vector<SpotLight> spots;
   Rgb ambient{};
   Camera camera;
   std::vector<Deformer> deformers;

@@ -86,22 +86,30 @@ void fitDirectional(uint light, Box box) {
   frame.lights[light].texel.x = max(x.y - x.x, y.y - y.x) / mapSize;
 }
 
-// Six perspective views, each wider than 90° by what filtering reaches beyond its edge.
+// Of as much as the tangent to either side.
+mat4 perspectiveView(vec3 position, vec3 forward, float tangent, float near) {
+  Basis basis = basisAlong(forward);
+  return fromRows(vec4(basis.right, -dot(basis.right, position)) / tangent,
+                  vec4(basis.up, -dot(basis.up, position)) / tangent, vec4(0.0, 0.0, 0.0, near),
+                  vec4(forward, -dot(forward, position)));
+}
+
+// Six perspective views of 90°, or one of a cone, each wider by what filtering reaches beyond its
+// edge.
 void fitPoint(uint light, Box box) {
   vec3 position = frame.lights[light].place.xyz;
+  uvec4 kind = frame.lights[light].kind;
   float mapSize = float(frame.counts.y);
   float diagonal = distance(box.low, box.high);
-  // A face's depth is at least 1/√3 of the distance.
+  // A face's depth is at least 1/√3 of the distance, and half of it in a cone of 50°.
   float near = max(max(0.5 * distanceTo(box, position), 1e-3 * diagonal), 1e-6);
-  float tangent = 1.0 + 2.0 * filterBorder / mapSize;
-  for (uint face = 0u; face < 6u; ++face) {
+  float tangent = (1.0 + 2.0 * filterBorder / mapSize) *
+                  (kind.z == 1u ? frame.lights[light].cone.z : 1.0);
+  for (uint view = 0u; view < kind.z; ++view) {
     vec3 forward = vec3(0.0);
-    forward[face / 2u] = (face & 1u) == 0u ? 1.0 : -1.0;
-    Basis basis = basisAlong(forward);
-    frame.shadowViews[frame.lights[light].kind.y + face] =
-        fromRows(vec4(basis.right, -dot(basis.right, position)) / tangent,
-                 vec4(basis.up, -dot(basis.up, position)) / tangent, vec4(0.0, 0.0, 0.0, near),
-                 vec4(forward, -dot(forward, position)));
+    forward[view / 2u] = (view & 1u) == 0u ? 1.0 : -1.0;
+    if (kind.z == 1u) forward = frame.lights[light].axis.xyz;
+    frame.shadowViews[kind.y + view] = perspectiveView(position, forward, tangent, near);
   }
   frame.lights[light].depth = vec4(near, 0.0, 0.0, 0.0);
   frame.lights[light].texel.x = 2.0 * tangent / mapSize;

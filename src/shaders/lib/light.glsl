@@ -25,7 +25,9 @@ IncidentLight incidentLight(uint index, vec3 position) {
     return IncidentLight(index, light.kind.x, towards, light.power.rgb);
   vec3 offset = towards - position;
   float squared = max(dot(offset, offset), 1e-12);
-  return IncidentLight(index, light.kind.x, offset * inversesqrt(squared), light.power.rgb / squared);
+  vec3 direction = offset * inversesqrt(squared);
+  float part = clamp(light.cone.x * -dot(direction, light.axis.xyz) + light.cone.y, 0.0, 1.0);
+  return IncidentLight(index, light.kind.x, direction, light.power.rgb / squared * (part * part));
 }
 
 // The part of a light's irradiance that enters where it is visible. `outside` is the unit normal of
@@ -38,9 +40,13 @@ float enteringPart(IncidentLight light, vec3 normal, vec3 outside, MediumData me
 }
 
 // Whether a light of that kind has a shadow map of parallel rays. Else it has the six views of a cube
-// around it.
+// around it, or one along the axis of its cone.
 bool isParallel(uint kind) {
   return kind == directionalLight;
+}
+
+bool hasOneView(LightData light) {
+  return light.kind.z == 1u;
 }
 
 #endif

@@ -36,6 +36,10 @@ float depthSlope(LightData light, vec3 toLight, vec3 normal) {
     vec3 size = abs(toLight);
     float depth = max(size.x, max(size.y, size.z));
     alongAxis = depth == size.x ? normal.x : depth == size.y ? normal.y : normal.z;
+    if (hasOneView(light)) {
+      depth = -dot(toLight, light.axis.xyz);
+      alongAxis = dot(normal, light.axis.xyz);
+    }
     facing /= depth;
   }
   return sqrt(max(1.0 - alongAxis * alongAxis, 0.0)) / max(facing, 1e-3);
@@ -49,7 +53,8 @@ float visibilityOf(IncidentLight incident, vec3 position, vec3 normal) {
   LightData light = frame.lights[incident.light];
   bool parallel = isParallel(incident.kind);
   vec3 toLight = parallel ? light.place.xyz : light.place.xyz - position;
-  uint layer = light.kind.y + (parallel ? 0u : cubeFace(-toLight));
+  if (!parallel && incident.irradiance == vec3(0.0)) return 0.0;  // perhaps beside its only view
+  uint layer = light.kind.y + (hasOneView(light) ? 0u : cubeFace(-toLight));
 
   vec4 clip = frame.shadowViews[layer] * vec4(position, 1.0);
   float size = float(frame.counts.y);

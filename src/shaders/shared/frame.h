@@ -22,7 +22,7 @@ OPALINE_CONSTANT maxLights = 20;
 OPALINE_CONSTANT maxShadowViews = 52;
 OPALINE_CONSTANT maxSamples = 8;
 
-/// Kinds of lights.
+/// Kinds of lights. A spot light is a point light with a cone.
 OPALINE_CONSTANT directionalLight = 0;
 OPALINE_CONSTANT pointLight = 1;
 
@@ -32,7 +32,10 @@ struct LightData {
   vec4 power;  // rgb: irradiance (directional) or intensity (point)
   vec4 depth;  // depth d of its shadow map in mm: x + y·d (directional), x / (y + d) (point)
   vec4 texel;  // x: edge of a shadow texel in mm (directional), or per mm of distance (point)
-  uvec4 kind;  // x: of light; y: first shadow view
+  vec4 axis;   // xyz: unit, where a spot light shines to
+  vec4 cone;   // x, y: scale and offset of its falloff (lights/spot.h), 0 and 1 of any other point;
+               // z: tangent of the outer angle
+  uvec4 kind;  // x: of light; y: first shadow view; z: number of them
 };
 
 struct FrameData {

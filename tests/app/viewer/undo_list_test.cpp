@@ -106,6 +106,7 @@ TEST(EditState, EveryKindOfEditIsSeenAndUndone) {
       [](Session& s) { s.scene.lighting.directional[0].irradiance[0] = 9; },
       [](Session& s) { s.scene.lighting.directional.clear(); },
       [](Session& s) { s.scene.lighting.points.emplace_back(); },
+      [](Session& s) { s.scene.lighting.spots.emplace_back(); },
       [](Session& s) {
         s.scene.lighting.ambient = {1, 0, 0};
       },

@@ -162,7 +162,7 @@ TEST_F(Gltf, CamerasAndLights) {
       R"(,"cameras":[{"type":"perspective","perspective":{"yfov":0.7853981634,"znear":0.1}}],
       "extensions":{"KHR_lights_punctual":{"lights":[
         {"type":"directional","intensity":3,"color":[1,0.5,0]},
-        {"type":"point","intensity":7},{"type":"spot","name":"S","spot":{}}]}})";
+        {"type":"point","intensity":7},{"type":"lantern","name":"S"}]}})";
   const Scene scene = load(parts);
   EXPECT_EQ(scene.camera.positionMm, (Vec3{250, 250, 5000}));
   EXPECT_NEAR(scene.camera.verticalFovDegrees, 45, 1e-4);
@@ -175,7 +175,40 @@ TEST_F(Gltf, CamerasAndLights) {
   EXPECT_EQ(scene.lighting.points[0].positionMm, (Vec3{0, 0, 2000}));
   // At one metre 7 candela give 7 lux.
   EXPECT_NEAR(scene.lighting.points[0].intensity[0] / 1e6, 7, 1e-5);
-  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("spot")));
+  EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("lantern")));
+}
+
+TEST_F(Gltf, SpotLights) {
+  Parts parts;
+  parts.scene = R"("scenes":[{"nodes":[0,1,2]}],)";
+  parts.nodes = R"({"mesh":0},
+      {"extensions":{"KHR_lights_punctual":{"light":0}},"translation":[0,0,2],
+       "rotation":[0,0.70710678,0,0.70710678]},
+      {"extensions":{"KHR_lights_punctual":{"light":1}}})";
+  const auto spots = [&](const std::string& cone) {
+    parts.more = R"(,"extensions":{"KHR_lights_punctual":{"lights":[
+        {"type":"spot","intensity":7,"color":[1,0.5,0],"name":"lamp","spot":{)" +
+                 cone + R"(}},{"type":"spot","spot":{}}]}})";
+  };
+  spots(R"("innerConeAngle":0.34906585,"outerConeAngle":1.5707963268)");
+  const Scene scene = load(parts);
+  ASSERT_EQ(scene.lighting.spots.size(), 2U);
+  const SpotLight& light = scene.lighting.spots[0];
+  EXPECT_EQ(light.positionMm, (Vec3{0, 0, 2000}));
+  // It shines along its -z; the node turns that to -x.
+  EXPECT_NEAR(light.direction[0], -1, 1e-6);
+  EXPECT_NEAR(light.intensity[0] / 1e6, 7, 1e-5);
+  EXPECT_NEAR(light.intensity[1] / 1e6, 3.5, 1e-5);
+  EXPECT_NEAR(light.innerDegrees, 20, 1e-5);
+  EXPECT_EQ(light.outerDegrees, 90);
+  EXPECT_EQ(scene.lighting.spots[1].innerDegrees, 0);
+  EXPECT_NEAR(scene.lighting.spots[1].outerDegrees, 45, 1e-5);
+  EXPECT_TRUE(scene.notShown.empty());
+  for (const char* cone : {R"("innerConeAngle":1,"outerConeAngle":0.5)", R"("outerConeAngle":2)",
+                           R"("innerConeAngle":-1)", R"("outerConeAngle":0)"}) {
+    spots(cone);
+    EXPECT_THAT(errorOf(parts), HasSubstr("cone of light 'lamp'")) << cone;
+  }
 }
 
 TEST_F(Gltf, MediumFromExtrasNameOrVolume) {
@@ -262,7 +295,7 @@ TEST_F(Gltf, WhatIsNotShownIsCounted) {
       R"("baseColorTexture":{"index":0}}},{"name":"unused","alphaMode":"BLEND"}],)"
       R"("cameras":[{"type":"perspective","name":"a","perspective":{"yfov":1,"znear":1}},)"
       R"({"type":"perspective","name":"b","perspective":{"yfov":1,"znear":1}}],)"
-      R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{},"name":"lamp"}]}},)"
+      R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"lantern","name":"lamp"}]}},)"
       R"("extensionsUsed":["KHR_lights_punctual","KHR_materials_sheen","ACME_fog"])";
   const Scene scene = load(parts);
   std::string said;
@@ -276,7 +309,7 @@ TEST_F(Gltf, WhatIsNotShownIsCounted) {
       "points and lines 1 body\nvertex colours 1 body\nbase-colour textures 2 skin material 1\n"
       "normal textures 1 skin\nalpha 1 skin\nKHR_materials_sheen 1 skin\n"
       "base colours 1 material 1\nmetals 1 material 1\nemission 1 material 1\n"
-      "extensions 1 ACME_fog\ncameras after the first 1 b\nspot lights 1 lamp\n");
+      "extensions 1 ACME_fog\ncameras after the first 1 b\nlantern lights 1 lamp\n");
   EXPECT_EQ(scene.camera.verticalFovDegrees, static_cast<float>(180 / std::numbers::pi));
   EXPECT_TRUE(scene.cameraChosen);
 }

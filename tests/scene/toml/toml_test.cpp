@@ -75,6 +75,12 @@ type = "point"
 position_mm = [0, 20, 0]
 intensity = [1, 2, 3]
 [[lights]]
+type = "spot"
+position_mm = [0, 0, 30]
+direction = [0, 0, -3]
+intensity = 5
+outer_degrees = 60
+[[lights]]
 type = "ambient"
 radiance = 0.25
 [environment]
@@ -123,6 +129,12 @@ device = "llvmpipe"
   ASSERT_EQ(scene.lighting.points.size(), 1U);
   EXPECT_NEAR(scene.lighting.points[0].positionMm[0], 15, 1e-4);  // from the box's centre
   EXPECT_NEAR(scene.lighting.points[0].positionMm[1], 25, 1e-4);
+  ASSERT_EQ(scene.lighting.spots.size(), 1U);
+  EXPECT_NEAR(scene.lighting.spots[0].positionMm[2], 135, 1e-4);
+  EXPECT_EQ(scene.lighting.spots[0].direction, (Vec3{0, 0, -1}));
+  EXPECT_EQ(scene.lighting.spots[0].intensity, (Rgb{5, 5, 5}));
+  EXPECT_EQ(scene.lighting.spots[0].innerDegrees, 0);
+  EXPECT_EQ(scene.lighting.spots[0].outerDegrees, 60);
   EXPECT_EQ(scene.lighting.ambient[1], 0.25F);
   ASSERT_TRUE(scene.lighting.environment);
   EXPECT_FLOAT_EQ(scene.lighting.environment->pixel(0, 0)[0], 12);  // a quarter to the left
@@ -264,13 +276,18 @@ TEST_F(Toml, BuiltInModels) {
 TEST_F(Toml, ADiagonalFromOutsideScalesLightsAndCameraToo) {
   LoadOptions options;
   options.diagonalMm = 2 * 17.3205081F;
-  const std::string text = model +
-                           "[[lights]]\ntype = 'point'\nposition_mm = [-15, -5, 15]\n"
-                           "intensity = 10\n[camera]\nposition_mm = [0, 0, 50]\n";
+  const std::string text =
+      model +
+      "[[lights]]\ntype = 'point'\nposition_mm = [-15, -5, 15]\n"
+      "intensity = 10\n"
+      "[[lights]]\ntype = 'spot'\nposition_mm = [-15, -5, 15]\n"
+      "direction = [0, 0, -1]\nintensity = 3\n[camera]\nposition_mm = [0, 0, 50]\n";
   const Scene scene = load(text, options).scene;
   EXPECT_NEAR(diagonalMm(scene), *options.diagonalMm, 1e-3);
   EXPECT_NEAR(scene.lighting.points[0].positionMm[2], 40, 1e-3);
   EXPECT_NEAR(scene.lighting.points[0].intensity[0], 40, 1e-3);
+  EXPECT_NEAR(scene.lighting.spots[0].positionMm[2], 40, 1e-3);
+  EXPECT_NEAR(scene.lighting.spots[0].intensity[0], 12, 1e-3);
   EXPECT_NEAR(scene.camera.positionMm[2], 110, 1e-3);
 }
 
@@ -286,6 +303,19 @@ TEST_F(Toml, TransformsAreRowMajorAndMirrorsKeepTheOutside) {
       load(model + "[objects.cube]\nrotation_degrees = [0, 0, 90]\nscale = 2\n").scene;
   EXPECT_NEAR(boundsOf(turned).minMm[1], 20, 1e-3);  // +x became +y
   EXPECT_NEAR(boundsOf(turned).minMm[0], -20, 1e-3);
+}
+
+TEST_F(Toml, SpotLightsThatMakeNoSense) {
+  const std::string light = model + "[[lights]]\ntype = 'spot'\n";
+  const std::string whole = light + "position_mm = [0, 0, 9]\nintensity = 1\n";
+  EXPECT_THAT(errorOf(light), HasSubstr("'position_mm'"));
+  EXPECT_THAT(errorOf(whole), HasSubstr("'direction'"));
+  EXPECT_THAT(errorOf(whole + "direction = [0, 0, 0]\n"), HasSubstr("'direction'"));
+  const std::string sound = whole + "direction = [0, 0, -1]\n";
+  EXPECT_THAT(errorOf(sound + "outer_degrees = 91\n"), HasSubstr("'outer_degrees'"));
+  EXPECT_THAT(errorOf(sound + "inner_degrees = 50\n"),
+              HasSubstr("inner_degrees 50: must not be above outer_degrees, which is 45"));
+  EXPECT_THAT(errorOf(sound + "radius_mm = 1\n"), HasSubstr("'radius_mm'"));
 }
 
 TEST_F(Toml, UnknownKeysNameTheNearest) {

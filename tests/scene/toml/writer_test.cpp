@@ -88,6 +88,15 @@ void expectSameLighting(const Lighting& a, const Lighting& b) {
     EXPECT_EQ(a.points[i].positionMm, b.points[i].positionMm);
     EXPECT_EQ(a.points[i].intensity, b.points[i].intensity);
   }
+  ASSERT_EQ(a.spots.size(), b.spots.size());
+  for (std::size_t i = 0; i < a.spots.size(); ++i) {
+    EXPECT_EQ(a.spots[i].positionMm, b.spots[i].positionMm);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(a.spots[i].direction[axis], b.spots[i].direction[axis], 1e-7);
+    EXPECT_EQ(a.spots[i].intensity, b.spots[i].intensity);
+    EXPECT_EQ(a.spots[i].innerDegrees, b.spots[i].innerDegrees);
+    EXPECT_EQ(a.spots[i].outerDegrees, b.spots[i].outerDegrees);
+  }
   EXPECT_EQ(a.ambient, b.ambient);
   ASSERT_EQ(a.environment == nullptr, b.environment == nullptr);
   if (a.environment) {
@@ -233,6 +242,7 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   want("deform.", scene::keys::deform);
   want("lights.", scene::keys::directional);
   want("lights.", scene::keys::point);
+  want("lights.", scene::keys::spot);
   want("lights.", scene::keys::ambient);
   want("environment.", scene::keys::environment);
   want("camera.", scene::keys::camera);
@@ -276,6 +286,7 @@ TEST(SceneKeys, AreAllInTheDocument) {
   expectAll(scene::keys::deform);
   expectAll(scene::keys::directional);
   expectAll(scene::keys::point);
+  expectAll(scene::keys::spot);
   expectAll(scene::keys::ambient);
   expectAll(scene::keys::environment);
   expectAll(scene::keys::camera);

@@ -6,22 +6,26 @@
 #include <cstddef>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "scene/environment_file.h"
 #include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
+#include "viewer/session/light_list.h"
 
 namespace opaline::app::viewer {
 
 namespace {
 
 constexpr float toDegrees = 180 / std::numbers::pi_v<float>;
+constexpr float leastConeDegrees = 1;
 
-// Whether the renderer takes the scene with so many lights. A point light has a shadow view for
-// each side of a cube about it.
-bool within(std::size_t directional, std::size_t points) {
-  return directional + points <= Lighting::maxLights &&
-         directional + 6 * points <= Lighting::maxShadowMaps;
+// Whether the renderer takes the scene with one more.
+template <typename Light>
+bool hasRoomFor(const Light& light, Lighting lighting, std::vector<Light> Lighting::*lights) {
+  (lighting.*lights).push_back(light);
+  return complaintAbout(lighting).empty();
 }
 
 // A direction as turn about the vertical, from +z towards +x, and height above the horizon.
@@ -47,60 +51,95 @@ bool drawDirectional(DirectionalLight& light) {
          moved;
 }
 
-bool drawPoint(PointLight& light, float diagonalMm) {
+bool drawPlace(Vec3& positionMm, float diagonalMm) {
   bool changed = false;
   constexpr std::array<const char*, 3> axes{"x", "y", "z"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float reach = 3 * diagonalMm;
-    changed |= controls::length(axes[axis], light.positionMm[axis], -reach, reach,
-                                "Its place in the scene.");
+    changed |=
+        controls::length(axes[axis], positionMm[axis], -reach, reach, "Its place in the scene.");
   }
-  return controls::light("intensity", light.intensity,
-                         "Irradiance on a facing surface is this over the distance squared, in mm: "
-                         "a more distant light needs much more.") ||
-         changed;
-}
-
-// Entries of the list: directional lights, then points.
-bool drawList(Lighting& lighting, int& chosen) {
-  const auto entry = [&](const std::string& text, int index) {
-    if (ImGui::Selectable(text.c_str(), chosen == index)) chosen = chosen == index ? -1 : index;
-    controls::note(text.c_str());
-  };
-  int index = 0;
-  for (std::size_t i = 0; i < lighting.directional.size(); ++i, ++index) {
-    entry(fmt::format("directional {}", i + 1), index);
-  }
-  for (std::size_t i = 0; i < lighting.points.size(); ++i, ++index) {
-    entry(fmt::format("point {}", i + 1), index);
-  }
-  chosen = std::min(chosen, index - 1);
-  bool changed = false;
-  const std::size_t directional = lighting.directional.size();
-  const std::size_t points = lighting.points.size();
-  ImGui::BeginDisabled(!within(directional + 1, points));
-  if (controls::button("add directional", "A light from infinitely far away.")) {
-    lighting.directional.push_back({{0.37F, 0.48F, -0.795F}, {3, 3, 3}});
-    chosen = static_cast<int>(directional);
-    changed = true;
-  }
-  ImGui::EndDisabled();
-  controls::sameLineFor("add point");
-  ImGui::BeginDisabled(!within(directional, points + 1));
-  if (controls::button("add point", "A light from one place.")) {
-    lighting.points.emplace_back();
-    chosen = index;
-    changed = true;
-  }
-  ImGui::EndDisabled();
   return changed;
 }
 
-void place(PointLight& light, const Session& session) {
+bool drawIntensity(Rgb& intensity) {
+  return controls::light("intensity", intensity,
+                         "Irradiance on a facing surface is this over the distance squared, in mm: "
+                         "a more distant light needs much more.");
+}
+
+bool drawPoint(PointLight& light, float diagonalMm) {
+  const bool moved = drawPlace(light.positionMm, diagonalMm);
+  return drawIntensity(light.intensity) || moved;
+}
+
+bool drawSpot(SpotLight& light, float diagonalMm) {
+  bool changed = drawPlace(light.positionMm, diagonalMm);
+  Vec3 from = light.direction;
+  for (float& component : from) component = -component;
+  if (drawDirection(from)) {
+    for (std::size_t axis = 0; axis < 3; ++axis) light.direction[axis] = -from[axis];
+    changed = true;
+  }
+  if (controls::slider("inner angle", light.innerDegrees, 0, 90, "%.1f deg",
+                       "From the axis, up to where it is as bright as there.")) {
+    light.outerDegrees = std::max({light.outerDegrees, light.innerDegrees, leastConeDegrees});
+    changed = true;
+  }
+  if (controls::slider("outer angle", light.outerDegrees, leastConeDegrees, 90, "%.1f deg",
+                       "From the axis, where it ends.")) {
+    light.innerDegrees = std::min(light.innerDegrees, light.outerDegrees);
+    changed = true;
+  }
+  return drawIntensity(light.intensity) || changed;
+}
+
+void drawList(const Lighting& lighting, int& chosen) {
+  const auto count = static_cast<int>(countOf(lighting));
+  for (int i = 0; i < count; ++i) {
+    const std::string name = nameOf(entryOf(lighting, static_cast<std::size_t>(i)));
+    if (ImGui::Selectable(name.c_str(), chosen == i)) chosen = chosen == i ? -1 : i;
+    controls::note(name.c_str());
+  }
+  chosen = std::min(chosen, count - 1);
+}
+
+// Adds what the button of that name is for, and selects it.
+template <typename Light>
+bool drawAdd(LightKind kind, const char* about, const Light& light,
+             std::vector<Light> Lighting::*lights, Session& session) {
+  const std::string name = "add " + nameOf(kind);
+  Lighting& lighting = session.scene.lighting;
+  ImGui::BeginDisabled(!hasRoomFor(light, lighting, lights));
+  const bool pressed = controls::button(name.c_str(), about);
+  ImGui::EndDisabled();
+  if (!pressed) return false;
+  (lighting.*lights).push_back(light);
+  session.light = static_cast<int>(numberOfLast(kind, lighting));
+  return true;
+}
+
+// Behind the scene at the side, as bright on it as the default lights.
+Vec3 placeBehind(const Session& session) {
   const Vec3& target = session.scene.camera.targetMm;
   const float d = session.diagonalMm;
-  light.positionMm = {target[0] + 0.5F * d, target[1] + 0.4F * d, target[2] - 0.4F * d};
-  light.intensity = {3 * d * d, 3 * d * d, 3 * d * d};
+  return {target[0] + 0.5F * d, target[1] + 0.4F * d, target[2] - 0.4F * d};
+}
+
+bool drawAdding(Session& session) {
+  const float power = 3 * session.diagonalMm * session.diagonalMm;
+  const Vec3 place = placeBehind(session);
+  bool changed = drawAdd(LightKind::Directional, "A light from infinitely far away.",
+                         DirectionalLight{{0.37F, 0.48F, -0.795F}, {3, 3, 3}},
+                         &Lighting::directional, session);
+  controls::sameLineFor("add point");
+  changed |= drawAdd(LightKind::Point, "A light from one place.",
+                     PointLight{place, {power, power, power}}, &Lighting::points, session);
+  controls::sameLineFor("add spot");
+  changed |= drawAdd(LightKind::Spot, "A light from one place into a cone.",
+                     SpotLight{place, {-0.66F, -0.53F, 0.53F}, {power, power, power}, 20, 30},
+                     &Lighting::spots, session);
+  return changed;
 }
 
 bool turnEnvironment(Session& session) {
@@ -116,20 +155,24 @@ bool turnEnvironment(Session& session) {
   return true;
 }
 
+bool drawEntry(const LightEntry& entry, Lighting& lighting, float diagonalMm) {
+  switch (entry.kind) {
+    case LightKind::Directional:
+      return drawDirectional(lighting.directional[entry.index]);
+    case LightKind::Point:
+      return drawPoint(lighting.points[entry.index], diagonalMm);
+    case LightKind::Spot:
+      break;
+  }
+  return drawSpot(lighting.spots[entry.index], diagonalMm);
+}
+
 bool drawChosen(Session& session) {
   Lighting& lighting = session.scene.lighting;
-  const auto index = static_cast<std::size_t>(session.light);
-  const std::size_t directional = lighting.directional.size();
-  bool changed = index < directional
-                     ? drawDirectional(lighting.directional[index])
-                     : drawPoint(lighting.points[index - directional], session.diagonalMm);
+  const LightEntry entry = entryOf(lighting, static_cast<std::size_t>(session.light));
+  bool changed = drawEntry(entry, lighting, session.diagonalMm);
   if (controls::button("delete", "Removes the selected light.")) {
-    if (index < directional) {
-      lighting.directional.erase(lighting.directional.begin() + session.light);
-    } else {
-      lighting.points.erase(lighting.points.begin() +
-                            (session.light - static_cast<int>(directional)));
-    }
+    erase(entry, lighting);
     session.light = -1;
     changed = true;
   }
@@ -141,9 +184,8 @@ bool drawChosen(Session& session) {
 void drawLightPanel(Session& session) {
   if (!controls::section("Light", false)) return;
   Lighting& lighting = session.scene.lighting;
-  const std::size_t points = lighting.points.size();
-  bool changed = drawList(lighting, session.light);
-  if (lighting.points.size() > points) place(lighting.points.back(), session);
+  drawList(lighting, session.light);
+  bool changed = drawAdding(session);
   if (session.light >= 0) changed |= drawChosen(session);
   changed |=
       controls::light("ambient", lighting.ambient, "Radiance, the same from all directions.");

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <vector>
 
 #include "viewer/picture/vectors.h"
+#include "viewer/session/light_list.h"
 
 namespace opaline::app::viewer {
 
@@ -12,24 +13,45 @@ namespace {
 
 constexpr float reachPixels = 14;
 
-std::size_t lightCount(const Session& session) {
-  const Lighting& lighting = session.scene.lighting;
-  return lighting.directional.size() + lighting.points.size();
-}
-
 // So large that the handles stand beside the body and within the picture.
 float sphereMm(const Session& session, const Projection& projection) {
   return std::min(0.55F * session.diagonalMm, 0.24F * projection.view().distanceMm);
 }
 
-glm::vec3 placeOf(const Session& session, const Projection& projection, std::size_t light) {
+glm::vec3 placeOf(const Session& session, const Projection& projection, const LightEntry& entry) {
   const Lighting& lighting = session.scene.lighting;
-  if (light >= lighting.directional.size()) {
-    return toGlm(lighting.points[light - lighting.directional.size()].positionMm);
+  switch (entry.kind) {
+    case LightKind::Directional:
+      return toGlm(session.scene.camera.targetMm) +
+             sphereMm(session, projection) *
+                 glm::normalize(toGlm(lighting.directional[entry.index].directionToLight));
+    case LightKind::Point:
+      return toGlm(lighting.points[entry.index].positionMm);
+    case LightKind::Spot:
+      break;
   }
-  return toGlm(session.scene.camera.targetMm) +
-         sphereMm(session, projection) *
-             glm::normalize(toGlm(lighting.directional[light].directionToLight));
+  return toGlm(lighting.spots[entry.index].positionMm);
+}
+
+// On its axis, beside what it shines on.
+glm::vec3 aimOf(const Session& session, const SpotLight& light) {
+  const glm::vec3 from = toGlm(light.positionMm);
+  const glm::vec3 axis = glm::normalize(toGlm(light.direction));
+  const float along = glm::dot(toGlm(session.scene.camera.targetMm) - from, axis);
+  return from + std::max(along, 0.3F * session.diagonalMm) * axis;
+}
+
+std::vector<LightHandle> handlesOf(const Session& session, const Projection& projection) {
+  const Lighting& lighting = session.scene.lighting;
+  std::vector<LightHandle> handles;
+  for (std::size_t i = 0; i < countOf(lighting); ++i) {
+    const LightEntry entry = entryOf(lighting, i);
+    const auto light = static_cast<int>(i);
+    handles.push_back({light, LightPart::Place, placeOf(session, projection, entry)});
+    if (entry.kind == LightKind::Spot && light == session.light)
+      handles.push_back({light, LightPart::Aim, aimOf(session, lighting.spots[entry.index])});
+  }
+  return handles;
 }
 
 ImU32 colorOf(const Rgb& power, float alpha) {
@@ -38,95 +60,115 @@ ImU32 colorOf(const Rgb& power, float alpha) {
                                    std::sqrt(power[2] / most), alpha));
 }
 
+// Where a handle on the sphere about the target is dragged to, as a direction from there.
+glm::vec3 onSphere(const glm::vec3& offsetInRadii, bool inFront, const glm::vec3& ahead) {
+  float across = glm::length(offsetInRadii);
+  if (!(across > 1e-6F)) return inFront ? -ahead : ahead;
+  const glm::vec3 outwards = offsetInRadii / across;
+  bool front = inFront;
+  if (across > 1) {  // past the rim
+    front = !front;
+    across = std::max(0.0F, 2 - across);
+  }
+  const float towards = std::sqrt(std::max(0.0F, 1 - across * across));
+  return glm::normalize(across * outwards + (front ? -towards : towards) * ahead);
+}
+
+// What a light without a place of its own is joined to by a line, and a spot light aims at.
+std::optional<glm::vec3> endOfLine(const Session& session, const LightHandle& handle,
+                                   const LightEntry& entry) {
+  if (handle.part == LightPart::Aim)
+    return toGlm(session.scene.lighting.spots[entry.index].positionMm);
+  if (entry.kind == LightKind::Directional) return toGlm(session.scene.camera.targetMm);
+  return std::nullopt;
+}
+
 }  // namespace
 
-int LightHandles::at(const Session& session, const Projection& projection,
-                     const glm::vec2& pixel) const {
-  int nearest = -1;
+std::optional<LightHandle> LightHandles::at(const Session& session, const Projection& projection,
+                                            const glm::vec2& pixel) const {
+  std::optional<LightHandle> nearest;
   float least = reachPixels * ImGui::GetIO().DisplayFramebufferScale.x;
-  for (std::size_t i = 0; i < lightCount(session); ++i) {
-    const std::optional<glm::vec2> place = projection.toWindow(placeOf(session, projection, i));
+  for (const LightHandle& handle : handlesOf(session, projection)) {
+    const std::optional<glm::vec2> place = projection.toWindow(handle.placeMm);
     if (!place) continue;
     const float distance = glm::length(*place - pixel);
     if (distance > least) continue;
     least = distance;
-    nearest = static_cast<int>(i);
+    nearest = handle;
   }
   return nearest;
 }
 
-void LightHandles::grab(const Session& session, const Projection& projection, int light) {
-  grabbed_ = light;
-  const glm::vec3 offset = placeOf(session, projection, static_cast<std::size_t>(light)) -
-                           toGlm(session.scene.camera.targetMm);
+void LightHandles::grab(const Session& session, const Projection& projection,
+                        const LightHandle& handle) {
+  grabbed_ = handle;
+  const glm::vec3 offset = handle.placeMm - toGlm(session.scene.camera.targetMm);
   inFront_ = glm::dot(offset, projection.view().ahead) <= 0;
 }
 
 bool LightHandles::drag(Session& session, const Projection& projection,
                         const glm::vec2& pixel) const {
-  if (grabbed_ < 0 || static_cast<std::size_t>(grabbed_) >= lightCount(session)) return false;
-  const auto light = static_cast<std::size_t>(grabbed_);
   Lighting& lighting = session.scene.lighting;
+  if (!grabbed_ || static_cast<std::size_t>(grabbed_->light) >= countOf(lighting)) return false;
+  const LightEntry entry = entryOf(lighting, static_cast<std::size_t>(grabbed_->light));
   const ViewFrame& view = projection.view();
-  const bool directional = light < lighting.directional.size();
-  const glm::vec3 about =
-      directional ? toGlm(session.scene.camera.targetMm) : placeOf(session, projection, light);
+  const glm::vec3 target = toGlm(session.scene.camera.targetMm);
+  const glm::vec3 about = entry.kind == LightKind::Directional ? target : grabbed_->placeMm;
   // Where the mouse is in the plane through that, parallel to the picture.
   const Ray ray = projection.through(pixel);
   const float along = glm::dot(ray.direction, view.ahead);
   const float depth = glm::dot(about - ray.origin, view.ahead);
   if (!(along > 0) || !(depth > 0)) return false;
   const glm::vec3 place = ray.origin + depth / along * ray.direction;
-  if (!directional) {
-    lighting.points[light - lighting.directional.size()].positionMm = fromGlm(place);
+  switch (entry.kind) {
+    case LightKind::Directional:
+      lighting.directional[entry.index].directionToLight =
+          fromGlm(onSphere((place - about) / sphereMm(session, projection), inFront_, view.ahead));
+      return true;
+    case LightKind::Point:
+      lighting.points[entry.index].positionMm = fromGlm(place);
+      return true;
+    case LightKind::Spot:
+      break;
+  }
+  SpotLight& spot = lighting.spots[entry.index];
+  if (grabbed_->part == LightPart::Place) {
+    spot.positionMm = fromGlm(place);
     return true;
   }
-  const glm::vec3 offset = (place - about) / sphereMm(session, projection);
-  float across = glm::length(offset);
-  if (!(across > 1e-6F)) {
-    lighting.directional[light].directionToLight = fromGlm(inFront_ ? -view.ahead : view.ahead);
-    return true;
-  }
-  const glm::vec3 outwards = offset / across;
-  bool front = inFront_;
-  if (across > 1) {  // past the rim
-    front = !front;
-    across = std::max(0.0F, 2 - across);
-  }
-  const float towards = std::sqrt(std::max(0.0F, 1 - across * across));
-  lighting.directional[light].directionToLight =
-      fromGlm(glm::normalize(across * outwards + (front ? -towards : towards) * view.ahead));
+  const glm::vec3 axis = place - toGlm(spot.positionMm);
+  if (!(glm::length(axis) > 1e-6F * session.diagonalMm)) return false;
+  spot.direction = fromGlm(glm::normalize(axis));
   return true;
 }
 
 void LightHandles::draw(const Session& session, const Projection& projection,
                         ImDrawList& list) const {
   const Lighting& lighting = session.scene.lighting;
-  const std::optional<glm::vec2> target = projection.toWindow(toGlm(session.scene.camera.targetMm));
-  for (std::size_t i = 0; i < lightCount(session); ++i) {
-    const glm::vec3 spot = placeOf(session, projection, i);
-    const std::optional<glm::vec2> place = projection.toWindow(spot);
+  for (const LightHandle& handle : handlesOf(session, projection)) {
+    const std::optional<glm::vec2> place = projection.toWindow(handle.placeMm);
     if (!place) continue;
-    const bool directional = i < lighting.directional.size();
-    const Rgb& power = directional ? lighting.directional[i].irradiance
-                                   : lighting.points[i - lighting.directional.size()].intensity;
-    const glm::vec3 offset = spot - toGlm(session.scene.camera.targetMm);
+    const LightEntry entry = entryOf(lighting, static_cast<std::size_t>(handle.light));
+    const Rgb power = powerOf(lighting, entry);
+    const glm::vec3 offset = handle.placeMm - toGlm(session.scene.camera.targetMm);
     const bool behind = glm::dot(offset, projection.view().ahead) > 0;
     const ImVec2 middle(place->x, place->y);
-    const float radius = 0.45F * ImGui::GetFontSize();
-    if (directional && target) {
-      list.AddLine(middle, {target->x, target->y}, colorOf(power, behind ? 0.25F : 0.5F), 1);
-    }
+    const bool main = handle.part == LightPart::Place;
+    const float radius = (main ? 0.45F : 0.3F) * ImGui::GetFontSize();
+    const auto from = endOfLine(session, handle, entry);
+    if (const auto end = from ? projection.toWindow(*from) : std::nullopt)
+      list.AddLine(middle, {end->x, end->y}, colorOf(power, behind ? 0.25F : 0.5F), 1);
     // Behind the body a ring, before it a disc.
-    if (behind) {
+    if (behind || !main) {
       list.AddCircleFilled(middle, radius, IM_COL32(20, 20, 22, 160));
       list.AddCircle(middle, radius, colorOf(power, 1), 0, 2.5F);
     } else {
       list.AddCircleFilled(middle, radius, colorOf(power, 1));
     }
-    if (static_cast<int>(i) == session.light || static_cast<int>(i) == grabbed_) {
+    const bool isGrabbed = grabbed_ && handle.light == grabbed_->light;
+    if (main && (handle.light == session.light || isGrabbed))
       list.AddCircle(middle, 1.6F * radius, IM_COL32(255, 255, 255, 200), 0, 1.5F);
-    }
   }
 }
 

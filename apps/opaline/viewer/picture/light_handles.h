@@ -3,30 +3,42 @@
 #include <imgui.h>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
 
 #include "viewer/picture/projection.h"
 #include "viewer/session/session.h"
 
 namespace opaline::app::viewer {
 
+/// What of a light one holds by a handle.
+enum class LightPart { Place, Aim };
+
+struct LightHandle {
+  int light = -1;  ///< in the window's list
+  LightPart part = LightPart::Place;
+  glm::vec3 placeMm{};
+};
+
 /// Lights as handles in the picture. A directional light stands on a sphere about the camera's
-/// target and is dragged along it, past its rim to the other side; a point light where it is, and
-/// is dragged parallel to the picture.
+/// target and is dragged along it, past its rim to the other side; other lights stand where they
+/// are, and are dragged parallel to the picture. A spot light that is selected has another handle
+/// where it aims.
 class LightHandles {
  public:
-  /// The light whose handle lies there, or -1.
-  int at(const Session& session, const Projection& projection, const glm::vec2& pixel) const;
+  /// The handle that lies there.
+  std::optional<LightHandle> at(const Session& session, const Projection& projection,
+                                const glm::vec2& pixel) const;
 
-  void grab(const Session& session, const Projection& projection, int light);
+  void grab(const Session& session, const Projection& projection, const LightHandle& handle);
   /// Moves the light that was grabbed; true where it did.
   bool drag(Session& session, const Projection& projection, const glm::vec2& pixel) const;
-  void release() { grabbed_ = -1; }
-  bool isGrabbed() const { return grabbed_ >= 0; }
+  void release() { grabbed_.reset(); }
 
   void draw(const Session& session, const Projection& projection, ImDrawList& list) const;
 
  private:
-  int grabbed_ = -1;
+  std::optional<LightHandle> grabbed_;
   bool inFront_ = true;  // of the target, when it was grabbed
 };
 

@@ -43,10 +43,9 @@ PictureInput::Drag PictureInput::begin(Session& session, const Projection& proje
     if (std::abs(mouse.x - x) < 0.6F * ImGui::GetFontSize()) return Drag::Divider;
   }
   if (session.gizmos && showsScene(session)) {
-    const int light = handles_.at(session, projection, mouse);
-    if (light >= 0) {
-      handles_.grab(session, projection, light);
-      session.light = light;
+    if (const auto handle = handles_.at(session, projection, mouse)) {
+      handles_.grab(session, projection, *handle);
+      session.light = handle->light;
       return Drag::Light;
     }
   }

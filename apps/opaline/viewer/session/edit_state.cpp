@@ -7,6 +7,7 @@
 #include "cli/motion_options.h"
 #include "cli/picture_options.h"
 #include "scene/environment_file.h"
+#include "viewer/session/light_list.h"
 
 namespace opaline::app::viewer {
 
@@ -38,6 +39,14 @@ bool same(const PointLight& a, const PointLight& b) {
   return parts(a) == parts(b);
 }
 
+bool same(const SpotLight& a, const SpotLight& b) {
+  const auto parts = [](const SpotLight& light) {
+    const auto& [position, direction, intensity, inner, outer] = light;
+    return std::tie(position, direction, intensity, inner, outer);
+  };
+  return parts(a) == parts(b);
+}
+
 bool same(const Deformer& a, const Deformer& b) {
   const auto parts = [](const Deformer& deformer) {
     const auto& [kind, amount, period] = deformer;
@@ -53,7 +62,8 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 bool sameLights(const Lighting& a, const Lighting& b) {
-  return same(a.directional, b.directional) && same(a.points, b.points) && a.ambient == b.ambient;
+  return same(a.directional, b.directional) && same(a.points, b.points) && same(a.spots, b.spots) &&
+         a.ambient == b.ambient;
 }
 
 bool sameEnvironment(const EditState& state, const Session& session) {
@@ -152,9 +162,9 @@ void restore(const EditState& state, Session& session) {
   if (lights) {
     lighting.directional = state.lighting.directional;
     lighting.points = state.lighting.points;
+    lighting.spots = state.lighting.spots;
     lighting.ambient = state.lighting.ambient;
-    const auto count = static_cast<int>(lighting.directional.size() + lighting.points.size());
-    if (session.light >= count) session.light = -1;
+    if (session.light >= static_cast<int>(countOf(lighting))) session.light = -1;
   }
   const bool surroundings = !sameEnvironment(state, session);
   if (surroundings) restoreEnvironment(state, session);

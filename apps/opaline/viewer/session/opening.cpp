@@ -6,17 +6,11 @@
 #include "cli/motion_options.h"
 #include "cli/paths.h"
 #include "scene/environment_file.h"
+#include "scene/placed_lights.h"
 
 namespace opaline::app::viewer {
 
 namespace {
-
-// A light at the same place of a body that has become so many times as large, as bright on it.
-PointLight scaled(PointLight light, float factor) {
-  for (float& component : light.positionMm) component *= factor;
-  for (float& channel : light.intensity) channel *= factor * factor;
-  return light;
-}
 
 // All of it has to be drawn for the first time.
 Edits newScene(const Scene& scene) {
@@ -76,7 +70,7 @@ Session resized(const Session& edited, Loader::Result result) {
   // The file may have changed meanwhile.
   if (made.object >= scene.objects.size()) made.object = 0;
   const float factor = made.diagonalMm / edited.diagonalMm;
-  for (PointLight& light : scene.lighting.points) light = scaled(light, factor);
+  scene::scaleLights(double{factor}, scene.lighting);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     scene.camera.positionMm[axis] *= factor;
     scene.camera.targetMm[axis] *= factor;

@@ -111,7 +111,7 @@ struct Session {
   std::optional<RenderReport> report;  ///< of the last picture
 
   std::size_t object = 0;  ///< whose medium is edited
-  int light = -1;          ///< that is selected: directional lights first, then points
+  int light = -1;          ///< that is selected, in the order of viewer/session/light_list.h
   Edits edits;
 };
 

@@ -1,0 +1,76 @@
+#include "viewer/session/light_list.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <iterator>
+
+namespace opaline::app::viewer {
+
+namespace {
+
+constexpr std::array<const char*, 3> names{"directional", "point", "spot"};
+
+std::array<std::size_t, names.size()> countsOf(const Lighting& lighting) {
+  return {lighting.directional.size(), lighting.points.size(), lighting.spots.size()};
+}
+
+template <typename Light>
+void eraseAt(std::vector<Light>& lights, std::size_t index) {
+  lights.erase(std::next(lights.begin(), static_cast<std::ptrdiff_t>(index)));
+}
+
+}  // namespace
+
+std::size_t countOf(const Lighting& lighting) {
+  std::size_t sum = 0;
+  for (const std::size_t count : countsOf(lighting)) sum += count;
+  return sum;
+}
+
+LightEntry entryOf(const Lighting& lighting, std::size_t light) {
+  const auto counts = countsOf(lighting);
+  std::size_t kind = 0;
+  while (light >= counts[kind]) light -= counts[kind++];
+  return {static_cast<LightKind>(kind), light};
+}
+
+std::size_t numberOfLast(LightKind kind, const Lighting& lighting) {
+  const auto counts = countsOf(lighting);
+  std::size_t end = 0;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(kind); ++k) end += counts[k];
+  return end - 1;
+}
+
+std::string nameOf(LightKind kind) {
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::string nameOf(const LightEntry& entry) {
+  return fmt::format("{} {}", nameOf(entry.kind), entry.index + 1);
+}
+
+Rgb powerOf(const Lighting& lighting, const LightEntry& entry) {
+  switch (entry.kind) {
+    case LightKind::Directional:
+      return lighting.directional[entry.index].irradiance;
+    case LightKind::Point:
+      return lighting.points[entry.index].intensity;
+    case LightKind::Spot:
+      break;
+  }
+  return lighting.spots[entry.index].intensity;
+}
+
+void erase(const LightEntry& entry, Lighting& lighting) {
+  switch (entry.kind) {
+    case LightKind::Directional:
+      return eraseAt(lighting.directional, entry.index);
+    case LightKind::Point:
+      return eraseAt(lighting.points, entry.index);
+    case LightKind::Spot:
+      return eraseAt(lighting.spots, entry.index);
+  }
+}
+
+}  // namespace opaline::app::viewer

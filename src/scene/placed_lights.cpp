@@ -1,0 +1,50 @@
+#include "scene/placed_lights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/vector_math.h"
+
+namespace opaline::scene {
+
+namespace {
+
+bool scaleLight(double factor, Rgb& light) {
+  for (float& channel : light) channel = static_cast<float>(double{channel} * factor);
+  return std::all_of(light.begin(), light.end(), [](float x) { return std::isfinite(x); });
+}
+
+}  // namespace
+
+bool placeLights(const Matrix4& matrix, Lighting& lighting) {
+  const auto turn = [&](Vec3& direction) {
+    direction = toFloat(unit(matrix.direction(toDouble(direction))));
+  };
+  const double area = std::pow(std::abs(matrix.determinant()), 2.0 / 3);
+  const auto place = [&](Vec3& position, Rgb& intensity) {
+    position = toFloat(matrix.point(toDouble(position)));
+    return scaleLight(area, intensity) && isFinite(position);
+  };
+  bool finite = true;
+  for (DirectionalLight& light : lighting.directional) turn(light.directionToLight);
+  for (PointLight& light : lighting.points)
+    finite = place(light.positionMm, light.intensity) && finite;
+  for (SpotLight& light : lighting.spots) {
+    turn(light.direction);
+    finite = place(light.positionMm, light.intensity) && finite;
+  }
+  return finite;
+}
+
+bool scaleLights(double factor, Lighting& lighting) {
+  bool finite = true;
+  const auto scale = [&](Vec3& position, Rgb& intensity) {
+    position = toFloat(factor * toDouble(position));
+    finite = scaleLight(factor * factor, intensity) && isFinite(position) && finite;
+  };
+  for (PointLight& light : lighting.points) scale(light.positionMm, light.intensity);
+  for (SpotLight& light : lighting.spots) scale(light.positionMm, light.intensity);
+  return finite;
+}
+
+}  // namespace opaline::scene

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "opaline/scene.h"
+#include "scene/matrix.h"
+
+namespace opaline::scene {
+
+/// Lights that are scaled with their scene shine on it as before: intensities grow with the square.
+/// False where something of a light leaves the range of a float.
+bool scaleLights(double factor, Lighting& lighting);
+
+/// The same for lights that are placed with a model. They turn, and intensities grow with its area.
+[[nodiscard]] bool placeLights(const Matrix4& matrix, Lighting& lighting);
+
+}  // namespace opaline::scene
