@@ -16,6 +16,8 @@ if(OPALINE_SANITIZE)
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
     -Wno-maybe-uninitialized)
   target_link_options(opaline_warnings INTERFACE -fsanitize=address,undefined)
+  add_library(opaline_kept_modules SHARED ${PROJECT_SOURCE_DIR}/tools/keep_modules.cpp)
+  target_link_libraries(opaline_warnings INTERFACE opaline_kept_modules)
 endif()
 
 # Lets a target include what is in a folder as "<folder>/...", and nothing beside that folder. Of a folder in a folder of

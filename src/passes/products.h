@@ -55,6 +55,8 @@ struct SceneTables {
   gpu::Buffer media;    ///< shared::MediumData
   std::uint32_t mediumCount = 0;
   bool followsLight = false;   ///< to its second collision in any medium; see shared/boundary.h
+  bool entersAtSurface = false;  ///< diffuse light of some channel of some medium, as the diffusion
+                                 ///< at the surface itself has it; see lib/boundary.glsl
   gpu::Buffer specularAlbedo;  ///< float, see MediumData::tables.w
   std::vector<double> etas;    ///< the different ones, see MediumData::tables.x
 };
@@ -160,6 +162,9 @@ struct Clusters {
   gpu::Buffer arrived;             ///< vec4 a cluster: power that enters after it was mirrored
   gpu::Buffer beamNodes;           ///< shared::BeamNode
   gpu::Buffer sources;             ///< vec4 a cluster: fluence in a medium without end
+  gpu::Buffer entered;             ///< vec4 a cluster: irradiance of the diffuse light that entered last
+  gpu::Buffer enteredBefore;       ///< the same of light before that, where it is mirrored to one side
+  gpu::Buffer power;               ///< vec4: of all diffuse light of the last bounce but one
   gpu::Buffer latest;              ///< vec4 a cluster: exitance of the light that entered last
   gpu::Buffer exitances;           ///< vec4 a cluster: of all light
   gpu::Buffer means;               ///< vec4 a cluster: exitance of a half-space

@@ -65,11 +65,16 @@ void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, C
   commands.beginPass("sources");
   commands.bind(
       reentry_,
-      {.clusters = clusters.clusters,
+      {.objects = inputs.tables.objects,
+       .media = inputs.tables.media,
+       .ranges = clusters.ranges,
+       .clusters = clusters.clusters,
        .meetings = clusters.meetings,
        .latest = clusters.latest,
+       .enteredBefore = clusters.enteredBefore,
+       .arrived = clusters.arrived,
        .strengths = clusters.fromEverywhere.strengths,
-       .arrived = clusters.arrived},
+       .entered = clusters.entered},
       {.clusterCount = clusters.count, .raysOutwards = clusters.raysOutwards, .isFirst = isFirst});
   commands.dispatchLinear(clusters.count);
   spread(commands, inputs, clusters, clusters.fromEverywhere, false);
@@ -91,7 +96,8 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
                  .strengths = beams.strengths,
                  .clusterOfSurfel = clusters.clusterOfSurfel,
                  .mirrored = clusters.mirrored,
-                 .peak = clusters.peak},
+                 .peak = clusters.peak,
+                 .entered = clusters.entered},
                 {.clusterCount = clusters.count,
                  .beam = beam.index,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,

@@ -148,6 +148,9 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.arrived = makeRoom<shared::vec4>(device, "arrived mirrored light", count);
   clusters.beamNodes = makeRoom<shared::BeamNode>(device, "tree of points", nodes);
   clusters.sources = makeRoom<shared::vec4>(device, "sources of fluence", count);
+  clusters.entered = makeRoom<shared::vec4>(device, "diffuse light that enters", count);
+  clusters.enteredBefore = makeRoom<shared::vec4>(device, "diffuse light that entered", count);
+  clusters.power = makeRoom<shared::vec4>(device, "power of a bounce", 1);
   clusters.latest = makeRoom<shared::vec4>(device, "latest exitances", count);
   clusters.exitances = makeRoom<shared::vec4>(device, "exitances of clusters", count);
   clusters.means = makeRoom<shared::vec4>(device, "means over clusters", count);

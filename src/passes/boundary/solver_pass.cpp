@@ -20,7 +20,9 @@ SolverPass::SolverPass(gpu::Device& device)
     : densities_(device, "densities"),
       product_(device, "product"),
       step_(device, "step of the solver"),
-      exitance_(device, "exitance of clusters") {}
+      exitance_(device, "exitance of clusters"),
+      powerOfLastButOne_(device, "power of a bounce", {.ofLast = 0}),
+      furtherBounces_(device, "further bounces", {.ofLast = 1}) {}
 
 Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
                               std::uint32_t solutions) {
@@ -40,9 +42,11 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
 void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTables& tables,
                         Clusters& clusters, Solver& solver) const {
   commands.beginPass("solve");
+  if (order.isDiffuse && tables.entersAtSurface)
+    findDensities(commands, order, Of::Entered, tables, clusters, solver);
   multiply(commands, order, 0, tables, clusters, solver);
   for (std::uint32_t step = 1; step <= std::min(order.steps, shared::maxSolverSteps); ++step) {
-    findDensities(commands, order, tables, clusters, solver);
+    findDensities(commands, order, Of::Basis, tables, clusters, solver);
     multiply(commands, order, step, tables, clusters, solver);
   }
   commands.bind(exitance_,
@@ -52,15 +56,36 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
                  .basis = solver.basis,
                  .states = solver.states,
                  .latest = clusters.latest,
-                 .exitances = clusters.exitances},
-                {.clusterCount = clusters.count, .solution = order.solution, .adds = order.adds});
+                 .exitances = clusters.exitances,
+                 .clusters = clusters.clusters,
+                 .entered = clusters.entered,
+                 .enteredBefore = clusters.enteredBefore},
+                {.clusterCount = clusters.count,
+                 .solution = order.solution,
+                 .adds = order.adds,
+                 .isDiffuse = order.isDiffuse,
+                 .atSurface = order.isDiffuse && tables.entersAtSurface});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
 }
 
-// Of the vector that the last product adds to the basis.
-void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, SceneTables& tables,
-                               Clusters& clusters, Solver& solver) const {
+void SolverPass::recordFurtherBounces(gpu::CommandList& commands, Bounce bounce,
+                                      Clusters& clusters) const {
+  commands.beginPass("solve");
+  commands.bind(bounce == Bounce::Last ? furtherBounces_ : powerOfLastButOne_,
+                {.clusters = clusters.clusters,
+                 .latest = clusters.latest,
+                 .entered = clusters.entered,
+                 .powerBefore = clusters.power,
+                 .exitances = clusters.exitances},
+                {.clusterCount = clusters.count});
+  commands.dispatchLinear(groupSize);
+  commands.endPass();
+}
+
+// Of the vector that the last product adds to the basis, or of diffuse light at the surface.
+void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, Of of,
+                               SceneTables& tables, Clusters& clusters, Solver& solver) const {
   commands.bind(densities_,
                 {.objects = tables.objects,
                  .media = tables.media,
@@ -71,19 +96,22 @@ void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, S
                  .products = solver.products,
                  .basis = solver.basis,
                  .nodes = solver.densities,
-                 .states = solver.states},
+                 .states = solver.states,
+                 .entered = clusters.entered},
                 {.clusterCount = clusters.count,
                  .smallCount = clusters.smallInnerCount,
                  .innerCount = clusters.innerCount,
-                 .solution = order.solution});
+                 .solution = order.solution,
+                 .ofEntered = of == Of::Entered});
   const std::uint32_t alone = groupsOf(clusters.count + clusters.smallInnerCount);
   commands.dispatchLinear(groupSize * (alone + clusters.innerCount - clusters.smallInnerCount));
 }
 
-// The operator on the last vector of the basis, or in step 0 the sources themselves; then what that
-// says of the solution.
+// The operator on the last vector of the basis, or in step 0 the right side; then what that says of the
+// solution.
 void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                           SceneTables& tables, Clusters& clusters, Solver& solver) const {
+  const bool atSurface = step == 0 && order.isDiffuse && tables.entersAtSurface;
   commands.bind(product_,
                 {.objects = tables.objects,
                  .media = tables.media,
@@ -98,13 +126,15 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                  .basis = solver.basis,
                  .products = solver.products,
                  .sums = solver.sums,
-                 .states = solver.states},
+                 .states = solver.states,
+                 .entered = clusters.entered},
                 {.tileCount = clusters.tileCount,
                  .clusterCount = clusters.count,
                  .openingAngle = order.openingAngle,
                  .step = step,
-                 .solution = order.solution});
-  commands.dispatchLinear(invocationsOfTiles(clusters), step > 0 ? roundsOfWalk : 1);
+                 .solution = order.solution,
+                 .atSurface = atSurface});
+  commands.dispatchLinear(invocationsOfTiles(clusters), step > 0 || atSurface ? roundsOfWalk : 1);
   commands.bind(step_, {.sums = solver.sums, .states = solver.states},
                 {.tileCount = clusters.tileCount,
                  .tolerance = order.tolerance,

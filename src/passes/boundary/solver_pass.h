@@ -8,6 +8,7 @@
 #include "passes/products.h"
 #include "shaders/boundary/densities.comp.h"
 #include "shaders/boundary/exitance.comp.h"
+#include "shaders/boundary/further_bounces.comp.h"
 #include "shaders/boundary/product.comp.h"
 #include "shaders/boundary/solver_step.comp.h"
 
@@ -33,13 +34,20 @@ class SolverPass {
     float openingAngle;          ///< of nodes: taken from further than their radius over this
     float tolerance = 0.01F;     ///< of the residual, relative to the sources
     bool adds = false;           ///< to the exitance of light that entered before
+    bool isDiffuse = false;      ///< some of the light is what clusters.entered tells
   };
   /// From clusters.sources to clusters.latest and clusters.exitances.
   void record(gpu::CommandList& commands, const Order& order, SceneTables& tables,
               Clusters& clusters, Solver& solver) const;
 
+  /// Adds what further bounces would, as far as the last two tell. Of the last but one, then of the
+  /// last, each after its solution.
+  enum class Bounce : std::uint8_t { LastButOne, Last };
+  void recordFurtherBounces(gpu::CommandList& commands, Bounce bounce, Clusters& clusters) const;
+
  private:
-  void findDensities(gpu::CommandList& commands, const Order& order, SceneTables& tables,
+  enum class Of : std::uint8_t { Basis, Entered };
+  void findDensities(gpu::CommandList& commands, const Order& order, Of of, SceneTables& tables,
                      Clusters& clusters, Solver& solver) const;
   void multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                 SceneTables& tables, Clusters& clusters, Solver& solver) const;
@@ -48,6 +56,8 @@ class SolverPass {
   gpu::Compute<shaders::BoundaryProduct> product_;
   gpu::Compute<shaders::BoundarySolverStep> step_;
   gpu::Compute<shaders::BoundaryExitance> exitance_;
+  gpu::Compute<shaders::BoundaryFurtherBounces> powerOfLastButOne_;
+  gpu::Compute<shaders::BoundaryFurtherBounces> furtherBounces_;
 };
 
 }  // namespace opaline::passes

@@ -111,8 +111,13 @@ struct FrameContext {
                            {.solution = static_cast<std::uint32_t>(bounce),
                             .openingAngle = openingAngle,
                             .tolerance = tolerance,
-                            .adds = again},
+                            .adds = again,
+                            .isDiffuse = again || !plan.skyIsDark},
                            resources.tables, clusters, scene.solver);
+      using Bounce = passes::SolverPass::Bounce;
+      if (plan.bounces > 1 && bounce > 0 && bounce + 1 >= plan.bounces)
+        passes.solver.recordFurtherBounces(
+            commands, bounce == plan.bounces ? Bounce::Last : Bounce::LastButOne, clusters);
     }
   }
 

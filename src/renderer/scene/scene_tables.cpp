@@ -58,6 +58,12 @@ bool followsLight(const shared::MediumData& medium) {
   return false;
 }
 
+bool scattersEnough(const shared::MediumData& medium) {
+  for (int c = 0; c < 3; ++c)
+    if (medium.inside.albedo[c] > shared::albedoFollowed) return true;
+  return false;
+}
+
 // Collects the tables of all media.
 class TableBuilder {
  public:
@@ -144,6 +150,8 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
   tables.media = gpu::makeBuffer(device, "media", builder.media(), storage);
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
   tables.followsLight = std::any_of(builder.media().begin(), builder.media().end(), followsLight);
+  tables.entersAtSurface =
+      std::any_of(builder.media().begin(), builder.media().end(), scattersEnough);
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
   tables.etas = builder.etas();
   return tables;

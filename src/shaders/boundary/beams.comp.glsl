@@ -24,6 +24,7 @@ layout(std430, set = 0, binding = 9) writeonly buffer Strengths { vec4 strengths
 layout(std430, set = 0, binding = 10) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
 layout(std430, set = 0, binding = 11) writeonly buffer MirroredLight { Mirrored mirrored[]; };
 layout(std430, set = 0, binding = 12) buffer Peak { uint peak; };
+layout(std430, set = 0, binding = 13) writeonly buffer Entered { vec4 entered[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -202,7 +203,10 @@ void main() {
   Body body = Body(insideOf(itsBody), eta, target, cluster.along.w, rayStartOf(cluster));
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   bool everywhere = beam == frame.counts.x;
-  if (everywhere) power *= cluster.facet.w;
+  if (everywhere) {
+    entered[i] = vec4(cluster.facet.w * entry.irradiance.rgb, 0.0);
+    power *= cluster.facet.w * (1.0 - shareAtSurface(cluster.start.w, body.medium));
+  }
   pointCount[0] = 0u;
   pointCount[1] = 0u;
   Mirrored goesOn = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);

@@ -1,5 +1,5 @@
 // The next vector of the solver's basis, from the last product, and as a fluence at the clusters its
-// densities on their nodes. Each node has them from the clusters below it, so that none waits for
+// densities on their nodes; or those of the fluence at which as much leaves as has entered. Each node has them from the clusters below it, so that none waits for
 // another. An invocation has a leaf or a node of few clusters, a work group one of many.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -20,17 +20,26 @@ layout(set = 0, binding = 6) uniform samplerBuffer products;
 layout(std430, set = 0, binding = 7) buffer Basis { vec4 basis[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Nodes { DensityNode nodes[]; };
 layout(std430, set = 0, binding = 9) readonly buffer States { SolverState states[]; };
+layout(std430, set = 0, binding = 10) readonly buffer Entered { vec4 entered[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint smallCount;  // of inner nodes, those of few clusters
   uint innerCount;
-  uint solution;  // nothing to do when that is done
+  uint solution;   // nothing to do when that is done
+  uint ofEntered;  // 1: of the light that has entered at the surface, for its double layer alone
 };
+
+vec3 enteredFluence(uint cluster) {
+  float thicknessMm = texelFetch(clusterTexels, 7 * int(cluster) + 3).w;
+  BoundaryMedium medium = insideOf(objects[ranges[cluster].object]);
+  return fluenceOfEntered(medium) * shareAtSurface(thicknessMm, medium) * entered[cluster].rgb;
+}
 
 // What is left of the last product without its parts along the vectors of the basis so far. Those are
 // as many as there were steps, and are not written here.
 vec3 nextVector(uint cluster) {
+  if (ofEntered != 0u) return enteredFluence(cluster);
   vec3 vector = texelFetch(products, int(cluster)).rgb;
   uint steps = states[solution].steps;
   for (uint k = 0u; k < steps; ++k)
@@ -54,7 +63,7 @@ void add(inout DensityNode sum, uint cluster, vec3 fluence, vec3 place, vec3 wei
 
 // Of the clusters below, every `stride`-th from the `start`-th on.
 DensityNode densityOf(InnerNode inner, uint start, uint stride) {
-  vec3 weightS = singleLayerWeight(insideOf(objects[inner.object]));
+  vec3 weightS = ofEntered != 0u ? vec3(0.0) : singleLayerWeight(insideOf(objects[inner.object]));
   vec3 place = centroidLinkOf(inner.node).xyz;
   DensityNode sum = noDensity();
   for (uint i = inner.firstCluster + start; i < inner.endCluster; i += stride)
@@ -80,14 +89,14 @@ void putLarge(InnerNode inner) {
 
 void putLeaf(uint cluster) {
   vec3 fluence = nextVector(cluster);
-  basis[states[solution].steps * clusterCount + cluster] = vec4(fluence, 0.0);
+  if (ofEntered == 0u) basis[states[solution].steps * clusterCount + cluster] = vec4(fluence, 0.0);
   DensityNode sum = noDensity();
   add(sum, cluster, fluence, vec3(0.0), vec3(0.0));
   nodes[ranges[cluster].node] = sum;
 }
 
 void main() {
-  if (states[solution].done != 0u) return;
+  if (ofEntered == 0u && states[solution].done != 0u) return;
   uint i = linearIndex();
   uint alone = clusterCount + smallCount;
   uint groupsAlone = (alone + gl_WorkGroupSize.x - 1u) / gl_WorkGroupSize.x;

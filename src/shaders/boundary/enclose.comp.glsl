@@ -16,8 +16,6 @@
 layout(std430, set = 0, binding = 5) writeonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 6) writeonly buffer Lists { uint lists[]; };
 
-const float leastShare = 0.05;
-
 layout(push_constant) uniform Push {
   uint tileCount;
   float openingAngle;
@@ -90,7 +88,6 @@ void main() {
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, vec3(shares[t]));
   uint target = gl_LocalInvocationIndex;
   vec3 sum = sumOfTile(target);
-  // Clusters that lie upon each other might give any number.
   if (target < tile.endCluster - tile.firstCluster)
-    clusters[tile.firstCluster + target].vectorArea.w = clamp(sum.x / (4.0 * pi), leastShare, 1.0);
+    clusters[tile.firstCluster + target].vectorArea.w = sum.x / (4.0 * pi);
 }

@@ -1,5 +1,6 @@
-// What leaves through every cluster: M = M₁ + α'φ / 2A, added to that of light which entered before.
-// The fluence φ is the combination of the solver's basis that leaves the smallest residual.
+// What leaves through every cluster: M = M₁ + x / 2A + sE, added to that of light which entered before.
+// sE is what has entered at the surface, and x the rest of the fluence times α': the combination of the
+// solver's basis that leaves the smallest residual.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -13,12 +14,22 @@ layout(std430, set = 0, binding = 3) readonly buffer Basis { vec4 basis[]; };
 layout(std430, set = 0, binding = 4) readonly buffer States { SolverState states[]; };
 layout(std430, set = 0, binding = 5) buffer Latest { vec4 latest[]; };  // M₁, then M of this light
 layout(std430, set = 0, binding = 6) buffer Exitances { vec4 exitances[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 8) readonly buffer Entered { vec4 entered[]; };
+layout(std430, set = 0, binding = 9) writeonly buffer EnteredBefore { vec4 enteredBefore[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint solution;
-  uint adds;  // 1: to what entered before
+  uint adds;       // 1: to what entered before
+  uint isDiffuse;  // 1: diffuse light has entered
+  uint atSurface;  // 1: some of it there
 };
+
+// Clusters that hold both sides of a sheet do not tell on which of them light was mirrored.
+float oneSided(Cluster cluster) {
+  return smoothstep(0.3, 0.7, length(cluster.vectorArea.xyz) / max(cluster.centroidArea.w, 1e-30));
+}
 
 vec3 fluenceOf(uint cluster) {
   vec3 weights[maxSolverSteps];
@@ -37,8 +48,11 @@ void main() {
   uint i = linearIndex();
   if (i >= clusterCount) return;
   BoundaryMedium medium = insideOf(objects[ranges[i].object]);
-  vec3 leaves = latest[i].rgb + medium.albedo.rgb * fluenceOf(i) / (2.0 * medium.diffusion.w);
+  vec3 leaves = latest[i].rgb + fluenceOf(i) / (2.0 * medium.diffusion.w);
+  if (atSurface != 0u && ranges[i].hasInside != 0u)
+    leaves += shareAtSurface(clusters[i].start.w, medium) * entered[i].rgb;
   leaves = max(leaves, vec3(0.0));
   latest[i] = vec4(leaves, 0.0);
+  enteredBefore[i] = isDiffuse != 0u ? oneSided(clusters[i]) * entered[i] : vec4(0.0);
   exitances[i] = vec4(adds != 0u ? exitances[i].rgb + leaves : leaves, 0.0);
 }

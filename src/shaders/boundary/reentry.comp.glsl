@@ -1,16 +1,20 @@
-// The power of light that left one cluster and enters another, by what the rays outwards met. It
-// enters like what comes from everywhere.
+// Light that comes from one cluster and enters another, by what the rays outwards met: what left there,
+// and what was mirrored there as other light entered. It enters like what comes from everywhere.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 0
+#define BINDING_MEDIA 1
+#include "lib/boundary.glsl"
 #include "lib/linear.glsl"
-#include "shared/boundary.h"
 
-layout(std430, set = 0, binding = 0) readonly buffer Clusters { Cluster clusters[]; };
-layout(std430, set = 0, binding = 1) readonly buffer Meetings { Meeting meetings[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Latest { vec4 latest[]; };
-layout(std430, set = 0, binding = 3) buffer Strengths { vec4 strengths[]; };
-
-layout(std430, set = 0, binding = 4) readonly buffer Arrived { vec4 arrived[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 4) readonly buffer Meetings { Meeting meetings[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Latest { vec4 latest[]; };
+layout(std430, set = 0, binding = 6) readonly buffer EnteredBefore { vec4 enteredBefore[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Arrived { vec4 arrived[]; };
+layout(std430, set = 0, binding = 8) buffer Strengths { vec4 strengths[]; };
+layout(std430, set = 0, binding = 9) writeonly buffer Entered { vec4 entered[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -24,7 +28,14 @@ void main() {
   vec3 sum = vec3(0.0);
   for (uint k = 0u; k < raysOutwards; ++k) {
     Meeting meeting = meetings[i * raysOutwards + k];
-    if (meeting.cluster != noCluster) sum += meeting.share * latest[meeting.cluster].rgb;
+    if (meeting.cluster == noCluster) continue;
+    sum += meeting.share *
+           mix(enteredBefore[meeting.cluster].rgb, latest[meeting.cluster].rgb, meeting.transmitted);
   }
-  strengths[i].rgb = clusters[i].centroidArea.w * sum + (isFirst != 0u ? arrived[i].rgb : vec3(0.0));
+  Cluster cluster = clusters[i];
+  BoundaryMedium medium = insideOf(objects[ranges[i].object]);
+  float area = cluster.centroidArea.w;
+  if (isFirst != 0u && area > 0.0) sum += arrived[i].rgb / area;
+  entered[i] = vec4(sum, 0.0);
+  strengths[i].rgb = area * sum * (1.0 - shareAtSurface(cluster.start.w, medium));
 }

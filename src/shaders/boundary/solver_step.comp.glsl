@@ -13,7 +13,7 @@ layout(std430, set = 0, binding = 1) buffer States { SolverState states[]; };
 
 layout(push_constant) uniform Push {
   uint tileCount;
-  float tolerance;  // of the residual, relative to the sources
+  float tolerance;  // of the residual, relative to the sources and to what entered at the surface
   uint step;        // skipped when the solver is done
   uint solution;
 };
@@ -33,10 +33,10 @@ void setDone(vec3 toGo) {
   states[solution].done = all(lessThanEqual(toGo, states[solution].wanted.rgb)) ? 1u : 0u;
 }
 
-void start(vec3 norm) {
-  states[solution].wanted = vec4(tolerance * norm, 0.0);
+void start(vec3 norm, vec3 scale) {
+  states[solution].wanted = vec4(tolerance * scale, 0.0);
   states[solution].rotated[0] = vec4(norm, 0.0);
-  states[solution].residual = vec4(overOr0(norm, norm), 0.0);
+  states[solution].residual = vec4(overOr0(norm, scale), 0.0);
   states[solution].steps = 0u;
   setDone(norm);
 }
@@ -76,6 +76,7 @@ void main() {
   if (step > 0u && states[solution].done != 0u) return;
   vec3 column[maxSolverSteps + 1u];
   vec3 left2 = total(step);
+  vec3 entered = step == 0u ? sqrt(total(1u)) : vec3(0.0);
   vec3 all2 = left2;
   for (uint k = 0u; k < step; ++k) {
     column[k] = total(k);
@@ -86,7 +87,7 @@ void main() {
   if (gl_LocalInvocationIndex != 0u) return;
   for (uint k = 0u; k <= step; ++k) states[solution].projections[k] = vec4(column[k], 0.0);
   if (step == 0u)
-    start(column[0]);
+    start(column[0], column[0] + entered);
   else
     rotate(column, mix(vec3(0.0), sqrt(leastLeft2 * all2), rounded));
 }

@@ -28,8 +28,7 @@ layout(push_constant) uniform Push {
 // diffusion from the first is too rough. Not where clusters are larger than some mean free paths:
 // light that leaves after one collision does so within a cluster's size there.
 vec3 shareOfSecond(BoundaryMedium medium, float edge) {
-  vec3 dark = 1.0 - smoothstep(albedoFollowed, albedoNotFollowed, medium.albedo.rgb);
-  return dark * (1.0 - smoothstep(1.5, 3.0, edge * medium.extinction.rgb));
+  return (1.0 - whitenessOf(medium)) * (1.0 - smoothstep(1.5, 3.0, edge * medium.extinction.rgb));
 }
 
 float transmittedInto(float eta, float cosine) {
@@ -87,7 +86,7 @@ void lookAround(uint i, inout Cluster cluster, ClusterRange range) {
     float entering = transmittedInto(eta, dot(direction, place.normal));
     RayHit hit = nearestHit(place.middle, direction, least, 3e38, scene);
     all += entering;
-    Meeting meeting = Meeting(noCluster, 0.0);
+    Meeting meeting = Meeting(noCluster, 0.0, 0.0);
     if (hit.piece == noPiece) {
       sky += entering;
     } else {
@@ -96,8 +95,8 @@ void lookAround(uint i, inout Cluster cluster, ClusterRange range) {
       uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
       float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
       if (cosine > 0.0)
-        meeting = Meeting(cluster, entering * transmittedInto(other.boundary.x, cosine) /
-                                       other.inside.extinction.w / float(raysOutwards));
+        meeting = Meeting(cluster, entering / (other.inside.extinction.w * float(raysOutwards)),
+                          transmittedInto(other.boundary.x, cosine));
     }
     meetings[i * raysOutwards + k] = meeting;
   }

@@ -43,6 +43,24 @@ vec3 singleLayerWeight(BoundaryMedium medium) {
   return 1.0 / (2.0 * medium.diffusion.w * medium.diffusion.rgb);
 }
 
+// Of a medium in each channel: 0 where all light is followed to its second collision, 1 where diffusion
+// takes over from the first.
+vec3 whitenessOf(BoundaryMedium medium) {
+  return smoothstep(albedoFollowed, albedoNotFollowed, medium.albedo.rgb);
+}
+
+// Of diffuse light that enters through a cluster, what enters the diffusion at the surface itself: all
+// where the body is white and thicker than some mean free paths. The rest is followed to its collisions.
+vec3 shareAtSurface(float thicknessMm, BoundaryMedium medium) {
+  return smoothstep(2.0, 5.0, thicknessMm * medium.extinction.rgb) * whitenessOf(medium);
+}
+
+// Fluence at the surface over the irradiance of diffuse light that entered, where as much leaves: 2Aκ,
+// which is 4 / (1 - 2C₁) with 1 - 2C₁ = F̄_t/η².
+float fluenceOfEntered(BoundaryMedium medium) {
+  return 4.0 / (medium.extinction.w * (1.0 - medium.albedo.w * medium.albedo.w));
+}
+
 float leastOf(vec3 v) {
   return min(min(v.x, v.y), v.z);
 }

@@ -28,7 +28,8 @@ struct ClusterRange {
 struct Cluster {
   vec4 centroidArea;  // mm; a, mm²
   vec4 normal;        // unit, of the vector area; w: ρ = √(a/π), mm
-  vec4 vectorArea;    // A = Σ a n, mm²; w: share of the solid angle that the body fills there, c
+  vec4 vectorArea;    // A = Σ a n, mm²; w: share of the solid angle that the body fills there, c, as
+                      // the other clusters give it
   vec4 start;         // a place on the surface near the centroid, mm; w: thickness of the body, mm
   vec4 along;  // unit, in the surface there, moving with it; w: 1, or -1 where the body is mirrored
   vec4 facet;  // unit, outwards there; w: share of the sky that it sees
@@ -82,11 +83,13 @@ struct BeamPoint {
   vec4 blue;
 };
 
-/// What a ray from a cluster met outside: another cluster, and which part of that one's exitance
-/// enters here by this ray.
+/// What a ray from a cluster met outside: another cluster, and which part of the light that comes
+/// from there enters here by this ray.
 struct Meeting {
   uint cluster;  // or noCluster
   float share;
+  float transmitted;  // F_t there: the light is that part of what leaves, and the rest of what
+                      // entered
 };
 OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
 

@@ -1,0 +1,37 @@
+// What bounces that are not followed would add, if of each as much entered again as of the last one: a
+// geometric series. One work group.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/group_sum.glsl"
+#include "lib/linear.glsl"
+#include "lib/over_or_0.glsl"
+#include "shared/boundary.h"
+
+layout(constant_id = 0) const uint ofLast = 1u;  // else of the one before
+
+layout(std430, set = 0, binding = 0) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Latest { vec4 latest[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Entered { vec4 entered[]; };
+layout(std430, set = 0, binding = 3) buffer PowerBefore { vec4 powerBefore; };
+layout(std430, set = 0, binding = 4) buffer Exitances { vec4 exitances[]; };
+
+layout(push_constant) uniform Push {
+  uint clusterCount;
+};
+
+// Each bounce loses what gets out of the scene.
+const float mostKept = 0.9;
+
+void main() {
+  vec3 sum = vec3(0.0);
+  for (uint i = gl_LocalInvocationIndex; i < clusterCount; i += gl_WorkGroupSize.x)
+    sum += clusters[i].centroidArea.w * entered[i].rgb;
+  vec3 power = groupSum(sum);
+  if (ofLast == 0u) {
+    if (gl_LocalInvocationIndex == 0u) powerBefore = vec4(power, 0.0);
+    return;
+  }
+  vec3 kept = min(overOr0(power, powerBefore.rgb), vec3(mostKept));
+  for (uint i = gl_LocalInvocationIndex; i < clusterCount; i += gl_WorkGroupSize.x)
+    exitances[i].rgb += latest[i].rgb * kept / (1.0 - kept);
+}
