@@ -53,22 +53,20 @@ Irradiance::Irradiance(const Geometry& geometry) : geometry_(geometry) {
     lights_.push_back({true, toVector(light.positionMm), toColour(light.intensity),
                        unitOr(toVector(light.direction), {0, 0, -1}), falloffOf(light)});
   }
-  const ShCoefficients radiance = projectSky(lighting);
+  const SkyParts sky = partsOfSky(lighting);
   for (const Body& body : geometry.scene().bodies) {
     const double eta = body.medium.eta;
     auto found = std::find_if(ambients_.begin(), ambients_.end(),
                               [&](const Ambient& ambient) { return ambient.eta == eta; });
-    if (found == ambients_.end()) {
-      const std::array<double, 3> kernel = irradianceKernel(eta);
-      found = ambients_.insert(found, {eta, windowed(radiance, kernel), kernel});
-    }
+    if (found == ambients_.end())
+      found = ambients_.insert(found, {eta, SkyIrradiance::entering(sky, eta)});
     ambientOf_.push_back(static_cast<std::size_t>(found - ambients_.begin()));
   }
 }
 
 Colour Irradiance::operator()(const SurfacePoint& point) const {
   const Ambient& ambient = ambients_[ambientOf_[point.body]];
-  Colour sum = ambientIrradiance(ambient.radiance, ambient.kernel, toFloat(point.shadingNormal));
+  Colour sum = ambient.irradiance.at(toFloat(point.shadingNormal));
   // The side of the facet that the interpolated normal is on is the outside.
   const Vector outside =
       dot(point.facetNormal, point.shadingNormal) < 0 ? -point.facetNormal : point.facetNormal;
@@ -87,7 +85,7 @@ Colour Irradiance::operator()(const SurfacePoint& point) const {
 
 Colour Irradiance::facing(const SurfacePoint& point) const {
   const Ambient& ambient = ambients_[ambientOf_[point.body]];
-  Colour sum = ambientIrradiance(ambient.radiance, ambient.kernel, toFloat(point.shadingNormal));
+  Colour sum = ambient.irradiance.at(toFloat(point.shadingNormal));
   for (const Light& light : lights_) {
     const Arriving arriving = arrivingFrom(light, point.position);
     for (std::size_t c = 0; c < 3; ++c) sum[c] += light.power[c] * arriving.falloff;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "environment/spherical_harmonics.h"
+#include "environment/sky_irradiance.h"
 #include "lights/spot.h"
 #include "reference/geometry.h"
 #include "reference/vector.h"
@@ -11,7 +11,7 @@ namespace opaline::reference {
 
 /// Irradiance that enters the surface (physics of Gong et al. 2008, Eq. 7 and 9): directional,
 /// point and spot lights with exact Fresnel transmittance and exact shadows; ambient light and
-/// environment unshadowed, by spherical harmonics of bands 0-2.
+/// environment unshadowed.
 class Irradiance {
  public:
   explicit Irradiance(const Geometry& geometry);
@@ -33,8 +33,7 @@ class Irradiance {
   };
   struct Ambient {
     double eta = 0;
-    ShCoefficients radiance{};
-    std::array<double, 3> kernel{};
+    SkyIrradiance irradiance;
   };
 
   const Geometry& geometry_;

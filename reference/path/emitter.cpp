@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "environment/spherical_harmonics.h"
+#include "environment/lat_long.h"
 
 namespace opaline::reference {
 

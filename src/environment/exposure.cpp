@@ -6,7 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "environment/sky.h"
+#include "environment/lat_long.h"
+#include "environment/sky_irradiance.h"
 #include "lights/spot.h"
 
 namespace opaline {
@@ -20,9 +21,6 @@ using std::numbers::pi;
 constexpr double darkest = 0.25;
 constexpr double brightest = 2.5;
 constexpr double mostStops = 32;
-
-// Of the clamped cosine (Ramamoorthi and Hanrahan 2001).
-constexpr std::array<double, 3> cosineKernel = {pi, 2 * pi / 3, pi / 4};
 
 struct Beam {
   Vec3 toLight;  // unit
@@ -72,9 +70,9 @@ std::vector<Beam> beamsOf(const Scene& scene) {
   return beams;
 }
 
-double radianceOfWhite(const std::vector<Beam>& beams, const ShCoefficients& sky,
+double radianceOfWhite(const std::vector<Beam>& beams, const SkyIrradiance& sky,
                        const Vec3& normal) {
-  std::array<double, 3> irradiance = ambientIrradiance(sky, cosineKernel, normal);
+  std::array<double, 3> irradiance = sky.at(normal);
   for (const Beam& beam : beams) {
     const double cosine = std::max(0.0, dot(beam.toLight, normal));
     for (std::size_t c = 0; c < 3; ++c) irradiance[c] += cosine * beam.irradiance[c];
@@ -83,9 +81,9 @@ double radianceOfWhite(const std::vector<Beam>& beams, const ShCoefficients& sky
 }
 
 double brightestWhite(const Scene& scene) {
-  constexpr int directions = 2048;
+  constexpr int directions = 1024;
   const std::vector<Beam> beams = beamsOf(scene);
-  const ShCoefficients sky = projectSky(scene.lighting);
+  const SkyIrradiance sky = SkyIrradiance::arriving(partsOfSky(scene.lighting));
   double most = 0;
   for (int i = 0; i < directions; ++i)
     most = std::max(most, radianceOfWhite(beams, sky, latticeDirection(i, directions)));

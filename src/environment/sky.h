@@ -1,6 +1,7 @@
 #pragma once
 
-#include "environment/spherical_harmonics.h"
+#include <vector>
+
 #include "opaline/scene.h"
 
 namespace opaline {
@@ -11,7 +12,25 @@ bool skyIsDark(const Lighting& lighting);
 
 bool sameSky(const Lighting& a, const Lighting& b);
 
-/// Its radiance in spherical harmonics.
-ShCoefficients projectSky(const Lighting& lighting);
+/// The sky by parts, as irradiance is taken from it.
+struct SkyParts {
+  static constexpr int width = 96;  ///< 3.75° each, latitude-longitude, top row first
+  static constexpr int height = 48;
+  static constexpr int count = width * height;
+
+  struct Part {
+    Vec3 direction{};      ///< unit, of its middle
+    float solidAngle = 0;  ///< sr
+    Rgb radiance{};        ///< mean over it, of the environment
+  };
+  Rgb ambient{};            ///< radiance on top of it
+  std::vector<Part> parts;  ///< none where there is no environment
+
+  /// Mean radiance of the part that a direction lies in, with ambient light.
+  Rgb radianceAt(const Vec3& direction) const;
+};
+
+/// Conserves light, whatever the environment's size. One without pixels is dark.
+SkyParts partsOfSky(const Lighting& lighting);
 
 }  // namespace opaline

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "environment/spherical_harmonics.h"
+#include "environment/lat_long.h"
 
 namespace opaline {
 

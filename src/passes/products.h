@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "environment/spherical_harmonics.h"
+#include "environment/sky.h"
 #include "gpu/acceleration_structure.h"
 #include "gpu/buffer.h"
 #include "gpu/image.h"
@@ -63,7 +63,8 @@ struct SceneTables {
 
 /// All light that comes from everywhere, and all that passes know of it (lib/sky.glsl).
 struct Sky {
-  ShCoefficients radiance{};
+  SkyParts parts;
+  gpu::GpuImage radiance;    ///< by direction, a cube with levels for rays that stand for more
   gpu::GpuImage irradiance;  ///< that enters by normal, one cube for each of SceneTables::etas
   gpu::GpuImage reflected;   ///< radiance as the surface's lobe sees it, a cube
 };
@@ -97,6 +98,7 @@ struct Surfels {
   std::uint32_t piecesPerSurfel = 1;  ///< that follow each other
   gpu::Buffer sources;                ///< shared::Source, sourcesPerSurfel of each
   gpu::Buffer normals;                ///< vec4 a surfel, unit
+  gpu::Buffer skyShares;              ///< vec4 a surfel: of the sky's irradiance, what enters
   gpu::Buffer visibilities;           ///< of lights, where boundary transport reads them: a
                                       ///< word for each and each piece, see lib/piece.glsl
   std::uint32_t lights = 0;           ///< that there is room for
@@ -162,6 +164,7 @@ struct Clusters {
   gpu::Buffer arrived;             ///< vec4 a cluster: power that enters after it was mirrored
   gpu::Buffer beamNodes;           ///< shared::BeamNode
   gpu::Buffer sources;             ///< vec4 a cluster: fluence in a medium without end
+  gpu::Buffer skyShares;           ///< vec4 a cluster: of the sky's irradiance, what enters
   gpu::Buffer entered;             ///< vec4 a cluster: irradiance of the diffuse light that entered last
   gpu::Buffer enteredBefore;       ///< the same of light before that, where it is mirrored to one side
   gpu::Buffer power;               ///< vec4: of all diffuse light of the last bounce but one

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "environment/spherical_harmonics.h"
+#include "environment/lat_long.h"
 
 namespace opaline {
 namespace {

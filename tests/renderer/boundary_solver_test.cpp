@@ -59,7 +59,8 @@ TEST_F(BoundarySolverTest, ResidualIsAsSmallAsAsked) {
   }
 }
 
-// A body of few clusters is solved in as many steps. What is left then is nothing but rounding,
+// A body of few clusters is solved in as many steps, or in one more: so small a body hardly scatters light
+// within itself, which leaves the basis not quite orthogonal. What is left then is nothing but rounding,
 // which is no residual of 0: single precision cannot tell that.
 TEST_F(BoundarySolverTest, NoResidualIsSmallerThanRounding) {
   for (const float edge : {0.03F, 0.1F}) {
@@ -71,7 +72,7 @@ TEST_F(BoundarySolverTest, NoResidualIsSmallerThanRounding) {
     const RenderReport report = renderer().render(options, {Aov::Exitance}).report;
     ASSERT_LT(report.clusters, 8U);
     ASSERT_EQ(report.solutions.size(), 1U);
-    EXPECT_LE(report.solutions[0].steps, static_cast<int>(report.clusters));
+    EXPECT_LE(report.solutions[0].steps, static_cast<int>(report.clusters) + 1);
     for (const float residual : report.solutions[0].residual) {
       EXPECT_GT(residual, 0) << edge;
       EXPECT_LT(residual, 1e-3) << edge;

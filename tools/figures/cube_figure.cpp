@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "core/image_file.h"
-#include "environment/spherical_harmonics.h"
+#include "environment/lat_long.h"
+#include "environment/sky_irradiance.h"
 #include "figures.h"
 
 namespace opaline::figures {
@@ -28,14 +30,15 @@ Rgb radianceFrom(const Image& environment, const Vec3& direction) {
 
 void cubes(Studio& studio, const char* name) {
   const Image environment = core::readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr");
-  const std::array<double, 3> kernel = irradianceKernel(eta);
-  const ShCoefficients radiance = windowed(projectEnvironment(environment), kernel);
+  Lighting lighting;
+  lighting.environment = std::make_shared<const Image>(environment);
+  const SkyIrradiance irradiance = SkyIrradiance::entering(partsOfSky(lighting), eta);
   const Image original = cubeCross(
       2 * facePixels, [&](const Vec3& direction) { return radianceFrom(environment, direction); });
   // Over π, as bright as the mean radiance that it comes from.
   const Image ambient = cubeCross(2 * facePixels, [&](const Vec3& normal) {
     Rgb colour{};
-    const std::array<double, 3> entered = ambientIrradiance(radiance, kernel, normal);
+    const std::array<double, 3> entered = irradiance.at(normal);
     for (std::size_t c = 0; c < 3; ++c) {
       colour[c] = static_cast<float>(entered[c] / std::numbers::pi);
     }

@@ -148,6 +148,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.arrived = makeRoom<shared::vec4>(device, "arrived mirrored light", count);
   clusters.beamNodes = makeRoom<shared::BeamNode>(device, "tree of points", nodes);
   clusters.sources = makeRoom<shared::vec4>(device, "sources of fluence", count);
+  clusters.skyShares = makeRoom<shared::vec4>(device, "share of the sky of clusters", count);
   clusters.entered = makeRoom<shared::vec4>(device, "diffuse light that enters", count);
   clusters.enteredBefore = makeRoom<shared::vec4>(device, "diffuse light that entered", count);
   clusters.power = makeRoom<shared::vec4>(device, "power of a bounce", 1);
@@ -223,7 +224,9 @@ void ClusterPass::survey(gpu::CommandList& commands, const Inputs& inputs, bool 
                  .ranges = clusters.ranges,
                  .clusters = clusters.clusters,
                  .clusterOfSurfel = clusters.clusterOfSurfel,
-                 .meetings = clusters.meetings},
+                 .meetings = clusters.meetings,
+                 .skyRadiance = {inputs.sky.radiance, linear_},
+                 .skyShares = clusters.skyShares},
                 {.clusterCount = clusters.count,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .raysOutwards = looksAround ? clusters.raysOutwards : 0,

@@ -79,6 +79,7 @@ Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivisi
   surfels.sources = makeRoom<shared::Source>(device, "sources",
                                              std::size_t{shared::sourcesPerSurfel} * surfels.count);
   surfels.normals = makeRoom<shared::vec4>(device, "normals of surfels", surfels.count);
+  surfels.skyShares = makeRoom<shared::vec4>(device, "share of the sky of surfels", surfels.count);
   surfels.places = makeRoom<shared::vec4>(device, "places of surfels", surfels.count);
   surfels.objectOf =
       gpu::makeBuffer(device, "objects of surfels", objectsOf(made, surface), surfelBuffer);
@@ -99,16 +100,8 @@ void SurfelPass::makeRoomForLights(gpu::Device& device, std::uint32_t lights, Su
   surfels.lights = lights;
 }
 
-void SurfelPass::record(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const {
-  commands.beginPass("gather");
-  gather(commands, inputs, surfels);
-  commands.endPass();
-  commands.beginPass("tree");
-  fitTree(commands, surfels);
-  commands.endPass();
-}
-
 void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const {
+  commands.beginPass("gather");
   commands.bind(gather_,
                 {.frame = inputs.frame.data,
                  .positions = inputs.mesh.positions,
@@ -121,14 +114,18 @@ void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfel
                  .sources = surfels.sources,
                  .surfelNormals = surfels.normals,
                  .places = surfels.places,
-                 .visibilities = surfels.visibilities},
+                 .visibilities = surfels.visibilities,
+                 .skyShares = surfels.skyShares},
                 {.surfelCount = surfels.count,
                  .piecesPerSurfel = surfels.piecesPerSurfel,
-                 .keepsVisibility = inputs.keepsVisibility});
+                 .keepsVisibility = inputs.keepsVisibility,
+                 .takesSky = inputs.takesSky});
   commands.dispatchLinear(surfels.count);
+  commands.endPass();
 }
 
 void SurfelPass::fitTree(gpu::CommandList& commands, Surfels& surfels) const {
+  commands.beginPass("tree");
   commands.bind(leaves_,
                 {.links = surfels.tree.links,
                  .leafNodes = surfels.tree.leafNodes,
@@ -144,6 +141,7 @@ void SurfelPass::fitTree(gpu::CommandList& commands, Surfels& surfels) const {
                    .boxes = surfels.boxes},
                   {.firstTreelet = first, .treeletCount = count});
   });
+  commands.endPass();
 }
 
 }  // namespace opaline::passes

@@ -16,8 +16,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// Gathers irradiance on surfels as they lie in this frame, and fits their tree to it, leaves
-/// first. Topology and order stay those of the rest pose.
+/// Gathers irradiance on surfels as they lie in this frame, and fits their tree to it. Topology and
+/// order stay those of the rest pose.
 class SurfelPass {
  public:
   explicit SurfelPass(gpu::Device& device);
@@ -36,13 +36,13 @@ class SurfelPass {
     ShadowMaps& shadows;
     Sky& sky;
     bool keepsVisibility;  ///< of lights, for which there is room
+    bool takesSky;         ///< all of it; else OccludedSkyPass adds what is seen
   };
-  void record(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const;
-
- private:
   void gather(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const;
+  /// After all irradiance is there; leaves first.
   void fitTree(gpu::CommandList& commands, Surfels& surfels) const;
 
+ private:
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
   gpu::Compute<shaders::GatherSurfels> gather_;

@@ -35,7 +35,8 @@ void NearbyPass::overPlaces(gpu::CommandList& commands, ScatterTransport transpo
                  .sources = inputs.surfels.sources,
                  .surfelNormals = inputs.surfels.normals,
                  .normals = places.normals,
-                 .order = places.order},
+                 .order = places.order,
+                 .skyShares = inputs.surfels.skyShares},
                 {.vertexCount = places.count, .site = site});
   commands.dispatchLinear(places.count, roundsOfWalk);
   commands.endPass();
@@ -54,7 +55,8 @@ void NearbyPass::overFragments(gpu::CommandList& commands, ScatterTransport tran
                  .skyIrradiance = {inputs.sky.irradiance, linear_},
                  .nodes = inputs.surfels.nodes,
                  .sources = inputs.surfels.sources,
-                 .surfelNormals = inputs.surfels.normals},
+                 .surfelNormals = inputs.surfels.normals,
+                 .skyShares = inputs.surfels.skyShares},
                 {.first = 0, .site = site});
   commands.endPass();
 }

@@ -1,8 +1,10 @@
 #include "passes/sky/irradiance_cubes.h"
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
+#include "environment/sky_irradiance.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "passes/cube_direction.h"
@@ -11,18 +13,17 @@ namespace opaline::passes {
 
 namespace {
 
-// Bands up to 2 bend so little that linear filtering of 32² texels a face is exact to 0.1 %.
+// Irradiance bends so little that linear filtering of 32² texels a face is exact to 0.1 %.
 constexpr std::uint32_t ambientFaceSize = 32;
 
-std::vector<float> makeFace(const ShCoefficients& radiance, const std::array<double, 3>& kernel,
-                            std::uint32_t face) {
+std::vector<float> makeFace(const SkyIrradiance& irradiance, std::uint32_t face) {
   std::vector<float> texels;
   texels.reserve(std::size_t{4} * ambientFaceSize * ambientFaceSize);
   for (std::uint32_t y = 0; y < ambientFaceSize; ++y)
     for (std::uint32_t x = 0; x < ambientFaceSize; ++x) {
       const Vec3 normal = cubeDirection(face, (static_cast<float>(x) + 0.5F) / ambientFaceSize,
                                         (static_cast<float>(y) + 0.5F) / ambientFaceSize);
-      for (const double value : ambientIrradiance(radiance, kernel, normal))
+      for (const double value : irradiance.at(normal))
         texels.push_back(static_cast<float>(value));
       texels.push_back(1);
     }
@@ -31,7 +32,7 @@ std::vector<float> makeFace(const ShCoefficients& radiance, const std::array<dou
 
 }  // namespace
 
-gpu::GpuImage makeIrradianceCubes(gpu::Device& device, const ShCoefficients& radiance,
+gpu::GpuImage makeIrradianceCubes(gpu::Device& device, const SkyParts& sky,
                                   const std::vector<double>& etas) {
   gpu::GpuImage cubes(device,
                       {.name = "irradiance of the sky",
@@ -42,11 +43,10 @@ gpu::GpuImage makeIrradianceCubes(gpu::Device& device, const ShCoefficients& rad
                        .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
                        .kind = gpu::ImageKind::CubeArray});
   for (std::uint32_t i = 0; i < etas.size(); ++i) {
-    const std::array<double, 3> kernel = irradianceKernel(etas[i]);
-    const ShCoefficients smooth = windowed(radiance, kernel);
+    const SkyIrradiance irradiance = SkyIrradiance::entering(sky, etas[i]);
     for (std::uint32_t face = 0; face < 6; ++face)
       gpu::uploadImage(device, cubes,
-                       std::as_bytes(std::span<const float>(makeFace(smooth, kernel, face))),
+                       std::as_bytes(std::span<const float>(makeFace(irradiance, face))),
                        6 * i + face);
   }
   return cubes;

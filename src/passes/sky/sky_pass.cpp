@@ -15,6 +15,7 @@
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 #include "passes/sky/irradiance_cubes.h"
+#include "passes/sky/radiance_cube.h"
 
 namespace opaline::passes {
 
@@ -89,14 +90,15 @@ SkyPass::SkyPass(gpu::Device& device)
 Sky SkyPass::makeSky(gpu::Device& device, const Lighting& lighting, float roughness,
                      const std::vector<double>& etas) const {
   Sky sky;
-  sky.radiance = projectSky(lighting);
+  sky.parts = partsOfSky(lighting);
+  sky.radiance = makeRadianceCube(device, sky.parts);
   sky.reflected = reflectedOf(device, lighting, roughness);
   takeEtas(device, etas, sky);
   return sky;
 }
 
 void SkyPass::takeEtas(gpu::Device& device, const std::vector<double>& etas, Sky& sky) {
-  sky.irradiance = makeIrradianceCubes(device, sky.radiance, etas);
+  sky.irradiance = makeIrradianceCubes(device, sky.parts, etas);
 }
 
 gpu::GpuImage SkyPass::reflectedOf(gpu::Device& device, const Lighting& lighting,

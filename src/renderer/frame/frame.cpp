@@ -67,11 +67,27 @@ struct FrameContext {
     if (!surfels && !plan.map) return;
     passes.shadow.record(commands, resources.view, mesh, resources.shadows);
     if (plan.map) passes.paper->gather(commands, onPaper(scene));
-    if (surfels)
-      passes.surfels.record(
-          commands,
-          {resources.view, mesh, resources.tables, resources.shadows, resources.sky, boundary()},
-          scene.surfels);
+    if (surfels) gatherOnSurfels(scene);
+  }
+
+  // Clusters read what is visible of lights from where surfels have gathered it, and surfels how much
+  // of the sky is seen from clusters.
+  void gatherOnSurfels(SceneResources& scene) const {
+    passes.surfels.gather(commands,
+                          {resources.view, mesh, resources.tables, resources.shadows, resources.sky,
+                           usesClusters(), !plan.occludesSky},
+                          scene.surfels);
+    if (usesClusters()) {
+      passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+      passes.clusters.record(commands,
+                             {resources.view, mesh, resources.tables, resources.sky, scene.surfels,
+                              scene.rays, openingAngleOf(plan.tolerance)},
+                             plan.bounces > 0 || plan.occludesSky, scene.clusters);
+    }
+    if (plan.occludesSky)
+      passes.occludedSky.record(commands, resources.tables, resources.sky, scene.clusters,
+                                scene.surfels);
+    passes.surfels.fitTree(commands, scene.surfels);
   }
 
   paper::Technique::Frame onPaper(SceneResources& scene) const {
@@ -85,17 +101,13 @@ struct FrameContext {
   }
 
   bool boundary() const { return plan.transport == Transport::Boundary; }
+  bool usesClusters() const { return plan.occludesSky || (boundary() && plan.scatter); }
 
   // What leaves through the clusters: of the light that enters from outside, and of what leaves and
   // enters again.
   void solveBoundary(SceneResources& scene) const {
     passes::Clusters& clusters = scene.clusters;
     const float openingAngle = openingAngleOf(plan.tolerance);
-    passes.rays.record(commands, mesh, scene.surfels, scene.rays);
-    passes.clusters.record(commands,
-                           {resources.view, mesh, resources.tables, resources.sky, scene.surfels,
-                            scene.rays, openingAngle},
-                           plan.bounces > 0 || !plan.skyIsDark, clusters);
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
       const passes::BeamPass::Inputs inputs{
@@ -200,9 +212,8 @@ struct FrameContext {
   }
 
   void findSurfels(SceneResources& scene) const {
-    // With the light, boundary transport has recorded the rays, here or in the frame whose it
-    // takes.
-    if (!boundary() || !plan.scatter) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+    // Clusters come with the rays, here or in the frame whose light is taken.
+    if (!usesClusters()) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
     passes.rays.recordBoxes(commands, scene.surfels, scene.rays);
     passes.seenSurfels.record(
         commands,
@@ -274,6 +285,7 @@ Passes::Passes(gpu::Device& device)
       nearby(device),
       rays(device),
       clusters(device),
+      occludedSky(device),
       beams(device),
       solver(device),
       carry(device),
@@ -300,7 +312,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   if (plan.light && plan.scatter) {
     if (plan.transport == Transport::Boundary)
       context.solveBoundary(scene);
-    else if (plan.mirrorsSky)
+    else if (plan.mirrorsSky && !context.usesClusters())
       passes.rays.record(commands, scene.mesh, scene.surfels, scene.rays);
     context.scatterAtVertices(scene);
   }

@@ -11,6 +11,7 @@
 #include "passes/boundary/beam_pass.h"
 #include "passes/boundary/carry_pass.h"
 #include "passes/boundary/cluster_pass.h"
+#include "passes/boundary/occluded_sky_pass.h"
 #include "passes/boundary/ray_pass.h"
 #include "passes/boundary/solver_pass.h"
 #include "passes/deform/deform_pass.h"
@@ -46,6 +47,7 @@ struct Passes {
   passes::NearbyPass nearby;
   passes::RayPass rays;
   passes::ClusterPass clusters;
+  passes::OccludedSkyPass occludedSky;
   passes::BeamPass beams;
   passes::SolverPass solver;
   passes::CarryPass carry;

@@ -53,6 +53,7 @@ bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {
 void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan) {
   plan.site = chooseSite(plan, scene);
   plan.skyIsDark = skyIsDark(lighting);
+  plan.occludesSky = !plan.skyIsDark && plan.transport == Transport::Boundary;
   plan.mirrorsSky = mirrorsSky(plan, lighting);
   // Where nothing has an inside, boundary transport is what it falls back to.
   if (plan.transport == Transport::Boundary && !scene.hasInside())

@@ -16,6 +16,7 @@ struct FramePlan {
   float tolerance = 0.01F;     ///< of Sum::Tree, and of the solver of Transport::Boundary
   int bounces = 2;             ///< of Transport::Boundary
   bool skyIsDark = false;      ///< no light but that of lights
+  bool occludesSky = false;    ///< by what stands in the way; needs clusters
   bool scatter = true;         ///< find the exitance; what is seen without light needs none
   bool map = false;            ///< draw the diffusion source map, whoever wants it
   int samples = 4;             ///< of radiance, 0 for none

@@ -25,6 +25,7 @@ layout(std430, set = 0, binding = 10) readonly buffer ClusterOfSurfel { uint clu
 layout(std430, set = 0, binding = 11) writeonly buffer MirroredLight { Mirrored mirrored[]; };
 layout(std430, set = 0, binding = 12) buffer Peak { uint peak; };
 layout(std430, set = 0, binding = 13) writeonly buffer Entered { vec4 entered[]; };
+layout(std430, set = 0, binding = 14) readonly buffer SkyShares { vec4 skyShares[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -204,15 +205,15 @@ void main() {
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
   bool everywhere = beam == frame.counts.x;
   if (everywhere) {
-    entered[i] = vec4(cluster.facet.w * entry.irradiance.rgb, 0.0);
-    power *= cluster.facet.w * (1.0 - shareAtSurface(cluster.start.w, body.medium));
+    vec3 share = skyShares[i].rgb;
+    entered[i] = vec4(share * entry.irradiance.rgb, 0.0);
+    power *= share * (1.0 - shareAtSurface(cluster.start.w, body.medium));
   }
   pointCount[0] = 0u;
   pointCount[1] = 0u;
   Mirrored goesOn = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);
   if (everywhere) {
-    float mean = body.medium.sigma.w;
-    vec3 extinction = body.medium.extinction.rgb / mean;
+    vec3 extinction = body.medium.extinction.rgb / cluster.facet.w;
     firstSegment(body, i, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
   } else if (power != vec3(0.0)) {
     vec3 toLight = incidentLight(beam, entry.place.xyz).direction;

@@ -168,7 +168,7 @@ void main() {
 
   float reach = max(1.2 * radius, reachInEdges * sqrt(area));
   Cluster cluster = Cluster(vec4(middle, area), vec4(normal, sqrt(area / pi)), vec4(vectorArea, 0.5),
-                        vec4(middleOf(there), 0.0), vec4(along, side), vec4(facet, 1.0), vec4(0.0));
+                        vec4(middleOf(there), 0.0), vec4(along, side), vec4(facet, 0.0), vec4(0.0));
   if (range.hasInside == 0u) {
     cluster.centroidArea.w = 0.0;
     cluster.vectorArea = vec4(0.0);

@@ -11,6 +11,7 @@
 #define BINDING_TILES 2
 #define BINDING_CLUSTER_NODES 4
 #include "lib/cluster_tile.glsl"
+#include "lib/group_place.glsl"
 #include "lib/tile_sum.glsl"
 
 layout(std430, set = 0, binding = 5) writeonly buffer Clusters { Cluster clusters[]; };
@@ -27,22 +28,6 @@ const float furthestFelt = 16.0;
 bool isFelt(uint node) {
   float reach = leastSigma * (sqrt(nearestSquared(centroidLinkOf(node).xyz)) - spreadOf(node).x);
   return reach < furthestFelt;
-}
-
-shared uint countOfSubgroup[invocationsOfTile];
-
-// Of this invocation's nodes in the list.
-uint placeFor(uint count, out uint all) {
-  uint before = subgroupExclusiveAdd(count);
-  uint ours = subgroupAdd(count);
-  if (subgroupElect()) countOfSubgroup[gl_SubgroupID] = ours;
-  barrier();
-  all = 0u;
-  for (uint g = 0u; g < gl_NumSubgroups; ++g) {
-    if (g == gl_SubgroupID) before += all;
-    all += countOfSubgroup[g];
-  }
-  return before;
 }
 
 float shareOf(vec3 offset, float squared, bool leaf, vec3 vectorArea, float area, Moment moment) {
@@ -76,7 +61,7 @@ void main() {
   }
 
   uint all;
-  uint place = placeFor(felt, all);
+  uint place = groupPlaceFor(felt, all);
   uint list = tileIndex * roomOfList;
   if (gl_LocalInvocationIndex == 0u) lists[list] = all;
   if (all < roomOfList) {

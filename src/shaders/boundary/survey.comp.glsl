@@ -6,16 +6,21 @@
 #define BINDING_MEDIA 1
 #define BINDING_PIECE_CORNERS 2
 #define BINDING_RAYS 3
+#define BINDING_SKY_RADIANCE 8
 #include "lib/boundary.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/linear.glsl"
+#include "lib/over_or_0.glsl"
 #include "lib/rays.glsl"
+#include "lib/sky.glsl"
 #include "lib/unit.glsl"
 
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 5) buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 6) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
 layout(std430, set = 0, binding = 7) writeonly buffer Meetings { Meeting meetings[]; };
+
+layout(std430, set = 0, binding = 9) writeonly buffer SkyShares { vec4 skyShares[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -35,18 +40,20 @@ float transmittedInto(float eta, float cosine) {
   return 1.0 - fresnelReflectance(eta, cosine);
 }
 
-// The k-th of many directions about a normal, as dense as their cosine; `along` turns them.
-vec3 cosineDirection(uint k, uint count, float turn, vec3 normal, vec3 along) {
+// The k-th of many directions about a normal, as dense as their cosine; `along` turns them. Of `shift`, in
+// [0, 1), one part turns them as well and the other goes through the heights of each.
+vec3 cosineDirection(uint k, uint count, vec2 shift, vec3 normal, vec3 along) {
   const float golden = 2.39996322972865;
-  float squared = (float(k) + 0.5) / float(count);
-  float angle = golden * float(k) + turn;
+  float squared = (float(k) + shift.x) / float(count);
+  float angle = golden * float(k) + 2.0 * pi * shift.y;
   vec3 across = cross(normal, along);
   return sqrt(squared) * (cos(angle) * along + sin(angle) * across) + sqrt(1.0 - squared) * normal;
 }
 
-// Any number in [0, 2π), another one for each cluster.
-float turnOf(uint cluster) {
-  return 2.0 * pi * fract(0.618033988749895 * float(cluster % 4096u));
+// Another one for each cluster, so that what the few rays of one miss those of its neighbours have
+// (the points are R₂, Roberts 2018).
+vec2 shiftOf(uint cluster) {
+  return fract(float(cluster % 4096u) * vec2(0.7548776662, 0.5698402910));
 }
 
 uint firstPieceOf(uint object) {
@@ -67,28 +74,40 @@ PieceFrame frameOf(uint piece, float side) {
                     unitOr(b - a, vec3(0.0)));
 }
 
-void lookAround(uint i, inout Cluster cluster, ClusterRange range) {
+float cosineInside(float eta, float cosine) {
+  return sqrt(1.0 - (1.0 - cosine * cosine) / (eta * eta));
+}
+
+// Which part of the sky's irradiance enters the cluster, and in w its mean cosine inside.
+vec4 lookAround(uint i, Cluster cluster, ClusterRange range) {
   ObjectData own = objects[range.object];
   uint first = range.firstSurfel * piecesPerSurfel;
   uint count = range.endSurfel * piecesPerSurfel - first;
   float least = rayStartOf(cluster);
   float side = cluster.along.w;
   RayTarget scene = RayTarget(0u, nodeCount, everyObject);
-  float sky = 0.0;
-  float all = 0.0;
+  vec3 free = vec3(0.0);
+  vec3 all = vec3(0.0);
+  float slant = 0.0;
+  float freeRays = 0.0;
   for (uint k = 0u; k < raysOutwards; ++k) {
     // From all over the cluster.
     PieceFrame place = frameOf(first + (2u * k + 1u) * count / (2u * raysOutwards), side);
     if (place.normal == vec3(0.0)) place = PieceFrame(cluster.start.xyz, cluster.facet.xyz, cluster.along.xyz);
     // Turned in steps that do not go along with those over the cluster.
-    vec3 direction = cosineDirection((k * 7u) % raysOutwards, raysOutwards, turnOf(i), place.normal, place.along);
+    vec3 direction = cosineDirection((k * 7u) % raysOutwards, raysOutwards, shiftOf(i), place.normal, place.along);
     float eta = mediumAt(own, place.middle).boundary.x;
-    float entering = transmittedInto(eta, dot(direction, place.normal));
+    float outside = dot(direction, place.normal);
+    float entering = transmittedInto(eta, outside);
+    // As dense as the cosine, so that each has its part of the irradiance.
+    vec3 radiance = entering * skyRadianceFrom(direction, pi / (float(raysOutwards) * max(outside, 0.05)));
     RayHit hit = nearestHit(place.middle, direction, least, 3e38, scene);
-    all += entering;
+    all += radiance;
     Meeting meeting = Meeting(noCluster, 0.0, 0.0);
     if (hit.piece == noPiece) {
-      sky += entering;
+      free += radiance;
+      slant += dot(radiance, vec3(cosineInside(eta, outside)));
+      freeRays += 1.0;
     } else {
       vec3 met = place.middle + hit.distance * direction;
       MediumData other = mediumAt(objects[objectOfPiece(hit.piece)], met);
@@ -100,7 +119,11 @@ void lookAround(uint i, inout Cluster cluster, ClusterRange range) {
     }
     meetings[i * raysOutwards + k] = meeting;
   }
-  cluster.facet.w = all > 0.0 ? sky / all : 1.0;
+  float sum = free.r + free.g + free.b;
+  float mean = insideOf(own).sigma.w;
+  // Where it is dark in a channel, whatever the others do is right.
+  return vec4(mix(vec3(freeRays / float(max(raysOutwards, 1u))), overOr0(free, all), greaterThan(all, vec3(1e-30))),
+              sum > 1e-30 ? slant / sum : mean);
 }
 
 void main() {
@@ -113,9 +136,10 @@ void main() {
                                rayStartOf(cluster), 3e38,
                                RayTarget(body.tree.x, body.tree.y, range.object));
   float thickness = through.piece == noPiece ? 1e18 : through.distance;
-  if (raysOutwards > 0u) lookAround(i, cluster, range);
+  vec4 sky = raysOutwards > 0u ? lookAround(i, cluster, range) : vec4(vec3(1.0), insideOf(body).sigma.w);
+  skyShares[i] = sky;
   clusters[i].start.w = thickness;
-  clusters[i].facet.w = cluster.facet.w;
+  clusters[i].facet.w = sky.w;
   clusters[i].second = vec4(
       shareOfSecond(insideOf(body), sqrt(cluster.centroidArea.w)),
       range.hasInside != 0u ? 1.0 : 0.0);

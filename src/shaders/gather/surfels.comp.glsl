@@ -21,11 +21,13 @@ layout(std430, set = 0, binding = 9) writeonly buffer SurfelNormals { vec4 surfe
 layout(std430, set = 0, binding = 10) writeonly buffer SurfelPlaces { vec4 places[]; };
 
 layout(std430, set = 0, binding = 11) buffer Visibilities { uint visibilities[]; };
+layout(std430, set = 0, binding = 12) writeonly buffer SkyShares { vec4 skyShares[]; };
 
 layout(push_constant) uniform Push {
   uint surfelCount;
   uint piecesPerSurfel;
   uint keepsVisibility;  // 1: clusters read it
+  uint takesSky;         // 1: all of it; else none, which is added where it is known how much is seen
 };
 
 // Less flux is none: sums of it would not be normal numbers.
@@ -111,13 +113,17 @@ vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
     if (keepsVisibility != 0u) keep(visible, k, piece, point);
     sum += light.irradiance * (part * visible);
   }
-  return skyIrradianceAt(normal, medium) + sum;
+  if (takesSky != 0u) sum += skyIrradianceAt(normal, medium);
+  return sum;
 }
 
 vec3 irradianceOn(PiecePlace place, vec2 at, uint object) {
   vec3 position = positionAt(place, at);
-  return irradianceAt(position, normalAt(place, at), facetOf(place),
-                      mediumAt(objects[object], position));
+  vec3 normal = normalAt(place, at);
+  MediumData medium = mediumAt(objects[object], position);
+  vec3 sum = lightsIrradiance(position, normal, outsideOf(facetOf(place), normal), medium);
+  if (takesSky != 0u) sum += skyIrradianceAt(normal, medium);
+  return sum;
 }
 
 // Means over surfels would be off if all were asked at the same place among their sources (the
@@ -185,6 +191,7 @@ void gatherPieces(uint surfel) {
 void main() {
   uint surfel = linearIndex();
   if (surfel >= surfelCount) return;
+  skyShares[surfel] = vec4(1.0);
   if (piecesPerSurfel == 1u)
     gatherPiece(surfel);
   else

@@ -4,7 +4,7 @@
 #ifndef OPALINE_LIB_CARRY
 #define OPALINE_LIB_CARRY
 #include "lib/cluster_node.glsl"
-#include "lib/pi.glsl"
+#include "lib/cluster_weight.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
 #include "shared/medium.h"
@@ -13,16 +13,10 @@ layout(std430, set = 0, binding = BINDING_CLUSTERS) readonly buffer Clusters { C
 layout(std430, set = 0, binding = BINDING_EXITANCES) readonly buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = BINDING_MEANS) readonly buffer Means { vec4 means[]; };
 
-// Of clusters that face away from a place; above 0, so that every place has some.
-const float leastFacing = 1e-4;
-
 // Clusters that many mean free paths or diffusion lengths wide resolve nothing of what a half-space
 // has between them; the smaller they are, the less of its detail is wanted.
 const float coarseInFreePaths = 4.0;
 const float coarseInDiffusionLengths = 1.0;
-
-// Clusters whose reach is more than that many of their edges have their surfels far apart.
-const float scatteredInEdges = 3.4;
 
 // The exitance at a place, where the half-space has that one, by the clusters around: their weights
 // fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. The
@@ -42,15 +36,12 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium, u
       uint link = floatBitsToUint(centroidLink.w);
       float reach = spreadOf(at).z;
       vec3 offset = centroidLink.xyz - place;
-      float left = 1.0 - dot(offset, offset) / max(reach * reach, 1e-30);
-      bool opened = left > 0.0;
+      float squared = dot(offset, offset);
+      bool opened = squared < reach * reach;
       if (opened && isLeaf(link)) {
         uint i = firstSurfelOf(link);
-        // Clusters that are scattered over their reach, a few surfels left over between others,
-        // would count as much as all around them.
-        float edge = sqrt(pi) * clusters[i].normal.w;
-        float fills = min(1.0, scatteredInEdges * edge / max(reach, 1e-15));
-        float weight = fills * fills * left * left *
+        float edge = edgeOf(clusters[i]);
+        float weight = weightOfCluster(squared, reach, edge) *
                        max(dot(normal, clusters[i].normal.xyz), leastFacing);
         all += weight;
         weight *= clusters[i].second.w;  // 0 without inside

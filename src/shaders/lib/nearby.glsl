@@ -1,5 +1,5 @@
 // What sums over coarse sources leave out within their reach (shared/nearby.h). Needs, before it,
-// BINDING_NODES, BINDING_SURFEL_NORMALS, lib/irradiance.glsl and what lib/surfel_sum.glsl needs.
+// BINDING_NODES, BINDING_SURFEL_NORMALS, BINDING_SKY_SHARES, lib/irradiance.glsl and what lib/surfel_sum.glsl needs.
 #ifndef OPALINE_LIB_NEARBY
 #define OPALINE_LIB_NEARBY
 #include "lib/surfel_sum.glsl"
@@ -11,6 +11,9 @@ layout(set = 0, binding = BINDING_NODES) uniform samplerBuffer nodes;  // TreeNo
 layout(std430, set = 0, binding = BINDING_SURFEL_NORMALS) readonly buffer SurfelNormals {
   vec4 surfelNormals[];
 };
+
+// Of the sky's irradiance, what enters each surfel.
+layout(std430, set = 0, binding = BINDING_SKY_SHARES) readonly buffer SkyShares { vec4 skyShares[]; };
 
 // Cosine of the normals below which a surfel is taken for the other side of a thin part.
 const float otherSide = -0.3;
@@ -44,12 +47,13 @@ struct Neighbours {
   vec4 sum;       // of the smoothed profile; evaluations
   vec3 even;      // of this side, in unit irradiance, by nearbyWeight
   float present;  // part of the plane around that there is, by nearbyWeight
+  vec3 sky;       // share of its irradiance that enters there, by nearbyWeight
 };
 
 Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
   Profile profile = mediumAt(body, position).profile;
   float reach = body.darkest.w;
-  Neighbours found = Neighbours(vec4(0.0), vec3(0.0), 0.0);
+  Neighbours found = Neighbours(vec4(0.0), vec3(0.0), 0.0, vec3(0.0));
   float area = 0.0;
   uint node = body.tree.x;
   while (node < body.tree.y) {
@@ -70,11 +74,13 @@ Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
         if (!sameSide) continue;
         float counted = place.w * nearbyWeight(squared, reach * reach);
         found.even += counted * weight;
+        found.sky += counted * skyShares[i / sourcesPerSurfel].rgb;
         area += counted;
       }
     }
     node = apart ? afterNode(node, link) : node + 1u;
   }
+  found.sky = area > 0.0 ? found.sky / area : vec3(1.0);
   found.present = min(area / (wholeDisc * pi / 3.0 * reach * reach), 1.0);
   return found;
 }
@@ -104,11 +110,11 @@ vec3 ringIrradiance(vec3 position, vec3 normal, float radius, float turned, Medi
 vec4 nearbyExitance(vec3 position, vec3 normal, ObjectData body) {
   MediumData medium = mediumAt(body, position);
   float reach = body.darkest.w;
-  vec3 ambient = skyIrradianceAt(normal, medium);
   vec3 here = lightsIrradiance(position, normal, normal, medium);
   vec3 inner = ringIrradiance(position, normal, innerRingAt * reach, 0.0, medium);
   vec3 outer = ringIrradiance(position, normal, outerRingAt * reach, 0.5, medium);
   Neighbours found = neighboursOf(position, normal, body);
+  vec3 ambient = found.sky * skyIrradianceAt(normal, medium);
   vec3 lacking = body.nearbyDisc.rgb * (ambient + here) +
                  found.present * (body.nearbyInner.rgb * (ambient + inner) +
                                   body.nearbyOuter.rgb * (ambient + outer));

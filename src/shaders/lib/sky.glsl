@@ -1,8 +1,19 @@
-// The sky: all light that comes from everywhere. Needs, before it, BINDING_SKY_IRRADIANCE or
-// BINDING_SKY_REFLECTION, for what is asked of it.
+// The sky: all light that comes from everywhere. Needs, before it, BINDING_SKY_RADIANCE,
+// BINDING_SKY_IRRADIANCE or BINDING_SKY_REFLECTION, for what is asked of it.
 #ifndef OPALINE_LIB_SKY
 #define OPALINE_LIB_SKY
 #include "shared/medium.h"
+
+#ifdef BINDING_SKY_RADIANCE
+layout(set = 0, binding = BINDING_SKY_RADIANCE) uniform samplerCubeArray skyRadiance;
+
+// Mean around a direction, over so much of the sphere.
+vec3 skyRadianceFrom(vec3 direction, float solidAngle) {
+  float edge = float(textureSize(skyRadiance, 0).x);
+  float texel = 2.0943951 / (edge * edge);  // sr, a sixth of the sphere by their number
+  return textureLod(skyRadiance, vec4(direction, 0.0), max(0.5 * log2(solidAngle / texel), 0.0)).rgb;
+}
+#endif
 
 #ifdef BINDING_SKY_IRRADIANCE
 layout(set = 0, binding = BINDING_SKY_IRRADIANCE) uniform samplerCubeArray skyIrradiance;

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+#include "shaders/boundary/occluded_sky.comp.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Adds the sky's light to what surfels have gathered of lights: as much as the clusters around see.
+class OccludedSkyPass {
+ public:
+  explicit OccludedSkyPass(gpu::Device& device);
+
+  void record(gpu::CommandList& commands, SceneTables& tables, Sky& sky, Clusters& clusters,
+              Surfels& surfels) const;
+
+ private:
+  gpu::Sampler linear_;
+  gpu::Compute<shaders::BoundaryOccludedSky> pass_;
+};
+
+}  // namespace opaline::passes
