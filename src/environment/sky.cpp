@@ -46,14 +46,13 @@ std::vector<Colour> meansOf(const Image& image) {
   std::vector<Colour> columns(SkyParts::width);
   for (int y = 0; y < image.height; ++y) {
     addRow(image, y, columns);
-    forEachCovered(
-        y, image.height, SkyParts::height, [&](std::size_t row, double from, double to) {
-          const auto top = static_cast<double>(row);
-          const double share = (cosineAt(from) - cosineAt(to)) / (cosineAt(top) - cosineAt(top + 1));
-          for (std::size_t k = 0; k < columns.size(); ++k)
-            for (std::size_t c = 0; c < 3; ++c)
-              means[row * SkyParts::width + k][c] += share * columns[k][c];
-        });
+    forEachCovered(y, image.height, SkyParts::height, [&](std::size_t row, double from, double to) {
+      const auto top = static_cast<double>(row);
+      const double share = (cosineAt(from) - cosineAt(to)) / (cosineAt(top) - cosineAt(top + 1));
+      for (std::size_t k = 0; k < columns.size(); ++k)
+        for (std::size_t c = 0; c < 3; ++c)
+          means[row * SkyParts::width + k][c] += share * columns[k][c];
+    });
   }
   return means;
 }
@@ -91,7 +90,8 @@ SkyParts partsOfSky(const Lighting& lighting) {
       sky.parts.push_back(
           {latLongDirection((x + 0.5) / SkyParts::width, (y + 0.5) / SkyParts::height),
            static_cast<float>(solidAngle),
-           {static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2])}});
+           {static_cast<float>(mean[0]), static_cast<float>(mean[1]),
+            static_cast<float>(mean[2])}});
     }
   }
   return sky;

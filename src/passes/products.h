@@ -54,11 +54,11 @@ struct SceneTables {
   gpu::Buffer objects;  ///< shared::ObjectData
   gpu::Buffer media;    ///< shared::MediumData
   std::uint32_t mediumCount = 0;
-  bool followsLight = false;   ///< to its second collision in any medium; see shared/boundary.h
+  bool followsLight = false;     ///< to its second collision in any medium; see shared/boundary.h
   bool entersAtSurface = false;  ///< diffuse light of some channel of some medium, as the diffusion
                                  ///< at the surface itself has it; see lib/boundary.glsl
-  gpu::Buffer specularAlbedo;  ///< float, see MediumData::tables.w
-  std::vector<double> etas;    ///< the different ones, see MediumData::tables.x
+  gpu::Buffer specularAlbedo;    ///< float, see MediumData::tables.w
+  std::vector<double> etas;      ///< the different ones, see MediumData::tables.x
 };
 
 /// All light that comes from everywhere, and all that passes know of it (lib/sky.glsl).
@@ -158,19 +158,19 @@ struct Clusters {
   std::uint32_t raysOutwards = 0;     ///< of each cluster
   Beams fromLight;                    ///< of one light after the other
   Beams fromEverywhere;
-  gpu::Buffer mirrored;            ///< shared::Mirrored a cluster, of one light after the other
-  gpu::Buffer peak;                ///< largest power of those, a float's bits
-  gpu::Buffer sums;                ///< of those, three whole numbers a cluster; 0 between lights
-  gpu::Buffer arrived;             ///< vec4 a cluster: power that enters after it was mirrored
-  gpu::Buffer beamNodes;           ///< shared::BeamNode
-  gpu::Buffer sources;             ///< vec4 a cluster: fluence in a medium without end
-  gpu::Buffer skyShares;           ///< vec4 a cluster: of the sky's irradiance, what enters
-  gpu::Buffer entered;             ///< vec4 a cluster: irradiance of the diffuse light that entered last
-  gpu::Buffer enteredBefore;       ///< the same of light before that, where it is mirrored to one side
-  gpu::Buffer power;               ///< vec4: of all diffuse light of the last bounce but one
-  gpu::Buffer latest;              ///< vec4 a cluster: exitance of the light that entered last
-  gpu::Buffer exitances;           ///< vec4 a cluster: of all light
-  gpu::Buffer means;               ///< vec4 a cluster: exitance of a half-space
+  gpu::Buffer mirrored;       ///< shared::Mirrored a cluster, of one light after the other
+  gpu::Buffer peak;           ///< largest power of those, a float's bits
+  gpu::Buffer sums;           ///< of those, three whole numbers a cluster; 0 between lights
+  gpu::Buffer arrived;        ///< vec4 a cluster: power that enters after it was mirrored
+  gpu::Buffer beamNodes;      ///< shared::BeamNode
+  gpu::Buffer sources;        ///< vec4 a cluster: fluence in a medium without end
+  gpu::Buffer skyShares;      ///< vec4 a cluster: of the sky's irradiance, what enters
+  gpu::Buffer entered;        ///< vec4 a cluster: irradiance of the diffuse light that entered last
+  gpu::Buffer enteredBefore;  ///< the same of light before that, where it is mirrored to one side
+  gpu::Buffer power;          ///< vec4: of all diffuse light of the last bounce but one
+  gpu::Buffer latest;         ///< vec4 a cluster: exitance of the light that entered last
+  gpu::Buffer exitances;      ///< vec4 a cluster: of all light
+  gpu::Buffer means;          ///< vec4 a cluster: exitance of a half-space
   gpu::Buffer exitancesOfSurfels;  ///< vec4 a surfel: of a half-space
 };
 

@@ -176,8 +176,8 @@ double hemisphereIrradiance(const std::function<double(const Direction&)>& radia
   return sum * 2 * pi / (azimuthSteps * polarSteps);
 }
 
-// One that varies slowly, and one of a bright window before a dark wall, which spherical harmonics of bands
-// 0 to 2 miss by more than a tenth.
+// One that varies slowly, and one of a bright window before a dark wall, which spherical harmonics
+// of bands 0 to 2 miss by more than a tenth.
 TEST(SkyIrradiance, IsTheIntegralOverTheHemisphere) {
   const auto smooth = [](const Direction& d) {
     const auto [x, y, z] = d;
@@ -187,8 +187,7 @@ TEST(SkyIrradiance, IsTheIntegralOverTheHemisphere) {
     return d[0] > 0.7 && std::abs(d[1]) < 0.3 ? 20.0 : 0.5;
   };
   for (const double eta : {1.1, 1.3, 1.5}) {
-    const SkyIrradiance ofSmooth =
-        SkyIrradiance::entering(partsOf(imageOf(smooth, 512, 256)), eta);
+    const SkyIrradiance ofSmooth = SkyIrradiance::entering(partsOf(imageOf(smooth, 512, 256)), eta);
     const SkyIrradiance ofWindow =
         SkyIrradiance::entering(partsOf(imageOf(window, 1024, 512)), eta);
     for (const Vec3& normal : someDirections(40)) {

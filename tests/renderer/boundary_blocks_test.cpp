@@ -186,8 +186,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 class BoundaryMilkTest : public BoundaryBlocksTest {};
 
-// By another program's path tracer. Of light that enters again it leaves out what the surface mirrors
-// first: ours, which agrees with it within .6 % otherwise, has .7 to 1.7 % more.
+// By another program's path tracer. Of light that enters again it leaves out what the surface
+// mirrors first: ours, which agrees with it within .6 % otherwise, has .7 to 1.7 % more.
 TEST_P(BoundaryMilkTest, BlocksAreThoseOfThePublishedTable) {
   const auto table = referenceTable("bunny50_skimmilk_blocks.csv");
   if (!table)

@@ -152,8 +152,8 @@ std::array<double, 3> atBottomOfBowl(const Medium& medium, const RenderOptions& 
 }
 
 // The same holds for a body that sees itself, once light has gone from part to part often enough: a
-// white body in a white world cannot be seen. Without that its hollow is dark. What two bounces leave
-// out is added from the ratio of the two.
+// white body in a white world cannot be seen. Without that its hollow is dark. What two bounces
+// leave out is added from the ratio of the two.
 TEST_F(BoundaryEnergyTest, AWhiteBowlInEvenLightIsEvenAfterBounces) {
   const double entered = std::numbers::pi * bssrdf::meanTransmittance(white().eta);
   const std::array<double, 3> never = atBottomOfBowl(white(), boundaryOptions(48));

@@ -59,9 +59,9 @@ TEST_F(BoundarySolverTest, ResidualIsAsSmallAsAsked) {
   }
 }
 
-// A body of few clusters is solved in as many steps, or in one more: so small a body hardly scatters light
-// within itself, which leaves the basis not quite orthogonal. What is left then is nothing but rounding,
-// which is no residual of 0: single precision cannot tell that.
+// A body of few clusters is solved in as many steps, or in one more: so small a body hardly
+// scatters light within itself, which leaves the basis not quite orthogonal. What is left then is
+// nothing but rounding, which is no residual of 0: single precision cannot tell that.
 TEST_F(BoundarySolverTest, NoResidualIsSmallerThanRounding) {
   for (const float edge : {0.03F, 0.1F}) {
     Scene scene = sceneOf(box({0, 0, 0}, {edge, edge, edge}, 1), marble(), {0, 0, 1}, edge);

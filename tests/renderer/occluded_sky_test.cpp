@@ -94,7 +94,8 @@ TEST_F(OccludedSkyTest, IsHiddenByDirection) {
   constexpr double halfMm = 12;
   Scene scene = sceneOf(sphere({0, 0, 0}, radiusMm, 4), marble(), {-6, 2, 10}, 2.2F);
   scene.objects.push_back(
-      {"wall", box({static_cast<float>(wallMm) + 0.5F, 0, 0}, {0.5F, halfMm, halfMm}, 8), marble()});
+      {"wall", box({static_cast<float>(wallMm) + 0.5F, 0, 0}, {0.5F, halfMm, halfMm}, 8),
+       marble()});
   scene.lighting.environment = environmentOf(gradient);
   const double error = errorOnBall(scene, [&](const Vector& at) {
     const auto seen = [&](const Vector& d) {
@@ -119,7 +120,8 @@ TEST_F(OccludedSkyTest, OnAConvexBodyIsTheIntegral) {
   Scene scene = sceneOf(sphere({0, 0, 0}, radiusMm, 4), marble(), {0, 0, 10}, 2.2F);
   constexpr int height = 256;
   scene.lighting.environment = environmentOf(
-      [&](const Vector& d) { return radiance(d) + (dot(d, toSun) > cosineOfSun ? 3000 : 0); }, height);
+      [&](const Vector& d) { return radiance(d) + (dot(d, toSun) > cosineOfSun ? 3000 : 0); },
+      height);
   double irradianceOfSun = 0;  // as the map's pixels have it
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < 2 * height; ++x) {
@@ -160,8 +162,9 @@ TEST_F(OccludedSkyTest, TurnsWithTheEnvironment) {
   lighting.environment = environmentOf(gradient);
   const Image before = exitanceOf(scene, lighting);
   // What was towards +z is towards +x.
-  lighting.environment =
-      environmentOf([](const Vector& d) { return gradient({-d[2], d[1], d[0]}); });
+  lighting.environment = environmentOf([](const Vector& d) {
+    return gradient({-d[2], d[1], d[0]});
+  });
   scene.camera.positionMm = {30, 8, 0};
   const SumErrors errors = errorsOf(exitanceOf(scene, lighting), before);
   EXPECT_LT(errors.rms, 0.01);

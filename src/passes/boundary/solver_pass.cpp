@@ -107,8 +107,8 @@ void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, O
   commands.dispatchLinear(groupSize * (alone + clusters.innerCount - clusters.smallInnerCount));
 }
 
-// The operator on the last vector of the basis, or in step 0 the right side; then what that says of the
-// solution.
+// The operator on the last vector of the basis, or in step 0 the right side; then what that says of
+// the solution.
 void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                           SceneTables& tables, Clusters& clusters, Solver& solver) const {
   const bool atSurface = step == 0 && order.isDiffuse && tables.entersAtSurface;

@@ -23,8 +23,7 @@ std::vector<float> makeFace(const SkyIrradiance& irradiance, std::uint32_t face)
     for (std::uint32_t x = 0; x < ambientFaceSize; ++x) {
       const Vec3 normal = cubeDirection(face, (static_cast<float>(x) + 0.5F) / ambientFaceSize,
                                         (static_cast<float>(y) + 0.5F) / ambientFaceSize);
-      for (const double value : irradiance.at(normal))
-        texels.push_back(static_cast<float>(value));
+      for (const double value : irradiance.at(normal)) texels.push_back(static_cast<float>(value));
       texels.push_back(1);
     }
   return texels;

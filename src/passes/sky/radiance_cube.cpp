@@ -17,7 +17,7 @@ namespace {
 
 using Texel = std::array<float, 4>;
 
-constexpr std::uint32_t faceSize = 8;     // texels of a thirtieth of a steradian
+constexpr std::uint32_t faceSize = 8;      // texels of a thirtieth of a steradian
 constexpr std::uint32_t samplesAlong = 4;  // of a texel
 
 Texel meanOf(const std::vector<Texel>& texels) {
@@ -32,10 +32,11 @@ Texel sampled(const SkyParts& sky, std::uint32_t face, std::uint32_t x, std::uin
   constexpr float step = 1.0F / samplesAlong;
   std::vector<Texel> samples;
   for (std::uint32_t i = 0; i < samplesAlong * samplesAlong; ++i) {
-    const float across = static_cast<float>(x) + (static_cast<float>(i % samplesAlong) + 0.5F) * step;
+    const float across =
+        static_cast<float>(x) + (static_cast<float>(i % samplesAlong) + 0.5F) * step;
     const float down = static_cast<float>(y) + (static_cast<float>(i / samplesAlong) + 0.5F) * step;
-    const Rgb radiance = sky.radianceAt(cubeDirection(face, across / static_cast<float>(size),
-                                                      down / static_cast<float>(size)));
+    const Rgb radiance = sky.radianceAt(
+        cubeDirection(face, across / static_cast<float>(size), down / static_cast<float>(size)));
     samples.push_back({radiance[0], radiance[1], radiance[2], 1});
   }
   return meanOf(samples);

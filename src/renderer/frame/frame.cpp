@@ -70,8 +70,8 @@ struct FrameContext {
     if (surfels) gatherOnSurfels(scene);
   }
 
-  // Clusters read what is visible of lights from where surfels have gathered it, and surfels how much
-  // of the sky is seen from clusters.
+  // Clusters read what is visible of lights from where surfels have gathered it, and surfels how
+  // much of the sky is seen from clusters.
   void gatherOnSurfels(SceneResources& scene) const {
     passes.surfels.gather(commands,
                           {resources.view, mesh, resources.tables, resources.shadows, resources.sky,
