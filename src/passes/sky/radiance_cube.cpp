@@ -32,9 +32,10 @@ Texel sampled(const SkyParts& sky, std::uint32_t face, std::uint32_t x, std::uin
   constexpr float step = 1.0F / samplesAlong;
   std::vector<Texel> samples;
   for (std::uint32_t i = 0; i < samplesAlong * samplesAlong; ++i) {
+    const std::uint32_t row = i / samplesAlong;
     const float across =
         static_cast<float>(x) + (static_cast<float>(i % samplesAlong) + 0.5F) * step;
-    const float down = static_cast<float>(y) + (static_cast<float>(i / samplesAlong) + 0.5F) * step;
+    const float down = static_cast<float>(y) + (static_cast<float>(row) + 0.5F) * step;
     const Rgb radiance = sky.radianceAt(
         cubeDirection(face, across / static_cast<float>(size), down / static_cast<float>(size)));
     samples.push_back({radiance[0], radiance[1], radiance[2], 1});
