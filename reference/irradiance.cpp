@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "bssrdf/fresnel.h"
 #include "environment/sky.h"
 #include "environment/suns.h"
+#include "lights/area.h"
 
 namespace opaline::reference {
 
@@ -37,6 +39,14 @@ Arriving arrivingFrom(const Light& light, const Vector& position) {
   return {direction, distance, light.falloff(-dot(direction, light.axis)) / squared};
 }
 
+/// A lattice of low discrepancy over the light (Roberts 2018).
+constexpr int placesOnLight = 256;
+
+AreaPoint placeOnLight(const AreaLight& light, int i) {
+  const auto part = [&](double step) { return std::fmod((i + 0.5) * step, 1.0); };
+  return pointOn(light, (i + 0.5) / placesOnLight, part(0.6180339887498949));
+}
+
 }  // namespace
 
 Irradiance::Irradiance(const Geometry& geometry) : geometry_(geometry) {
@@ -53,6 +63,7 @@ Irradiance::Irradiance(const Geometry& geometry) : geometry_(geometry) {
     lights_.push_back({true, toVector(light.positionMm), toColour(light.intensity),
                        unitOr(toVector(light.direction), {0, 0, -1}), falloffOf(light)});
   }
+  areas_ = lighting.areas;
   const SkyParts sky = partsOfSky(lighting);
   for (const Body& body : geometry.scene().bodies) {
     const double eta = body.medium.eta;
@@ -80,7 +91,32 @@ Colour Irradiance::operator()(const SurfacePoint& point) const {
         cosine * (1 - bssrdf::fresnelReflectance(ambient.eta, cosine)) * arriving.falloff;
     for (std::size_t c = 0; c < 3; ++c) sum[c] += light.power[c] * entering;
   }
+  for (const AreaLight& light : areas_) {
+    const Colour entering = fromArea(light, point, outside, ambient.eta);
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += entering[c];
+  }
   return sum;
+}
+
+Colour Irradiance::fromArea(const AreaLight& light, const SurfacePoint& point,
+                            const Vector& outside, double eta) const {
+  double sum = 0;
+  for (int i = 0; i < placesOnLight; ++i) {
+    const AreaPoint place = placeOnLight(light, i);
+    const Vector offset = place.positionMm - point.position;
+    const double squared = std::max(dot(offset, offset), 1e-12);
+    const double distance = std::sqrt(squared);
+    const Vector direction = (1 / distance) * offset;
+    const double facing =
+        isTwoSided(light) ? std::abs(dot(place.normal, direction)) : -dot(place.normal, direction);
+    const double cosine = std::min(dot(point.shadingNormal, direction), 1.0);
+    if (facing <= 0 || cosine <= 0 || dot(outside, direction) <= 0) continue;
+    if (geometry_.occluded(point, direction, distance)) continue;
+    sum += facing * cosine * (1 - bssrdf::fresnelReflectance(eta, cosine)) / squared;
+  }
+  const Colour radiance = toColour(radianceOf(light));
+  const double part = sum * areaMm2(light) / placesOnLight;
+  return {radiance[0] * part, radiance[1] * part, radiance[2] * part};
 }
 
 Colour Irradiance::facing(const SurfacePoint& point) const {
@@ -89,6 +125,12 @@ Colour Irradiance::facing(const SurfacePoint& point) const {
   for (const Light& light : lights_) {
     const Arriving arriving = arrivingFrom(light, point.position);
     for (std::size_t c = 0; c < 3; ++c) sum[c] += light.power[c] * arriving.falloff;
+  }
+  for (const AreaLight& light : areas_) {
+    const double away = std::max(length(middleOf(light) - point.position) - reachMm(light), 1e-6);
+    const double solidAngle = std::min(areaMm2(light) / (away * away), std::numbers::pi);
+    const Colour radiance = toColour(radianceOf(light));
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += radiance[c] * solidAngle;
   }
   return sum;
 }

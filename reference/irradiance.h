@@ -10,8 +10,8 @@
 namespace opaline::reference {
 
 /// Irradiance that enters the surface (physics of Gong et al. 2008, Eq. 7 and 9): directional,
-/// point and spot lights with exact Fresnel transmittance and exact shadows; ambient light and
-/// environment unshadowed.
+/// point, spot and area lights with exact Fresnel transmittance and exact shadows; ambient light
+/// and environment unshadowed.
 class Irradiance {
  public:
   explicit Irradiance(const Geometry& geometry);
@@ -36,8 +36,13 @@ class Irradiance {
     SkyIrradiance irradiance;
   };
 
+  /// What falls on a surface from an area light, by places all over it.
+  Colour fromArea(const AreaLight& light, const SurfacePoint& point, const Vector& outside,
+                  double eta) const;
+
   const Geometry& geometry_;
   std::vector<Light> lights_;
+  std::vector<AreaLight> areas_;
   std::vector<Ambient> ambients_;       ///< one for each index of refraction
   std::vector<std::size_t> ambientOf_;  ///< per body
 };

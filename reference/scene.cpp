@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "lights/area.h"
 #include "opaline/error.h"
 
 namespace opaline::reference {
@@ -74,6 +75,12 @@ void requireSound(const Lighting& lighting) {
                light.innerDegrees >= 0 && light.innerDegrees <= light.outerDegrees &&
                light.outerDegrees > 0 && light.outerDegrees <= 90;
       });
+  for (const AreaLight& light : lighting.areas) {
+    const AreaPoint point = pointOn(light, 0.25, 0.25);
+    if (!finite(point.positionMm) || !finite(point.normal) || !(areaMm2(light) > 0) ||
+        !std::isfinite(areaMm2(light)) || !isPower(radianceOf(light)))
+      throw Error("every area light must have a place, an area and a radiance of at least 0");
+  }
   if (!directional || !points || !spots || !isPower(lighting.ambient)) {
     throw Error(
         "every light must have a direction or a place, a cone of at most 90 degrees where it has "

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "opaline/image.h"
@@ -58,16 +59,54 @@ struct SpotLight {
 /// 1 up to 50 outer degrees, 6 beyond.
 std::size_t shadowMapsOf(const SpotLight& light);
 
+/// A rectangle, or any parallelogram, that shines evenly to the side of u × v.
+struct RectangleLight {
+  Vec3 centreMm{};
+  Vec3 uMm{10, 0, 0};     ///< half an edge
+  Vec3 vMm{0, 10, 0};     ///< half of the other
+  Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
+  bool twoSided = false;  ///< to the other side too
+};
+
+/// A disc that shines evenly to the side of its normal.
+struct DiscLight {
+  Vec3 centreMm{};
+  Vec3 normal{0, 0, 1};   ///< unit
+  float radiusMm = 10;    ///< in (0, 1e6]
+  Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
+  bool twoSided = false;  ///< to the other side too
+};
+
+/// A sphere that shines evenly outwards.
+struct SphereLight {
+  Vec3 centreMm{};
+  float radiusMm = 10;    ///< in (0, 1e6]
+  Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
+};
+
+/// A cylinder that shines evenly outwards, and not from its ends.
+struct TubeLight {
+  Vec3 fromMm{};
+  Vec3 toMm{0, 100, 0};
+  float radiusMm = 5;     ///< in (0, 1e6]
+  Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
+};
+
+/// A light with an extent. Its shadows are soft, and the surface mirrors its shape.
+using AreaLight = std::variant<RectangleLight, DiscLight, SphereLight, TubeLight>;
+
 /// Everything that shines.
 struct Lighting {
+  /// Of all kinds together.
   static constexpr std::size_t maxLights = 16;
-  /// 1 a directional light, 6 a point light, 1 or 6 a spot light.
+  /// 1 a directional light, 6 a point light, 1 or 6 a spot light, none an area light.
   static constexpr std::size_t maxShadowMaps = 48;
 
   std::vector<DirectionalLight> directional;
   std::vector<PointLight> points;
   std::vector<SpotLight> spots;
-  Rgb ambient{};  ///< radiance, the same from all directions, in [0, 1e30]
+  std::vector<AreaLight> areas;  ///< not for Sum::Pattern
+  Rgb ambient{};                 ///< radiance, the same from all directions, in [0, 1e30]
   /// Radiance, latitude-longitude; the top row is +y, the centre column −z, and u grows towards +x.
   /// Null: no environment. Copies share it and it never changes: another picture is another object.
   /// Up to four suns in it cast shadows, and count for neither limit above.
@@ -86,6 +125,11 @@ struct Camera {
 std::string complaintAbout(const DirectionalLight& light);
 std::string complaintAbout(const PointLight& light);
 std::string complaintAbout(const SpotLight& light);
+std::string complaintAbout(const RectangleLight& light);
+std::string complaintAbout(const DiscLight& light);
+std::string complaintAbout(const SphereLight& light);
+std::string complaintAbout(const TubeLight& light);
+std::string complaintAbout(const AreaLight& light);
 std::string complaintAbout(const Lighting& lighting);
 std::string complaintAbout(const Camera& camera);
 

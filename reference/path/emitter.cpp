@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "environment/lat_long.h"
+#include "lights/area.h"
 
 namespace opaline::reference {
 
@@ -38,6 +39,8 @@ Emitter::Emitter(const Scene& scene, int channel) {
     add({Kind::Point, position, cosine, 0, axis, falloffOf(light)},
         double{light.intensity[c]} * 2 * pi * (1 - cosine));
   }
+  areas_ = scene.lighting.areas;
+  for (std::size_t i = 0; i < areas_.size(); ++i) addArea(i, c);
   add({Kind::Ambient}, double{scene.lighting.ambient[c]} * pi * 4 * disc);
   if (scene.lighting.environment) addEnvironment(*scene.lighting.environment, channel);
 }
@@ -47,6 +50,18 @@ void Emitter::add(Source source, double flux) {
   flux_ += flux;
   source.fluxSoFar = flux_;
   sources_.push_back(source);
+}
+
+// Every place of a light shines into the cone from there that holds the scene, none of which is
+// wider than that from as near as one could be.
+void Emitter::addArea(std::size_t index, std::size_t channel) {
+  const AreaLight& light = areas_[index];
+  const double away = length(middleOf(light) - centre_) - reachMm(light);
+  const double ratio = radiusMm_ / away;
+  const double cosine = away > radiusMm_ ? std::sqrt(1 - ratio * ratio) : -1;
+  Source source{Kind::Area, {}, cosine};
+  source.area = index;
+  add(source, double{radianceOf(light)[channel]} * areaMm2(light) * 2 * pi * (1 - cosine));
 }
 
 double Emitter::cosineOfScene(const Vector& position) const {
@@ -89,6 +104,20 @@ Flight Emitter::fromPoint(const Source& source, Random& random) const {
   return {source.place, direction};
 }
 
+Flight Emitter::fromArea(const Source& source, Random& random) const {
+  const AreaLight& light = areas_[source.area];
+  const double x = random();
+  const AreaPoint place = pointOn(light, x, random());
+  const double cosineOfCone = cosineOfScene(place.positionMm);
+  const double cosine = 1 - random() * (1 - cosineOfCone);
+  const Vector direction =
+      around(unitOr(centre_ - place.positionMm, {0, 0, 1}), cosine, 2 * pi * random());
+  const double facing = dot(direction, place.normal);
+  const double cosineOfLight = isTwoSided(light) ? std::abs(facing) : facing;
+  if (random() * (1 - source.cosine) >= cosineOfLight * (1 - cosineOfCone)) return nowhere();
+  return {place.positionMm, direction};
+}
+
 Flight Emitter::nowhere() const {
   return {centre_ + Vector{0, 0, 2 * radiusMm_}, {0, 0, 1}};
 }
@@ -124,6 +153,8 @@ Flight Emitter::emit(Random& random) const {
       return throughDisc(source->place, random);
     case Kind::Point:
       return fromPoint(*source, random);
+    case Kind::Area:
+      return fromArea(*source, random);
     case Kind::Ambient:
       return fromAround(random);
     case Kind::Environment:

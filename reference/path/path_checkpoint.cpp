@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "core/digest.h"
+#include "lights/area.h"
 #include "opaline/error.h"
 #include "reference/path/path_tracer.h"
 
@@ -35,6 +36,13 @@ std::uint64_t PathTracer::fingerprint() const {
   print.add(lighting.directional);
   print.add(lighting.points);
   print.add(lighting.spots);
+  for (const AreaLight& light : lighting.areas) {
+    print.add(light.index());
+    print.add(radianceOf(light));
+    print.add(isTwoSided(light));
+    print.add(areaMm2(light));
+    for (const double x : {0.1, 0.5, 0.9}) print.add(pointOn(light, x, 0.3 * x).positionMm);
+  }
   print.add(lighting.ambient);
   if (lighting.environment) {
     print.add(lighting.environment->width);

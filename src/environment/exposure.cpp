@@ -8,6 +8,7 @@
 
 #include "environment/lat_long.h"
 #include "environment/sky_irradiance.h"
+#include "lights/area.h"
 #include "lights/spot.h"
 
 namespace opaline {
@@ -54,6 +55,34 @@ Beam beamOf(const SpotLight& light, const Vec3& middle, double leastDistanceMm) 
   return beam;
 }
 
+// By even places all over the light.
+Beam beamOf(const AreaLight& light, const Vec3& middle, double leastDistanceMm) {
+  constexpr int steps = 24;
+  std::array<double, 3> sum{};
+  for (int i = 0; i < steps * steps; ++i) {
+    const AreaPoint place =
+        pointOn(light, (i % steps + 0.5) / steps, (static_cast<double>(i / steps) + 0.5) / steps);
+    std::array<double, 3> offset{};
+    for (std::size_t k = 0; k < 3; ++k) offset[k] = place.positionMm[k] - double{middle[k]};
+    const double distance = std::hypot(offset[0], offset[1], offset[2]);
+    if (!(distance > 0)) continue;
+    double facing = 0;
+    for (std::size_t k = 0; k < 3; ++k) facing -= place.normal[k] * offset[k] / distance;
+    if (isTwoSided(light)) facing = std::abs(facing);
+    const double square = std::pow(std::max(distance, leastDistanceMm), 2);
+    for (std::size_t k = 0; k < 3; ++k)
+      sum[k] += std::max(facing, 0.0) / square * offset[k] / distance;
+  }
+  const double part = std::hypot(sum[0], sum[1], sum[2]);
+  Beam beam{{0, 1, 0}, {}};
+  if (!(part > 0)) return beam;
+  for (std::size_t k = 0; k < 3; ++k) {
+    beam.toLight[k] = static_cast<float>(sum[k] / part);
+    beam.irradiance[k] = double{radianceOf(light)[k]} * areaMm2(light) * part / (steps * steps);
+  }
+  return beam;
+}
+
 std::vector<Beam> beamsOf(const Scene& scene) {
   const Vec3 middle = middleOf(boundsOf(scene));
   const double leastDistanceMm = 0.5 * double{diagonalMm(scene)};
@@ -66,6 +95,8 @@ std::vector<Beam> beamsOf(const Scene& scene) {
   for (const PointLight& light : scene.lighting.points)
     beams.push_back(beamOf(light, middle, leastDistanceMm));
   for (const SpotLight& light : scene.lighting.spots)
+    beams.push_back(beamOf(light, middle, leastDistanceMm));
+  for (const AreaLight& light : scene.lighting.areas)
     beams.push_back(beamOf(light, middle, leastDistanceMm));
   return beams;
 }

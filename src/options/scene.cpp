@@ -78,6 +78,44 @@ const std::vector<Field<SpotLight>>& fieldsOf() {
 }
 
 template <>
+const std::vector<Field<RectangleLight>>& fieldsOf() {
+  static const std::vector<Field<RectangleLight>> table{
+      field<RectangleLight, &RectangleLight::radiance>("radiance", {power},
+                                                       "the same in all directions"),
+      field<RectangleLight, &RectangleLight::twoSided>("two_sided", {}, "light of its back"),
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<DiscLight>>& fieldsOf() {
+  static const std::vector<Field<DiscLight>> table{
+      field<DiscLight, &DiscLight::radiusMm>("radius_mm", {lengthAboveZero}, "its radius"),
+      field<DiscLight, &DiscLight::radiance>("radiance", {power}, "the same in all directions"),
+      field<DiscLight, &DiscLight::twoSided>("two_sided", {}, "light of its back"),
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<SphereLight>>& fieldsOf() {
+  static const std::vector<Field<SphereLight>> table{
+      field<SphereLight, &SphereLight::radiusMm>("radius_mm", {lengthAboveZero}, "its radius"),
+      field<SphereLight, &SphereLight::radiance>("radiance", {power}, "the same in all directions"),
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<TubeLight>>& fieldsOf() {
+  static const std::vector<Field<TubeLight>> table{
+      field<TubeLight, &TubeLight::radiusMm>("radius_mm", {lengthAboveZero}, "its radius"),
+      field<TubeLight, &TubeLight::radiance>("radiance", {power}, "the same in all directions"),
+  };
+  return table;
+}
+
+template <>
 const std::vector<Field<Lighting>>& fieldsOf() {
   static const std::vector<Field<Lighting>> table{
       field<Lighting, &Lighting::ambient>("radiance", {power}, "radiance from everywhere"),
@@ -173,6 +211,38 @@ std::string complaintAbout(const SpotLight& light) {
   return complaint;
 }
 
+std::string complaintAbout(const RectangleLight& light) {
+  if (!isFinite(light.centreMm) || !isFinite(light.uMm) || !isFinite(light.vMm))
+    return "its centre and edges must be finite";
+  const auto& [u0, u1, u2] = light.uMm;
+  const auto& [v0, v1, v2] = light.vMm;
+  const Vec3 area{u1 * v2 - u2 * v1, u2 * v0 - u0 * v2, u0 * v1 - u1 * v0};
+  if (!isFinite(area) || area == Vec3{}) return "u_mm and v_mm must neither be zero nor parallel";
+  return options::complaintAboutFields(light);
+}
+
+std::string complaintAbout(const DiscLight& light) {
+  if (!isFinite(light.centreMm)) return "its centre must be finite";
+  if (!isFinite(light.normal) || light.normal == Vec3{})
+    return "its normal must be finite and not zero";
+  return options::complaintAboutFields(light);
+}
+
+std::string complaintAbout(const SphereLight& light) {
+  if (!isFinite(light.centreMm)) return "its centre must be finite";
+  return options::complaintAboutFields(light);
+}
+
+std::string complaintAbout(const TubeLight& light) {
+  if (!isFinite(light.fromMm) || !isFinite(light.toMm)) return "its ends must be finite";
+  if (light.fromMm == light.toMm) return "its ends must be two places";
+  return options::complaintAboutFields(light);
+}
+
+std::string complaintAbout(const AreaLight& light) {
+  return std::visit([](const auto& shape) { return complaintAbout(shape); }, light);
+}
+
 std::size_t shadowMapsOf(const SpotLight& light) {
   constexpr float widestView = 50;  // degrees; of wider ones the rim has few texels
   return light.outerDegrees <= widestView ? 1 : mapsOfCube;
@@ -184,12 +254,18 @@ std::string complaintAbout(const Lighting& lighting) {
   const std::size_t spots = lighting.spots.size();
   std::size_t maps = directional + mapsOfCube * points;
   for (const SpotLight& light : lighting.spots) maps += shadowMapsOf(light);
-  if (directional + points + spots > Lighting::maxLights || maps > Lighting::maxShadowMaps)
+  const std::size_t areas = lighting.areas.size();
+  if (const std::size_t all = directional + points + spots + areas; all > Lighting::maxLights)
     return fmt::format(
-        "there are {} directional, {} point and {} spot lights, which need {} shadow maps, but "
-        "there may be {} lights in all and {} shadow maps, 1 for a directional light, 6 for a "
-        "point light and 1 for a spot light, or 6 where its outer angle is above 50 degrees",
-        directional, points, spots, maps, Lighting::maxLights, Lighting::maxShadowMaps);
+        "there are {} lights, {} directional, {} point, {} spot and {} area lights, but there may "
+        "be {} lights in all",
+        all, directional, points, spots, areas, Lighting::maxLights);
+  if (maps > Lighting::maxShadowMaps)
+    return fmt::format(
+        "{} directional, {} point and {} spot lights need {} shadow maps, but there may be {}: 1 "
+        "for a directional light, 6 for a point light and 1 for a spot light, or 6 where its outer "
+        "angle is above 50 degrees",
+        directional, points, spots, maps, Lighting::maxShadowMaps);
   for (const DirectionalLight& light : lighting.directional)
     if (std::string complaint = complaintAbout(light); !complaint.empty())
       return "a directional light: " + complaint;
@@ -199,6 +275,9 @@ std::string complaintAbout(const Lighting& lighting) {
   for (const SpotLight& light : lighting.spots)
     if (std::string complaint = complaintAbout(light); !complaint.empty())
       return "a spot light: " + complaint;
+  for (const AreaLight& light : lighting.areas)
+    if (std::string complaint = complaintAbout(light); !complaint.empty())
+      return "an area light: " + complaint;
   std::string complaint = options::complaintAboutFields(lighting);
   return complaint.empty() ? complaint : "the ambient light: " + complaint;
 }

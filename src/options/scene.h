@@ -8,6 +8,9 @@
 
 namespace opaline::options {
 
+/// What a length may be that must be there.
+constexpr Range lengthAboveZero{0, 1e6, "mm", true};
+
 template <>
 const std::vector<Field<Medium>>& fieldsOf();
 template <>
@@ -18,6 +21,14 @@ template <>
 const std::vector<Field<PointLight>>& fieldsOf();
 template <>
 const std::vector<Field<SpotLight>>& fieldsOf();
+template <>
+const std::vector<Field<RectangleLight>>& fieldsOf();
+template <>
+const std::vector<Field<DiscLight>>& fieldsOf();
+template <>
+const std::vector<Field<SphereLight>>& fieldsOf();
+template <>
+const std::vector<Field<TubeLight>>& fieldsOf();
 
 template <>
 const std::vector<std::string_view>& namesOf<DeformerKind>();

@@ -58,6 +58,7 @@ struct SceneTables {
   bool entersAtSurface = false;  ///< diffuse light of some channel of some medium, as the diffusion
                                  ///< at the surface itself has it; see lib/boundary.glsl
   gpu::Buffer specularAlbedo;    ///< float, see MediumData::tables.w
+  gpu::Buffer reflectionLobes;   ///< vec4, by the cosine of the view (lights/reflection_lobe.h)
   std::vector<double> etas;      ///< the different ones, see MediumData::tables.x
 };
 

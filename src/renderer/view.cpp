@@ -74,6 +74,9 @@ class View::Implementation {
     edited.beginFrame();
     if (std::exchange(scene_, edited.number()) != edited.number()) times_.clear();
     const Lighting& lighting = edited.lighting();
+    if (options_.sum == Sum::Pattern && !lighting.areas.empty())
+      throw UsageError(
+          "the pattern has no surfels that area lights could shine on; the sums tree and all have");
     FramePlan plan = planFor(options_, order.aovs, order.onDevice);
     plan.time = edited.time();
     prepared_ = context_.prepared.share(options_, plan, lighting, std::move(prepared_));

@@ -64,6 +64,7 @@ void joinLights(RawScene& scene, RawScene& model) {
   append(scene.lighting.directional, std::move(model.lighting.directional));
   append(scene.lighting.points, std::move(model.lighting.points));
   append(scene.lighting.spots, std::move(model.lighting.spots));
+  append(scene.lighting.areas, std::move(model.lighting.areas));
   for (std::size_t c = 0; c < 3; ++c) scene.lighting.ambient[c] += model.lighting.ambient[c];
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <variant>
 
 #include "scene/vector_math.h"
 
@@ -44,6 +46,28 @@ bool scaleLights(double factor, Lighting& lighting) {
   };
   for (PointLight& light : lighting.points) scale(light.positionMm, light.intensity);
   for (SpotLight& light : lighting.spots) scale(light.positionMm, light.intensity);
+  const auto lengthen = [&](Vec3& vector) {
+    vector = toFloat(factor * toDouble(vector));
+    finite = isFinite(vector) && finite;
+  };
+  for (AreaLight& area : lighting.areas)
+    std::visit(
+        [&](auto& light) {
+          using Light = std::remove_reference_t<decltype(light)>;
+          if constexpr (std::is_same_v<Light, TubeLight>) {
+            lengthen(light.fromMm);
+            lengthen(light.toMm);
+          } else {
+            lengthen(light.centreMm);
+          }
+          if constexpr (std::is_same_v<Light, RectangleLight>) {
+            lengthen(light.uMm);
+            lengthen(light.vMm);
+          } else {
+            light.radiusMm = static_cast<float>(double{light.radiusMm} * factor);
+          }
+        },
+        area);
   return finite;
 }
 

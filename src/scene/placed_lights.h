@@ -5,11 +5,13 @@
 
 namespace opaline::scene {
 
-/// Lights that are scaled with their scene shine on it as before: intensities grow with the square.
+/// Lights that are scaled with their scene shine on it as before: intensities grow with the square,
+/// and area lights with it.
 /// False where something of a light leaves the range of a float.
 bool scaleLights(double factor, Lighting& lighting);
 
-/// The same for lights that are placed with a model. They turn, and intensities grow with its area.
+/// The same for lights that are placed with a model, none of which has an extent. They turn, and
+/// intensities grow with its area.
 [[nodiscard]] bool placeLights(const Matrix4& matrix, Lighting& lighting);
 
 }  // namespace opaline::scene

@@ -45,11 +45,17 @@ class Pictures(Reference):
         surfels = ("--max-surfels", 4096)  # hold one value each
         texels = ("--sum", "pattern", "--transport", "dipole")
         for light, gathered in ((("--directional", "0,1,2:1,2,3"), surfels), (("--directional", "0,1,2:1,2,3"), texels),
-                                (("--point", "3,0,20:500,300,100"), texels), (("--ambient", "1,.5,0"), surfels)):
+                                (("--point", "3,0,20:500,300,100"), texels), (("--ambient", "1,.5,0"), surfels),
+                                (("--spot", "3,0,20:500,300,100:0,0,-1:5,40"), texels),
+                                (("--sphere", "0,0,30:6:1,2,3"), surfels), (("--disc", "0,0,25:0,0,-1:6:1,2,3"), surfels),
+                                (("--rectangle", "0,0,25:6,0,0:0,-6,0:1,2,3"), surfels),
+                                (("--tube", "0,-9,25:0,9,25:3:1,2,3"), surfels)):
+            # Those of area lights stand for the Fresnel term by two lobes.
+            tolerance = 4e-3 if light[0] in ("--directional", "--point", "--spot", "--ambient") else 1e-2
             options = ("--aov", "irradiance", *light)
             found = self.exr("render", *gathered, *options).centre()
             for a, b in zip(self.reference(*options).centre(), found, strict=True):
-                self.assertAlmostEqual(a, b, delta=4e-3 * b)
+                self.assertAlmostEqual(a, b, delta=tolerance * b)
 
     def test_irradiance_in_the_sun(self):
         self.near(self.reference("--aov", "irradiance", "--directional", "0,0,1:1,2,3").centre()[:3],
@@ -65,6 +71,14 @@ class Pictures(Reference):
     def test_transports_differ(self):
         self.assertNotEqual(self.reference("--aov", "exitance").centre(),
                             self.reference("--aov", "exitance", "--transport", "better-dipole").centre())
+
+    def test_bodies_take_a_panel_as_path_tracing_says(self):
+        scene = (*self.SCENE[:5], "--size", "64x64", "--aov", "exitance", "--rectangle", "6,9,20:8,0,0:0,-8,4:4")
+        self.succeed("render", *scene, "-o", "render.exr")
+        self.succeed("reference", "--path", "--samples", 400000, *scene, "-o", "out.exr")
+        figures = self.succeed("compare", "render.exr", "out.exr", "--block", 8, "--json").json()
+        self.assertLess(abs(figures["rel_bias"]), .03)
+        self.assertLess(figures["block"]["covered_rel_rmse"], .1)
 
     def test_region_and_every(self):
         whole = self.reference("--aov", "exitance")

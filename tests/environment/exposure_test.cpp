@@ -116,6 +116,16 @@ TEST(Exposure, SpotLightsCountWhereTheyShine) {
   EXPECT_EQ(automaticExposureStops(scene), 0);
 }
 
+// A sphere gives L π r²/d², one that shines away nothing.
+TEST(Exposure, AreaLightsCountByTheLightInTheMiddle) {
+  Scene scene = emptyScene();
+  scene.objects.emplace_back().mesh.positionsMm = {{10, -3, -4}, {10, 3, 4}};
+  scene.lighting.areas = {SphereLight{{110, 0, 0}, 5, grey(400 * 10)}};
+  EXPECT_NEAR(automaticExposureStops(scene), -2, 2 * hundredth);
+  scene.lighting = {.areas = {DiscLight{{40, 0, 0}, {1, 0, 0}, 5, grey(1e6F)}}, .ambient = grey(1)};
+  EXPECT_EQ(automaticExposureStops(scene), 0);
+}
+
 TEST(Exposure, IsFiniteForAnyLight) {
   EXPECT_EQ(stopsOf({}), 0);
   constexpr float most = std::numeric_limits<float>::max();

@@ -63,7 +63,8 @@ template <typename Owner>
 class Table : public testing::Test {};
 
 using Owners = testing::Types<PictureSettings, NamedSettings, Medium, Camera, DirectionalLight,
-                              PointLight, SpotLight, Lighting, Deformer, LoadOptions>;
+                              PointLight, SpotLight, RectangleLight, DiscLight, SphereLight,
+                              TubeLight, Lighting, Deformer, LoadOptions>;
 TYPED_TEST_SUITE(Table, Owners);
 
 TYPED_TEST(Table, HasEachKeyOnce) {
@@ -170,12 +171,12 @@ TEST(Lights, AreRefusedWhereTheyMakeNoSense) {
   lighting.directional.resize(Lighting::maxLights);
   EXPECT_EQ(complaintAbout(lighting), "");
   lighting.directional.emplace_back();
-  EXPECT_THAT(complaintAbout(lighting), HasSubstr("16 lights"));
+  EXPECT_THAT(complaintAbout(lighting), HasSubstr("16 lights in all"));
   lighting.directional.clear();
   lighting.points.resize(8);
   EXPECT_EQ(complaintAbout(lighting), "");
   lighting.points.emplace_back();
-  EXPECT_THAT(complaintAbout(lighting), HasSubstr("48 shadow maps"));
+  EXPECT_THAT(complaintAbout(lighting), HasSubstr("need 54 shadow maps, but there may be 48"));
   lighting.points.pop_back();
   lighting.spots.emplace_back();
   EXPECT_THAT(complaintAbout(lighting), HasSubstr("need 49 shadow maps"));
@@ -183,7 +184,7 @@ TEST(Lights, AreRefusedWhereTheyMakeNoSense) {
   lighting.spots.assign(16, SpotLight{});
   EXPECT_EQ(complaintAbout(lighting), "");
   lighting.spots.emplace_back();
-  EXPECT_THAT(complaintAbout(lighting), HasSubstr("17 spot lights"));
+  EXPECT_THAT(complaintAbout(lighting), HasSubstr("there are 17 lights"));
   lighting.spots.assign(9, SpotLight{.outerDegrees = 51});
   EXPECT_THAT(complaintAbout(lighting), HasSubstr("need 54 shadow maps"));
   lighting.spots.assign(1, SpotLight{.direction = {}});
@@ -209,6 +210,38 @@ TEST(SpotLights, AreRefusedWhereTheyMakeNoSense) {
   EXPECT_THAT(complaintAbout(SpotLight{.outerDegrees = std::nanf("")}), HasSubstr("outer_degrees"));
   EXPECT_EQ(shadowMapsOf({.outerDegrees = 50}), 1U);
   EXPECT_EQ(shadowMapsOf({.outerDegrees = 50.1F}), 6U);
+}
+
+TEST(AreaLights, AreRefusedWhereTheyMakeNoSense) {
+  const float nan = std::nanf("");
+  for (const AreaLight& light : {AreaLight{RectangleLight{}}, AreaLight{DiscLight{}},
+                                 AreaLight{SphereLight{}}, AreaLight{TubeLight{}}})
+    EXPECT_EQ(complaintAbout(light), "");
+  const auto complaint = [](const AreaLight& light) { return complaintAbout(light); };
+  EXPECT_THAT(complaint(RectangleLight{.uMm = {}}), HasSubstr("neither be zero nor parallel"));
+  EXPECT_THAT(complaint(RectangleLight{.uMm = {1, 2, 3}, .vMm = {-2, -4, -6}}),
+              HasSubstr("neither be zero nor parallel"));
+  EXPECT_THAT(complaint(RectangleLight{.vMm = {0, nan, 0}}), HasSubstr("finite"));
+  EXPECT_THAT(complaint(RectangleLight{.radiance = {-1, 0, 0}}), HasSubstr("radiance -1,0,0"));
+  EXPECT_THAT(complaint(DiscLight{.normal = {}}), HasSubstr("not zero"));
+  EXPECT_THAT(complaint(DiscLight{.centreMm = {nan, 0, 0}}), HasSubstr("finite"));
+  EXPECT_EQ(complaint(DiscLight{.radiusMm = -1}),
+            "radius_mm -1: must be above 0 and at most 1e6 mm");
+  EXPECT_EQ(complaint(SphereLight{.radiusMm = 0}),
+            "radius_mm 0: must be above 0 and at most 1e6 mm");
+  EXPECT_THAT(complaint(SphereLight{.radiusMm = nan}), HasSubstr("radius_mm"));
+  EXPECT_THAT(complaint(SphereLight{.radiance = {0, nan, 0}}), HasSubstr("radiance"));
+  EXPECT_THAT(complaint(TubeLight{.fromMm = {1, 1, 1}, .toMm = {1, 1, 1}}),
+              HasSubstr("two places"));
+  EXPECT_THAT(complaint(TubeLight{.radiusMm = -2}), HasSubstr("radius_mm"));
+  Lighting lighting;
+  lighting.points.resize(8);
+  lighting.areas.resize(8);
+  EXPECT_EQ(complaintAbout(lighting), "");
+  lighting.areas.emplace_back();
+  EXPECT_THAT(complaintAbout(lighting), HasSubstr("there are 17 lights, 0 directional, 8 point"));
+  lighting.areas.assign(1, SphereLight{.radiusMm = 0});
+  EXPECT_THAT(complaintAbout(lighting), HasSubstr("an area light: radius_mm 0"));
 }
 
 TEST(Deformers, HaveTheRangesOfTheirKinds) {

@@ -51,6 +51,16 @@ class RayQueries(ProgramTest):
         self.assertGreater(figures["covered_pixels"], 500)
         self.assertLess(figures["rel_rmse"], 1e-3)
 
+    def test_area_lights_are_the_same_without(self):
+        """Their shadows and what hides their mirror images are found by rays."""
+        for queries in ("on", "off"):
+            self.succeed("render", "--builtin", "teapot", "--size", "64x64", "--max-surfels", "4096", "--transport",
+                         "better-dipole", "--disc", "20,40,20:-1,-2,-1:12:5", "--tube=-30,0,30:30,0,30:3:5", "--validation",
+                         "--ray-queries", queries, "-o", f"{queries}.exr", env=HAS_QUERIES)
+        figures = self.succeed("compare", "on.exr", "off.exr", "--json").json()
+        self.assertGreater(figures["covered_pixels"], 500)
+        self.assertLess(figures["rel_rmse"], 5e-3)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -211,6 +211,24 @@ TEST(IntegralTest, PlaneUnderALamp) {
   }
 }
 
+// A sphere of radius r at height H over it, all of it above the horizon: E(r) = π L (ρ/d)² H/d
+// without Fresnel's term, which is hardly there.
+TEST(IntegralTest, PlaneUnderASphereLight) {
+  Medium medium = marble();
+  medium.eta = 1.01;
+  auto scene = sceneOfBodies({bodyOf(sheet({0, 0, 0}, {30, 0, 0}, {0, 30, 0}, 8))});
+  scene.bodies[0].medium = medium;
+  scene.lighting.areas = {SphereLight{{0, 0, 10}, 3, {10, 10, 10}}};
+  const Geometry geometry(scene);
+  const Irradiance irradiance(geometry);
+  for (const double x : {0.0, 5.0, 12.0}) {
+    const auto hit = geometry.closestHit(Vector{x, 0.1, 1}, Vector{0, 0, -1});
+    ASSERT_TRUE(hit);
+    const double d = std::sqrt(x * x + 100.01);
+    EXPECT_NEAR(irradiance(hit->point)[1] / (10 * pi * 9 * 10 / (d * d * d)), 1, 0.01) << x;
+  }
+}
+
 // The same lamp with a cone of 40° to 60°: the cosine to its axis is H/√(H² + r²).
 TEST(IntegralTest, PlaneUnderASpotLight) {
   const double height = 6;

@@ -259,6 +259,35 @@ TEST(PathTest, ASpotLightShinesIntoItsCone) {
   EXPECT_NEAR(found / expected, 1, 0.01);
 }
 
+// As many particles meet a small ball as light of a large lamp falls on it: L π (r / d)² on what
+// faces a sphere, times the ball's cross-section; a disc that turns its back gives none.
+TEST(PathTest, AreaLightsShineOnABall) {
+  const double radius = 0.5;
+  Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, static_cast<float>(radius), 5), 1, 0, 1.4));
+  const auto shares = [&](const AreaLight& light) {
+    scene.lighting.areas = {light};
+    const Geometry geometry(scene);
+    const Emitter emitter(scene, 0);
+    constexpr int particles = 100'000;
+    int met = 0;
+    for (int i = 0; i < particles; ++i) {
+      Random random(5, static_cast<std::uint64_t>(i));
+      const Flight flight = emitter.emit(random);
+      if (geometry.closestHit(flight.origin, flight.direction)) ++met;
+    }
+    return emitter.flux() * met / particles;
+  };
+  const double crossSection = pi * radius * radius;
+  EXPECT_NEAR(shares(SphereLight{{0, 0, 20}, 5, {2, 2, 2}}) / (2 * pi / 16 * crossSection), 1,
+              0.02);
+  // Of a disc over a point, by all that falls through a small ball: 2π (1 - cos) L.
+  const DiscLight disc{{0, 20, 0}, {0, -1, 0}, 5, {2, 2, 2}};
+  const double cosine = 20 / std::sqrt(425.0);
+  EXPECT_NEAR(shares(disc) / (2 * 2 * pi * (1 - cosine) * crossSection), 1, 0.02);
+  EXPECT_EQ(shares(DiscLight{{0, 20, 0}, {0, 1, 0}, 5, {2, 2, 2}}), 0);
+  EXPECT_NEAR(shares(DiscLight{{0, 20, 0}, {0, 1, 0}, 5, {2, 2, 2}, true}) / shares(disc), 1, 0.02);
+}
+
 TEST(PathTest, WhiteFurnace) {
   Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 2, 4), 2, 0, 1.3));
   scene.lighting.ambient = {1, 1, 1};

@@ -57,6 +57,14 @@ class Panels(WindowTest):
         self.assertGreater(before.difference(window.picture()), .01, "a narrow cone is another light")
         window.click("Light/delete")
         self.assertNotIn("Light/spot 1", window.state()["controls"])
+        for shape in ("rectangle", "tube"):
+            before = window.picture()
+            window.click(f"Light/add {shape}")
+            self.assertIn(f"Light/{shape} 1", window.state()["controls"])
+            self.assertIn("Light/radiance", window.state()["controls"])
+            self.assertGreater(before.difference(window.picture()), .3, shape)
+            window.click("Light/delete")
+            self.assertNotIn(f"Light/{shape} 1", window.state()["controls"])
 
     def handles(self):
         """A light's handle is dragged; the camera stays."""

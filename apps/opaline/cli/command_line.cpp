@@ -262,6 +262,10 @@ std::vector<std::string> CommandLine::optionNames() const {
   return names;
 }
 
+bool CommandLine::hasHelpOfBefore(std::size_t i) const {
+  return i < entries_.size() && entries_[i].option != nullptr && entries_[i].help.empty();
+}
+
 std::string CommandLine::help() const {
   std::string text =
       fmt::format("opaline {}{} [options]\n{}\n", name_, usage_, wrapped(summary_, helpWidth, 0));
@@ -269,12 +273,11 @@ std::string CommandLine::help() const {
     const Entry& entry = entries_[i];
     if (entry.option == nullptr) {
       text += entry.left + ":\n";
-    } else if (i + 1 < entries_.size() && entries_[i + 1].help.empty() && entries_[i + 1].option) {
-      text += helpLine(entry.names + ", " + entries_[i + 1].left, entry.help);
-      ++i;
-    } else {
-      text += helpLine(entry.left, entry.help);
+      continue;
     }
+    std::string names;
+    for (; hasHelpOfBefore(i + 1); ++i) names += entries_[i].names + ", ";
+    text += helpLine(names + entries_[i].left, entry.help);
   }
   return text;
 }

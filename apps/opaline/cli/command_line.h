@@ -70,6 +70,7 @@ class CommandLine {
 
   void addValue(const std::string& names, const std::string& placeholder, const std::string& help,
                 Taker take, bool repeatable);
+  bool hasHelpOfBefore(std::size_t i) const;
   void replaceSynonyms(std::vector<std::string>& arguments);
   void run(std::vector<std::string> arguments);
   void refuseLeftovers() const;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "cli/fields.h"
@@ -86,8 +87,82 @@ SpotLight readSpot(const Given& given) {
   return light;
 }
 
+/// As many parts as the light has, or a sentence about what it needs.
+std::vector<Given> partsOf(const Given& given, std::size_t count, const char* needs) {
+  std::vector<Given> parts = partsOf(given);
+  if (parts.size() == count) return parts;
+  throw UsageError(fmt::format("{} {}: needs {}", given.option, given.text, needs));
+}
+
+template <typename Light>
+float readRadius(const Given& given) {
+  return static_cast<float>(readNumber(given, options::fieldOf<Light>("radius_mm").allowed.range));
+}
+
+template <typename Light>
+Rgb readRadiance(const Given& given) {
+  return readColour(given, options::fieldOf<Light>("radiance").allowed.range);
+}
+
+template <typename Light>
+AreaLight checked(const Given& given, const Light& light) {
+  if (const std::string complaint = complaintAbout(light); !complaint.empty())
+    throw UsageError(fmt::format("{} {}: {}", given.option, given.text, complaint));
+  return light;
+}
+
+AreaLight readRectangle(const Given& given) {
+  const auto parts = partsOf(given, 4,
+                             "a centre, two half edges and a radiance, "
+                             "X,Y,Z:X,Y,Z:X,Y,Z:R,G,B, and shines to the side of the "
+                             "edges' cross product");
+  return checked(given, RectangleLight{.centreMm = readPlace(parts[0], lengthRange),
+                                       .uMm = readPlace(parts[1], lengthRange),
+                                       .vMm = readPlace(parts[2], lengthRange),
+                                       .radiance = readRadiance<RectangleLight>(parts[3])});
+}
+
+AreaLight readDisc(const Given& given) {
+  const auto parts = partsOf(given, 4,
+                             "a centre, a normal to the side that shines, a radius and a "
+                             "radiance, X,Y,Z:X,Y,Z:MM:R,G,B");
+  return checked(given, DiscLight{.centreMm = readPlace(parts[0], lengthRange),
+                                  .normal = readDirection(parts[1]),
+                                  .radiusMm = readRadius<DiscLight>(parts[2]),
+                                  .radiance = readRadiance<DiscLight>(parts[3])});
+}
+
+AreaLight readSphere(const Given& given) {
+  const auto parts = partsOf(given, 3, "a centre, a radius and a radiance, X,Y,Z:MM:R,G,B");
+  return checked(given, SphereLight{.centreMm = readPlace(parts[0], lengthRange),
+                                    .radiusMm = readRadius<SphereLight>(parts[1]),
+                                    .radiance = readRadiance<SphereLight>(parts[2])});
+}
+
+AreaLight readTube(const Given& given) {
+  const auto parts =
+      partsOf(given, 4, "its two ends, a radius and a radiance, X,Y,Z:X,Y,Z:MM:R,G,B");
+  return checked(given, TubeLight{.fromMm = readPlace(parts[0], lengthRange),
+                                  .toMm = readPlace(parts[1], lengthRange),
+                                  .radiusMm = readRadius<TubeLight>(parts[2]),
+                                  .radiance = readRadiance<TubeLight>(parts[3])});
+}
+
 Vec3 sum(const Vec3& a, const Vec3& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+void move(const Vec3& by, AreaLight& area) {
+  if (auto* tube = std::get_if<TubeLight>(&area)) {
+    tube->fromMm = sum(by, tube->fromMm);
+    tube->toMm = sum(by, tube->toMm);
+  } else {
+    std::visit(
+        [&](auto& light) {
+          if constexpr (requires { light.centreMm; }) light.centreMm = sum(by, light.centreMm);
+        },
+        area);
+  }
 }
 
 }  // namespace
@@ -171,6 +246,17 @@ void LightOptions::addTo(CommandLine& line) {
     spots_.push_back(readSpot(given));
     any_ = true;
   });
+  const auto area = [&](const std::string& name, const std::string& placeholder,
+                        const std::string& help, AreaLight (*read)(const Given&)) {
+    line.repeated(name, placeholder, help, [this, read](const Given& given) {
+      areas_.push_back(read(given));
+      any_ = true;
+    });
+  };
+  area("--rectangle", "", "see docs/light.md", readRectangle);
+  area("--disc", "", "", readDisc);
+  area("--sphere", "", "", readSphere);
+  area("--tube", "SHAPE:R,G,B", "", readTube);
   line.value("--ambient", "R,G,B", "radiance from everywhere; one number is grey",
              [this](const Given& given) {
                ambient_ = readColour(given, options::fieldOf<Lighting>("radiance").allowed.range);
@@ -216,6 +302,8 @@ Lighting LightOptions::lightingFor(const Scene& scene) const {
     light.positionMm = sum(middle, light.positionMm);
     lighting.spots.push_back(light);
   }
+  lighting.areas = areas_;
+  for (AreaLight& light : lighting.areas) move(middle, light);
   lighting.ambient = ambient_;
   return lighting;
 }

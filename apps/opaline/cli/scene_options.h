@@ -40,7 +40,8 @@ class SceneOptions {
   MediumOptions medium_;
 };
 
-/// --directional, --point, --spot, --ambient, --environment and what turns and scales it.
+/// --directional, --point, --spot, --rectangle, --disc, --sphere, --tube, --ambient, --environment
+/// and what turns and scales it.
 class LightOptions {
  public:
   void addTo(CommandLine& line);
@@ -57,6 +58,7 @@ class LightOptions {
   std::vector<DirectionalLight> directional_;
   std::vector<PointLight> points_;  ///< relative to the centre of the scene's box
   std::vector<SpotLight> spots_;    ///< the same
+  std::vector<AreaLight> areas_;    ///< the same
   Rgb ambient_{};
   std::optional<std::filesystem::path> environment_;
   options::Chosen<scene::EnvironmentFile> turned_;

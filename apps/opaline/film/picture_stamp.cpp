@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <variant>
 
 #include "cli/json.h"
 #include "cli/picture_options.h"
@@ -93,8 +94,41 @@ void addMotion(Digest& digest, const Scene& scene) {
   });
 }
 
+void addShape(Digest& digest, const RectangleLight& light) {
+  const auto& [centreMm, uMm, vMm, radiance, twoSided] = light;
+  digest.add(centreMm);
+  digest.add(uMm);
+  digest.add(vMm);
+  digest.add(radiance);
+  digest.add(twoSided);
+}
+
+void addShape(Digest& digest, const DiscLight& light) {
+  const auto& [centreMm, normal, radiusMm, radiance, twoSided] = light;
+  digest.add(centreMm);
+  digest.add(normal);
+  digest.add(radiusMm);
+  digest.add(radiance);
+  digest.add(twoSided);
+}
+
+void addShape(Digest& digest, const SphereLight& light) {
+  const auto& [centreMm, radiusMm, radiance] = light;
+  digest.add(centreMm);
+  digest.add(radiusMm);
+  digest.add(radiance);
+}
+
+void addShape(Digest& digest, const TubeLight& light) {
+  const auto& [fromMm, toMm, radiusMm, radiance] = light;
+  digest.add(fromMm);
+  digest.add(toMm);
+  digest.add(radiusMm);
+  digest.add(radiance);
+}
+
 void addLighting(Digest& digest, const Lighting& lighting) {
-  const auto& [directional, points, spots, ambient, environment] = lighting;
+  const auto& [directional, points, spots, areas, ambient, environment] = lighting;
   addEach(digest, directional, [&](const DirectionalLight& light) {
     const auto& [directionToLight, irradiance] = light;
     digest.add(directionToLight);
@@ -112,6 +146,10 @@ void addLighting(Digest& digest, const Lighting& lighting) {
     digest.add(intensity);
     digest.add(innerDegrees);
     digest.add(outerDegrees);
+  });
+  addEach(digest, areas, [&](const AreaLight& area) {
+    digest.add(std::uint64_t{area.index()});
+    std::visit([&](const auto& light) { addShape(digest, light); }, area);
   });
   digest.add(ambient);
   digest.add(environment != nullptr);

@@ -22,8 +22,8 @@ gpu::GpuImage ShadePass::makeRadiance(gpu::Device& device, std::uint32_t width,
            .lent = true}};
 }
 
-void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen,
-                       gpu::GpuImage& radiance) const {
+void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
+                       const SeenSurfaces& seen) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("shade");
   commands.use(surfaces.counts, gpu::Access::Indirect);
@@ -41,6 +41,14 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs, const S
                  .specular = inputs.specular,
                  .skyIsMirrored = inputs.mirrorsSky});
   commands.dispatchIndirect(surfaces.counts, 0);
+  commands.endPass();
+}
+
+void ShadePass::sumUp(gpu::CommandList& commands, const SeenSurfaces& seen,
+                      gpu::GpuImage& radiance) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
+  commands.beginPass("shade");
+  commands.use(surfaces.counts, gpu::Access::Indirect);
   commands.bind(sum_, {.seenList = surfaces.list,
                        .seenCount = surfaces.counts,
                        .light = surfaces.light,

@@ -33,9 +33,10 @@ class ShadePass {
     bool specular;
     bool mirrorsSky;  ///< VisibleSurfaces::light says how much of it
   };
-  /// Pixels that see nothing stay as they are.
-  void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen,
-              gpu::GpuImage& radiance) const;
+  /// Leaves the radiance by coverage in VisibleSurfaces::light.
+  void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;
+  /// Of the surfaces of each pixel. Pixels that see nothing stay as they are.
+  void sumUp(gpu::CommandList& commands, const SeenSurfaces& seen, gpu::GpuImage& radiance) const;
 
  private:
   gpu::Sampler nearest_;

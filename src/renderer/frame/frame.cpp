@@ -77,13 +77,18 @@ struct FrameContext {
                           {resources.view, mesh, resources.tables, resources.shadows, resources.sky,
                            usesClusters(), !plan.occludesSky},
                           scene.surfels);
-    if (usesClusters()) {
+    if (usesClusters() || plan.areaLights > 0)
       passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+    if (plan.areaLights > 0)
+      passes.areaLights.record(commands,
+                               {resources.view, mesh, resources.tables, scene.rays,
+                                plan.lights - plan.areaLights, plan.lights},
+                               scene.surfels);
+    if (usesClusters())
       passes.clusters.record(commands,
                              {resources.view, mesh, resources.tables, resources.sky, scene.surfels,
                               scene.rays, openingAngleOf(plan.tolerance)},
                              plan.bounces > 0 || plan.occludesSky, scene.clusters);
-    }
     if (plan.occludesSky)
       passes.occludedSky.record(commands, resources.tables, resources.sky, scene.clusters,
                                 scene.surfels);
@@ -247,7 +252,11 @@ struct FrameContext {
     passes.shade.record(commands,
                         {resources.tables, resources.shadows, resources.exitance, resources.sky,
                          plan.roughness, atFragments(), plan.specular, plan.mirrorsSky},
-                        seen(), resources.radiance);
+                        seen());
+    if (plan.specular && plan.areaLights > 0)
+      passes.reflectedLights.record(commands, {resources.tables, scene.surfels, scene.rays},
+                                    seen());
+    passes.shade.sumUp(commands, seen(), resources.radiance);
   }
 
   void makePicture(SceneResources& scene) const {
@@ -280,6 +289,7 @@ Passes::Passes(gpu::Device& device)
       fit(device),
       shadow(device),
       surfels(device),
+      areaLights(device),
       surface(device),
       sum(device),
       nearby(device),
@@ -291,6 +301,7 @@ Passes::Passes(gpu::Device& device)
       carry(device),
       sky(device),
       reflectedSky(device),
+      reflectedLights(device),
       shade(device),
       centres(device),
       seenSurfels(device),
@@ -312,7 +323,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   if (plan.light && plan.scatter) {
     if (plan.transport == Transport::Boundary)
       context.solveBoundary(scene);
-    else if (plan.mirrorsSky && !context.usesClusters())
+    else if (plan.mirrorsSky && !context.usesClusters() && plan.areaLights == 0)
       passes.rays.record(commands, scene.mesh, scene.surfels, scene.rays);
     context.scatterAtVertices(scene);
   }

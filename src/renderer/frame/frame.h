@@ -15,6 +15,7 @@
 #include "passes/boundary/ray_pass.h"
 #include "passes/boundary/solver_pass.h"
 #include "passes/deform/deform_pass.h"
+#include "passes/gather/area_light_pass.h"
 #include "passes/gather/fit_pass.h"
 #include "passes/gather/shadow_pass.h"
 #include "passes/gather/surfel_pass.h"
@@ -22,6 +23,7 @@
 #include "passes/scatter/surface_pass.h"
 #include "passes/scatter/surfel_sum_pass.h"
 #include "passes/shade/centres_pass.h"
+#include "passes/shade/reflected_lights_pass.h"
 #include "passes/shade/reflected_sky_pass.h"
 #include "passes/shade/seen_irradiance_pass.h"
 #include "passes/shade/seen_surfels_pass.h"
@@ -42,6 +44,7 @@ struct Passes {
   passes::FitPass fit;
   passes::ShadowPass shadow;
   passes::SurfelPass surfels;
+  passes::AreaLightPass areaLights;
   passes::SurfacePass surface;
   passes::SurfelSumPass sum;
   passes::NearbyPass nearby;
@@ -53,6 +56,7 @@ struct Passes {
   passes::CarryPass carry;
   passes::SkyPass sky;
   passes::ReflectedSkyPass reflectedSky;
+  passes::ReflectedLightsPass reflectedLights;
   passes::ShadePass shade;
   passes::CentresPass centres;
   passes::SeenSurfelsPass seenSurfels;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "environment/sky.h"
+#include "renderer/frame/light_views.h"
 #include "renderer/frame/readback.h"
 
 namespace opaline {
@@ -54,6 +55,8 @@ void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan
   plan.site = chooseSite(plan, scene);
   plan.skyIsDark = skyIsDark(lighting);
   plan.occludesSky = !plan.skyIsDark && plan.transport == Transport::Boundary;
+  plan.lights = lightCount(lighting);
+  plan.areaLights = static_cast<std::uint32_t>(lighting.areas.size());
   plan.mirrorsSky = mirrorsSky(plan, lighting);
   // Where nothing has an inside, boundary transport is what it falls back to.
   if (plan.transport == Transport::Boundary && !scene.hasInside())

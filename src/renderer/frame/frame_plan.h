@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "opaline/renderer.h"
@@ -12,19 +13,21 @@ namespace opaline {
 struct FramePlan {
   Transport transport = Transport::Dipole;
   Sum sum = Sum::Tree;
-  Site site = Site::Fragment;  ///< Auto: as each object has it, not for Sum::Pattern
-  float tolerance = 0.01F;     ///< of Sum::Tree, and of the solver of Transport::Boundary
-  int bounces = 2;             ///< of Transport::Boundary
-  bool skyIsDark = false;      ///< no light but that of lights
-  bool occludesSky = false;    ///< by what stands in the way; needs clusters
-  bool scatter = true;         ///< find the exitance; what is seen without light needs none
-  bool map = false;            ///< draw the diffusion source map, whoever wants it
-  int samples = 4;             ///< of radiance, 0 for none
-  bool centre = false;         ///< leave the visible surface and exitance of the pixels' centres
-  bool seenSurfels = false;    ///< find the surfels at the pixels' centres, not for Sum::Pattern
-  bool irradiance = false;     ///< leave that of the pixels' centres; wants seenSurfels but for
-                               ///< Sum::Pattern
-  int treeLevel = 0;           ///< of the nodes that hold them
+  Site site = Site::Fragment;    ///< Auto: as each object has it, not for Sum::Pattern
+  float tolerance = 0.01F;       ///< of Sum::Tree, and of the solver of Transport::Boundary
+  int bounces = 2;               ///< of Transport::Boundary
+  bool skyIsDark = false;        ///< no light but that of lights
+  bool occludesSky = false;      ///< by what stands in the way; needs clusters
+  std::uint32_t lights = 0;      ///< of all kinds; those with an extent come last
+  std::uint32_t areaLights = 0;  ///< with an extent; none for Sum::Pattern
+  bool scatter = true;           ///< find the exitance; what is seen without light needs none
+  bool map = false;              ///< draw the diffusion source map, whoever wants it
+  int samples = 4;               ///< of radiance, 0 for none
+  bool centre = false;           ///< leave the visible surface and exitance of the pixels' centres
+  bool seenSurfels = false;      ///< find the surfels at the pixels' centres, not for Sum::Pattern
+  bool irradiance = false;       ///< leave that of the pixels' centres; wants seenSurfels but for
+                                 ///< Sum::Pattern
+  int treeLevel = 0;             ///< of the nodes that hold them
   bool specular = true;
   float roughness = 0.25F;
   SceneTime time;

@@ -13,16 +13,16 @@ namespace opaline {
 
 namespace {
 
-// Every pass of a frame: deform in two parts, normals, fit, shadow, map, neighbours, surfels, tree;
-// of boundary transport the rays' boxes, clusters, their rays, rays and sources of every light,
-// sources of every bounce, as many solutions, means and what is carried to vertices; estimate,
-// scatter and nearby at the vertices and at the surfels; surface, scatter, nearby, carry, reflected
-// sky and shade of every band of the largest picture, and as many at the pixels' centres; and the
-// surfels seen there.
+// Every pass of a frame: deform in two parts, normals, fit, shadow, map, neighbours, surfels, area
+// lights, tree; of boundary transport the rays' boxes, clusters, their rays, rays and sources of
+// every light, sources of every bounce, as many solutions, means and what is carried to vertices;
+// estimate, scatter and nearby at the vertices and at the surfels; surface, scatter, nearby, carry,
+// reflected sky, shade, reflected lights and shade again of every band of the largest picture, and
+// as many at the pixels' centres; and the surfels seen there.
 constexpr std::uint32_t mostBands = 1024;  // 16384 rows of as many pixels, 8 samples each
 constexpr std::uint32_t maxPassesOfFrame =
-    9 + (3 + 2 * (shared::maxLights + 1) + 3 * (RenderOptions::maxBounces + 1) + 2) + 2 * 3 +
-    2 * 6 * mostBands + 2;
+    10 + (3 + 2 * (shared::maxLights + 1) + 3 * (RenderOptions::maxBounces + 1) + 2) + 2 * 3 +
+    2 * 8 * mostBands + 2;
 
 }  // namespace
 

@@ -19,7 +19,7 @@ void PreparedScene::prepare(const RenderOptions& options, const FramePlan& plan,
     make(scene, needs, options.site);
   else
     followMedia(scene, patient);
-  if (needs.maxClusters) followLights(lightCount(lighting));
+  if (needs.maxClusters || !lighting.areas.empty()) followLights(lightCount(lighting));
   if (plan.map) layFlat(options.dsmSize);
   // Most frames are not asked which surfels they show.
   if (plan.seenSurfels && !resources_->rays.boxes)
@@ -52,7 +52,8 @@ SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan&
                                   const Lighting& lighting) const {
   SceneNeeds needs = resources_ ? resources_->needs : SceneNeeds{};
   if (options.transport == Transport::Boundary) needs.maxClusters = options.maxClusters;
-  if (mirrorsSky(plan, lighting) && !needs.maxClusters) needs.rays = true;
+  const bool sendsRays = mirrorsSky(plan, lighting) || !lighting.areas.empty();
+  if (sendsRays && !needs.maxClusters) needs.rays = true;
   if (options.sum != Sum::Pattern || needs.rays) needs.maxSurfels = options.maxSurfels;
   return needs;
 }

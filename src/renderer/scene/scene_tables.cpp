@@ -8,7 +8,10 @@
 #include "bssrdf/profile.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
+#include "lights/fresnel_lobes.h"
+#include "lights/reflection_lobe.h"
 #include "passes/scatter/nearby_shares.h"
+#include "passes/shade/reflected_lights_pass.h"
 #include "passes/shade/specular_albedo.h"
 #include "shaders/profile_packing.h"
 #include "shaders/shared/boundary.h"
@@ -86,11 +89,14 @@ class TableBuilder {
     const bssrdf::Model model = modelOf(options_.transport);
     const auto eta = static_cast<std::uint32_t>(std::find(etas_.begin(), etas_.end(), medium.eta) -
                                                 etas_.begin());
-    media_.push_back({.profile = shaders::packProfile(bssrdf::makeProfiles(model, medium)),
-                      .inside = insideOf(medium),
-                      .boundary = {static_cast<float>(medium.eta),
-                                   static_cast<float>(bssrdf::exitFactor(model, medium.eta)), 0, 0},
-                      .tables = {eta, 0, 0, eta * passes::specularAlbedoEntries}});
+    const FresnelLobes lobes = fresnelLobesOf(medium.eta);
+    media_.push_back(
+        {.profile = shaders::packProfile(bssrdf::makeProfiles(model, medium)),
+         .inside = insideOf(medium),
+         .boundary = {static_cast<float>(medium.eta),
+                      static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
+                      static_cast<float>(lobes.plain), static_cast<float>(1 / lobes.stretch)},
+         .tables = {eta, 0, 0, eta * passes::specularAlbedoEntries}});
   }
 
   const RenderOptions& options_;
@@ -138,6 +144,17 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
   return objects;
 }
 
+std::vector<shared::vec4> reflectionLobes(const RenderOptions& options) {
+  const double roughness{options.roughness};
+  std::vector<shared::vec4> lobes;
+  for (int i = 0; i < passes::reflectionLobeEntries; ++i) {
+    const ReflectionLobe lobe =
+        reflectionLobeOf(roughness * roughness, (i + 0.5) / passes::reflectionLobeEntries);
+    lobes.emplace_back(lobe.tilt, lobe.along, lobe.across, lobe.skew);
+  }
+  return lobes;
+}
+
 }  // namespace
 
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
@@ -153,6 +170,8 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
   tables.entersAtSurface =
       std::any_of(builder.media().begin(), builder.media().end(), scattersEnough);
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
+  tables.reflectionLobes =
+      gpu::makeBuffer(device, "lobes of the reflection", reflectionLobes(options), storage);
   tables.etas = builder.etas();
   return tables;
 }

@@ -21,6 +21,7 @@
 #include "scene/scene_settings.h"
 #include "scene/text.h"
 #include "scene/toml/keys.h"
+#include "scene/toml/lights.h"
 #include "scene/toml/placement.h"
 #include "scene/toml/reader.h"
 #include "scene/toml/settings.h"
@@ -242,52 +243,6 @@ void readDeformers(const TomlTable& root, Assembly& to) {
   }
 }
 
-/// A place that is given from the centre. In double precision every place can be given.
-std::optional<Vec3> placeFrom(const TomlTable& table, std::string_view key, const Assembly& of) {
-  const auto offset = table.numbers(key, 3);
-  if (!offset) return std::nullopt;
-  return toFloat(toDouble(of.centre) + Double3{(*offset)[0], (*offset)[1], (*offset)[2]});
-}
-
-void readLight(const TomlTable& table, Assembly& to) {
-  constexpr keys::Keys<4> types{"directional", "point", "spot", "ambient"};
-  const auto type = table.choice("type", types);
-  const auto need = [&](std::string_view key) {
-    if (!table.has(key)) table.fail("", fmt::format("of type '{}' has no '{}'", *type, key));
-  };
-  if (!type) table.fail("", "has no 'type': directional, point, spot or ambient");
-  Lighting& lighting = to.scene.lighting;
-  if (*type == "directional") {
-    table.requireKeys(keys::directional);
-    need("direction_to_light");
-    DirectionalLight light{.directionToLight = *table.direction("direction_to_light")};
-    chosenIn<DirectionalLight>(table).applyTo(light);
-    lighting.directional.push_back(light);
-  } else if (*type == "point") {
-    table.requireKeys(keys::point);
-    need("position_mm");
-    need("intensity");
-    PointLight light{.positionMm = *placeFrom(table, "position_mm", to)};
-    chosenIn<PointLight>(table).applyTo(light);
-    lighting.points.push_back(light);
-  } else if (*type == "spot") {
-    table.requireKeys(keys::spot);
-    for (const std::string_view key : {"position_mm", "direction", "intensity"}) need(key);
-    SpotLight light{.positionMm = *placeFrom(table, "position_mm", to),
-                    .direction = *table.direction("direction")};
-    chosenIn<SpotLight>(table).applyTo(light);
-    if (const std::string complaint = complaintAbout(light); !complaint.empty())
-      table.fail("", "of type 'spot': " + complaint);
-    lighting.spots.push_back(light);
-  } else {
-    table.requireKeys(keys::ambient);
-    need("radiance");
-    Lighting ambient;
-    chosenIn<Lighting>(table).applyTo(ambient);
-    for (std::size_t c = 0; c < 3; ++c) lighting.ambient[c] += ambient.ambient[c];
-  }
-}
-
 void readLighting(const TomlTable& root, Assembly& to) {
   const std::vector<TomlTable> lights = root.tables("lights");
   const auto environment = root.table("environment");
@@ -295,7 +250,7 @@ void readLighting(const TomlTable& root, Assembly& to) {
     to.scene.lighting = {};
     to.scene.hasLights = true;
   }
-  for (const TomlTable& light : lights) readLight(light, to);
+  for (const TomlTable& light : lights) readLight(light, to.centre, to.scene.lighting);
   if (!environment) return;
   environment->requireKeys(keys::environment);
   const auto file = environment->text("file");
@@ -321,8 +276,8 @@ void readCamera(const TomlTable& root, Assembly& to) {
   if (!table) return;
   table->requireKeys(keys::camera);
   const auto direction = table->direction("direction");
-  const auto position = placeFrom(*table, "position_mm", to);
-  const auto target = placeFrom(*table, "target_mm", to);
+  const auto position = placeFrom(*table, "position_mm", to.centre);
+  const auto target = placeFrom(*table, "target_mm", to.centre);
   if (direction && position) table->fail("direction", "cannot stand beside 'position_mm'");
   const bool placed = direction || position || target;
   const std::optional<Camera> own = to.scene.camera;

@@ -211,6 +211,38 @@ void addLight(std::string_view type, Text& to) {
   to.text("type", type);
 }
 
+void addPlace(std::string_view key, const Vec3& place, const Vec3& centreMm, Text& to) {
+  to.raw(key, toml_text::offset(place, centreMm, key));
+}
+
+void addShape(const RectangleLight& light, const Vec3& centreMm, Text& to) {
+  addLight("rectangle", to);
+  addPlace("center_mm", light.centreMm, centreMm, to);
+  to.list("u_mm", light.uMm);
+  to.list("v_mm", light.vMm);
+  to.fields(options::chosenIn(light));
+}
+
+void addShape(const DiscLight& light, const Vec3& centreMm, Text& to) {
+  addLight("disc", to);
+  addPlace("center_mm", light.centreMm, centreMm, to);
+  to.list("normal", light.normal);
+  to.fields(options::chosenIn(light));
+}
+
+void addShape(const SphereLight& light, const Vec3& centreMm, Text& to) {
+  addLight("sphere", to);
+  addPlace("center_mm", light.centreMm, centreMm, to);
+  to.fields(options::chosenIn(light));
+}
+
+void addShape(const TubeLight& light, const Vec3& centreMm, Text& to) {
+  addLight("tube", to);
+  addPlace("from_mm", light.fromMm, centreMm, to);
+  addPlace("to_mm", light.toMm, centreMm, to);
+  to.fields(options::chosenIn(light));
+}
+
 void addLighting(const SceneDescription& scene, const fs::path& file, Text& to) {
   for (const DirectionalLight& light : scene.directional) {
     requireSensible(light, "a directional light");
@@ -231,9 +263,13 @@ void addLighting(const SceneDescription& scene, const fs::path& file, Text& to) 
     to.list("direction", light.direction);
     to.fields(options::chosenIn(light));
   }
+  for (const AreaLight& light : scene.areas) {
+    requireSensible(light, "an area light");
+    std::visit([&](const auto& shape) { addShape(shape, scene.centreMm, to); }, light);
+  }
   const auto& environment = scene.source.environment;
-  const bool nothingElse =
-      scene.directional.empty() && scene.points.empty() && scene.spots.empty() && !environment;
+  const bool nothingElse = scene.directional.empty() && scene.points.empty() &&
+                           scene.spots.empty() && scene.areas.empty() && !environment;
   // In a file without lights those of the model shine, or the usual ones.
   if (scene.ambient != Rgb{} || nothingElse) {
     const Lighting ambient{.ambient = scene.ambient};
@@ -295,6 +331,7 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
   description.directional = lighting.directional;
   description.points = lighting.points;
   description.spots = lighting.spots;
+  description.areas = lighting.areas;
   description.ambient = lighting.ambient;
   description.camera = scene.camera;
   description.deformers = scene.deformers;

@@ -25,6 +25,7 @@ struct SceneDescription {
   std::vector<DirectionalLight> directional;
   std::vector<PointLight> points;
   std::vector<SpotLight> spots;
+  std::vector<AreaLight> areas;
   Rgb ambient{};
   Camera camera;
   std::vector<Deformer> deformers;

@@ -9,6 +9,7 @@
 #include "lib/boundary.glsl"
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
+#include "lib/area_light.glsl"
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
 #include "lib/point_counts.glsl"
@@ -203,7 +204,7 @@ void main() {
   float eta = mediumAt(itsBody, entry.place.xyz).boundary.x;
   Body body = Body(insideOf(itsBody), eta, target, cluster.along.w, rayStartOf(cluster));
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
-  bool everywhere = beam == frame.counts.x;
+  bool everywhere = beam == frame.counts.w;
   if (everywhere) {
     vec3 share = skyShares[i].rgb;
     entered[i] = vec4(share * entry.irradiance.rgb, 0.0);
@@ -216,8 +217,9 @@ void main() {
     vec3 extinction = body.medium.extinction.rgb / cluster.facet.w;
     firstSegment(body, i, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
   } else if (power != vec3(0.0)) {
-    vec3 toLight = incidentLight(beam, entry.place.xyz).direction;
     vec3 normal = entry.normal.xyz;
+    vec3 toLight = beam < firstAreaLight() ? incidentLight(beam, entry.place.xyz).direction
+                                           : directionOfArea(beam, entry.place.xyz, normal);
     float cosine = dot(toLight, normal);
     vec3 from = unitOr(toLight + max(leastEntryCosine - cosine, 0.0) * normal, normal);
     vec3 direction = unitOr(refract(-from, normal, 1.0 / body.eta), -normal);

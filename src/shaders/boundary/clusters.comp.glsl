@@ -7,6 +7,7 @@
 #define BINDING_MEDIA 5
 #include "lib/boundary.glsl"
 #include "lib/frame.glsl"
+#include "lib/area_light.glsl"
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
 #include "lib/moment.glsl"
@@ -62,8 +63,9 @@ vec3 middleOf(PieceShape shape) {
 // Of a light, by the cosine to the facet, so that no light is lost or gained. What of it is visible
 // has been looked up where the surfels gathered.
 vec3 enteringAt(vec3 place, vec3 facet, MediumData medium, uint index, uint piece, uint point) {
-  IncidentLight light = incidentLight(index, place);
   float visible = unpackVisibility(visibilities[visibilityIndex(index, piece, pieceCount)], point);
+  if (index >= firstAreaLight()) return visible * areaEntering(index, place, facet, medium);
+  IncidentLight light = incidentLight(index, place);
   return light.irradiance * (enteringPart(light, facet, facet, medium) * visible);
 }
 
@@ -181,7 +183,7 @@ void main() {
                                   vec4(radius, square, reach, area), vec4(vectorArea, float(range.object)),
                                   moment.first, vec4(moment.rest, 0.0, 0.0));
 
-  for (uint beam = 0u; beam <= lightsAt(middle); ++beam)
+  for (uint beam = 0u; beam <= allLightsAt(middle); ++beam)
     entries[beam * clusterCount + i] =
-        entryOf(first, end, cluster, body, beam < frame.counts.x ? beam : everywhere);
+        entryOf(first, end, cluster, body, beam < frame.counts.w ? beam : everywhere);
 }

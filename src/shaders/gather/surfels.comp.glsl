@@ -9,8 +9,8 @@
 #include "lib/irradiance.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
-#include "lib/piece.glsl"
 #include "lib/unit.glsl"
+#include "shared/surfels.h"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
@@ -22,6 +22,8 @@ layout(std430, set = 0, binding = 10) writeonly buffer SurfelPlaces { vec4 place
 
 layout(std430, set = 0, binding = 11) buffer Visibilities { uint visibilities[]; };
 layout(std430, set = 0, binding = 12) writeonly buffer SkyShares { vec4 skyShares[]; };
+
+#include "lib/piece_place.glsl"
 
 layout(push_constant) uniform Push {
   uint surfelCount;
@@ -37,40 +39,6 @@ void put(uint source, vec3 position, float area, vec3 irradiance) {
   vec3 flux = area * irradiance;
   sources[source] = Source(vec4(position, area),
                            vec4(mix(vec3(0.0), flux, greaterThan(flux, vec3(leastFlux))), 0.0));
-}
-
-struct PiecePlace {
-  vec3 origin;  // mm, of the triangle
-  vec3 along;
-  vec3 across;
-  mat3 itsNormals;  // at the triangle's corners
-  float side;       // -1 where the body is mirrored
-  mat3x2 corners;   // see lib/piece.glsl
-  float area;       // mm²
-};
-
-PiecePlace placeOf(SurfelPiece piece) {
-  PiecePlace place;
-  place.origin = positions[piece.a].xyz;
-  place.along = positions[piece.b].xyz - place.origin;
-  place.across = positions[piece.c].xyz - place.origin;
-  place.itsNormals = mat3(normals[piece.a].xyz, normals[piece.b].xyz, normals[piece.c].xyz);
-  place.side = normals[piece.a].w;
-  place.corners = cornersOf(piece);
-  place.area = 0.5 * length(cross(place.along, place.across)) * piece.fraction;
-  return place;
-}
-
-vec3 positionAt(PiecePlace place, vec2 at) {
-  return place.origin + at.x * place.along + at.y * place.across;
-}
-
-vec3 normalAt(PiecePlace place, vec2 at) {
-  return unitOr(place.itsNormals * vec3(1.0 - at.x - at.y, at), vec3(0.0, 1.0, 0.0));
-}
-
-vec3 facetOf(PiecePlace place) {
-  return cross(place.along, place.across);
 }
 
 void keep(float visible, uint light, uint piece, uint point) {

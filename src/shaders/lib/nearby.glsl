@@ -48,12 +48,13 @@ struct Neighbours {
   vec3 even;      // of this side, in unit irradiance, by nearbyWeight
   float present;  // part of the plane around that there is, by nearbyWeight
   vec3 sky;       // share of its irradiance that enters there, by nearbyWeight
+  vec3 gathered;  // mean irradiance of this side, by nearbyWeight
 };
 
 Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
   Profile profile = mediumAt(body, position).profile;
   float reach = body.darkest.w;
-  Neighbours found = Neighbours(vec4(0.0), vec3(0.0), 0.0, vec3(0.0));
+  Neighbours found = Neighbours(vec4(0.0), vec3(0.0), 0.0, vec3(0.0), vec3(0.0));
   float area = 0.0;
   uint node = body.tree.x;
   while (node < body.tree.y) {
@@ -75,12 +76,14 @@ Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
         float counted = place.w * nearbyWeight(squared, reach * reach);
         found.even += counted * weight;
         found.sky += counted * skyShares[i / sourcesPerSurfel].rgb;
+        found.gathered += counted / max(place.w, 1e-30) * fluxOf(i);
         area += counted;
       }
     }
     node = apart ? afterNode(node, link) : node + 1u;
   }
   found.sky = area > 0.0 ? found.sky / area : vec3(1.0);
+  if (area > 0.0) found.gathered /= area;
   found.present = min(area / (wholeDisc * pi / 3.0 * reach * reach), 1.0);
   return found;
 }
@@ -115,6 +118,9 @@ vec4 nearbyExitance(vec3 position, vec3 normal, ObjectData body) {
   vec3 outer = ringIrradiance(position, normal, outerRingAt * reach, 0.5, medium);
   Neighbours found = neighboursOf(position, normal, body);
   vec3 ambient = found.sky * skyIrradianceAt(normal, medium);
+  // Of area lights, what neighbours have gathered is known.
+  if (frame.counts.w > firstAreaLight())
+    ambient += max(found.gathered - ambient - (here + inner + outer) / 3.0, 0.0);
   vec3 lacking = body.nearbyDisc.rgb * (ambient + here) +
                  found.present * (body.nearbyInner.rgb * (ambient + inner) +
                                   body.nearbyOuter.rgb * (ambient + outer));

@@ -17,10 +17,10 @@
 #include "lib/seen_list.glsl"
 #include "lib/shadow.glsl"
 #include "lib/sky.glsl"
+#include "lib/specular_albedo.glsl"
 
 // What has scattered; in w how much of what is mirrored is sky. After it, radiance by coverage.
 layout(std430, set = 0, binding = 3) buffer Light { vec4 light[]; };
-layout(std430, set = 0, binding = 8) readonly buffer SpecularAlbedo { float specularAlbedo[]; };
 
 layout(push_constant) uniform Push {
   uint atFragments;  // what has scattered stands in `light`, else at the vertices
@@ -28,15 +28,6 @@ layout(push_constant) uniform Push {
   uint specular;
   uint skyIsMirrored;  // some of it, as `light` has it; else all or none
 };
-
-const uint albedoEntries = 64u;
-
-float reflectedAlbedo(MediumData medium, float cosine) {
-  float place = cosine * float(albedoEntries) - 0.5;
-  float lower = clamp(floor(place), 0.0, float(albedoEntries - 2u));
-  uint first = medium.tables.w + uint(lower);
-  return mix(specularAlbedo[first], specularAlbedo[first + 1u], clamp(place - lower, 0.0, 1.0));
-}
 
 // How the normal changes over a pixel.
 struct NormalsNearby {

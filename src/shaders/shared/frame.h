@@ -25,24 +25,36 @@ OPALINE_CONSTANT maxSamples = 8;
 /// Kinds of lights. A spot light is a point light with a cone.
 OPALINE_CONSTANT directionalLight = 0;
 OPALINE_CONSTANT pointLight = 1;
+OPALINE_CONSTANT areaLight = 2;
+
+/// Shapes of area lights.
+OPALINE_CONSTANT rectangleShape = 0;
+OPALINE_CONSTANT discShape = 1;
+OPALINE_CONSTANT sphereShape = 2;
+OPALINE_CONSTANT tubeShape = 3;
 
 /// One light that casts shadows.
 struct LightData {
-  vec4 place;  // xyz: direction to the light, unit (directional), or its position in mm (point)
-  vec4 power;  // rgb: irradiance (directional) or intensity (point)
+  vec4 place;  // xyz: direction to the light, unit (directional), or its position in mm (point),
+               // or its middle (area)
+  vec4 power;  // rgb: irradiance (directional), intensity (point) or radiance (area);
+               // w: 1 where an area light has two sides
   vec4 depth;  // depth d of its shadow map in mm: x + y·d (directional), x / (y + d) (point)
   vec4 texel;  // x: edge of a shadow texel in mm (directional), or per mm of distance (point)
-  vec4 axis;   // xyz: unit, where a spot light shines to
+  vec4 axis;   // xyz: unit, where a spot light shines to; of an area light, mm, from the middle to
+               // the edge of a rectangle or a disc, or to an end of a tube
   vec4 cone;   // x, y: scale and offset of its falloff (lights/spot.h), 0 and 1 of any other point;
-               // z: tangent of the outer angle
-  uvec4 kind;  // x: of light; y: first shadow view; z: number of them
+               // z: tangent of the outer angle. xyz of an area light: from the middle to another
+               // edge; w: radius of a sphere or a tube
+  uvec4 kind;  // x: of light; y: first shadow view; z: number of them; w: shape of an area light
 };
 
 struct FrameData {
   mat4 worldToClip;
   vec4 cameraPosition;  // xyz mm
   vec4 cameraAxis;      // xyz unit, towards the scene
-  uvec4 counts;         // x: lights; y: shadow map size; z: antialiasing samples
+  uvec4 counts;         // x: lights with shadow maps, which come first; y: size of these;
+                        // z: antialiasing samples; w: all lights
   LightData lights[maxLights];
   vec4 samples[maxSamples];          // xy: from the pixel's centre, pixels
   mat4 shadowViews[maxShadowViews];  // world to clip

@@ -22,8 +22,9 @@ struct BoundaryMedium {
 struct MediumData {
   Profile profile;
   BoundaryMedium inside;
-  vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t); z, w: 0
-  uvec4 tables;   // x: cube of the sky's irradiance; y, z: 0; w: first entry of the specular albedo
+  vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t); z, w: plain lobe
+                  // and 1 / stretch of the light that enters (lights/fresnel_lobes.h)
+  uvec4 tables;  // x: cube of the sky's irradiance; y, z: 0; w: first entry of the specular albedo
 };
 
 #ifdef __cplusplus

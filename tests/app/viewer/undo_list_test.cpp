@@ -107,6 +107,7 @@ TEST(EditState, EveryKindOfEditIsSeenAndUndone) {
       [](Session& s) { s.scene.lighting.directional.clear(); },
       [](Session& s) { s.scene.lighting.points.emplace_back(); },
       [](Session& s) { s.scene.lighting.spots.emplace_back(); },
+      [](Session& s) { s.scene.lighting.areas.emplace_back(TubeLight{}); },
       [](Session& s) {
         s.scene.lighting.ambient = {1, 0, 0};
       },

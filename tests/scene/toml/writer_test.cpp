@@ -9,6 +9,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <variant>
 
 #include "bssrdf/media.h"
 #include "opaline/error.h"
@@ -77,6 +78,39 @@ void expectSameMedium(const Medium& a, const Medium& b) {
   EXPECT_EQ(a.eta, b.eta);
 }
 
+void expectSame(const RectangleLight& a, const AreaLight& other) {
+  const RectangleLight& b = std::get<RectangleLight>(other);
+  EXPECT_EQ(a.centreMm, b.centreMm);
+  EXPECT_EQ(a.uMm, b.uMm);
+  EXPECT_EQ(a.vMm, b.vMm);
+  EXPECT_EQ(a.radiance, b.radiance);
+  EXPECT_EQ(a.twoSided, b.twoSided);
+}
+
+void expectSame(const DiscLight& a, const AreaLight& other) {
+  const DiscLight& b = std::get<DiscLight>(other);
+  EXPECT_EQ(a.centreMm, b.centreMm);
+  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(a.normal[axis], b.normal[axis], 1e-7);
+  EXPECT_EQ(a.radiusMm, b.radiusMm);
+  EXPECT_EQ(a.radiance, b.radiance);
+  EXPECT_EQ(a.twoSided, b.twoSided);
+}
+
+void expectSame(const SphereLight& a, const AreaLight& other) {
+  const SphereLight& b = std::get<SphereLight>(other);
+  EXPECT_EQ(a.centreMm, b.centreMm);
+  EXPECT_EQ(a.radiusMm, b.radiusMm);
+  EXPECT_EQ(a.radiance, b.radiance);
+}
+
+void expectSame(const TubeLight& a, const AreaLight& other) {
+  const TubeLight& b = std::get<TubeLight>(other);
+  EXPECT_EQ(a.fromMm, b.fromMm);
+  EXPECT_EQ(a.toMm, b.toMm);
+  EXPECT_EQ(a.radiusMm, b.radiusMm);
+  EXPECT_EQ(a.radiance, b.radiance);
+}
+
 void expectSameLighting(const Lighting& a, const Lighting& b) {
   ASSERT_EQ(a.directional.size(), b.directional.size());
   for (std::size_t i = 0; i < a.directional.size(); ++i) {
@@ -87,6 +121,11 @@ void expectSameLighting(const Lighting& a, const Lighting& b) {
   for (std::size_t i = 0; i < a.points.size(); ++i) {
     EXPECT_EQ(a.points[i].positionMm, b.points[i].positionMm);
     EXPECT_EQ(a.points[i].intensity, b.points[i].intensity);
+  }
+  ASSERT_EQ(a.areas.size(), b.areas.size());
+  for (std::size_t i = 0; i < a.areas.size(); ++i) {
+    ASSERT_EQ(a.areas[i].index(), b.areas[i].index());
+    std::visit([&](const auto& light) { expectSame(light, b.areas[i]); }, a.areas[i]);
   }
   ASSERT_EQ(a.spots.size(), b.spots.size());
   for (std::size_t i = 0; i < a.spots.size(); ++i) {
@@ -243,6 +282,10 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   want("lights.", scene::keys::directional);
   want("lights.", scene::keys::point);
   want("lights.", scene::keys::spot);
+  want("lights.", scene::keys::rectangle);
+  want("lights.", scene::keys::disc);
+  want("lights.", scene::keys::sphere);
+  want("lights.", scene::keys::tube);
   want("lights.", scene::keys::ambient);
   want("environment.", scene::keys::environment);
   want("camera.", scene::keys::camera);
@@ -287,6 +330,10 @@ TEST(SceneKeys, AreAllInTheDocument) {
   expectAll(scene::keys::directional);
   expectAll(scene::keys::point);
   expectAll(scene::keys::spot);
+  expectAll(scene::keys::rectangle);
+  expectAll(scene::keys::disc);
+  expectAll(scene::keys::sphere);
+  expectAll(scene::keys::tube);
   expectAll(scene::keys::ambient);
   expectAll(scene::keys::environment);
   expectAll(scene::keys::camera);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "scene/environment_file.h"
@@ -94,10 +95,68 @@ bool drawSpot(SpotLight& light, float diagonalMm) {
   return drawIntensity(light.intensity) || changed;
 }
 
+bool drawRadius(float& radiusMm, float diagonalMm) {
+  return controls::length("radius", radiusMm, 1e-3F * diagonalMm, diagonalMm,
+                          "A larger light has softer shadows.");
+}
+
+bool drawRadiance(Rgb& radiance) {
+  return controls::light("radiance", radiance,
+                         "How bright the light itself looks: a larger one gives more light.");
+}
+
+bool drawTwoSided(bool& on) {
+  return controls::checkbox("both sides", on, "Shines to its back too.");
+}
+
+// Edges and turns are dragged in the picture.
+bool drawShape(RectangleLight& light, float diagonalMm) {
+  bool changed = drawPlace(light.centreMm, diagonalMm);
+  float size = 1;
+  if (controls::slider("scale", size, 0.9F, 1.1F, "x %.2f", "Both edges of it.")) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      light.uMm[axis] *= size;
+      light.vMm[axis] *= size;
+    }
+    changed = true;
+  }
+  changed |= drawRadiance(light.radiance);
+  return drawTwoSided(light.twoSided) || changed;
+}
+
+bool drawShape(DiscLight& light, float diagonalMm) {
+  bool changed = drawPlace(light.centreMm, diagonalMm);
+  changed |= drawDirection(light.normal);
+  changed |= drawRadius(light.radiusMm, diagonalMm);
+  changed |= drawRadiance(light.radiance);
+  return drawTwoSided(light.twoSided) || changed;
+}
+
+bool drawShape(SphereLight& light, float diagonalMm) {
+  bool changed = drawPlace(light.centreMm, diagonalMm);
+  changed |= drawRadius(light.radiusMm, diagonalMm);
+  return drawRadiance(light.radiance) || changed;
+}
+
+bool drawShape(TubeLight& light, float diagonalMm) {
+  bool changed = drawRadius(light.radiusMm, diagonalMm);
+  return drawRadiance(light.radiance) || changed;
+}
+
+// A light that makes no sense is not taken.
+bool drawArea(AreaLight& light, float diagonalMm) {
+  AreaLight edited = light;
+  const bool changed =
+      std::visit([&](auto& shape) { return drawShape(shape, diagonalMm); }, edited);
+  if (!changed || !complaintAbout(edited).empty()) return false;
+  light = edited;
+  return true;
+}
+
 void drawList(const Lighting& lighting, int& chosen) {
   const auto count = static_cast<int>(countOf(lighting));
   for (int i = 0; i < count; ++i) {
-    const std::string name = nameOf(entryOf(lighting, static_cast<std::size_t>(i)));
+    const std::string name = nameOf(lighting, entryOf(lighting, static_cast<std::size_t>(i)));
     if (ImGui::Selectable(name.c_str(), chosen == i)) chosen = chosen == i ? -1 : i;
     controls::note(name.c_str());
   }
@@ -107,8 +166,8 @@ void drawList(const Lighting& lighting, int& chosen) {
 // Adds what the button of that name is for, and selects it.
 template <typename Light>
 bool drawAdd(LightKind kind, const char* about, const Light& light,
-             std::vector<Light> Lighting::*lights, Session& session) {
-  const std::string name = "add " + nameOf(kind);
+             std::vector<Light> Lighting::*lights, Session& session, const char* shape = nullptr) {
+  const std::string name = "add " + (shape != nullptr ? shape : nameOf(kind));
   Lighting& lighting = session.scene.lighting;
   ImGui::BeginDisabled(!hasRoomFor(light, lighting, lights));
   const bool pressed = controls::button(name.c_str(), about);
@@ -139,6 +198,27 @@ bool drawAdding(Session& session) {
   changed |= drawAdd(LightKind::Spot, "A light from one place into a cone.",
                      SpotLight{place, {-0.66F, -0.53F, 0.53F}, {power, power, power}, 20, 30},
                      &Lighting::spots, session);
+  const Vec3 target = session.scene.camera.targetMm;
+  const auto addArea = [&](const char* name, const char* about, const AreaLight& light) {
+    changed |= drawAdd(LightKind::Area, about, light, &Lighting::areas, session, name);
+  };
+  // As bright in the middle of the scene as the others.
+  const float d = session.diagonalMm;
+  const Rgb radiance{14, 14, 14};
+  const Vec3 u{0.16F * d, 0, 0.2F * d};
+  const Vec3 v{0.12F * d, -0.24F * d, -0.1F * d};
+  addArea("rectangle", "An even panel: soft shadows, and its shape in the reflection.",
+          RectangleLight{place, v, u, radiance});
+  controls::sameLineFor("add disc");
+  addArea("disc", "An even disc.", DiscLight{place, {-0.66F, -0.53F, 0.53F}, 0.28F * d, radiance});
+  controls::sameLineFor("add sphere");
+  addArea("sphere", "An even ball.", SphereLight{place, 0.2F * d, {24, 24, 24}});
+  controls::sameLineFor("add tube");
+  addArea("tube", "An even tube, without its ends.",
+          TubeLight{{place[0], target[1] - 0.5F * d, place[2]},
+                    {place[0], target[1] + 0.5F * d, place[2]},
+                    0.05F * d,
+                    {30, 30, 30}});
   return changed;
 }
 
@@ -162,9 +242,11 @@ bool drawEntry(const LightEntry& entry, Lighting& lighting, float diagonalMm) {
     case LightKind::Point:
       return drawPoint(lighting.points[entry.index], diagonalMm);
     case LightKind::Spot:
+      return drawSpot(lighting.spots[entry.index], diagonalMm);
+    case LightKind::Area:
       break;
   }
-  return drawSpot(lighting.spots[entry.index], diagonalMm);
+  return drawArea(lighting.areas[entry.index], diagonalMm);
 }
 
 bool drawChosen(Session& session) {

@@ -28,9 +28,11 @@ glm::vec3 placeOf(const Session& session, const Projection& projection, const Li
     case LightKind::Point:
       return toGlm(lighting.points[entry.index].positionMm);
     case LightKind::Spot:
+      return toGlm(lighting.spots[entry.index].positionMm);
+    case LightKind::Area:
       break;
   }
-  return toGlm(lighting.spots[entry.index].positionMm);
+  return middleOfArea(lighting.areas[entry.index]);
 }
 
 // On its axis, beside what it shines on.
@@ -50,6 +52,11 @@ std::vector<LightHandle> handlesOf(const Session& session, const Projection& pro
     handles.push_back({light, LightPart::Place, placeOf(session, projection, entry)});
     if (entry.kind == LightKind::Spot && light == session.light)
       handles.push_back({light, LightPart::Aim, aimOf(session, lighting.spots[entry.index])});
+    if (entry.kind != LightKind::Area || light != session.light) continue;
+    const float reach = 0.2F * session.diagonalMm;
+    for (const AreaGrip& grip :
+         gripsOf(lighting.areas[entry.index], projection.view().right, reach))
+      handles.push_back({light, LightPart::Grip, grip.placeMm, grip.kind});
   }
   return handles;
 }
@@ -74,11 +81,23 @@ glm::vec3 onSphere(const glm::vec3& offsetInRadii, bool inFront, const glm::vec3
   return glm::normalize(across * outwards + (front ? -towards : towards) * ahead);
 }
 
+void drawOutline(const AreaLight& light, const Projection& projection, ImU32 color,
+                 ImDrawList& list) {
+  const std::vector<glm::vec3> outline = outlineOf(light, projection.view().ahead);
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const auto a = projection.toWindow(outline[i]);
+    const auto b = projection.toWindow(outline[(i + 1) % outline.size()]);
+    if (a && b) list.AddLine({a->x, a->y}, {b->x, b->y}, color, 1.5F);
+  }
+}
+
 // What a light without a place of its own is joined to by a line, and a spot light aims at.
 std::optional<glm::vec3> endOfLine(const Session& session, const LightHandle& handle,
                                    const LightEntry& entry) {
   if (handle.part == LightPart::Aim)
     return toGlm(session.scene.lighting.spots[entry.index].positionMm);
+  if (handle.part == LightPart::Grip && handle.grip == AreaGrip::Kind::Normal)
+    return middleOfArea(session.scene.lighting.areas[entry.index]);
   if (entry.kind == LightKind::Directional) return toGlm(session.scene.camera.targetMm);
   return std::nullopt;
 }
@@ -129,6 +148,14 @@ bool LightHandles::drag(Session& session, const Projection& projection,
     case LightKind::Point:
       lighting.points[entry.index].positionMm = fromGlm(place);
       return true;
+    case LightKind::Area: {
+      AreaLight& area = lighting.areas[entry.index];
+      if (grabbed_->part == LightPart::Place)
+        moveArea(place, area);
+      else
+        dragGrip(grabbed_->grip, place, area);
+      return true;
+    }
     case LightKind::Spot:
       break;
   }
@@ -156,6 +183,9 @@ void LightHandles::draw(const Session& session, const Projection& projection,
     const ImVec2 middle(place->x, place->y);
     const bool main = handle.part == LightPart::Place;
     const float radius = (main ? 0.45F : 0.3F) * ImGui::GetFontSize();
+    if (main && entry.kind == LightKind::Area)
+      drawOutline(lighting.areas[entry.index], projection, colorOf(power, behind ? 0.4F : 0.8F),
+                  list);
     const auto from = endOfLine(session, handle, entry);
     if (const auto end = from ? projection.toWindow(*from) : std::nullopt)
       list.AddLine(middle, {end->x, end->y}, colorOf(power, behind ? 0.25F : 0.5F), 1);

@@ -7,23 +7,25 @@
 #include <optional>
 
 #include "viewer/picture/projection.h"
+#include "viewer/session/area_lights.h"
 #include "viewer/session/session.h"
 
 namespace opaline::app::viewer {
 
 /// What of a light one holds by a handle.
-enum class LightPart { Place, Aim };
+enum class LightPart { Place, Aim, Grip };
 
 struct LightHandle {
   int light = -1;  ///< in the window's list
   LightPart part = LightPart::Place;
   glm::vec3 placeMm{};
+  AreaGrip::Kind grip = AreaGrip::Kind::U;
 };
 
 /// Lights as handles in the picture. A directional light stands on a sphere about the camera's
 /// target and is dragged along it, past its rim to the other side; other lights stand where they
 /// are, and are dragged parallel to the picture. A spot light that is selected has another handle
-/// where it aims.
+/// where it aims, and an area light some that turn and resize it.
 class LightHandles {
  public:
   /// The handle that lies there.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
+#include <type_traits>
+#include <variant>
 
 #include "cli/motion_options.h"
 #include "cli/picture_options.h"
@@ -47,6 +49,35 @@ bool same(const SpotLight& a, const SpotLight& b) {
   return parts(a) == parts(b);
 }
 
+auto partsOf(const RectangleLight& light) {
+  const auto& [centre, u, v, radiance, twoSided] = light;
+  return std::tie(centre, u, v, radiance, twoSided);
+}
+
+auto partsOf(const DiscLight& light) {
+  const auto& [centre, normal, radius, radiance, twoSided] = light;
+  return std::tie(centre, normal, radius, radiance, twoSided);
+}
+
+auto partsOf(const SphereLight& light) {
+  const auto& [centre, radius, radiance] = light;
+  return std::tie(centre, radius, radiance);
+}
+
+auto partsOf(const TubeLight& light) {
+  const auto& [from, to, radius, radiance] = light;
+  return std::tie(from, to, radius, radiance);
+}
+
+bool same(const AreaLight& a, const AreaLight& b) {
+  if (a.index() != b.index()) return false;
+  return std::visit(
+      [&](const auto& light) {
+        return partsOf(light) == partsOf(std::get<std::remove_cvref_t<decltype(light)>>(b));
+      },
+      a);
+}
+
 bool same(const Deformer& a, const Deformer& b) {
   const auto parts = [](const Deformer& deformer) {
     const auto& [kind, amount, period] = deformer;
@@ -63,7 +94,7 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
 
 bool sameLights(const Lighting& a, const Lighting& b) {
   return same(a.directional, b.directional) && same(a.points, b.points) && same(a.spots, b.spots) &&
-         a.ambient == b.ambient;
+         same(a.areas, b.areas) && a.ambient == b.ambient;
 }
 
 bool sameEnvironment(const EditState& state, const Session& session) {
@@ -163,6 +194,7 @@ void restore(const EditState& state, Session& session) {
     lighting.directional = state.lighting.directional;
     lighting.points = state.lighting.points;
     lighting.spots = state.lighting.spots;
+    lighting.areas = state.lighting.areas;
     lighting.ambient = state.lighting.ambient;
     if (session.light >= static_cast<int>(countOf(lighting))) session.light = -1;
   }

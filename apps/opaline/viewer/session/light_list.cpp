@@ -4,15 +4,18 @@
 
 #include <array>
 #include <iterator>
+#include <variant>
 
 namespace opaline::app::viewer {
 
 namespace {
 
-constexpr std::array<const char*, 3> names{"directional", "point", "spot"};
+constexpr std::array<const char*, 4> names{"directional", "point", "spot", "area"};
+constexpr std::array<const char*, 4> shapes{"rectangle", "disc", "sphere", "tube"};
 
 std::array<std::size_t, names.size()> countsOf(const Lighting& lighting) {
-  return {lighting.directional.size(), lighting.points.size(), lighting.spots.size()};
+  return {lighting.directional.size(), lighting.points.size(), lighting.spots.size(),
+          lighting.areas.size()};
 }
 
 template <typename Light>
@@ -46,8 +49,11 @@ std::string nameOf(LightKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-std::string nameOf(const LightEntry& entry) {
-  return fmt::format("{} {}", nameOf(entry.kind), entry.index + 1);
+std::string nameOf(const Lighting& lighting, const LightEntry& entry) {
+  const std::string kind = entry.kind == LightKind::Area
+                               ? shapes[lighting.areas[entry.index].index()]
+                               : nameOf(entry.kind);
+  return fmt::format("{} {}", kind, entry.index + 1);
 }
 
 Rgb powerOf(const Lighting& lighting, const LightEntry& entry) {
@@ -57,9 +63,11 @@ Rgb powerOf(const Lighting& lighting, const LightEntry& entry) {
     case LightKind::Point:
       return lighting.points[entry.index].intensity;
     case LightKind::Spot:
+      return lighting.spots[entry.index].intensity;
+    case LightKind::Area:
       break;
   }
-  return lighting.spots[entry.index].intensity;
+  return std::visit([](const auto& light) { return light.radiance; }, lighting.areas[entry.index]);
 }
 
 void erase(const LightEntry& entry, Lighting& lighting) {
@@ -70,6 +78,8 @@ void erase(const LightEntry& entry, Lighting& lighting) {
       return eraseAt(lighting.points, entry.index);
     case LightKind::Spot:
       return eraseAt(lighting.spots, entry.index);
+    case LightKind::Area:
+      return eraseAt(lighting.areas, entry.index);
   }
 }
 

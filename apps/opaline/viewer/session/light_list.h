@@ -7,7 +7,7 @@
 
 namespace opaline::app::viewer {
 
-enum class LightKind { Directional, Point, Spot };
+enum class LightKind { Directional, Point, Spot, Area };
 
 /// Where a light of the window's list stands in the scene.
 struct LightEntry {
@@ -26,8 +26,8 @@ std::size_t numberOfLast(LightKind kind, const Lighting& lighting);
 
 /// "spot"
 std::string nameOf(LightKind kind);
-/// "spot 1"
-std::string nameOf(const LightEntry& entry);
+/// "spot 1", "disc 2"
+std::string nameOf(const Lighting& lighting, const LightEntry& entry);
 
 /// What the light is coloured by.
 Rgb powerOf(const Lighting& lighting, const LightEntry& entry);

@@ -1,0 +1,129 @@
+#include "lights/area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "lights/vectors.h"
+
+namespace opaline {
+
+namespace {
+
+using std::numbers::pi;
+using namespace lights;  // NOLINT(google-build-using-namespace)
+
+Double3 toDouble(const Vec3& v) {
+  return {double{v[0]}, double{v[1]}, double{v[2]}};
+}
+
+/// Two directions across a unit direction and each other (Duff et al. 2017).
+std::array<Double3, 2> across(const Double3& n) {
+  const double sign = std::copysign(1.0, n[2]);
+  const double a = -1 / (sign + n[2]);
+  const double b = n[0] * n[1] * a;
+  return {Double3{1 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]},
+          Double3{b, sign + n[1] * n[1] * a, -n[1]}};
+}
+
+Double3 onCircle(const std::array<Double3, 2>& axes, double part) {
+  return std::cos(2 * pi * part) * axes[0] + std::sin(2 * pi * part) * axes[1];
+}
+
+double areaOf(const RectangleLight& light) {
+  return 4 * length(cross(toDouble(light.uMm), toDouble(light.vMm)));
+}
+
+double areaOf(const DiscLight& light) {
+  return pi * double{light.radiusMm} * double{light.radiusMm};
+}
+
+double areaOf(const SphereLight& light) {
+  return 4 * pi * double{light.radiusMm} * double{light.radiusMm};
+}
+
+double areaOf(const TubeLight& light) {
+  return 2 * pi * double{light.radiusMm} * length(toDouble(light.toMm) - toDouble(light.fromMm));
+}
+
+AreaPoint pointOf(const RectangleLight& light, double x, double y) {
+  const Double3 u = toDouble(light.uMm);
+  const Double3 v = toDouble(light.vMm);
+  return {toDouble(light.centreMm) + (2 * x - 1) * u + (2 * y - 1) * v, unit(cross(u, v))};
+}
+
+AreaPoint pointOf(const DiscLight& light, double x, double y) {
+  const Double3 normal = unit(toDouble(light.normal));
+  const double radius = double{light.radiusMm} * std::sqrt(x);
+  return {toDouble(light.centreMm) + radius * onCircle(across(normal), y), normal};
+}
+
+AreaPoint pointOf(const SphereLight& light, double x, double y) {
+  const double z = 2 * x - 1;
+  const Double3 around = onCircle(across({0, 0, 1}), y);
+  const Double3 normal = std::sqrt(std::max(1 - z * z, 0.0)) * around + Double3{0, 0, z};
+  return {toDouble(light.centreMm) + double{light.radiusMm} * normal, normal};
+}
+
+AreaPoint pointOf(const TubeLight& light, double x, double y) {
+  const Double3 from = toDouble(light.fromMm);
+  const Double3 along = toDouble(light.toMm) - from;
+  const Double3 normal = onCircle(across(unit(along)), y);
+  return {from + x * along + double{light.radiusMm} * normal, normal};
+}
+
+Double3 centreOf(const TubeLight& light) {
+  return 0.5 * (toDouble(light.fromMm) + toDouble(light.toMm));
+}
+
+template <typename Light>
+Double3 centreOf(const Light& light) {
+  return toDouble(light.centreMm);
+}
+
+double reachOf(const RectangleLight& light) {
+  const Double3 u = toDouble(light.uMm);
+  const Double3 v = toDouble(light.vMm);
+  return std::max(length(u + v), length(u - v));
+}
+
+double reachOf(const TubeLight& light) {
+  const double half = 0.5 * length(toDouble(light.toMm) - toDouble(light.fromMm));
+  return std::hypot(half, double{light.radiusMm});
+}
+
+template <typename Light>
+double reachOf(const Light& light) {
+  return double{light.radiusMm};
+}
+
+}  // namespace
+
+Rgb radianceOf(const AreaLight& light) {
+  return std::visit([](const auto& shape) { return shape.radiance; }, light);
+}
+
+bool isTwoSided(const AreaLight& light) {
+  if (const auto* rectangle = std::get_if<RectangleLight>(&light)) return rectangle->twoSided;
+  const auto* disc = std::get_if<DiscLight>(&light);
+  return disc != nullptr && disc->twoSided;
+}
+
+double areaMm2(const AreaLight& light) {
+  return std::visit([](const auto& shape) { return areaOf(shape); }, light);
+}
+
+AreaPoint pointOn(const AreaLight& light, double x, double y) {
+  return std::visit([&](const auto& shape) { return pointOf(shape, x, y); }, light);
+}
+
+std::array<double, 3> middleOf(const AreaLight& light) {
+  return std::visit([](const auto& shape) { return centreOf(shape); }, light);
+}
+
+double reachMm(const AreaLight& light) {
+  return std::visit([](const auto& shape) { return reachOf(shape); }, light);
+}
+
+}  // namespace opaline

@@ -1,0 +1,54 @@
+#include "passes/gather/area_light_pass.h"
+
+#include "gpu/device.h"
+#include "passes/mechanics.h"
+
+namespace opaline::passes {
+
+namespace {
+
+// Of an invocation, most of which need the first few only.
+constexpr std::uint32_t usualRays = 16;
+
+}  // namespace
+
+AreaLightPass::AreaLightPass(gpu::Device& device)
+    : shadows_(device, "soft shadows", rayShader<shaders::GatherSoftShadows>(device)),
+      add_(device, "area lights") {}
+
+void AreaLightPass::record(gpu::CommandList& commands, const Inputs& inputs,
+                           Surfels& surfels) const {
+  commands.beginPass("area lights");
+  const std::uint32_t pieces = surfels.count * surfels.piecesPerSurfel;
+  for (std::uint32_t light = inputs.first; light < inputs.end; ++light) {
+    commands.bind(shadows_,
+                  {.frame = inputs.frame.data,
+                   .positions = inputs.mesh.positions,
+                   .normals = inputs.mesh.normals,
+                   .pieces = surfels.pieces,
+                   .objects = inputs.tables.objects,
+                   .media = inputs.tables.media,
+                   .pieceCorners = inputs.rays.corners,
+                   .rayHierarchy = rays(inputs.rays),
+                   .visibilities = surfels.visibilities},
+                  {.pieceCount = pieces,
+                   .piecesPerSurfel = surfels.piecesPerSurfel,
+                   .nodeCount = surfels.tree.nodeCount,
+                   .light = light});
+    commands.dispatchLinear(pieces, usualRays * roundsOfWalk);
+  }
+  commands.bind(add_,
+                {.frame = inputs.frame.data,
+                 .positions = inputs.mesh.positions,
+                 .normals = inputs.mesh.normals,
+                 .pieces = surfels.pieces,
+                 .objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .visibilities = surfels.visibilities,
+                 .sources = surfels.sources},
+                {.surfelCount = surfels.count, .piecesPerSurfel = surfels.piecesPerSurfel});
+  commands.dispatchLinear(surfels.count);
+  commands.endPass();
+}
+
+}  // namespace opaline::passes

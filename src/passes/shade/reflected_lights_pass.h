@@ -1,0 +1,36 @@
+#pragma once
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+#include "shaders/shade/reflected_lights.comp.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Number of SceneTables::reflectionLobes; the shader knows the same.
+constexpr int reflectionLobeEntries = 16;
+
+/// Adds what the surface mirrors of area lights, with their shape, to the radiance of all surfaces
+/// that pixels see.
+class ReflectedLightsPass {
+ public:
+  explicit ReflectedLightsPass(gpu::Device& device);
+
+  struct Inputs {
+    SceneTables& tables;
+    Surfels& surfels;
+    RayHierarchy& rays;
+  };
+  /// After VisibleSurfaces::light has the radiance.
+  void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;
+
+ private:
+  gpu::Sampler nearest_;
+  gpu::Compute<shaders::ShadeReflectedLights> pipeline_;
+};
+
+}  // namespace opaline::passes

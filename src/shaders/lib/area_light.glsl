@@ -1,0 +1,214 @@
+// Area lights: what a place sees of them and how much light comes from there, as long as nothing is
+// between. Needs lib/frame.glsl.
+#ifndef OPALINE_LIB_AREA_LIGHT
+#define OPALINE_LIB_AREA_LIGHT
+#include "lib/fresnel.glsl"
+#include "lib/light.glsl"
+#include "lib/pi.glsl"
+#include "lib/unit.glsl"
+#include "shared/medium.h"
+
+// What a place sees of a light, from there: a parallelogram, a disc, or a tube's near side.
+struct AreaView {
+  uint shape;
+  vec3 middle;   // mm
+  vec3 u;        // of a parallelogram and a disc, from the middle to the edge; half a tube's axis
+  vec3 v;        // the same; of a tube, unit, from the axis to the place
+  vec3 across;   // of a tube, unit, at right angles to both
+  float radius;  // of a tube
+  float edge;    // of a tube, half the angle about its axis that is seen
+  bool shines;   // to the place
+};
+
+// Of a disc that is drawn as a polygon of equal area, the distance of its corners.
+const uint cornersOfDisc = 12u;
+const float cornerOfDisc = 1.0232670;  // √(2π / 12 sin 30°)
+
+AreaView discOfSphere(AreaView view, float radius) {
+  float squared = dot(view.middle, view.middle);
+  view.shines = squared > radius * radius * 1.000001;
+  float part = view.shines ? radius * radius / squared : 0.0;
+  vec3 towards = unitOr(view.middle, vec3(0.0, 0.0, 1.0));
+  // Duff et al. 2017.
+  float s = towards.z >= 0.0 ? 1.0 : -1.0;
+  float a = -1.0 / (s + towards.z);
+  float b = towards.x * towards.y * a;
+  float seen = radius * sqrt(1.0 - part);
+  view.shape = discShape;
+  view.middle *= 1.0 - part;
+  view.u = seen * vec3(1.0 + s * towards.x * towards.x * a, s * b, -s * towards.x);
+  view.v = seen * vec3(b, s + towards.y * towards.y * a, -towards.y);
+  return view;
+}
+
+AreaView sideOfTube(AreaView view, float radius) {
+  vec3 axis = unitOr(view.u, vec3(0.0, 1.0, 0.0));
+  vec3 away = dot(view.middle, axis) * axis - view.middle;
+  float distance = length(away);
+  view.shines = distance > radius * 1.000001;
+  view.v = unitOr(away, vec3(0.0));
+  view.across = cross(axis, view.v);
+  view.radius = radius;
+  view.edge = acos(min(radius / max(distance, 1e-30), 1.0));
+  return view;
+}
+
+AreaView areaViewFrom(vec3 position, uint index) {
+  LightData light = frame.lights[index];
+  AreaView view = AreaView(light.kind.w, light.place.xyz - position, light.axis.xyz, light.cone.xyz,
+                           vec3(0.0), 0.0, 0.0, true);
+  if (view.shape == sphereShape) return discOfSphere(view, light.cone.w);
+  if (view.shape == tubeShape) return sideOfTube(view, light.cone.w);
+  float side = -dot(cross(view.u, view.v), view.middle);
+  view.shines = side > 0.0 || (light.power.w != 0.0 && side < 0.0);
+  return view;
+}
+
+uint cornersOf(AreaView view) {
+  return view.shape == rectangleShape ? 4u : cornersOfDisc;
+}
+
+vec3 onTube(AreaView view, float along, float angle) {
+  return view.middle + along * view.u +
+         view.radius * (cos(angle) * view.v + sin(angle) * view.across);
+}
+
+// Of the polygon that is seen. A tube's has six corners on the near half of either rim.
+vec3 cornerOf(AreaView view, uint i) {
+  if (view.shape == rectangleShape)
+    return view.middle + (i == 0u || i == 3u ? view.u : -view.u) + (i < 2u ? view.v : -view.v);
+  if (view.shape == discShape) {
+    float angle = 2.0 * pi / float(cornersOfDisc) * float(i);
+    return view.middle + cornerOfDisc * (cos(angle) * view.u + sin(angle) * view.v);
+  }
+  return i < 6u ? onTube(view, 1.0, view.edge * (0.4 * float(i) - 1.0))
+                : onTube(view, -1.0, view.edge * (1.0 - 0.4 * float(i - 6u)));
+}
+
+// γ / 2 sin γ of the angle between two vectors, times their cross product over their lengths: the
+// part of an edge in Lambert's formula. The angle is found by three halvings of its tangent.
+vec3 edgeOf(vec3 a, vec3 b) {
+  float product = sqrt(dot(a, a) * dot(b, b));
+  float whole = max(product + dot(a, b), 1e-6 * product);
+  vec3 normal = cross(a, b - a);
+  float half1 = length(normal) / max(whole, 1e-30);
+  float root1 = 1.0 + sqrt(1.0 + half1 * half1);
+  float half2 = half1 / root1;
+  float root2 = 1.0 + sqrt(1.0 + half2 * half2);
+  float x = half2 / root2;
+  x *= x;
+  float series = 1.0 - x * (1.0 / 3.0 - x * (1.0 / 5.0 - x * (1.0 / 7.0 - x * (1.0 / 9.0 - x / 11.0))));
+  return normal * (4.0 * series / (max(whole, 1e-30) * root1 * root2));
+}
+
+// The vector irradiance of unit radiance at a surface, by what lies above it: Lambert's formula for
+// the polygon, cut off at the horizon, after directions have been transformed.
+vec3 vectorIrradianceOf(AreaView view, mat3 transform, vec3 normal) {
+  uint count = cornersOf(view);
+  vec3 sum = vec3(0.0);
+  vec3 left = vec3(0.0);   // where the polygon went below the horizon
+  vec3 first = vec3(0.0);  // where it came up first
+  bool below = false;
+  vec3 before = transform * cornerOf(view, count - 1u);
+  for (uint i = 0u; i < count; ++i) {
+    vec3 after = transform * cornerOf(view, i);
+    float from = dot(before, normal);
+    float to = dot(after, normal);
+    vec3 crossing = before + (after - before) * (from / (from - to));
+    if (from <= 0.0 && to > 0.0) {
+      if (below)
+        sum += edgeOf(left, crossing);
+      else
+        first = crossing;
+      below = false;
+    }
+    if (from > 0.0 || to > 0.0)
+      sum += edgeOf(from > 0.0 ? before : crossing, to > 0.0 ? after : crossing);
+    if (from > 0.0 && to <= 0.0) {
+      left = crossing;
+      below = true;
+    }
+    before = after;
+  }
+  if (below) sum += edgeOf(left, first);
+  return dot(sum, normal) < 0.0 ? -sum : sum;
+}
+
+// What is so far away that rounding would tell in the sum over its edges is a point: the area that is
+// seen over the distance squared.
+const float leastOfDistance = 1e-3;
+
+float sizeOf(AreaView view) {
+  return max(max(length(view.u), view.shape == tubeShape ? 0.0 : length(view.v)), view.radius);
+}
+
+float areaOver(AreaView view, vec3 direction, float squared) {
+  if (view.shape == tubeShape)
+    return 4.0 * view.radius * length(cross(view.u, direction)) / squared;
+  float area = abs(dot(cross(view.u, view.v), direction)) / squared;
+  return (view.shape == rectangleShape ? 4.0 : pi) * area;
+}
+
+// Directions across the normal become so many times as long.
+mat3 acrossBy(vec3 normal, float factor) {
+  return mat3(factor) + (1.0 - factor) * outerProduct(normal, normal);
+}
+
+// The light that enters of unit radiance: the Fresnel term as two lobes (lights/fresnel_lobes.h).
+float enteringOfView(AreaView view, vec3 normal, MediumData medium) {
+  float squared = dot(view.middle, view.middle);
+  float size = sizeOf(view);
+  if (size * size < leastOfDistance * leastOfDistance * squared) {
+    vec3 direction = view.middle * inversesqrt(squared);
+    float cosine = dot(direction, normal);
+    if (cosine <= 0.0) return 0.0;
+    return areaOver(view, direction, squared) * cosine *
+           (1.0 - fresnelReflectance(medium.boundary.x, min(cosine, 1.0)));
+  }
+  float plain = medium.boundary.z;
+  float wide = medium.inside.extinction.w - plain;
+  float sum = plain * dot(vectorIrradianceOf(view, mat3(1.0), normal), normal) +
+              wide * dot(vectorIrradianceOf(view, acrossBy(normal, medium.boundary.w), normal), normal);
+  return max(sum, 0.0);
+}
+
+// The light of an area light that enters a surface, if all of it is visible.
+vec3 areaEntering(uint index, vec3 position, vec3 normal, MediumData medium) {
+  AreaView view = areaViewFrom(position, index);
+  return view.shines ? frame.lights[index].power.rgb * enteringOfView(view, normal, medium)
+                     : vec3(0.0);
+}
+
+// Where the light of an area light comes from, on the whole.
+vec3 directionOfArea(uint index, vec3 position, vec3 normal) {
+  AreaView view = areaViewFrom(position, index);
+  return unitOr(vectorIrradianceOf(view, mat3(1.0), normal), unitOr(view.middle, normal));
+}
+
+// A place of the light that is seen, for two numbers in [0, 1), and what its neighbourhood gives a
+// surface that faces it, up to a factor.
+struct AreaSample {
+  vec3 offset;  // mm, from the place
+  float weight;
+};
+
+AreaSample sampleOf(AreaView view, vec2 at) {
+  vec3 offset;
+  float facing;
+  if (view.shape == tubeShape) {
+    float angle = asin(clamp((2.0 * at.y - 1.0) * sin(view.edge), -1.0, 1.0));
+    offset = onTube(view, 2.0 * at.x - 1.0, angle);
+    vec3 normal = cos(angle) * view.v + sin(angle) * view.across;
+    facing = max(-dot(normal, offset), 0.0) / max(cos(angle), 1e-3);
+  } else {
+    vec2 place = 2.0 * at - 1.0;
+    if (view.shape == discShape)
+      place = sqrt(at.x) * vec2(cos(2.0 * pi * at.y), sin(2.0 * pi * at.y));
+    offset = view.middle + place.x * view.u + place.y * view.v;
+    facing = abs(dot(cross(view.u, view.v), offset));
+  }
+  float squared = max(dot(offset, offset), 1e-30);
+  return AreaSample(offset, facing * inversesqrt(squared) / squared);
+}
+
+#endif

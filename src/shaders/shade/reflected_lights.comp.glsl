@@ -1,0 +1,142 @@
+// Adds to the radiance of the surfaces that pixels see what they mirror of area lights: GGX as a
+// linearly transformed cosine lobe over the light's polygon (Heitz et al. 2016).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define BINDING_SEEN 1
+#define BINDING_SEEN_LIST 2
+#define BINDING_OBJECTS 4
+#define BINDING_MEDIA 5
+#define BINDING_PIECE_CORNERS 6
+#define BINDING_RAYS 7
+#define MESH_BINDING 11
+#include "lib/frame.glsl"
+#include "lib/area_light.glsl"
+#include "lib/material.glsl"
+#include "lib/mesh.glsl"
+#include "lib/rays.glsl"
+#include "lib/seen_list.glsl"
+#include "lib/specular_albedo.glsl"
+
+layout(std430, set = 0, binding = 9) buffer Light { vec4 light[]; };  // radiance, by coverage
+layout(std430, set = 0, binding = 10) readonly buffer Lobes { vec4 lobes[]; };
+
+layout(push_constant) uniform Push {
+  uint first;      // of the list
+  uint nodeCount;  // of all surfels' trees
+  uint piecesPerSurfel;
+};
+
+const uint lobeEntries = 16u;
+const float startOf = 1e-5;       // of rays, above a facet, in parts of the coordinates
+const float leastMirrored = 1e-4;  // of a light's radiance, for which a ray is worth its while
+
+uint firstPieceOf(uint object) {
+  return objects[object].table.y * piecesPerSurfel;
+}
+
+// By the cosine of the view: tilt, along, across and skew (lights/reflection_lobe.h).
+vec4 lobeAt(float cosine) {
+  float place = clamp(cosine * float(lobeEntries) - 0.5, 0.0, float(lobeEntries) - 1.001);
+  uint lower = uint(place);
+  return mix(lobes[lower], lobes[lower + 1u], fract(place));
+}
+
+// A lobe in the scene: its own axes, and what widens it along them.
+struct Lobe {
+  vec3 along;
+  vec3 across;
+  vec3 axis;
+  vec4 shape;
+};
+
+Lobe lobeOf(vec3 normal, vec3 mirrored, vec4 shape) {
+  vec3 helper = abs(normal.x) < 0.7 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
+  vec3 away = unitOr(dot(mirrored, normal) * mirrored - normal, normalize(cross(normal, helper)));
+  return Lobe(cos(shape.x) * away - sin(shape.x) * mirrored, cross(mirrored, away),
+              cos(shape.x) * mirrored + sin(shape.x) * away, shape);
+}
+
+// From the scene to where the lobe is that of a cosine.
+mat3 toCosineLobe(Lobe lobe) {
+  return transpose(mat3((lobe.along - lobe.shape.w * lobe.axis) / lobe.shape.y,
+                        lobe.across / lobe.shape.z, lobe.axis));
+}
+
+// The i-th direction of the lobe, by a lattice of low discrepancy (Roberts 2018).
+vec3 directionIn(Lobe lobe, uint i) {
+  vec2 at = fract(0.5 + float(i) * vec2(0.7548776662, 0.5698402910));
+  float radius = sqrt(at.x);
+  vec2 place = radius * vec2(cos(2.0 * pi * at.y), sin(2.0 * pi * at.y));
+  float height = sqrt(1.0 - at.x);
+  return normalize((lobe.shape.y * place.x + lobe.shape.w * height) * lobe.along +
+                   lobe.shape.z * place.y * lobe.across + height * lobe.axis);
+}
+
+// The place of the light that is mirrored in the middle of the lobe, or the nearest to it that there
+// is, from the surface.
+vec3 mirroredPlace(AreaView view, vec3 mirrored) {
+  if (view.shape == tubeShape) {
+    vec3 across = cross(view.u, cross(mirrored, view.u));
+    float along = dot(mirrored, across);
+    float to = abs(along) > 1e-20 ? dot(view.middle, across) / along : 0.0;
+    float part = dot(to * mirrored - view.middle, view.u) / max(dot(view.u, view.u), 1e-30);
+    return onTube(view, clamp(part, -1.0, 1.0), 0.0);
+  }
+  vec3 normal = cross(view.u, view.v);
+  float towards = dot(mirrored, normal);
+  float to = dot(view.middle, normal) / (abs(towards) > 1e-20 ? towards : 1e-20);
+  if (to <= 0.0) return view.middle;
+  vec3 offset = to * mirrored - view.middle;
+  float size = max(dot(normal, normal), 1e-30);
+  vec2 at = vec2(dot(cross(offset, view.v), normal), dot(cross(view.u, offset), normal)) / size;
+  at = view.shape == rectangleShape ? clamp(at, -0.999, 0.999) : at / max(length(at) / 0.999, 1.0);
+  return view.middle + at.x * view.u + at.y * view.v;
+}
+
+const uint fewRays = 4u;
+const uint mostRays = 16u;
+
+bool isVisible(MeshPlace place, vec3 offset) {
+  vec3 places = abs(place.position);
+  float start = startOf * max(max(places.x, places.y), places.z);
+  float least = start * inversesqrt(max(dot(offset, offset), 1e-30));
+  return dot(offset, place.facet) > 0.0 &&
+         !occluded(place.position + start * place.facet, offset, least, 1.0,
+                   RayTarget(0u, nodeCount, everyObject));
+}
+
+// Of what the lobe mirrors of a light. Where the first rays agree, they are enough.
+float visiblePart(MeshPlace place, AreaView view, Lobe lobe) {
+  float free = 0.0;
+  for (uint i = 0u; i < mostRays; ++i) {
+    if (i == fewRays && (free == 0.0 || free == float(fewRays))) return free / float(fewRays);
+    if (isVisible(place, mirroredPlace(view, directionIn(lobe, i)))) free += 1.0;
+  }
+  return free / float(mostRays);
+}
+
+vec3 mirroredOf(MeshPlace place) {
+  MediumData medium = mediumAt(objects[place.object], place.position);
+  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
+  float cosine = clamp(dot(place.normal, toCamera), 1e-3, 1.0);
+  vec3 mirrored = reflect(-toCamera, place.normal);
+  Lobe lobe = lobeOf(place.normal, mirrored, lobeAt(cosine));
+  mat3 toLobe = toCosineLobe(lobe);
+  float albedo = reflectedAlbedo(medium, cosine);
+  vec3 sum = vec3(0.0);
+  for (uint i = firstAreaLight(); i < allLightsAt(place.position); ++i) {
+    AreaView view = areaViewFrom(place.position, i);
+    if (!view.shines) continue;
+    float part = albedo / pi * vectorIrradianceOf(view, toLobe, vec3(0.0, 0.0, 1.0)).z;
+    if (part > leastMirrored)
+      sum += part * visiblePart(place, view, lobe) * frame.lights[i].power.rgb;
+  }
+  return sum;
+}
+
+void main() {
+  Seen seen = seenOfInvocation(first);
+  if (!seen.there) return;
+  MeshPlace place = seenPlace(seen.pixel, seen.word);
+  light[seen.entry].rgb += coverageOf(samplesOf(seen.word)) * mirroredOf(place);
+}

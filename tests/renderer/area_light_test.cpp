@@ -1,0 +1,302 @@
+// Area lights: what they give a plate against closed forms and quadrature, and their penumbrae.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "bssrdf/fresnel.h"
+#include "lights/area.h"
+#include "renderer/renderer_fixture.h"
+#include "renderer/shapes.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+
+using std::numbers::pi;
+
+using AreaLightTest = RendererTest;
+
+Medium ofIndex(double eta) {
+  Medium medium = marble();
+  medium.eta = eta;
+  return medium;
+}
+
+// The plate y = 0, from above.
+Scene plate(const Medium& medium, float halfMm = 20, int cells = 64) {
+  return sceneOf(sheet({0, 0, 0}, {0, 0, halfMm}, {halfMm, 0, 0}, cells), medium, {0, 90, 1},
+                 0.9F * halfMm);
+}
+
+// Of surfels, where the camera sees them.
+RenderOptions options() {
+  RenderOptions options = smallOptions();
+  options.width = options.height = 48;
+  return options;
+}
+
+// ∫ L F_t μ over the light, by places all over it and without occluders. The plate lies at y = 0.
+double byQuadrature(const AreaLight& light, const Vector& position, double eta,
+                    const Vector& normal = {0, 1, 0}) {
+  constexpr int steps = 256;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i)
+    for (int k = 0; k < steps; ++k) {
+      const AreaPoint place = pointOn(light, (i + 0.5) / steps, (k + 0.5) / steps);
+      const Vector offset = Vector(place.positionMm) - position;
+      const double squared = dot(offset, offset);
+      const Vector direction = (1 / std::sqrt(squared)) * offset;
+      const double cosine = std::min(dot(direction, normal), 1.0);
+      const double facing = isTwoSided(light) ? std::abs(dot(direction, Vector(place.normal)))
+                                              : -dot(direction, Vector(place.normal));
+      if (cosine <= 0 || facing <= 0) continue;
+      sum += facing * cosine * (1 - bssrdf::fresnelReflectance(eta, cosine)) / squared;
+    }
+  return static_cast<double>(radianceOf(light)[0]) * sum * areaMm2(light) / (steps * steps);
+}
+
+struct Found {
+  Vector position;
+  double irradiance;
+};
+
+std::vector<Found> irradianceOf(const std::vector<Image>& images) {
+  std::vector<Found> found;
+  forEachCovered(images[0], [&](std::size_t i) {
+    found.push_back({toVector(&images[0].rgba[i]), static_cast<double>(images[1].rgba[i])});
+  });
+  return found;
+}
+
+double percentile95(std::vector<double> errors) {
+  std::sort(errors.begin(), errors.end());
+  return errors[errors.size() * 95 / 100];
+}
+
+std::vector<AreaLight> everyShape() {
+  return {
+      RectangleLight{{4, 12, -3}, {6, 0, 1}, {1, 2, 5}, {3, 3, 3}, true},
+      RectangleLight{{25, 3, 0}, {0, 8, 0}, {0, 0, 8}, {3, 3, 3}, true},  // through the horizon
+      DiscLight{{-5, 9, 2}, {0.4F, -0.9F, 0.1F}, 5, {3, 3, 3}},
+      SphereLight{{3, 11, 5}, 6, {3, 3, 3}},
+      SphereLight{{-24, 2, 0}, 3, {3, 3, 3}},  // through the horizon
+      TubeLight{{-15, 8, -4}, {12, 10, 6}, 1.5F, {3, 3, 3}},
+  };
+}
+
+// Where the index is almost 1 all light enters: Lambert's closed forms, on the axis.
+TEST_F(AreaLightTest, HaveTheirClosedForms) {
+  constexpr double eta = 1.01;
+  constexpr double height = 10;
+  const auto rectangle = [](double a, double b) {  // of a corner over the point
+    const double x = a / height;
+    const double y = b / height;
+    const double p = std::sqrt(1 + x * x);
+    const double q = std::sqrt(1 + y * y);
+    return 0.5 * (x / p * std::atan(y / p) + y / q * std::atan(x / q));
+  };
+  const auto sphere = [](const Vector& centre) {  // all of it above the horizon
+    return [centre](const Vector& position) {
+      const Vector offset = centre - position;
+      return 2 * pi * 36 * offset[1] / std::pow(length(offset), 3);
+    };
+  };
+  struct Case {
+    AreaLight light;
+    std::function<double(const Vector&)> expected;
+  };
+  const std::vector<Case> cases{{RectangleLight{{0, 10, 0}, {6, 0, 0}, {0, 0, 9}, {2, 2, 2}},
+                                 [&](const Vector&) { return 2 * 4 * rectangle(6, 9); }},
+                                {DiscLight{{0, 10, 0}, {0, -1, 0}, 8, {2, 2, 2}},
+                                 [](const Vector&) { return 2 * pi * 64 / (64 + 100); }},
+                                {SphereLight{{0, 10, 0}, 6, {2, 2, 2}}, sphere({0, 10, 0})},
+                                {SphereLight{{6, 8, 0}, 6, {2, 2, 2}}, sphere({6, 8, 0})}};
+  for (const Case& each : cases) {
+    Scene scene = plate(ofIndex(eta), 1, 8);
+    scene.lighting.areas = {each.light};
+    double sum = 0;
+    double sumExpected = 0;
+    for (const Found& found :
+         irradianceOf(render(scene, options(), {Aov::Position, Aov::Irradiance})))
+      if (length(found.position) < 0.3) {
+        sum += found.irradiance;
+        sumExpected += each.expected(found.position);
+      }
+    ASSERT_GT(sumExpected, 0);
+    EXPECT_NEAR(sum / sumExpected, 1, 0.01) << each.light.index();
+  }
+}
+
+TEST_F(AreaLightTest, GiveAPlateWhatQuadratureGives) {
+  for (const double eta : {1.3, 1.5})
+    for (const AreaLight& light : everyShape()) {
+      Scene scene = plate(ofIndex(eta));
+      scene.lighting.areas = {light};
+      std::vector<std::pair<double, double>> values;
+      double most = 0;
+      double sum = 0;
+      double sumExpected = 0;
+      int number = 0;
+      for (const Found& found :
+           irradianceOf(render(scene, options(), {Aov::Position, Aov::Irradiance}))) {
+        if (++number % 13 != 0) continue;
+        const double expected = byQuadrature(light, found.position, eta);
+        most = std::max(most, expected);
+        sum += found.irradiance;
+        sumExpected += expected;
+        values.emplace_back(found.irradiance, expected);
+      }
+      std::vector<double> errors;
+      for (const auto& [value, expected] : values)
+        if (expected > 0.02 * most) errors.push_back(std::abs(value / expected - 1));
+      EXPECT_LT(percentile95(errors), 0.03) << eta << ", shape " << light.index();
+      EXPECT_NEAR(sum / sumExpected, 1, 0.01) << eta << ", shape " << light.index();
+    }
+}
+
+TEST_F(AreaLightTest, ASmallOneIsAPointLight) {
+  Scene scene = plate(ofIndex(1.4));
+  const float area = 4 * 0.2F * 0.2F;
+  // Intensity of what faces straight down is L A μ.
+  scene.lighting.areas = {RectangleLight{{0, 20, 0}, {0.2F, 0, 0}, {0, 0, 0.2F}, {100, 100, 100}}};
+  const auto square = irradianceOf(render(scene, options(), {Aov::Position, Aov::Irradiance}));
+  scene.lighting = {};
+  scene.lighting.points = {{{0, 20, 0}, {100 * area, 100 * area, 100 * area}}};
+  const auto point = irradianceOf(render(scene, options(), {Aov::Position, Aov::Irradiance}));
+  ASSERT_EQ(square.size(), point.size());
+  for (std::size_t i = 0; i < square.size(); ++i) {
+    const Vector offset = Vector{0, 20, 0} - point[i].position;
+    const double cosine = unit(offset)[1];
+    ASSERT_NEAR(square[i].irradiance / (point[i].irradiance * cosine), 1, 0.006);
+  }
+}
+
+// Half of what is below a disc far away is hidden: what is left of the disc is a segment.
+TEST_F(AreaLightTest, TheirPenumbraIsTheAreaOfASegment) {
+  constexpr double radius = 4;
+  Scene scene = plate(ofIndex(1.4), 12, 96);
+  scene.objects.push_back({"half plane", sheet({-6, 50, 0}, {0, 0, 12}, {6, 0, 0}, 2), marble()});
+  scene.camera.positionMm = {0, 40, 1};
+  scene.camera.verticalFovDegrees = 25;
+  scene.lighting.areas = {DiscLight{{0, 100, 0}, {0, -1, 0}, radius, {500, 500, 500}}};
+  std::vector<double> errors;
+  // Of all surfels at one distance from the edge.
+  constexpr int columns = 20;
+  std::array<double, columns> sum{};
+  std::array<int, columns> count{};
+  for (const Found& found :
+       irradianceOf(render(scene, options(), {Aov::Position, Aov::Irradiance}))) {
+    const double x = found.position[0];
+    if (std::abs(found.position[1]) > 1e-3 || std::abs(x) > 6) continue;
+    const double open = byQuadrature(scene.lighting.areas[0], found.position, 1.4);
+    // From x the edge at the height of 50 hides all of the disc that is left of -x.
+    const double d = std::clamp(-x / radius, -1.0, 1.0);
+    const double error = found.irradiance / open - (std::acos(d) - d * std::sqrt(1 - d * d)) / pi;
+    errors.push_back(std::abs(error));
+    const auto column = static_cast<std::size_t>((x + 6) / 12 * columns) % columns;
+    sum[column] += error;
+    ++count[column];
+  }
+  ASSERT_GT(errors.size(), 500U);
+  EXPECT_LT(percentile95(errors), 0.09);  // of single surfels
+  for (std::size_t i = 0; i < columns; ++i) EXPECT_LT(std::abs(sum[i] / count[i]), 0.025) << i;
+}
+
+TEST_F(AreaLightTest, ShineToTheirFrontUnlessTheyHaveTwoSides) {
+  Scene scene = plate(ofIndex(1.4));
+  RectangleLight light{{0, 10, 0}, {0, 0, 5}, {5, 0, 0}, {1, 1, 1}};  // upwards
+  scene.lighting.areas = {light};
+  for (const Found& found :
+       irradianceOf(render(scene, options(), {Aov::Position, Aov::Irradiance})))
+    ASSERT_EQ(found.irradiance, 0);
+  light.twoSided = true;
+  scene.lighting.areas = {light};
+  for (const Found& found :
+       irradianceOf(render(scene, options(), {Aov::Position, Aov::Irradiance})))
+    ASSERT_GT(found.irradiance, 0);
+}
+
+// What a smooth surface mirrors of a light has its shape and is as bright as it times Fresnel's
+// reflectance, which is (0.5 / 2.5)² for light that falls in along the normal.
+TEST_F(AreaLightTest, AreMirroredWithTheirShape) {
+  Scene scene = plate(ofIndex(1.5), 20, 8);
+  // Its mirror image is 10 mm behind the plate: from 90 mm above, the edge at x = 6 is seen at 5.4.
+  scene.lighting.areas = {RectangleLight{{0, 10, 0}, {6, 0, 0}, {0, 0, 6}, {2, 2, 2}}};
+  RenderOptions mirror = options();
+  mirror.width = mirror.height = 96;
+  mirror.roughness = 0.05F;
+  const auto with = render(scene, mirror, {Aov::Position, Aov::Radiance});
+  mirror.specular = false;
+  const Image without = render(scene, mirror, {Aov::Radiance})[0];
+  int inside = 0;
+  int outside = 0;
+  forEachCovered(with[0], [&](std::size_t i) {
+    const double x = std::abs(static_cast<double>(with[0].rgba[i]));
+    const double z = std::abs(static_cast<double>(with[0].rgba[i + 2]));
+    const double mirrored =
+        static_cast<double>(with[1].rgba[i]) - static_cast<double>(without.rgba[i]);
+    if (std::max(x, z) < 4.6) {
+      ++inside;
+      ASSERT_NEAR(mirrored, 2 * 0.04, 0.004) << x << ' ' << z;
+    } else if (std::max(x, z) > 6.6) {
+      ++outside;
+      ASSERT_LT(mirrored, 0.004) << x << ' ' << z;
+    }
+  });
+  EXPECT_GT(inside, 200);
+  EXPECT_GT(outside, 2000);
+}
+
+// All light that enters is followed into the body: with and without area lights the same solver.
+TEST_F(AreaLightTest, ABodyTakesThemAsItTakesManyPointLights) {
+  Scene scene = sceneOf(sphere({0, 0, 0}, 5, 4), marble(), {0, 0, 30}, 5.5F);
+  const RectangleLight light{{0, 28, 18}, {10, 0, 0}, {0, -5, 8}, {4, 4, 4}};
+  RenderOptions boundary = options();
+  boundary.transport = Transport::Boundary;
+  boundary.sum = Sum::Tree;
+  scene.lighting.areas = {light};
+  const Image area = render(scene, boundary, {Aov::Exitance})[0];
+  scene.lighting = {};
+  constexpr int across = 2;  // of as many point lights as there may be shadow maps for
+  std::vector<float> sum(area.rgba.size(), 0);
+  constexpr int steps = 5;
+  for (int i = 0; i < steps * steps; i += across * across) {
+    scene.lighting.points.clear();
+    for (int k = i; k < std::min(i + across * across, steps * steps); ++k) {
+      const AreaPoint place = pointOn(light, (k % steps + 0.5) / steps, (k / steps + 0.5) / steps);
+      const Vector toBody = -1.0 * Vector(place.positionMm);
+      const double facing = dot(unit(toBody), Vector(place.normal));
+      const auto power = static_cast<float>(4 * facing * areaMm2(light) / (steps * steps));
+      scene.lighting.points.push_back({toVec3(Vector(place.positionMm)), {power, power, power}});
+    }
+    const Image part = render(scene, boundary, {Aov::Exitance})[0];
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += part.rgba[k];
+  }
+  double error = 0;
+  double all = 0;
+  forEachCovered(area, [&](std::size_t i) {
+    const double difference = static_cast<double>(area.rgba[i]) - static_cast<double>(sum[i]);
+    error += difference * difference;
+    all += static_cast<double>(sum[i]) * static_cast<double>(sum[i]);
+  });
+  EXPECT_LT(std::sqrt(error / all), 0.03);
+}
+
+TEST_F(AreaLightTest, ThePatternRefusesThem) {
+  Scene scene = plate(marble());
+  scene.lighting.areas = {DiscLight{}};
+  RenderOptions pattern = options();
+  pattern.sum = Sum::Pattern;
+  EXPECT_THROW(render(scene, pattern, {Aov::Irradiance}), UsageError);
+}
+
+}  // namespace
+}  // namespace opaline
