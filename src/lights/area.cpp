@@ -12,7 +12,7 @@ namespace opaline {
 namespace {
 
 using std::numbers::pi;
-using namespace lights;  // NOLINT(google-build-using-namespace)
+using namespace lights;
 
 Double3 toDouble(const Vec3& v) {
   return {double{v[0]}, double{v[1]}, double{v[2]}};

@@ -15,7 +15,7 @@ namespace {
 using std::numbers::pi;
 
 // In the frame of the mirrored direction: z along it, x in the plane of the view.
-using namespace lights;  // NOLINT(google-build-using-namespace)
+using namespace lights;
 using Direction = Double3;
 
 struct Sample {
