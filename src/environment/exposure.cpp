@@ -60,8 +60,8 @@ Beam beamOf(const AreaLight& light, const Vec3& middle, double leastDistanceMm) 
   constexpr int steps = 24;
   std::array<double, 3> sum{};
   for (int i = 0; i < steps * steps; ++i) {
-    const AreaPoint place =
-        pointOn(light, (i % steps + 0.5) / steps, (static_cast<double>(i / steps) + 0.5) / steps);
+    const int row = i / steps;
+    const AreaPoint place = pointOn(light, (i % steps + 0.5) / steps, (row + 0.5) / steps);
     std::array<double, 3> offset{};
     for (std::size_t k = 0; k < 3; ++k) offset[k] = place.positionMm[k] - double{middle[k]};
     const double distance = std::hypot(offset[0], offset[1], offset[2]);

@@ -30,8 +30,8 @@ TEST(AreaLight, PlacesAreOnItAndEven) {
     constexpr int steps = 16;
     std::array<double, 3> mean{};
     for (int k = 0; k < steps * steps; ++k) {
-      const AreaPoint place = pointOn(lights[i], (k % steps + 0.5) / steps,
-                                      (static_cast<double>(k / steps) + 0.5) / steps);
+      const int row = k / steps;
+      const AreaPoint place = pointOn(lights[i], (k % steps + 0.5) / steps, (row + 0.5) / steps);
       double away = 0;
       double normal = 0;
       for (std::size_t axis = 0; axis < 3; ++axis) {

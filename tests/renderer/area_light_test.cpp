@@ -271,8 +271,8 @@ TEST_F(AreaLightTest, ABodyTakesThemAsItTakesManyPointLights) {
   for (int i = 0; i < steps * steps; i += across * across) {
     scene.lighting.points.clear();
     for (int k = i; k < std::min(i + across * across, steps * steps); ++k) {
-      const AreaPoint place =
-          pointOn(light, (k % steps + 0.5) / steps, (static_cast<double>(k / steps) + 0.5) / steps);
+      const int row = k / steps;
+      const AreaPoint place = pointOn(light, (k % steps + 0.5) / steps, (row + 0.5) / steps);
       const Vector toBody = -1.0 * Vector(place.positionMm);
       const double facing = dot(unit(toBody), Vector(place.normal));
       const auto power = static_cast<float>(4 * facing * areaMm2(light) / (steps * steps));
