@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <numbers>
 
 #include "bssrdf/fresnel.h"
+#include "environment/lat_long.h"
 #include "environment/sky.h"
 #include "environment/suns.h"
 #include "lights/area.h"
@@ -12,6 +15,10 @@
 namespace opaline::reference {
 
 namespace {
+
+// Over the whole sphere. The shadow of each has a border, between which the next is a degree or two
+// away.
+constexpr int skyRays = 1024;
 
 Colour toColour(const Rgb& rgb) {
   return {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
@@ -49,7 +56,7 @@ AreaPoint placeOnLight(const AreaLight& light, int i) {
 
 }  // namespace
 
-Irradiance::Irradiance(const Geometry& geometry) : geometry_(geometry) {
+Irradiance::Irradiance(const Geometry& geometry, Sky sky) : geometry_(geometry) {
   Lighting lighting = geometry.scene().lighting;
   separate(findSuns(lighting.environment), lighting);
   for (const DirectionalLight& light : lighting.directional) {
@@ -64,23 +71,51 @@ Irradiance::Irradiance(const Geometry& geometry) : geometry_(geometry) {
                        unitOr(toVector(light.direction), {0, 0, -1}), falloffOf(light)});
   }
   areas_ = lighting.areas;
-  const SkyParts sky = partsOfSky(lighting);
+  const SkyParts parts = partsOfSky(lighting);
+  for (int i = 0; sky == Sky::Shadowed && !skyIsDark(lighting) && i < skyRays; ++i) {
+    const Vec3 direction = latticeDirection(i, skyRays);
+    skyRays_.push_back(
+        {unitOr(toVector(direction), {0, 0, 1}), toColour(parts.radianceAt(direction))});
+  }
   for (const Body& body : geometry.scene().bodies) {
     const double eta = body.medium.eta;
     auto found = std::find_if(ambients_.begin(), ambients_.end(),
                               [&](const Ambient& ambient) { return ambient.eta == eta; });
     if (found == ambients_.end())
-      found = ambients_.insert(found, {eta, SkyIrradiance::entering(sky, eta)});
+      found = ambients_.insert(found, {eta, SkyIrradiance::entering(parts, eta)});
     ambientOf_.push_back(static_cast<std::size_t>(found - ambients_.begin()));
   }
 }
 
+// All of it, by what the rays that meet nothing have of what all have.
+Colour Irradiance::skyAt(const SurfacePoint& point, const Vector& outside) const {
+  const Ambient& ambient = ambients_[ambientOf_[point.body]];
+  Colour sky = ambient.irradiance.at(toFloat(point.shadingNormal));
+  if (skyRays_.empty()) return sky;
+  Colour free{};
+  Colour all{};
+  for (const SkyRay& ray : skyRays_) {
+    const double cosine = std::min(dot(point.shadingNormal, ray.direction), 1.0);
+    if (cosine <= 0) continue;
+    const double entering = cosine * (1 - bssrdf::fresnelReflectance(ambient.eta, cosine));
+    const bool hidden =
+        dot(outside, ray.direction) <= 0 ||
+        geometry_.occluded(point, ray.direction, std::numeric_limits<double>::infinity());
+    for (std::size_t c = 0; c < 3; ++c) {
+      all[c] += entering * ray.radiance[c];
+      if (!hidden) free[c] += entering * ray.radiance[c];
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) sky[c] *= all[c] > 0 ? free[c] / all[c] : 0;
+  return sky;
+}
+
 Colour Irradiance::operator()(const SurfacePoint& point) const {
   const Ambient& ambient = ambients_[ambientOf_[point.body]];
-  Colour sum = ambient.irradiance.at(toFloat(point.shadingNormal));
   // The side of the facet that the interpolated normal is on is the outside.
   const Vector outside =
       dot(point.facetNormal, point.shadingNormal) < 0 ? -point.facetNormal : point.facetNormal;
+  Colour sum = skyAt(point, outside);
   for (const Light& light : lights_) {
     const Arriving arriving = arrivingFrom(light, point.position);
     const double cosine = std::min(dot(point.shadingNormal, arriving.direction), 1.0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "environment/sky_irradiance.h"
@@ -11,10 +12,11 @@ namespace opaline::reference {
 
 /// Irradiance that enters the surface (physics of Gong et al. 2008, Eq. 7 and 9): directional,
 /// point, spot and area lights with exact Fresnel transmittance and exact shadows; ambient light
-/// and environment unshadowed.
+/// and environment unshadowed, or where that is asked for shadowed as by many lights all around.
 class Irradiance {
  public:
-  explicit Irradiance(const Geometry& geometry);
+  enum class Sky : std::uint8_t { Unshadowed, Shadowed };
+  explicit Irradiance(const Geometry& geometry, Sky sky = Sky::Unshadowed);
 
   /// E at a point of the surface. May be called from several threads at once.
   Colour operator()(const SurfacePoint& point) const;
@@ -40,7 +42,16 @@ class Irradiance {
   Colour fromArea(const AreaLight& light, const SurfacePoint& point, const Vector& outside,
                   double eta) const;
 
+  /// One of many directions that stand for the same solid angle.
+  struct SkyRay {
+    Vector direction{};
+    Colour radiance{};
+  };
+
+  Colour skyAt(const SurfacePoint& point, const Vector& outside) const;
+
   const Geometry& geometry_;
+  std::vector<SkyRay> skyRays_;  ///< where the sky is shadowed
   std::vector<Light> lights_;
   std::vector<AreaLight> areas_;
   std::vector<Ambient> ambients_;       ///< one for each index of refraction

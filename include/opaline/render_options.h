@@ -67,9 +67,11 @@ struct RenderOptions {
   Site site = Site::Auto;
   float tolerance = 0.01F;   ///< error of a node of Sum::Tree, relative to exitance, in [1e-4, 1]
   int maxSurfels = 262'144;  ///< largest number for Sum::Tree and Sum::All, in [1024, 4194304]
-  int maxClusters = 8192;    ///< largest number for Transport::Boundary, in [64, 262144]
+  int maxClusters = 8192;    ///< largest number, for boundary transport or sky, in [64, 262144]
   static constexpr int maxBounces = 8;
   int bounces = 2;  ///< times that light leaves and enters again, Transport::Boundary, in [0, 8]
+  bool ambientOcclusion =
+      false;  ///< what hides the sky darkens it; Transport::Boundary always does so
   PatternOptions pattern;
   int dsmSize = 512;        ///< edge of the diffusion source map, texels, in [64, 4096]
   int shadowSize = 1024;    ///< edge of each shadow map, texels, in [64, 8192]

@@ -78,6 +78,7 @@ const std::vector<Field<PictureSettings>>& fieldsOf() {
       of<&Options::tolerance>("tolerance", {{1e-4, 1}}, "error of tree and solver"),
       of<&Options::bounces>("bounces", {{0, Options::maxBounces}},
                             "how often light may enter again"),
+      of<&Options::ambientOcclusion>("ambient_occlusion", {}, "what hides the sky darkens it"),
       formerly("boundary_surfels",
                of<&Options::maxClusters>("max_clusters", {{64, 1 << 18}}, "limit on clusters")),
       formerly("max_sources",

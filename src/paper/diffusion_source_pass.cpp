@@ -116,6 +116,7 @@ DiffusionSourcePass::DiffusionSourcePass(gpu::Device& device)
       map_(device, "dsm",
            {.colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
                              VK_FORMAT_R32G32B32A32_SFLOAT}}),
+      occlude_(device, "ambient occlusion of the map"),
       neighbours_(device, "neighbourhoods"),
       cells_(device, "cells") {}
 
@@ -183,6 +184,7 @@ void DiffusionSourcePass::record(gpu::CommandList& commands, const Inputs& input
                                  DiffusionSources& sources) const {
   commands.beginPass("gather");
   recordMap(commands, inputs, sources);
+  if (inputs.occlusion != nullptr) occlude(commands, inputs, sources);
   commands.endPass();
   commands.beginPass("neighbours");
   recordNeighbours(commands, sources);
@@ -207,6 +209,21 @@ void DiffusionSourcePass::recordMap(gpu::CommandList& commands, const Inputs& in
                            {.image = &sources.irradianceObject}});
   commands.drawIndexed(flat.indices, flat.indexCount);
   commands.endRendering();
+}
+
+void DiffusionSourcePass::occlude(gpu::CommandList& commands, const Inputs& inputs,
+                                  DiffusionSources& sources) const {
+  passes::Clusters& clusters = *inputs.occlusion;
+  commands.bind(occlude_, {.objects = inputs.tables.objects,
+                           .media = inputs.tables.media,
+                           .skyIrradiance = {inputs.sky.irradiance, linear_},
+                           .clusterNodes = clusters.nodes,
+                           .clusters = clusters.clusters,
+                           .skyShares = clusters.skyShares,
+                           .positionArea = {sources.positionArea, nearest_},
+                           .unitNormal = {sources.normal, nearest_},
+                           .irradianceObject = sources.irradianceObject});
+  commands.dispatchTiles(sources.irradianceObject);
 }
 
 void DiffusionSourcePass::recordNeighbours(gpu::CommandList& commands,

@@ -15,6 +15,7 @@
 #include "shaders/dsm.frag.h"
 #include "shaders/dsm.vert.h"
 #include "shaders/neighbours.comp.h"
+#include "shaders/occlude.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -51,17 +52,20 @@ class DiffusionSourcePass {
     passes::ShadowMaps& shadows;
     passes::Sky& sky;
     FlatScene& flat;
+    passes::Clusters* occlusion;  ///< how much of the sky is seen; null: all of it
   };
   void record(gpu::CommandList& commands, const Inputs& inputs, DiffusionSources& sources) const;
 
  private:
   void recordMap(gpu::CommandList& commands, const Inputs& inputs, DiffusionSources& sources) const;
+  void occlude(gpu::CommandList& commands, const Inputs& inputs, DiffusionSources& sources) const;
   void recordNeighbours(gpu::CommandList& commands, DiffusionSources& sources) const;
 
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
   gpu::Graphics<shaders::DsmVert, shaders::CoverageFrag> coverage_;
   gpu::Graphics<shaders::DsmVert, shaders::DsmFrag> map_;
+  gpu::Compute<shaders::Occlude> occlude_;
   gpu::Compute<shaders::Neighbours> neighbours_;
   gpu::Compute<shaders::Cells> cells_;
 };

@@ -35,9 +35,18 @@ Map Technique::makeMap(gpu::Device& device, const RestScene& scene, FlatScene& f
 }
 
 void Technique::gather(gpu::CommandList& commands, const Frame& frame) const {
-  passes_->map.record(commands,
-                      {frame.view, frame.mesh, frame.tables, frame.shadows, frame.sky, frame.flat},
-                      frame.map.sources);
+  passes_->map.record(
+      commands,
+      {frame.view, frame.mesh, frame.tables, frame.shadows, frame.sky, frame.flat, nullptr},
+      frame.map.sources);
+}
+
+void Technique::gatherOccluded(gpu::CommandList& commands, const Frame& frame,
+                               passes::Clusters& clusters) const {
+  passes_->map.record(
+      commands,
+      {frame.view, frame.mesh, frame.tables, frame.shadows, frame.sky, frame.flat, &clusters},
+      frame.map.sources);
 }
 
 void Technique::scatterAtVertices(gpu::CommandList& commands, passes::ScatterTransport transport,

@@ -52,6 +52,9 @@ class Technique {
 
   /// Gathers irradiance in the map.
   void gather(gpu::CommandList& commands, const Frame& frame) const;
+  /// The same, of the sky only what the clusters around see.
+  void gatherOccluded(gpu::CommandList& commands, const Frame& frame,
+                      passes::Clusters& clusters) const;
   void scatterAtVertices(gpu::CommandList& commands, passes::ScatterTransport transport,
                          VertexPart part, const Frame& frame) const;
   /// Adds the near block to the far samples' part, for all surfaces that pixels see.

@@ -61,6 +61,12 @@ class Refusals(ProgramTest):
         self.refused(2, "render", "--max-surfels", "12", says=("--max-surfels", "1024"))
         self.refused(2, "render", "--tolerance", "0", says=("--tolerance", "0.0001"))
 
+    def test_ambient_occlusion_where_it_would_do_nothing(self):
+        self.refused(2, "render", "--ambient-occlusion", says=("--ambient-occlusion", "boundary"))
+        for wrong in (("--integral",), ("--integral", "--aov", "exitance"), ("--path", "--aov", "irradiance")):
+            self.refused(2, "reference", *wrong, "--ambient-occlusion", "--builtin", "bear",
+                         says=("--ambient-occlusion", "--aov irradiance"))
+
     def test_what_only_the_body_itself_has_a_use_for(self):
         for option in (("--bounces", "1"), ("--max-clusters", "4096")):
             for other in (("--transport", "dipole"), ("--transport", "better-dipole"), ("--sum", "pattern"),

@@ -12,7 +12,7 @@ from program import COMMANDS, ProgramTest
 
 NEEDS_A_DISPLAY = "display"
 MODELS = ("bunny.ply", "bunny_closed.ply", "bunny_egg_a.ply", "bunny_egg_b.ply", "duck.ply", "ball.ply")
-ENVIRONMENTS = ("studio_small_03_1k.hdr",)
+ENVIRONMENTS = ("venice_sunset_1k.hdr",)
 ANIMATED = ("walker.glb", "CesiumMan.glb", "models/duck.glb")
 
 

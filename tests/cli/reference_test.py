@@ -57,6 +57,19 @@ class Pictures(Reference):
             for a, b in zip(self.reference(*options).centre(), found, strict=True):
                 self.assertAlmostEqual(a, b, delta=tolerance * b)
 
+    def test_ambient_occlusion_is_that_of_render(self):
+        """By a thousand rays a pixel there, by the few of clusters here."""
+        scene = ("--builtin", "bear", "--diagonal-mm", 50, "--ambient", 1, "--size", "96x96", "--aov", "irradiance")
+        self.succeed("reference", "--integral", "--ambient-occlusion", *scene, "-o", "truth.exr")
+        hidden = ((), ("--transport", "better-dipole", "--ambient-occlusion"), ("--method", "paper", "--ambient-occlusion"))
+        for method in hidden + (("--method", "paper"),):
+            self.succeed("render", *scene, *method, "-o", "found.exr")
+            blocks = self.succeed("compare", "found.exr", "truth.exr", "--block", 8, "--json").json()["block"]
+            if method in hidden:
+                self.assertLess(blocks["covered_rel_rmse"], .025, method)
+            else:
+                self.assertGreater(blocks["covered_rel_rmse"], .05)
+
     def test_irradiance_in_the_sun(self):
         self.near(self.reference("--aov", "irradiance", "--directional", "0,0,1:1,2,3").centre()[:3],
                   (ENTERING, 2 * ENTERING, 3 * ENTERING), 1e-6)

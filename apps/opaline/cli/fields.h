@@ -36,8 +36,12 @@ template <typename Owner>
 void addField(CommandLine& line, const options::Field<Owner>& field, options::Chosen<Owner>& chosen,
               std::string option = {}, const std::optional<std::string>& help = {}) {
   if (std::holds_alternative<bool>(field.like)) {
-    line.flag("--no-" + optionOf(field.key).substr(2), "without the " + std::string(field.help),
-              [&] { chosen.set(field, false); });
+    const std::string name = optionOf(field.key);
+    if (field.get(Owner{}) == options::Value{true})
+      line.flag("--no-" + name.substr(2), "without the " + std::string(field.help),
+                [&] { chosen.set(field, false); });
+    else
+      line.flag(name, std::string(field.help), [&] { chosen.set(field, true); });
     return;
   }
   if (option.empty()) option = optionOf(field.key);

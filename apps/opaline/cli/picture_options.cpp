@@ -71,7 +71,7 @@ core::ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& 
 
 void MethodOptions::addTo(CommandLine& line) {
   constexpr std::array<std::string_view, 3> choices{"transport", "sum", "site"};
-  constexpr std::array<std::string_view, 2> shapes{"tolerance", "bounces"};
+  constexpr std::array<std::string_view, 3> shapes{"tolerance", "bounces", "ambient_occlusion"};
   constexpr std::array<std::string_view, 1> patterns{"near_rings"};
   addFields<options::PictureSettings>(line, choices, chosen_);
   line.value("--method", "paper", "dipole, pattern, fragment", [this](const Given& given) {
@@ -109,9 +109,17 @@ void MethodOptions::applyTo(RenderOptions& options,
   if (options.sum == Sum::Pattern && chosen.has("max_surfels")) {
     throw UsageError("--max-surfels limits surfels and needs --sum tree or --sum all");
   }
-  if (options.transport != Transport::Boundary &&
-      (chosen.has("bounces") || chosen.has("max_clusters"))) {
-    throw UsageError("--bounces and --max-clusters need --transport boundary");
+  if (options.transport != Transport::Boundary && chosen.has("bounces")) {
+    throw UsageError("--bounces needs --transport boundary");
+  }
+  if (options.transport != Transport::Boundary && !options.ambientOcclusion &&
+      chosen.has("max_clusters")) {
+    throw UsageError("--max-clusters needs --transport boundary or --ambient-occlusion");
+  }
+  if (options.transport == Transport::Boundary && chosen.has("ambient_occlusion")) {
+    throw UsageError(
+        "--ambient-occlusion is for the other transports and --method paper: --transport boundary "
+        "always hides the sky");
   }
   if (options.transport == Transport::Boundary && options.sum == Sum::Pattern) {
     throw UsageError("--transport boundary works with surfels and needs --sum tree or --sum all");

@@ -64,6 +64,7 @@ struct ReferenceCommand {
   MotionOptions motion;
   PictureOptions picture;
   bool integral = false;
+  bool ambientOcclusion = false;
   std::optional<Transport> transport;
   std::optional<double> tolerance;
   PathMethod path;
@@ -96,6 +97,8 @@ struct ReferenceCommand {
                [this](const Given& given) {
                  tolerance = readNumber(given, {1e-7, 0.5});
                });
+    line.flag("--ambient-occlusion", "for --aov irradiance: what hides the sky darkens it",
+              ambientOcclusion);
     path.addTo(line);
     line.section("Run");
     line.value("--report", "FILE.json", "what was done, and how exact it is",
@@ -110,6 +113,12 @@ struct ReferenceCommand {
     }
     if (path.wanted() && (transport || tolerance)) {
       throw UsageError("--transport and --tolerance belong to --integral");
+    }
+    if (ambientOcclusion && (path.wanted() || picture.aov() != Aov::Irradiance)) {
+      throw UsageError(
+          "--ambient-occlusion needs --integral --aov irradiance: of light that has scattered, "
+          "only "
+          "--path finds it");
     }
     camera.check();
     picture.requireNameOfStill();
@@ -210,8 +219,10 @@ struct Made {
 };
 
 Made makeIntegral(const ReferenceCommand& command, const ReferenceJob& job) {
+  using Sky = rf::Irradiance::Sky;
   const rf::Geometry geometry(job.scene);
-  const rf::Irradiance irradiance(geometry);
+  const rf::Irradiance irradiance(geometry,
+                                  command.ambientOcclusion ? Sky::Shadowed : Sky::Unshadowed);
   std::optional<Progress> progress;
   IntegralTruth truth =
       integralTruth(geometry, irradiance, {job.options.transport, command.toleranceOf()},

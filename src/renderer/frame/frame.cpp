@@ -63,23 +63,24 @@ struct FrameContext {
   }
 
   void gather(SceneResources& scene) const {
-    const bool surfels = plan.sum != Sum::Pattern && (plan.scatter || plan.irradiance);
-    if (!surfels && !plan.map) return;
+    if (!onSurfels() && !plan.map) return;
     passes.shadow.record(commands, resources.view, mesh, resources.shadows);
-    if (plan.map) passes.paper->gather(commands, onPaper(scene));
-    if (surfels) gatherOnSurfels(scene);
+    // Clusters read what is visible of lights from where surfels have gathered it, and surfels how
+    // much of the sky is seen from clusters.
+    if (onSurfels())
+      passes.surfels.gather(commands,
+                            {resources.view, mesh, resources.tables, resources.shadows,
+                             resources.sky, usesClusters(), !plan.occludesSky},
+                            scene.surfels);
+    lookAround(scene);
+    if (onSurfels()) finishSurfels(scene);
+    if (plan.map) gatherInMap(scene);
   }
 
-  // Clusters read what is visible of lights from where surfels have gathered it, and surfels how
-  // much of the sky is seen from clusters.
-  void gatherOnSurfels(SceneResources& scene) const {
-    passes.surfels.gather(commands,
-                          {resources.view, mesh, resources.tables, resources.shadows, resources.sky,
-                           usesClusters(), !plan.occludesSky},
-                          scene.surfels);
-    if (usesClusters() || plan.areaLights > 0)
-      passes.rays.record(commands, mesh, scene.surfels, scene.rays);
-    if (plan.areaLights > 0)
+  void lookAround(SceneResources& scene) const {
+    const bool areaLights = onSurfels() && plan.areaLights > 0;
+    if (usesClusters() || areaLights) passes.rays.record(commands, mesh, scene.surfels, scene.rays);
+    if (areaLights)
       passes.areaLights.record(commands,
                                {resources.view, mesh, resources.tables, scene.rays,
                                 plan.lights - plan.areaLights, plan.lights},
@@ -89,10 +90,20 @@ struct FrameContext {
                              {resources.view, mesh, resources.tables, resources.sky, scene.surfels,
                               scene.rays, openingAngleOf(plan.tolerance)},
                              plan.bounces > 0 || plan.occludesSky, scene.clusters);
+  }
+
+  void finishSurfels(SceneResources& scene) const {
     if (plan.occludesSky)
       passes.occludedSky.record(commands, resources.tables, resources.sky, scene.clusters,
                                 scene.surfels);
     passes.surfels.fitTree(commands, scene.surfels);
+  }
+
+  void gatherInMap(SceneResources& scene) const {
+    if (plan.ambientOcclusion && plan.occludesSky)
+      passes.paper->gatherOccluded(commands, onPaper(scene), scene.clusters);
+    else
+      passes.paper->gather(commands, onPaper(scene));
   }
 
   paper::Technique::Frame onPaper(SceneResources& scene) const {
@@ -106,7 +117,11 @@ struct FrameContext {
   }
 
   bool boundary() const { return plan.transport == Transport::Boundary; }
-  bool usesClusters() const { return plan.occludesSky || (boundary() && plan.scatter); }
+  bool onSurfels() const { return plan.sum != Sum::Pattern && (plan.scatter || plan.irradiance); }
+  bool usesClusters() const {
+    return (boundary() && plan.scatter) ||
+           (plan.occludesSky && (onSurfels() || plan.ambientOcclusion));
+  }
 
   // What leaves through the clusters: of the light that enters from outside, and of what leaves and
   // enters again.

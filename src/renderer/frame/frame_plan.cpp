@@ -36,6 +36,7 @@ FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bo
       .site = options.site,
       .tolerance = options.tolerance,
       .bounces = options.bounces,
+      .ambientOcclusion = options.ambientOcclusion,
       .scatter = picture || std::any_of(aovs.begin(), aovs.end(), needsScattering),
       .map = needsMap(options, aovs),
       .samples = picture || asked(Aov::Radiance) ? options.antialias : 0,
@@ -47,6 +48,10 @@ FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bo
       .roughness = options.roughness};
 }
 
+bool occludesSky(const FramePlan& plan, const Lighting& lighting) {
+  return !skyIsDark(lighting) && (plan.transport == Transport::Boundary || plan.ambientOcclusion);
+}
+
 bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {
   return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern && !skyIsDark(lighting);
 }
@@ -54,7 +59,7 @@ bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {
 void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan) {
   plan.site = chooseSite(plan, scene);
   plan.skyIsDark = skyIsDark(lighting);
-  plan.occludesSky = !plan.skyIsDark && plan.transport == Transport::Boundary;
+  plan.occludesSky = occludesSky(plan, lighting);
   plan.lights = lightCount(lighting);
   plan.areaLights = static_cast<std::uint32_t>(lighting.areas.size());
   plan.mirrorsSky = mirrorsSky(plan, lighting);

@@ -13,10 +13,11 @@ namespace opaline {
 struct FramePlan {
   Transport transport = Transport::Dipole;
   Sum sum = Sum::Tree;
-  Site site = Site::Fragment;    ///< Auto: as each object has it, not for Sum::Pattern
-  float tolerance = 0.01F;       ///< of Sum::Tree, and of the solver of Transport::Boundary
-  int bounces = 2;               ///< of Transport::Boundary
-  bool skyIsDark = false;        ///< no light but that of lights
+  Site site = Site::Fragment;  ///< Auto: as each object has it, not for Sum::Pattern
+  float tolerance = 0.01F;     ///< of Sum::Tree, and of the solver of Transport::Boundary
+  int bounces = 2;             ///< of Transport::Boundary
+  bool skyIsDark = false;      ///< no light but that of lights
+  bool ambientOcclusion = false;
   bool occludesSky = false;      ///< by what stands in the way; needs clusters
   std::uint32_t lights = 0;      ///< of all kinds; those with an extent come last
   std::uint32_t areaLights = 0;  ///< with an extent; none for Sum::Pattern
@@ -38,6 +39,9 @@ struct FramePlan {
 /// What follows from what is asked for alone. `picture`: the radiance is wanted, whether or not it
 /// is among the variables.
 FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture);
+
+/// Whether what the plan makes needs clusters to tell how much of the sky is hidden.
+bool occludesSky(const FramePlan& plan, const Lighting& lighting);
 
 /// Whether what the plan makes reflects the sky where the scene leaves it free. The method of 2008
 /// knows no surfels that rays could meet, and reflects all of it.

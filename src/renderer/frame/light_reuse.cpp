@@ -10,7 +10,8 @@ bool holds(const ViewResources::Lit& lit, const ViewResources::Lit& now) {
   const RenderOptions& b = now.options;
   return lit.changes == now.changes && lit.site == now.site && lit.map >= now.map &&
          lit.rays >= now.rays && a.transport == b.transport && a.sum == b.sum &&
-         a.tolerance == b.tolerance && a.bounces == b.bounces;
+         a.tolerance == b.tolerance && a.bounces == b.bounces &&
+         a.ambientOcclusion == b.ambientOcclusion;
 }
 
 }  // namespace

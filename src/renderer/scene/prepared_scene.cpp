@@ -51,10 +51,12 @@ void PreparedScene::clear() {
 SceneNeeds PreparedScene::needsOf(const RenderOptions& options, const FramePlan& plan,
                                   const Lighting& lighting) const {
   SceneNeeds needs = resources_ ? resources_->needs : SceneNeeds{};
-  if (options.transport == Transport::Boundary) needs.maxClusters = options.maxClusters;
+  if (options.transport == Transport::Boundary || occludesSky(plan, lighting))
+    needs.maxClusters = options.maxClusters;
   const bool sendsRays = mirrorsSky(plan, lighting) || !lighting.areas.empty();
   if (sendsRays && !needs.maxClusters) needs.rays = true;
-  if (options.sum != Sum::Pattern || needs.rays) needs.maxSurfels = options.maxSurfels;
+  if (options.sum != Sum::Pattern || needs.rays || needs.maxClusters)
+    needs.maxSurfels = options.maxSurfels;
   return needs;
 }
 

@@ -24,8 +24,8 @@ void expectSame(const options::PictureSettings& found, const options::PictureSet
   const RenderOptions& a = found.render;
   // As many names as there are options, so that a new one does not compile before it is here.
   const auto& [width, height, transport, sum, site, tolerance, maxSurfels, maxClusters, bounces,
-               pattern, dsmSize, shadowSize, specular, roughness, treeLevel, antialias] =
-      wanted.render;
+               ambientOcclusion, pattern, dsmSize, shadowSize, specular, roughness, treeLevel,
+               antialias] = wanted.render;
   const auto& [nearRings, nearSpacing, farDistance] = pattern;
   EXPECT_EQ(a.width, width);
   EXPECT_EQ(a.height, height);
@@ -36,6 +36,7 @@ void expectSame(const options::PictureSettings& found, const options::PictureSet
   EXPECT_EQ(a.maxSurfels, maxSurfels);
   EXPECT_EQ(a.maxClusters, maxClusters);
   EXPECT_EQ(a.bounces, bounces);
+  EXPECT_EQ(a.ambientOcclusion, ambientOcclusion);
   EXPECT_EQ(a.pattern.nearRings, nearRings);
   EXPECT_EQ(a.pattern.nearSpacing, nearSpacing);
   EXPECT_EQ(a.pattern.farDistance, farDistance);
@@ -58,6 +59,7 @@ TEST(Settings, OptionsComeBack) {
   options.tolerance = 0.123F;
   options.maxSurfels = 4321;
   options.maxClusters = 777;
+  options.ambientOcclusion = true;
   options.bounces = 5;
   options.pattern = {3, 1.5F, 17};
   options.dsmSize = 99;

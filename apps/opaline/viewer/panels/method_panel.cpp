@@ -65,6 +65,10 @@ void drawMethodPanel(Session& session) {
                        "Uses a tolerance of 0.05 while light, medium or body move, if this device "
                        "needs more than 150 ms for boundary transport.");
   }
+  if (options.transport != Transport::Boundary)
+    changed |= drawOption("ambient occlusion", options, "ambient_occlusion",
+                          "Hides the sky where something stands before it. Boundary transport "
+                          "always does.");
   if (options.sum == Sum::Pattern) changed |= drawPattern(options);
   if (controls::button("Gong et al. 2008", "The paper's method: dipole, pattern, fragment.")) {
     options = paperOptions(options);
