@@ -1,10 +1,11 @@
 #pragma once
 
-#include <array>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/command_line.h"
 #include "cli/values.h"
@@ -52,19 +53,20 @@ void addField(CommandLine& line, const options::Field<Owner>& field, options::Ch
   if (!field.formerKey.empty()) line.synonym(optionOf(field.formerKey), option);
 }
 
-/// Two options in one line of the help, which names the default of each: "texels [512], of
-/// shadows [1024]".
+/// Options in one line of the help, which names the default of each: "texels [512], of shadows
+/// [1024]".
 template <typename Owner>
-void addPair(CommandLine& line, std::array<std::string_view, 2> keys,
-             std::array<std::string_view, 2> words, options::Chosen<Owner>& chosen,
-             const std::array<std::string, 2>& names = {}) {
+void addTogether(CommandLine& line, std::initializer_list<std::string_view> keys,
+                 std::initializer_list<std::string_view> words, options::Chosen<Owner>& chosen,
+                 const std::vector<std::string>& names = {}) {
   std::string help;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::string standard = standardOf(options::fieldOf<Owner>(keys[i]));
-    help += (i == 0 ? "" : ", ") + std::string(words[i]) + " [" + standard + "]";
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const std::string standard = standardOf(options::fieldOf<Owner>(keys.begin()[i]));
+    help += (i == 0 ? "" : ", ") + std::string(words.begin()[i]) + " [" + standard + "]";
   }
-  for (std::size_t i = 0; i < 2; ++i)
-    addField(line, options::fieldOf<Owner>(keys[i]), chosen, names[i], i == 0 ? help : "");
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    addField(line, options::fieldOf<Owner>(keys.begin()[i]), chosen, names.empty() ? "" : names[i],
+             i == 0 ? help : "");
 }
 
 template <typename Owner>

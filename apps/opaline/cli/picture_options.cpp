@@ -72,16 +72,15 @@ core::ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& 
 void MethodOptions::addTo(CommandLine& line) {
   constexpr std::array<std::string_view, 3> choices{"transport", "sum", "site"};
   constexpr std::array<std::string_view, 3> shapes{"tolerance", "bounces", "ambient_occlusion"};
-  constexpr std::array<std::string_view, 1> patterns{"near_rings"};
   addFields<options::PictureSettings>(line, choices, chosen_);
   line.value("--method", "paper", "dipole, pattern, fragment", [this](const Given& given) {
     paper_ = readChoice<bool>(given, {{"paper", true}});
   });
   addFields<options::PictureSettings>(line, shapes, chosen_);
-  addPair(line, {"max_clusters", "max_surfels"}, {"at most", "and"}, chosen_);
-  addFields<options::PictureSettings>(line, patterns, chosen_);
-  addPair(line, {"near_spacing", "far_distance"}, {"mean free paths", "of far samples"}, chosen_);
-  addPair(line, {"dsm_size", "shadow_size"}, {"texels of the map", "of shadow maps"}, chosen_);
+  addTogether(line, {"max_clusters", "max_surfels"}, {"at most", "and"}, chosen_);
+  addTogether(line, {"near_spacing", "far_distance"}, {"mean free paths", "of far samples"},
+              chosen_);
+  addTogether(line, {"near_rings", "dsm_size", "shadow_size"}, {"rings", "texels", "and"}, chosen_);
 }
 
 void MethodOptions::applyTo(RenderOptions& options,

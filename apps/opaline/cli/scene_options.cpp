@@ -267,8 +267,8 @@ void LightOptions::addTo(CommandLine& line) {
                environment_ = given.text;
                any_ = true;
              });
-  addPair(line, {"rotation_degrees", "intensity"}, {"degrees", "factor"}, turned_,
-          {"--environment-rotation", "--environment-intensity"});
+  addTogether(line, {"rotation_degrees", "intensity"}, {"degrees", "factor"}, turned_,
+              {"--environment-rotation", "--environment-intensity"});
 }
 
 void LightOptions::applyTo(scene::LoadedScene& loaded) const {
