@@ -97,7 +97,7 @@ struct ReferenceCommand {
                [this](const Given& given) {
                  tolerance = readNumber(given, {1e-7, 0.5});
                });
-    line.flag("--ambient-occlusion", "for --aov irradiance: what hides the sky darkens it",
+    line.flag("--ambient-occlusion", "what hides the sky darkens --aov irradiance",
               ambientOcclusion);
     path.addTo(line);
     line.section("Run");

@@ -36,13 +36,17 @@ std::vector<PictureField> numbers() {
   return found;
 }
 
+bool isOnByDefault(const PictureField& field) {
+  return field.get(PictureSettings{}) == Value{true};
+}
+
 /// A value that is allowed and not the default.
 Value another(const PictureField& field) {
   const options::Range& range = field.allowed.range;
   const auto pick = [&](const auto& like) -> Value {
     using Kind = std::remove_cvref_t<decltype(like)>;
     if constexpr (std::is_same_v<Kind, bool>)
-      return false;
+      return !isOnByDefault(field);
     else if constexpr (std::is_same_v<Kind, std::string>)
       return std::string(field.allowed.choices[1]);
     else if constexpr (std::is_same_v<Kind, int>)
@@ -57,7 +61,7 @@ Value another(const PictureField& field) {
 
 std::string nameOf(const PictureField& field) {
   if (field.key == "seconds") return "--time";
-  if (std::holds_alternative<bool>(field.like)) return "--no-" + std::string(field.key);
+  if (isOnByDefault(field)) return "--no-" + std::string(field.key);
   return optionOf(field.key);
 }
 
@@ -75,6 +79,8 @@ PictureSettings typed(const PictureField& field, const std::string& text) {
   // What shapes a method needs that method.
   const bool ofPattern = field.key.starts_with("near_") || field.key == "far_distance";
   if (ofPattern) arguments.insert(arguments.end(), {"--sum", "pattern"});
+  if (field.key == "ambient_occlusion")
+    arguments.insert(arguments.end(), {"--transport", "dipole"});
   EXPECT_TRUE(line.parse(arguments));
   PictureSettings settings;
   method.applyTo(settings.render, {});
