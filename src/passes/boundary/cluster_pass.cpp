@@ -101,7 +101,8 @@ Beams makeBeams(gpu::Device& device, const char* points, const char* strengths,
 
 ClusterPass::ClusterPass(gpu::Device& device)
     : linear_(device, gpu::Filter::Linear),
-      gather_(device, "clusters"),
+      gather_(device, "clusters", {.withAreaLights = 0}),
+      gatherOfAreaLights_(device, "clusters", {.withAreaLights = 1}),
       nodes_(device, "nodes of clusters"),
       enclose_(device, "solid angles of clusters"),
       survey_(device, "rays of clusters", rayShader<shaders::BoundarySurvey>(device)) {}
@@ -174,7 +175,7 @@ void ClusterPass::record(gpu::CommandList& commands, const Inputs& inputs, bool 
 
 void ClusterPass::gather(gpu::CommandList& commands, const Inputs& inputs,
                          Clusters& clusters) const {
-  commands.bind(gather_,
+  commands.bind(inputs.areaLights ? gatherOfAreaLights_ : gather_,
                 {.frame = inputs.frame.data,
                  .positions = inputs.mesh.positions,
                  .normals = inputs.mesh.normals,

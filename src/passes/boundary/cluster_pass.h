@@ -38,6 +38,7 @@ class ClusterPass {
     Surfels& surfels;
     RayHierarchy& rays;
     float openingAngle;  ///< of nodes: taken from further than their radius over this
+    bool areaLights;     ///< there are some
   };
   /// Rays outwards only where `looksAround`: else each sees all of the sky and nothing else.
   void record(gpu::CommandList& commands, const Inputs& inputs, bool looksAround,
@@ -52,6 +53,7 @@ class ClusterPass {
 
   gpu::Sampler linear_;
   gpu::Compute<shaders::BoundaryClusters> gather_;
+  gpu::Compute<shaders::BoundaryClusters> gatherOfAreaLights_;
   gpu::Compute<shaders::BoundaryClusterNodes> nodes_;
   gpu::Compute<shaders::BoundaryEnclose> enclose_;
   gpu::Compute<shaders::BoundarySurvey> survey_;

@@ -88,7 +88,7 @@ struct FrameContext {
     if (usesClusters())
       passes.clusters.record(commands,
                              {resources.view, mesh, resources.tables, resources.sky, scene.surfels,
-                              scene.rays, openingAngleOf(plan.tolerance)},
+                              scene.rays, openingAngleOf(plan.tolerance), areaLights},
                              plan.bounces > 0 || plan.occludesSky, scene.clusters);
   }
 

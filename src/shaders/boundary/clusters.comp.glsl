@@ -15,6 +15,10 @@
 #include "lib/sky.glsl"
 #include "lib/unit.glsl"
 
+// Else the shader has no code for them: on devices that execute both sides of a branch it would be run for
+// every light.
+layout(constant_id = 0) const uint withAreaLights = 1u;
+
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
@@ -64,7 +68,7 @@ vec3 middleOf(PieceShape shape) {
 // has been looked up where the surfels gathered.
 vec3 enteringAt(vec3 place, vec3 facet, MediumData medium, uint index, uint piece, uint point) {
   float visible = unpackVisibility(visibilities[visibilityIndex(index, piece, pieceCount)], point);
-  if (index >= firstAreaLight()) return visible * areaEntering(index, place, facet, medium);
+  if (withAreaLights != 0u && index >= firstAreaLight()) return visible * areaEntering(index, place, facet, medium);
   IncidentLight light = incidentLight(index, place);
   return light.irradiance * (enteringPart(light, facet, facet, medium) * visible);
 }
