@@ -24,10 +24,6 @@ Colour toColour(const Rgb& rgb) {
   return {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
 }
 
-Vec3 toFloat(const Vector& v) {
-  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
-}
-
 /// Light that arrives at a point: the direction it comes from, how far, and the irradiance on a
 /// surface that faces it.
 struct Arriving {
@@ -82,7 +78,7 @@ Irradiance::Irradiance(const Geometry& geometry, Sky sky) : geometry_(geometry) 
     auto found = std::find_if(ambients_.begin(), ambients_.end(),
                               [&](const Ambient& ambient) { return ambient.eta == eta; });
     if (found == ambients_.end())
-      found = ambients_.insert(found, {eta, SkyIrradiance::entering(parts, eta)});
+      found = ambients_.insert(found, {eta, SkyTable(SkyIrradiance::entering(parts, eta))});
     ambientOf_.push_back(static_cast<std::size_t>(found - ambients_.begin()));
   }
 }
@@ -90,7 +86,7 @@ Irradiance::Irradiance(const Geometry& geometry, Sky sky) : geometry_(geometry) 
 // All of it, by what the rays that meet nothing have of what all have.
 Colour Irradiance::skyAt(const SurfacePoint& point, const Vector& outside) const {
   const Ambient& ambient = ambients_[ambientOf_[point.body]];
-  Colour sky = ambient.irradiance.at(toFloat(point.shadingNormal));
+  Colour sky = ambient.sky.at(point.shadingNormal);
   if (skyRays_.empty()) return sky;
   Colour free{};
   Colour all{};
@@ -156,7 +152,7 @@ Colour Irradiance::fromArea(const AreaLight& light, const SurfacePoint& point,
 
 Colour Irradiance::facing(const SurfacePoint& point) const {
   const Ambient& ambient = ambients_[ambientOf_[point.body]];
-  Colour sum = ambient.irradiance.at(toFloat(point.shadingNormal));
+  Colour sum = ambient.sky.at(point.shadingNormal);
   for (const Light& light : lights_) {
     const Arriving arriving = arrivingFrom(light, point.position);
     for (std::size_t c = 0; c < 3; ++c) sum[c] += light.power[c] * arriving.falloff;

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "environment/sky_irradiance.h"
 #include "lights/spot.h"
 #include "reference/geometry.h"
+#include "reference/sky_table.h"
 #include "reference/vector.h"
 
 namespace opaline::reference {
@@ -35,7 +35,7 @@ class Irradiance {
   };
   struct Ambient {
     double eta = 0;
-    SkyIrradiance irradiance;
+    SkyTable sky;
   };
 
   /// What falls on a surface from an area light, by places all over it.

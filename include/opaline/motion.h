@@ -108,6 +108,8 @@ struct Deformer {
   /// The amount swings as sin 2πt/period. 0: a constant amount, and for Wobble 1 s. Otherwise in
   /// [0.001, 1e6].
   float periodSeconds = 0;
+
+  bool operator==(const Deformer&) const = default;
 };
 
 }  // namespace opaline

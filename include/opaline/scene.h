@@ -38,12 +38,16 @@ struct Object {
 struct DirectionalLight {
   Vec3 directionToLight{0, 0, 1};  ///< unit
   Rgb irradiance{1, 1, 1};         ///< on a surface that faces the light, in [0, 1e30]
+
+  bool operator==(const DirectionalLight&) const = default;
 };
 
 /// Light from one point; irradiance on a facing surface is intensity / distance² (distance in mm).
 struct PointLight {
   Vec3 positionMm{};
   Rgb intensity{1, 1, 1};  ///< in [0, 1e30]
+
+  bool operator==(const PointLight&) const = default;
 };
 
 /// A point light that shines into a cone. From the inner to the outer angle it falls off as
@@ -54,6 +58,8 @@ struct SpotLight {
   Rgb intensity{1, 1, 1};    ///< along the axis, in [0, 1e30]
   float innerDegrees = 0;    ///< from the axis, in [0, outerDegrees]; as bright as there up to here
   float outerDegrees = 45;   ///< from the axis, in (0, 90]; dark from here on
+
+  bool operator==(const SpotLight&) const = default;
 };
 
 /// 1 up to 50 outer degrees, 6 beyond.
@@ -66,6 +72,8 @@ struct RectangleLight {
   Vec3 vMm{0, 10, 0};     ///< half of the other
   Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
   bool twoSided = false;  ///< to the other side too
+
+  bool operator==(const RectangleLight&) const = default;
 };
 
 /// A disc that shines evenly to the side of its normal.
@@ -75,6 +83,8 @@ struct DiscLight {
   float radiusMm = 10;    ///< in (0, 1e6]
   Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
   bool twoSided = false;  ///< to the other side too
+
+  bool operator==(const DiscLight&) const = default;
 };
 
 /// A sphere that shines evenly outwards.
@@ -82,6 +92,8 @@ struct SphereLight {
   Vec3 centreMm{};
   float radiusMm = 10;    ///< in (0, 1e6]
   Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
+
+  bool operator==(const SphereLight&) const = default;
 };
 
 /// A cylinder that shines evenly outwards, and not from its ends.
@@ -90,6 +102,8 @@ struct TubeLight {
   Vec3 toMm{0, 100, 0};
   float radiusMm = 5;     ///< in (0, 1e6]
   Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
+
+  bool operator==(const TubeLight&) const = default;
 };
 
 /// A light with an extent. Its shadows are soft, and the surface mirrors its shape.

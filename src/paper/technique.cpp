@@ -34,18 +34,11 @@ Map Technique::makeMap(gpu::Device& device, const RestScene& scene, FlatScene& f
                                                 : bssrdf::Model::BetterDipole)};
 }
 
-void Technique::gather(gpu::CommandList& commands, const Frame& frame) const {
+void Technique::gather(gpu::CommandList& commands, const Frame& frame,
+                       passes::Clusters* occlusion) const {
   passes_->map.record(
       commands,
-      {frame.view, frame.mesh, frame.tables, frame.shadows, frame.sky, frame.flat, nullptr},
-      frame.map.sources);
-}
-
-void Technique::gatherOccluded(gpu::CommandList& commands, const Frame& frame,
-                               passes::Clusters& clusters) const {
-  passes_->map.record(
-      commands,
-      {frame.view, frame.mesh, frame.tables, frame.shadows, frame.sky, frame.flat, &clusters},
+      {frame.view, frame.mesh, frame.tables, frame.shadows, frame.sky, frame.flat, occlusion},
       frame.map.sources);
 }
 

@@ -50,11 +50,8 @@ class Technique {
   /// Which part of the pattern is summed at the vertices.
   enum class VertexPart { FarSamples, Everything };
 
-  /// Gathers irradiance in the map.
-  void gather(gpu::CommandList& commands, const Frame& frame) const;
-  /// The same, of the sky only what the clusters around see.
-  void gatherOccluded(gpu::CommandList& commands, const Frame& frame,
-                      passes::Clusters& clusters) const;
+  /// Gathers irradiance in the map; of the sky only what the clusters around see, if there are any.
+  void gather(gpu::CommandList& commands, const Frame& frame, passes::Clusters* occlusion) const;
   void scatterAtVertices(gpu::CommandList& commands, passes::ScatterTransport transport,
                          VertexPart part, const Frame& frame) const;
   /// Adds the near block to the far samples' part, for all surfaces that pixels see.

@@ -55,6 +55,13 @@ std::vector<Given> partsOf(const Given& given) {
   return parts;
 }
 
+template <typename Light>
+Light checked(const Given& given, const Light& light) {
+  if (const std::string complaint = complaintAbout(light); !complaint.empty())
+    throw UsageError(fmt::format("{} {}: {}", given.option, given.text, complaint));
+  return light;
+}
+
 /// X,Y,Z:R,G,B:DX,DY,DZ[:INNER,OUTER]
 SpotLight readSpot(const Given& given) {
   const std::vector<Given> parts = partsOf(given);
@@ -82,9 +89,7 @@ SpotLight readSpot(const Given& given) {
     light.innerDegrees = degrees(angles.substr(0, comma), "inner_degrees");
     light.outerDegrees = degrees(angles.substr(comma + 1), "outer_degrees");
   }
-  if (const std::string complaint = complaintAbout(light); !complaint.empty())
-    throw UsageError(fmt::format("{} {}: {}", given.option, given.text, complaint));
-  return light;
+  return checked(given, light);
 }
 
 /// As many parts as the light has, or a sentence about what it needs.
@@ -102,13 +107,6 @@ float readRadius(const Given& given) {
 template <typename Light>
 Rgb readRadiance(const Given& given) {
   return readColour(given, options::fieldOf<Light>("radiance").allowed.range);
-}
-
-template <typename Light>
-AreaLight checked(const Given& given, const Light& light) {
-  if (const std::string complaint = complaintAbout(light); !complaint.empty())
-    throw UsageError(fmt::format("{} {}: {}", given.option, given.text, complaint));
-  return light;
 }
 
 AreaLight readRectangle(const Given& given) {

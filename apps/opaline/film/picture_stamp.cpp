@@ -21,6 +21,11 @@ using core::Digest;
 // that the stamp must know of it, or that it does not decide pixels. Options are read off their
 // table.
 
+template <typename... Parts>
+void addAll(Digest& digest, const Parts&... parts) {
+  (digest.add(parts), ...);
+}
+
 template <typename T, typename Add>
 void addEach(Digest& digest, const std::vector<T>& values, const Add& add) {
   digest.add(std::uint64_t{values.size()});
@@ -36,41 +41,26 @@ void addIfThere(Digest& digest, const std::optional<T>& value, const Add& add) {
 void addRig(Digest& digest, const Rig& rig) {
   const auto& [node, positions, normals, targets, joints, firstInfluence, influences, toScene] =
       rig;
-  digest.add(node);
-  digest.add(positions);
-  digest.add(normals);
+  addAll(digest, node, positions, normals);
   addEach(digest, targets, [&](const MorphTarget& target) {
     const auto& [moved, turned] = target;
-    digest.add(moved);
-    digest.add(turned);
+    addAll(digest, moved, turned);
   });
-  digest.add(joints);
-  digest.add(firstInfluence);
-  digest.add(influences);
-  digest.add(toScene);
+  addAll(digest, joints, firstInfluence, influences, toScene);
 }
 
 void addObject(Digest& digest, const Object& object) {
   const auto& [name, mesh, medium, rig] = object;
   const auto& [positionsMm, normals, triangles, facetted] = mesh;
   const auto& [mediumName, sigmaSPrimePerMm, sigmaAPerMm, eta] = medium;
-  digest.add(positionsMm);
-  digest.add(normals);
-  digest.add(triangles);
-  digest.add(facetted);
-  digest.add(sigmaSPrimePerMm);
-  digest.add(sigmaAPerMm);
-  digest.add(eta);
+  addAll(digest, positionsMm, normals, triangles, facetted, sigmaSPrimePerMm, sigmaAPerMm, eta);
   addIfThere(digest, rig, [&](const Rig& given) { addRig(digest, given); });
 }
 
 void addMotion(Digest& digest, const Scene& scene) {
   addEach(digest, scene.nodes, [&](const Node& node) {
     const auto& [name, parent, translation, rotation, scale, matrix, morphWeights] = node;
-    digest.add(parent);
-    digest.add(translation);
-    digest.add(rotation);
-    digest.add(scale);
+    addAll(digest, parent, translation, rotation, scale);
     addIfThere(digest, matrix, [&](const Affine& affine) { digest.add(affine); });
     digest.add(morphWeights);
   });
@@ -79,73 +69,48 @@ void addMotion(Digest& digest, const Scene& scene) {
     digest.add(seconds);
     addEach(digest, tracks, [&](const Track& track) {
       const auto& [node, target, interpolation, keys, values] = track;
-      digest.add(node);
-      digest.add(target);
-      digest.add(interpolation);
-      digest.add(keys);
-      digest.add(values);
+      addAll(digest, node, target, interpolation, keys, values);
     });
   });
   addEach(digest, scene.deformers, [&](const Deformer& deformer) {
     const auto& [kind, amount, periodSeconds] = deformer;
-    digest.add(kind);
-    digest.add(amount);
-    digest.add(periodSeconds);
+    addAll(digest, kind, amount, periodSeconds);
   });
 }
 
 void addShape(Digest& digest, const RectangleLight& light) {
   const auto& [centreMm, uMm, vMm, radiance, twoSided] = light;
-  digest.add(centreMm);
-  digest.add(uMm);
-  digest.add(vMm);
-  digest.add(radiance);
-  digest.add(twoSided);
+  addAll(digest, centreMm, uMm, vMm, radiance, twoSided);
 }
 
 void addShape(Digest& digest, const DiscLight& light) {
   const auto& [centreMm, normal, radiusMm, radiance, twoSided] = light;
-  digest.add(centreMm);
-  digest.add(normal);
-  digest.add(radiusMm);
-  digest.add(radiance);
-  digest.add(twoSided);
+  addAll(digest, centreMm, normal, radiusMm, radiance, twoSided);
 }
 
 void addShape(Digest& digest, const SphereLight& light) {
   const auto& [centreMm, radiusMm, radiance] = light;
-  digest.add(centreMm);
-  digest.add(radiusMm);
-  digest.add(radiance);
+  addAll(digest, centreMm, radiusMm, radiance);
 }
 
 void addShape(Digest& digest, const TubeLight& light) {
   const auto& [fromMm, toMm, radiusMm, radiance] = light;
-  digest.add(fromMm);
-  digest.add(toMm);
-  digest.add(radiusMm);
-  digest.add(radiance);
+  addAll(digest, fromMm, toMm, radiusMm, radiance);
 }
 
 void addLighting(Digest& digest, const Lighting& lighting) {
   const auto& [directional, points, spots, areas, ambient, environment] = lighting;
   addEach(digest, directional, [&](const DirectionalLight& light) {
     const auto& [directionToLight, irradiance] = light;
-    digest.add(directionToLight);
-    digest.add(irradiance);
+    addAll(digest, directionToLight, irradiance);
   });
   addEach(digest, points, [&](const PointLight& light) {
     const auto& [positionMm, intensity] = light;
-    digest.add(positionMm);
-    digest.add(intensity);
+    addAll(digest, positionMm, intensity);
   });
   addEach(digest, spots, [&](const SpotLight& light) {
     const auto& [positionMm, direction, intensity, innerDegrees, outerDegrees] = light;
-    digest.add(positionMm);
-    digest.add(direction);
-    digest.add(intensity);
-    digest.add(innerDegrees);
-    digest.add(outerDegrees);
+    addAll(digest, positionMm, direction, intensity, innerDegrees, outerDegrees);
   });
   addEach(digest, areas, [&](const AreaLight& area) {
     digest.add(std::uint64_t{area.index()});
@@ -165,10 +130,7 @@ void addScene(Digest& digest, const Scene& scene) {
   addEach(digest, objects, [&](const Object& object) { addObject(digest, object); });
   addLighting(digest, lighting);
   const auto& [positionMm, targetMm, up, verticalFovDegrees] = camera;
-  digest.add(positionMm);
-  digest.add(targetMm);
-  digest.add(up);
-  digest.add(verticalFovDegrees);
+  addAll(digest, positionMm, targetMm, up, verticalFovDegrees);
   addMotion(digest, scene);
 }
 

@@ -14,6 +14,10 @@ std::uint32_t groupsOf(std::uint32_t invocations) {
   return (invocations + groupSize - 1) / groupSize;
 }
 
+bool entersAtSurface(const SolverPass::Order& order, const SceneTables& tables) {
+  return order.isDiffuse && tables.entersAtSurface;
+}
+
 }  // namespace
 
 SolverPass::SolverPass(gpu::Device& device)
@@ -42,7 +46,7 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
 void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTables& tables,
                         Clusters& clusters, Solver& solver) const {
   commands.beginPass("solve");
-  if (order.isDiffuse && tables.entersAtSurface)
+  if (entersAtSurface(order, tables))
     findDensities(commands, order, Of::Entered, tables, clusters, solver);
   multiply(commands, order, 0, tables, clusters, solver);
   for (std::uint32_t step = 1; step <= std::min(order.steps, shared::maxSolverSteps); ++step) {
@@ -64,7 +68,7 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
                  .solution = order.solution,
                  .adds = order.adds,
                  .isDiffuse = order.isDiffuse,
-                 .atSurface = order.isDiffuse && tables.entersAtSurface});
+                 .atSurface = entersAtSurface(order, tables)});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
 }
@@ -111,7 +115,7 @@ void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, O
 // the solution.
 void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                           SceneTables& tables, Clusters& clusters, Solver& solver) const {
-  const bool atSurface = step == 0 && order.isDiffuse && tables.entersAtSurface;
+  const bool atSurface = step == 0 && entersAtSurface(order, tables);
   commands.bind(product_,
                 {.objects = tables.objects,
                  .media = tables.media,

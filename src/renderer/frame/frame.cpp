@@ -74,7 +74,9 @@ struct FrameContext {
                             scene.surfels);
     lookAround(scene);
     if (onSurfels()) finishSurfels(scene);
-    if (plan.map) gatherInMap(scene);
+    const bool occluded = plan.ambientOcclusion && plan.occludesSky;
+    if (plan.map)
+      passes.paper->gather(commands, onPaper(scene), occluded ? &scene.clusters : nullptr);
   }
 
   void lookAround(SceneResources& scene) const {
@@ -97,13 +99,6 @@ struct FrameContext {
       passes.occludedSky.record(commands, resources.tables, resources.sky, scene.clusters,
                                 scene.surfels);
     passes.surfels.fitTree(commands, scene.surfels);
-  }
-
-  void gatherInMap(SceneResources& scene) const {
-    if (plan.ambientOcclusion && plan.occludesSky)
-      passes.paper->gatherOccluded(commands, onPaper(scene), scene.clusters);
-    else
-      passes.paper->gather(commands, onPaper(scene));
   }
 
   paper::Technique::Frame onPaper(SceneResources& scene) const {

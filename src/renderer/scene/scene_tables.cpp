@@ -55,16 +55,13 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
   return inside;
 }
 
-bool followsLight(const shared::MediumData& medium) {
-  for (int c = 0; c < 3; ++c)
-    if (medium.inside.albedo[c] < shared::albedoNotFollowed) return true;
-  return false;
-}
-
-bool scattersEnough(const shared::MediumData& medium) {
-  for (int c = 0; c < 3; ++c)
-    if (medium.inside.albedo[c] > shared::albedoFollowed) return true;
-  return false;
+// Whether that holds for the albedo of any channel of any medium.
+template <typename Holds>
+bool anyAlbedo(const std::vector<shared::MediumData>& media, const Holds& holds) {
+  return std::any_of(media.begin(), media.end(), [&](const shared::MediumData& medium) {
+    const shared::vec4& albedo = medium.inside.albedo;
+    return holds(albedo.r) || holds(albedo.g) || holds(albedo.b);
+  });
 }
 
 // Collects the tables of all media.
@@ -166,9 +163,10 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
       gpu::makeBuffer(device, "objects", makeObjects(resources, options.transport), storage);
   tables.media = gpu::makeBuffer(device, "media", builder.media(), storage);
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
-  tables.followsLight = std::any_of(builder.media().begin(), builder.media().end(), followsLight);
+  tables.followsLight =
+      anyAlbedo(builder.media(), [](float albedo) { return albedo < shared::albedoNotFollowed; });
   tables.entersAtSurface =
-      std::any_of(builder.media().begin(), builder.media().end(), scattersEnough);
+      anyAlbedo(builder.media(), [](float albedo) { return albedo > shared::albedoFollowed; });
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
   tables.reflectionLobes =
       gpu::makeBuffer(device, "lobes of the reflection", reflectionLobes(options), storage);

@@ -33,7 +33,7 @@ layout(push_constant) uniform Push {
 vec3 enteredFluence(uint cluster) {
   float thicknessMm = texelFetch(clusterTexels, 7 * int(cluster) + 3).w;
   BoundaryMedium medium = insideOf(objects[ranges[cluster].object]);
-  return fluenceOfEntered(medium) * shareAtSurface(thicknessMm, medium) * entered[cluster].rgb;
+  return fluenceAtSurface(entered[cluster].rgb, thicknessMm, medium);
 }
 
 // What is left of the last product without its parts along the vectors of the basis so far. Those are

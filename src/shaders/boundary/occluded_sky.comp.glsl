@@ -14,6 +14,7 @@
 #include "lib/group_place.glsl"
 #include "lib/linear.glsl"
 #include "lib/sky.glsl"
+#include "lib/source_flux.glsl"
 #include "shared/surfels.h"
 
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
@@ -82,8 +83,8 @@ vec3 shareAt(vec3 place, vec3 normal, uint count, uint own) {
   float all = 0.0;
   for (uint k = 0u; k < count; ++k) {
     vec3 offset = felt[k].placeReach.xyz - place;
-    float weight = weightOfCluster(dot(offset, offset), felt[k].placeReach.w, felt[k].normalEdge.w) *
-                   max(dot(normal, felt[k].normalEdge.xyz), leastFacing);
+    float weight = weightOfCluster(dot(offset, offset), felt[k].placeReach.w, felt[k].normalEdge.w,
+                                   dot(normal, felt[k].normalEdge.xyz));
     sum += weight * felt[k].share.rgb;
     all += weight;
   }
@@ -104,6 +105,6 @@ void main() {
     vec3 irradiance = skyIrradianceAt(normal, mediumAt(body, place)) * share;
     sharesOfSurfels[surfel] = vec4(share, 0.0);
     for (uint s = sourcesPerSurfel * surfel; s < sourcesPerSurfel * (surfel + 1u); ++s)
-      sources[s].flux.rgb += sources[s].positionArea.w * irradiance;
+      sources[s].flux.rgb += fluxThrough(sources[s].positionArea.w, irradiance);
   }
 }

@@ -135,7 +135,7 @@ vec3 productOf(uint i, vec3 sum) {
 }
 
 vec3 enteredFluence(uint i) {
-  return fluenceOfEntered(medium) * shareAtSurface(clusters[i].start.w, medium) * entered[i].rgb;
+  return fluenceAtSurface(entered[i].rgb, clusters[i].start.w, medium);
 }
 
 // α' times the sources, less (c + K) on what has entered. That is nothing where this is even and nothing

@@ -122,7 +122,7 @@ vec4 lookAround(uint i, Cluster cluster, ClusterRange range) {
   float sum = free.r + free.g + free.b;
   float mean = insideOf(own).sigma.w;
   // Where it is dark in a channel, whatever the others do is right.
-  return vec4(mix(vec3(freeRays / float(max(raysOutwards, 1u))), overOr0(free, all), greaterThan(all, vec3(1e-30))),
+  return vec4(mix(vec3(freeRays / float(raysOutwards)), overOr0(free, all), greaterThan(all, vec3(1e-30))),
               sum > 1e-30 ? slant / sum : mean);
 }
 

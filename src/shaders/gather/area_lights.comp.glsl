@@ -8,6 +8,7 @@
 #include "lib/area_light.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
+#include "lib/source_flux.glsl"
 #include "shared/surfels.h"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
@@ -23,17 +24,13 @@ layout(push_constant) uniform Push {
   uint piecesPerSurfel;
 };
 
-// As in surfels.comp, less flux is none.
-const float leastFlux = 1e-30;
-
 float visibleAt(uint light, uint piece, uint point) {
   return unpackVisibility(
       visibilities[visibilityIndex(light, piece, surfelCount * piecesPerSurfel)], point);
 }
 
 void add(uint source, vec3 irradiance) {
-  vec3 flux = sources[source].positionArea.w * irradiance;
-  sources[source].flux.rgb += mix(vec3(0.0), flux, greaterThan(flux, vec3(leastFlux)));
+  sources[source].flux.rgb += fluxThrough(sources[source].positionArea.w, irradiance);
 }
 
 // At one of the piece's points, or its middle, where the mean of them is visible.

@@ -9,6 +9,7 @@
 #include "lib/irradiance.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
+#include "lib/source_flux.glsl"
 #include "lib/unit.glsl"
 #include "shared/surfels.h"
 
@@ -32,13 +33,8 @@ layout(push_constant) uniform Push {
   uint takesSky;         // 1: all of it; else none, which is added where it is known how much is seen
 };
 
-// Less flux is none: sums of it would not be normal numbers.
-const float leastFlux = 1e-30;
-
 void put(uint source, vec3 position, float area, vec3 irradiance) {
-  vec3 flux = area * irradiance;
-  sources[source] = Source(vec4(position, area),
-                           vec4(mix(vec3(0.0), flux, greaterThan(flux, vec3(leastFlux))), 0.0));
+  sources[source] = Source(vec4(position, area), vec4(fluxThrough(area, irradiance), 0.0));
 }
 
 void keep(float visible, uint light, uint piece, uint point) {
@@ -89,9 +85,8 @@ vec3 irradianceOn(PiecePlace place, vec2 at, uint object) {
   vec3 position = positionAt(place, at);
   vec3 normal = normalAt(place, at);
   MediumData medium = mediumAt(objects[object], position);
-  vec3 sum = lightsIrradiance(position, normal, outsideOf(facetOf(place), normal), medium);
-  if (takesSky != 0u) sum += skyIrradianceAt(normal, medium);
-  return sum;
+  return takesSky != 0u ? irradianceAt(position, normal, facetOf(place), medium)
+                        : lightsIrradiance(position, normal, outsideOf(facetOf(place), normal), medium);
 }
 
 // Means over surfels would be off if all were asked at the same place among their sources (the

@@ -55,10 +55,11 @@ vec3 shareAtSurface(float thicknessMm, BoundaryMedium medium) {
   return smoothstep(2.0, 5.0, thicknessMm * medium.extinction.rgb) * whitenessOf(medium);
 }
 
-// Fluence at the surface over the irradiance of diffuse light that entered, where as much leaves: 2Aκ,
-// which is 4 / (1 - 2C₁) with 1 - 2C₁ = F̄_t/η².
-float fluenceOfEntered(BoundaryMedium medium) {
-  return 4.0 / (medium.extinction.w * (1.0 - medium.albedo.w * medium.albedo.w));
+// The fluence there at which as much leaves as has entered: 2Aκ times the irradiance that entered, and
+// 2Aκ is 4 / (1 - 2C₁) with 1 - 2C₁ = F̄_t/η².
+vec3 fluenceAtSurface(vec3 entered, float thicknessMm, BoundaryMedium medium) {
+  float overIrradiance = 4.0 / (medium.extinction.w * (1.0 - medium.albedo.w * medium.albedo.w));
+  return overIrradiance * shareAtSurface(thicknessMm, medium) * entered;
 }
 
 float leastOf(vec3 v) {

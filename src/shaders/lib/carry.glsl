@@ -41,8 +41,7 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium, u
       if (opened && isLeaf(link)) {
         uint i = firstSurfelOf(link);
         float edge = edgeOf(clusters[i]);
-        float weight = weightOfCluster(squared, reach, edge) *
-                       max(dot(normal, clusters[i].normal.xyz), leastFacing);
+        float weight = weightOfCluster(squared, reach, edge, dot(normal, clusters[i].normal.xyz));
         all += weight;
         weight *= clusters[i].second.w;  // 0 without inside
         exitance += weight * exitances[i].rgb;

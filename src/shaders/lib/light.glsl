@@ -12,8 +12,9 @@ struct IncidentLight {
   vec3 irradiance;  // of a surface that faces it
 };
 
-// How many with a shadow map shine at a place: all, but none infinitely far away. Where uniforms alone tell a loop's end,
-// Mesa's software device (22.3) compiles the shader anew for every dispatch, and keeps all of them.
+// How many with a shadow map shine at a place: all, but none infinitely far away. Where uniforms alone tell
+// a loop's end, Mesa's software device (22.3) compiles the shader anew for every dispatch, and keeps all of
+// them.
 uint lightsAt(vec3 position) {
   return isinf(position.x) ? 0u : frame.counts.x;
 }

@@ -22,8 +22,8 @@ vec3 skyShareAt(vec3 place, vec3 normal, ObjectData body) {
     bool apart = squared >= reach * reach;
     if (!apart && isLeaf(link)) {
       uint i = firstSurfelOf(link);
-      float weight = weightOfCluster(squared, reach, edgeOf(clusters[i])) *
-                     max(dot(normal, clusters[i].normal.xyz), leastFacing);
+      float weight = weightOfCluster(squared, reach, edgeOf(clusters[i]),
+                                     dot(normal, clusters[i].normal.xyz));
       sum += weight * skyShares[i].rgb;
       all += weight;
     }

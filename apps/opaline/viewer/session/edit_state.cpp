@@ -1,10 +1,6 @@
 #include "viewer/session/edit_state.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <tuple>
-#include <type_traits>
-#include <variant>
 
 #include "cli/motion_options.h"
 #include "cli/picture_options.h"
@@ -15,86 +11,9 @@ namespace opaline::app::viewer {
 
 namespace {
 
-// As many names as there are members, so that a new one does not compile before it is here.
-
-bool same(const Medium& a, const Medium& b) {
-  const auto parts = [](const Medium& medium) {
-    const auto& [name, sigmaS, sigmaA, eta] = medium;
-    return std::tie(name, sigmaS, sigmaA, eta);
-  };
-  return parts(a) == parts(b);
-}
-
-bool same(const DirectionalLight& a, const DirectionalLight& b) {
-  const auto parts = [](const DirectionalLight& light) {
-    const auto& [direction, irradiance] = light;
-    return std::tie(direction, irradiance);
-  };
-  return parts(a) == parts(b);
-}
-
-bool same(const PointLight& a, const PointLight& b) {
-  const auto parts = [](const PointLight& light) {
-    const auto& [position, intensity] = light;
-    return std::tie(position, intensity);
-  };
-  return parts(a) == parts(b);
-}
-
-bool same(const SpotLight& a, const SpotLight& b) {
-  const auto parts = [](const SpotLight& light) {
-    const auto& [position, direction, intensity, inner, outer] = light;
-    return std::tie(position, direction, intensity, inner, outer);
-  };
-  return parts(a) == parts(b);
-}
-
-auto partsOf(const RectangleLight& light) {
-  const auto& [centre, u, v, radiance, twoSided] = light;
-  return std::tie(centre, u, v, radiance, twoSided);
-}
-
-auto partsOf(const DiscLight& light) {
-  const auto& [centre, normal, radius, radiance, twoSided] = light;
-  return std::tie(centre, normal, radius, radiance, twoSided);
-}
-
-auto partsOf(const SphereLight& light) {
-  const auto& [centre, radius, radiance] = light;
-  return std::tie(centre, radius, radiance);
-}
-
-auto partsOf(const TubeLight& light) {
-  const auto& [from, to, radius, radiance] = light;
-  return std::tie(from, to, radius, radiance);
-}
-
-bool same(const AreaLight& a, const AreaLight& b) {
-  if (a.index() != b.index()) return false;
-  return std::visit(
-      [&](const auto& light) {
-        return partsOf(light) == partsOf(std::get<std::remove_cvref_t<decltype(light)>>(b));
-      },
-      a);
-}
-
-bool same(const Deformer& a, const Deformer& b) {
-  const auto parts = [](const Deformer& deformer) {
-    const auto& [kind, amount, period] = deformer;
-    return std::tie(kind, amount, period);
-  };
-  return parts(a) == parts(b);
-}
-
-template <typename T>
-bool same(const std::vector<T>& a, const std::vector<T>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const T& x, const T& y) { return same(x, y); });
-}
-
 bool sameLights(const Lighting& a, const Lighting& b) {
-  return same(a.directional, b.directional) && same(a.points, b.points) && same(a.spots, b.spots) &&
-         same(a.areas, b.areas) && a.ambient == b.ambient;
+  return a.directional == b.directional && a.points == b.points && a.spots == b.spots &&
+         a.areas == b.areas && a.ambient == b.ambient;
 }
 
 bool sameEnvironment(const EditState& state, const Session& session) {
@@ -130,7 +49,7 @@ auto viewOf(OfSession& s) {
 }
 
 bool sameMedium(const EditState& state, const Session& session, std::size_t object) {
-  return same(state.media[object], session.scene.objects[object].medium);
+  return state.media[object] == session.scene.objects[object].medium;
 }
 
 bool sameMedia(const EditState& state, const Session& session) {
@@ -172,7 +91,7 @@ EditState editStateOf(const Session& session) {
 bool isStateOf(const EditState& state, const Session& session) {
   return hasSizeOf(state, session) && sameMedia(state, session) &&
          sameLights(state.lighting, session.scene.lighting) && sameEnvironment(state, session) &&
-         same(state.deformers, session.scene.deformers) && sameLook(state, session) &&
+         state.deformers == session.scene.deformers && sameLook(state, session) &&
          viewOfState(state) == viewOf(session);
 }
 
@@ -201,7 +120,7 @@ void restore(const EditState& state, Session& session) {
   const bool surroundings = !sameEnvironment(state, session);
   if (surroundings) restoreEnvironment(state, session);
   if (lights || surroundings) edits.lighting = true;
-  if (!same(state.deformers, session.scene.deformers)) {
+  if (state.deformers != session.scene.deformers) {
     session.scene.deformers = state.deformers;
     edits.deformers = true;
   }
