@@ -5,7 +5,7 @@
 #include <glm/vec4.hpp>
 
 #include "gpu/device.h"
-#include "passes/sky/environment_map.h"
+#include "passes/environment_map.h"
 
 namespace opaline::passes {
 

@@ -12,7 +12,7 @@
 #include "gpu/command_list.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
-#include "passes/sky/environment_map.h"
+#include "passes/environment_map.h"
 #include "passes/sky/irradiance_cubes.h"
 #include "passes/sky/radiance_cube.h"
 

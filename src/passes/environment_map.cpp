@@ -1,4 +1,4 @@
-#include "passes/sky/environment_map.h"
+#include "passes/environment_map.h"
 
 #include <algorithm>
 #include <cstddef>
