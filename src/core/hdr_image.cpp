@@ -44,14 +44,18 @@ RowCollector::RowCollector(const std::filesystem::path& file, int width, int hei
 }
 
 void RowCollector::append(std::span<const float> rgbaRows) {
-  for (const float value : rgbaRows) {
-    if (!std::isfinite(value)) {
-      failToReadImage(file_,
-                      "it holds pixels that are infinite or not a number; save it as float "
-                      "EXR if half floats overflowed");
-    }
-    image_.rgba.push_back(negatives_ == Negatives::Stay ? value : std::max(value, 0.0F));
+  const bool finite = std::all_of(rgbaRows.begin(), rgbaRows.end(),
+                                  [](float value) { return std::isfinite(value); });
+  if (!finite) {
+    failToReadImage(file_,
+                    "it holds pixels that are infinite or not a number; save it as float "
+                    "EXR if half floats overflowed");
   }
+  const auto first = static_cast<std::ptrdiff_t>(image_.rgba.size());
+  image_.rgba.insert(image_.rgba.end(), rgbaRows.begin(), rgbaRows.end());
+  if (negatives_ == Negatives::Stay) return;
+  std::for_each(image_.rgba.begin() + first, image_.rgba.end(),
+                [](float& value) { value = std::max(value, 0.0F); });
 }
 
 Image RowCollector::take() {

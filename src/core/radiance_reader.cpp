@@ -26,6 +26,9 @@ class Decoder {
     const std::size_t fileBytes = bytes_.size();
     readHeader();
     readResolution();
+    constexpr int exponentBias = 128 + 8;
+    for (int exponent = 1; exponent < 256; ++exponent)
+      units_[static_cast<std::size_t>(exponent)] = std::ldexp(scale_, exponent - exponentBias);
     RowCollector rows(file_, width_, height_, fileBytes, Negatives::BecomeZero);
     std::vector<Rgbe> row(static_cast<std::size_t>(width_));
     std::vector<float> rgba(4 * row.size());
@@ -158,10 +161,9 @@ class Decoder {
   }
 
   void toFloat(const std::vector<Rgbe>& row, std::vector<float>& rgba) const {
-    constexpr int exponentBias = 128 + 8;
     float* out = rgba.data();
     for (const Rgbe& pixel : row) {
-      const double unit = pixel[3] == 0 ? 0.0 : std::ldexp(scale_, pixel[3] - exponentBias);
+      const double unit = units_[pixel[3]];
       for (std::size_t c = 0; c < 3; ++c) *out++ = static_cast<float>(pixel[c] * unit);
       *out++ = 1.0F;
     }
@@ -170,6 +172,7 @@ class Decoder {
   std::filesystem::path file_;
   std::span<const std::byte> bytes_;
   double scale_ = 1;
+  std::array<double, 256> units_{};  // of a mantissa, by exponent
   int width_ = 0;
   int height_ = 0;
 };

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "environment/halved.h"
 #include "environment/lat_long.h"
 
 namespace opaline {
@@ -16,6 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
+constexpr int mostColumns = 2048;          // a sun is several of their pixels wide
 constexpr double brightness = 30;          // over the mean
 constexpr double leastPart = 0.01;         // of all light
 constexpr double largestRadius = pi / 36;  // 5°
@@ -205,6 +207,8 @@ DirectionalLight lightOf(const Spot& sun) {
 }  // namespace
 
 Suns findSuns(std::shared_ptr<const Image> environment) {
+  while (environment && environment->width > mostColumns)
+    environment = std::make_shared<const Image>(halved(*environment));
   Suns suns{{}, environment};
   if (!environment || environment->width == 0 || environment->height == 0) return suns;
   SunFinder finder(*environment);

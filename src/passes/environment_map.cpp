@@ -1,33 +1,16 @@
 #include "passes/environment_map.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "environment/halved.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
 
 namespace opaline::passes {
 
 namespace {
-
-// Mean of 2×2 pixels; the last row and column of odd images count twice.
-Image halved(const Image& image) {
-  Image half(std::max(1, image.width / 2), std::max(1, image.height / 2));
-  for (int y = 0; y < half.height; ++y) {
-    const float* upper = image.pixel(0, std::min(2 * y, image.height - 1));
-    const float* lower = image.pixel(0, std::min(2 * y + 1, image.height - 1));
-    float* to = half.pixel(0, y);
-    for (int x = 0; x < half.width; ++x) {
-      const std::ptrdiff_t left = std::ptrdiff_t{4} * std::min(2 * x, image.width - 1);
-      const std::ptrdiff_t right = std::ptrdiff_t{4} * std::min(2 * x + 1, image.width - 1);
-      for (int c = 0; c < 4; ++c)
-        *to++ = 0.25F * (upper[left + c] + upper[right + c] + lower[left + c] + lower[right + c]);
-    }
-  }
-  return half;
-}
 
 std::uint32_t levelsOf(const Image& image) {
   std::uint32_t levels = 1;
@@ -37,7 +20,8 @@ std::uint32_t levelsOf(const Image& image) {
 
 }  // namespace
 
-gpu::GpuImage makeEnvironmentMap(gpu::Device& device, const Image& image, int mostColumns) {
+gpu::GpuImage makeEnvironmentMap(gpu::Device& device, const Image& image) {
+  const auto mostColumns = static_cast<int>(device.limits().maxImageDimension2D);
   Image smaller;
   const Image* at = &image;
   const auto halve = [&] {

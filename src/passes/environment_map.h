@@ -9,8 +9,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// An environment of at most so many columns, latitude-longitude, with levels. A larger image is
-/// reduced first. For set-up.
-gpu::GpuImage makeEnvironmentMap(gpu::Device& device, const Image& image, int mostColumns);
+/// An environment, latitude-longitude, with levels; smaller where the device has no images as
+/// large. For set-up.
+gpu::GpuImage makeEnvironmentMap(gpu::Device& device, const Image& image);
 
 }  // namespace opaline::passes

@@ -15,8 +15,7 @@ BackdropPass::BackdropPass(gpu::Device& device)
 
 Backdrop BackdropPass::makeBackdrop(gpu::Device& device, const Image* environment) {
   const bool there = environment != nullptr && environment->width > 0;
-  return {makeEnvironmentMap(device, there ? *environment : Image(1, 1),
-                             static_cast<int>(device.limits().maxImageDimension2D))};
+  return {makeEnvironmentMap(device, there ? *environment : Image(1, 1))};
 }
 
 void BackdropPass::record(gpu::CommandList& commands, const Inputs& inputs,

@@ -21,7 +21,6 @@ namespace opaline::passes {
 namespace {
 
 constexpr std::uint32_t skyFaceSize = 128;
-constexpr int mostColumns = 2048;  // four times what the faces show
 constexpr std::uint32_t tileSize = 8;
 constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
 
@@ -69,7 +68,7 @@ gpu::GpuImage SkyPass::reflectedOf(gpu::Device& device, const Lighting& lighting
                                    float roughness) const {
   if (!lighting.environment) return makeUniformCube(device, lighting.ambient);
   const glm::vec4 ambient(glm::make_vec3(lighting.ambient.data()), 0);
-  gpu::GpuImage map = makeEnvironmentMap(device, *lighting.environment, mostColumns);
+  gpu::GpuImage map = makeEnvironmentMap(device, *lighting.environment);
   gpu::GpuImage cube = makeCubeImage(device, skyFaceSize, VK_IMAGE_USAGE_STORAGE_BIT);
   gpu::CommandList commands(device, "reflection of the sky");
   commands.begin();
