@@ -17,7 +17,7 @@ namespace opaline::passes {
 namespace {
 
 // Rays of a cluster that ask what it sees.
-constexpr std::uint32_t raysOutwards = 24;
+constexpr std::uint32_t raysOutwards = 48;
 
 constexpr VkBufferUsageFlags clusterBuffer = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
