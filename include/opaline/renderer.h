@@ -63,6 +63,8 @@ class Renderer {
   void setTime(const SceneTime& time);
   void setCamera(const Camera& camera);
   void setLighting(const Lighting& lighting);
+  /// The suns of the scene's environment, brightest first: lights beside its own, taken out of it.
+  const std::vector<DirectionalLight>& suns() const;
   void setMedium(std::size_t object, const Medium& medium);
   void setDeformers(const std::vector<Deformer>& deformers);
 

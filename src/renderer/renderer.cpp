@@ -62,6 +62,10 @@ void Renderer::setLighting(const Lighting& lighting) {
   context_->edited.setLighting(lighting);
 }
 
+const std::vector<DirectionalLight>& Renderer::suns() const {
+  return context_->edited.suns();
+}
+
 void Renderer::setMedium(std::size_t object, const Medium& medium) {
   context_->edited.setMedium(object, medium);
 }

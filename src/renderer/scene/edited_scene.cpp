@@ -35,6 +35,11 @@ const Lighting& EditedScene::lighting() const {
   return lighting_;
 }
 
+const std::vector<DirectionalLight>& EditedScene::suns() const {
+  scene();
+  return suns_.lights;
+}
+
 void EditedScene::separateSuns() {
   lighting_ = scene_->lighting;
   separate(suns_, lighting_);

@@ -34,6 +34,7 @@ class EditedScene {
   const Scene& scene() const;
   /// Its lights and the suns of its environment, which then lacks them.
   const Lighting& lighting() const;
+  const std::vector<DirectionalLight>& suns() const;
   const Object& object(std::size_t index) const;
   const scene::MergedMesh& merged() const { return merged_; }
   SceneMotion& motion();

@@ -285,6 +285,9 @@ void drawLightPanel(Session& session) {
   if (lighting.environment) {
     ImGui::Text("environment of %d x %d pixels", lighting.environment->width,
                 lighting.environment->height);
+    if (const std::size_t suns = session.suns.size(); suns > 0)
+      ImGui::TextDisabled("%zu of its lights cast%s shadows: marked in the picture", suns,
+                          suns == 1 ? "s" : "");
     changed |= turnEnvironment(session);
     if (controls::button("take it away", "Removes the environment.")) {
       lighting.environment.reset();

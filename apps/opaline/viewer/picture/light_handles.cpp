@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "viewer/picture/vectors.h"
@@ -18,13 +19,18 @@ float sphereMm(const Session& session, const Projection& projection) {
   return std::min(0.55F * session.diagonalMm, 0.24F * projection.view().distanceMm);
 }
 
+// On that sphere.
+glm::vec3 placeOf(const Session& session, const Projection& projection,
+                  const DirectionalLight& light) {
+  return toGlm(session.scene.camera.targetMm) +
+         sphereMm(session, projection) * glm::normalize(toGlm(light.directionToLight));
+}
+
 glm::vec3 placeOf(const Session& session, const Projection& projection, const LightEntry& entry) {
   const Lighting& lighting = session.scene.lighting;
   switch (entry.kind) {
     case LightKind::Directional:
-      return toGlm(session.scene.camera.targetMm) +
-             sphereMm(session, projection) *
-                 glm::normalize(toGlm(lighting.directional[entry.index].directionToLight));
+      return placeOf(session, projection, lighting.directional[entry.index]);
     case LightKind::Point:
       return toGlm(lighting.points[entry.index].positionMm);
     case LightKind::Spot:
@@ -89,6 +95,26 @@ void drawOutline(const AreaLight& light, const Projection& projection, ImU32 col
     const auto b = projection.toWindow(outline[(i + 1) % outline.size()]);
     if (a && b) list.AddLine({a->x, a->y}, {b->x, b->y}, color, 1.5F);
   }
+}
+
+void drawSun(const DirectionalLight& sun, const Session& session, const Projection& projection,
+             ImDrawList& list) {
+  const auto place = projection.toWindow(placeOf(session, projection, sun));
+  const auto target = projection.toWindow(toGlm(session.scene.camera.targetMm));
+  if (!place) return;
+  const ImU32 color = colorOf(sun.irradiance, 0.9F);
+  const float radius = 0.35F * ImGui::GetFontSize();
+  constexpr int rays = 8;
+  for (int i = 0; i < rays; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / rays;
+    const glm::vec2 along(std::cos(angle), std::sin(angle));
+    const glm::vec2 from = *place + 1.4F * radius * along;
+    const glm::vec2 to = *place + 2.3F * radius * along;
+    list.AddLine({from.x, from.y}, {to.x, to.y}, color, 1.5F);
+  }
+  list.AddCircle({place->x, place->y}, radius, color, 0, 1.5F);
+  if (target)
+    list.AddLine({place->x, place->y}, {target->x, target->y}, colorOf(sun.irradiance, 0.25F), 1);
 }
 
 // What a light without a place of its own is joined to by a line, and a spot light aims at.
@@ -173,6 +199,7 @@ bool LightHandles::drag(Session& session, const Projection& projection,
 void LightHandles::draw(const Session& session, const Projection& projection,
                         ImDrawList& list) const {
   const Lighting& lighting = session.scene.lighting;
+  for (const DirectionalLight& sun : session.suns) drawSun(sun, session, projection, list);
   for (const LightHandle& handle : handlesOf(session, projection)) {
     const std::optional<glm::vec2> place = projection.toWindow(handle.placeMm);
     if (!place) continue;

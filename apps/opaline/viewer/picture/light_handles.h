@@ -25,7 +25,8 @@ struct LightHandle {
 /// Lights as handles in the picture. A directional light stands on a sphere about the camera's
 /// target and is dragged along it, past its rim to the other side; other lights stand where they
 /// are, and are dragged parallel to the picture. A spot light that is selected has another handle
-/// where it aims, and an area light some that turn and resize it.
+/// where it aims, and an area light some that turn and resize it. Suns of the environment are
+/// marked on the sphere, and turn with the environment.
 class LightHandles {
  public:
   /// The handle that lies there.

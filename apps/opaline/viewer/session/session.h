@@ -75,6 +75,7 @@ struct Session {
   std::shared_ptr<const MeshSequence> sequence;  ///< of numbered files, where its model is one
   PositionsByObject positionsMm;                 ///< where these have the body now
   std::shared_ptr<const Image> environment;      ///< as the source's file has it, not turned
+  std::vector<DirectionalLight> suns;            ///< of the environment as it is shown
   float diagonalMm = 0;                          ///< as loaded
   std::optional<float> wantedDiagonalMm;         ///< another, to be loaded
   std::optional<float> draggedDiagonalMm;        ///< another, while its slider is being dragged

@@ -52,6 +52,7 @@ Edits Stage::handOver(Session& session) {
   for (std::size_t i = 0; i < session.edits.medium.size(); ++i) {
     if (session.edits.medium[i]) renderer_.setMedium(i, scene.objects[i].medium);
   }
+  session.suns = renderer_.suns();
   Edits handedOver = std::exchange(session.edits, {});
   session.edits.medium.assign(scene.objects.size(), false);
   return handedOver;
