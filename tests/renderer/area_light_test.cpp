@@ -255,6 +255,35 @@ TEST_F(AreaLightTest, AreMirroredWithTheirShape) {
   EXPECT_GT(outside, 2000);
 }
 
+// However small a light is, a surface mirrors of it what it would of a point.
+TEST_F(AreaLightTest, ASmallOneIsMirroredAsAPointIs) {
+  Scene scene = sceneOf(sphere({0, 0, 0}, 5, 4), marble(), {0, 0, 30}, 5.5F);
+  const Vec3 place{20, 30, 40};
+  constexpr double intensity = 4000;
+  RenderOptions look = options();
+  look.width = look.height = 96;
+  const auto mirrored = [&] {
+    look.specular = true;
+    const Image with = render(scene, look, {Aov::Radiance})[0];
+    look.specular = false;
+    const Image without = render(scene, look, {Aov::Radiance})[0];
+    double sum = 0;
+    forEachCovered(with, [&](std::size_t i) {
+      sum += static_cast<double>(with.rgba[i]) - static_cast<double>(without.rgba[i]);
+    });
+    return sum;
+  };
+  scene.lighting.points = {{place, {4000, 4000, 4000}}};
+  const double ofPoint = mirrored();
+  scene.lighting.points.clear();
+  for (const double radiusMm : {1.0, 0.1, 0.01}) {
+    const auto radiance = static_cast<float>(intensity / (pi * radiusMm * radiusMm));
+    scene.lighting.areas = {
+        SphereLight{place, static_cast<float>(radiusMm), {radiance, radiance, radiance}}};
+    EXPECT_NEAR(mirrored() / ofPoint, 1, 0.04) << radiusMm;
+  }
+}
+
 // All light that enters is followed into the body: with and without area lights the same solver.
 TEST_F(AreaLightTest, ABodyTakesThemAsItTakesManyPointLights) {
   Scene scene = sceneOf(sphere({0, 0, 0}, 5, 4), marble(), {0, 0, 30}, 5.5F);

@@ -18,6 +18,9 @@ std::span<const Figure> stillFigures();
 /// Figure 4.
 std::span<const Figure> cubeFigures();
 
+/// Soft shadows of lights of several sizes.
+std::span<const Figure> lightFigures();
+
 /// The paper's sum beside the one in object space.
 std::span<const Figure> sumFigures();
 

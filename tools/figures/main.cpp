@@ -41,7 +41,7 @@ std::vector<Figure> allFigures() {
   std::vector<Figure> all;
   for (const std::span<const Figure> some :
        {stillFigures(), cubeFigures(), sumFigures(), boundaryFigures(), motionFigures(),
-        variableFigures()}) {
+        variableFigures(), lightFigures()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   std::sort(all.begin(), all.end(), [](const Figure& a, const Figure& b) {

@@ -30,9 +30,6 @@ layout(push_constant) uniform Push {
 const uint fewRays = 4u;
 const uint mostRays = 16u;
 
-// Where rays start above a facet, in parts of the coordinates, which are rounded.
-const float startOf = 1e-5;
-
 uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
 }
@@ -56,8 +53,7 @@ void sendRays(uint first, uint end, Facet facet, uint piece, uint point, inout S
   vec2 shift = fract(float(piece % 8192u) * vec2(0.8191725134, 0.6710436067));
   AreaView view = areaViewFrom(facet.position, light);
   if (!view.shines) return;
-  vec3 places = abs(facet.position);
-  float start = startOf * max(max(places.x, places.y), places.z);
+  float start = startAbove(facet.position);
   vec3 origin = facet.position + start * facet.outside;
   for (uint i = first; i < end; ++i) {
     AreaSample place = sampleOf(view, fract(shift + float(pointsPerPiece * i + point) * next));

@@ -32,6 +32,12 @@ const uint everyObject = 0xffffffffu;
 #include "lib/ray_boxes.glsl"
 #endif
 
+// How far above a surface rays start, so that they do not meet it: coordinates are rounded.
+float startAbove(vec3 position) {
+  vec3 places = abs(position);
+  return 1e-5 * max(max(places.x, places.y), places.z);
+}
+
 // The nearest piece of the target that a ray meets further than `minDistance` and nearer than
 // `maxDistance`; distances in lengths of `direction`, which need not be 1. A ray that starts on a
 // piece meets it at about 0, to either side: a millionth of the coordinates, and more the flatter it

@@ -18,8 +18,6 @@ layout(push_constant) uniform Push {
 
 // Rays leave a facet by that sine at least: interpolated normals mirror some into it.
 const float leastSine = 0.02;
-// Where they start above it, in parts of the coordinates, which are rounded.
-const float startOf = 1e-5;
 
 uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
@@ -50,8 +48,7 @@ uint reflectedRay(uint i, MeshPlace place) {
   if (dot(direction, place.normal) <= 0.0 && raysInAll > 1u) return noRay;
   float sine = dot(direction, place.facet);
   if (sine < leastSine) direction = normalize(direction + (leastSine - sine) * place.facet);
-  vec3 places = abs(place.position);
-  float start = startOf * max(max(places.x, places.y), places.z);
+  float start = startAbove(place.position);
   bool meets = occluded(place.position + start * place.facet, direction, start, 3e38,
                         RayTarget(0u, nodeCount, everyObject));
   return meets ? rayMeets : rayIsFree;

@@ -27,8 +27,7 @@ layout(push_constant) uniform Push {
 };
 
 const uint lobeEntries = 16u;
-const float startOf = 1e-5;       // of rays, above a facet, in parts of the coordinates
-const float leastMirrored = 1e-4;  // of a light's radiance, for which a ray is worth its while
+const float leastMirrored = 1e-3;  // of the radiance so far, for which a ray is worth its while
 
 uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
@@ -97,8 +96,7 @@ const uint fewRays = 4u;
 const uint mostRays = 16u;
 
 bool isVisible(MeshPlace place, vec3 offset) {
-  vec3 places = abs(place.position);
-  float start = startOf * max(max(places.x, places.y), places.z);
+  float start = startAbove(place.position);
   float least = start * inversesqrt(max(dot(offset, offset), 1e-30));
   return dot(offset, place.facet) > 0.0 &&
          !occluded(place.position + start * place.facet, offset, least, 1.0,
@@ -115,7 +113,8 @@ float visiblePart(MeshPlace place, AreaView view, Lobe lobe) {
   return free / float(mostRays);
 }
 
-vec3 mirroredOf(MeshPlace place) {
+// Beside what is `known` of the radiance there.
+vec3 mirroredOf(MeshPlace place, vec3 known) {
   MediumData medium = mediumAt(objects[place.object], place.position);
   vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
   float cosine = clamp(dot(place.normal, toCamera), 1e-3, 1.0);
@@ -128,8 +127,8 @@ vec3 mirroredOf(MeshPlace place) {
     AreaView view = areaViewFrom(place.position, i);
     if (!view.shines) continue;
     float part = albedo / pi * vectorIrradianceOf(view, toLobe, vec3(0.0, 0.0, 1.0)).z;
-    if (part > leastMirrored)
-      sum += part * visiblePart(place, view, lobe) * frame.lights[i].power.rgb;
+    vec3 found = part * frame.lights[i].power.rgb;
+    if (any(greaterThan(found, leastMirrored * known))) sum += visiblePart(place, view, lobe) * found;
   }
   return sum;
 }
@@ -138,5 +137,6 @@ void main() {
   Seen seen = seenOfInvocation(first);
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
-  light[seen.entry].rgb += coverageOf(samplesOf(seen.word)) * mirroredOf(place);
+  float coverage = coverageOf(samplesOf(seen.word));
+  light[seen.entry].rgb += coverage * mirroredOf(place, light[seen.entry].rgb / coverage);
 }
