@@ -4,9 +4,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 
 #include "bssrdf/fresnel.h"
+#include "environment/lat_long.h"
+#include "lights/area.h"
 #include "opaline/error.h"
 #include "reference/camera_rays.h"
 #include "reference/transport.h"
@@ -16,6 +19,11 @@ namespace opaline::reference {
 namespace {
 
 constexpr int mostPixels = 16384;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Colour toColour(const Rgb& rgb) {
+  return {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
+}
 
 template <typename T>
 void requireWithin(const char* name, T value, T low, T high) {
@@ -48,6 +56,8 @@ struct PixelSum {
   Colour value{};
   Colour error{};
   int hits = 0;
+  Colour behind{};  ///< of those that see no surface but something else
+  int others = 0;
 };
 
 class Painter {
@@ -58,6 +68,7 @@ class Painter {
         irradiance_(irradiance),
         light_(light),
         aov_(options.aov),
+        environmentBehind_(options.environmentBehind),
         rays_(geometry.scene().camera, options.width, options.height),
         offsets_(antialiasingOffsets(aov_ == Aov::Radiance ? options.antialias : 1)) {}
 
@@ -66,6 +77,13 @@ class Painter {
     for (const auto& offset : offsets_) {
       const Ray ray = rays_.through(place.x, place.y, offset);
       const auto hit = geometry_.closestHit(ray.origin, ray.direction);
+      if (aov_ == Aov::Radiance) {
+        if (const auto other = lookPast(ray, hit ? hit->distanceMm : infinity)) {
+          sum.behind += *other;
+          ++sum.others;
+          continue;
+        }
+      }
       if (!hit) continue;
       ++sum.hits;
       const Exitance seen = look(hit->point, ray);
@@ -101,6 +119,28 @@ class Painter {
     }
   }
 
+  // The light before a surface at that distance, or what is behind where there is none.
+  std::optional<Colour> lookPast(const Ray& ray, double distanceMm) const {
+    const Lighting& lighting = geometry_.scene().lighting;
+    const AreaLight* seen = nullptr;
+    for (const AreaLight& light : lighting.areas) {
+      if (!isVisible(light)) continue;
+      const auto distance = distanceAlong(ray.origin, ray.direction, light);
+      if (!distance || *distance >= distanceMm) continue;
+      distanceMm = *distance;
+      seen = &light;
+    }
+    if (seen != nullptr) return toColour(radianceOf(*seen));
+    if (distanceMm < infinity || !environmentBehind_) return std::nullopt;
+    Colour behind = toColour(lighting.ambient);
+    if (lighting.environment)
+      behind +=
+          toColour(radianceFrom(*lighting.environment, {static_cast<float>(ray.direction[0]),
+                                                        static_cast<float>(ray.direction[1]),
+                                                        static_cast<float>(ray.direction[2])}));
+    return behind;
+  }
+
   /// Towards the side that is seen.
   static Vector seenNormal(const SurfacePoint& point, const Ray& ray) {
     return dot(point.facetNormal, ray.direction) > 0 ? -point.shadingNormal : point.shadingNormal;
@@ -120,6 +160,7 @@ class Painter {
   const Irradiance& irradiance_;
   const LeavingLight& light_;
   Aov aov_;
+  bool environmentBehind_;
   CameraRays rays_;
   std::span<const std::array<double, 2>> offsets_;
 };
@@ -202,13 +243,14 @@ Picture makePicture(const Geometry& geometry, const Irradiance& irradiance,
 
   Picture picture{Image(options.width, options.height), 0, {}};
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (sums[i].hits == 0) continue;
-    ++picture.pixels;
+    const int seen = sums[i].hits + sums[i].others;
+    if (seen == 0) continue;
+    if (sums[i].hits > 0) ++picture.pixels;
     float* pixel = picture.image.pixel(places[i].x, places[i].y);
     for (std::size_t c = 0; c < 3; ++c) {
-      pixel[c] = static_cast<float>(sums[i].value[c] / sums[i].hits);
+      pixel[c] = static_cast<float>((sums[i].value[c] + sums[i].behind[c]) / seen);
     }
-    pixel[3] = static_cast<float>(sums[i].hits) / static_cast<float>(painter.samples());
+    pixel[3] = static_cast<float>(seen) / static_cast<float>(painter.samples());
   }
   if (showsExitance(options.aov)) picture.error = summarised(sums);
   return picture;

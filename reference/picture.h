@@ -23,10 +23,11 @@ struct Region {
 
 /// Which pixels of which variable; those left out are not covered.
 struct PictureOptions {
-  int width = 1024;         ///< pixels, in [1, 16384]
-  int height = 1024;        ///< pixels, in [1, 16384]
-  Aov aov = Aov::Radiance;  ///< but for those of the diffusion source map
-  int antialias = 4;        ///< samples a pixel of Aov::Radiance: 1, 2, 4 or 8
+  int width = 1024;                ///< pixels, in [1, 16384]
+  int height = 1024;               ///< pixels, in [1, 16384]
+  Aov aov = Aov::Radiance;         ///< but for those of the diffusion source map
+  int antialias = 4;               ///< samples a pixel of Aov::Radiance: 1, 2, 4 or 8
+  bool environmentBehind = false;  ///< of Aov::Radiance, where no surface is
   std::optional<Region> region;
   int every = 1;  ///< only columns and rows whose number is a multiple of this
 };
@@ -55,7 +56,7 @@ struct ErrorSummary {
 
 struct Picture {
   Image image;
-  std::size_t pixels = 0;  ///< covered
+  std::size_t pixels = 0;  ///< that see a surface
   ErrorSummary error;      ///< nothing for variables that are exact
 };
 

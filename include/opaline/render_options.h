@@ -80,6 +80,8 @@ struct RenderOptions {
   int treeLevel = 64;       ///< of the nodes in Aov::Surfels: 0 for the objects' roots, leaves if
                             ///< these come first; in [0, 64]
   int antialias = 4;        ///< samples per pixel of Aov::Radiance: 1, 2, 4 or 8
+  /// Environment and ambient light fill what no surface covers, Aov::Radiance.
+  bool environmentBehind = false;
 };
 
 }  // namespace opaline

@@ -72,6 +72,7 @@ struct RectangleLight {
   Vec3 vMm{0, 10, 0};     ///< half of the other
   Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
   bool twoSided = false;  ///< to the other side too
+  bool visible = false;   ///< in the picture itself, not only in what surfaces mirror
 
   bool operator==(const RectangleLight&) const = default;
 };
@@ -83,6 +84,7 @@ struct DiscLight {
   float radiusMm = 10;    ///< in (0, 1e6]
   Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
   bool twoSided = false;  ///< to the other side too
+  bool visible = false;   ///< in the picture itself, not only in what surfaces mirror
 
   bool operator==(const DiscLight&) const = default;
 };
@@ -92,6 +94,7 @@ struct SphereLight {
   Vec3 centreMm{};
   float radiusMm = 10;    ///< in (0, 1e6]
   Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
+  bool visible = false;   ///< in the picture itself, not only in what surfaces mirror
 
   bool operator==(const SphereLight&) const = default;
 };
@@ -102,11 +105,13 @@ struct TubeLight {
   Vec3 toMm{0, 100, 0};
   float radiusMm = 5;     ///< in (0, 1e6]
   Rgb radiance{1, 1, 1};  ///< in [0, 1e30]
+  bool visible = false;   ///< in the picture itself, not only in what surfaces mirror
 
   bool operator==(const TubeLight&) const = default;
 };
 
-/// A light with an extent. Its shadows are soft, and the surface mirrors its shape.
+/// A light with an extent. Its shadows are soft, and the surface mirrors its shape. One that is
+/// visible is seen from where it shines to, and casts no shadow.
 using AreaLight = std::variant<RectangleLight, DiscLight, SphereLight, TubeLight>;
 
 /// Everything that shines.

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "opaline/image.h"
 #include "opaline/types.h"
 
 namespace opaline {
@@ -10,6 +11,9 @@ namespace opaline {
 /// to bottom in [0,1], and back: see Lighting::environment for the convention.
 Vec3 latLongDirection(double u, double v);
 std::array<double, 2> latLongCoordinates(const Vec3& direction);
+
+/// Radiance of an environment that comes from a direction, between its pixels linear.
+Rgb radianceFrom(const Image& environment, const Vec3& direction);
 
 /// Evenly spread unit directions (spherical Fibonacci lattice, Swinbank and Purser 2006).
 Vec3 latticeDirection(int index, int count);

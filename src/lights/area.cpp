@@ -98,6 +98,75 @@ double reachOf(const Light& light) {
   return double{light.radiusMm};
 }
 
+/// To a plane's side that shines, and where on it that is from its middle.
+struct OnPlane {
+  double distance;
+  Double3 offset;
+};
+
+std::optional<OnPlane> onPlane(const Double3& centre, const Double3& normal, bool twoSided,
+                               const Double3& from, const Double3& direction) {
+  const double facing = -dot(normal, direction);
+  const double distance = dot(normal, centre - from) / -facing;
+  if (facing == 0 || (facing < 0 && !twoSided) || !(distance > 0)) return std::nullopt;
+  return OnPlane{distance, from + distance * direction - centre};
+}
+
+std::optional<double> distanceTo(const RectangleLight& light, const Double3& from,
+                                 const Double3& direction) {
+  const Double3 u = toDouble(light.uMm);
+  const Double3 v = toDouble(light.vMm);
+  const Double3 normal = cross(u, v);
+  const auto met = onPlane(toDouble(light.centreMm), normal, light.twoSided, from, direction);
+  if (!met) return std::nullopt;
+  const double square = dot(normal, normal);
+  const bool inside = std::abs(dot(cross(met->offset, v), normal)) <= square &&
+                      std::abs(dot(cross(u, met->offset), normal)) <= square;
+  return inside ? std::optional(met->distance) : std::nullopt;
+}
+
+std::optional<double> distanceTo(const DiscLight& light, const Double3& from,
+                                 const Double3& direction) {
+  const auto met =
+      onPlane(toDouble(light.centreMm), toDouble(light.normal), light.twoSided, from, direction);
+  const bool inside = met && length(met->offset) <= double{light.radiusMm};
+  return inside ? std::optional(met->distance) : std::nullopt;
+}
+
+/// To the near side of what a line is within `radius` of at its place nearest to the middle, which
+/// lies `along` and `aside` of it; `slant` is the part of the way that goes towards that.
+std::optional<double> nearSide(double along, double aside, double slant, double radius) {
+  if (!(aside < radius)) return std::nullopt;
+  const double distance = along - std::sqrt(radius * radius - aside * aside) / slant;
+  return distance > 0 ? std::optional(distance) : std::nullopt;
+}
+
+std::optional<double> distanceTo(const SphereLight& light, const Double3& from,
+                                 const Double3& direction) {
+  const Double3 towards = toDouble(light.centreMm) - from;
+  const double along = dot(towards, direction);
+  return nearSide(along, length(towards - along * direction), 1, double{light.radiusMm});
+}
+
+std::optional<double> distanceTo(const TubeLight& light, const Double3& from,
+                                 const Double3& direction) {
+  const Double3 end = toDouble(light.fromMm);
+  const Double3 axis = toDouble(light.toMm) - end;
+  const Double3 along = unit(axis);
+  // Across the axis, where the tube is a circle.
+  const Double3 across = direction - dot(direction, along) * along;
+  const double slant = length(across);
+  if (!(slant > 0)) return std::nullopt;
+  const Double3 offset = end - from;
+  const Double3 towards = offset - dot(offset, along) * along;
+  const double nearest = dot(towards, across) / (slant * slant);
+  const auto distance =
+      nearSide(nearest, length(towards - nearest * across), slant, double{light.radiusMm});
+  if (!distance) return std::nullopt;
+  const double place = dot(from + *distance * direction - end, along);
+  return place >= 0 && place <= length(axis) ? distance : std::nullopt;
+}
+
 }  // namespace
 
 Rgb radianceOf(const AreaLight& light) {
@@ -108,6 +177,16 @@ bool isTwoSided(const AreaLight& light) {
   if (const auto* rectangle = std::get_if<RectangleLight>(&light)) return rectangle->twoSided;
   const auto* disc = std::get_if<DiscLight>(&light);
   return disc != nullptr && disc->twoSided;
+}
+
+bool isVisible(const AreaLight& light) {
+  return std::visit([](const auto& shape) { return shape.visible; }, light);
+}
+
+std::optional<double> distanceAlong(const std::array<double, 3>& fromMm,
+                                    const std::array<double, 3>& direction,
+                                    const AreaLight& light) {
+  return std::visit([&](const auto& shape) { return distanceTo(shape, fromMm, direction); }, light);
 }
 
 double areaMm2(const AreaLight& light) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "opaline/scene.h"
 
@@ -16,6 +17,13 @@ Rgb radianceOf(const AreaLight& light);
 
 /// Whether it shines to the side away from its normals as well.
 bool isTwoSided(const AreaLight& light);
+
+/// Whether the picture itself shows it.
+bool isVisible(const AreaLight& light);
+
+/// How far along a unit direction from a place it is seen first, mm; nothing where it is not seen.
+std::optional<double> distanceAlong(const std::array<double, 3>& fromMm,
+                                    const std::array<double, 3>& direction, const AreaLight& light);
 
 /// Of what shines, one side of it.
 double areaMm2(const AreaLight& light);

@@ -58,6 +58,10 @@ bool Allowed::holds(const Value& value) const {
 
 std::string requirement(const Allowed& allowed, const Value& like) {
   const std::string range = describe(allowed.range);
+  const bool orNamed = !allowed.choices.empty() && !std::holds_alternative<std::string>(like);
+  if (orNamed)
+    return fmt::format("{}, or {}", requirement({allowed.range, {}, allowed.counts}, like),
+                       fmt::join(allowed.choices, " or "));
   return std::visit(
       Overloaded{
           [](bool) -> std::string { return "must be true or false"; },

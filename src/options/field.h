@@ -25,9 +25,11 @@ using Value = std::variant<bool, int, float, double, std::string, Size, Rgb, std
 
 /// What values an option takes.
 struct Allowed {
-  Range range{0, 0};                           ///< of a number, and of each of several
-  std::vector<std::string_view> choices = {};  ///< of a text; empty: any text but an empty one
-  std::vector<int> counts = {};                ///< of a whole number; empty: all in the range
+  Range range{0, 0};  ///< of a number, and of each of several
+  /// Of a text; empty: any text but an empty one. Where values are no texts, names that may stand
+  /// in their place.
+  std::vector<std::string_view> choices = {};
+  std::vector<int> counts = {};  ///< of a whole number; empty: all in the range
 
   bool holds(const Value& value) const;
 };
@@ -48,8 +50,8 @@ struct Field {
   std::string_view standard;   ///< the default in words where a value does not say it, or empty
   Allowed allowed;
   std::optional<Value> (*get)(const Owner&);  ///< nothing where the option has no value
-  void (*set)(Owner&, const Value&);          ///< of the type that get() returns
-  Value like;                                 ///< a value of that type
+  void (*set)(Owner&, const Value&);          ///< of the type of `like`, or a choice
+  Value like;                                 ///< a value of the option's type
 };
 
 /// All options of an Owner, in the order in which they are shown.

@@ -64,6 +64,27 @@ Field<PictureSettings> size() {
           Size{}};
 }
 
+constexpr std::string_view environment = "environment";
+
+Field<PictureSettings> background() {
+  return {"background",
+          {},
+          "linear",
+          "none",
+          {.range = {0, 1}, .choices = {environment, "none"}},
+          [](const PictureSettings& settings) -> std::optional<Value> {
+            if (settings.render.environmentBehind) return std::string(environment);
+            return valueOf(settings.tone.background);
+          },
+          [](PictureSettings& settings, const Value& value) {
+            const auto* named = std::get_if<std::string>(&value);
+            settings.render.environmentBehind = named != nullptr && *named == environment;
+            settings.tone.background.reset();
+            if (named == nullptr) settings.tone.background = std::get<Rgb>(value);
+          },
+          Rgb{}};
+}
+
 }  // namespace
 
 template <>
@@ -97,8 +118,7 @@ const std::vector<Field<PictureSettings>>& fieldsOf() {
       ofTone<&core::ToneOptions::exposureStops>("exposure", {{-32, 32, "stops"}},
                                                 "for PNG and films", "by the light"),
       ofTone<&core::ToneOptions::curve>("tone", {}, "curve for PNG and films"),
-      ofTone<&core::ToneOptions::background>("background", {{0, 1}}, "linear, for PNG and films",
-                                             "transparent"),
+      background(),
       field<PictureSettings, &PictureSettings::time, &SceneTime::seconds>(
           "seconds", {{0, 1e6, "s"}}, "time of clip and deformers"),
   };

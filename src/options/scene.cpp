@@ -83,6 +83,7 @@ const std::vector<Field<RectangleLight>>& fieldsOf() {
       field<RectangleLight, &RectangleLight::radiance>("radiance", {power},
                                                        "the same in all directions"),
       field<RectangleLight, &RectangleLight::twoSided>("two_sided", {}, "light of its back"),
+      field<RectangleLight, &RectangleLight::visible>("visible", {}, "seen in the picture itself"),
   };
   return table;
 }
@@ -93,6 +94,7 @@ const std::vector<Field<DiscLight>>& fieldsOf() {
       field<DiscLight, &DiscLight::radiusMm>("radius_mm", {lengthAboveZero}, "its radius"),
       field<DiscLight, &DiscLight::radiance>("radiance", {power}, "the same in all directions"),
       field<DiscLight, &DiscLight::twoSided>("two_sided", {}, "light of its back"),
+      field<DiscLight, &DiscLight::visible>("visible", {}, "seen in the picture itself"),
   };
   return table;
 }
@@ -102,6 +104,7 @@ const std::vector<Field<SphereLight>>& fieldsOf() {
   static const std::vector<Field<SphereLight>> table{
       field<SphereLight, &SphereLight::radiusMm>("radius_mm", {lengthAboveZero}, "its radius"),
       field<SphereLight, &SphereLight::radiance>("radiance", {power}, "the same in all directions"),
+      field<SphereLight, &SphereLight::visible>("visible", {}, "seen in the picture itself"),
   };
   return table;
 }
@@ -111,6 +114,7 @@ const std::vector<Field<TubeLight>>& fieldsOf() {
   static const std::vector<Field<TubeLight>> table{
       field<TubeLight, &TubeLight::radiusMm>("radius_mm", {lengthAboveZero}, "its radius"),
       field<TubeLight, &TubeLight::radiance>("radiance", {power}, "the same in all directions"),
+      field<TubeLight, &TubeLight::visible>("visible", {}, "seen in the picture itself"),
   };
   return table;
 }

@@ -70,6 +70,11 @@ struct Sky {
   gpu::GpuImage reflected;   ///< radiance as the surface's lobe sees it, a cube
 };
 
+/// What a picture shows where no surface is.
+struct Backdrop {
+  gpu::GpuImage environment;  ///< latitude-longitude, with levels; of one dark texel without one
+};
+
 /// Lights, shadow views and camera of this frame, fitted to the surface: shared::FrameData.
 struct FrameView {
   gpu::Buffer data;

@@ -82,7 +82,7 @@ class View::Implementation {
     prepared_ = context_.prepared.share(options_, plan, lighting, std::move(prepared_));
     prepared_->prepare(options_, plan, order.patient, edited);
     const SceneChanges changes = prepared_->changes(edited);
-    resources_.follow(options_, plan, prepared_->scene(), lighting, changes);
+    resources_.follow(options_, plan, prepared_->scene(), edited, changes);
     fitToScene(prepared_->scene(), lighting, plan);
     plan.light = prepared_->light().mustFind(options_, plan, order.reuseLight, changes, resources_);
     plan_ = plan;

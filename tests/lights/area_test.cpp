@@ -46,6 +46,33 @@ TEST(AreaLight, PlacesAreOnItAndEven) {
   }
 }
 
+TEST(AreaLight, IsMetWhereALineMeetsIt) {
+  const std::array<double, 3> from{0, 0, 10};
+  const std::array<double, 3> down{0, 0, -1};
+  const std::array<double, 3> aslant{0.6, 0, -0.8};
+  // Down along z: a sphere is met a radius before its middle, a tube across the way as well.
+  EXPECT_NEAR(distanceAlong(from, down, SphereLight{{0, 0, 1}, 4}).value(), 5, 1e-9);
+  EXPECT_NEAR(distanceAlong(from, aslant, SphereLight{{6, 0, 2}, 4}).value(), 6, 1e-6);
+  EXPECT_FALSE(distanceAlong(from, down, SphereLight{{4.01F, 0, 0}, 4}));
+  EXPECT_FALSE(distanceAlong(from, down, SphereLight{{0, 0, 20}, 4}));
+  EXPECT_NEAR(distanceAlong(from, down, TubeLight{{-5, 0, 0}, {5, 0, 0}, 2}).value(), 8, 1e-9);
+  // Aslant it goes 2 mm down for every 1.5 mm along the axis, and meets the side 8 mm below.
+  EXPECT_NEAR(distanceAlong(from, aslant, TubeLight{{-5, 0, 0}, {7, 0, 0}, 2}).value(), 10, 1e-6);
+  EXPECT_FALSE(distanceAlong(from, aslant, TubeLight{{-5, 0, 0}, {5, 0, 0}, 2}));
+  EXPECT_FALSE(distanceAlong(from, down, TubeLight{{0, 0, -5}, {0, 0, 5}, 2}));
+  // A disc and a leaning parallelogram, from the front, from behind, and beside their edges.
+  EXPECT_NEAR(distanceAlong(from, aslant, DiscLight{{6, 0, 2}, {0, 0, 1}, 1}).value(), 10, 1e-6);
+  EXPECT_FALSE(distanceAlong(from, aslant, DiscLight{{7.01F, 0, 2}, {0, 0, 1}, 1}));
+  EXPECT_FALSE(distanceAlong(from, aslant, DiscLight{{6, 0, 2}, {0, 0, -1}, 1}));
+  EXPECT_TRUE(distanceAlong(from, aslant, DiscLight{{6, 0, 2}, {0, 0, -1}, 1, {1, 1, 1}, true}));
+  const RectangleLight leaning{{3, 3, 0}, {2, 0, 0}, {2, 3.5F, 0}};
+  EXPECT_NEAR(distanceAlong(from, down, leaning).value(), 10, 1e-6);
+  RectangleLight further = leaning;
+  further.centreMm = {3.4F, 3, 0};  // its corner is at (-0.6, -0.5), its edge runs by (-0.31, 0)
+  EXPECT_FALSE(distanceAlong({-0.4, 0, 10}, down, further));
+  EXPECT_TRUE(distanceAlong({-0.2, 0, 10}, down, further));
+}
+
 TEST(FresnelLobes, AreNearToTheTransmittanceAndKeepItsMean) {
   for (const double eta : {1.01, 1.3, 1.4, 1.5, 2.0, 3.0}) {
     const FresnelLobes lobes = fresnelLobesOf(eta);

@@ -19,15 +19,6 @@ constexpr int facePixels = 192;
 constexpr double eta = 1.3;
 constexpr float stops = 0;
 
-/// The nearest pixel; the panel is made twice as large as it is shown, which filters.
-Rgb radianceFrom(const Image& environment, const Vec3& direction) {
-  const auto [u, v] = latLongCoordinates(direction);
-  const int x = std::clamp(static_cast<int>(u * environment.width), 0, environment.width - 1);
-  const int y = std::clamp(static_cast<int>(v * environment.height), 0, environment.height - 1);
-  const float* pixel = environment.pixel(x, y);
-  return {pixel[0], pixel[1], pixel[2]};
-}
-
 void cubes(Studio& studio, const char* name) {
   const Image environment = core::readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr");
   Lighting lighting;

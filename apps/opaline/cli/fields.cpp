@@ -32,6 +32,7 @@ std::string helpOf(std::string_view help, const options::Allowed& allowed,
     text += fmt::format(", {} to {} {}", options::numberText(allowed.range.least),
                         options::numberText(allowed.range.most), allowed.range.unit);
     if (text.back() == ' ') text.pop_back();
+    if (!allowed.choices.empty()) text += fmt::format(", or {}", fmt::join(allowed.choices, ", "));
   }
   return standard.empty() ? text : text + fmt::format(" [{}]", standard);
 }

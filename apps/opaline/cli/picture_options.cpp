@@ -146,7 +146,9 @@ bool LookOptions::asksForAntialiasing() const {
 }
 
 bool LookOptions::asksForTone() const {
-  return chosen_.has("exposure") || chosen_.has("tone") || chosen_.has("background");
+  const options::Value* const background = chosen_.find("background");
+  return chosen_.has("exposure") || chosen_.has("tone") ||
+         (background != nullptr && std::holds_alternative<Rgb>(*background));
 }
 
 void LookOptions::applyTo(RenderOptions& options) const {
@@ -196,8 +198,8 @@ void PictureOptions::applyTo(RenderOptions& options) const {
   }
   if (isExr() && look_.asksForTone()) {
     throw UsageError(
-        "--exposure, --tone and --background belong to PNG pictures and films; an EXR file keeps "
-        "linear radiance");
+        "--exposure, --tone and a --background of one colour belong to PNG pictures and films; an "
+        "EXR file keeps linear radiance");
   }
   if (!picture && look_.asksForAntialiasing()) {
     throw UsageError("--antialias belongs to radiance; other AOVs are sampled once a pixel");

@@ -1,5 +1,7 @@
 #include "cli/values.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -127,6 +129,9 @@ std::array<int, 2> readSize(const Given& given, const Range& range) {
 
 options::Value readValue(const Given& given, const options::Allowed& allowed,
                          const options::Value& like) {
+  const bool isNamed = std::find(allowed.choices.begin(), allowed.choices.end(), given.text) !=
+                       allowed.choices.end();
+  if (isNamed) return given.text;
   const auto read = [&](const auto& kind) -> options::Value {
     using Kind = std::remove_cvref_t<decltype(kind)>;
     if constexpr (std::is_same_v<Kind, int>) {
@@ -144,7 +149,9 @@ options::Value readValue(const Given& given, const options::Allowed& allowed,
         refuseChoice(given, {allowed.choices.begin(), allowed.choices.end()});
       return given.text;
     } else if constexpr (std::is_same_v<Kind, Rgb>) {
-      return readColour(given, allowed.range);
+      const auto channels = channelsIn(given.text, allowed.range);
+      if (!channels) refuse(given, options::requirement(allowed, like));
+      return toFloat(*channels);
     } else if constexpr (std::is_same_v<Kind, bool>) {
       return true;
     } else {

@@ -79,23 +79,23 @@ void addMotion(Digest& digest, const Scene& scene) {
 }
 
 void addShape(Digest& digest, const RectangleLight& light) {
-  const auto& [centreMm, uMm, vMm, radiance, twoSided] = light;
-  addAll(digest, centreMm, uMm, vMm, radiance, twoSided);
+  const auto& [centreMm, uMm, vMm, radiance, twoSided, visible] = light;
+  addAll(digest, centreMm, uMm, vMm, radiance, twoSided, visible);
 }
 
 void addShape(Digest& digest, const DiscLight& light) {
-  const auto& [centreMm, normal, radiusMm, radiance, twoSided] = light;
-  addAll(digest, centreMm, normal, radiusMm, radiance, twoSided);
+  const auto& [centreMm, normal, radiusMm, radiance, twoSided, visible] = light;
+  addAll(digest, centreMm, normal, radiusMm, radiance, twoSided, visible);
 }
 
 void addShape(Digest& digest, const SphereLight& light) {
-  const auto& [centreMm, radiusMm, radiance] = light;
-  addAll(digest, centreMm, radiusMm, radiance);
+  const auto& [centreMm, radiusMm, radiance, visible] = light;
+  addAll(digest, centreMm, radiusMm, radiance, visible);
 }
 
 void addShape(Digest& digest, const TubeLight& light) {
-  const auto& [fromMm, toMm, radiusMm, radiance] = light;
-  addAll(digest, fromMm, toMm, radiusMm, radiance);
+  const auto& [fromMm, toMm, radiusMm, radiance, visible] = light;
+  addAll(digest, fromMm, toMm, radiusMm, radiance, visible);
 }
 
 void addLighting(Digest& digest, const Lighting& lighting) {

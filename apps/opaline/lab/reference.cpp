@@ -164,6 +164,7 @@ struct ReferenceCommand {
     options.height = render.height;
     options.aov = picture.aov();
     options.antialias = render.antialias;
+    options.environmentBehind = render.environmentBehind;
     options.region = region;
     options.every = every;
     return options;

@@ -41,6 +41,7 @@ struct TruthJob::Work {
     picture.width = options.width;
     picture.height = options.height;
     picture.antialias = options.antialias;
+    picture.environmentBehind = options.environmentBehind;
     return picture;
   }
 };

@@ -20,13 +20,17 @@ std::uint32_t rowsOfBand(VkExtent2D extent, std::uint32_t samples) {
   return tile * std::clamp(tiles, 1U, (extent.height + tile - 1) / tile);
 }
 
+gpu::GraphicsOptions ofWords() {
+  return {.colorFormats = {VK_FORMAT_R32_UINT},
+          .depthFormat = VK_FORMAT_D32_SFLOAT,
+          .depth = gpu::DepthMode::Write};
+}
+
 }  // namespace
 
 SurfacePass::SurfacePass(gpu::Device& device)
-    : triangles_(device, "triangles",
-                 {.colorFormats = {VK_FORMAT_R32_UINT},
-                  .depthFormat = VK_FORMAT_D32_SFLOAT,
-                  .depth = gpu::DepthMode::Write}),
+    : triangles_(device, "triangles", ofWords()),
+      lights_(device, "visible lights", ofWords()),
       seen_(device, "seen pixels"),
       surfaces_(device, "seen surfaces") {}
 
@@ -76,7 +80,7 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
 }
 
 void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen,
-                       std::span<const shared::vec2> samples) const {
+                       std::span<const shared::vec2> samples, bool visibleLights) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   const VkExtent2D extent = surfaces.words.extent();
   const shared::vec2 pixel(2 / static_cast<float>(extent.width),
@@ -90,6 +94,11 @@ void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen,
         {}, {.jitter = -samples[sample] * pixel});
     commands.beginRendering({{.image = &surfaces.words, .layer = sample}}, &depth);
     commands.draw(seen.mesh.indexCount);
+    if (visibleLights) {
+      commands.bind(lights_, {}, {.frame = seen.frame.data},
+                    {.size = shared::vec2(extent.width, extent.height), .offset = samples[sample]});
+      commands.draw(3);
+    }
     commands.endRendering();
   }
   commands.endPass();

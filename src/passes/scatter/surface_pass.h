@@ -10,6 +10,8 @@
 #include "shaders/scatter/surface.frag.h"
 #include "shaders/scatter/surface.vert.h"
 #include "shaders/scatter/surfaces.comp.h"
+#include "shaders/scatter/visible_lights.frag.h"
+#include "shaders/scatter/visible_lights.vert.h"
 #include "shaders/shared/frame.h"
 
 namespace opaline::gpu {
@@ -29,8 +31,9 @@ class SurfacePass {
                                       std::uint32_t samples);
 
   /// `samples`: from the pixel's centre, pixels; of several, those that shared::FrameData has.
+  /// `visibleLights`: there may be lights that hide the surface.
   void draw(gpu::CommandList& commands, const SeenSurfaces& seen,
-            std::span<const shared::vec2> samples) const;
+            std::span<const shared::vec2> samples, bool visibleLights) const;
 
   /// Of a band of the picture that starts at that row, after draw() with as many samples.
   void list(gpu::CommandList& commands, const SeenSurfaces& seen, std::uint32_t firstRow,
@@ -38,6 +41,7 @@ class SurfacePass {
 
  private:
   gpu::Graphics<shaders::ScatterSurfaceVert, shaders::ScatterSurfaceFrag> triangles_;
+  gpu::Graphics<shaders::ScatterVisibleLightsVert, shaders::ScatterVisibleLightsFrag> lights_;
   gpu::Compute<shaders::ScatterSeen> seen_;
   gpu::Compute<shaders::ScatterSurfaces> surfaces_;
 };

@@ -1,10 +1,8 @@
 #include "passes/sky/sky_pass.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
-#include <utility>
 
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
@@ -14,6 +12,7 @@
 #include "gpu/command_list.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
+#include "passes/environment_map.h"
 #include "passes/sky/irradiance_cubes.h"
 #include "passes/sky/radiance_cube.h"
 
@@ -22,44 +21,9 @@ namespace opaline::passes {
 namespace {
 
 constexpr std::uint32_t skyFaceSize = 128;
+constexpr int mostColumns = 2048;  // four times what the faces show
 constexpr std::uint32_t tileSize = 8;
 constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
-
-// Mean of 2×2 pixels; the last row and column of odd images count twice.
-Image halved(const Image& image) {
-  Image half(std::max(1, image.width / 2), std::max(1, image.height / 2));
-  for (int y = 0; y < half.height; ++y)
-    for (int x = 0; x < half.width; ++x)
-      for (int c = 0; c < 4; ++c) {
-        const int x1 = std::min(2 * x + 1, image.width - 1);
-        const int y1 = std::min(2 * y + 1, image.height - 1);
-        half.pixel(x, y)[c] = 0.25F * (image.pixel(2 * x, 2 * y)[c] + image.pixel(x1, 2 * y)[c] +
-                                       image.pixel(2 * x, y1)[c] + image.pixel(x1, y1)[c]);
-      }
-  return half;
-}
-
-std::uint32_t levelsOf(const Image& image) {
-  std::uint32_t levels = 1;
-  for (int size = std::min(image.width, image.height); size > 1; size /= 2) ++levels;
-  return levels;
-}
-
-gpu::GpuImage uploadWithLevels(gpu::Device& device, Image image) {
-  const std::uint32_t levels = levelsOf(image);
-  gpu::GpuImage map(device,
-                    {.name = "environment",
-                     .width = static_cast<std::uint32_t>(image.width),
-                     .height = static_cast<std::uint32_t>(image.height),
-                     .mipLevels = levels,
-                     .format = format,
-                     .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
-  for (std::uint32_t level = 0; level < levels; ++level) {
-    gpu::uploadImage(device, map, std::as_bytes(std::span<const float>(image.rgba)), 0, level);
-    if (level + 1 < levels) image = halved(image);
-  }
-  return map;
-}
 
 gpu::GpuImage makeCubeImage(gpu::Device& device, std::uint32_t size, VkImageUsageFlags usage) {
   return {device,
@@ -105,7 +69,7 @@ gpu::GpuImage SkyPass::reflectedOf(gpu::Device& device, const Lighting& lighting
                                    float roughness) const {
   if (!lighting.environment) return makeUniformCube(device, lighting.ambient);
   const glm::vec4 ambient(glm::make_vec3(lighting.ambient.data()), 0);
-  gpu::GpuImage map = uploadWithLevels(device, *lighting.environment);
+  gpu::GpuImage map = makeEnvironmentMap(device, *lighting.environment, mostColumns);
   gpu::GpuImage cube = makeCubeImage(device, skyFaceSize, VK_IMAGE_USAGE_STORAGE_BIT);
   gpu::CommandList commands(device, "reflection of the sky");
   commands.begin();

@@ -276,9 +276,19 @@ struct FrameContext {
     passes.shade.sumUp(commands, seen(), resources.radiance);
   }
 
+  void beginPicture() const {
+    if (plan.backdrop)
+      passes.backdrop.record(commands,
+                             {resources.backdrop, plan.ambient,
+                              static_cast<std::uint32_t>(plan.samples), plan.environmentBehind},
+                             seen(), resources.radiance);
+    else
+      commands.clear(resources.radiance);
+  }
+
   void makePicture(SceneResources& scene) const {
-    passes.surface.draw(commands, seen(), samplePattern(plan.samples));
-    commands.clear(resources.radiance);
+    passes.surface.draw(commands, seen(), samplePattern(plan.samples), plan.visibleLights);
+    beginPicture();
     passes::forEachBand(resources.surfaces, [&](std::uint32_t firstRow) {
       findSurfaces(firstRow, plan.samples, scene);
       shade(firstRow, scene);
@@ -287,7 +297,7 @@ struct FrameContext {
 
   void lookAtCentres(SceneResources& scene) const {
     passes::SeenCentres& centres = resources.centres;
-    passes.surface.draw(commands, seen(), samplePattern(1));
+    passes.surface.draw(commands, seen(), samplePattern(1), false);
     for (gpu::GpuImage* image : {&centres.position, &centres.normal, &centres.exitance})
       commands.clear(*image);
     passes::forEachBand(resources.surfaces, [&](std::uint32_t firstRow) {
@@ -320,6 +330,7 @@ Passes::Passes(gpu::Device& device)
       reflectedSky(device),
       reflectedLights(device),
       shade(device),
+      backdrop(device),
       centres(device),
       seenSurfels(device),
       seenIrradiance(device) {}

@@ -22,6 +22,7 @@
 #include "passes/scatter/nearby_pass.h"
 #include "passes/scatter/surface_pass.h"
 #include "passes/scatter/surfel_sum_pass.h"
+#include "passes/shade/backdrop_pass.h"
 #include "passes/shade/centres_pass.h"
 #include "passes/shade/reflected_lights_pass.h"
 #include "passes/shade/reflected_sky_pass.h"
@@ -58,6 +59,7 @@ struct Passes {
   passes::ReflectedSkyPass reflectedSky;
   passes::ReflectedLightsPass reflectedLights;
   passes::ShadePass shade;
+  passes::BackdropPass backdrop;
   passes::CentresPass centres;
   passes::SeenSurfelsPass seenSurfels;
   passes::SeenIrradiancePass seenIrradiance;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "environment/sky.h"
+#include "lights/area.h"
 #include "renderer/frame/light_views.h"
 #include "renderer/frame/readback.h"
 
@@ -45,7 +46,8 @@ FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bo
       .irradiance = asked(Aov::Irradiance),
       .treeLevel = options.treeLevel,
       .specular = options.specular,
-      .roughness = options.roughness};
+      .roughness = options.roughness,
+      .environmentBehind = options.environmentBehind};
 }
 
 bool occludesSky(const FramePlan& plan, const Lighting& lighting) {
@@ -56,6 +58,14 @@ bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {
   return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern && !skyIsDark(lighting);
 }
 
+bool showsLights(const FramePlan& plan, const Lighting& lighting) {
+  return plan.samples > 0 && std::any_of(lighting.areas.begin(), lighting.areas.end(), isVisible);
+}
+
+bool showsBackdrop(const FramePlan& plan, const Lighting& lighting) {
+  return plan.samples > 0 && (plan.environmentBehind || showsLights(plan, lighting));
+}
+
 void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan) {
   plan.site = chooseSite(plan, scene);
   plan.skyIsDark = skyIsDark(lighting);
@@ -63,6 +73,9 @@ void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan
   plan.lights = lightCount(lighting);
   plan.areaLights = static_cast<std::uint32_t>(lighting.areas.size());
   plan.mirrorsSky = mirrorsSky(plan, lighting);
+  plan.ambient = lighting.ambient;
+  plan.visibleLights = showsLights(plan, lighting);
+  plan.backdrop = showsBackdrop(plan, lighting);
   // Where nothing has an inside, boundary transport is what it falls back to.
   if (plan.transport == Transport::Boundary && !scene.hasInside())
     plan.transport = Transport::BetterDipole;

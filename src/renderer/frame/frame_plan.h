@@ -32,6 +32,10 @@ struct FramePlan {
   bool specular = true;
   float roughness = 0.25F;
   SceneTime time;
+  bool environmentBehind = false;  ///< what no surface covers shows the sky
+  Rgb ambient{};                   ///< of that sky, on top of the environment
+  bool visibleLights = false;      ///< the picture itself shows some
+  bool backdrop = false;           ///< one of these
   bool mirrorsSky = false;  ///< in the reflection, where the scene leaves it free; else all of it
   bool light = true;        ///< else the resources hold what this frame's light does, from before
 };
@@ -46,6 +50,10 @@ bool occludesSky(const FramePlan& plan, const Lighting& lighting);
 /// Whether what the plan makes reflects the sky where the scene leaves it free. The method of 2008
 /// knows no surfels that rays could meet, and reflects all of it.
 bool mirrorsSky(const FramePlan& plan, const Lighting& lighting);
+
+/// Whether the picture itself shows some of the lights; or anything where no surface is.
+bool showsLights(const FramePlan& plan, const Lighting& lighting);
+bool showsBackdrop(const FramePlan& plan, const Lighting& lighting);
 
 /// What depends on the scene as well: the site, and the transport that its objects allow.
 void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan);

@@ -25,6 +25,7 @@ struct FrameResources {
   passes::VisibleSurfaces surfaces;
   passes::Exitance exitance;
   passes::Sky sky;
+  passes::Backdrop backdrop;    ///< empty unless the last frame showed it
   gpu::GpuImage radiance;       ///< the picture
   passes::SeenCentres centres;  ///< these four are empty until a plan asks for them
   passes::SeenSurfels seenSurfels;

@@ -93,6 +93,7 @@ shared::LightData dataOf(const AreaLight& light) {
   shared::LightData data = std::visit([](const auto& shape) { return dataOf(shape); }, light);
   data.place = packed(middleOf(light));
   data.power = {glm::make_vec3(radianceOf(light).data()), isTwoSided(light) ? 1 : 0};
+  data.depth.x = isVisible(light) ? 1 : 0;
   data.kind.x = shared::areaLight;
   return data;
 }

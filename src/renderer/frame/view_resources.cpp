@@ -28,8 +28,9 @@ ViewResources::ViewResources(gpu::Device& device, const Passes& passes)
     : device_(device), passes_(passes) {}
 
 void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
-                           SceneResources& scene, const Lighting& lighting,
+                           SceneResources& scene, const EditedScene& edited,
                            const SceneChanges& changes) {
+  const Lighting& lighting = edited.lighting();
   const std::optional<For> before = std::exchange(for_, std::nullopt);
   const bool whole = !before || before->changes.whole != changes.whole;
   const bool size = whole || !sameSize(before->options, options);
@@ -49,6 +50,8 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   if (whole) made_.view = passes::FitPass::makeView(device_);
   if (media || transport || surface) makeTables(device_, scene, options, made_);
   if (sky) makeSky(device_, passes_, lighting, options, made_);
+  const bool behind = sky || before->options.environmentBehind != options.environmentBehind;
+  makeBackdrop(plan, edited, behind);
   if (size) makeImages(options, scene);
   makeRoom(plan);
   if (shadows) makeShadows(device_, lighting, options, made_);
@@ -58,6 +61,16 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   if (plan.irradiance && !made_.seenIrradiance)
     made_.seenIrradiance = passes::SeenIrradiancePass::makeImage(device_, made_.radiance.extent());
   for_ = {options, changes};
+}
+
+// Of the environment as it was given: its suns are seen as well.
+void ViewResources::makeBackdrop(const FramePlan& plan, const EditedScene& edited, bool anew) {
+  const Lighting& given = edited.scene().lighting;
+  const bool wanted = showsBackdrop(plan, given);
+  if (!wanted || anew) made_.backdrop = {};
+  if (!wanted || made_.backdrop.environment) return;
+  made_.backdrop = passes::BackdropPass::makeBackdrop(
+      device_, plan.environmentBehind ? given.environment.get() : nullptr);
 }
 
 void ViewResources::makeImages(const RenderOptions& options, const SceneResources& scene) {

@@ -6,6 +6,7 @@
 #include "opaline/scene.h"
 #include "renderer/frame/frame_plan.h"
 #include "renderer/frame/frame_resources.h"
+#include "renderer/scene/edited_scene.h"
 #include "renderer/scene/scene_changes.h"
 #include "renderer/scene/scene_resources.h"
 
@@ -20,7 +21,7 @@ class ViewResources {
 
   /// Brings all that the frame needs up to date.
   void follow(const RenderOptions& options, const FramePlan& plan, SceneResources& scene,
-              const Lighting& lighting, const SceneChanges& changes);
+              const EditedScene& edited, const SceneChanges& changes);
 
   FrameResources& made() { return made_; }
   const FrameResources& made() const { return made_; }
@@ -41,6 +42,7 @@ class ViewResources {
     RenderOptions options;
     SceneChanges changes;
   };
+  void makeBackdrop(const FramePlan& plan, const EditedScene& edited, bool anew);
   void makeImages(const RenderOptions& options, const SceneResources& scene);
   void makeRoom(const FramePlan& plan);
   void makeMap(const RenderOptions& options, SceneResources& scene);

@@ -24,10 +24,12 @@ inline constexpr Keys<3> directional{"type", "direction_to_light", "irradiance"}
 inline constexpr Keys<3> point{"type", "position_mm", "intensity"};
 inline constexpr Keys<6> spot{"type",      "position_mm",   "direction",
                               "intensity", "inner_degrees", "outer_degrees"};
-inline constexpr Keys<6> rectangle{"type", "center_mm", "u_mm", "v_mm", "radiance", "two_sided"};
-inline constexpr Keys<6> disc{"type", "center_mm", "normal", "radius_mm", "radiance", "two_sided"};
-inline constexpr Keys<4> sphere{"type", "center_mm", "radius_mm", "radiance"};
-inline constexpr Keys<5> tube{"type", "from_mm", "to_mm", "radius_mm", "radiance"};
+inline constexpr Keys<7> rectangle{"type",     "center_mm", "u_mm",   "v_mm",
+                                   "radiance", "two_sided", "visible"};
+inline constexpr Keys<7> disc{"type",     "center_mm", "normal", "radius_mm",
+                              "radiance", "two_sided", "visible"};
+inline constexpr Keys<5> sphere{"type", "center_mm", "radius_mm", "radiance", "visible"};
+inline constexpr Keys<6> tube{"type", "from_mm", "to_mm", "radius_mm", "radiance", "visible"};
 inline constexpr Keys<2> ambient{"type", "radiance"};
 inline constexpr Keys<3> environment{"file", "intensity", "rotation_degrees"};
 inline constexpr Keys<5> camera{"direction", "position_mm", "target_mm", "up", "fov_degrees"};

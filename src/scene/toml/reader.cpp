@@ -116,6 +116,10 @@ std::optional<options::Value> TomlTable::value(std::string_view key,
                                                const options::Value& like) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) return std::nullopt;
+  const auto named = node->value<std::string>();
+  if (named &&
+      std::find(allowed.choices.begin(), allowed.choices.end(), *named) != allowed.choices.end())
+    return *named;
   options::Value value = like;
   bool good = true;
   std::visit([&](auto& member) { read(*node, member, good); }, value);

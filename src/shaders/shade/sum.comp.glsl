@@ -1,4 +1,5 @@
-// Adds up the surfaces that a pixel sees, which follow each other in the list: always in one order.
+// Adds the surfaces that a pixel sees to what lies behind them. They follow each other in the list, so
+// that they are added in one order.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/linear.glsl"
@@ -7,16 +8,17 @@
 layout(std430, set = 0, binding = 0) readonly buffer SeenList { uint seenList[]; };
 layout(std140, set = 0, binding = 1) uniform SeenCounts { SeenCount seenCount; };
 layout(std430, set = 0, binding = 2) readonly buffer Light { vec4 light[]; };  // radiance by coverage
-layout(set = 0, binding = 3, rgba32f) uniform writeonly image2D radiance;
+layout(set = 0, binding = 3, rgba32f) uniform image2D radiance;
 
 void main() {
   uint entries = seenCount.groupsEntries.w;
   uint i = linearIndex();
   if (i >= entries || seenList[i] >> seenLayerShift != 0u) return;
-  vec4 sum = light[i];
-  for (uint next = i + 1u; next < entries && seenList[next] >> seenLayerShift != 0u; ++next)
-    sum += light[next];
   int index = int(seenList[i]);
   int width = imageSize(radiance).x;
-  imageStore(radiance, ivec2(index % width, index / width), sum);
+  ivec2 pixel = ivec2(index % width, index / width);
+  vec4 sum = imageLoad(radiance, pixel) + light[i];
+  for (uint next = i + 1u; next < entries && seenList[next] >> seenLayerShift != 0u; ++next)
+    sum += light[next];
+  imageStore(radiance, pixel, sum);
 }

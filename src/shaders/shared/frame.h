@@ -39,7 +39,8 @@ struct LightData {
                // or its middle (area)
   vec4 power;  // rgb: irradiance (directional), intensity (point) or radiance (area);
                // w: 1 where an area light has two sides
-  vec4 depth;  // depth d of its shadow map in mm: x + y·d (directional), x / (y + d) (point)
+  vec4 depth;  // depth d of its shadow map in mm: x + y·d (directional), x / (y + d) (point);
+               // x: 1 where an area light is seen in the picture itself
   vec4 texel;  // x: edge of a shadow texel in mm (directional), or per mm of distance (point)
   vec4 axis;   // xyz: unit, where a spot light shines to; of an area light, mm, from the middle to
                // the edge of a rectangle or a disc, or to an end of a tube

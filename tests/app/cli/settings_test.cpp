@@ -25,7 +25,7 @@ void expectSame(const options::PictureSettings& found, const options::PictureSet
   // As many names as there are options, so that a new one does not compile before it is here.
   const auto& [width, height, transport, sum, site, tolerance, maxSurfels, maxClusters, bounces,
                ambientOcclusion, pattern, dsmSize, shadowSize, specular, roughness, treeLevel,
-               antialias] = wanted.render;
+               antialias, environmentBehind] = wanted.render;
   const auto& [nearRings, nearSpacing, farDistance] = pattern;
   EXPECT_EQ(a.width, width);
   EXPECT_EQ(a.height, height);
@@ -45,6 +45,7 @@ void expectSame(const options::PictureSettings& found, const options::PictureSet
   EXPECT_EQ(a.specular, specular);
   EXPECT_EQ(a.roughness, roughness);
   EXPECT_EQ(a.antialias, antialias);
+  EXPECT_EQ(a.environmentBehind, environmentBehind);
   EXPECT_EQ(found.time, wanted.time);
   static_cast<void>(treeLevel);  // of a variable, not of the picture
 }

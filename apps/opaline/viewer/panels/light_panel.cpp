@@ -109,6 +109,10 @@ bool drawTwoSided(bool& on) {
   return controls::checkbox("both sides", on, "Shines to its back too.");
 }
 
+bool drawVisible(bool& on) {
+  return controls::checkbox("visible", on, "Seen in the picture itself, not only in reflections.");
+}
+
 // Edges and turns are dragged in the picture.
 bool drawShape(RectangleLight& light, float diagonalMm) {
   bool changed = drawPlace(light.centreMm, diagonalMm);
@@ -121,7 +125,8 @@ bool drawShape(RectangleLight& light, float diagonalMm) {
     changed = true;
   }
   changed |= drawRadiance(light.radiance);
-  return drawTwoSided(light.twoSided) || changed;
+  changed |= drawTwoSided(light.twoSided);
+  return drawVisible(light.visible) || changed;
 }
 
 bool drawShape(DiscLight& light, float diagonalMm) {
@@ -129,18 +134,21 @@ bool drawShape(DiscLight& light, float diagonalMm) {
   changed |= drawDirection(light.normal);
   changed |= drawRadius(light.radiusMm, diagonalMm);
   changed |= drawRadiance(light.radiance);
-  return drawTwoSided(light.twoSided) || changed;
+  changed |= drawTwoSided(light.twoSided);
+  return drawVisible(light.visible) || changed;
 }
 
 bool drawShape(SphereLight& light, float diagonalMm) {
   bool changed = drawPlace(light.centreMm, diagonalMm);
   changed |= drawRadius(light.radiusMm, diagonalMm);
-  return drawRadiance(light.radiance) || changed;
+  changed |= drawRadiance(light.radiance);
+  return drawVisible(light.visible) || changed;
 }
 
 bool drawShape(TubeLight& light, float diagonalMm) {
   bool changed = drawRadius(light.radiusMm, diagonalMm);
-  return drawRadiance(light.radiance) || changed;
+  changed |= drawRadiance(light.radiance);
+  return drawVisible(light.visible) || changed;
 }
 
 // A light that makes no sense is not taken.

@@ -39,7 +39,10 @@ void drawPictureSize(Session& session) {
 }
 
 void drawBackground(Session& session) {
-  if (!session.tone.background) return;
+  if (controls::checkbox("environment behind", session.options.environmentBehind,
+                         "Shows the environment where no surface is."))
+    session.edits.picture = true;
+  if (!session.tone.background || session.options.environmentBehind) return;
   Rgb& background = *session.tone.background;
   if (!controls::light("background", background, "Colour behind the scene, linear, from 0 to 1."))
     return;

@@ -1,0 +1,40 @@
+// What the samples see that see no surface: lights, and behind everything the environment.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "lib/frame.glsl"
+#include "lib/lat_long.glsl"
+#include "lib/samples.glsl"
+#include "lib/sight.glsl"
+#include "lib/tile.glsl"
+#include "lib/visible_light.glsl"
+
+layout(set = 0, binding = 1, r32ui) readonly uniform uimage2DArray words;  // triangles, plus one
+layout(set = 0, binding = 2) uniform sampler2D environment;
+layout(set = 0, binding = 3, rgba32f) writeonly uniform image2D radiance;
+
+layout(push_constant) uniform Push {
+  vec4 ambient;  // rgb: radiance on top of the environment's
+  uint samples;
+  uint fills;  // 1: the environment is seen, else nothing
+};
+
+vec4 seenAlong(vec3 direction, float level) {
+  vec3 ofLight;
+  if (!isinf(distanceToLights(frame.cameraPosition.xyz, direction, ofLight))) return vec4(ofLight, 1.0);
+  if (fills == 0u) return vec4(0.0);
+  return vec4(textureLod(environment, latLongCoordinates(direction), level).rgb + ambient.rgb, 1.0);
+}
+
+void main() {
+  ivec2 pixel = pixelOfInvocation();
+  ivec2 size = imageSize(radiance);
+  if (any(greaterThanEqual(pixel, size))) return;
+  // Texels as large as what a sample stands for.
+  float texel = pi / float(textureSize(environment, 0).y);
+  float level = max(log2(angleOfPixel(size.y) / (texel * sqrt(float(samples)))), 0.0);
+  vec4 sum = vec4(0.0);
+  for (uint i = 0u; i < samples; ++i)
+    if (imageLoad(words, ivec3(pixel, i)).r == 0u)
+      sum += seenAlong(sightThrough(clipAt(pixel, size, frame.samples[i].xy)), level);
+  imageStore(radiance, pixel, sum / float(samples));
+}
