@@ -18,11 +18,11 @@ namespace opaline::passes {
 constexpr VkBufferUsageFlags roomUsage =
     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
 
-/// Room for `count` of T that shaders write, and read as storage or texels; for one at least.
+/// Room for `count` of T that shaders write, and read as storage or texels; for one texel at least.
 template <typename T>
 gpu::Buffer makeRoom(gpu::Device& device, const char* name, std::size_t count) {
-  return {device,
-          {.name = name, .bytes = std::max<std::size_t>(count, 1) * sizeof(T), .usage = roomUsage}};
+  constexpr std::size_t texel = 4 * sizeof(float);
+  return {device, {.name = name, .bytes = std::max(count * sizeof(T), texel), .usage = roomUsage}};
 }
 
 /// Of the shader S with lib/rays.glsl, the variant with ray queries where the device has them.

@@ -151,6 +151,8 @@ struct Clusters {
   std::uint32_t count = 0;  ///< of clusters
   std::uint32_t tileCount = 0;
   gpu::Buffer tiles;  ///< shared::ClusterTile
+  std::uint32_t groupCount = 0;
+  gpu::Buffer groups;  ///< shared::ClusterGroup
   std::uint32_t innerCount = 0;
   std::uint32_t smallInnerCount = 0;  ///< those of few clusters, which come first
   gpu::Buffer inner;                  ///< shared::InnerNode
@@ -164,11 +166,13 @@ struct Clusters {
   std::uint32_t raysOutwards = 0;     ///< of each cluster
   Beams fromLight;                    ///< of one light after the other
   Beams fromEverywhere;
-  gpu::Buffer mirrored;       ///< shared::Mirrored a cluster, of one light after the other
-  gpu::Buffer peak;           ///< largest power of those, a float's bits
-  gpu::Buffer sums;           ///< of those, three whole numbers a cluster; 0 between lights
-  gpu::Buffer arrived;        ///< vec4 a cluster: power that enters after it was mirrored
-  gpu::Buffer beamNodes;      ///< shared::BeamNode
+  gpu::Buffer mirrored;   ///< shared::Mirrored a cluster, of one light after the other
+  gpu::Buffer peak;       ///< largest power of those, a float's bits
+  gpu::Buffer sums;       ///< of those, three whole numbers a cluster; 0 between lights
+  gpu::Buffer arrived;    ///< vec4 a cluster: power that enters after it was mirrored
+  gpu::Buffer beamNodes;  ///< shared::BeamNode
+  std::uint32_t roomOfBeamList = 0;
+  gpu::Buffer beamLists;      ///< of each group: how many nodes, and which
   gpu::Buffer sources;        ///< vec4 a cluster: fluence in a medium without end
   gpu::Buffer skyShares;      ///< vec4 a cluster: of the sky's irradiance, what enters
   gpu::Buffer entered;        ///< vec4 a cluster: irradiance of the diffuse light that entered last

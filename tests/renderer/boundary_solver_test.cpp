@@ -63,7 +63,7 @@ TEST_F(BoundarySolverTest, ResidualIsAsSmallAsAsked) {
 // scatters light within itself, which leaves the basis not quite orthogonal. What is left then is
 // nothing but rounding, which is no residual of 0: single precision cannot tell that.
 TEST_F(BoundarySolverTest, NoResidualIsSmallerThanRounding) {
-  for (const float edge : {0.03F, 0.1F}) {
+  for (const float edge : {0.03F, 0.05F, 0.1F}) {
     Scene scene = sceneOf(box({0, 0, 0}, {edge, edge, edge}, 1), marble(), {0, 0, 1}, edge);
     scene.lighting.ambient = {1, 1, 1};
     renderer().setScene(scene);

@@ -9,21 +9,13 @@
 
 namespace opaline::passes {
 
-namespace {
-
-// Mesa's software device ends the loops of an invocation after 65,535 rounds in all, without a
-// word. As many nodes as have fewer points.
-constexpr std::uint32_t roundsPerDispatch = 65535;
-constexpr std::uint32_t nodesPerDispatch = roundsPerDispatch / (shared::maxPoints + 5);
-
-}  // namespace
-
 BeamPass::BeamPass(gpu::Device& device)
     : trace_(device, "points of light", rayShader<shaders::BoundaryBeams>(device)),
       addMirrored_(device, "mirrored light", {.addsUp = 1}),
       takeMirrored_(device, "mirrored light", {.addsUp = 0}),
       leaves_(device, "leaves of points", {.ofLeaves = 1}),
       nodes_(device, "nodes of points", {.ofLeaves = 0}),
+      acting_(device, "points that act on groups"),
       source_(device, "sources of fluence"),
       single_(device, "light that scatters once"),
       reentry_(device, "light that enters again") {}
@@ -52,7 +44,9 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
   if (!wanted.sky && clusters.lights > 0) return;
   commands.beginPass("sources");
   if (wanted.sky) {
-    spread(commands, inputs, clusters, clusters.fromEverywhere, clusters.lights > 0);
+    Inputs ofSky = inputs;
+    ofSky.openingAngle = inputs.openingAngleOfSky;
+    spread(commands, ofSky, clusters, clusters.fromEverywhere, clusters.lights > 0);
   } else {
     commands.fill(clusters.sources, 0);
     commands.fill(clusters.latest, 0);
@@ -128,36 +122,62 @@ void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters
       return;
     }
     fitNodes(commands, tables, clusters, beams, scattersOnce);
-    if (scattersOnce)
-      sum(commands, single_, inputs, clusters, beams, clusters.latest, adds);
-    else
-      sum(commands, source_, inputs, clusters, beams, clusters.sources, adds);
+    sum(commands, {scattersOnce, adds}, inputs, clusters, beams);
   }
 }
 
-template <typename S>
-void BeamPass::sum(gpu::CommandList& commands, const gpu::Compute<S>& pipeline,
-                   const Inputs& inputs, Clusters& clusters, Beams& beams, gpu::Buffer& sums,
-                   bool adds) const {
-  const std::uint32_t nodes = clusters.tree.nodeCount;
-  for (std::uint32_t from = 0; from < nodes; from += nodesPerDispatch) {
+// In parts for which lists have room.
+void BeamPass::sum(gpu::CommandList& commands, const Sum& wanted, const Inputs& inputs,
+                   Clusters& clusters, Beams& beams) const {
+  const std::uint32_t room = clusters.roomOfBeamList;
+  for (std::uint32_t from = 0; from < clusters.tree.nodeCount; from += room) {
+    listActing(commands, wanted, from, inputs, clusters);
     // Bound each time, so that each adds to what the one before has written.
-    commands.bind(pipeline,
-                  {.objects = inputs.tables.objects,
-                   .media = inputs.tables.media,
-                   .points = beams.points,
-                   .strengths = beams.strengths,
-                   .beamNodes = clusters.beamNodes,
-                   .ranges = clusters.ranges,
-                   .clusters = clusters.clusters,
-                   .sums = sums},
-                  {.clusterCount = clusters.count,
-                   .openingAngle = inputs.openingAngle,
-                   .adds = adds || from > 0,
-                   .firstNode = from,
-                   .endNode = from + nodesPerDispatch});
-    commands.dispatchLinear(clusters.count, roundsPerDispatch);
+    const auto bind = [&](const auto& pipeline, gpu::Buffer& sums) {
+      commands.bind(pipeline,
+                    {.objects = inputs.tables.objects,
+                     .media = inputs.tables.media,
+                     .points = beams.points,
+                     .strengths = beams.strengths,
+                     .beamNodes = clusters.beamNodes,
+                     .tiles = clusters.tiles,
+                     .clusterTexels = clusters.clusters,
+                     .ranges = clusters.ranges,
+                     .clusters = clusters.clusters,
+                     .lists = clusters.beamLists,
+                     .sums = sums},
+                    {.tileCount = clusters.tileCount,
+                     .openingAngle = inputs.openingAngle,
+                     .adds = wanted.adds || from > 0,
+                     .isFirst = from == 0,
+                     .room = room});
+    };
+    if (wanted.scattersOnce)
+      bind(single_, clusters.latest);
+    else
+      bind(source_, clusters.sources);
+    commands.dispatchLinear(invocationsOfTiles(clusters),
+                            shared::maxPoints * (room / groupSize + 1));
   }
+}
+
+void BeamPass::listActing(gpu::CommandList& commands, const Sum& wanted, std::uint32_t firstNode,
+                          const Inputs& inputs, Clusters& clusters) const {
+  const std::uint32_t room = clusters.roomOfBeamList;
+  commands.bind(acting_,
+                {.objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .beamNodes = clusters.beamNodes,
+                 .groups = clusters.groups,
+                 .clusterTexels = clusters.clusters,
+                 .lists = clusters.beamLists},
+                {.groupCount = clusters.groupCount,
+                 .openingAngle = inputs.openingAngle,
+                 .scattersOnce = wanted.scattersOnce,
+                 .room = room,
+                 .firstNode = firstNode,
+                 .endNode = firstNode + room});
+  commands.dispatchLinear(groupSize * clusters.groupCount, 2 * (room / groupSize + roundsOfWalk));
 }
 
 void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,

@@ -5,6 +5,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/boundary/beam_groups.comp.h"
 #include "shaders/boundary/beam_nodes.comp.h"
 #include "shaders/boundary/beams.comp.h"
 #include "shaders/boundary/mirrored.comp.h"
@@ -30,6 +31,7 @@ class BeamPass {
     Surfels& surfels;
     RayHierarchy& rays;
     float openingAngle;  ///< of nodes: taken from further than their radius over this
+    float openingAngleOfSky;
   };
   struct Wanted {
     bool sky;      ///< light from everywhere is not dark
@@ -52,9 +54,14 @@ class BeamPass {
   void bringMirrored(gpu::CommandList& commands, Clusters& clusters) const;
   void spread(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters, Beams& beams,
               bool adds) const;
-  template <typename S>
-  void sum(gpu::CommandList& commands, const gpu::Compute<S>& pipeline, const Inputs& inputs,
-           Clusters& clusters, Beams& beams, gpu::Buffer& sums, bool adds) const;
+  struct Sum {
+    bool scattersOnce;
+    bool adds;  ///< to what other light gave
+  };
+  void sum(gpu::CommandList& commands, const Sum& wanted, const Inputs& inputs, Clusters& clusters,
+           Beams& beams) const;
+  void listActing(gpu::CommandList& commands, const Sum& wanted, std::uint32_t firstNode,
+                  const Inputs& inputs, Clusters& clusters) const;
   void fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters, Beams& beams,
                 bool scattersOnce) const;
 
@@ -63,6 +70,7 @@ class BeamPass {
   gpu::Compute<shaders::BoundaryMirrored> takeMirrored_;
   gpu::Compute<shaders::BoundaryBeamNodes> leaves_;
   gpu::Compute<shaders::BoundaryBeamNodes> nodes_;
+  gpu::Compute<shaders::BoundaryBeamGroups> acting_;
   gpu::Compute<shaders::BoundarySource> source_;
   gpu::Compute<shaders::BoundarySingle> single_;
   gpu::Compute<shaders::BoundaryReentry> reentry_;

@@ -16,6 +16,9 @@ namespace opaline::passes {
 
 namespace {
 
+// Of a list of nodes that act on a group: bodies of more nodes are summed in several dispatches.
+constexpr std::uint32_t mostOfBeamList = 16384;
+
 // Rays of a cluster that ask what it sees.
 constexpr std::uint32_t raysOutwards = 48;
 
@@ -70,6 +73,19 @@ std::vector<shared::ClusterTile> tilesOf(const surfels::ClusterDivision& made) {
   return tiles;
 }
 
+// Tells tiles which they belong to.
+std::vector<shared::ClusterGroup> groupsOf(std::vector<shared::ClusterTile>& tiles) {
+  std::vector<shared::ClusterGroup> groups;
+  for (shared::ClusterTile& tile : tiles) {
+    const bool fits = !groups.empty() && groups.back().object == tile.object &&
+                      tile.endCluster - groups.back().firstCluster <= shared::maxClustersOfGroup;
+    if (!fits) groups.push_back({tile.firstCluster, 0, tile.object, 0});
+    groups.back().endCluster = tile.endCluster;
+    tile.group = static_cast<std::uint32_t>(groups.size()) - 1;
+  }
+  return groups;
+}
+
 // By their number of clusters, so that neighbours take equally long.
 std::vector<shared::InnerNode> innerNodesOf(const surfels::ClusterDivision& made) {
   const std::vector<std::uint32_t>& roots = made.tree.rootOfObject;
@@ -122,9 +138,12 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
                       rangesOf(made, surface, surfels, triangleHasInside), clusterBuffer);
   clusters.clusterOfSurfel =
       gpu::makeBuffer(device, "cluster of each surfel", clusterOfSurfel(made), clusterBuffer);
-  const std::vector<shared::ClusterTile> tiles = tilesOf(made);
+  std::vector<shared::ClusterTile> tiles = tilesOf(made);
+  const std::vector<shared::ClusterGroup> groups = groupsOf(tiles);
   clusters.tileCount = static_cast<std::uint32_t>(tiles.size());
   clusters.tiles = gpu::makeBuffer(device, "tiles of clusters", tiles, clusterBuffer);
+  clusters.groupCount = static_cast<std::uint32_t>(groups.size());
+  clusters.groups = gpu::makeBuffer(device, "groups of clusters", groups, clusterBuffer);
   clusters.lists =
       makeRoom<std::uint32_t>(device, "interaction lists", tiles.size() * shared::roomOfList);
   const std::vector<shared::InnerNode> inner = innerNodesOf(made);
@@ -148,6 +167,9 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.sums = makeRoom<shared::vec4>(device, "sums of mirrored light", count);
   clusters.arrived = makeRoom<shared::vec4>(device, "arrived mirrored light", count);
   clusters.beamNodes = makeRoom<shared::BeamNode>(device, "tree of points", nodes);
+  clusters.roomOfBeamList = std::min(clusters.tree.nodeCount, mostOfBeamList);
+  clusters.beamLists = makeRoom<std::uint32_t>(
+      device, "lists of points", groups.size() * (std::size_t{clusters.roomOfBeamList} + 1));
   clusters.sources = makeRoom<shared::vec4>(device, "sources of fluence", count);
   clusters.skyShares = makeRoom<shared::vec4>(device, "share of the sky of clusters", count);
   clusters.entered = makeRoom<shared::vec4>(device, "diffuse light that enters", count);

@@ -49,7 +49,9 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
   if (entersAtSurface(order, tables))
     findDensities(commands, order, Of::Entered, tables, clusters, solver);
   multiply(commands, order, 0, tables, clusters, solver);
-  for (std::uint32_t step = 1; step <= std::min(order.steps, shared::maxSolverSteps); ++step) {
+  // There are no more directions than clusters; one step more may take off some rounding.
+  const std::uint32_t steps = std::min({order.steps, shared::maxSolverSteps, clusters.count + 1});
+  for (std::uint32_t step = 1; step <= steps; ++step) {
     findDensities(commands, order, Of::Basis, tables, clusters, solver);
     multiply(commands, order, step, tables, clusters, solver);
   }

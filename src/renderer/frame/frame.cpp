@@ -40,10 +40,13 @@ float openingAngleOf(float tolerance) {
   return std::clamp(0.25F * std::pow(tolerance / 0.01F, 0.4F), 0.05F, widestOpening);
 }
 
-// Light that enters again is a tenth or two of all, so that its points may be taken together from
-// nearer.
-float openingAngleOfBounce(float ofLight) {
+// Light from everywhere is even, and light that enters again a tenth or two of all, so that their
+// points may be taken together from nearer.
+float openingAngleOfSky(float ofLight) {
   return std::min(1.4F * ofLight, widestOpening);
+}
+float openingAngleOfBounce(float ofLight) {
+  return std::min(2.0F * ofLight, widestOpening);
 }
 
 // What every step of a frame needs.
@@ -126,8 +129,12 @@ struct FrameContext {
     for (int bounce = 0; bounce <= plan.bounces; ++bounce) {
       const bool again = bounce > 0;
       const passes::BeamPass::Inputs inputs{
-          resources.view, resources.tables, scene.surfels, scene.rays,
-          again ? openingAngleOfBounce(openingAngle) : openingAngle};
+          resources.view,
+          resources.tables,
+          scene.surfels,
+          scene.rays,
+          again ? openingAngleOfBounce(openingAngle) : openingAngle,
+          openingAngleOfSky(openingAngle)};
       if (again)
         passes.beams.recordReentry(commands, inputs, clusters, bounce == 1);
       else

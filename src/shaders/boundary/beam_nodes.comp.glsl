@@ -37,7 +37,7 @@ mat3 placesOf(BeamPoint point) {
 }
 
 mat3 centroidsOf(BeamNode node) {
-  return mat3(node.redRadius.xyz, node.greenLink.xyz, node.blueSquare.xyz);
+  return mat3(node.redPower.xyz, node.greenLink.xyz, node.bluePower.xyz);
 }
 
 // The squares of an offset in each pair of directions, as a node has them.
@@ -51,12 +51,18 @@ void add(inout Squares squares, float weight, vec3 offset) {
   squares.across += weight * offset.xxy * offset.yzz;
 }
 
+vec3 powerOf(BeamNode node) {
+  return vec3(node.redPower.w, node.extent.w, node.bluePower.w);
+}
+
 // `square` is of what the power does not have yet.
 void put(uint node, mat3 centroids, float radius, Squares squares, float square, vec3 power) {
-  nodes[node] =
-      BeamNode(vec4(centroids[0], radius), vec4(centroids[1], uintBitsToFloat(links[node])),
-               vec4(centroids[2], square), vec4(power, 0.0), vec4(squares.same, 0.0),
-               vec4(squares.across, 0.0));
+  float apart = max(distance(centroids[0], centroids[1]), distance(centroids[2], centroids[1]));
+  float size = sqrt(squares.same.x + squares.same.y + squares.same.z);
+  bool dark = power == vec3(0.0);
+  nodes[node] = BeamNode(vec4(centroids[1], uintBitsToFloat(links[node])),
+                         vec4(dark ? -1.0 : radius, apart, size, power.g), vec4(centroids[0], power.r),
+                         vec4(centroids[2], power.b), vec4(squares.same, square), vec4(squares.across, 0.0));
 }
 
 mat3 meansOf(mat3 weighted, vec3 power, vec3 otherwise) {
@@ -124,26 +130,26 @@ void fitNode(uint node, uint link) {
   vec3 power = vec3(0.0);
   mat3 weighted = mat3(0.0);
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
-    vec3 f = nodes[child].power.rgb;
+    vec3 f = powerOf(nodes[child]);
     mat3 places = centroidsOf(nodes[child]);
     power += f;
     for (int c = 0; c < 3; ++c) weighted[c] += f[c] * places[c];
   }
-  mat3 centroids = meansOf(weighted, power, nodes[node + 1u].redRadius.xyz);
+  mat3 centroids = meansOf(weighted, power, nodes[node + 1u].redPower.xyz);
   float felt = scattersOnce != 0u ? feltOnce : feltInARow;
   float felt2 = 0.0;
   float square = 0.0;
   Squares squares = Squares(vec3(0.0), vec3(0.0));
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
-    vec3 f = nodes[child].power.rgb;
+    vec3 f = powerOf(nodes[child]);
     mat3 places = centroidsOf(nodes[child]);
     for (int c = 0; c < 3; ++c) {
       vec3 offset = places[c] - centroids[c];
       float away2 = dot(offset, offset);
       felt2 += f[c] * (felt * felt * away2 +
-                       nodes[child].redRadius.w * nodes[child].redRadius.w);
+                       nodes[child].extent.x * nodes[child].extent.x);
       add(squares, f[c], offset);
-      square += f[c] * (away2 + nodes[child].blueSquare.w);
+      square += f[c] * (away2 + nodes[child].square.w);
     }
     float all = f.r + f.g + f.b;
     squares.same += all * nodes[child].square.xyz;

@@ -10,7 +10,7 @@
 #define BINDING_MEDIA 1
 #define BINDING_TILES 2
 #define BINDING_CLUSTER_NODES 4
-#include "lib/cluster_tile.glsl"
+#include "lib/cluster_walk.glsl"
 #include "lib/group_place.glsl"
 #include "lib/tile_sum.glsl"
 

@@ -13,7 +13,7 @@
 #define BINDING_MEDIA 1
 #define BINDING_TILES 2
 #define BINDING_CLUSTER_NODES 4
-#include "lib/cluster_tile.glsl"
+#include "lib/cluster_walk.glsl"
 #include "lib/tile_sum.glsl"
 
 layout(std430, set = 0, binding = 5) readonly buffer Clusters { Cluster clusters[]; };

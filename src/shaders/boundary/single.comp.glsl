@@ -2,13 +2,14 @@
 // M₁ = α' Σ power e^{-σ_t'r} μ (1 - F_in(μ)) / 4πr², of the part whose second collisions are followed.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #include "lib/linear.glsl"
-#include "lib/beam_walk.glsl"
-
-const float furthestFreePaths = 8.0;
+#include "lib/beam_tile.glsl"
 
 float eta;
+vec4 targetNormals[maxClustersOfTile];  // w: ρ, mm
 
 // 1 - F_in, both polarisations over one denominator.
 float leaving(float cosine) {
@@ -25,9 +26,9 @@ float leaving(float cosine) {
 // way is what the depth makes of that cosine: with z² + s for z² in both, all light from a depth z
 // that clusters of a plane receive is ½ ∫ e^{-σ_t'z/μ} (1 - F_in) dμ as it should be, whatever the
 // smoothing s.
-float fromPlace(vec3 place, float extinction, float smoothing) {
-  vec3 offset = its.centroidArea.xyz - place;
-  float depth = dot(offset, its.normal.xyz);
+float fromPlace(vec3 place, float extinction, float smoothing, uint target) {
+  vec3 offset = targets[target].xyz - place;
+  float depth = dot(offset, targetNormals[target].xyz);
   float over = inversesqrt(dot(offset, offset) + smoothing);
   float cosine = (sqrt(depth * depth + smoothing) + min(depth, 0.0)) * over;
   if (cosine <= medium.albedo.w) return 0.0;
@@ -36,21 +37,24 @@ float fromPlace(vec3 place, float extinction, float smoothing) {
 
 // Of light that entered through a disc of that radius, over both discs: on the other side of a thin
 // part it lies just below clusters that are no nearer to each other.
-vec3 fromPlaces(BeamPoint point, float radiusMm) {
-  float smoothing = 0.5 * (its.normal.w * its.normal.w + radiusMm * radiusMm);
+vec3 fromPlaces(BeamPoint point, float radiusMm, uint target) {
+  float radius = targetNormals[target].w;
+  float smoothing = 0.5 * (radius * radius + radiusMm * radiusMm);
   vec3 extinction = medium.extinction.rgb;
-  return vec3(fromPlace(point.red.xyz, extinction.r, smoothing),
-              fromPlace(point.green.xyz, extinction.g, smoothing),
-              fromPlace(point.blue.xyz, extinction.b, smoothing));
+  return vec3(fromPlace(point.red.xyz, extinction.r, smoothing, target),
+              fromPlace(point.green.xyz, extinction.g, smoothing, target),
+              fromPlace(point.blue.xyz, extinction.b, smoothing, target));
 }
 
-vec3 fromNode(BeamNode node, vec3 squared) {
-  return node.power.rgb * fromPlaces(BeamPoint(node.redRadius, node.greenLink, node.blueSquare), 0.0);
+void addNode(BeamNode node) {
+  BeamPoint middle = BeamPoint(node.redPower, node.greenLink, node.bluePower);
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t)
+    tileLight[t] += powerOf(node) * fromPlaces(middle, 0.0, t);
 }
 
 // The cluster's own light as from a disc at its depth: ½ ∫ e^{-σ_t' z/μ} (1 - F_in) dμ, from the
 // cosine to the disc's edge to 1, here times 4π; Gauss, four points.
-float fromDisc(vec3 place, float extinction) {
+float fromDisc(Cluster its, vec3 place, float extinction) {
   const float at[4] = float[4](0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558);
   const float weight[4] = float[4](0.1739274226, 0.3260725774, 0.3260725774, 0.1739274226);
   float radius = its.normal.w;
@@ -64,36 +68,58 @@ float fromDisc(vec3 place, float extinction) {
   return 2.0 * pi / max(its.centroidArea.w, 1e-30) * (1.0 - from) * sum;
 }
 
-vec3 ownDiscs() {
+vec3 ownDiscs(uint receiver) {
+  Cluster its = clusters[receiver];
   vec4 strength = strengths[receiver];
   uint count = min(unpackPointCounts(strength.w).x, pointsOfFirstSegment);
   vec3 extinction = medium.extinction.rgb;
   vec3 sum = vec3(0.0);
   for (uint p = 0u; p < count; ++p) {
     BeamPoint point = readPoint(receiver * maxPoints + p);
-    sum += shareOf(point) * vec3(fromDisc(point.red.xyz, extinction.r),
-                                 fromDisc(point.green.xyz, extinction.g),
-                                 fromDisc(point.blue.xyz, extinction.b));
+    sum += shareOf(point) * vec3(fromDisc(its, point.red.xyz, extinction.r),
+                                 fromDisc(its, point.green.xyz, extinction.g),
+                                 fromDisc(its, point.blue.xyz, extinction.b));
   }
   return strength.rgb * its.second.rgb * sum;
 }
 
-vec3 fromPoints(uint cluster) {
-  vec4 strength = strengths[cluster];
-  uint count = unpackPointCounts(strength.w).x;
+void addPoints(uint cluster) {
+  uint count = unpackPointCounts(strengths[cluster].w).x;
   Cluster from = clusters[cluster];
-  vec3 sum = vec3(0.0);
-  for (uint p = cluster == receiver ? pointsOfFirstSegment : 0u; p < count; ++p) {
+  vec3 power = strengths[cluster].rgb * from.second.rgb;
+  for (uint p = 0u; p < count; ++p) {
     BeamPoint point = readPoint(cluster * maxPoints + p);
-    sum += shareOf(point) * fromPlaces(point, from.normal.w);
+    uint without = p < pointsOfFirstSegment ? cluster - tile.firstCluster : noNode;
+    [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+      vec3 light = power * shareOf(point) * fromPlaces(point, from.normal.w, t);
+      if (t != without) tileLight[t] += light;
+    }
   }
-  return strength.rgb * from.second.rgb * sum;
+}
+
+void sumList(Around around) {
+  uint list = startOfList(tile.group, room);
+  uint count = lists[list];
+  for (uint begin = 0u; begin < count; begin += sizeOfPart) {
+    uvec4 ends = sortPart(list, begin, min(begin + sizeOfPart, count), around, 0.0);
+    uint i = gl_LocalInvocationIndex;
+    for (uint k = i; k < ends.y; k += invocationsOfTile) addNode(readBeamNode(sorted[k]));
+    for (uint k = ends.y + i; k < ends.w; k += invocationsOfTile) addPoints(clusterOf(readBeamNode(sorted[k])));
+    barrier();
+  }
 }
 
 void main() {
-  receive();
-  eta = mediumAt(body, its.centroidArea.xyz).boundary.x;
-  vec3 sum = beamSum(0.0, furthestFreePaths / leastOf(medium.extinction.rgb));
-  if (hasOwnLeaf()) sum += ownDiscs();
-  putSum(sum * (medium.albedo.rgb / (4.0 * pi)));
+  if (!enterTile(tileCount)) return;
+  eta = mediumAt(body, targets[0].xyz).boundary.x;
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+    targetNormals[t] = texelFetch(clusterTexels, 7 * int(min(tile.firstCluster + t, tile.endCluster - 1u)) + 1);
+    tileLight[t] = vec3(0.0);
+  }
+  sumList(aroundTile());
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, tileLight[t]);
+  uint target = gl_LocalInvocationIndex;
+  vec3 sum = sumOfTile(target);
+  if (target >= tile.endCluster - tile.firstCluster) return;
+  putLight(target, sum, ownDiscs(tile.firstCluster + target), medium.albedo.rgb / (4.0 * pi));
 }

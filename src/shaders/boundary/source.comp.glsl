@@ -2,41 +2,104 @@
 // φˢ_i = Σ power e^{-σr} / 4πDr, r² = |x_i - y|² + ρ_i²/4.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #include "lib/linear.glsl"
-#include "lib/beam_walk.glsl"
+#include "lib/beam_tile.glsl"
 
-// e^{-σr} / r of light that entered through a disc of that area.
-vec3 kernel(vec3 squared, float areaMm2) {
-  vec3 away = sqrt(squared + smoothingOf(its.centroidArea.w, areaMm2));
-  return exp(-medium.sigma.rgb * away) / away;
+// e^{-σr} / r at a squared distance.
+vec3 kernel(vec3 squared) {
+  vec3 over = inversesqrt(squared);
+  return exp(-medium.sigma.rgb * (squared * over)) * over;
+}
+
+// A cluster's points.
+struct Sender {
+  uint cluster;
+  uint firstCount;
+  uint count;
+  vec3 ofFirst;  // power
+  vec3 ofSecond;
+  float areaMm2;  // of the disc that the light entered through
+};
+
+Sender senderOf(uint cluster) {
+  vec4 strength = strengths[cluster];
+  uvec2 counts = unpackPointCounts(strength.w);
+  Cluster from = clusters[cluster];
+  vec3 first = shareOfFirst(from);
+  uint firstCount = first == vec3(0.0) ? 0u : counts.x;
+  return Sender(cluster, firstCount, firstCount + counts.y, strength.rgb * first,
+                strength.rgb * shareOfSecond(from, medium), from.centroidArea.w);
+}
+
+BeamPoint pointOf(Sender from, uint p) {
+  uint order = p < from.firstCount ? p : p - from.firstCount + maxFirstPoints;
+  return readPoint(from.cluster * maxPoints + order);
+}
+
+vec3 powerOf(Sender from, uint p, BeamPoint point) {
+  return shareOf(point) * (p < from.firstCount ? from.ofFirst : from.ofSecond);
 }
 
 // How much more points give than if all were at their centroid, to second order: ½ Q:∇∇G / G of the
 // kernel G, with their mean squares Q. Of that σ² tr Q/6 is as all directions are alike, but for what
 // the power has of it; the rest is ½ (r̂ᵀQr̂ - tr Q/3) (σ² + 3σ/r + 3/r²).
-vec3 withSpread(BeamNode node, mat3 offsets, vec3 squared) {
+vec3 withSpread(BeamNode node, vec3 place) {
   vec3 sigma = medium.sigma.rgb;
   mat3 square = mat3(node.square.x, node.across.xy, node.across.x, node.square.y, node.across.z,
                      node.across.yz, node.square.z);
-  vec3 over = 1.0 / squared;
+  mat3 offsets = mat3(node.redPower.xyz - place, node.greenLink.xyz - place, node.bluePower.xyz - place);
   vec3 along;
-  for (int c = 0; c < 3; ++c) along[c] = over[c] * dot(offsets[c], square * offsets[c]);
+  vec3 over;
+  for (int c = 0; c < 3; ++c) {
+    over[c] = 1.0 / dot(offsets[c], offsets[c]);
+    along[c] = over[c] * dot(offsets[c], square * offsets[c]);
+  }
   float third = (node.square.x + node.square.y + node.square.z) / 3.0;
   vec3 curvature = sigma * sigma + 3.0 * sigma * sqrt(over) + 3.0 * over;
-  return 1.0 + sigma * sigma * (node.blueSquare.w / 6.0) + 0.5 * (along - third) * curvature;
+  return 1.0 + sigma * sigma * (node.square.w / 6.0) + 0.5 * (along - third) * curvature;
 }
 
-vec3 fromNode(BeamNode node, vec3 squared) {
-  vec3 place = its.centroidArea.xyz;
-  mat3 offsets = mat3(node.redRadius.xyz - place, node.greenLink.xyz - place,
-                      node.blueSquare.xyz - place);
-  return node.power.rgb * kernel(squared, 0.0) * withSpread(node, offsets, squared);
+BeamPoint middlesOf(BeamNode node) {
+  return BeamPoint(node.redPower, node.greenLink, node.bluePower);
+}
+
+const uint termsOfExpansion = 11u;
+
+// Light from where the tile is small, expanded about its middle to second order. Of each channel: 1;
+// x, y, z; xx + yy + zz; xx, yy, zz; xy, xz, yz.
+vec3 expansion[termsOfExpansion];
+
+void expand(BeamPoint point, vec3 power, float smoothing, vec3 middle) {
+  vec3 x = middle.x - vec3(point.red.x, point.green.x, point.blue.x);
+  vec3 y = middle.y - vec3(point.red.y, point.green.y, point.blue.y);
+  vec3 z = middle.z - vec3(point.red.z, point.green.z, point.blue.z);
+  vec3 squared = x * x + y * y + z * z + smoothing;
+  vec3 sigma = medium.sigma.rgb;
+  vec3 over = inversesqrt(squared);
+  vec3 over2 = over * over;
+  vec3 away = sigma * (squared * over);
+  vec3 value = power * exp(-away) * over;
+  vec3 first = value * over2 * (1.0 + away);
+  vec3 second = value * (over2 * over2) * (3.0 + away * (3.0 + away));
+  expansion[0] += value;
+  expansion[1] -= first * x;
+  expansion[2] -= first * y;
+  expansion[3] -= first * z;
+  expansion[4] -= first;
+  expansion[5] += second * x * x;
+  expansion[6] += second * y * y;
+  expansion[7] += second * z * z;
+  expansion[8] += second * x * y;
+  expansion[9] += second * x * z;
+  expansion[10] += second * y * z;
 }
 
 // The cluster's own light, of first collisions on the way in, as from discs at their depths:
 // (e^{-σz} - e^{-σ√(z² + ρ²)}) / 2Dσ, here times 4πD.
-vec3 fromDisc(BeamPoint point) {
+vec3 fromDisc(Cluster its, BeamPoint point) {
   vec3 place = its.centroidArea.xyz;
   vec3 depth = -vec3(dot(point.red.xyz - place, its.normal.xyz),
                      dot(point.green.xyz - place, its.normal.xyz),
@@ -49,40 +112,90 @@ vec3 fromDisc(BeamPoint point) {
          absorbedLength(sigma, further);
 }
 
-vec3 ownDiscs() {
+vec3 ownDiscs(uint receiver) {
+  Cluster its = clusters[receiver];
   vec4 strength = strengths[receiver];
   uint count = min(unpackPointCounts(strength.w).x, pointsOfFirstSegment);
   vec3 sum = vec3(0.0);
   for (uint p = 0u; p < count; ++p) {
     BeamPoint point = readPoint(receiver * maxPoints + p);
-    sum += shareOf(point) * fromDisc(point);
+    sum += shareOf(point) * fromDisc(its, point);
   }
   return strength.rgb * shareOfFirst(its) * sum;
 }
 
-vec3 fromPoints(uint cluster) {
-  vec4 strength = strengths[cluster];
-  uvec2 counts = unpackPointCounts(strength.w);
-  vec3 place = its.centroidArea.xyz;
-  vec3 first = vec3(0.0);
-  uint at = cluster * maxPoints;
-  Cluster from = clusters[cluster];
-  uint firstCount = shareOfFirst(from) == vec3(0.0) ? 0u : counts.x;
-  for (uint p = cluster == receiver ? pointsOfFirstSegment : 0u; p < firstCount; ++p) {
-    BeamPoint point = readPoint(at + p);
-    first += shareOf(point) * kernel(squaredDistances(point, place), from.centroidArea.w);
+// Of the tile's clusters, not to the one that is `without`.
+void addPoint(BeamPoint point, vec3 power, float areaMm2, uint without) {
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+    vec3 squared = squaredDistances(point, targets[t].xyz);
+    vec3 light = power * kernel(squared + smoothingOf(targets[t].w, areaMm2));
+    if (t != without) tileLight[t] += light;
   }
-  vec3 second = vec3(0.0);
-  for (uint p = 0u; p < counts.y; ++p) {
-    BeamPoint point = readPoint(at + maxFirstPoints + p);
-    second += shareOf(point) * kernel(squaredDistances(point, place), from.centroidArea.w);
+}
+
+Sender senderAt(uint node) {
+  return senderOf(clusterOf(readBeamNode(node)));
+}
+
+void expandNode(BeamNode node, vec3 middle) {
+  expand(middlesOf(node), powerOf(node) * withSpread(node, middle), 0.0, middle);
+}
+
+void addNode(BeamNode node) {
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
+    vec3 squared = squaredDistances(middlesOf(node), targets[t].xyz);
+    tileLight[t] += powerOf(node) * withSpread(node, targets[t].xyz) *
+                    kernel(squared + smoothingOf(targets[t].w, 0.0));
   }
-  return strength.rgb * (shareOfFirst(from) * first + shareOfSecond(from, medium) * second);
+}
+
+void addPoints(Sender from) {
+  for (uint p = 0u; p < from.count; ++p) {
+    BeamPoint point = pointOf(from, p);
+    bool isDisc = p < min(from.firstCount, pointsOfFirstSegment);
+    addPoint(point, powerOf(from, p, point), from.areaMm2, isDisc ? from.cluster - tile.firstCluster : noNode);
+  }
+}
+
+void sumList(Around around) {
+  uint list = startOfList(tile.group, room);
+  uint count = lists[list];
+  for (uint begin = 0u; begin < count; begin += sizeOfPart) {
+    uvec4 ends = sortPart(list, begin, min(begin + sizeOfPart, count), around, leastSigma);
+    uint i = gl_LocalInvocationIndex;
+    for (uint k = i; k < ends.x; k += invocationsOfTile) addNode(readBeamNode(sorted[k]));
+    for (uint k = ends.x + i; k < ends.y; k += invocationsOfTile)
+      expandNode(readBeamNode(sorted[k]), around.middle);
+    for (uint k = ends.y + i; k < ends.z; k += invocationsOfTile) addPoints(senderAt(sorted[k]));
+    for (uint k = ends.z + i; k < ends.w; k += invocationsOfTile) {
+      Sender from = senderAt(sorted[k]);
+      float smoothing = smoothingOf(targets[0].w, from.areaMm2);
+      for (uint p = 0u; p < from.count; ++p) {
+        BeamPoint point = pointOf(from, p);
+        expand(point, powerOf(from, p, point), smoothing, around.middle);
+      }
+    }
+    barrier();
+  }
+}
+
+vec3 expandedAt(vec3 d) {
+  vec3 squares = 0.5 * d * d;
+  return expansion[0] + d.x * expansion[1] + d.y * expansion[2] + d.z * expansion[3] +
+         (squares.x + squares.y + squares.z) * expansion[4] + squares.x * expansion[5] +
+         squares.y * expansion[6] + squares.z * expansion[7] + d.x * d.y * expansion[8] +
+         d.x * d.z * expansion[9] + d.y * d.z * expansion[10];
 }
 
 void main() {
-  receive();
-  vec3 sum = beamSum(leastOf(medium.sigma.rgb), 1e18);
-  if (hasOwnLeaf()) sum += ownDiscs();
-  putSum(sum / (4.0 * pi * medium.diffusion.rgb));
+  if (!enterTile(tileCount)) return;
+  Around around = aroundTile();
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) tileLight[t] = vec3(0.0);
+  [[unroll]] for (uint t = 0u; t < termsOfExpansion; ++t) expansion[t] = vec3(0.0);
+  sumList(around);
+  [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, tileLight[t] + expandedAt(targets[t].xyz - around.middle));
+  uint target = gl_LocalInvocationIndex;
+  vec3 sum = sumOfTile(target);
+  if (target >= tile.endCluster - tile.firstCluster) return;
+  putLight(target, sum, ownDiscs(tile.firstCluster + target), 1.0 / (4.0 * pi * medium.diffusion.rgb));
 }

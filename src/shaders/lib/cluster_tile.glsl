@@ -1,10 +1,9 @@
-// A tile of clusters and the nodes that act on them: nodes which are far from all of them, and leaves.
-// A work group has a tile, and its invocations share the nodes among them. Needs, before it,
-// BINDING_OBJECTS, BINDING_MEDIA, BINDING_CLUSTER_NODES, and BINDING_TILES, the first of two bindings.
+// A tile of clusters, for what acts on all of them: a work group has a tile, and its invocations share
+// the nodes of the tree of clusters among them. Needs, before it, BINDING_OBJECTS, BINDING_MEDIA, and
+// BINDING_TILES, the first of two bindings.
 #ifndef OPALINE_LIB_CLUSTER_TILE
 #define OPALINE_LIB_CLUSTER_TILE
 #include "lib/boundary.glsl"
-#include "lib/cluster_node.glsl"
 #include "lib/linear.glsl"
 
 layout(std430, set = 0, binding = BINDING_TILES) readonly buffer Tiles { ClusterTile tiles[]; };
@@ -47,22 +46,6 @@ float nearestSquared(vec3 place) {
     least = min(least, dot(offset, offset));
   }
   return least;
-}
-
-// Of this invocation's slice, the next node from `at` on that acts on the tile, or noNode.
-uint nextOnWalk(inout uint at, float openingAngle) {
-  uint found = noNode;
-  while (found == noNode && at < sliceEnd) {
-    vec4 centroidLink = centroidLinkOf(at);
-    uint link = floatBitsToUint(centroidLink.w);
-    uint after = afterNode(at, link);
-    bool before = after <= sliceBegin;
-    bool taken = isLeaf(link) ||
-                 isFar(nearestSquared(centroidLink.xyz), spreadOf(at).x, leastSigma, openingAngle);
-    if (taken && at >= sliceBegin) found = at;
-    at = before || taken ? after : at + 1u;
-  }
-  return found;
 }
 
 #endif

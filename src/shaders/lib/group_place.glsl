@@ -5,7 +5,7 @@
 
 shared uint countOfSubgroup[64];
 
-// Every invocation of the group calls it; `all` is the sum.
+// Every invocation of the group calls it; `all` is the sum. Sums may be of halves of a word.
 uint groupPlaceFor(uint count, out uint all) {
   uint before = subgroupExclusiveAdd(count);
   uint ours = subgroupAdd(count);

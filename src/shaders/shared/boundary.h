@@ -44,6 +44,16 @@ struct ClusterTile {
   uint firstCluster;
   uint endCluster;
   uint object;
+  uint group;  // of tiles
+};
+
+/// Clusters of so many tiles that follow each other are a group: which points of light act on them
+/// is found for all of them together.
+OPALINE_BOUNDARY_CONSTANT maxClustersOfGroup = 64u;
+struct ClusterGroup {
+  uint firstCluster;
+  uint endCluster;
+  uint object;
   uint unused;
 };
 
@@ -130,15 +140,17 @@ struct DensityNode {
   vec4 blue;
 };
 
-/// Light from points below a node.
+/// Light from points below a node. Channels without power have the others' centroid.
 struct BeamNode {
-  vec4 redRadius;  // centroid of the red power, mm; how large the points below are to the eye of
-                   // sums over them, mm
-  vec4 greenLink;
-  vec4 blueSquare;  // w: mean square distance, mm²
-  vec4 power;       // rgb
-  vec4 square;      // mean square distances along xx, yy, zz, mm²
-  vec4 across;      // along xy, xz, yz
+  vec4 greenLink;  // centroid of the green power, mm; link as in ClusterNode
+  vec4 extent;  // x: how large the points below are to the eye of sums over them, mm, or -1 where
+                // there is no power; y: how far the other centroids lie from that of green at most,
+                // mm; z: root of the mean square distance, mm; w: power of green
+  vec4 redPower;  // centroid, mm; power
+  vec4 bluePower;
+  vec4 square;  // mean square distances along xx, yy, zz, mm²; w: of what the power does not have
+                // yet
+  vec4 across;  // along xy, xz, yz
 };
 
 /// Most steps of the solver before it must do with what it has.

@@ -1,0 +1,104 @@
+// Which nodes of light act on the clusters of a group: those which are far from all of them, and leaves.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#define BINDING_OBJECTS 0
+#define BINDING_MEDIA 1
+#define BINDING_BEAM_NODES 2
+#include "lib/boundary.glsl"
+#include "lib/beam_node.glsl"
+#include "lib/group_place.glsl"
+#include "lib/linear.glsl"
+
+layout(std430, set = 0, binding = 3) readonly buffer Groups { ClusterGroup groups[]; };
+layout(set = 0, binding = 4) uniform samplerBuffer clusterTexels;  // Cluster
+layout(std430, set = 0, binding = 5) writeonly buffer Lists { uint lists[]; };
+
+layout(push_constant) uniform Push {
+  uint groupCount;
+  float openingAngle;
+  uint scattersOnce;  // 1: nodes are sources of light that scatters once
+  uint room;          // of a list
+  uint firstNode;
+  uint endNode;
+};
+
+// From further than that, no light that scatters once is left.
+const float furthestFreePaths = 8.0;
+
+ClusterGroup group;
+Around around;
+float sigma;
+float reachMm;  // where no light of any point comes from further
+
+// Of the body's nodes, those that this invocation looks at.
+uint sliceBegin;
+uint sliceEnd;
+
+vec3 placeOf(uint cluster) {
+  return texelFetch(clusterTexels, 7 * int(cluster)).xyz;
+}
+
+Around aroundGroup() {
+  vec3 low = placeOf(group.firstCluster);
+  vec3 high = low;
+  for (uint i = group.firstCluster + 1u; i < group.endCluster; ++i) {
+    low = min(low, placeOf(i));
+    high = max(high, placeOf(i));
+  }
+  vec3 middle = 0.5 * (low + high);
+  float radius = 0.0;
+  for (uint i = group.firstCluster; i < group.endCluster; ++i) radius = max(radius, distance(placeOf(i), middle));
+  return Around(middle, radius);
+}
+
+// The group's own leaves are always opened.
+bool isFarFromAll(BeamNode node) {
+  uint cluster = clusterOf(node);
+  bool own = isLeaf(linkOf(node)) && cluster >= group.firstCluster && cluster < group.endCluster;
+  float nearest = nearestOf(node, around);
+  return !own && isFar(nearest * nearest, node.extent.x, sigma, openingAngle);
+}
+
+// Of this invocation's slice, the next entry for the list from node `at` on, or noNode.
+uint nextActing(inout uint at) {
+  uint found = noNode;
+  while (found == noNode && at < sliceEnd) {
+    BeamNode node = readBeamNode(at);
+    uint link = linkOf(node);
+    uint after = afterNode(at, link);
+    bool left = node.extent.x < 0.0 || after <= sliceBegin ||
+                nearestOf(node, around) > reachMm + 2.0 * node.extent.z;
+    bool far = isFarFromAll(node);
+    bool taken = far || isLeaf(link);
+    if (taken && !left && at >= sliceBegin) found = far ? at : at | openedBit;
+    at = left || taken ? after : at + 1u;
+  }
+  return found;
+}
+
+void main() {
+  uint index = linearIndex() / gl_WorkGroupSize.x;
+  if (index >= groupCount) return;
+  group = groups[index];
+  ObjectData body = objects[group.object];
+  BoundaryMedium medium = insideOf(body);
+  around = aroundGroup();
+  sigma = scattersOnce != 0u ? 0.0 : leastOf(medium.sigma.rgb);
+  reachMm = scattersOnce != 0u ? furthestFreePaths / leastOf(medium.extinction.rgb) : 1e18;
+  uint begin = max(body.clusters.x, firstNode);
+  uint nodes = max(min(body.clusters.y, endNode), begin) - begin;
+  uint i = gl_LocalInvocationIndex;
+  sliceBegin = begin + nodes * i / gl_WorkGroupSize.x;
+  sliceEnd = begin + nodes * (i + 1u) / gl_WorkGroupSize.x;
+
+  uint count = 0u;
+  uint at = body.clusters.x;
+  while (nextActing(at) != noNode) ++count;
+  uint all;
+  uint place = startOfList(index, room) + 1u + groupPlaceFor(count, all);
+  if (i == 0u) lists[startOfList(index, room)] = all;
+  at = body.clusters.x;
+  for (uint entry = nextActing(at); entry != noNode; entry = nextActing(at)) lists[place++] = entry;
+}

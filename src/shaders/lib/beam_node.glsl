@@ -1,0 +1,54 @@
+// Nodes of points of light (shared/boundary.h), read as texels, and how they lie to clusters that they shine
+// on. Needs BINDING_BEAM_NODES.
+#ifndef OPALINE_LIB_BEAM_NODE
+#define OPALINE_LIB_BEAM_NODE
+#include "lib/tree_node.glsl"
+#include "shared/boundary.h"
+
+layout(set = 0, binding = BINDING_BEAM_NODES) uniform samplerBuffer beamNodes;  // BeamNode
+
+BeamNode readBeamNode(uint index) {
+  int first = 6 * int(index);
+  return BeamNode(texelFetch(beamNodes, first), texelFetch(beamNodes, first + 1),
+                  texelFetch(beamNodes, first + 2), texelFetch(beamNodes, first + 3),
+                  texelFetch(beamNodes, first + 4), texelFetch(beamNodes, first + 5));
+}
+
+uint linkOf(BeamNode node) {
+  return floatBitsToUint(node.greenLink.w);
+}
+
+// The cluster whose points a leaf has; of other nodes any.
+uint clusterOf(BeamNode node) {
+  return isLeaf(linkOf(node)) ? firstSurfelOf(linkOf(node)) : 0u;
+}
+
+vec3 powerOf(BeamNode node) {
+  return vec3(node.redPower.w, node.extent.w, node.bluePower.w);
+}
+
+// Clusters within a sphere.
+struct Around {
+  vec3 middle;
+  float radius;
+};
+
+// No centroid lies nearer to the sphere's middle.
+float leastDistance(BeamNode node, Around around) {
+  return distance(node.greenLink.xyz, around.middle) - node.extent.y;
+}
+
+// No centroid lies nearer to a cluster.
+float nearestOf(BeamNode node, Around around) {
+  return max(leastDistance(node, around) - around.radius, 0.0);
+}
+
+// Which nodes act on the clusters of a group, as a list: how many, and then which. Some are marked: unless
+// such a node is far from a tile, its points are taken one by one.
+const uint openedBit = 1u << 31u;
+
+uint startOfList(uint group, uint room) {
+  return group * (room + 1u);
+}
+
+#endif

@@ -1,0 +1,24 @@
+// The nodes that act on a tile of clusters: those which are far from all of them, and leaves. Needs,
+// before it, BINDING_CLUSTER_NODES and what lib/cluster_tile.glsl needs.
+#ifndef OPALINE_LIB_CLUSTER_WALK
+#define OPALINE_LIB_CLUSTER_WALK
+#include "lib/cluster_node.glsl"
+#include "lib/cluster_tile.glsl"
+
+// Of this invocation's slice, the next node from `at` on that acts on the tile, or noNode.
+uint nextOnWalk(inout uint at, float openingAngle) {
+  uint found = noNode;
+  while (found == noNode && at < sliceEnd) {
+    vec4 centroidLink = centroidLinkOf(at);
+    uint link = floatBitsToUint(centroidLink.w);
+    uint after = afterNode(at, link);
+    bool before = after <= sliceBegin;
+    bool taken = isLeaf(link) ||
+                 isFar(nearestSquared(centroidLink.xyz), spreadOf(at).x, leastSigma, openingAngle);
+    if (taken && at >= sliceBegin) found = at;
+    at = before || taken ? after : at + 1u;
+  }
+  return found;
+}
+
+#endif
