@@ -69,11 +69,13 @@ double albedoOf(double reflectance, double eta) {
 }
 
 /// KHR_materials_volume: light falls to attenuationColor after attenuationDistance metres, which is
-/// exp(-σ_t' d); KHR_materials_volume_scatter: multiscatterColor is the diffuse reflectance.
+/// exp(-σ_t d); KHR_materials_volume_scatter: multiscatterColorFactor, multiscatterColor in older
+/// files, is the diffuse reflectance, and scatterAnisotropy the g of the phase function.
 struct Volume {
   double attenuationDistance;
   Numbers3 attenuationColor;
   Numbers3 multiscatterColor;
+  double anisotropy;
 };
 
 std::optional<Volume> volumeOf(const tinygltf::Material& material) {
@@ -81,9 +83,13 @@ std::optional<Volume> volumeOf(const tinygltf::Material& material) {
   const tinygltf::Value& scatter = extension(material, "KHR_materials_volume_scatter");
   const auto distance = number(volume, "attenuationDistance");
   const auto attenuation = numbers3(volume, "attenuationColor");
-  const auto reflectance = numbers3(scatter, "multiscatterColor");
+  // A texture's colours are not read, and the factor alone would be white.
+  if (scatter.Has("multiscatterColorTexture")) return std::nullopt;
+  auto reflectance = numbers3(scatter, "multiscatterColorFactor");
+  if (!reflectance) reflectance = numbers3(scatter, "multiscatterColor");
+  const double anisotropy = number(scatter, "scatterAnisotropy").value_or(0);
   if (!distance || !attenuation || !reflectance || !(*distance > 0)) return std::nullopt;
-  return Volume{*distance, *attenuation, *reflectance};
+  return Volume{*distance, *attenuation, *reflectance, std::clamp(anisotropy, -0.99, 0.99)};
 }
 
 std::optional<Medium> fromVolume(const tinygltf::Material& material) {
@@ -96,8 +102,10 @@ std::optional<Medium> fromVolume(const tinygltf::Material& material) {
     const double left = std::clamp(volume->attenuationColor[c], 1e-6, 0.9999);
     const double extinctionPerMm = -std::log(left) / (1000 * volume->attenuationDistance);
     const double albedo = albedoOf(std::clamp(volume->multiscatterColor[c], 0.0, 1.0), medium.eta);
-    medium.sigmaSPrimePerMm[c] = albedo * extinctionPerMm;
-    medium.sigmaAPerMm[c] = (1 - albedo) * extinctionPerMm;
+    // σ_t = σ_s' / (1 - g) + σ_a, with σ_s' = α' σ_t'.
+    const double reducedPerMm = extinctionPerMm / (albedo / (1 - volume->anisotropy) + 1 - albedo);
+    medium.sigmaSPrimePerMm[c] = albedo * reducedPerMm;
+    medium.sigmaAPerMm[c] = (1 - albedo) * reducedPerMm;
   }
   return medium;
 }

@@ -238,6 +238,20 @@ TEST_F(Gltf, MediumFromExtrasNameOrVolume) {
     EXPECT_NEAR(bssrdf::makeProfile(bssrdf::Model::Dipole, of).totalReflectance(), reflectance[c],
                 1e-6);
   }
+  // By its name of today, and with light that is scattered forwards: σ_s (1 - g) is the same.
+  parts.more = R"(,"materials":[{"name":"gel","extensions":{"KHR_materials_ior":{"ior":1.4},
+      "KHR_materials_volume":{"attenuationDistance":0.001,"attenuationColor":[0.5,0.25,0.125]},
+      "KHR_materials_volume_scatter":{"multiscatterColorFactor":[0.9,0.5,0],
+                                      "scatterAnisotropy":0.8}}}])";
+  const Medium forwards = load(parts).objects[0].medium;
+  for (int c = 0; c < 3; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const bssrdf::Coefficients of = bssrdf::coefficients(forwards, c);
+    EXPECT_NEAR(bssrdf::makeProfile(bssrdf::Model::Dipole, of).totalReflectance(), reflectance[c],
+                1e-6);
+    EXPECT_NEAR(forwards.sigmaSPrimePerMm[i] / (1 - 0.8) + forwards.sigmaAPerMm[i],
+                (c + 1) * std::log(2.0), 1e-9);
+  }
   parts.more = R"(,"materials":[{"extras":{"sigma_s_prime_per_mm":[1,2,-3],
       "sigma_a_per_mm":[0,0.5,1]}}])";
   EXPECT_THAT(errorOf(parts), HasSubstr("sigma_s_per_mm 1,2,-3"));
