@@ -90,8 +90,10 @@ scene::LoadedScene randomScene(unsigned seed, const std::filesystem::path& model
         {random.place(), random.direction(), random.light(), outer * random.real(0, 1), outer});
   }
   scene.lighting.areas = {
-      RectangleLight{random.place(), random.direction(), random.place(), random.light(), true},
-      DiscLight{random.place(), random.direction(), random.real(0.1, 100), random.light()},
+      RectangleLight{random.place(), random.direction(), random.place(), random.light(), true,
+                     true},
+      DiscLight{random.place(), random.direction(), random.real(0.1, 100), random.light(), false,
+                true},
       SphereLight{random.place(), random.real(1e-3, 1e5), random.light()},
       TubeLight{random.place(), random.place(), random.real(0.1, 9), random.light()}};
   scene.lighting.points.push_back({{0, 1e-4F, -3e-5F}, {1, 1e20F, 0}});
