@@ -1,6 +1,7 @@
 """`bench`: what its suites ask for and what they tell."""
 
 import json
+import math
 import os
 import unittest
 
@@ -143,6 +144,12 @@ class Scaling(ProgramTest):
         return self.succeed("bench", "scaling", "t.ply", "--diagonal-mm", 20, "--sigma-s", "2.5,2.5,2.5", "--sigma-a",
                             "0.02,0.01,0", "--size", 32, "--frames", 1, "--max-surfels", 16384, *options)
 
+    def assert_fits(self, rows, time, exponent):
+        """What is left of the logarithms has no slope."""
+        logs = [(math.log(row["value"]), math.log(row[time])) for row in rows]
+        middle = sum(value for value, _ in logs) / len(logs)
+        self.assertAlmostEqual(sum((value - middle) * (found - exponent * value) for value, found in logs), 0)
+
     def test_series(self):
         run = self.measure("--plot", "plot.svg", "--json")
         found = run.json()
@@ -177,6 +184,19 @@ class Scaling(ProgramTest):
         self.assertEqual([row["tolerance"] for row in series["tolerance"]],
                          [.1, .03, .01, .003])
         self.assertEqual(found["tolerance"]["finest"], 1e-4)
+
+        frames = {series["varied"]: series for series in found["frames"]}
+        values = {varied: [row["value"] for row in series["rows"]] for varied, series in frames.items()}
+        self.assertEqual(values["lights"], [1, 2, 4, 8, 16])
+        self.assertEqual(values["pixels"], [16 ** 2, 32 ** 2, 64 ** 2])
+        self.assertEqual(values["surfels"], [row["surfels"] for row in series["surfels"]])
+        # The limits are 64 twice, 256 and 1024.
+        for value, most in zip(values["clusters"], (64, 64, 256, 1024)):
+            self.assertLessEqual(value, most)
+            self.assertGreater(value, most / 4)
+        for found_frames in frames.values():
+            for time in ("part", "frame"):
+                self.assert_fits(found_frames["rows"], time + "_ms", found_frames[time + "_exponent"])
         errors = [row["rel_rmse"] for row in series["tolerance"]]
         evaluations = [row["evaluations"] for row in series["tolerance"]]
         self.assertEqual(errors, sorted(errors, reverse=True))

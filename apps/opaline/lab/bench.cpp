@@ -65,7 +65,7 @@ struct BenchCommand {
     line.value("--every", "N", "integrate every N-th pixel, needs --seconds 0 [1]",
                [this](const Given& given) { every = readInteger(given, 1, 64); });
     line.flag("--all", "also the sum over every surfel; slow without a GPU", all);
-    line.section("scaling: the tree's cost by surfels, sigma_tr and tolerance, 5 frames each");
+    line.section("scaling: times by surfels, clusters, lights, pixels and more, 5 frames each");
     line.value("--max-surfels", "N", "largest budget, 16384 to 4194304 [1048576]",
                [this](const Given& given) { maxSurfels = readInteger(given, 1 << 14, 1 << 22); });
     line.section("methods and scaling");

@@ -152,6 +152,7 @@ Scaling measureScaling(const ScalingOrder& order) {
   scaling.diffusion = measureDiffusion(order);
   scaling.tolerances = measureTolerances(order, scaling.device);
   scaling.budgets = measureBudgets(order, scaling.denserBy);
+  scaling.frames = measureFrames(order);
   clearStatus();
   return scaling;
 }

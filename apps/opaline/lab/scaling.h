@@ -13,7 +13,7 @@
 
 namespace opaline::app {
 
-/// What the cost of the sum over the tree, at visible pixels, is measured with.
+/// What costs are measured with: of the sum over the tree at visible pixels, and of whole frames.
 struct ScalingOrder {
   Scene scene;
   int edgePixels = 512;
@@ -36,6 +36,26 @@ struct ScalingRow {
   std::optional<double> error;  ///< of exitance, rms over the mean, to the finest tolerance
 };
 
+struct FrameScalingRow {
+  double value = 0;             ///< of what the series varies
+  double partMilliseconds = 0;  ///< of the passes that grow with it
+  double frameMilliseconds = 0;
+};
+
+/// Frames of boundary transport, which the program renders by default.
+struct FrameScaling {
+  std::string varied;  ///< surfels, clusters, lights or pixels
+  std::vector<FrameScalingRow> rows;
+  std::optional<double> partExponent{};  ///< p where time grows like the value to the power p
+  std::optional<double> frameExponent{};
+};
+
+/// The slope of the straight line nearest to the logarithms; none for less than two values.
+std::optional<double> fittedExponent(const std::vector<FrameScalingRow>& rows,
+                                     double FrameScalingRow::*time);
+
+std::vector<FrameScaling> measureFrames(const ScalingOrder& order);
+
 /// Rows of a series are measured in turns, so that they can be compared.
 struct Scaling {
   DeviceDescription device;
@@ -46,6 +66,7 @@ struct Scaling {
   std::vector<ScalingRow> budgets;     ///< value: most surfels that there may be
   std::vector<ScalingRow> diffusion;   ///< value: what σ_tr of every channel is divided by
   std::vector<ScalingRow> tolerances;  ///< value: the tolerance, falling
+  std::vector<FrameScaling> frames;
 };
 
 Scaling measureScaling(const ScalingOrder& order);

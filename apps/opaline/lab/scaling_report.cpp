@@ -32,6 +32,40 @@ std::optional<double> growthPerDoubling(const std::vector<ScalingRow>& rows, std
          doublings;
 }
 
+Json exponentJson(const std::optional<double>& exponent) {
+  return exponent ? Json(*exponent) : Json(nullptr);
+}
+
+Json framesJson(const std::vector<FrameScaling>& all) {
+  Json frames = Json::array();
+  for (const FrameScaling& series : all) {
+    Json rows = Json::array();
+    for (const FrameScalingRow& row : series.rows)
+      rows.push_back({{"value", row.value},
+                      {"part_ms", row.partMilliseconds},
+                      {"frame_ms", row.frameMilliseconds}});
+    frames.push_back({{"varied", series.varied},
+                      {"part_exponent", exponentJson(series.partExponent)},
+                      {"frame_exponent", exponentJson(series.frameExponent)},
+                      {"rows", std::move(rows)}});
+  }
+  return frames;
+}
+
+std::string readable(const FrameScaling& series) {
+  const auto exponent = [](const std::optional<double>& found) {
+    return found ? fmt::format("^{:.2f}", *found) : std::string("-");
+  };
+  std::string text =
+      fmt::format("\n{:<12}{:>10}{:>10}\n", series.varied, "its passes", "the frame");
+  for (const FrameScalingRow& row : series.rows)
+    text += fmt::format("{:<12.7g}{:>10.2f}{:>10.2f}\n", row.value,
+                        ratio(row.partMilliseconds, series.rows[0].partMilliseconds),
+                        ratio(row.frameMilliseconds, series.rows[0].frameMilliseconds));
+  return text + fmt::format("{:<12}{:>10}{:>10}\n", "grows like", exponent(series.partExponent),
+                            exponent(series.frameExponent));
+}
+
 Json rowJson(const std::vector<ScalingRow>& rows, std::size_t at, const char* value) {
   const ScalingRow& row = rows[at];
   return {{value, row.value},
@@ -89,7 +123,8 @@ Json toJson(const Scaling& scaling) {
           {"device", deviceJson(scaling.device)},
           {"surfels", {{"coefficients_factor", scaling.denserBy}, {"rows", std::move(budgets)}}},
           {"sigma_tr", {{"rows", std::move(diffusion)}}},
-          {"tolerance", {{"finest", scaling.finestTolerance}, {"rows", std::move(tolerances)}}}};
+          {"tolerance", {{"finest", scaling.finestTolerance}, {"rows", std::move(tolerances)}}},
+          {"frames", framesJson(scaling.frames)}};
 }
 
 std::string toReadable(const Scaling& scaling) {
@@ -117,6 +152,8 @@ std::string toReadable(const Scaling& scaling) {
     const std::optional<double>& error = scaling.tolerances[i].error;
     text += line(scaling.tolerances, i, error ? fmt::format("{:.3f} %", 100 * *error) : "-");
   }
+  text += "\nFrames of boundary transport, as multiples of each table's first\n";
+  for (const FrameScaling& series : scaling.frames) text += readable(series);
   return text;
 }
 

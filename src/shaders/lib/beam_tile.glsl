@@ -69,17 +69,18 @@ uint kindOf(uint entry, Around around, float sigma) {
 }
 
 // The list is sorted by kinds in parts.
-const uint entriesAtOnce = 8u;  // of an invocation
+const uint entriesAtOnce = 4u;  // of an invocation
 const uint sizeOfPart = entriesAtOnce * invocationsOfTile;
 shared uint sorted[sizeOfPart];
 
 // Where each kind ends.
 uvec4 sortPart(uint list, uint begin, uint end, Around around, float sigma) {
+  begin += gl_LocalInvocationIndex;
+  uint mine = begin < end ? (end - begin + invocationsOfTile - 1u) / invocationsOfTile : 0u;
   uint kinds = 0u;
   uint counts[2] = uint[2](0u, 0u);  // of two kinds each, in halves
-  for (uint e = 0u; e < entriesAtOnce; ++e) {
-    uint k = begin + e * invocationsOfTile + gl_LocalInvocationIndex;
-    if (k >= end) break;
+  for (uint e = 0u; e < mine; ++e) {
+    uint k = begin + e * invocationsOfTile;
     uint kind = kindOf(lists[list + 1u + k], around, sigma);
     kinds |= kind << 2u * e;
     uint one = 1u << 16u * (kind & 1u);
@@ -97,9 +98,8 @@ uvec4 sortPart(uint list, uint begin, uint end, Around around, float sigma) {
   ends.z += ends.y;
   ends.w += ends.z;
   at.yzw += ends.xyz;
-  for (uint e = 0u; e < entriesAtOnce; ++e) {
-    uint k = begin + e * invocationsOfTile + gl_LocalInvocationIndex;
-    if (k >= end) break;
+  for (uint e = 0u; e < mine; ++e) {
+    uint k = begin + e * invocationsOfTile;
     uint kind = kinds >> 2u * e & 3u;
     uint node = lists[list + 1u + k] & ~openedBit;
     uvec4 its = uvec4(equal(uvec4(kind), uvec4(0u, 1u, 2u, 3u)));

@@ -49,7 +49,7 @@ struct ClusterTile {
 
 /// Clusters of so many tiles that follow each other are a group: which points of light act on them
 /// is found for all of them together.
-OPALINE_BOUNDARY_CONSTANT maxClustersOfGroup = 64u;
+OPALINE_BOUNDARY_CONSTANT maxClustersOfGroup = 32u;
 struct ClusterGroup {
   uint firstCluster;
   uint endCluster;
