@@ -19,6 +19,7 @@
 #include "passes/gather/surfel_pass.h"
 #include "renderer/scene/device_room.h"
 #include "scene/mesh/insides.h"
+#include "scene/text.h"
 #include "shaders/shared/surfels.h"
 #include "surfels/surfels.h"
 
@@ -108,21 +109,38 @@ void noteSpacing(SceneResources& resources) {
   }
 }
 
+// Of objects that are open, all over or in parts.
+void noteOpen(const std::vector<std::string_view>& names, bool inParts, const LogCallback& log) {
+  if (names.empty() || !log) return;
+  constexpr std::size_t mostNamed = 3;
+  const std::size_t named = names.size() > mostNamed + 1 ? mostNamed : names.size();
+  const std::string list =
+      scene::listed(std::span(names).first(named)) +
+      (named < names.size() ? fmt::format(" and {} more", names.size() - named) : std::string());
+  const bool one = names.size() == 1;
+  const std::string subject =
+      inParts ? (one ? "a part of object " : "parts of objects ") : (one ? "object " : "objects ");
+  log(LogLevel::Note,
+      fmt::format("{}{} {} open and {} no inside for boundary transport: light scatters there as "
+                  "in a half-space, by better-dipole",
+                  subject, list, one ? "is" : "are", one ? "has" : "have"));
+}
+
 void findInsides(const Scene& scene, SceneResources& resources, const LogCallback& log) {
+  std::vector<std::string_view> open;
+  std::vector<std::string_view> openInParts;
   for (const Object& object : scene.objects) {
     const std::vector<bool> inside =
         scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
     resources.triangleHasInside.insert(resources.triangleHasInside.end(), inside.begin(),
                                        inside.end());
     const bool any = std::find(inside.begin(), inside.end(), true) != inside.end();
-    const bool open = std::find(inside.begin(), inside.end(), false) != inside.end();
     resources.objectHasInside.push_back(any);
-    if (open && log)
-      log(LogLevel::Note,
-          fmt::format("{} '{}' is open and has no inside for boundary transport: light scatters "
-                      "there as in a half-space, by better-dipole",
-                      any ? "a part of object" : "object", object.name));
+    if (std::find(inside.begin(), inside.end(), false) != inside.end())
+      (any ? openInParts : open).emplace_back(object.name);
   }
+  noteOpen(open, false, log);
+  noteOpen(openInParts, true, log);
 }
 
 void takeClusters(gpu::Device& device, const core::RestSurface& surface, const Division& division,

@@ -9,6 +9,7 @@
 #include "scene/formats.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/file.h"
+#include "scene/gltf/instances.h"
 #include "scene/gltf/medium.h"
 #include "scene/gltf/mesh.h"
 #include "scene/gltf/nodes.h"
@@ -261,7 +262,9 @@ void aimAtMiddle(RawScene& scene) {
 }  // namespace
 
 RawScene loadGltf(const Input& input) {
-  const tinygltf::Model model = readGltf(input);
+  tinygltf::Model read = readGltf(input);
+  expandInstances(input, read);
+  const tinygltf::Model& model = read;
   Gathering gathering{input, model, resolveNodes(input, model), GltfAccessors(input, model)};
   gathering.scene.notShown = notShownOf(model, gathering.nodes);
   gathering.motion = readMotion(input, model, gathering.nodes, gathering.accessors);

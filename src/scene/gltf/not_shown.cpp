@@ -79,7 +79,7 @@ void addMesh(const tinygltf::Model& model, std::size_t index, std::set<std::size
 /// Beside those of materials, which are counted with these.
 void addExtensions(const tinygltf::Model& model, std::vector<NotShown>& to) {
   for (const std::string& used : model.extensionsUsed) {
-    if (kindOf(used) == GltfExtension::Unknown && used != "EXT_mesh_gpu_instancing") {
+    if (kindOf(used) == GltfExtension::Unknown) {
       addNotShown(to, "extensions", used);
     }
   }
@@ -93,10 +93,6 @@ std::vector<NotShown> notShownOf(const tinygltf::Model& model, const GltfNodes& 
   std::set<std::size_t> materials;
   for (const int node : nodes.drawn) {
     const tinygltf::Node& of = model.nodes[static_cast<std::size_t>(node)];
-    if (of.extensions.find("EXT_mesh_gpu_instancing") != of.extensions.end()) {
-      addNotShown(result, "instances by EXT_mesh_gpu_instancing",
-                  nameOr(of.name, "node", static_cast<std::size_t>(node)));
-    }
     if (of.mesh < 0 || static_cast<std::size_t>(of.mesh) >= model.meshes.size()) continue;
     const auto mesh = static_cast<std::size_t>(of.mesh);
     if (meshes.insert(mesh).second) addMesh(model, mesh, materials, result);

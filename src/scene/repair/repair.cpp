@@ -10,6 +10,7 @@
 #include "scene/mesh/normals.h"
 #include "scene/repair/manifold.h"
 #include "scene/repair/orientation.h"
+#include "scene/repair/seams.h"
 #include "scene/repair/topology.h"
 #include "scene/vector_math.h"
 
@@ -161,6 +162,7 @@ std::vector<Repair> repairMesh(RawMesh& mesh, const std::string& object) {
                                        "that can be rendered",
                                        object));
   }
+  addRepair(repairs, "vertices beside their seam", closeSeams(mesh));
   std::vector<std::uint32_t> points = sewn(mesh.positions, mesh.triangles);
   addRepair(repairs, "duplicate vertices", mergeDuplicates(mesh, points));
   addRepair(repairs, "duplicate faces", removeDuplicateFaces(mesh, points));

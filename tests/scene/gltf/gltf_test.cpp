@@ -257,6 +257,29 @@ TEST_F(Gltf, MediumFromExtrasNameOrVolume) {
   EXPECT_THAT(errorOf(parts), HasSubstr("sigma_s_per_mm 1,2,-3"));
 }
 
+TEST_F(Gltf, InstancesAreDrawn) {
+  Parts parts;
+  parts.nodes = R"({"mesh":0,"name":"cube","translation":[1,0,0],"extensions":{
+      "EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}}})";
+  // The mesh's own vertices as places: the origin and a metre along each axis.
+  const Scene scene = load(parts);
+  ASSERT_EQ(scene.objects.size(), 4U);
+  EXPECT_EQ(scene.objects[0].name, "cube 1");
+  EXPECT_TRUE(scene.notShown.empty());
+  const std::vector<Vec3> places{{1000, 0, 0}, {2000, 0, 0}, {1000, 1000, 0}, {1000, 0, 1000}};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Scene one;
+    one.objects = {scene.objects[i]};
+    EXPECT_EQ(boundsOf(one).minMm, places[i]);
+  }
+  parts.nodes = R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{
+      "TRANSLATION":0,"SCALE":1}}}})";
+  EXPECT_THAT(errorOf(parts), HasSubstr("instances of node 0"));
+  parts.nodes = R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{
+      "TRANSLATION":77}}}})";
+  EXPECT_THAT(errorOf(parts), HasSubstr("77"));
+}
+
 TEST_F(Gltf, ExternalBuffersOnlyFromTheOwnFolder) {
   namespace fs = std::filesystem;
   fs::create_directories(folder / "models/parts");

@@ -49,6 +49,39 @@ double volumeOf(const RawMesh& mesh) {
   return test::signedVolume(mesh.positions, mesh.triangles);
 }
 
+// A ball whose last column of vertices lies beside its first, as sin 2π is not 0.
+RawMesh ballWithASeam(std::uint32_t rings, std::uint32_t sides, float beside) {
+  RawMesh mesh = ball(rings, sides);
+  const auto first = [&](std::uint32_t ring) { return 1 + (ring - 1) * sides; };
+  std::vector<std::uint32_t> last(mesh.positions.size());
+  for (std::uint32_t v = 0; v < last.size(); ++v) last[v] = v;
+  for (std::uint32_t ring = 1; ring < rings; ++ring) {
+    last[first(ring)] = static_cast<std::uint32_t>(mesh.positions.size());
+    Vec3 position = mesh.positions[first(ring)];
+    position[2] -= beside;
+    mesh.positions.push_back(position);
+  }
+  // Triangles on the last side of the seam have z < 0 there.
+  for (Triangle& t : mesh.triangles) {
+    const bool below = std::any_of(t.begin(), t.end(),
+                                   [&](std::uint32_t v) { return mesh.positions[v][2] < -1e-3F; });
+    if (below)
+      for (std::uint32_t& v : t) v = last[v];
+  }
+  return mesh;
+}
+
+TEST(Repair, SeamsOfRoundBodiesAreClosed) {
+  RawMesh mesh = ballWithASeam(8, 12, 1.7e-7F);
+  ASSERT_FALSE(factsOf(mesh.positions, mesh.triangles).closed);
+  EXPECT_EQ(countOf(repairMesh(mesh, "ball"), "vertices beside their seam"), 7U);
+  EXPECT_TRUE(factsOf(mesh.positions, mesh.triangles).closed);
+  // A gap that is meant stays one.
+  mesh = ballWithASeam(8, 12, 1e-4F);
+  EXPECT_EQ(countOf(repairMesh(mesh, "ball"), "vertices beside their seam"), 0U);
+  EXPECT_FALSE(factsOf(mesh.positions, mesh.triangles).closed);
+}
+
 TEST(Repair, CleanMeshesStayAsTheyAre) {
   for (RawMesh mesh : {cube(), ball(8, 12)}) {
     ASSERT_GT(volumeOf(mesh), 0);

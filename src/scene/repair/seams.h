@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+
+#include "scene/raw_scene.h"
+
+namespace opaline::scene {
+
+/// Moves vertices on open edges that lie within a millionth of the mesh's extent of each other to
+/// one place: a round body whose texture begins and ends at a seam is closed, although the program
+/// that made it rounded 0 and 2π otherwise. Returns how many were moved.
+std::size_t closeSeams(RawMesh& mesh);
+
+}  // namespace opaline::scene
