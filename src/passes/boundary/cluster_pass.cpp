@@ -16,8 +16,13 @@ namespace opaline::passes {
 
 namespace {
 
-// Of a list of nodes that act on a group: bodies of more nodes are summed in several dispatches.
-constexpr std::uint32_t mostOfBeamList = 16384;
+// Room of a list of nodes that act on a group. Bodies of more nodes are summed in several
+// dispatches, so that the lists of all groups take no more than 64 MiB.
+std::uint32_t roomOfBeamList(std::uint32_t nodes, std::size_t groups) {
+  constexpr std::size_t ofAll = std::size_t{1} << 24U;
+  const std::size_t ofOne = ofAll / std::max<std::size_t>(groups, 1);
+  return std::min(nodes, static_cast<std::uint32_t>(std::clamp<std::size_t>(ofOne, 64, 16384)) - 1);
+}
 
 // Rays of a cluster that ask what it sees.
 constexpr std::uint32_t raysOutwards = 48;
@@ -167,7 +172,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.sums = makeRoom<shared::vec4>(device, "sums of mirrored light", count);
   clusters.arrived = makeRoom<shared::vec4>(device, "arrived mirrored light", count);
   clusters.beamNodes = makeRoom<shared::BeamNode>(device, "tree of points", nodes);
-  clusters.roomOfBeamList = std::min(clusters.tree.nodeCount, mostOfBeamList);
+  clusters.roomOfBeamList = roomOfBeamList(clusters.tree.nodeCount, groups.size());
   clusters.beamLists = makeRoom<std::uint32_t>(
       device, "lists of points", groups.size() * (std::size_t{clusters.roomOfBeamList} + 1));
   clusters.sources = makeRoom<shared::vec4>(device, "sources of fluence", count);
