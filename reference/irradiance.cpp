@@ -20,10 +20,6 @@ namespace {
 // away.
 constexpr int skyRays = 1024;
 
-Colour toColour(const Rgb& rgb) {
-  return {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
-}
-
 /// Light that arrives at a point: the direction it comes from, how far, and the irradiance on a
 /// surface that faces it.
 struct Arriving {

@@ -21,10 +21,6 @@ namespace {
 constexpr int mostPixels = 16384;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Colour toColour(const Rgb& rgb) {
-  return {double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
-}
-
 template <typename T>
 void requireWithin(const char* name, T value, T low, T high) {
   if (value >= low && value <= high) return;
@@ -134,10 +130,7 @@ class Painter {
     if (distanceMm < infinity || !environmentBehind_) return std::nullopt;
     Colour behind = toColour(lighting.ambient);
     if (lighting.environment)
-      behind +=
-          toColour(radianceFrom(*lighting.environment, {static_cast<float>(ray.direction[0]),
-                                                        static_cast<float>(ray.direction[1]),
-                                                        static_cast<float>(ray.direction[2])}));
+      behind += toColour(radianceFrom(*lighting.environment, toFloat(ray.direction)));
     return behind;
   }
 

@@ -27,9 +27,7 @@ const Colour& SkyTable::node(int row, int column) const {
 }
 
 Colour SkyTable::at(const Vector& normal) const {
-  const auto [u, v] =
-      latLongCoordinates({static_cast<float>(normal[0]), static_cast<float>(normal[1]),
-                          static_cast<float>(normal[2])});
+  const auto [u, v] = latLongCoordinates(toFloat(normal));
   const int column = std::clamp(static_cast<int>(u * columns), 0, columns - 1);
   const int row = std::clamp(static_cast<int>(v * rows), 0, rows - 1);
   const double right = u * columns - column;

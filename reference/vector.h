@@ -18,6 +18,12 @@ using Colour = std::array<double, 3>;
 inline Vector toVector(const Vec3& v) {
   return {double{v[0]}, double{v[1]}, double{v[2]}};
 }
+inline Vec3 toFloat(const Vector& v) {
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+inline Colour toColour(const Rgb& rgb) {
+  return toVector(rgb);
+}
 inline Vector operator+(const Vector& a, const Vector& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }

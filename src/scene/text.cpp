@@ -94,12 +94,18 @@ std::optional<std::string_view> nearest(std::string_view word,
 }
 
 std::string listed(std::span<const std::string_view> words) {
+  return listed(words, words.size());
+}
+
+std::string listed(std::span<const std::string_view> words, std::size_t most) {
+  const std::size_t named = std::min(words.size(), most);
+  const std::size_t more = words.size() - named;
   std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
+  for (std::size_t i = 0; i < named; ++i) {
+    if (i > 0) text += i + 1 == named && more == 0 ? " and " : ", ";
     text += fmt::format("'{}'", words[i]);
   }
-  return text;
+  return more > 0 ? fmt::format("{} and {} more", text, more) : text;
 }
 
 }  // namespace opaline::scene

@@ -22,4 +22,7 @@ std::optional<std::string_view> nearest(std::string_view word,
 /// "'a', 'b' and 'c'".
 std::string listed(std::span<const std::string_view> words);
 
+/// The same of so many, and how many more there are: "'a', 'b' and 7 more".
+std::string listed(std::span<const std::string_view> words, std::size_t most);
+
 }  // namespace opaline::scene

@@ -99,10 +99,18 @@ std::array<float, 3> readPlace(const Given& given, const Range& range) {
   return toFloat(readTriple(given, range));
 }
 
-std::array<double, 3> readChannels(const Given& given, const Range& range) {
-  const auto channels = channelsIn(given.text, range);
-  if (!channels) refuse(given, options::requirement({range}, Rgb{}));
+namespace {
+
+std::array<double, 3> channelsOf(const Given& given, const options::Allowed& allowed) {
+  const auto channels = channelsIn(given.text, allowed.range);
+  if (!channels) refuse(given, options::requirement(allowed, Rgb{}));
   return *channels;
+}
+
+}  // namespace
+
+std::array<double, 3> readChannels(const Given& given, const Range& range) {
+  return channelsOf(given, {range});
 }
 
 std::array<float, 3> readColour(const Given& given, const Range& range) {
@@ -149,9 +157,7 @@ options::Value readValue(const Given& given, const options::Allowed& allowed,
         refuseChoice(given, {allowed.choices.begin(), allowed.choices.end()});
       return given.text;
     } else if constexpr (std::is_same_v<Kind, Rgb>) {
-      const auto channels = channelsIn(given.text, allowed.range);
-      if (!channels) refuse(given, options::requirement(allowed, like));
-      return toFloat(*channels);
+      return toFloat(channelsOf(given, allowed));
     } else if constexpr (std::is_same_v<Kind, bool>) {
       return true;
     } else {

@@ -112,18 +112,16 @@ void noteSpacing(SceneResources& resources) {
 // Of objects that are open, all over or in parts.
 void noteOpen(const std::vector<std::string_view>& names, bool inParts, const LogCallback& log) {
   if (names.empty() || !log) return;
+  // One more is named, not counted.
   constexpr std::size_t mostNamed = 3;
-  const std::size_t named = names.size() > mostNamed + 1 ? mostNamed : names.size();
-  const std::string list =
-      scene::listed(std::span(names).first(named)) +
-      (named < names.size() ? fmt::format(" and {} more", names.size() - named) : std::string());
+  const std::size_t named = names.size() == mostNamed + 1 ? names.size() : mostNamed;
   const bool one = names.size() == 1;
   const std::string subject =
       inParts ? (one ? "a part of object " : "parts of objects ") : (one ? "object " : "objects ");
   log(LogLevel::Note,
       fmt::format("{}{} {} open and {} no inside for boundary transport: light scatters there as "
                   "in a half-space, by better-dipole",
-                  subject, list, one ? "is" : "are", one ? "has" : "have"));
+                  subject, scene::listed(names, named), one ? "is" : "are", one ? "has" : "have"));
 }
 
 void findInsides(const Scene& scene, SceneResources& resources, const LogCallback& log) {

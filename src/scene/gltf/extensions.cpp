@@ -60,14 +60,12 @@ void requireKnownExtensions(const Input& input, const std::vector<std::string>& 
     if (kindOf(name) == GltfExtension::Unknown) unknown.insert(cleanText(name, 60));
   }
   if (unknown.empty()) return;
-  std::vector<std::string_view> named(unknown.begin(), unknown.end());
-  const std::size_t more = named.size() - std::min(named.size(), mostNamed);
-  named.resize(named.size() - more);
+  const std::vector<std::string_view> named(unknown.begin(), unknown.end());
   failGltf(input,
-           fmt::format("it requires {}{}, which {} not supported: export it without; supported are "
+           fmt::format("it requires {}, which {} not supported: export it without; supported are "
                        "{} and those of textures and materials",
-                       listed(named), more > 0 ? fmt::format(" and {} more", more) : "",
-                       unknown.size() == 1 ? "is" : "are", fmt::join(read, ", ")));
+                       listed(named, mostNamed), unknown.size() == 1 ? "is" : "are",
+                       fmt::join(read, ", ")));
 }
 
 }  // namespace opaline::scene

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -32,8 +33,9 @@ struct Attribute {
 
 class Instances {
  public:
-  Instances(const Input& input, const tinygltf::Model& model, std::size_t node)
-      : input_(input), accessors_(input, model), node_(node) {
+  Instances(const Input& input, const tinygltf::Model& model, GltfAccessors& accessors,
+            std::size_t node)
+      : input_(input), accessors_(accessors), node_(node) {
     const auto& extensions = model.nodes[node].extensions;
     const auto found = extensions.find(instancing);
     if (found == extensions.end() || !found->second.Has("attributes")) return;
@@ -73,7 +75,7 @@ class Instances {
   }
 
   const Input& input_;
-  GltfAccessors accessors_;
+  GltfAccessors& accessors_;
   std::size_t node_;
   std::optional<std::size_t> count_;
   Attribute translation_;
@@ -84,11 +86,12 @@ class Instances {
 }  // namespace
 
 void expandInstances(const Input& input, tinygltf::Model& model) {
+  GltfAccessors accessors(input, model);
   std::vector<tinygltf::Node> made;
   const std::size_t nodes = model.nodes.size();
   for (std::size_t n = 0; n < nodes; ++n) {
     if (model.nodes[n].mesh < 0) continue;
-    const Instances instances(input, model, n);
+    const Instances instances(input, model, accessors, n);
     if (instances.count() == 0) continue;
     if (made.size() + instances.count() > mostInstances)
       failGltf(input, fmt::format("it has more than {} instances", mostInstances));

@@ -162,8 +162,11 @@ std::vector<Repair> repairMesh(RawMesh& mesh, const std::string& object) {
                                        "that can be rendered",
                                        object));
   }
-  addRepair(repairs, "vertices beside their seam", closeSeams(mesh));
   std::vector<std::uint32_t> points = sewn(mesh.positions, mesh.triangles);
+  if (const std::size_t moved = closeSeams(mesh, points); moved > 0) {
+    addRepair(repairs, "vertices beside their seam", moved);
+    points = sewn(mesh.positions, mesh.triangles);
+  }
   addRepair(repairs, "duplicate vertices", mergeDuplicates(mesh, points));
   addRepair(repairs, "duplicate faces", removeDuplicateFaces(mesh, points));
   dropUnused(mesh);

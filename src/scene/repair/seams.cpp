@@ -18,9 +18,9 @@ constexpr double nearness = 1e-6;  // of the extent
 
 using Cell = std::array<std::int64_t, 3>;
 
-/// On edges of one triangle, where what lies at the same place counts as the same vertex.
-std::vector<std::uint32_t> verticesOnOpenEdges(const RawMesh& mesh) {
-  const std::vector<std::uint32_t> points = sewn(mesh.positions, mesh.triangles);
+/// On edges of one triangle of the sewn surface.
+std::vector<std::uint32_t> verticesOnOpenEdges(const RawMesh& mesh,
+                                               std::span<const std::uint32_t> points) {
   const std::vector<Triangle> surface = renamed(mesh.triangles, points);
   std::vector<bool> open(mesh.positions.size());
   forEachEdge(sortedHalfEdges(surface), [&](std::span<const HalfEdge> edge) {
@@ -77,8 +77,8 @@ class Places {
 
 }  // namespace
 
-std::size_t closeSeams(RawMesh& mesh) {
-  const std::vector<std::uint32_t> open = verticesOnOpenEdges(mesh);
+std::size_t closeSeams(RawMesh& mesh, std::span<const std::uint32_t> points) {
+  const std::vector<std::uint32_t> open = verticesOnOpenEdges(mesh, points);
   const double within = open.empty() ? 0 : nearness * extentOf(mesh);
   // Further out than that from the origin, neighbouring floats are further apart.
   constexpr double largestCell = 1e15;
