@@ -2,6 +2,11 @@
 
 #include <string>
 
+// No part of the library that decodes images or opens files: readGltf() does what is needed of
+// that.
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_FS
 // The library's header does not pass this project's warnings.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
