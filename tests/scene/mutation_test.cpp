@@ -1,4 +1,7 @@
+#include <draco/compression/encode.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <meshoptimizer.h>
 
 #include <cstdlib>
 #include <random>
@@ -99,6 +102,57 @@ std::string seedAnimation() {
   return test::glb(json, binary + test::raw<float>({0, 1, 0, 0, 0.5F, 1, 1, 1}));
 }
 
+/// The tetrahedron of seedGlb(), compressed by both kinds of extension.
+std::string seedMeshopt() {
+  const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const std::vector<std::uint16_t> faces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+  std::vector<unsigned char> vertices(meshopt_encodeVertexBufferBound(4, 12));
+  vertices.resize(
+      meshopt_encodeVertexBuffer(vertices.data(), vertices.size(), corners.data(), 4, 12));
+  std::vector<unsigned char> indices(meshopt_encodeIndexBufferBound(12, 4));
+  indices.resize(meshopt_encodeIndexBuffer(indices.data(), indices.size(), faces.data(), 12));
+  const std::string json = fmt::format(
+      R"({{"asset":{{"version":"2.0"}},"extensionsUsed":["EXT_meshopt_compression"],"nodes":[)"
+      R"({{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1}}]}}],)"
+      R"("accessors":[{{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"}},)"
+      R"({{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}}],"bufferViews":[)"
+      R"({{"buffer":1,"byteLength":48,"extensions":{{"EXT_meshopt_compression":{{"buffer":0,)"
+      R"("byteLength":{0},"byteStride":12,"count":4,"mode":"ATTRIBUTES"}}}}}},{{"buffer":1,)"
+      R"("byteOffset":48,"byteLength":24,"extensions":{{"EXT_meshopt_compression":{{"buffer":0,)"
+      R"("byteOffset":{0},"byteLength":{1},"byteStride":2,"count":12,"mode":"TRIANGLES"}}}}}}],)"
+      R"("buffers":[{{"byteLength":{2}}},{{"byteLength":72}}]}})",
+      vertices.size(), indices.size(), vertices.size() + indices.size());
+  return test::glb(json, test::raw(vertices) + test::raw(indices));
+}
+
+std::string seedDraco() {
+  const scene::RawMesh cube = test::cube();
+  draco::Mesh mesh;
+  mesh.set_num_points(8);
+  for (const Triangle& t : cube.triangles) {
+    mesh.AddFace({draco::PointIndex(t[0]), draco::PointIndex(t[1]), draco::PointIndex(t[2])});
+  }
+  draco::GeometryAttribute attribute;
+  attribute.Init(draco::GeometryAttribute::POSITION, nullptr, 3, draco::DT_FLOAT32, false, 12, 0);
+  const int id = mesh.AddAttribute(attribute, true, 8);
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    mesh.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(i), &cube.positions[i]);
+  }
+  draco::Encoder encoder;
+  encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, 8);
+  draco::EncoderBuffer buffer;
+  encoder.EncodeMeshToBuffer(mesh, &buffer);
+  const std::string json = fmt::format(
+      R"({{"asset":{{"version":"2.0"}},"extensionsUsed":["KHR_draco_mesh_compression"],"nodes":[)"
+      R"({{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1,)"
+      R"("extensions":{{"KHR_draco_mesh_compression":{{"bufferView":0,"attributes":{{"POSITION":0)"
+      R"(}}}}}}}}]}}],"accessors":[{{"componentType":5126,"count":8,"type":"VEC3"}},)"
+      R"({{"componentType":5123,"count":36,"type":"SCALAR"}}],"bufferViews":[{{"buffer":0,)"
+      R"("byteLength":{0}}}],"buffers":[{{"byteLength":{0}}}]}})",
+      buffer.size());
+  return test::glb(json, {buffer.data(), buffer.size()});
+}
+
 std::string seedToml() {
   return "model = 'seed.ply'\ndiagonal_mm = 20\n[media.soap]\nsigma_s_per_mm = [1, 2, 3]\n"
          "sigma_a_per_mm = [0.1, 0.1, 0.1]\n[objects.seed]\nmedium = 'soap'\nscale = 2\n"
@@ -176,7 +230,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, Mutations,
                          testing::Values(Seed{"ascii.ply", seedPly},
                                          Seed{"binary.ply", seedBinaryPly}, Seed{"a.obj", seedObj},
                                          Seed{"a.glb", seedGlb}, Seed{"moving.glb", seedAnimation},
-                                         Seed{"a.toml", seedToml}));
+                                         Seed{"meshopt.glb", seedMeshopt},
+                                         Seed{"draco.glb", seedDraco}, Seed{"a.toml", seedToml}));
 
 }  // namespace
 }  // namespace opaline

@@ -13,9 +13,10 @@ namespace opaline::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> read{
-    "EXT_mesh_gpu_instancing", "KHR_lights_punctual",          "KHR_materials_ior",
-    "KHR_materials_volume",    "KHR_materials_volume_scatter", "KHR_mesh_quantization"};
+constexpr std::array<std::string_view, 9> read{
+    "EXT_mesh_gpu_instancing",      "EXT_meshopt_compression", "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",          "KHR_materials_ior",       "KHR_materials_volume",
+    "KHR_materials_volume_scatter", "KHR_mesh_quantization",   "KHR_meshopt_compression"};
 
 constexpr std::array<std::string_view, 23> appearance{"EXT_texture_avif",
                                                       "EXT_texture_webp",

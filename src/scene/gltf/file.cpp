@@ -7,6 +7,10 @@
 
 #include "core/file.h"
 #include "opaline/error.h"
+#include "scene/gltf/accepted_json.h"
+#include "scene/gltf/decoded.h"
+#include "scene/gltf/draco.h"
+#include "scene/gltf/meshopt.h"
 #include "scene/gltf/prescan.h"
 #include "scene/text.h"
 
@@ -15,6 +19,9 @@ namespace opaline::scene {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of a binary file, with the head of its first chunk.
+constexpr std::size_t headerBytes = 20;
 
 /// What the library asks of the file system goes through here.
 struct FileAccess {
@@ -90,7 +97,6 @@ std::uint32_t littleEndian32(std::span<const std::byte> bytes, std::size_t at) {
 std::string_view jsonOf(const Input& input, bool binary) {
   const auto* text = reinterpret_cast<const char*>(input.bytes.data());
   if (!binary) return {text, input.bytes.size()};
-  constexpr std::size_t headerBytes = 20;
   if (input.bytes.size() < headerBytes) failGltf(input, "the file ends inside its header");
   const std::uint32_t version = littleEndian32(input.bytes, 4);
   if (version != 2) failGltf(input, fmt::format("it is of glTF version {}, not 2", version));
@@ -102,6 +108,34 @@ std::string_view jsonOf(const Input& input, bool binary) {
     failGltf(input, "the JSON chunk is longer than the file");
   }
   return {text + headerBytes, size};
+}
+
+std::string word(std::size_t value) {
+  std::string bytes(4, '\0');
+  for (char& byte : bytes) {
+    byte = static_cast<char>(value & 0xffU);
+    value >>= 8U;
+  }
+  return bytes;
+}
+
+/// The bytes of the file, or a copy of them in `changed` where the library would refuse them.
+std::string_view bytesToRead(const Input& input, const GltfPrescan& prescan, std::string_view json,
+                             bool binary, std::string& changed) {
+  const std::string_view bytes(reinterpret_cast<const char*>(input.bytes.data()),
+                               input.bytes.size());
+  std::optional<std::string> text = acceptedJson(prescan, json);
+  if (!text) return bytes;
+  if (binary) {
+    text->resize((text->size() + 3) / 4 * 4, ' ');
+    const std::string_view rest = bytes.substr(headerBytes + json.size());
+    changed = "glTF" + word(2) + word(headerBytes + text->size() + rest.size()) +
+              word(text->size()) + "JSON" + *text;
+    changed += rest;
+  } else {
+    changed = std::move(*text);
+  }
+  return changed;
 }
 
 /// The first sentence of what the library complains about, empty if that is nothing serious: a
@@ -129,7 +163,10 @@ tinygltf::Model readGltf(const Input& input) {
                                std::min<std::size_t>(input.bytes.size(), 4));
   const bool binary = start == "glTF";
   FileAccess access;
-  access.prescan = prescanGltf(input, jsonOf(input, binary));
+  const std::string_view json = jsonOf(input, binary);
+  access.prescan = prescanGltf(input, json);
+  std::string changed;
+  const std::string_view bytes = bytesToRead(input, access.prescan, json, binary, changed);
   std::error_code problem;
   const fs::path parent = input.file.parent_path();
   access.folder = fs::canonical(parent.empty() ? fs::path(".") : parent, problem).string();
@@ -143,15 +180,13 @@ tinygltf::Model readGltf(const Input& input) {
   std::string error;
   std::string warning;
   bool whole = false;
-  const auto size = static_cast<unsigned>(input.bytes.size());
+  const auto size = static_cast<unsigned>(bytes.size());
   try {
     whole = binary ? reader.LoadBinaryFromMemory(
                          &model, &error, &warning,
-                         reinterpret_cast<const unsigned char*>(input.bytes.data()), size,
-                         access.folder)
-                   : reader.LoadASCIIFromString(&model, &error, &warning,
-                                                reinterpret_cast<const char*>(input.bytes.data()),
-                                                size, access.folder);
+                         reinterpret_cast<const unsigned char*>(bytes.data()), size, access.folder)
+                   : reader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size,
+                                                access.folder);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& exception) {
@@ -176,6 +211,9 @@ tinygltf::Model readGltf(const Input& input) {
     failGltf(input, fmt::format("it is of glTF version '{}', not 2.0",
                                 cleanText(model.asset.version, 20)));
   }
+  GltfDecoded decoded(input, model);
+  decodeMeshopt(decoded);
+  decodeDraco(decoded);
   return model;
 }
 

@@ -20,8 +20,8 @@ namespace opaline::scene {
 /// Throws Error: "FILE: REASON".
 [[noreturn]] void failGltf(const Input& input, const std::string& reason);
 
-/// Reads the JSON and the buffers, from the file itself and from its own folder only. Images are
-/// not decoded.
+/// Reads the JSON and the buffers, from the file itself and from its own folder only. Data that
+/// are compressed are decoded, images are not.
 tinygltf::Model readGltf(const Input& input);
 
 }  // namespace opaline::scene

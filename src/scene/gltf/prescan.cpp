@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "opaline/error.h"
+#include "scene/gltf/accepted_json.h"
 #include "scene/gltf/extensions.h"
 #include "scene/gltf/file.h"
 #include "scene/text.h"
@@ -17,7 +18,8 @@ namespace {
 
 constexpr std::size_t deepestNesting = 200;
 constexpr std::size_t mostValues = 4'000'000;
-constexpr std::uint64_t largestCount = 0x7fffffff;
+/// Of what lies in a file that may be read.
+constexpr std::uint64_t largestExtent = longestFileBytes;
 
 int hexDigit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -58,8 +60,9 @@ class Scanner : public nlohmann::json_sax<nlohmann::json> {
     return value();
   }
   bool number_unsigned(number_unsigned_t number) override {
-    if (number > largestCount && isExtent() && lastKey_ == "count") {
-      problem = fmt::format("'count' is {}, but at most {} are possible", number, largestCount);
+    if (number > largestExtent && isExtent()) {
+      problem = fmt::format("'{}' of its data is {}, but at most {} is possible", lastKey_, number,
+                            largestExtent);
     }
     return value();
   }
@@ -150,8 +153,10 @@ GltfPrescan prescanGltf(const Input& input, std::string_view json) {
   }
   // Extensions may say what else looks damaged.
   requireKnownExtensions(input, scanner.found.extensionsRequired);
-  // Each would get a copy of the binary chunk.
-  if (scanner.buffersWithoutUri() > 1) failGltf(input, "more than one buffer lacks a uri");
+  // Each would get a copy of the binary chunk, if it is no placeholder that is filled later.
+  if (scanner.buffersWithoutUri() > 1 && !mayHavePlaceholders(scanner.found)) {
+    failGltf(input, "more than one buffer lacks a uri");
+  }
   return std::move(scanner.found);
 }
 

@@ -21,6 +21,13 @@ inline std::string tetrahedronBytes() {
   return raw(tetrahedron) + raw(tetrahedronFaces);
 }
 
+/// The text with the first of a piece, which it must have, changed.
+inline std::string changed(std::string text, const std::string& piece, const std::string& to) {
+  const std::size_t at = text.find(piece);
+  EXPECT_NE(at, std::string::npos) << piece;
+  return at == std::string::npos ? text : text.replace(at, piece.size(), to);
+}
+
 /// Parts of a file around the tetrahedron, each to be replaced.
 struct Parts {
   std::string nodes = R"({"mesh":0,"name":"tetra"})";
