@@ -56,17 +56,16 @@ GltfExtension kindOf(std::string_view extension) {
 
 void requireKnownExtensions(const Input& input, const std::vector<std::string>& required) {
   constexpr std::size_t mostNamed = 8;
-  std::set<std::string> unknown;
+  std::set<std::string> notRead;
   for (const std::string& name : required) {
-    if (kindOf(name) == GltfExtension::Unknown) unknown.insert(cleanText(name, 60));
+    if (kindOf(name) != GltfExtension::Read) notRead.insert(cleanText(name, 60));
   }
-  if (unknown.empty()) return;
-  const std::vector<std::string_view> named(unknown.begin(), unknown.end());
-  failGltf(input,
-           fmt::format("it requires {}, which {} not supported: export it without; supported are "
-                       "{} and those of textures and materials",
-                       listed(named, mostNamed), unknown.size() == 1 ? "is" : "are",
-                       fmt::join(read, ", ")));
+  if (notRead.empty()) return;
+  const std::vector<std::string_view> named(notRead.begin(), notRead.end());
+  failGltf(input, fmt::format("it requires {}, which {} not supported: export it without; "
+                              "supported are {}",
+                              listed(named, mostNamed), notRead.size() == 1 ? "is" : "are",
+                              fmt::join(read, ", ")));
 }
 
 }  // namespace opaline::scene

@@ -17,7 +17,8 @@ enum class GltfExtension {
 
 GltfExtension kindOf(std::string_view extension);
 
-/// Throws Error, naming them, when extensions that a file requires are unknown here.
+/// Throws Error, naming them, when a file requires extensions that are not understood: it says that
+/// it looks wrong without them. What it only uses may be left out.
 void requireKnownExtensions(const Input& input, const std::vector<std::string>& required);
 
 }  // namespace opaline::scene

@@ -14,7 +14,7 @@ namespace opaline::scene {
 struct GltfPrescan {
   std::set<std::string> bufferFiles;  ///< external, percent-decoded
   std::vector<std::string> extensionsUsed{};
-  std::vector<std::string> extensionsRequired{};  ///< all known
+  std::vector<std::string> extensionsRequired{};  ///< all read
 };
 
 /// Throws Error for bytes that are no JSON, nested too deep, with too many values, or with several
