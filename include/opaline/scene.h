@@ -26,12 +26,21 @@ struct Mesh {
   bool facetted = false;  ///< normals are those of the triangles, also when they move
 };
 
-/// One body of one medium.
+/// A surface that lets no light in and gives back the same share of it in all directions.
+struct OpaqueMaterial {
+  Rgb baseColor{0.5F, 0.5F, 0.5F};  ///< that share, in [0, 1]
+
+  bool operator==(const OpaqueMaterial&) const = default;
+};
+
+/// One body of one material.
 struct Object {
   std::string name;
   Mesh mesh;  ///< in the rest pose
   Medium medium;
-  std::optional<Rig> rig;  ///< none: only the scene's deformers move it
+  std::optional<Rig> rig;                ///< none: only the scene's deformers move it
+  std::optional<OpaqueMaterial> opaque;  ///< if set, light does not enter and `medium` is not used
+  bool isGround = false;  ///< stands still, casts no shadow of its own, and counts for no size
 };
 
 /// Light from infinitely far away.
@@ -188,7 +197,7 @@ struct Bounds {
   Vec3 maxMm{};
 };
 
-/// The smallest box around all vertices of all objects; zero for a scene without vertices.
+/// The smallest box around all vertices of all objects but a ground; zero without vertices.
 Bounds boundsOf(const Scene& scene);
 
 /// The middle of a box, mm.
@@ -216,6 +225,21 @@ Scene builtInBear(const LoadOptions& options = {});
 
 /// The Utah teapot (Newell 1975) from its Bézier patches: 2256 triangles, 1177 vertices.
 Scene builtInTeapot(const LoadOptions& options = {});
+
+/// An opaque horizontal plane, a thousand diagonals wide, under what the scene has. It takes shadows
+/// and light and gives light back. Lights below it are hidden by it.
+struct Ground {
+  Rgb color{0.5F, 0.5F, 0.5F};    ///< share of light that it gives back, in [0, 1]
+  std::optional<float> heightMm;  ///< y; none: the lowest point at rest
+
+  bool operator==(const Ground&) const = default;
+};
+
+std::string complaintAbout(const OpaqueMaterial& material);
+std::string complaintAbout(const Ground& ground);
+
+/// The ground as an object, which becomes a part of the scene by being added to its objects.
+Object groundUnder(const Scene& scene, const Ground& ground = {});
 
 /// The default camera: in the given direction from the centre of the box (default +z), looking at
 /// the centre, 1.4 diagonals away. It knows neither the picture's width over its height nor the

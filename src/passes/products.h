@@ -47,6 +47,7 @@ struct DeformedMesh {
   gpu::Buffer indices;    ///< uint, of vertices, three a triangle
   std::uint32_t vertexCount = 0;
   std::uint32_t indexCount = 0;
+  std::uint32_t castingIndexCount = 0;  ///< of those, which come first, that cast shadows
 };
 
 /// What the shaders know of bodies and media.

@@ -34,10 +34,15 @@ constexpr double apartInEdges = 1.5;
 // up to 1.6 times as much with 128 to 512.
 constexpr double thinPower = 0.75;
 
+// Edge of a cluster over that of a triangle, where two that make a square are one cluster.
+constexpr double edgeOverTriangle = 1.5;
+
 // Edges of an object's clusters, mm.
 struct Edges {
   double usual = 0;
   double largest = 0;
+
+  bool areAsItsTriangles() const { return largest == asItsTriangles; }
 };
 
 // In the rest pose.
@@ -227,6 +232,11 @@ class Divider {
       below.firstSurfel = link.first;
       below.endSurfel = link.first + link.count;
       for (std::uint32_t i = link.first; i < link.first + link.count; ++i) {
+        if (edges.areAsItsTriangles()) {
+          const double edge = edgeOverTriangle * std::sqrt(shapes_[i].areaMm2);
+          include(shapes_[i].areaMm2, edge, edge, 0);
+          continue;
+        }
         const double ofShape = followed(thicknessMm_[i], edges.usual);
         include(shapes_[i].areaMm2, followed(thicknessMm_[i], std::min(edges.usual, edges.largest)),
                 ofShape, 1 / std::max(thicknessMm_[i], leastPart * edges.usual));
@@ -255,6 +265,7 @@ class Divider {
     const auto need = [node](bool forShape, double excess) {
       return Need{forShape, static_cast<int>(std::floor(2 * std::log2(excess))), node};
     };
+    if (edges.areAsItsTriangles()) return need(true, edge / below.ofShapeMm);
     if (edge <= below.ofShapeMm) return need(false, edge / edges.largest);
     const double thin = std::clamp(edge * below.thinnessPerMm, 1.0, 1 / leastPart);
     return need(true, edge / edges.usual * std::pow(thin, thinPower));

@@ -29,6 +29,9 @@ struct ClusterDivision {
 /// of the root of its area.
 double usualClusterMm(double areaOfObjectMm2);
 
+/// In place of the largest edge of an object's clusters: they are as large as its triangles are there.
+constexpr double asItsTriangles = 0;
+
 /// As large as usual, no larger than `largestMm`, one an object, nor than the body is thick there.
 /// Where that makes more than `maxClusters`, those go first to what is large against the usual edge
 /// and against the thickness, and what `largestMm` asks for waits until shapes have all that they

@@ -41,9 +41,9 @@ std::vector<std::uint32_t> leafOfCluster(const surfels::ClusterDivision& made) {
 std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
                                            const core::RestSurface& surface,
                                            const surfels::SurfelDivision& surfels,
-                                           const std::vector<bool>& triangleHasInside) {
+                                           const BodyKinds& kinds) {
   const auto hasInside = [&](const surfels::Piece& piece) {
-    return triangleHasInside[piece.triangle];
+    return kinds.triangleHasInside[piece.triangle];
   };
   const std::vector<std::uint32_t> leaf = leafOfCluster(made);
   const std::size_t perSurfel = surfels.piecesPerSurfel;
@@ -53,9 +53,13 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
     const std::uint32_t end = made.firstSurfel[i + 1];
     const std::span<const surfels::Piece> pieces =
         std::span(surfels.pieces).subspan(first * perSurfel, (end - first) * perSurfel);
-    const bool inside = std::all_of(pieces.begin(), pieces.end(), hasInside);
-    ranges.push_back(
-        {first, end, surface.objectOfTriangle[pieces.front().triangle], leaf[i], inside ? 1U : 0U});
+    const std::uint32_t object = surface.objectOfTriangle[pieces.front().triangle];
+    std::uint32_t kind = shared::opaqueBody;
+    if (!kinds.objectIsOpaque[object]) {
+      const bool inside = std::all_of(pieces.begin(), pieces.end(), hasInside);
+      kind = inside ? shared::bodyWithInside : shared::openBody;
+    }
+    ranges.push_back({first, end, object, leaf[i], kind});
   }
   return ranges;
 }
@@ -131,7 +135,7 @@ ClusterPass::ClusterPass(gpu::Device& device)
 Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
                                    const core::RestSurface& surface,
                                    const surfels::SurfelDivision& surfels,
-                                   const std::vector<bool>& triangleHasInside) {
+                                   const BodyKinds& kinds) {
   const std::size_t count = made.count();
   const std::size_t nodes = made.tree.links.size();
   Clusters clusters;
@@ -140,7 +144,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.tree = makeFittedTree(device, made.tree);
   clusters.ranges =
       gpu::makeBuffer(device, "ranges of clusters",
-                      rangesOf(made, surface, surfels, triangleHasInside), clusterBuffer);
+                      rangesOf(made, surface, surfels, kinds), clusterBuffer);
   clusters.clusterOfSurfel =
       gpu::makeBuffer(device, "cluster of each surfel", clusterOfSurfel(made), clusterBuffer);
   std::vector<shared::ClusterTile> tiles = tilesOf(made);

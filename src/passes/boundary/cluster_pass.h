@@ -18,6 +18,12 @@ class Device;
 
 namespace opaline::passes {
 
+/// What the parts of a scene are to boundary transport.
+struct BodyKinds {
+  std::vector<bool> triangleHasInside;  ///< of all objects
+  std::vector<bool> objectIsOpaque;
+};
+
 /// The places at which boundary transport is solved, as they are in this frame: shape, light that
 /// enters, how thick the body is and what of the scene they see.
 class ClusterPass {
@@ -28,7 +34,7 @@ class ClusterPass {
   static Clusters makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
                                const core::RestSurface& surface,
                                const surfels::SurfelDivision& surfels,
-                               const std::vector<bool>& triangleHasInside);
+                               const BodyKinds& kinds);
 
   struct Inputs {
     FrameView& frame;

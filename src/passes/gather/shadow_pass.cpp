@@ -30,7 +30,7 @@ void ShadowPass::record(gpu::CommandList& commands, FrameView& frame, DeformedMe
                   {.view = view});
     const gpu::DepthTarget depth{.image = &maps.depth, .layer = view};
     commands.beginRendering({}, &depth);
-    commands.drawIndexed(mesh.indices, mesh.indexCount);
+    commands.drawIndexed(mesh.indices, mesh.castingIndexCount);
     commands.endRendering();
   }
   commands.endPass();

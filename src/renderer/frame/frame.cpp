@@ -94,7 +94,7 @@ struct FrameContext {
       passes.clusters.record(commands,
                              {resources.view, mesh, resources.tables, resources.sky, scene.surfels,
                               scene.rays, openingAngleOf(plan.tolerance), areaLights},
-                             plan.bounces > 0 || plan.occludesSky, scene.clusters);
+                             plan.bounces > 0 || plan.occludesSky || carriesOpaque(), scene.clusters);
   }
 
   void finishSurfels(SceneResources& scene) const {
@@ -117,8 +117,19 @@ struct FrameContext {
   bool boundary() const { return plan.transport == Transport::Boundary; }
   bool onSurfels() const { return plan.sum != Sum::Pattern && (plan.scatter || plan.irradiance); }
   bool usesClusters() const {
-    return (boundary() && plan.scatter) ||
+    return (boundary() && plan.scatter) || carriesOpaque() ||
            (plan.occludesSky && (onSurfels() || plan.ambientOcclusion));
+  }
+
+  bool carriesOpaque() const { return plan.opaque && plan.sum != Sum::Pattern && plan.scatter; }
+  bool carries() const { return boundary() || carriesOpaque(); }
+
+  passes::OpaquePass::Inputs ofOpaque() const {
+    return {resources.view, resources.tables, resources.shadows};
+  }
+
+  void giveBack(passes::OpaquePass::From from, SceneResources& scene) const {
+    if (carriesOpaque()) passes.opaque.overClusters(commands, ofOpaque(), from, scene.clusters);
   }
 
   // What leaves through the clusters: of the light that enters from outside, and of what leaves and
@@ -148,6 +159,8 @@ struct FrameContext {
                             .adds = again,
                             .isDiffuse = again || !plan.skyIsDark},
                            resources.tables, clusters, scene.solver);
+      using From = passes::OpaquePass::From;
+      giveBack(again ? From::Clusters : From::Lights, scene);
       using Bounce = passes::SolverPass::Bounce;
       if (plan.bounces > 1 && bounce > 0 && bounce + 1 >= plan.bounces)
         passes.solver.recordFurtherBounces(
@@ -203,8 +216,9 @@ struct FrameContext {
     how.estimate = plan.site != Site::Vertex || wantsEstimate(scene);
     if (plan.sum == Sum::Tree || plan.site != Site::Fragment)
       sumOver(vertices, plan.sum, how, scene.surfels);
-    if (!boundary()) return;
-    meansOverClusters(scene);
+    if (carriesOpaque()) passes.opaque.overVertices(commands, ofOpaque(), order().site, vertices);
+    if (!carries()) return;
+    if (boundary()) meansOverClusters(scene);
     if (plan.site != Site::Fragment)
       passes.carry.overVertices(commands, order().site, resources.tables, scene.clusters, vertices);
   }
@@ -225,7 +239,8 @@ struct FrameContext {
     if (surfels.coarse)
       passes.nearby.overFragments(commands, order().transport, order().site, nearbyInputs(surfels),
                                   seen());
-    if (boundary())
+    if (carriesOpaque()) passes.opaque.overFragments(commands, ofOpaque(), order().site, seen());
+    if (carries())
       passes.carry.overFragments(commands, order().site, resources.tables, scene.clusters, seen());
   }
 
@@ -320,6 +335,7 @@ Passes::Passes(gpu::Device& device)
       surface(device),
       sum(device),
       nearby(device),
+      opaque(device),
       rays(device),
       clusters(device),
       occludedSky(device),
@@ -351,6 +367,8 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   if (plan.light && plan.scatter) {
     if (plan.transport == Transport::Boundary)
       context.solveBoundary(scene);
+    else if (context.carriesOpaque())
+      context.giveBack(passes::OpaquePass::From::Lights, scene);
     else if (plan.mirrorsSky && !context.usesClusters() && plan.areaLights == 0)
       passes.rays.record(commands, scene.mesh, scene.surfels, scene.rays);
     context.scatterAtVertices(scene);

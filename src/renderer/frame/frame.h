@@ -20,6 +20,7 @@
 #include "passes/gather/shadow_pass.h"
 #include "passes/gather/surfel_pass.h"
 #include "passes/scatter/nearby_pass.h"
+#include "passes/scatter/opaque_pass.h"
 #include "passes/scatter/surface_pass.h"
 #include "passes/scatter/surfel_sum_pass.h"
 #include "passes/shade/backdrop_pass.h"
@@ -49,6 +50,7 @@ struct Passes {
   passes::SurfacePass surface;
   passes::SurfelSumPass sum;
   passes::NearbyPass nearby;
+  passes::OpaquePass opaque;
   passes::RayPass rays;
   passes::ClusterPass clusters;
   passes::OccludedSkyPass occludedSky;

@@ -91,6 +91,7 @@ void SceneMotion::fillFrame(double seconds) {
   motion_.normalsFromMesh = false;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     objects_[i].side = 1;
+    objects_[i].isGround = scene_.objects[i].isGround ? 1 : 0;
     objects_[i].replaced = given_.isGiven(i) ? 1 : 0;
     objects_[i].normalsFromMesh = given_.isGiven(i) || ranges_[i].normalsFromMesh ? 1 : 0;
     motion_.normalsFromMesh = motion_.normalsFromMesh || objects_[i].normalsFromMesh != 0;

@@ -56,15 +56,17 @@ DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHas
                           std::size_t maxSurfels, std::optional<std::size_t> maxClusters) {
   DivisionOrder order{.maxSurfels = maxSurfels};
   for (const Object& object : scene.objects)
-    order.spacingOfObjectMm.push_back(sizeInFreePaths *
-                                      bssrdf::shortestMeanFreePathMm(object.medium));
+    order.spacingOfObjectMm.push_back(
+        object.opaque ? std::numeric_limits<double>::infinity()
+                      : sizeInFreePaths * bssrdf::shortestMeanFreePathMm(object.medium));
   if (!maxClusters) return order;
   order.maxClusters = *maxClusters;
   // Without an inside nothing is solved: what such an object sends to others has only its shape.
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     order.largestClusterOfObjectMm.push_back(
-        objectHasInside[i] ? clusterInFreePaths * longestMeanFreePathMm(scene.objects[i].medium)
-                           : std::numeric_limits<double>::infinity());
+        scene.objects[i].isGround ? surfels::asItsTriangles
+        : objectHasInside[i]      ? clusterInFreePaths * longestMeanFreePathMm(scene.objects[i].medium)
+                                  : std::numeric_limits<double>::infinity());
   return order;
 }
 

@@ -56,15 +56,34 @@ bool same(const Medium& a, const Medium& b) {
          a.eta == b.eta;
 }
 
+bool isMadeOf(const Object& object, const Medium& medium,
+              const std::optional<OpaqueMaterial>& opaque) {
+  return object.opaque == opaque && (opaque || same(object.medium, medium));
+}
+
 void listMedia(const Scene& scene, SceneResources& resources) {
   resources.media.clear();
+  resources.opaqueOfMedium.clear();
   resources.mediumOfObject.clear();
   for (const Object& object : scene.objects) {
-    auto found = std::find_if(resources.media.begin(), resources.media.end(),
-                              [&](const Medium& medium) { return same(medium, object.medium); });
-    if (found == resources.media.end()) found = resources.media.insert(found, object.medium);
-    resources.mediumOfObject.push_back(static_cast<std::uint32_t>(found - resources.media.begin()));
+    std::uint32_t found = 0;
+    while (found < resources.media.size() &&
+           !isMadeOf(object, resources.media[found], resources.opaqueOfMedium[found]))
+      ++found;
+    if (found == resources.media.size()) {
+      resources.media.push_back(object.medium);
+      resources.opaqueOfMedium.push_back(object.opaque);
+    }
+    resources.mediumOfObject.push_back(found);
   }
+}
+
+// A ground comes last.
+std::uint32_t castingTriangles(const Scene& scene) {
+  std::size_t triangles = 0;
+  for (const Object& object : scene.objects)
+    if (!object.isGround) triangles += object.mesh.triangles.size();
+  return static_cast<std::uint32_t>(triangles);
 }
 
 void measure(const Scene& scene, SceneResources& resources) {
@@ -103,7 +122,9 @@ void noteSpacing(SceneResources& resources) {
     const double sources = std::max(1.0, sourcesPerSurfel * object.count);
     object.sourceSpacingMm = std::sqrt(resources.sizeOfObject[i].areaMm2 / sources);
     const Medium& medium = resources.media[resources.mediumOfObject[i]];
+    object.isOpaque = resources.isOpaque(i);
     object.coarse =
+        !object.isOpaque &&
         object.sourceSpacingMm > coarseInFreePaths * bssrdf::shortestMeanFreePathMm(medium);
     resources.surfels.coarse = resources.surfels.coarse || object.coarse;
   }
@@ -128,10 +149,16 @@ void findInsides(const Scene& scene, SceneResources& resources, const LogCallbac
   std::vector<std::string_view> open;
   std::vector<std::string_view> openInParts;
   for (const Object& object : scene.objects) {
+    resources.kinds.objectIsOpaque.push_back(object.opaque.has_value());
+    std::vector<bool>& all = resources.kinds.triangleHasInside;
+    if (object.opaque) {
+      all.insert(all.end(), object.mesh.triangles.size(), false);
+      resources.objectHasInside.push_back(false);
+      continue;
+    }
     const std::vector<bool> inside =
         scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
-    resources.triangleHasInside.insert(resources.triangleHasInside.end(), inside.begin(),
-                                       inside.end());
+    all.insert(all.end(), inside.begin(), inside.end());
     const bool any = std::find(inside.begin(), inside.end(), true) != inside.end();
     resources.objectHasInside.push_back(any);
     if (std::find(inside.begin(), inside.end(), false) != inside.end())
@@ -151,7 +178,7 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
     object.hasInside = resources.objectHasInside[i];
   }
   resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, division.surfels,
-                                                         resources.triangleHasInside);
+                                                         resources.kinds);
   resources.solver =
       passes::SolverPass::makeSolver(device, resources.clusters, RenderOptions::maxBounces + 1);
 }
@@ -163,6 +190,7 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
 constexpr double longestByArea = 3;
 
 bool wantsVertices(const SceneResources& resources, std::size_t object) {
+  if (resources.isOpaque(object)) return false;
   const SizeOfObject& size = resources.sizeOfObject[object];
   const double freePathMm =
       bssrdf::shortestMeanFreePathMm(resources.media[resources.mediumOfObject[object]]);
@@ -176,6 +204,7 @@ void noteSite(const Scene& scene, const SceneResources& resources, Site site,
               const LogCallback& log) {
   if (site != Site::Vertex || !log) return;
   for (std::size_t i = 0; i < resources.objects; ++i) {
+    if (resources.isOpaque(i)) continue;
     const double edgeMm = resources.sizeOfObject[i].meanEdgeByAreaMm;
     const double freePathMm =
         bssrdf::shortestMeanFreePathMm(resources.media[resources.mediumOfObject[i]]);
@@ -201,6 +230,15 @@ bool SceneResources::hasInside() const {
                      [](const SurfelsOfObject& object) { return object.hasInside; });
 }
 
+bool SceneResources::isOpaque(std::size_t object) const {
+  return opaqueOfMedium[mediumOfObject[object]].has_value();
+}
+
+bool SceneResources::hasOpaque() const {
+  return std::any_of(opaqueOfMedium.begin(), opaqueOfMedium.end(),
+                     [](const auto& opaque) { return opaque.has_value(); });
+}
+
 SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
                                   const scene::MergedMesh& merged, const SceneNeeds& needs,
                                   const LogCallback& log) {
@@ -211,6 +249,7 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
   listMedia(scene, resources);
   measure(scene, resources);
+  resources.castingTriangles = castingTriangles(scene);
   if (needs.maxSurfels)
     requireRoom(resources.triangles, roomOf(device.limits()), device.info().name);
   makeMesh(device, resources);

@@ -7,6 +7,7 @@
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "paper/technique.h"
+#include "passes/boundary/cluster_pass.h"
 #include "passes/products.h"
 #include "renderer/scene/division.h"
 #include "scene/mesh/merged_mesh.h"
@@ -37,6 +38,7 @@ struct SurfelsOfObject {
   std::uint32_t clusterRoot = 0;     ///< among the nodes of clusters
   std::uint32_t clusterEndNode = 0;  ///< the node after its tree
   bool hasInside = false;            ///< in some part; only found out where there are clusters
+  bool isOpaque = false;
 };
 
 /// Of an object at rest.
@@ -58,16 +60,21 @@ struct SceneResources {
   std::vector<SurfelsOfObject> surfelsOfObject;  ///< one an object, where there are surfels
   std::uint32_t objects = 0;
   std::uint32_t triangles = 0;
+  std::uint32_t castingTriangles = 0;  ///< that cast shadows, and come first
   std::vector<Medium> media;  ///< the different ones
+  std::vector<std::optional<OpaqueMaterial>> opaqueOfMedium;  ///< that has its place among these
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<SizeOfObject> sizeOfObject;
-  std::vector<bool> triangleHasInside;   ///< of all objects; these two where clusters are needed
+  passes::BodyKinds kinds;               ///< these two where clusters are needed
   std::vector<bool> objectHasInside;     ///< in some part
   DivisionOrder divided;                 ///< that the surfels were made for
   std::optional<paper::FlatScene> flat;  ///< none until the paper's map is asked for
 
   /// Whether any object has, so that boundary transport is of use.
   bool hasInside() const;
+  bool isOpaque(std::size_t object) const;
+  /// Whether any object is.
+  bool hasOpaque() const;
 };
 
 /// `merged` is of the scene and outlives the resources. Notes go to `log`.

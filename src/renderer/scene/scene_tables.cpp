@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "bssrdf/fresnel.h"
 #include "bssrdf/profile.h"
@@ -27,11 +28,34 @@ bssrdf::Model modelOf(Transport transport) {
   return transport == Transport::Dipole ? bssrdf::Model::Dipole : bssrdf::Model::BetterDipole;
 }
 
-std::vector<double> differentEtas(const std::vector<Medium>& media) {
+// An opaque surface has none that light would see.
+double etaOf(const SceneResources& resources, std::size_t medium) {
+  return resources.opaqueOfMedium[medium] ? 1 : resources.media[medium].eta;
+}
+
+std::vector<double> differentEtas(const SceneResources& resources) {
   std::vector<double> etas;
-  for (const Medium& medium : media)
-    if (std::find(etas.begin(), etas.end(), medium.eta) == etas.end()) etas.push_back(medium.eta);
+  for (std::size_t i = 0; i < resources.media.size(); ++i)
+    if (const double eta = etaOf(resources, i);
+        std::find(etas.begin(), etas.end(), eta) == etas.end())
+      etas.push_back(eta);
   return etas;
+}
+
+// Nothing diffuses in it, and all that falls on it is taken.
+shared::BoundaryMedium insideOfOpaque() {
+  return {.diffusion = {1, 1, 1, 1},
+          .sigma = {1, 1, 1, static_cast<float>(bssrdf::meanCosineInside(1))},
+          .extinction = {1, 1, 1, 1},
+          .albedo = {0, 0, 0, 0}};
+}
+
+shared::MediumData dataOf(const OpaqueMaterial& material) {
+  shared::MediumData data{};
+  data.inside = insideOfOpaque();
+  data.boundary = {1, 1 / std::numbers::pi_v<float>, 1, 1};
+  data.opaque = {material.baseColor[0], material.baseColor[1], material.baseColor[2], 1};
+  return data;
 }
 
 // The medium as Transport::Boundary sees it: Grosjean's diffusion, as the better dipole's.
@@ -59,6 +83,7 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
 template <typename Holds>
 bool anyAlbedo(const std::vector<shared::MediumData>& media, const Holds& holds) {
   return std::any_of(media.begin(), media.end(), [&](const shared::MediumData& medium) {
+    if (medium.opaque.w != 0) return false;
     const shared::vec4& albedo = medium.inside.albedo;
     return holds(albedo.r) || holds(albedo.g) || holds(albedo.b);
   });
@@ -68,13 +93,19 @@ bool anyAlbedo(const std::vector<shared::MediumData>& media, const Holds& holds)
 class TableBuilder {
  public:
   TableBuilder(const SceneResources& resources, const RenderOptions& options)
-      : options_(options), etas_(differentEtas(resources.media)) {
+      : options_(options), etas_(differentEtas(resources)) {
     for (const double eta : etas_) {
       const std::vector<float> entries =
           passes::specularAlbedo(eta, static_cast<double>(options.roughness));
       albedo_.insert(albedo_.end(), entries.begin(), entries.end());
     }
-    for (const Medium& medium : resources.media) add(medium);
+    for (std::size_t i = 0; i < resources.media.size(); ++i) {
+      const auto& opaque = resources.opaqueOfMedium[i];
+      media_.push_back(opaque ? opaline::dataOf(*opaque) : dataOf(resources.media[i]));
+      const auto eta = static_cast<std::uint32_t>(
+          std::find(etas_.begin(), etas_.end(), etaOf(resources, i)) - etas_.begin());
+      media_.back().tables = {eta, 0, 0, eta * passes::specularAlbedoEntries};
+    }
   }
 
   const std::vector<double>& etas() const { return etas_; }
@@ -82,18 +113,16 @@ class TableBuilder {
   const std::vector<float>& albedo() const { return albedo_; }
 
  private:
-  void add(const Medium& medium) {
+  shared::MediumData dataOf(const Medium& medium) const {
     const bssrdf::Model model = modelOf(options_.transport);
-    const auto eta = static_cast<std::uint32_t>(std::find(etas_.begin(), etas_.end(), medium.eta) -
-                                                etas_.begin());
     const FresnelLobes lobes = fresnelLobesOf(medium.eta);
-    media_.push_back(
-        {.profile = shaders::packProfile(bssrdf::makeProfiles(model, medium)),
-         .inside = insideOf(medium),
-         .boundary = {static_cast<float>(medium.eta),
-                      static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
-                      static_cast<float>(lobes.plain), static_cast<float>(1 / lobes.stretch)},
-         .tables = {eta, 0, 0, eta * passes::specularAlbedoEntries}});
+    return {.profile = shaders::packProfile(bssrdf::makeProfiles(model, medium)),
+            .inside = insideOf(medium),
+            .boundary = {static_cast<float>(medium.eta),
+                         static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
+                         static_cast<float>(lobes.plain), static_cast<float>(1 / lobes.stretch)},
+            .opaque = {},
+            .tables = {}};
   }
 
   const RenderOptions& options_;
@@ -132,8 +161,9 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     objects[i].table.y = surfels.first;
     objects[i].table.z = surfels.count;
     objects[i].tree = {surfels.root, surfels.endNode, 0, 0};
-    objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, surfels.hasInside ? 1U : 0U,
-                           0};
+    const bool carries = surfels.isOpaque || (surfels.hasInside && transport == Transport::Boundary);
+    objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, carries ? 1U : 0U,
+                           surfels.isOpaque ? 1U : 0U};
     setSum(surfels,
            bssrdf::makeProfiles(modelOf(transport), resources.media[resources.mediumOfObject[i]]),
            resources.sizeOfObject[i].areaMm2, objects[i]);

@@ -30,6 +30,6 @@ void main() {
   bool here = seen.there && body.clusters.z != 0u && isSummedAtFragments(body, site);
   vec4 known = found[seen.entry];
   vec3 better = corrected(known.rgb, place.position, place.side * place.normal, insideOf(body),
-                          here ? body.clusters.x : noNode, body.clusters.y);
+                          isOpaque(body), here ? body.clusters.x : noNode, body.clusters.y);
   if (here) found[seen.entry] = vec4(better, known.a);
 }

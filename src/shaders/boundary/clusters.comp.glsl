@@ -90,7 +90,7 @@ vec3 enteringThrough(uint piece, PieceShape shape, ObjectData body, uint light) 
   return sum / float(pointsPerPiece);
 }
 
-Entry entryOf(uint first, uint end, Cluster cluster, ObjectData body, uint light) {
+Entry entryOf(uint first, uint end, Cluster cluster, float area, ObjectData body, uint light) {
   vec3 sum = vec3(0.0);
   vec3 weighted = vec3(0.0);
   vec3 normal = vec3(0.0);
@@ -104,7 +104,7 @@ Entry entryOf(uint first, uint end, Cluster cluster, ObjectData body, uint light
     normal += amount * shape.vectorArea;
     all += shape.area * amount;
   }
-  if (all <= 0.0 || cluster.centroidArea.w <= 0.0) return Entry(vec4(0.0), cluster.centroidArea, cluster.normal, cluster.start);
+  if (all <= 0.0 || area <= 0.0) return Entry(vec4(0.0), cluster.centroidArea, cluster.normal, cluster.start);
   vec3 place = weighted / all;
   vec3 start = cluster.start.xyz;
   float least = 3e38;
@@ -117,7 +117,7 @@ Entry entryOf(uint first, uint end, Cluster cluster, ObjectData body, uint light
     least = dot(offset, offset);
     start = middleOf(shape);
   }
-  return Entry(vec4(sum / cluster.centroidArea.w, 0.0), vec4(place, 0.0),
+  return Entry(vec4(sum / area, 0.0), vec4(place, 0.0),
                vec4(unitOr(normal, cluster.normal.xyz), 0.0), vec4(start, 0.0));
 }
 
@@ -175,7 +175,8 @@ void main() {
   float reach = max(1.2 * radius, reachInEdges * sqrt(area));
   Cluster cluster = Cluster(vec4(middle, area), vec4(normal, sqrt(area / pi)), vec4(vectorArea, 0.5),
                         vec4(middleOf(there), 0.0), vec4(along, side), vec4(facet, 0.0), vec4(0.0));
-  if (range.hasInside == 0u) {
+  float areaOfEntries = range.kind == openBody ? 0.0 : area;
+  if (range.kind != bodyWithInside) {
     cluster.centroidArea.w = 0.0;
     cluster.vectorArea = vec4(0.0);
     area = 0.0;
@@ -189,5 +190,5 @@ void main() {
 
   for (uint beam = 0u; beam <= allLightsAt(middle); ++beam)
     entries[beam * clusterCount + i] =
-        entryOf(first, end, cluster, body, beam < frame.counts.w ? beam : everywhere);
+        entryOf(first, end, cluster, areaOfEntries, body, beam < frame.counts.w ? beam : everywhere);
 }

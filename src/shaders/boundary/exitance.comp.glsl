@@ -1,4 +1,4 @@
-// What leaves through every cluster: M = M₁ + x / 2A + sE, added to that of light which entered before.
+// What leaves through every cluster with an inside: M = M₁ + x / 2A + sE, added to that of light which entered before.
 // sE is what has entered at the surface, and x the rest of the fluence times α': the combination of the
 // solver's basis that leaves the smallest residual.
 #version 460
@@ -46,10 +46,10 @@ vec3 fluenceOf(uint cluster) {
 
 void main() {
   uint i = linearIndex();
-  if (i >= clusterCount) return;
+  if (i >= clusterCount || ranges[i].kind == opaqueBody) return;
   BoundaryMedium medium = insideOf(objects[ranges[i].object]);
   vec3 leaves = latest[i].rgb + fluenceOf(i) / (2.0 * medium.diffusion.w);
-  if (atSurface != 0u && ranges[i].hasInside != 0u)
+  if (atSurface != 0u && ranges[i].kind == bodyWithInside)
     leaves += shareAtSurface(clusters[i].start.w, medium) * entered[i].rgb;
   leaves = max(leaves, vec3(0.0));
   latest[i] = vec4(leaves, 0.0);

@@ -126,7 +126,7 @@ void sumActions() {
 
 // Of all that act on a cluster, and of itself.
 vec3 productOf(uint i, vec3 sum) {
-  if (ranges[i].hasInside == 0u) return vec3(0.0);  // there is no equation
+  if (ranges[i].kind != bodyWithInside) return vec3(0.0);  // there is no equation
   Cluster cluster = clusters[i];
   vec3 own = 0.5 * absorbedLength(medium.sigma.rgb, vec3(cluster.normal.w)) / medium.diffusion.rgb;
   vec3 fluence = basis[(step - 1u) * clusterCount + i].rgb;
@@ -141,7 +141,7 @@ vec3 enteredFluence(uint i) {
 // α' times the sources, less (c + K) on what has entered. That is nothing where this is even and nothing
 // is absorbed, since c comes from the same sums as K.
 vec3 rightSideOf(uint i, vec3 sum) {
-  if (ranges[i].hasInside == 0u) return vec3(0.0);
+  if (ranges[i].kind != bodyWithInside) return vec3(0.0);
   vec3 right = medium.albedo.rgb * sources[i].rgb;
   if (atSurface != 0u) right -= sum / (4.0 * pi) + enteredFluence(i) * clusters[i].vectorArea.w;
   return right;

@@ -142,5 +142,5 @@ void main() {
   clusters[i].facet.w = sky.w;
   clusters[i].second = vec4(
       shareOfSecond(insideOf(body), sqrt(cluster.centroidArea.w)),
-      range.hasInside != 0u ? 1.0 : 0.0);
+      range.kind != openBody ? 1.0 : 0.0);
 }

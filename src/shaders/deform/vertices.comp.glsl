@@ -96,11 +96,12 @@ void main() {
   high[lane] = uvec3(0xffffffffu);
   if (v < frame.counts.x) {
     Posed p = posed(v);
-    for (uint i = 0u; i < frame.counts.y; ++i) p = deformed(p, frame.deformers[i]);
+    bool stands = motions[rest[v].object].isGround != 0u;
+    for (uint i = 0u; i < (stands ? 0u : frame.counts.y); ++i) p = deformed(p, frame.deformers[i]);
     if (!usable(p.position)) p.position = frame.middle.xyz;
     positions[v] = vec4(p.position, 1.0);
     normals[v] = vec4(unitOr(p.normal, vec3(0.0, 1.0, 0.0)), motions[rest[v].object].side);
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < 3 && !stands; ++axis) {
       low[lane][axis] = ordered(p.position[axis]);
       high[lane][axis] = ~ordered(p.position[axis]);
     }

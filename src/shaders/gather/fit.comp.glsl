@@ -117,7 +117,8 @@ void fitPoint(uint light, Box box) {
 
 void fitCamera(Box box) {
   float diagonal = distance(box.low, box.high);
-  float near = max(0.5 * distanceTo(box, frame.cameraPosition.xyz), max(1e-4 * diagonal, 1e-6));
+  float away = frame.cameraAxis.w != 0.0 ? 0.0 : distanceTo(box, frame.cameraPosition.xyz);
+  float near = max(0.5 * away, max(1e-4 * diagonal, 1e-6));
   frame.worldToClip[3][2] = near;
 }
 

@@ -10,4 +10,9 @@ bool isSummedAtFragments(ObjectData body, uint site) {
   return site == 2u || site == 0u && body.table.w != 0u;
 }
 
+// Whether light does not enter it.
+bool isOpaque(ObjectData body) {
+  return body.clusters.w != 0u;
+}
+
 #endif

@@ -19,9 +19,11 @@ const float coarseInFreePaths = 4.0;
 const float coarseInDiffusionLengths = 1.0;
 
 // The exitance at a place, where the half-space has that one, by the clusters around: their weights
-// fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. The
+// fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. Of opaque
+// bodies clusters have what is not known at the place, and none of what is. The
 // invocations of a subgroup go in step; those with nothing to do have noNode as root.
-vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium, uint root, uint end) {
+vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium,
+               bool opaque, uint root, uint end) {
   vec3 exitance = vec3(0.0);
   vec3 mean = vec3(0.0);
   float edges = 0.0;
@@ -55,6 +57,7 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium, u
   }
   if (inside <= 0.0) return halfSpace;
   exitance /= inside;
+  if (opaque) return halfSpace + exitance;
   mean /= inside;
   vec3 wanted = max(medium.extinction.rgb / coarseInFreePaths,
                     medium.sigma.rgb / coarseInDiffusionLengths);

@@ -14,6 +14,7 @@ uint cubeFace(vec3 direction) {
   return direction.z > 0.0 ? 4u : 5u;
 }
 
+// Depth 0 is where nothing casts a shadow. What takes one may lie beyond all that does.
 float shadowDepthMm(LightData light, float depth) {
   return isParallel(light.kind.x) ? light.depth.x + light.depth.y * depth
                                   : light.depth.x / (light.depth.y + depth);
@@ -21,7 +22,7 @@ float shadowDepthMm(LightData light, float depth) {
 
 vec4 litAt(LightData light, vec4 depths, float receiverMm) {
   vec4 lit;
-  for (int i = 0; i < 4; ++i) lit[i] = receiverMm <= shadowDepthMm(light, depths[i]) ? 1.0 : 0.0;
+  for (int i = 0; i < 4; ++i) lit[i] = depths[i] <= 0.0 || receiverMm <= shadowDepthMm(light, depths[i]) ? 1.0 : 0.0;
   return lit;
 }
 

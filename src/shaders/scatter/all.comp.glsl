@@ -27,6 +27,7 @@ void main() {
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   ObjectData body = objects[place.object];
+  if (isOpaque(body)) return;
   vec4 value = firstSurfel == 0u ? vec4(0.0) : exitances[seen.entry];
   if (isSummedAtFragments(body, site)) {
     value += surfelSumOf(place.position, body, firstSurfel, endSurfel);

@@ -23,7 +23,7 @@ void main() {
   uint i = linearIndex();
   if (i >= vertexCount) return;
   ObjectData body = objects[objectOf[i]];
-  if (isSummedAtFragments(body, site)) return;
+  if (isOpaque(body) || isSummedAtFragments(body, site)) return;
   vec4 value = firstSurfel == 0u ? vec4(0.0) : exitances[i];
   exitances[i] = value + surfelSumOf(positions[i].xyz, body, firstSurfel, endSurfel);
 }

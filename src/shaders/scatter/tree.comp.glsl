@@ -29,7 +29,7 @@ void main() {
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   vec4 known = meshExitanceAt(place);
   ObjectData body = objects[place.object];
-  bool here = seen.there && isSummedAtFragments(body, site);
+  bool here = seen.there && isSummedAtFragments(body, site) && !isOpaque(body);
   uint root = here && body.tree.x < body.tree.y ? body.tree.x : noNode;
   Profile profile = mediumAt(body, place.position).profile;
   // Vertices far apart know nothing of what lies between them.

@@ -34,7 +34,7 @@ void main() {
   bool inside = i < vertexCount;
   uint vertex = inside ? order[i] : 0u;
   ObjectData body = objects[objectOf[vertex]];
-  bool here = inside && (rough != 0u || !isSummedAtFragments(body, site));
+  bool here = inside && (rough != 0u || !isSummedAtFragments(body, site)) && !isOpaque(body);
   uint root = here && body.tree.x < body.tree.y ? body.tree.x : noNode;
   vec3 position = positions[vertex].xyz;
   Profile profile = mediumAt(body, position).profile;

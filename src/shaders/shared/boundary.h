@@ -21,8 +21,13 @@ struct ClusterRange {
   uint endSurfel;
   uint object;
   uint node;       // its leaf in the tree of clusters
-  uint hasInside;  // 0 where the body is open: no diffusion in it, no area to others
+  uint kind;       // of its body there
 };
+
+/// Kinds of bodies. Only in one with an inside light diffuses; the others have no area to it.
+OPALINE_BOUNDARY_CONSTANT openBody = 0u;
+OPALINE_BOUNDARY_CONSTANT bodyWithInside = 1u;
+OPALINE_BOUNDARY_CONSTANT opaqueBody = 2u;
 
 /// A cluster in this frame.
 struct Cluster {
@@ -33,8 +38,8 @@ struct Cluster {
   vec4 start;  // a place on the surface near the centroid, mm; w: thickness of the body, mm
   vec4 along;  // unit, in the surface there, moving with it; w: 1, or -1 where the body is mirrored
   vec4 facet;  // unit, outwards there; w: mean cosine inside of the sky's light that enters
-  vec4 second;  // rgb: part of the light that is followed to its second collision; w: 0 without
-                // inside
+  vec4 second;  // rgb: part of the light that is followed to its second collision; w: 0 in an
+                // open body
 };
 
 /// Clusters of one body that follow each other: the same nodes act on all of them, so that what is

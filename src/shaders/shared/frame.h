@@ -53,7 +53,7 @@ struct LightData {
 struct FrameData {
   mat4 worldToClip;
   vec4 cameraPosition;  // xyz mm
-  vec4 cameraAxis;      // xyz unit, towards the scene
+  vec4 cameraAxis;      // xyz unit, towards the scene; w: 1 where what lies nearer is seen too
   uvec4 counts;         // x: lights with shadow maps, which come first; y: size of these;
                         // z: antialiasing samples; w: all lights
   LightData lights[maxLights];
@@ -67,7 +67,8 @@ struct ObjectData {
                 // fragments, 0 at vertices
   uvec4 tree;   // x: root, among the nodes; y: the node after all of its tree
   uvec4 clusters;  // of boundary transport, x: root among their nodes; y: the node after their
-                   // tree; z: 1 where some part of the body has an inside
+                   // tree; z: 1 where they have what is seen of some part of the body; w: 1 where
+                   // it is opaque
   vec4 darkest;  // rgb: exitance below which differences do not count, over the body's flux, mm⁻²;
                  // w: reach of coarse sources (shared/nearby.h), mm, 0 where they are not
   vec4 nearbyDisc;  // rgb: what they lack there in even light, part of the irradiance

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+#include "shaders/boundary/opaque.comp.h"
+#include "shaders/scatter/opaque_fragments.comp.h"
+#include "shaders/scatter/opaque_vertices.comp.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// What opaque bodies give back of the light that falls on them. Places find what comes from lights
+/// with shadow maps by themselves; clusters find the rest, and what they send to each other.
+class OpaquePass {
+ public:
+  explicit OpaquePass(gpu::Device& device);
+
+  struct Inputs {
+    FrameView& frame;
+    SceneTables& tables;
+    ShadowMaps& shadows;
+  };
+
+  /// What clusters find: of lights and the sky, or of what other clusters send.
+  enum class From { Lights, Clusters };
+  void overClusters(gpu::CommandList& commands, const Inputs& inputs, From from,
+                    Clusters& clusters) const;
+  /// Where the site is the vertices; none elsewhere.
+  void overVertices(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
+                    const Places& vertices) const;
+  void overFragments(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
+                     const SeenSurfaces& seen) const;
+
+ private:
+  gpu::Sampler nearest_;
+  gpu::Compute<shaders::BoundaryOpaque> clusters_;
+  gpu::Compute<shaders::ScatterOpaqueVertices> vertices_;
+  gpu::Compute<shaders::ScatterOpaqueFragments> fragments_;
+};
+
+}  // namespace opaline::passes
