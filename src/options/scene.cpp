@@ -14,6 +14,7 @@ namespace {
 constexpr Range scattering{0, 1e6, "per mm", true};
 constexpr Range absorption{0, 1e6, "per mm"};
 constexpr Range power{0, 1e30};
+constexpr Range share{0, 1};
 constexpr Range period{1e-3, 1e6, "s"};
 
 }  // namespace
@@ -34,6 +35,25 @@ const std::vector<Field<LoadOptions>>& fieldsOf() {
   static const std::vector<Field<LoadOptions>> table{
       field<LoadOptions, &LoadOptions::diagonalMm>("diagonal_mm", {{1e-6, 1e9, "mm"}},
                                                    "of the bounding box"),
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<OpaqueMaterial>>& fieldsOf() {
+  static const std::vector<Field<OpaqueMaterial>> table{
+      field<OpaqueMaterial, &OpaqueMaterial::baseColor>("base_color", {share},
+                                                        "share of light that it gives back"),
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<Ground>>& fieldsOf() {
+  static const std::vector<Field<Ground>> table{
+      field<Ground, &Ground::color>("color", {share}, "share of light that it gives back"),
+      field<Ground, &Ground::heightMm>("height_mm", {{-1e6, 1e6, "mm"}},
+                                       "above the middle of the model"),
   };
   return table;
 }
@@ -184,6 +204,14 @@ bool isFinite(const Vec3& v) {
 
 std::string complaintAbout(const Medium& medium) {
   return options::complaintAboutFields(medium);
+}
+
+std::string complaintAbout(const OpaqueMaterial& material) {
+  return options::complaintAboutFields(material);
+}
+
+std::string complaintAbout(const Ground& ground) {
+  return options::complaintAboutFields(ground);
 }
 
 std::string complaintAbout(const Camera& camera) {

@@ -16,6 +16,10 @@ const std::vector<Field<Medium>>& fieldsOf();
 template <>
 const std::vector<Field<Camera>>& fieldsOf();
 template <>
+const std::vector<Field<OpaqueMaterial>>& fieldsOf();
+template <>
+const std::vector<Field<Ground>>& fieldsOf();
+template <>
 const std::vector<Field<DirectionalLight>>& fieldsOf();
 template <>
 const std::vector<Field<PointLight>>& fieldsOf();

@@ -18,6 +18,11 @@ bool finite(const T& values) {
   return std::all_of(values.begin(), values.end(), [](auto v) { return std::isfinite(v); });
 }
 
+void validate(const std::string& name, const OpaqueMaterial& material) {
+  const std::string complaint = complaintAbout(material);
+  if (!complaint.empty()) throw Error(fmt::format("object '{}': {}", name, complaint));
+}
+
 void validateMesh(const Object& object) {
   const Mesh& mesh = object.mesh;
   if (mesh.normals.size() != mesh.positionsMm.size())
@@ -76,7 +81,12 @@ void validate(const Scene& scene) {
   std::size_t triangles = 0;
   for (const Object& object : scene.objects) {
     validateMesh(object);
-    validate(object.medium);
+    if (object.opaque)
+      validate(object.name, *object.opaque);
+    else
+      validate(object.medium);
+    if (object.isGround && (&object != &scene.objects.back() || !object.opaque || object.rig))
+      throw Error("a ground must be opaque, have no rig and come after all other objects");
     triangles += object.mesh.triangles.size();
   }
   if (triangles == 0) throw Error(fmt::format("scene '{}' has no triangles", scene.name));

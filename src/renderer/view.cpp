@@ -22,6 +22,11 @@ namespace opaline {
 
 namespace {
 
+bool hasOpaque(const Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(),
+                     [](const Object& object) { return object.opaque.has_value(); });
+}
+
 shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& camera, int shadowSize,
                                 int samples) {
   shared::FrameData frame{};
@@ -77,8 +82,12 @@ class View::Implementation {
     if (options_.sum == Sum::Pattern && !lighting.areas.empty())
       throw UsageError(
           "the pattern has no surfels that area lights could shine on; the sums tree and all have");
+    if (options_.sum == Sum::Pattern && hasOpaque(edited.scene()))
+      throw UsageError(
+          "the pattern lights no opaque bodies and no ground; the sums tree and all do");
     FramePlan plan = planFor(options_, order.aovs, order.onDevice);
     plan.time = edited.time();
+    plan.opaque = hasOpaque(edited.scene());
     prepared_ = context_.prepared.share(options_, plan, lighting, std::move(prepared_));
     prepared_->prepare(options_, plan, order.patient, edited);
     const SceneChanges changes = prepared_->changes(edited);
@@ -137,9 +146,10 @@ class View::Implementation {
         makeCameraView(camera_.value_or(scene.camera),
                        static_cast<float>(options_.width) / static_cast<float>(options_.height));
     frameData_.nextFrame();
-    const FrameUpload upload{frameData_.buffer(),
-                             frameData_.push(makeFrameData(context_.edited.lighting(), camera,
-                                                           options_.shadowSize, plan_.samples))};
+    shared::FrameData data = makeFrameData(context_.edited.lighting(), camera, options_.shadowSize,
+                                           plan_.samples);
+    data.cameraAxis.w = groundOf(scene) ? 1.0F : 0.0F;
+    const FrameUpload upload{frameData_.buffer(), frameData_.push(data)};
     const bool solves = plan_.transport == Transport::Boundary && plan_.scatter;
 
     FrameSlot& slot = queue_.next();

@@ -25,6 +25,7 @@ Bounds boundsOf(const Scene& scene) {
   Bounds bounds;
   bool first = true;
   for (const Object& object : scene.objects) {
+    if (object.isGround) continue;
     for (const Vec3& p : object.mesh.positionsMm) {
       if (first) bounds = {p, p};
       first = false;

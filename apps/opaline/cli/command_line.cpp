@@ -155,6 +155,12 @@ void CommandLine::value(const std::string& names, const std::string& placeholder
   addValue(names, placeholder, help, std::move(take), false);
 }
 
+void CommandLine::valueOr(const std::string& name, const std::string& placeholder,
+                          const std::string& standard, Taker take) {
+  standards_.emplace(name, standard);
+  addValue(name, placeholder, "", std::move(take), false);
+}
+
 void CommandLine::repeated(const std::string& names, const std::string& placeholder,
                            const std::string& help, Taker take) {
   addValue(names, placeholder, help, std::move(take), true);
@@ -212,8 +218,19 @@ void CommandLine::replaceSynonyms(std::vector<std::string>& arguments) {
   }
 }
 
+void CommandLine::fillLeftOut(std::vector<std::string>& arguments) const {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const auto found = standards_.find(arguments[i]);
+    if (found == standards_.end()) continue;
+    const bool given = i + 1 < arguments.size() && !arguments[i + 1].empty() &&
+                       arguments[i + 1].find_first_not_of("0123456789.,-+e") == std::string::npos;
+    if (!given) arguments[i] += "=" + found->second;
+  }
+}
+
 void CommandLine::run(std::vector<std::string> arguments) {
   replaceSynonyms(arguments);
+  fillLeftOut(arguments);
   std::reverse(arguments.begin(), arguments.end());  // what CLI::App expects
   try {
     app_->parse(std::move(arguments));

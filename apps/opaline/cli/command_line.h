@@ -49,6 +49,9 @@ class CommandLine {
              Taker take);
   void repeated(const std::string& names, const std::string& placeholder, const std::string& help,
                 Taker take);
+  /// A list of numbers that may be left out, for `standard`; beside the option before it in the help.
+  void valueOr(const std::string& name, const std::string& placeholder, const std::string& standard,
+               Taker take);
 
   /// Hands every value to its taker, in the order the options were declared. False when help was
   /// asked for and printed. Throws UsageError for anything that is not understood.
@@ -72,6 +75,7 @@ class CommandLine {
                 Taker take, bool repeatable);
   bool hasHelpOfBefore(std::size_t i) const;
   void replaceSynonyms(std::vector<std::string>& arguments);
+  void fillLeftOut(std::vector<std::string>& arguments) const;
   void run(std::vector<std::string> arguments);
   void refuseLeftovers() const;
   std::vector<std::string> optionNames() const;
@@ -85,6 +89,7 @@ class CommandLine {
   std::vector<Entry> entries_;
   std::vector<std::function<void()>> flagTakers_;
   std::map<std::string, std::string> synonyms_;  ///< option by its older name
+  std::map<std::string, std::string> standards_;  ///< by the option whose value may be left out
   std::vector<std::string> notes_;
   const bool* json_ = nullptr;
   const bool* quiet_ = nullptr;

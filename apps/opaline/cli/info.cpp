@@ -241,7 +241,8 @@ void runInfo(const Arguments& arguments) {
   if (command.atlas) core::requireWritable(*command.atlas);
 
   const LogCallback log = noteTaker(command.quiet);
-  const scene::LoadedScene loaded = command.scene.load(log);
+  scene::LoadedScene loaded = command.scene.load(log);
+  std::erase_if(loaded.scene.objects, [](const Object& object) { return object.isGround; });
   const Scene& scene = loaded.scene;
   if (command.atlas) requireNoInput({{"--atlas", *command.atlas}}, scene::filesOf(loaded.source));
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);

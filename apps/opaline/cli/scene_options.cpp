@@ -255,11 +255,15 @@ void LightOptions::addTo(CommandLine& line) {
   area("--disc", "", "", readDisc);
   area("--sphere", "", "", readSphere);
   area("--tube", "SHAPE:R,G,B", "", readTube);
-  line.value("--ambient", "R,G,B", "radiance from everywhere; one number is grey",
+  line.value("--ambient", "R,G,B", "radiance from everywhere; what the ground gives back",
              [this](const Given& given) {
                ambient_ = readColour(given, options::fieldOf<Lighting>("radiance").allowed.range);
                any_ = true;
              });
+  line.valueOr("--ground", "[R,G,B]", options::textOf(Ground{}.color), [this](const Given& given) {
+    ground_ = Ground{
+        .color = readColour(given, options::fieldOf<Ground>("color").allowed.range)};
+  });
   line.value("--environment", "FILE", "latitude-longitude .hdr or .exr, radiance",
              [this](const Given& given) {
                environment_ = given.text;
@@ -270,6 +274,10 @@ void LightOptions::addTo(CommandLine& line) {
 }
 
 void LightOptions::applyTo(scene::LoadedScene& loaded) const {
+  if (ground_) {
+    std::erase_if(loaded.scene.objects, [](const Object& object) { return object.isGround; });
+    loaded.scene.objects.push_back(groundUnder(loaded.scene, *ground_));
+  }
   if (any_) {
     loaded.source.environment.reset();
     if (environment_) {
@@ -349,6 +357,7 @@ std::vector<std::string> notesOnSize(const Scene& scene) {
   std::set<std::string> seen;
   const double diagonal = diagonalMm(scene);
   for (const Object& object : scene.objects) {
+    if (object.opaque) continue;
     const auto length = lengthsOf(object.medium).longestDiffusionMm;
     if (!length || !seen.insert(object.medium.name).second) continue;
     const double ratio = diagonal / *length;

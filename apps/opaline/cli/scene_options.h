@@ -41,11 +41,11 @@ class SceneOptions {
 };
 
 /// --directional, --point, --spot, --rectangle, --disc, --sphere, --tube, --ambient, --environment
-/// and what turns and scales it.
+/// and what turns and scales it, --ground.
 class LightOptions {
  public:
   void addTo(CommandLine& line);
-  bool any() const { return any_ || !turned_.empty(); }
+  bool any() const { return any_ || ground_ || !turned_.empty(); }
   /// As soon as a light was given, only what was given shines. Turn and intensity are of its
   /// environment or else of the scene's own.
   void applyTo(scene::LoadedScene& loaded) const;
@@ -60,6 +60,7 @@ class LightOptions {
   std::vector<SpotLight> spots_;    ///< the same
   std::vector<AreaLight> areas_;    ///< the same
   Rgb ambient_{};
+  std::optional<Ground> ground_;
   std::optional<std::filesystem::path> environment_;
   options::Chosen<scene::EnvironmentFile> turned_;
 };

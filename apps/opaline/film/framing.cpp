@@ -36,6 +36,7 @@ void forEachPosition(const Scene& scene, const Bounds& box, const SceneTime& tim
   deform::Pose pose = deform::makePose(scene);
   deform::poseAt(scene, time.clip, time.seconds, pose);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    if (scene.objects[i].isGround) continue;
     const auto given = positionsMm.find(i);
     const auto positions =
         given == positionsMm.end()

@@ -50,10 +50,15 @@ void addRig(Digest& digest, const Rig& rig) {
 }
 
 void addObject(Digest& digest, const Object& object) {
-  const auto& [name, mesh, medium, rig] = object;
+  const auto& [name, mesh, medium, rig, opaque, isGround] = object;
   const auto& [positionsMm, normals, triangles, facetted] = mesh;
   const auto& [mediumName, sigmaSPrimePerMm, sigmaAPerMm, eta] = medium;
-  addAll(digest, positionsMm, normals, triangles, facetted, sigmaSPrimePerMm, sigmaAPerMm, eta);
+  addAll(digest, positionsMm, normals, triangles, facetted, sigmaSPrimePerMm, sigmaAPerMm, eta,
+         isGround);
+  addIfThere(digest, opaque, [&](const OpaqueMaterial& material) {
+    const auto& [baseColor] = material;
+    digest.add(baseColor);
+  });
   addIfThere(digest, rig, [&](const Rig& given) { addRig(digest, given); });
 }
 
@@ -158,6 +163,7 @@ void addFile(Digest& digest, const std::filesystem::path& file) {
 Json readable(const PictureMakers& makers) {
   Json media = Json::array();
   for (const Object& object : makers.scene.objects) {
+    if (object.opaque) continue;
     media.push_back({{"object", object.name},
                      {"medium", object.medium.name},
                      {"sigma_s_per_mm", object.medium.sigmaSPrimePerMm},

@@ -68,7 +68,6 @@ bool showsBackdrop(const FramePlan& plan, const Lighting& lighting) {
 
 void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan) {
   plan.site = chooseSite(plan, scene);
-  plan.opaque = scene.hasOpaque();
   plan.skyIsDark = skyIsDark(lighting);
   plan.occludesSky = occludesSky(plan, lighting);
   plan.lights = lightCount(lighting);

@@ -8,6 +8,19 @@
 
 namespace opaline {
 
+namespace {
+
+// Lights whose shadow maps do not know the ground; rays meet it.
+void hideBelow(float heightMm, Lighting& lighting) {
+  const auto isBelow = [&](const auto& light) { return light.positionMm[1] <= heightMm; };
+  std::erase_if(lighting.directional,
+                [](const DirectionalLight& light) { return light.directionToLight[1] <= 0; });
+  std::erase_if(lighting.points, isBelow);
+  std::erase_if(lighting.spots, isBelow);
+}
+
+}  // namespace
+
 void EditedScene::set(gpu::Device& device, const Scene& scene) {
   ++number_;
   time_ = {};
@@ -43,6 +56,7 @@ const std::vector<DirectionalLight>& EditedScene::suns() const {
 void EditedScene::separateSuns() {
   lighting_ = scene_->lighting;
   separate(suns_, lighting_);
+  if (const Object* ground = groundOf(*scene_)) hideBelow(ground->mesh.positionsMm[0][1], lighting_);
 }
 
 Scene& EditedScene::edit() {

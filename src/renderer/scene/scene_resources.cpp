@@ -105,6 +105,7 @@ void makeMesh(gpu::Device& device, SceneResources& resources) {
                                  VK_BUFFER_USAGE_INDEX_BUFFER_BIT | storage);
   mesh.vertexCount = static_cast<std::uint32_t>(merged.positionsMm.size());
   mesh.indexCount = static_cast<std::uint32_t>(3 * merged.triangles.size());
+  mesh.castingIndexCount = 3 * resources.castingTriangles;
 }
 
 // Spacing of sources in mean free paths from which on sums over them want what NearbyPass adds. A

@@ -44,6 +44,7 @@ struct Assembly {
   Vec3 centre{};
   /// How far a built-in scene's own camera stands from its target.
   std::optional<double> builtInDistanceDiagonals{};
+  std::optional<Ground> ground{};  ///< its height from the centre
 };
 
 std::filesystem::path beside(const std::filesystem::path& file, const std::string& name) {
@@ -311,6 +312,23 @@ void readCamera(const TomlTable& root, Assembly& to) {
   to.scene.cameraChosen = to.scene.cameraChosen || position || target || !chosen.empty();
 }
 
+void readGround(const TomlTable& root, Assembly& to) {
+  const auto table = root.table("ground");
+  if (!table) return;
+  table->requireKeys(keys::ground);
+  Ground ground;
+  chosenIn<Ground>(*table).applyTo(ground);
+  to.ground = ground;
+}
+
+void addGround(Ground ground, double factor, Scene& scene) {
+  if (ground.heightMm) {
+    const double heightMm = factor * double{*ground.heightMm};
+    ground.heightMm = static_cast<float>(double{middleOf(boundsOf(scene))[1]} + heightMm);
+  }
+  scene.objects.push_back(groundUnder(scene, ground));
+}
+
 LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& options) {
   requireSensible(options);
   const toml::table parsed = parse(file);
@@ -328,12 +346,15 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   readLighting(root, assembly);
   frameBuiltIn(assembly);
   readCamera(root, assembly);
+  readGround(root, assembly);
+  double factor = 1;
   if (options.diagonalMm) {
-    const double factor = double{*options.diagonalMm} / diagonalOf(boundsOf(assembly.scene));
+    factor = double{*options.diagonalMm} / diagonalOf(boundsOf(assembly.scene));
     rescale(assembly.source, factor, assembly.modelDiagonalsMm);
   }
   loaded.source = withAbsolutePaths(std::move(assembly.source));
   loaded.scene = finished(std::move(assembly.scene), file, std::move(assembly.repairs), options);
+  if (assembly.ground) addGround(*assembly.ground, factor, loaded.scene);
   if (assembly.meshes) {
     assembly.meshes->followPlace(loaded.scene);
     loaded.sequence = std::make_shared<MeshSequence>(

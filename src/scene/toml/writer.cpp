@@ -296,6 +296,13 @@ void addCamera(const SceneDescription& scene, Text& to) {
   to.fields(options::chosenIn(camera));
 }
 
+void addGround(const SceneDescription& scene, Text& to) {
+  if (!scene.ground) return;
+  requireSensible(*scene.ground, "the ground");
+  to.header("[ground]");
+  to.fields(options::chosenIn(*scene.ground));
+}
+
 void addDeformers(const SceneDescription& scene, Text& to) {
   for (const Deformer& deformer : scene.deformers) {
     const std::string complaint = options::complaintAbout(deformer);
@@ -325,7 +332,11 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
   description.source = std::move(source);
   if (!lighting.environment) description.source.environment.reset();
   description.centreMm = middleOf(boundsOf(scene));
+  if (const Object* ground = groundOf(scene))
+    description.ground = {ground->opaque->baseColor,
+                          ground->mesh.positionsMm[0][1] - description.centreMm[1]};
   for (const Object& object : scene.objects) {
+    if (object.isGround) continue;
     description.media.push_back({object.name, object.medium});
   }
   description.directional = lighting.directional;
@@ -352,6 +363,7 @@ fs::path writeScene(const core::Target& target, const SceneDescription& descript
   if (needTables(models)) addModels(models, file, text);
   addLighting(description, file, text);
   addCamera(description, text);
+  addGround(description, text);
   addDeformers(description, text);
   addSettings(description.settings, text);
   return core::writeWhole(target, text.lines());

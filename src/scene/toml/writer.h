@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct SceneDescription {
   std::vector<AreaLight> areas;
   Rgb ambient{};
   Camera camera;
+  std::optional<Ground> ground;  ///< its height from the centre
   std::vector<Deformer> deformers;
   SceneFileSettings settings;
 };

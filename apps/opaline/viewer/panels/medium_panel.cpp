@@ -134,7 +134,8 @@ void showLengths(const Medium& medium) {
 void drawMediumPanel(Session& session) {
   if (!controls::section("Medium", true) || session.scene.objects.empty()) return;
   std::vector<std::string> names;
-  for (const Object& object : session.scene.objects) names.push_back(object.name);
+  for (const Object& object : session.scene.objects)
+    if (!object.isGround) names.push_back(object.name);
   if (names.size() > 1) {
     auto index = static_cast<int>(session.object);
     if (controls::choice("object", index, names, "The object whose medium this panel shows.")) {

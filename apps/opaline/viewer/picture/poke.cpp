@@ -81,6 +81,7 @@ bool Poke::grab(Session& session, const Ray& ray) {
   const std::vector<Object>& objects = session.scene.objects;
   Hit hit;
   for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i].isGround) continue;
     const std::vector<Vec3> vertices = verticesOf(session, i, true);
     const std::vector<Triangle>& triangles = objects[i].mesh.triangles;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
