@@ -226,8 +226,8 @@ Scene builtInBear(const LoadOptions& options = {});
 /// The Utah teapot (Newell 1975) from its Bézier patches: 2256 triangles, 1177 vertices.
 Scene builtInTeapot(const LoadOptions& options = {});
 
-/// An opaque horizontal plane, a thousand diagonals wide, under what the scene has. It takes shadows
-/// and light and gives light back. Lights below it are hidden by it.
+/// An opaque horizontal plane, a thousand diagonals wide, under what the scene has. It takes
+/// shadows and light and gives light back. Lights below it are hidden by it.
 struct Ground {
   Rgb color{0.5F, 0.5F, 0.5F};    ///< share of light that it gives back, in [0, 1]
   std::optional<float> heightMm;  ///< y; none: the lowest point at rest

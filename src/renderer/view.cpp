@@ -146,8 +146,8 @@ class View::Implementation {
         makeCameraView(camera_.value_or(scene.camera),
                        static_cast<float>(options_.width) / static_cast<float>(options_.height));
     frameData_.nextFrame();
-    shared::FrameData data = makeFrameData(context_.edited.lighting(), camera, options_.shadowSize,
-                                           plan_.samples);
+    shared::FrameData data =
+        makeFrameData(context_.edited.lighting(), camera, options_.shadowSize, plan_.samples);
     data.cameraAxis.w = groundOf(scene) ? 1.0F : 0.0F;
     const FrameUpload upload{frameData_.buffer(), frameData_.push(data)};
     const bool solves = plan_.transport == Transport::Boundary && plan_.scatter;

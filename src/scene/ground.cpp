@@ -10,8 +10,8 @@ namespace opaline {
 
 namespace {
 
-// All lengths in diagonals. The square grid in the middle reaches further than the body does. Around
-// it lie rings, each twice as far out as the one before.
+// All lengths in diagonals. The square grid in the middle reaches further than the body does.
+// Around it lie rings, each twice as far out as the one before.
 constexpr int cellsAcross = 32;
 constexpr double halfOfGrid = 0.8;
 constexpr int rings = 10;
@@ -63,8 +63,8 @@ void addRings(const Plane& plane, Mesh& mesh) {
     const double size = std::ldexp(halfOfGrid, ring);
     const auto first = static_cast<std::uint32_t>(mesh.positionsMm.size());
     for (const auto& [row, column] : border)
-      mesh.positionsMm.push_back(plane.at(size * (2.0 * column / cellsAcross - 1),
-                                          size * (2.0 * row / cellsAcross - 1)));
+      mesh.positionsMm.push_back(
+          plane.at(size * (2.0 * column / cellsAcross - 1), size * (2.0 * row / cellsAcross - 1)));
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t next = (i + 1) % count;
       mesh.triangles.push_back({inner[i], inner[next], first + i});

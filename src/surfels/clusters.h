@@ -29,7 +29,8 @@ struct ClusterDivision {
 /// of the root of its area.
 double usualClusterMm(double areaOfObjectMm2);
 
-/// In place of the largest edge of an object's clusters: they are as large as its triangles are there.
+/// In place of the largest edge of an object's clusters: they are as large as its triangles are
+/// there.
 constexpr double asItsTriangles = 0;
 
 /// As large as usual, no larger than `largestMm`, one an object, nor than the body is thick there.

@@ -96,6 +96,8 @@ class Refusals(ProgramTest):
             ("--size", "-5x10", "WIDTHxHEIGHT"),
             ("--size", "99999999999999999999x1", "WIDTHxHEIGHT"),
             ("--eta", "1", "from 1.01 to 3"),
+            ("--ground", "0.5,2,0", "from 0 to 1"),
+            ("--ground", "0.5,0.5", "three numbers or one"),
             ("--eta", "nan", "must be from 1.01 to 3"),
             ("--eta", "1.3x", "'1.3x' is not a number"),
             ("--sigma-s", "1,2", "three numbers"),

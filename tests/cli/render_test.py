@@ -60,6 +60,16 @@ class Outputs(Render):
         self.assertIn("the camera sees nothing of the scene", self.succeed("render", *floor).err)
         self.assertNotIn("sees nothing", self.succeed("render", *floor, "--camera-direction", "0.2,0.6,1").err)
 
+    def test_a_ground_with_or_without_its_colour(self):
+        above = ("--camera-direction", "0,1,0.01", "--directional", "0,1,0:2", "--bounces", 0)
+        for given, share in [(("--ground",), (.5, .5, .5)), (("--ground", ".25"), (.25, .25, .25)),
+                             (("--ground", "1,.5,0"), (1, .5, 0))]:
+            corner = self.exr(*above, *given).rows[0][0]
+            self.near(corner[:3], [2 * part / math.pi for part in share], .005)
+            self.assertEqual(corner[3], 1)
+        self.refused(2, "render", *BODY, "--ground", "--method", "paper", "-o", "out.exr", says=["ground"])
+        self.refused(2, "reference", "cube.obj", "--size", "8x8", "--path", "--ground", "-o", "out.exr", says=["ground"])
+
     def test_the_name_follows_the_scene(self):
         self.assertEqual(self.succeed("render", *CUBE).err, "")
         self.succeed("render", *CUBE, "--aov", "depth")

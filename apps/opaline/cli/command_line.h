@@ -49,7 +49,8 @@ class CommandLine {
              Taker take);
   void repeated(const std::string& names, const std::string& placeholder, const std::string& help,
                 Taker take);
-  /// A list of numbers that may be left out, for `standard`; beside the option before it in the help.
+  /// A list of numbers that may be left out, for `standard`; beside the option before it in the
+  /// help.
   void valueOr(const std::string& name, const std::string& placeholder, const std::string& standard,
                Taker take);
 
@@ -88,7 +89,7 @@ class CommandLine {
   std::string usage_;  ///< the positional arguments as the help shows them
   std::vector<Entry> entries_;
   std::vector<std::function<void()>> flagTakers_;
-  std::map<std::string, std::string> synonyms_;  ///< option by its older name
+  std::map<std::string, std::string> synonyms_;   ///< option by its older name
   std::map<std::string, std::string> standards_;  ///< by the option whose value may be left out
   std::vector<std::string> notes_;
   const bool* json_ = nullptr;

@@ -255,14 +255,13 @@ void LightOptions::addTo(CommandLine& line) {
   area("--disc", "", "", readDisc);
   area("--sphere", "", "", readSphere);
   area("--tube", "SHAPE:R,G,B", "", readTube);
-  line.value("--ambient", "R,G,B", "radiance from everywhere; what the ground gives back",
+  line.value("--ambient", "R,G,B", "radiance from everywhere; share given back [0.5]",
              [this](const Given& given) {
                ambient_ = readColour(given, options::fieldOf<Lighting>("radiance").allowed.range);
                any_ = true;
              });
   line.valueOr("--ground", "[R,G,B]", options::textOf(Ground{}.color), [this](const Given& given) {
-    ground_ = Ground{
-        .color = readColour(given, options::fieldOf<Ground>("color").allowed.range)};
+    ground_ = Ground{.color = readColour(given, options::fieldOf<Ground>("color").allowed.range)};
   });
   line.value("--environment", "FILE", "latitude-longitude .hdr or .exr, radiance",
              [this](const Given& given) {

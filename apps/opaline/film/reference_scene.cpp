@@ -43,9 +43,10 @@ reference::Scene referenceScene(const Scene& scene, const SceneTime& time,
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     if (object.opaque)
-      throw UsageError(fmt::format("'{}' is opaque, and a reference knows translucent bodies only: "
-                                   "leave it out",
-                                   object.name));
+      throw UsageError(
+          fmt::format("'{}' is opaque, and a reference knows translucent bodies only: "
+                      "leave it out",
+                      object.name));
     deform::DeformedVertices mesh = meshAt(scene, i, pose, time.seconds, positionsMm);
     result.bodies.push_back({std::move(mesh.positionsMm), std::move(mesh.normals),
                              object.mesh.triangles, object.medium});

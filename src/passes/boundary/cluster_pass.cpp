@@ -134,17 +134,15 @@ ClusterPass::ClusterPass(gpu::Device& device)
 
 Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
                                    const core::RestSurface& surface,
-                                   const surfels::SurfelDivision& surfels,
-                                   const BodyKinds& kinds) {
+                                   const surfels::SurfelDivision& surfels, const BodyKinds& kinds) {
   const std::size_t count = made.count();
   const std::size_t nodes = made.tree.links.size();
   Clusters clusters;
   clusters.count = made.count();
   clusters.raysOutwards = raysOutwards;
   clusters.tree = makeFittedTree(device, made.tree);
-  clusters.ranges =
-      gpu::makeBuffer(device, "ranges of clusters",
-                      rangesOf(made, surface, surfels, kinds), clusterBuffer);
+  clusters.ranges = gpu::makeBuffer(device, "ranges of clusters",
+                                    rangesOf(made, surface, surfels, kinds), clusterBuffer);
   clusters.clusterOfSurfel =
       gpu::makeBuffer(device, "cluster of each surfel", clusterOfSurfel(made), clusterBuffer);
   std::vector<shared::ClusterTile> tiles = tilesOf(made);

@@ -33,8 +33,7 @@ class ClusterPass {
   /// For set-up, not for frames.
   static Clusters makeClusters(gpu::Device& device, const surfels::ClusterDivision& made,
                                const core::RestSurface& surface,
-                               const surfels::SurfelDivision& surfels,
-                               const BodyKinds& kinds);
+                               const surfels::SurfelDivision& surfels, const BodyKinds& kinds);
 
   struct Inputs {
     FrameView& frame;

@@ -94,7 +94,8 @@ struct FrameContext {
       passes.clusters.record(commands,
                              {resources.view, mesh, resources.tables, resources.sky, scene.surfels,
                               scene.rays, openingAngleOf(plan.tolerance), areaLights},
-                             plan.bounces > 0 || plan.occludesSky || carriesOpaque(), scene.clusters);
+                             plan.bounces > 0 || plan.occludesSky || carriesOpaque(),
+                             scene.clusters);
   }
 
   void finishSurfels(SceneResources& scene) const {

@@ -65,8 +65,8 @@ DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHas
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     order.largestClusterOfObjectMm.push_back(
         scene.objects[i].isGround ? surfels::asItsTriangles
-        : objectHasInside[i]      ? clusterInFreePaths * longestMeanFreePathMm(scene.objects[i].medium)
-                                  : std::numeric_limits<double>::infinity());
+        : objectHasInside[i] ? clusterInFreePaths * longestMeanFreePathMm(scene.objects[i].medium)
+                             : std::numeric_limits<double>::infinity());
   return order;
 }
 

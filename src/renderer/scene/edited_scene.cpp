@@ -56,7 +56,8 @@ const std::vector<DirectionalLight>& EditedScene::suns() const {
 void EditedScene::separateSuns() {
   lighting_ = scene_->lighting;
   separate(suns_, lighting_);
-  if (const Object* ground = groundOf(*scene_)) hideBelow(ground->mesh.positionsMm[0][1], lighting_);
+  if (const Object* ground = groundOf(*scene_))
+    hideBelow(ground->mesh.positionsMm[0][1], lighting_);
 }
 
 Scene& EditedScene::edit() {

@@ -178,8 +178,8 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
     object.clusterEndNode = made.tree.rootOfObject[i + 1];
     object.hasInside = resources.objectHasInside[i];
   }
-  resources.clusters = passes::ClusterPass::makeClusters(device, made, surface, division.surfels,
-                                                         resources.kinds);
+  resources.clusters =
+      passes::ClusterPass::makeClusters(device, made, surface, division.surfels, resources.kinds);
   resources.solver =
       passes::SolverPass::makeSolver(device, resources.clusters, RenderOptions::maxBounces + 1);
 }

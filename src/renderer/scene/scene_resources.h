@@ -60,8 +60,8 @@ struct SceneResources {
   std::vector<SurfelsOfObject> surfelsOfObject;  ///< one an object, where there are surfels
   std::uint32_t objects = 0;
   std::uint32_t triangles = 0;
-  std::uint32_t castingTriangles = 0;  ///< that cast shadows, and come first
-  std::vector<Medium> media;  ///< the different ones
+  std::uint32_t castingTriangles = 0;                         ///< that cast shadows, and come first
+  std::vector<Medium> media;                                  ///< the different ones
   std::vector<std::optional<OpaqueMaterial>> opaqueOfMedium;  ///< that has its place among these
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<SizeOfObject> sizeOfObject;

@@ -161,7 +161,8 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     objects[i].table.y = surfels.first;
     objects[i].table.z = surfels.count;
     objects[i].tree = {surfels.root, surfels.endNode, 0, 0};
-    const bool carries = surfels.isOpaque || (surfels.hasInside && transport == Transport::Boundary);
+    const bool carries =
+        surfels.isOpaque || (surfels.hasInside && transport == Transport::Boundary);
     objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, carries ? 1U : 0U,
                            surfels.isOpaque ? 1U : 0U};
     setSum(surfels,

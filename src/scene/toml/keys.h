@@ -11,9 +11,9 @@ namespace opaline::scene::keys {
 template <std::size_t count>
 using Keys = std::array<std::string_view, count>;
 
-inline constexpr Keys<13> root{"model",       "diagonal_mm", "medium",   "media",
-                               "objects",     "lights",      "models",   "camera",
-                               "environment", "render",      "morph_to", "deform", "ground"};
+inline constexpr Keys<13> root{"model",    "diagonal_mm", "medium", "media",       "objects",
+                               "lights",   "models",      "camera", "environment", "render",
+                               "morph_to", "deform",      "ground"};
 inline constexpr Keys<2> ground{"color", "height_mm"};
 inline constexpr Keys<8> model{"file",      "diagonal_mm",    "morph_to",         "medium",
                                "transform", "translation_mm", "rotation_degrees", "scale"};

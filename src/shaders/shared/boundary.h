@@ -20,8 +20,8 @@ struct ClusterRange {
   uint firstSurfel;
   uint endSurfel;
   uint object;
-  uint node;       // its leaf in the tree of clusters
-  uint kind;       // of its body there
+  uint node;  // its leaf in the tree of clusters
+  uint kind;  // of its body there
 };
 
 /// Kinds of bodies. Only in one with an inside light diffuses; the others have no area to it.

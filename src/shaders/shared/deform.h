@@ -56,7 +56,7 @@ struct TriangleEdge {
 struct ObjectMotion {
   uint replaced;         // 1: its positions are given
   uint normalsFromMesh;  // 1: its normals are made from its triangles
-  float side;  // -1 where it is mirrored, unlike at rest, so that its triangles turn; else 1
+  float side;     // -1 where it is mirrored, unlike at rest, so that its triangles turn; else 1
   uint isGround;  // 1: deformers leave it alone, and the box around all does not hold it
 };
 

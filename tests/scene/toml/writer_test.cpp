@@ -141,6 +141,34 @@ TEST_F(SceneWriter, EverythingComesBackBitByBit) {
   }
 }
 
+TEST_F(SceneWriter, AGroundComesBackWithItsColourAndHeight) {
+  scene::LoadedScene loaded = random(5);
+  loaded.scene.objects.push_back(
+      groundUnder(loaded.scene, {.color = {0.25F, 0.5F, 1}, .heightMm = -123.5F}));
+  written(loaded);
+  const Scene again = back().scene;
+  const Object* ground = groundOf(again);
+  ASSERT_NE(ground, nullptr);
+  EXPECT_EQ(ground->opaque->baseColor, (Rgb{0.25F, 0.5F, 1}));
+  EXPECT_NEAR(ground->mesh.positionsMm[0][1], -123.5F, 1e-3F);
+  EXPECT_EQ(boundsOf(again).minMm, boundsOf(loaded.scene).minMm);
+}
+
+TEST_F(SceneWriter, AGroundLiesUnderTheModelUnlessItsHeightIsGiven) {
+  const auto heightOver = [&](const char* keys, const scene::LoadedScene& plain) {
+    test::writeBytes(file(), "model = \"../../models/cubes.glb\"\n[ground]\n" + std::string(keys));
+    return double{groundOf(back().scene)->mesh.positionsMm[0][1]} -
+           double{boundsOf(plain.scene).minMm[1]};
+  };
+  const scene::LoadedScene plain = scene::loadSceneFile(model());
+  EXPECT_EQ(heightOver("", plain), 0);
+  const Bounds bounds = boundsOf(plain.scene);
+  const double half = 0.5 * double{bounds.maxMm[1] - bounds.minMm[1]};
+  EXPECT_NEAR(heightOver("height_mm = -50", plain), half - 50, 1e-3);
+  for (const char* bad : {"color = [0.5, 2, 0]", "color = \"red\"", "height = 3"})
+    EXPECT_THROW(heightOver(bad, plain), Error) << bad;
+}
+
 TEST_F(SceneWriter, WhatIsWrittenTwiceIsTheSame) {
   const std::string first = written(random(7));
   EXPECT_EQ(written(back()), first);
@@ -224,6 +252,7 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   want("lights.", scene::keys::ambient);
   want("environment.", scene::keys::environment);
   want("camera.", scene::keys::camera);
+  want("ground.", scene::keys::ground);
   for (const auto& field : options::fieldsOf<options::PictureSettings>())
     wanted.insert("render." + std::string(field.key));
   for (const auto& field : options::fieldsOf<options::NamedSettings>())
@@ -233,6 +262,7 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
 
   std::set<std::string> found;
   scene::LoadedScene loaded = random(2);
+  loaded.scene.objects.push_back(groundUnder(loaded.scene));
   loaded.source.models[0].diagonalMm = 5;
   loaded.source.models[0].morphTo = model();
   loaded.source.placements[names[0]].rows = {{1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
@@ -272,6 +302,7 @@ TEST(SceneKeys, AreAllInTheDocument) {
   expectAll(scene::keys::ambient);
   expectAll(scene::keys::environment);
   expectAll(scene::keys::camera);
+  expectAll(scene::keys::ground);
   std::vector<std::string_view> fields;
   for (const auto& field : options::fieldsOf<options::PictureSettings>())
     fields.push_back(field.key);

@@ -1,0 +1,187 @@
+// The ground under a scene, against closed forms.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/renderer_fixture.h"
+#include "renderer/shapes.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+using std::numbers::pi;
+
+constexpr int pixels = 64;
+constexpr float ballMm = 10;
+
+Medium darkness() {
+  return {"dark", {0.01, 0.01, 0.01}, {10, 10, 10}, 1.3};
+}
+
+Medium whiteness() {
+  return {"white", {5, 5, 5}, {0, 0, 0}, 1.3};
+}
+
+class ErrorsOfGround {
+ public:
+  void add(double error) {
+    ++count_;
+    sum_ += error;
+    squares_ += error * error;
+    largest_ = std::max(largest_, std::abs(error));
+  }
+  double mean() const { return sum_ / count_; }
+  double rms() const { return std::sqrt(squares_ / count_); }
+  double largest() const { return largest_; }
+
+ private:
+  int count_ = 0;
+  double sum_ = 0;
+  double squares_ = 0;
+  double largest_ = 0;
+};
+
+class GroundTest : public RendererTest {
+ protected:
+  static RenderOptions options() {
+    RenderOptions options = smallOptions();
+    options.transport = Transport::Boundary;
+    options.width = options.height = pixels;
+    options.antialias = 1;
+    options.specular = false;
+    return options;
+  }
+
+  // A ball that stands on it, seen from above.
+  static Scene ballOnGround(const Medium& medium, const Rgb& color) {
+    Scene scene = sceneOf(sphere({0, 0, 0}, ballMm, 4), medium, {0, 300, 1}, 5 * ballMm);
+    scene.camera.up = {0, 0, -1};
+    scene.objects.push_back(groundUnder(scene, {.color = color}));
+    return scene;
+  }
+
+  // Of the pixels that see the ground at that distance from the place below the ball's middle.
+  template <typename Visit>
+  static void forEachOfGround(const std::vector<Image>& images, double least, double most,
+                              const Visit& visit) {
+    int seen = 0;
+    for (int y = 0; y < pixels; ++y)
+      for (int x = 0; x < pixels; ++x) {
+        if (images[1].pixel(x, y)[0] != 1) continue;
+        const Vector place = toVector(images[2].pixel(x, y));
+        const double distance = std::hypot(place[0], place[2]);
+        if (distance < least || distance > most) continue;
+        visit(toVector(images[0].pixel(x, y)), place, distance);
+        ++seen;
+      }
+    EXPECT_GT(seen, 50);
+  }
+
+  std::vector<Image> look(const Scene& scene, const RenderOptions& options) {
+    return render(scene, options, {Aov::Exitance, Aov::Object, Aov::Position});
+  }
+};
+
+TEST_F(GroundTest, GivesBackItsShareOfADirectionalLightButInTheShadow) {
+  RenderOptions options = GroundTest::options();
+  options.bounces = 0;
+  Scene scene = ballOnGround(darkness(), {0.8F, 0.5F, 0.1F});
+  scene.lighting.directional.push_back({{0.6F, 0.8F, 0}, {2, 3, 4}});
+  const auto images = look(scene, options);
+  const Vector expected{0.8 * 0.8 * 2, 0.5 * 0.8 * 3, 0.1 * 0.8 * 4};
+  forEachOfGround(images, 0, 5 * ballMm, [&](const Vector& found, const Vector& at, double) {
+    // The axis of the shadow's cylinder goes through the ball's middle.
+    const double along = 0.6 * at[0] + 0.8 * at[1];
+    const double away = std::sqrt(dot(at, at) - along * along) / static_cast<double>(ballMm);
+    if (std::abs(away - 1) < 0.05) return;
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[c], away < 1 ? 0 : expected[c], 1e-3 * expected[c]);
+  });
+}
+
+// Of a sphere that stands wholly above a surface element a part (R/r)² cos θ of its sky is hidden.
+TEST_F(GroundTest, TheBallHidesItsPartOfTheSky) {
+  RenderOptions options = GroundTest::options();
+  options.bounces = 0;
+  Scene scene = ballOnGround(darkness(), {0.5F, 0.5F, 0.5F});
+  scene.lighting.ambient = {1, 1, 1};
+  for (const Transport transport : {Transport::Boundary, Transport::BetterDipole}) {
+    options.transport = transport;
+    ErrorsOfGround errors;
+    forEachOfGround(look(scene, options), 1.5 * ballMm, 5 * ballMm,
+                    [&](const Vector& found, const Vector&, double distance) {
+                      const double radius{ballMm};
+                      const double hidden = std::pow(radius / std::hypot(distance, radius), 3);
+                      errors.add(found[1] / (0.5 * pi) - (1 - hidden));
+                    });
+    EXPECT_LT(errors.rms(), 0.02);
+    EXPECT_NEAR(errors.mean(), 0, 0.01);
+  }
+}
+
+TEST_F(GroundTest, InAWhiteFurnaceItIsAsBrightAsEverythingElse) {
+  RenderOptions options = GroundTest::options();
+  options.bounces = 8;
+  Scene scene = ballOnGround(whiteness(), {1, 1, 1});
+  scene.lighting.ambient = {1, 1, 1};
+  ErrorsOfGround errors;
+  forEachOfGround(
+      look(scene, options), ballMm, 5 * ballMm,
+      [&](const Vector& found, const Vector&, double) { errors.add(found[1] / pi - 1); });
+  EXPECT_LT(errors.rms(), 0.005);
+  EXPECT_LT(errors.largest(), 0.015);
+}
+
+TEST_F(GroundTest, ItsColourTintsWhatStandsOnIt) {
+  Scene scene = sceneOf(sphere({0, 0, 0}, ballMm, 4), whiteness(), {0, 0, 60}, ballMm);
+  scene.lighting.directional.push_back({{0, 0.6F, 0.8F}, {1, 1, 1}});
+  Scene standing = scene;
+  standing.objects.push_back(groundUnder(scene, {.color = {0.9F, 0, 0}}));
+  const auto below = [&](const Scene& seen) {
+    return toVector(look(seen, options())[0].pixel(pixels / 2, 3 * pixels / 4));
+  };
+  const Vector alone = below(scene);
+  const Vector tinted = below(standing);
+  EXPECT_GT(tinted[0], 1.1 * alone[0]);
+  EXPECT_NEAR(tinted[1], alone[1], 0.02 * alone[1]);  // it gives back no green
+}
+
+TEST_F(GroundTest, DoesNotMoveAndHidesWhatShinesFromBelow) {
+  Scene scene = ballOnGround(darkness(), {1, 1, 1});
+  scene.lighting.directional.push_back({{0, -1, 0}, {1, 1, 1}});
+  scene.lighting.points.push_back({{0, -2 * ballMm, 0}, {1e4F, 1e4F, 1e4F}});
+  scene.deformers.push_back({.kind = DeformerKind::Twist, .amount = 1});
+  const auto images = look(scene, options());
+  forEachOfGround(images, 0, 5 * ballMm, [&](const Vector& found, const Vector& at, double) {
+    EXPECT_EQ(found[1], 0);
+    EXPECT_NEAR(at[1], -double{ballMm}, 1e-3);
+  });
+}
+
+TEST_F(GroundTest, CountsForNoSize) {
+  const Scene alone = sceneOf(sphere({0, 0, 0}, ballMm, 2), marble(), {0, 0, 60}, ballMm);
+  Scene scene = alone;
+  scene.objects.push_back(groundUnder(scene));
+  EXPECT_EQ(diagonalMm(scene), diagonalMm(alone));
+  EXPECT_EQ(defaultCamera(scene).positionMm, defaultCamera(alone).positionMm);
+}
+
+TEST_F(GroundTest, IsRefusedByThePatternAndAnywhereButLast) {
+  Scene scene = ballOnGround(marble(), {1, 1, 1});
+  RenderOptions options = GroundTest::options();
+  options.transport = Transport::Dipole;
+  options.sum = Sum::Pattern;
+  EXPECT_THROW(look(scene, options), UsageError);
+  std::swap(scene.objects[0], scene.objects[1]);
+  EXPECT_THROW(renderer().setScene(scene), Error);
+  std::swap(scene.objects[0], scene.objects[1]);
+  scene.objects[1].opaque->baseColor = {2, 0, 0};
+  EXPECT_THROW(renderer().setScene(scene), Error);
+}
+
+}  // namespace
+}  // namespace opaline
