@@ -1,4 +1,4 @@
-// The ground under a scene, against closed forms.
+// The ground under a scene and other opaque bodies, against closed forms.
 
 #include <gtest/gtest.h>
 
@@ -160,6 +160,26 @@ TEST_F(GroundTest, DoesNotMoveAndHidesWhatShinesFromBelow) {
     EXPECT_EQ(found[1], 0);
     EXPECT_NEAR(at[1], -double{ballMm}, 1e-3);
   });
+}
+
+// Lambert's ball: a share of the irradiance, which goes with the cosine.
+TEST_F(GroundTest, OtherOpaqueBodiesGiveBackLightAsWell) {
+  Scene scene = sceneOf(sphere({0, 0, 0}, ballMm, 4), marble(), {0, 0, 60}, ballMm);
+  scene.objects[0].opaque = OpaqueMaterial{{0.9F, 0.6F, 0.3F}};
+  scene.lighting.directional.push_back({{0, 0, 1}, {1, 1, 1}});
+  const auto images = look(scene, options());
+  int seen = 0;
+  for (int y = 0; y < pixels; ++y)
+    for (int x = 0; x < pixels; ++x) {
+      if (images[0].pixel(x, y)[3] == 0) continue;
+      const double cosine = toVector(images[2].pixel(x, y))[2] / double{ballMm};
+      if (cosine < 0.3) continue;
+      ++seen;
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(double{images[0].pixel(x, y)[c]}, (0.9 - 0.3 * static_cast<double>(c)) * cosine,
+                    0.01);
+    }
+  EXPECT_GT(seen, 500);
 }
 
 TEST_F(GroundTest, CountsForNoSize) {
