@@ -58,6 +58,7 @@ void addRings(const Plane& plane, Mesh& mesh) {
   const auto border = borderOfGrid();
   const auto count = static_cast<std::uint32_t>(border.size());
   std::vector<std::uint32_t> inner;
+  inner.reserve(count);
   for (const auto& [row, column] : border) inner.push_back(row * (cellsAcross + 1) + column);
   for (int ring = 1; ring <= rings; ++ring) {
     const double size = std::ldexp(halfOfGrid, ring);

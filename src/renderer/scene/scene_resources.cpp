@@ -235,11 +235,6 @@ bool SceneResources::isOpaque(std::size_t object) const {
   return opaqueOfMedium[mediumOfObject[object]].has_value();
 }
 
-bool SceneResources::hasOpaque() const {
-  return std::any_of(opaqueOfMedium.begin(), opaqueOfMedium.end(),
-                     [](const auto& opaque) { return opaque.has_value(); });
-}
-
 SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
                                   const scene::MergedMesh& merged, const SceneNeeds& needs,
                                   const LogCallback& log) {

@@ -73,8 +73,6 @@ struct SceneResources {
   /// Whether any object has, so that boundary transport is of use.
   bool hasInside() const;
   bool isOpaque(std::size_t object) const;
-  /// Whether any object is.
-  bool hasOpaque() const;
 };
 
 /// `merged` is of the scene and outlives the resources. Notes go to `log`.
