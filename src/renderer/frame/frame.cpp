@@ -179,7 +179,7 @@ struct FrameContext {
   // Sums the half-space where its mean over clusters is taken from.
   void meansOverClusters(SceneResources& scene) const {
     using From = passes::CarryPass::From;
-    if (plan.site == Site::Vertex)
+    if (plan.sumsAtVertices)
       return passes.carry.recordMeans(commands, From::Vertices, resources.exitance.vertices,
                                       scene.surfels, scene.clusters);
     const passes::Places surfels =
@@ -214,7 +214,7 @@ struct FrameContext {
     const passes::Places vertices = passes::verticesOf(mesh, scene.surfels, resources.exitance);
     // The tree's rough sum is wanted by fragments too.
     passes::SurfelSumPass::Order how = order();
-    how.estimate = plan.site != Site::Vertex || wantsEstimate(scene);
+    how.estimate = !plan.sumsAtVertices || wantsEstimate(scene);
     if (plan.sum == Sum::Tree || plan.site != Site::Fragment)
       sumOver(vertices, plan.sum, how, scene.surfels);
     if (carriesOpaque()) passes.opaque.overVertices(commands, ofOpaque(), order().site, vertices);

@@ -15,6 +15,14 @@ bool needsMap(const RenderOptions& options, const std::vector<Aov>& aovs) {
   return options.sum == Sum::Pattern || std::any_of(aovs.begin(), aovs.end(), showsMap);
 }
 
+// Whether light in translucent bodies is summed at vertices alone.
+bool sumsAtVertices(const FramePlan& plan, const SceneResources& scene) {
+  if (plan.site != Site::Auto) return plan.site == Site::Vertex;
+  for (std::size_t i = 0; i < scene.objects; ++i)
+    if (!scene.isOpaque(i) && !wantsVertices(scene, i)) return false;
+  return true;
+}
+
 // What is asked for, or where all objects agree, that; Auto where they do not.
 Site chooseSite(const FramePlan& plan, const SceneResources& scene) {
   if (plan.site != Site::Auto) return plan.site;
@@ -68,6 +76,7 @@ bool showsBackdrop(const FramePlan& plan, const Lighting& lighting) {
 
 void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan) {
   plan.site = chooseSite(plan, scene);
+  plan.sumsAtVertices = sumsAtVertices(plan, scene);
   plan.skyIsDark = skyIsDark(lighting);
   plan.occludesSky = occludesSky(plan, lighting);
   plan.lights = lightCount(lighting);

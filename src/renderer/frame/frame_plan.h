@@ -13,10 +13,11 @@ namespace opaline {
 struct FramePlan {
   Transport transport = Transport::Dipole;
   Sum sum = Sum::Tree;
-  Site site = Site::Fragment;  ///< Auto: as each object has it, not for Sum::Pattern
-  float tolerance = 0.01F;     ///< of Sum::Tree, and of the solver of Transport::Boundary
-  int bounces = 2;             ///< of Transport::Boundary
-  bool skyIsDark = false;      ///< no light but that of lights
+  Site site = Site::Fragment;   ///< Auto: as each object has it, not for Sum::Pattern
+  bool sumsAtVertices = false;  ///< all of them; opaque bodies have no sums
+  float tolerance = 0.01F;      ///< of Sum::Tree, and of the solver of Transport::Boundary
+  int bounces = 2;              ///< of Transport::Boundary
+  bool skyIsDark = false;       ///< no light but that of lights
   bool ambientOcclusion = false;
   bool occludesSky = false;      ///< by what stands in the way; needs clusters
   std::uint32_t lights = 0;      ///< of all kinds; those with an extent come last
