@@ -244,6 +244,9 @@ Object groundUnder(const Scene& scene, const Ground& ground = {});
 /// The scene's ground; null if it has none.
 const Object* groundOf(const Scene& scene);
 
+/// Takes the ground away, if there is one.
+void removeGround(Scene& scene);
+
 /// The default camera: in the given direction from the centre of the box (default +z), looking at
 /// the centre, 1.4 diagonals away. It knows neither the picture's width over its height nor the
 /// scene's motion, so it may cut off a scene's ends. From 0.5 / sin(half the field of view)

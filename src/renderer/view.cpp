@@ -82,12 +82,13 @@ class View::Implementation {
     if (options_.sum == Sum::Pattern && !lighting.areas.empty())
       throw UsageError(
           "the pattern has no surfels that area lights could shine on; the sums tree and all have");
-    if (options_.sum == Sum::Pattern && hasOpaque(edited.scene()))
+    const bool opaque = hasOpaque(edited.scene());
+    if (options_.sum == Sum::Pattern && opaque)
       throw UsageError(
           "the pattern lights no opaque bodies and no ground; the sums tree and all do");
     FramePlan plan = planFor(options_, order.aovs, order.onDevice);
     plan.time = edited.time();
-    plan.opaque = hasOpaque(edited.scene());
+    plan.opaque = opaque;
     prepared_ = context_.prepared.share(options_, plan, lighting, std::move(prepared_));
     prepared_->prepare(options_, plan, order.patient, edited);
     const SceneChanges changes = prepared_->changes(edited);

@@ -98,4 +98,8 @@ const Object* groundOf(const Scene& scene) {
   return found == scene.objects.end() ? nullptr : &*found;
 }
 
+void removeGround(Scene& scene) {
+  std::erase_if(scene.objects, [](const Object& object) { return object.isGround; });
+}
+
 }  // namespace opaline

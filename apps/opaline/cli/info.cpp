@@ -242,7 +242,7 @@ void runInfo(const Arguments& arguments) {
 
   const LogCallback log = noteTaker(command.quiet);
   scene::LoadedScene loaded = command.scene.load(log);
-  std::erase_if(loaded.scene.objects, [](const Object& object) { return object.isGround; });
+  removeGround(loaded.scene);
   const Scene& scene = loaded.scene;
   if (command.atlas) requireNoInput({{"--atlas", *command.atlas}}, scene::filesOf(loaded.source));
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);

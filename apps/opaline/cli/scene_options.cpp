@@ -274,7 +274,7 @@ void LightOptions::addTo(CommandLine& line) {
 
 void LightOptions::applyTo(scene::LoadedScene& loaded) const {
   if (ground_) {
-    std::erase_if(loaded.scene.objects, [](const Object& object) { return object.isGround; });
+    removeGround(loaded.scene);
     loaded.scene.objects.push_back(groundUnder(loaded.scene, *ground_));
   }
   if (any_) {

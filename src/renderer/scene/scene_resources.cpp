@@ -123,9 +123,8 @@ void noteSpacing(SceneResources& resources) {
     const double sources = std::max(1.0, sourcesPerSurfel * object.count);
     object.sourceSpacingMm = std::sqrt(resources.sizeOfObject[i].areaMm2 / sources);
     const Medium& medium = resources.media[resources.mediumOfObject[i]];
-    object.isOpaque = resources.isOpaque(i);
     object.coarse =
-        !object.isOpaque &&
+        !resources.isOpaque(i) &&
         object.sourceSpacingMm > coarseInFreePaths * bssrdf::shortestMeanFreePathMm(medium);
     resources.surfels.coarse = resources.surfels.coarse || object.coarse;
   }

@@ -38,7 +38,6 @@ struct SurfelsOfObject {
   std::uint32_t clusterRoot = 0;     ///< among the nodes of clusters
   std::uint32_t clusterEndNode = 0;  ///< the node after its tree
   bool hasInside = false;            ///< in some part; only found out where there are clusters
-  bool isOpaque = false;
 };
 
 /// Of an object at rest.

@@ -54,7 +54,7 @@ shared::MediumData dataOf(const OpaqueMaterial& material) {
   shared::MediumData data{};
   data.inside = insideOfOpaque();
   data.boundary = {1, 1 / std::numbers::pi_v<float>, 1, 1};
-  data.opaque = {material.baseColor[0], material.baseColor[1], material.baseColor[2], 1};
+  data.opaque = {material.baseColor[0], material.baseColor[1], material.baseColor[2], 0};
   return data;
 }
 
@@ -79,14 +79,16 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
   return inside;
 }
 
-// Whether that holds for the albedo of any channel of any medium.
+// Whether that holds for the albedo of any channel of any medium that light enters.
 template <typename Holds>
-bool anyAlbedo(const std::vector<shared::MediumData>& media, const Holds& holds) {
-  return std::any_of(media.begin(), media.end(), [&](const shared::MediumData& medium) {
-    if (medium.opaque.w != 0) return false;
-    const shared::vec4& albedo = medium.inside.albedo;
-    return holds(albedo.r) || holds(albedo.g) || holds(albedo.b);
-  });
+bool anyAlbedo(const SceneResources& resources, const std::vector<shared::MediumData>& media,
+               const Holds& holds) {
+  for (std::size_t i = 0; i < media.size(); ++i) {
+    const shared::vec4& albedo = media[i].inside.albedo;
+    const bool any = holds(albedo.r) || holds(albedo.g) || holds(albedo.b);
+    if (any && !resources.opaqueOfMedium[i]) return true;
+  }
+  return false;
 }
 
 // Collects the tables of all media.
@@ -161,10 +163,10 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     objects[i].table.y = surfels.first;
     objects[i].table.z = surfels.count;
     objects[i].tree = {surfels.root, surfels.endNode, 0, 0};
-    const bool carries =
-        surfels.isOpaque || (surfels.hasInside && transport == Transport::Boundary);
+    const bool isOpaque = resources.isOpaque(i);
+    const bool carries = isOpaque || (surfels.hasInside && transport == Transport::Boundary);
     objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, carries ? 1U : 0U,
-                           surfels.isOpaque ? 1U : 0U};
+                           isOpaque ? 1U : 0U};
     setSum(surfels,
            bssrdf::makeProfiles(modelOf(transport), resources.media[resources.mediumOfObject[i]]),
            resources.sizeOfObject[i].areaMm2, objects[i]);
@@ -194,10 +196,10 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
       gpu::makeBuffer(device, "objects", makeObjects(resources, options.transport), storage);
   tables.media = gpu::makeBuffer(device, "media", builder.media(), storage);
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
-  tables.followsLight =
-      anyAlbedo(builder.media(), [](float albedo) { return albedo < shared::albedoNotFollowed; });
-  tables.entersAtSurface =
-      anyAlbedo(builder.media(), [](float albedo) { return albedo > shared::albedoFollowed; });
+  tables.followsLight = anyAlbedo(resources, builder.media(),
+                                  [](float albedo) { return albedo < shared::albedoNotFollowed; });
+  tables.entersAtSurface = anyAlbedo(resources, builder.media(),
+                                     [](float albedo) { return albedo > shared::albedoFollowed; });
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
   tables.reflectionLobes =
       gpu::makeBuffer(device, "lobes of the reflection", reflectionLobes(options), storage);

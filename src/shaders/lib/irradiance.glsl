@@ -1,4 +1,5 @@
-// Irradiance that enters (Eq. 7 and 9). Needs, before it, SHADOW_BINDING and BINDING_SKY_IRRADIANCE.
+// Irradiance that enters (Eq. 7 and 9). Needs, before it, SHADOW_BINDING and, for the sky's,
+// BINDING_SKY_IRRADIANCE.
 #ifndef OPALINE_LIB_IRRADIANCE
 #define OPALINE_LIB_IRRADIANCE
 #include "lib/frame.glsl"
@@ -23,10 +24,12 @@ vec3 outsideOf(vec3 facet, vec3 normal) {
   return unitOr(dot(facet, normal) < 0.0 ? -facet : facet, normal);
 }
 
+#ifdef BINDING_SKY_IRRADIANCE
 // Of all.
 vec3 irradianceAt(vec3 position, vec3 normal, vec3 facet, MediumData medium) {
   vec3 outside = outsideOf(facet, normal);
   return skyIrradianceAt(normal, medium) + lightsIrradiance(position, normal, outside, medium);
 }
+#endif
 
 #endif

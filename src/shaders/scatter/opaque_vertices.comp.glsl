@@ -5,7 +5,6 @@
 #define BINDING_OBJECTS 3
 #define BINDING_MEDIA 4
 #define SHADOW_BINDING 5
-#include "lib/frame.glsl"
 #include "lib/linear.glsl"
 #include "lib/opaque.glsl"
 
