@@ -235,6 +235,51 @@ inline Shape dust(unsigned seed) {
   return shape;
 }
 
+/// Up to fourteen triangles between few places of small whole numbers: many share places, corners
+/// or edges, or lie upon each other in either turn.
+inline Shape crumbs(unsigned seed) {
+  Shape shape{"crumbs_" + std::to_string(seed), {}, {}, {}};
+  std::minstd_rand random(seed + 1);
+  const auto upTo = [&](unsigned count) {
+    return static_cast<std::uint32_t>(random() >> 8U) % count;
+  };
+  const std::uint32_t vertices = 3 + upTo(7);
+  for (std::uint32_t v = 0; v < vertices; ++v)
+    shape.positions.push_back(
+        {static_cast<float>(upTo(3)), static_cast<float>(upTo(2)), static_cast<float>(upTo(2))});
+  const std::uint32_t shared = upTo(3);  // corners that all triangles have in common
+  for (std::uint32_t t = 1 + upTo(14); t > 0; --t) {
+    Triangle triangle = {0, 1, upTo(vertices)};
+    for (std::uint32_t i = shared; i < 2; ++i) triangle[i] = upTo(vertices);
+    shape.triangles.push_back(triangle);
+    if (upTo(3) == 0) shape.triangles.push_back({triangle[2], triangle[1], triangle[0]});
+  }
+  return shape;
+}
+
+/// Needles that share their tip, each beside the next.
+inline Shape needleFan(std::uint32_t count) {
+  Shape shape{"needle_fan", {}, {}, {}};
+  addVertex(shape, 0, 0, 0);
+  for (std::uint32_t i = 0; i <= count; ++i) addVertex(shape, 50 + .001 * i, .001 * i, 0);
+  for (std::uint32_t i = 1; i <= count; ++i) shape.triangles.push_back({0, i, i + 1});
+  return shape;
+}
+
+/// A flat star of so many points, from its centre.
+inline Shape star(std::uint32_t points) {
+  Shape shape{"star", {}, {}, {}};
+  addVertex(shape, 0, 0, 0);
+  for (std::uint32_t i = 0; i < 2 * points; ++i) {
+    const double angle = turn(i / (2.0 * points));
+    const double radius = i % 2 == 0 ? 1 : .5;
+    addVertex(shape, radius * std::cos(angle), radius * std::sin(angle), 0);
+  }
+  for (std::uint32_t i = 0; i < 2 * points; ++i)
+    shape.triangles.push_back({0, 1 + i, 1 + (i + 1) % (2 * points)});
+  return shape;
+}
+
 inline std::vector<Shape> all() {
   return {empty(),      oneTriangle(),     flatSheet(),    openSheet(),
           sphere(),     torus(),           moebiusStrip(), thinLimbs(),

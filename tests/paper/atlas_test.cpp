@@ -209,14 +209,30 @@ TEST(Atlas, IsTheSameEveryTime) {
   }
 }
 
-TEST(Atlas, EndsWhereTrianglesCannotBeToldApart) {
-  for (unsigned seed = 0; seed < 12; ++seed) {
-    const awkward::Shape shape = awkward::dust(seed);
+class TinyMeshes : public testing::TestWithParam<awkward::Shape (*)(unsigned)> {};
+
+TEST_P(TinyMeshes, GetAnAtlas) {
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    const awkward::Shape shape = GetParam()(seed);
+    SCOPED_TRACE(shape.name);
+    const core::RestSurface surface = {shape.positions, shape.triangles, {}};
+    const Atlas atlas = makeAtlas(surface, {.mapSize = 64});
+    expectTrianglesKept(surface, atlas);
+    expectNothingMirrored(surface, atlas);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Atlas, TinyMeshes, testing::Values(awkward::dust, awkward::crumbs),
+                         [](const auto& family) { return family.index == 0 ? "Dust" : "Crumbs"; });
+
+TEST(Atlas, LongBordersAreDrawnAndPacked) {
+  for (const awkward::Shape& shape : {awkward::needleFan(4000), awkward::star(8000)}) {
     SCOPED_TRACE(shape.name);
     const core::RestSurface surface = {shape.positions, shape.triangles, {}};
     const Atlas atlas = makeAtlas(surface);
     expectTrianglesKept(surface, atlas);
     expectNothingMirrored(surface, atlas);
+    EXPECT_EQ(drawAtlas(atlas, 1024).width, 1024);
   }
 }
 

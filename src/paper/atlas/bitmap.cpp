@@ -84,6 +84,7 @@ std::optional<Silhouette> silhouetteOf(const Outline& outline, double cosine, do
     const Point2 b = {turned[j][0] - corner[0], turned[j][1] - corner[1]};
     addEdge(a, b, silhouette, crossings);
   }
+  for (const auto& row : silhouette.rows) silhouette.pieces += row.size();
   for (std::size_t y = 0; y < silhouette.rows.size(); ++y) {
     auto& xs = crossings[y];
     std::sort(xs.begin(), xs.end());
@@ -126,7 +127,7 @@ void Bitmap::orShifted(std::vector<Word>& blocked, const Word* source, int shift
 }
 
 std::optional<Bitmap::Cell> Bitmap::findRoom(const Silhouette& silhouette, int lowestRow,
-                                             int highestTop) const {
+                                             int highestTop, std::size_t& wordsRead) const {
   const int lastX = size_ - silhouette.width;
   const int lastY = std::min(size_, highestTop) - silhouette.height;
   if (lastX < 0) return std::nullopt;
@@ -146,6 +147,7 @@ std::optional<Bitmap::Cell> Bitmap::findRoom(const Silhouette& silhouette, int l
         const auto level =
             static_cast<std::size_t>(std::bit_width(static_cast<unsigned>(count)) - 1);
         const Word* source = row(level, y + r);
+        wordsRead += 2 * words_;
         orShifted(blocked, source, run.from);
         orShifted(blocked, source, run.to - (1 << level));
       }

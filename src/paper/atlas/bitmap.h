@@ -19,6 +19,7 @@ struct Silhouette {
   int width = 0;
   int height = 0;
   std::vector<std::vector<Run>> rows;
+  std::size_t pieces = 0;  ///< of the chart's borders, cut by rows
 };
 
 /// Rotated and scaled to cells, its box in the corner at the origin; `corner` receives where that
@@ -37,8 +38,9 @@ class Bitmap {
   };
 
   /// The lowest, then leftmost place where a silhouette touches nothing and stays below
-  /// `highestTop`, looking from row `lowestRow` up.
-  std::optional<Cell> findRoom(const Silhouette& silhouette, int lowestRow, int highestTop) const;
+  /// `highestTop`, looking from row `lowestRow` up. Adds the words of the bitmap that were read.
+  std::optional<Cell> findRoom(const Silhouette& silhouette, int lowestRow, int highestTop,
+                               std::size_t& wordsRead) const;
 
   /// Marks a silhouette and `gutter` cells around it.
   void occupy(const Silhouette& silhouette, Cell cell, int gutter);

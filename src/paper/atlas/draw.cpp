@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "paper/atlas/texel_row.h"
+
 namespace opaline::atlas {
 namespace {
 
@@ -41,10 +43,8 @@ void paint(Image& image, int x, int y, const Rgb& colour) {
   pixel[3] = 1;
 }
 
-using Place = std::array<double, 2>;
-
-std::array<Place, 3> cornersOf(const Atlas& atlas, std::size_t triangle, int size) {
-  std::array<Place, 3> p;
+std::array<Point2, 3> cornersOf(const Atlas& atlas, std::size_t triangle, int size) {
+  std::array<Point2, 3> p;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec2& uv = atlas.vertices[atlas.triangles[triangle][i]].uv;
     p[i] = {uv[0] * static_cast<double>(size), uv[1] * static_cast<double>(size)};
@@ -52,15 +52,15 @@ std::array<Place, 3> cornersOf(const Atlas& atlas, std::size_t triangle, int siz
   return p;
 }
 
-double side(const Place& a, const Place& b, double x, double y) {
+double side(const Point2& a, const Point2& b, double x, double y) {
   return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
 }
 
-void fill(Image& image, const std::array<Place, 3>& p, const Rgb& colour) {
-  const auto [lowX, highX] = std::minmax({p[0][0], p[1][0], p[2][0]});
+void fill(Image& image, const std::array<Point2, 3>& p, const Rgb& colour) {
   const auto [lowY, highY] = std::minmax({p[0][1], p[1][1], p[2][1]});
   for (int y = static_cast<int>(lowY); y <= static_cast<int>(highY); ++y) {
-    for (int x = static_cast<int>(lowX); x <= static_cast<int>(highX); ++x) {
+    const auto [from, to] = texelsInRow(p, y, 0, image.width);
+    for (int x = from - 1; x <= to; ++x) {
       const double cx = x + .5;
       const double cy = y + .5;
       if (side(p[0], p[1], cx, cy) >= 0 && side(p[1], p[2], cx, cy) >= 0 &&
@@ -71,7 +71,7 @@ void fill(Image& image, const std::array<Place, 3>& p, const Rgb& colour) {
   }
 }
 
-void drawLine(Image& image, const Place& a, const Place& b) {
+void drawLine(Image& image, const Point2& a, const Point2& b) {
   const double longest = std::max(std::fabs(b[0] - a[0]), std::fabs(b[1] - a[1]));
   const int steps = 1 + static_cast<int>(2 * longest);
   for (int i = 0; i <= steps; ++i) {

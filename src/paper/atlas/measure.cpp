@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "paper/atlas/initial_map.h"
+#include "paper/atlas/texel_row.h"
 
 namespace opaline::atlas {
 namespace {
@@ -13,24 +14,6 @@ namespace {
 Point2 placeOf(const Atlas& atlas, std::uint32_t vertex) {
   const Vec2& uv = atlas.vertices[vertex].uv;
   return {uv[0], uv[1]};
-}
-
-/// Texels along x of row y whose centres lie in a triangle: [from, to).
-std::array<int, 2> spanInRow(const std::array<Point2, 3>& p, int y, int mapSize) {
-  const double middle = y + .5;
-  double from = 1e300;
-  double to = -1e300;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Point2& a = p[i];
-    const Point2& b = p[(i + 1) % 3];
-    if (std::min(a[1], b[1]) > middle || std::max(a[1], b[1]) < middle || a[1] == b[1]) continue;
-    const double x = a[0] + (middle - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
-    from = std::min(from, x);
-    to = std::max(to, x);
-  }
-  if (from > to) return {0, 0};
-  return {std::max(0, static_cast<int>(std::ceil(from - .5))),
-          std::min(mapSize, static_cast<int>(std::floor(to - .5)) + 1)};
 }
 
 double coverage(const Atlas& atlas, int mapSize) {
@@ -46,7 +29,7 @@ double coverage(const Atlas& atlas, int mapSize) {
     const int first = std::max(0, static_cast<int>(std::ceil(low - .5)));
     const int last = std::min(mapSize - 1, static_cast<int>(std::floor(high - .5)));
     for (int y = first; y <= last; ++y) {
-      const auto [from, to] = spanInRow(p, y, mapSize);
+      const auto [from, to] = texelsInRow(p, y, 0, mapSize);
       for (int x = from; x < to; ++x) {
         covered[static_cast<std::size_t>(y) * edge + static_cast<std::size_t>(x)] = true;
       }

@@ -8,13 +8,13 @@
 #include <queue>
 #include <span>
 
+#include "paper/atlas/texel_row.h"
 #include "paper/atlas/topology.h"
 
 namespace opaline::atlas {
 
 namespace {
 
-using Point2 = std::array<double, 2>;
 using Corners2 = std::array<Point2, 3>;
 
 // Smallest reach; below it aprons would not even hold a linear filter.
@@ -37,24 +37,21 @@ template <typename Visit>
 void rasterise(const Corners2& corner, const TexelBox& box, const Visit& visit) {
   const double whole = area2(corner[0], corner[1], corner[2]);
   if (!(std::abs(whole) > 1e-12)) return;
-  const auto [lowX, highX] = std::minmax({corner[0][0], corner[1][0], corner[2][0]});
   const auto [lowY, highY] = std::minmax({corner[0][1], corner[1][1], corner[2][1]});
-  const auto first = [](double low, int limit) {
-    return static_cast<int>(std::ceil(std::max(low - 0.5, static_cast<double>(limit))));
-  };
-  const auto last = [](double high, int limit) {
-    return static_cast<int>(std::floor(std::min(high - 0.5, static_cast<double>(limit))));
-  };
-  const int x1 = last(highX, box.left + box.width - 1);
-  const int y1 = last(highY, box.top + box.height - 1);
-  for (int y = first(lowY, box.top); y <= y1; ++y)
-    for (int x = first(lowX, box.left); x <= x1; ++x) {
+  const int first = static_cast<int>(std::ceil(std::max(lowY - 0.5, static_cast<double>(box.top))));
+  const int last = static_cast<int>(
+      std::floor(std::min(highY - 0.5, static_cast<double>(box.top + box.height - 1))));
+  const int right = box.left + box.width;
+  for (int y = first; y <= last; ++y) {
+    const auto [from, to] = texelsInRow(corner, y, box.left, right);
+    for (int x = std::max(from - 1, box.left); x < std::min(to + 1, right); ++x) {
       const Point2 centre{x + 0.5, y + 0.5};
       const std::array<double, 3> b{area2(corner[1], corner[2], centre) / whole,
                                     area2(corner[2], corner[0], centre) / whole,
                                     area2(corner[0], corner[1], centre) / whole};
       if (b[0] >= 0 && b[1] >= 0 && b[2] >= 0) visit(x, y, b);
     }
+  }
 }
 
 // Corners of a triangle in the atlas, in texels.

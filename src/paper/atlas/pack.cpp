@@ -24,6 +24,11 @@ constexpr double coveragePrecision = .006;
 constexpr std::size_t fewCharts = 40;  // for which many turns and orders are tried
 constexpr int disturbedOrders = 16;
 
+// In words of the bitmap that are read: after so many nothing better is looked for. Dozens of large
+// charts or thousands of borders would take many seconds.
+constexpr std::size_t enoughWork = 700'000'000;
+constexpr std::size_t wordsPerPiece = 64;  // that take as long as a piece of a border
+
 /// Andrew's monotone chain.
 std::vector<Point2> convexHull(const Outline& outline) {
   std::vector<Point2> points;
@@ -96,7 +101,7 @@ class Packer {
     turns_ = count <= fewCharts ? 16 : count <= 200 ? 8 : count <= 1000 ? 4 : 1;
   }
 
-  std::optional<Layout> best() const {
+  std::optional<Layout> best() {
     const std::vector<std::size_t> order = ordered(sizes_);
     double works = firstCoverage;
     double fails = .98;
@@ -107,7 +112,7 @@ class Packer {
       if (works < 1e-9) return std::nullopt;
       result = at(works, order);
     }
-    while (fails - works > coveragePrecision && fails / works > 1.01) {
+    while (fails - works > coveragePrecision && fails / works > 1.01 && !hasWorkedEnough()) {
       const double middle = (works + fails) / 2;
       if (auto layout = at(middle, order)) {
         result = std::move(layout);
@@ -140,9 +145,9 @@ class Packer {
 
   /// Tries orders that chance disturbs, each at a slightly larger scale than the last that worked.
   /// The generator is the one whose sequence the standard prescribes, so that every run agrees.
-  void improve(double works, Layout& result) const {
+  void improve(double works, Layout& result) {
     std::minstd_rand random(1);
-    for (int i = 0; i < disturbedOrders; ++i) {
+    for (int i = 0; i < disturbedOrders && !hasWorkedEnough(); ++i) {
       std::vector<double> sizes = sizes_;
       for (double& size : sizes) {
         size *= std::exp2(static_cast<double>(random()) / std::minstd_rand::max() - .5);
@@ -155,7 +160,7 @@ class Packer {
   }
 
   /// A layout whose charts cover that part of the square, if they find room in that order.
-  std::optional<Layout> at(double coverage, const std::vector<std::size_t>& order) const {
+  std::optional<Layout> at(double coverage, const std::vector<std::size_t>& order) {
     const double cellsPerMm = cells_ * std::sqrt(coverage / area_);
     Bitmap bitmap(cells_);
     Layout layout;
@@ -177,21 +182,24 @@ class Packer {
   /// For tiny charts, by height: no room was left below.
   using LowestRows = std::vector<int>;
 
+  bool hasWorkedEnough() const { return work_ > enoughWork; }
+
   std::optional<Candidate> place(const Bitmap& bitmap, std::size_t chart, double cellsPerMm,
-                                 LowestRows& lowest) const {
+                                 LowestRows& lowest) {
     std::optional<Candidate> best;
-    for (int i = 0; i < turns_; ++i) {
+    for (int i = 0; i < turns_ && !(best && hasWorkedEnough()); ++i) {
       Candidate candidate;
       candidate.turn = turned(boxes_[chart], i);
       auto silhouette = silhouetteOf(outlines_[chart], candidate.turn.cosine, candidate.turn.sine,
                                      cellsPerMm, cells_, candidate.corner);
       if (!silhouette) continue;
       candidate.silhouette = std::move(*silhouette);
+      work_ += wordsPerPiece * candidate.silhouette.pieces;
       const int height = candidate.silhouette.height;
       const bool isCrowded = turns_ == 1;
       int& lowestRow = lowest[static_cast<std::size_t>(height)];
       const auto cell = bitmap.findRoom(candidate.silhouette, isCrowded ? lowestRow : 0,
-                                        best ? (best->middle2 - 1 + height) / 2 : cells_);
+                                        best ? (best->middle2 - 1 + height) / 2 : cells_, work_);
       if (!cell) continue;
       if (isCrowded) lowestRow = cell->y;
       candidate.cell = *cell;
@@ -216,6 +224,7 @@ class Packer {
   int gutter_;
   int turns_;
   double area_ = 0;
+  std::size_t work_ = 0;
   std::vector<Turn> boxes_;
   std::vector<double> sizes_;
 };
