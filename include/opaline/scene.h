@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -11,6 +12,7 @@
 
 #include "opaline/image.h"
 #include "opaline/log.h"
+#include "opaline/material.h"
 #include "opaline/medium.h"
 #include "opaline/motion.h"
 #include "opaline/types.h"
@@ -24,13 +26,9 @@ struct Mesh {
   std::vector<Vec3> normals;  ///< unit, one per position
   std::vector<Triangle> triangles;
   bool facetted = false;  ///< normals are those of the triangles, also when they move
-};
-
-/// A surface that lets no light in and gives back the same share of it in all directions.
-struct OpaqueMaterial {
-  Rgb baseColor{0.5F, 0.5F, 0.5F};  ///< that share, in [0, 1]
-
-  bool operator==(const OpaqueMaterial&) const = default;
+  /// What materials with textures read. Each is empty or has one a position.
+  std::array<std::vector<Vec2>, 2> textureCoordinates;
+  std::vector<std::array<float, 4>> colors;  ///< linear, with alpha: multiply the base colour
 };
 
 /// One body of one material.
@@ -235,7 +233,6 @@ struct Ground {
   bool operator==(const Ground&) const = default;
 };
 
-std::string complaintAbout(const OpaqueMaterial& material);
 std::string complaintAbout(const Ground& ground);
 
 /// The ground as an object, which becomes a part of the scene by being added to its objects.

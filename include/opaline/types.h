@@ -5,7 +5,7 @@
 
 namespace opaline {
 
-/// Two coordinates without a unit, for example a place in the atlas, in [0,1]².
+/// Two coordinates without a unit, for example a place in a texture.
 using Vec2 = std::array<float, 2>;
 
 /// Three coordinates. Lengths are millimetres, directions have unit length unless said otherwise.

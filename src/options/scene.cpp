@@ -44,6 +44,13 @@ const std::vector<Field<OpaqueMaterial>>& fieldsOf() {
   static const std::vector<Field<OpaqueMaterial>> table{
       field<OpaqueMaterial, &OpaqueMaterial::baseColor>("base_color", {share},
                                                         "share of light that it gives back"),
+      field<OpaqueMaterial, &OpaqueMaterial::metallic>("metallic", {{0, 1}},
+                                                       "how much of it is metal"),
+      field<OpaqueMaterial, &OpaqueMaterial::roughness>("roughness", {{0, 1}},
+                                                        "of its reflection"),
+      field<OpaqueMaterial, &OpaqueMaterial::specular>("specular", {{0, 1}},
+                                                       "strength of the reflection"),
+      field<OpaqueMaterial, &OpaqueMaterial::emission>("emission", {power}, "radiance of its own"),
   };
   return table;
 }

@@ -50,6 +50,17 @@ struct DeformedMesh {
   std::uint32_t castingIndexCount = 0;  ///< of those, which come first, that cast shadows
 };
 
+/// What the shaders know of opaque materials (shared/opaque.h). Where nothing is opaque it
+/// holds no more than what is bound all the same.
+struct OpaqueTables {
+  gpu::Buffer materials;   ///< shared::OpaqueData
+  gpu::Buffer texels;      ///< uvec2, half floats
+  gpu::Buffer attributes;  ///< shared::VertexAttributes, one a vertex, where a material reads them
+  gpu::Buffer tangents;    ///< shared::CornerTangents, one a triangle, where one has normals
+  gpu::Buffer gloss;       ///< vec2 (passes/shade/gloss.h)
+  gpu::Buffer lobes;       ///< vec4, as SceneTables::reflectionLobes, for each of some roughnesses
+};
+
 /// What the shaders know of bodies and media.
 struct SceneTables {
   gpu::Buffer objects;  ///< shared::ObjectData
@@ -60,6 +71,8 @@ struct SceneTables {
                                  ///< at the surface itself has it; see lib/boundary.glsl
   gpu::Buffer specularAlbedo;    ///< float, see MediumData::tables.w
   gpu::Buffer reflectionLobes;   ///< vec4, by the cosine of the view (lights/reflection_lobe.h)
+  gpu::Buffer opaqueShares;      ///< shared::OpaqueShare a cluster, where something is opaque
+  gpu::Buffer opaqueExitances;   ///< vec4 a cluster of an opaque body: of all light
   std::vector<double> etas;      ///< the different ones, see MediumData::tables.x
 };
 
@@ -69,6 +82,7 @@ struct Sky {
   gpu::GpuImage radiance;    ///< by direction, a cube with levels for rays that stand for more
   gpu::GpuImage irradiance;  ///< that enters by normal, one cube for each of SceneTables::etas
   gpu::GpuImage reflected;   ///< radiance as the surface's lobe sees it, a cube
+  gpu::GpuImage glossy;      ///< as lobes of opaque surfaces see it, a level for each roughness
 };
 
 /// What a picture shows where no surface is.
@@ -180,7 +194,8 @@ struct Clusters {
   gpu::Buffer enteredBefore;  ///< the same of light before that, where it is mirrored to one side
   gpu::Buffer power;          ///< vec4: of all diffuse light of the last bounce but one
   gpu::Buffer latest;         ///< vec4 a cluster: exitance of the light that entered last
-  gpu::Buffer exitances;      ///< vec4 a cluster: of all light
+  gpu::Buffer exitances;      ///< vec4 a cluster: of all light; of an opaque body the irradiance
+                              ///< that surfaces do not find for themselves
   gpu::Buffer means;          ///< vec4 a cluster: exitance of a half-space
   gpu::Buffer exitancesOfSurfels;  ///< vec4 a surfel: of a half-space
 };
@@ -204,6 +219,8 @@ struct VisibleSurfaces {
   gpu::Buffer list;         ///< surfaces; those of a pixel follow each other
   gpu::Buffer counts;       ///< shared::SeenCount, of all and of parts
   gpu::Buffer light;        ///< vec4 for each on the list: its exitance, then its radiance
+  gpu::Buffer materials;    ///< shared::SeenMaterial for each, of opaque surfaces
+  bool hasMaterials = false;  ///< room for them
   gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: whether all mirror the sky, or none, or unknown
   std::uint32_t rowsOfBand = 0;
   std::uint32_t parts = 0;  ///< of the list, at most
@@ -238,7 +255,7 @@ struct SeenCentres {
   gpu::GpuImage exitance;  ///< rgb B, a evaluations
 };
 
-/// Exitance B of the vertices, all of it or, for the paper's fragments, the far samples' part. What
+/// Exitance B of the vertices, of opaque bodies irradiance, all of it or, for the paper's fragments, the far samples' part. What
 /// is summed at fragments is VisibleSurfaces::light.
 struct Exitance {
   gpu::Buffer vertices;

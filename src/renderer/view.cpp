@@ -85,7 +85,8 @@ class View::Implementation {
     const bool opaque = hasOpaque(edited.scene());
     if (options_.sum == Sum::Pattern && opaque)
       throw UsageError(
-          "the pattern lights no opaque bodies and no ground; the sums tree and all do");
+          "the pattern lights no opaque bodies and no ground; the sums tree and all do, and "
+          "LoadOptions::medium makes bodies translucent");
     FramePlan plan = planFor(options_, order.aovs, order.onDevice);
     plan.time = edited.time();
     plan.opaque = opaque;

@@ -9,7 +9,9 @@
 #include "opaline/error.h"
 #include "options/scene.h"
 #include "scene/formats.h"
+#include "scene/material.h"
 #include "scene/matrix.h"
+#include "scene/not_shown.h"
 #include "scene/placed_lights.h"
 #include "scene/repair/repair.h"
 #include "scene/rig.h"
@@ -75,6 +77,15 @@ void noteLostFaces(const std::vector<Repair>& repairs, const RawObject& object,
   note(log, fmt::format("{}: {} faces that have no area or lie upon others in the rest pose stay "
                         "left out when it moves",
                         nameIn(name, object), lost));
+}
+
+Mesh meshOf(RawObject& object) {
+  return {.positionsMm = std::move(object.mesh.positions),
+          .normals = std::move(object.mesh.normals),
+          .triangles = std::move(object.mesh.triangles),
+          .facetted = object.mesh.facetted,
+          .textureCoordinates = std::move(object.attributes.textureCoordinates),
+          .colors = std::move(object.attributes.colors)};
 }
 
 }  // namespace
@@ -146,6 +157,7 @@ RawScene inMillimetres(RawScene raw, const std::filesystem::path& file, bool not
       }
     }
     alignRig(object, nameIn(name, object), room);
+    alignAttributes(object);
   }
   return raw;
 }
@@ -172,11 +184,16 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
   scene.name = cleanText(file.stem().string());
   scene.repairs = std::move(repairs);
   for (RawObject& object : raw.objects) {
-    Mesh mesh{std::move(object.mesh.positions), std::move(object.mesh.normals),
-              std::move(object.mesh.triangles), object.mesh.facetted};
-    scene.objects.push_back({std::move(object.name), std::move(mesh),
-                             options.medium.value_or(std::move(object.medium)),
-                             std::move(object.rig)});
+    // What an option says is made of a medium is no longer opaque, but for metals.
+    if (options.medium && object.opaque && !isMetal(*object.opaque)) {
+      addNotShown(raw.notShown, partsOf(*object.opaque), object.opaque->name);
+      object.opaque.reset();
+    }
+    scene.objects.push_back({.name = std::move(object.name),
+                             .mesh = meshOf(object),
+                             .medium = options.medium.value_or(std::move(object.medium)),
+                             .rig = std::move(object.rig),
+                             .opaque = std::move(object.opaque)});
   }
   scene.nodes = std::move(raw.nodes);
   scene.clips = std::move(raw.clips);

@@ -87,7 +87,7 @@ Object groundUnder(const Scene& scene, const Ground& ground) {
   addGrid(plane, object.mesh);
   addRings(plane, object.mesh);
   object.mesh.normals.assign(object.mesh.positionsMm.size(), {0, 1, 0});
-  object.opaque = OpaqueMaterial{ground.color};
+  object.opaque = mattMaterial(ground.color);
   object.isGround = true;
   return object;
 }

@@ -48,6 +48,31 @@ void addNotShown(std::vector<NotShown>& to, std::string_view what, std::string_v
   addName(kind, cleanText(name, 40));
 }
 
+HiddenParts partsOf(const OpaqueMaterial& material) {
+  return {.baseColor = material.baseColor != Rgb{1, 1, 1},
+          .baseColorTexture = material.baseColorTexture.has_value(),
+          .metal = material.metallic > 0,
+          .metallicRoughnessTexture = material.metallicRoughnessTexture.has_value(),
+          .normalTexture = material.normalTexture.has_value(),
+          .occlusionTexture = material.occlusionTexture.has_value(),
+          .emission = material.emission != Rgb{0, 0, 0},
+          .alphaMask = material.alphaCutoff > 0};
+}
+
+void addNotShown(std::vector<NotShown>& to, const HiddenParts& parts, std::string_view name) {
+  const auto add = [&](bool isThere, std::string_view what) {
+    if (isThere) addNotShown(to, what, name);
+  };
+  add(parts.baseColor, "base colours");
+  add(parts.baseColorTexture, "base-colour textures");
+  add(parts.metal, "metals");
+  add(parts.metallicRoughnessTexture, "metallic-roughness textures");
+  add(parts.normalTexture, "normal textures");
+  add(parts.occlusionTexture, "occlusion textures");
+  add(parts.emission, "emission");
+  add(parts.alphaMask, "alpha masks");
+}
+
 void addNotShown(std::vector<NotShown>& to, const std::vector<NotShown>& more) {
   for (const NotShown& added : more) {
     NotShown& kind = kindOf(to, added.what);

@@ -11,6 +11,20 @@ namespace opaline::scene {
 /// Counts one more thing of a kind. Its name may be empty, and may have been counted before.
 void addNotShown(std::vector<NotShown>& to, std::string_view what, std::string_view name);
 
+/// What a medium has no use for of a material.
+struct HiddenParts {
+  bool baseColor = false;
+  bool baseColorTexture = false;
+  bool metal = false;
+  bool metallicRoughnessTexture = false;
+  bool normalTexture = false;
+  bool occlusionTexture = false;
+  bool emission = false;
+  bool alphaMask = false;
+};
+HiddenParts partsOf(const OpaqueMaterial& material);
+void addNotShown(std::vector<NotShown>& to, const HiddenParts& parts, std::string_view name);
+
 /// Counts together with what another file holds.
 void addNotShown(std::vector<NotShown>& to, const std::vector<NotShown>& more);
 

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "opaline/scene.h"
+#include "scene/vertex_attributes.h"
 
 namespace opaline::scene {
 
 /// Where a vertex comes from, and what became of its normal.
 struct Provenance {
-  std::uint32_t vertex = 0;   ///< index among the vertices of the object's rig
+  std::uint32_t vertex = 0;   ///< index among the file's: of the object's rig and attributes
   bool normalTurned = false;  ///< with its triangles
   bool normalSmooth = false;  ///< the file's was unusable
 };
@@ -39,6 +40,8 @@ struct RawObject {
   /// As in Object; until alignRig() its vertices are the file's, which `mesh.provenance` names, and
   /// a normal may be zero.
   std::optional<Rig> rig;
+  std::optional<OpaqueMaterial> opaque;  ///< as in Object
+  VertexAttributes attributes;           ///< of the file's vertices until alignAttributes()
 };
 
 /// What a file holds, in the file's unit, before repair, scale and defaults.

@@ -165,7 +165,7 @@ TEST_F(GroundTest, DoesNotMoveAndHidesWhatShinesFromBelow) {
 // Lambert's ball: a share of the irradiance, which goes with the cosine.
 TEST_F(GroundTest, OtherOpaqueBodiesGiveBackLightAsWell) {
   Scene scene = sceneOf(sphere({0, 0, 0}, ballMm, 4), marble(), {0, 0, 60}, ballMm);
-  scene.objects[0].opaque = OpaqueMaterial{{0.9F, 0.6F, 0.3F}};
+  scene.objects[0].opaque = mattMaterial({0.9F, 0.6F, 0.3F});
   scene.lighting.directional.push_back({{0, 0, 1}, {1, 1, 1}});
   const auto images = look(scene, options());
   int seen = 0;

@@ -49,15 +49,38 @@ void addRig(Digest& digest, const Rig& rig) {
   addAll(digest, joints, firstInfluence, influences, toScene);
 }
 
+void addTexture(Digest& digest, const std::optional<Texture>& texture) {
+  addIfThere(digest, texture, [&](const Texture& given) {
+    const auto& [pixels, wrapU, wrapV, interpolated, coordinates, transform] = given;
+    const auto& [width, height, rgba, name] = *pixels;
+    addAll(digest, width, height, rgba, wrapU, wrapV, interpolated, coordinates, transform);
+  });
+}
+
+void addMaterial(Digest& digest, const OpaqueMaterial& material) {
+  const auto& [name, baseColor, baseColorTexture, metallic, roughness, metallicRoughnessTexture,
+               ior, specular, specularColor, specularTexture, specularColorTexture, normalTexture,
+               normalScale, occlusionTexture, occlusionStrength, emission, emissionTexture,
+               alphaCutoff, alpha, unlit] = material;
+  addAll(digest, baseColor, metallic, roughness, ior, specular, specularColor, normalScale,
+         occlusionStrength, emission, alphaCutoff, alpha, unlit);
+  addTexture(digest, baseColorTexture);
+  addTexture(digest, metallicRoughnessTexture);
+  addTexture(digest, specularTexture);
+  addTexture(digest, specularColorTexture);
+  addTexture(digest, normalTexture);
+  addTexture(digest, occlusionTexture);
+  addTexture(digest, emissionTexture);
+}
+
 void addObject(Digest& digest, const Object& object) {
   const auto& [name, mesh, medium, rig, opaque, isGround] = object;
-  const auto& [positionsMm, normals, triangles, facetted] = mesh;
+  const auto& [positionsMm, normals, triangles, facetted, textureCoordinates, colors] = mesh;
   const auto& [mediumName, sigmaSPrimePerMm, sigmaAPerMm, eta] = medium;
   addAll(digest, positionsMm, normals, triangles, facetted, sigmaSPrimePerMm, sigmaAPerMm, eta,
-         isGround);
+         isGround, textureCoordinates[0], textureCoordinates[1], colors);
   addIfThere(digest, opaque, [&](const OpaqueMaterial& material) {
-    const auto& [baseColor] = material;
-    digest.add(baseColor);
+    addMaterial(digest, material);
   });
   addIfThere(digest, rig, [&](const Rig& given) { addRig(digest, given); });
 }

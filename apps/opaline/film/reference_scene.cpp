@@ -45,7 +45,7 @@ reference::Scene referenceScene(const Scene& scene, const SceneTime& time,
     if (object.opaque)
       throw UsageError(
           fmt::format("'{}' is opaque, and a reference knows translucent bodies only: "
-                      "leave it out",
+                      "leave it out, or give it a medium with --medium",
                       object.name));
     deform::DeformedVertices mesh = meshAt(scene, i, pose, time.seconds, positionsMm);
     result.bodies.push_back({std::move(mesh.positionsMm), std::move(mesh.normals),

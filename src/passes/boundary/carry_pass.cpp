@@ -58,7 +58,8 @@ void CarryPass::overFragments(gpu::CommandList& commands, ScatterSite site, Scen
                  .exitances = clusters.exitances,
                  .means = clusters.means,
                  .objects = tables.objects,
-                 .found = seen.surfaces.light},
+                 .found = seen.surfaces.light,
+                 .materials = seen.surfaces.materials},
                 {.first = 0, .site = site});
   commands.endPass();
 }

@@ -3,22 +3,47 @@
 #include "gpu/device.h"
 #include "passes/mechanics.h"
 #include "passes/seen_parts.h"
+#include "shaders/shared/boundary.h"
 
 namespace opaline::passes {
 
 OpaquePass::OpaquePass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
+      shares_(device, "shares of opaque clusters"),
       clusters_(device, "opaque clusters"),
       vertices_(device, "opaque vertices"),
       fragments_(device, "opaque fragments") {}
+
+void OpaquePass::makeShares(gpu::Device& device, Surfels& surfels, Clusters& clusters,
+                            OpaqueTables& opaque, SceneTables& tables) const {
+  tables.opaqueShares =
+      makeRoom<shared::OpaqueShare>(device, "shares of opaque clusters", clusters.count);
+  tables.opaqueExitances =
+      makeRoom<shared::vec4>(device, "exitance of opaque clusters", clusters.count);
+  gpu::CommandList commands(device, "shares of opaque clusters");
+  commands.begin();
+  commands.bind(shares_,
+                {.objects = tables.objects,
+                 .media = tables.media,
+                 .ranges = clusters.ranges,
+                 .pieces = surfels.pieces,
+                 .opaques = opaque.materials,
+                 .attributes = opaque.attributes,
+                 .tangents = opaque.tangents,
+                 .texels = opaque.texels,
+                 .shares = tables.opaqueShares},
+                {.clusterCount = clusters.count, .piecesPerSurfel = surfels.piecesPerSurfel});
+  commands.dispatchLinear(clusters.count);
+  commands.submit();
+}
 
 void OpaquePass::overClusters(gpu::CommandList& commands, const Inputs& inputs, From from,
                               Clusters& clusters) const {
   commands.beginPass("opaque");
   commands.bind(clusters_,
                 {.frame = inputs.frame.data,
-                 .objects = inputs.tables.objects,
-                 .media = inputs.tables.media,
+                 .shares = inputs.tables.opaqueShares,
+                 .opaqueExitances = inputs.tables.opaqueExitances,
                  .ranges = clusters.ranges,
                  .clusters = clusters.clusters,
                  .entries = clusters.entries,
@@ -26,7 +51,7 @@ void OpaquePass::overClusters(gpu::CommandList& commands, const Inputs& inputs, 
                  .entered = clusters.entered,
                  .latest = clusters.latest,
                  .enteredBefore = clusters.enteredBefore,
-                 .exitances = clusters.exitances},
+                 .irradiances = clusters.exitances},
                 {.clusterCount = clusters.count, .again = from == From::Clusters});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
@@ -43,21 +68,27 @@ void OpaquePass::overVertices(gpu::CommandList& commands, const Inputs& inputs, 
                  .media = inputs.tables.media,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
                  .objectOf = vertices.objectOf,
-                 .exitances = vertices.exitances},
+                 .irradiances = vertices.exitances},
                 {.vertexCount = vertices.count, .site = site});
   commands.dispatchLinear(vertices.count);
   commands.endPass();
 }
 
-void OpaquePass::overFragments(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
+void OpaquePass::overFragments(gpu::CommandList& commands, const Inputs& inputs,
+                               OpaqueTables& opaque, ScatterSite site,
                                const SeenSurfaces& seen) const {
   commands.beginPass("opaque");
   dispatchParts(commands, seen.surfaces, fragments_,
                 {.listedPlaces = listedPlaces(seen, nearest_),
-                 .exitances = seen.surfaces.light,
+                 .irradiances = seen.surfaces.light,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
-                 .shadowMaps = {inputs.shadows.depth, nearest_}},
+                 .shadowMaps = {inputs.shadows.depth, nearest_},
+                 .opaques = opaque.materials,
+                 .attributes = opaque.attributes,
+                 .tangents = opaque.tangents,
+                 .texels = opaque.texels,
+                 .materials = seen.surfaces.materials},
                 {.first = 0, .site = site});
   commands.endPass();
 }

@@ -4,6 +4,7 @@
 #include "gpu/pipeline.h"
 #include "passes/products.h"
 #include "shaders/boundary/opaque.comp.h"
+#include "shaders/boundary/opaque_shares.comp.h"
 #include "shaders/scatter/opaque_fragments.comp.h"
 #include "shaders/scatter/opaque_vertices.comp.h"
 
@@ -13,8 +14,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// What opaque bodies give back of the light that falls on them. Places find what comes from lights
-/// with shadow maps by themselves; clusters find the rest, and what they send to each other.
+/// Light on opaque bodies, and what they give back of it. Places find what comes from lights with
+/// shadow maps by themselves; clusters find the rest, and what they send to each other.
 class OpaquePass {
  public:
   explicit OpaquePass(gpu::Device& device);
@@ -25,6 +26,10 @@ class OpaquePass {
     ShadowMaps& shadows;
   };
 
+  /// SceneTables::opaqueShares, once the rest of the tables is there. For set-up.
+  void makeShares(gpu::Device& device, Surfels& surfels, Clusters& clusters, OpaqueTables& opaque,
+                  SceneTables& tables) const;
+
   /// What clusters find: of lights and the sky, or of what other clusters send.
   enum class From { Lights, Clusters };
   void overClusters(gpu::CommandList& commands, const Inputs& inputs, From from,
@@ -32,11 +37,13 @@ class OpaquePass {
   /// Where the site is the vertices; none elsewhere.
   void overVertices(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
                     const Places& vertices) const;
-  void overFragments(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
-                     const SeenSurfaces& seen) const;
+  /// And what the surfaces are made of.
+  void overFragments(gpu::CommandList& commands, const Inputs& inputs, OpaqueTables& opaque,
+                     ScatterSite site, const SeenSurfaces& seen) const;
 
  private:
   gpu::Sampler nearest_;
+  gpu::Compute<shaders::BoundaryOpaqueShares> shares_;
   gpu::Compute<shaders::BoundaryOpaque> clusters_;
   gpu::Compute<shaders::ScatterOpaqueVertices> vertices_;
   gpu::Compute<shaders::ScatterOpaqueFragments> fragments_;

@@ -4,6 +4,7 @@
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
+#include "shaders/shared/opaque.h"
 #include "shaders/shared/seen.h"
 
 namespace opaline::passes {
@@ -11,12 +12,14 @@ namespace opaline::passes {
 namespace {
 
 // Surfaces that a band's list has room for, if a band is no less than a row of tiles. Most pixels
-// see one or none, so that a list is rarely as long.
+// see one or none, so that a list is rarely as long. What is known of opaque ones is large.
 constexpr std::uint32_t surfacesOfBand = 1U << 21U;
+constexpr std::uint32_t surfacesOfOpaqueBand = 1U << 20U;
 constexpr std::uint32_t tile = 8;
 
-std::uint32_t rowsOfBand(VkExtent2D extent, std::uint32_t samples) {
-  const std::uint32_t tiles = surfacesOfBand / (extent.width * samples * tile);
+std::uint32_t rowsOfBand(VkExtent2D extent, std::uint32_t samples, bool opaque) {
+  const std::uint32_t surfaces = opaque ? surfacesOfOpaqueBand : surfacesOfBand;
+  const std::uint32_t tiles = surfaces / (extent.width * samples * tile);
   return tile * std::clamp(tiles, 1U, (extent.height + tile - 1) / tile);
 }
 
@@ -35,7 +38,7 @@ SurfacePass::SurfacePass(gpu::Device& device)
       surfaces_(device, "seen surfaces") {}
 
 VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent,
-                                          std::uint32_t samples) {
+                                          std::uint32_t samples, bool opaque) {
   constexpr VkBufferUsageFlags counted = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                          VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
                                          VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
@@ -55,7 +58,7 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                  .height = extent.height,
                  .format = VK_FORMAT_D32_SFLOAT,
                  .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT}};
-  made.rowsOfBand = rowsOfBand(extent, samples);
+  made.rowsOfBand = rowsOfBand(extent, samples, opaque);
   const std::uint32_t pixels = extent.width * made.rowsOfBand;
   const std::uint32_t room = pixels * samples;
   made.parts = (room + shared::seenOfPart - 1) / shared::seenOfPart;
@@ -70,6 +73,9 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                   .bytes = (1 + made.parts) * sizeof(shared::SeenCount),
                   .usage = counted}};
   made.light = makeRoom<shared::vec4>(device, "light of seen surfaces", room);
+  made.materials = makeRoom<shared::SeenMaterial>(device, "materials of seen surfaces",
+                                                  opaque ? room : 0);
+  made.hasMaterials = opaque;
   made.skyBlocks = {device,
                     {.name = "blocks of reflected sky",
                      .width = (extent.width + 1) / 2,

@@ -22,8 +22,8 @@ SeenCentres CentresPass::makeCentres(gpu::Device& device, VkExtent2D extent) {
           image("seen exitance", VK_FORMAT_R32G32B32A32_SFLOAT)};
 }
 
-void CentresPass::record(gpu::CommandList& commands, const SeenSurfaces& seen, Exitance& exitance,
-                         bool atFragments, SeenCentres& centres) const {
+void CentresPass::record(gpu::CommandList& commands, const SeenSurfaces& seen, SceneTables& tables,
+                         Exitance& exitance, bool atFragments, SeenCentres& centres) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("surface");
   commands.use(surfaces.counts, gpu::Access::Indirect);
@@ -33,7 +33,9 @@ void CentresPass::record(gpu::CommandList& commands, const SeenSurfaces& seen, E
                  .positionObject = centres.position,
                  .unitNormal = centres.normal,
                  .exitance = centres.exitance,
-                 .light = surfaces.light},
+                 .light = surfaces.light,
+                 .objects = tables.objects,
+                 .materials = surfaces.materials},
                 {.atFragments = atFragments});
   commands.dispatchIndirect(surfaces.counts, 0);
   commands.endPass();

@@ -20,8 +20,8 @@ class CentresPass {
 
   /// `atFragments`: VisibleSurfaces::light has the exitance; else the vertices have it. Pixels that
   /// see nothing stay as they are.
-  void record(gpu::CommandList& commands, const SeenSurfaces& seen, Exitance& exitance,
-              bool atFragments, SeenCentres& centres) const;
+  void record(gpu::CommandList& commands, const SeenSurfaces& seen, SceneTables& tables,
+              Exitance& exitance, bool atFragments, SeenCentres& centres) const;
 
  private:
   gpu::Sampler nearest_;

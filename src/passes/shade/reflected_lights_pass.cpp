@@ -21,7 +21,10 @@ void ReflectedLightsPass::record(gpu::CommandList& commands, const Inputs& input
                  .rayHierarchy = rays(inputs.rays),
                  .specularAlbedo = inputs.tables.specularAlbedo,
                  .light = seen.surfaces.light,
-                 .lobes = inputs.tables.reflectionLobes},
+                 .lobes = inputs.tables.reflectionLobes,
+                 .gloss = inputs.opaque.gloss,
+                 .glossLobes = inputs.opaque.lobes,
+                 .materials = seen.surfaces.materials},
                 {.first = 0,
                  .nodeCount = inputs.surfels.tree.nodeCount,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel});

@@ -24,6 +24,7 @@ class ReflectedLightsPass {
     SceneTables& tables;
     Surfels& surfels;
     RayHierarchy& rays;
+    OpaqueTables& opaque;
   };
   /// After VisibleSurfaces::light has the radiance.
   void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;

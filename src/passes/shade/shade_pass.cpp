@@ -8,6 +8,7 @@ ShadePass::ShadePass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       linear_(device, gpu::Filter::Linear),
       shade_(device, "shade"),
+      opaque_(device, "shade opaque"),
       sum_(device, "sum of surfaces") {}
 
 gpu::GpuImage ShadePass::makeRadiance(gpu::Device& device, std::uint32_t width,
@@ -40,6 +41,26 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .alpha = inputs.roughness * inputs.roughness,
                  .specular = inputs.specular,
                  .skyIsMirrored = inputs.mirrorsSky});
+  commands.dispatchIndirect(surfaces.counts, 0);
+  commands.endPass();
+}
+
+void ShadePass::recordOpaque(gpu::CommandList& commands, const Inputs& inputs,
+                             OpaqueTables& opaque, const SeenSurfaces& seen) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
+  commands.beginPass("shade");
+  commands.use(surfaces.counts, gpu::Access::Indirect);
+  commands.bind(opaque_,
+                {.listedPlaces = listedPlaces(seen, nearest_),
+                 .meshExitances = inputs.exitance.vertices,
+                 .light = surfaces.light,
+                 .objects = inputs.tables.objects,
+                 .materials = surfaces.materials,
+                 .shadowMaps = {inputs.shadows.depth, nearest_},
+                 .glossySky = {inputs.sky.glossy, linear_},
+                 .gloss = opaque.gloss},
+                {.atFragments = inputs.atFragments,
+                 .specular = inputs.specular});
   commands.dispatchIndirect(surfaces.counts, 0);
   commands.endPass();
 }

@@ -6,6 +6,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/shade/opaque.comp.h"
 #include "shaders/shade/shade.comp.h"
 #include "shaders/shade/sum.comp.h"
 
@@ -33,8 +34,11 @@ class ShadePass {
     bool specular;
     bool mirrorsSky;  ///< VisibleSurfaces::light says how much of it
   };
-  /// Leaves the radiance by coverage in VisibleSurfaces::light.
+  /// Leaves the radiance of translucent surfaces, by coverage, in VisibleSurfaces::light.
   void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;
+  /// The same of opaque surfaces; the other leaves them as they are.
+  void recordOpaque(gpu::CommandList& commands, const Inputs& inputs, OpaqueTables& opaque,
+                    const SeenSurfaces& seen) const;
   /// Of the surfaces of each pixel. Pixels that see nothing stay as they are.
   void sumUp(gpu::CommandList& commands, const SeenSurfaces& seen, gpu::GpuImage& radiance) const;
 
@@ -42,6 +46,7 @@ class ShadePass {
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
   gpu::Compute<shaders::ShadeShade> shade_;
+  gpu::Compute<shaders::ShadeOpaque> opaque_;
   gpu::Compute<shaders::ShadeSum> sum_;
 };
 

@@ -1,6 +1,8 @@
 #include "passes/sky/sky_pass.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -15,21 +17,27 @@
 #include "passes/environment_map.h"
 #include "passes/sky/irradiance_cubes.h"
 #include "passes/sky/radiance_cube.h"
+#include "shaders/shared/opaque.h"
 
 namespace opaline::passes {
 
 namespace {
 
 constexpr std::uint32_t skyFaceSize = 128;
+constexpr std::uint32_t mirrorFaceSize = 256;
 constexpr std::uint32_t tileSize = 8;
+constexpr std::uint32_t samplesOfLobe = 256;
+constexpr float leastRoughness = 0.02F;  // below it is a mirror
 constexpr VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT;
 
-gpu::GpuImage makeCubeImage(gpu::Device& device, std::uint32_t size, VkImageUsageFlags usage) {
+gpu::GpuImage makeCubeImage(gpu::Device& device, std::uint32_t size, std::uint32_t levels,
+                            VkImageUsageFlags usage) {
   return {device,
           {.name = "reflection of the sky",
            .width = size,
            .height = size,
            .layers = 6,
+           .mipLevels = levels,
            .format = format,
            .usage = VK_IMAGE_USAGE_SAMPLED_BIT | usage,
            .kind = gpu::ImageKind::CubeArray}};
@@ -37,11 +45,18 @@ gpu::GpuImage makeCubeImage(gpu::Device& device, std::uint32_t size, VkImageUsag
 
 // Of one texel a face.
 gpu::GpuImage makeUniformCube(gpu::Device& device, const Rgb& radiance) {
-  gpu::GpuImage cube = makeCubeImage(device, 1, VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+  gpu::GpuImage cube = makeCubeImage(device, 1, 1, VK_IMAGE_USAGE_TRANSFER_DST_BIT);
   const std::array<float, 4> texel{radiance[0], radiance[1], radiance[2], 1};
   for (std::uint32_t face = 0; face < 6; ++face)
     gpu::uploadImage(device, cube, std::as_bytes(std::span<const float>(texel)), face);
   return cube;
+}
+
+std::vector<float> glossyRoughnesses() {
+  std::vector<float> roughnesses;
+  for (std::uint32_t level = 0; level < shared::glossySkyLevels; ++level)
+    roughnesses.push_back(static_cast<float>(level) / (shared::glossySkyLevels - 1));
+  return roughnesses;
 }
 
 }  // namespace
@@ -51,11 +66,12 @@ SkyPass::SkyPass(gpu::Device& device)
       reflected_(device, "reflection of the sky") {}
 
 Sky SkyPass::makeSky(gpu::Device& device, const Lighting& lighting, float roughness,
-                     const std::vector<double>& etas) const {
+                     const std::vector<double>& etas, bool opaque) const {
   Sky sky;
   sky.parts = partsOfSky(lighting);
   sky.radiance = makeRadianceCube(device, sky.parts);
-  sky.reflected = reflectedOf(device, lighting, roughness);
+  sky.reflected = reflectedOf(device, lighting, {roughness}, skyFaceSize);
+  if (opaque) sky.glossy = reflectedOf(device, lighting, glossyRoughnesses(), mirrorFaceSize);
   takeEtas(device, etas, sky);
   return sky;
 }
@@ -65,16 +81,28 @@ void SkyPass::takeEtas(gpu::Device& device, const std::vector<double>& etas, Sky
 }
 
 gpu::GpuImage SkyPass::reflectedOf(gpu::Device& device, const Lighting& lighting,
-                                   float roughness) const {
+                                   const std::vector<float>& roughnesses,
+                                   std::uint32_t edge) const {
   if (!lighting.environment) return makeUniformCube(device, lighting.ambient);
   const glm::vec4 ambient(glm::make_vec3(lighting.ambient.data()), 0);
   gpu::GpuImage map = makeEnvironmentMap(device, *lighting.environment);
-  gpu::GpuImage cube = makeCubeImage(device, skyFaceSize, VK_IMAGE_USAGE_STORAGE_BIT);
+  const auto levels = static_cast<std::uint32_t>(roughnesses.size());
+  gpu::GpuImage cube = makeCubeImage(device, edge, levels, VK_IMAGE_USAGE_STORAGE_BIT);
   gpu::CommandList commands(device, "reflection of the sky");
   commands.begin();
-  commands.bind(reflected_, {.latLong = {map, sampler_}, .cube = cube},
-                {.ambient = ambient, .alpha = roughness * roughness});
-  commands.dispatch(skyFaceSize / tileSize, skyFaceSize / tileSize, 6);
+  for (std::uint32_t level = 0; level < levels; ++level) {
+    const float roughness = std::max(roughnesses[level], leastRoughness);
+    const std::uint32_t size = edge >> level;
+    // A quarter of the map's width lies before a face.
+    const float texels = static_cast<float>(map.extent().width) / static_cast<float>(4 * size);
+    commands.bind(reflected_, {.latLong = {map, sampler_}, .cube = {cube, level}},
+                  {.ambient = ambient,
+                   .alpha = roughness * roughness,
+                   .sampleCount = roughnesses[level] < leastRoughness ? 1 : samplesOfLobe,
+                   .leastLevel = std::max(std::log2(texels), 0.0F)});
+    const std::uint32_t tiles = (size + tileSize - 1) / tileSize;
+    commands.dispatch(tiles, tiles, 6);
+  }
   commands.submit();
   return cube;
 }

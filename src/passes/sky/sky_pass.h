@@ -18,14 +18,17 @@ class SkyPass {
  public:
   explicit SkyPass(gpu::Device& device);
 
-  /// For surfaces of that roughness and these indices of refraction.
+  /// For surfaces of that roughness and these indices of refraction, and, where `opaque`, for
+  /// opaque ones of any roughness.
   Sky makeSky(gpu::Device& device, const Lighting& lighting, float roughness,
-              const std::vector<double>& etas) const;
+              const std::vector<double>& etas, bool opaque) const;
   /// Takes up other indices of refraction, without another look at the environment.
   static void takeEtas(gpu::Device& device, const std::vector<double>& etas, Sky& sky);
 
  private:
-  gpu::GpuImage reflectedOf(gpu::Device& device, const Lighting& lighting, float roughness) const;
+  /// One level for each roughness, each of half the edge of the last.
+  gpu::GpuImage reflectedOf(gpu::Device& device, const Lighting& lighting,
+                            const std::vector<float>& roughnesses, std::uint32_t edge) const;
 
   gpu::Sampler sampler_;
   gpu::Compute<shaders::SkyReflected> reflected_;

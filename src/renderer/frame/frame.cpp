@@ -240,9 +240,6 @@ struct FrameContext {
     if (surfels.coarse)
       passes.nearby.overFragments(commands, order().transport, order().site, nearbyInputs(surfels),
                                   seen());
-    if (carriesOpaque()) passes.opaque.overFragments(commands, ofOpaque(), order().site, seen());
-    if (carries())
-      passes.carry.overFragments(commands, order().site, resources.tables, scene.clusters, seen());
   }
 
   passes::NearbyPass::Inputs nearbyInputs(passes::Surfels& surfels) const {
@@ -274,6 +271,17 @@ struct FrameContext {
   void findSurfaces(std::uint32_t firstRow, int samples, SceneResources& scene) const {
     passes.surface.list(commands, seen(), firstRow, static_cast<std::uint32_t>(samples));
     if (atFragments()) scatterAtFragments(scene);
+    if (carriesOpaque())
+      passes.opaque.overFragments(commands, ofOpaque(), scene.opaque, order().site, seen());
+    if (atFragments() && carries() && plan.sum != Sum::Pattern)
+      passes.carry.overFragments(commands, order().site, resources.tables, scene.clusters, seen());
+  }
+
+  void shadeOpaque(const passes::ShadePass::Inputs& inputs, SceneResources& scene) const {
+    if (plan.specular)
+      passes.mirroredScene.record(
+          commands, {resources.tables, scene.surfels, scene.rays, scene.clusters}, seen());
+    passes.shade.recordOpaque(commands, inputs, scene.opaque, seen());
   }
 
   void shade(std::uint32_t firstRow, SceneResources& scene) const {
@@ -282,13 +290,14 @@ struct FrameContext {
                                  {resources.tables, scene.surfels, scene.rays,
                                   static_cast<std::uint32_t>(plan.samples), plan.roughness},
                                  firstRow, seen());
-    passes.shade.record(commands,
-                        {resources.tables, resources.shadows, resources.exitance, resources.sky,
-                         plan.roughness, atFragments(), plan.specular, plan.mirrorsSky},
-                        seen());
+    const passes::ShadePass::Inputs inputs{
+        resources.tables, resources.shadows, resources.exitance, resources.sky,
+        plan.roughness,   atFragments(),     plan.specular,      plan.mirrorsSky};
+    passes.shade.record(commands, inputs, seen());
+    if (carriesOpaque()) shadeOpaque(inputs, scene);
     if (plan.specular && plan.areaLights > 0)
-      passes.reflectedLights.record(commands, {resources.tables, scene.surfels, scene.rays},
-                                    seen());
+      passes.reflectedLights.record(
+          commands, {resources.tables, scene.surfels, scene.rays, scene.opaque}, seen());
     passes.shade.sumUp(commands, seen(), resources.radiance);
   }
 
@@ -318,7 +327,7 @@ struct FrameContext {
       commands.clear(*image);
     passes::forEachBand(resources.surfaces, [&](std::uint32_t firstRow) {
       findSurfaces(firstRow, 1, scene);
-      passes.centres.record(commands, seen(), resources.exitance, atFragments(), centres);
+      passes.centres.record(commands, seen(), resources.tables, resources.exitance, atFragments(), centres);
     });
     if (plan.seenSurfels) findSurfels(scene);
     if (plan.irradiance) showIrradiance(scene);
@@ -344,6 +353,7 @@ Passes::Passes(gpu::Device& device)
       solver(device),
       carry(device),
       sky(device),
+      mirroredScene(device),
       reflectedSky(device),
       reflectedLights(device),
       shade(device),

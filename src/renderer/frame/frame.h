@@ -25,6 +25,7 @@
 #include "passes/scatter/surfel_sum_pass.h"
 #include "passes/shade/backdrop_pass.h"
 #include "passes/shade/centres_pass.h"
+#include "passes/shade/mirrored_scene_pass.h"
 #include "passes/shade/reflected_lights_pass.h"
 #include "passes/shade/reflected_sky_pass.h"
 #include "passes/shade/seen_irradiance_pass.h"
@@ -58,6 +59,7 @@ struct Passes {
   passes::SolverPass solver;
   passes::CarryPass carry;
   passes::SkyPass sky;
+  passes::MirroredScenePass mirroredScene;
   passes::ReflectedSkyPass reflectedSky;
   passes::ReflectedLightsPass reflectedLights;
   passes::ShadePass shade;

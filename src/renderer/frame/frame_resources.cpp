@@ -9,17 +9,21 @@
 
 namespace opaline {
 
-void makeTables(gpu::Device& device, const SceneResources& scene, const RenderOptions& options,
-                FrameResources& resources) {
+void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene,
+                const RenderOptions& options, FrameResources& resources) {
   resources.tables = makeSceneTables(device, scene, options);
+  if (scene.opaque.materials && scene.clusters.ranges)
+    passes.opaque.makeShares(device, scene.surfels, scene.clusters, scene.opaque,
+                             resources.tables);
   // A sky that is there was made for other indices of refraction.
   if (resources.sky.reflected)
     passes::SkyPass::takeEtas(device, resources.tables.etas, resources.sky);
 }
 
 void makeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
-             const RenderOptions& options, FrameResources& resources) {
-  resources.sky = passes.sky.makeSky(device, lighting, options.roughness, resources.tables.etas);
+             const RenderOptions& options, bool hasOpaque, FrameResources& resources) {
+  resources.sky = passes.sky.makeSky(device, lighting, options.roughness, resources.tables.etas,
+                                     hasOpaque);
 }
 
 void makeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,

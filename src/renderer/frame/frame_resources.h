@@ -34,8 +34,8 @@ struct FrameResources {
 };
 
 /// What depends on media, transport and roughness.
-void makeTables(gpu::Device& device, const SceneResources& scene, const RenderOptions& options,
-                FrameResources& resources);
+void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene,
+                const RenderOptions& options, bool hasOpaque, FrameResources& resources);
 
 /// Makes the sky of these tables, which looks at every pixel of the environment.
 void makeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,

@@ -39,7 +39,8 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   const bool media = whole || before->changes.media != changes.media;
   const bool pattern = whole || !samePattern(before->options.pattern, options.pattern) ||
                        before->options.dsmSize != options.dsmSize;
-  const bool sky = surface || before->changes.sky != changes.sky;
+  const bool sky = surface || before->changes.sky != changes.sky ||
+                   (plan.opaque && !made_.sky.glossy);
   const std::uint32_t views = shadowViewCount(lighting);
   const bool shadows =
       whole || made_.view.shadowViews != views || before->options.shadowSize != options.shadowSize;
@@ -48,8 +49,8 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   if (size || media || transport || pattern) made_.map.reset();
   if (size || shadows || surface || pattern) lit.reset();
   if (whole) made_.view = passes::FitPass::makeView(device_);
-  if (media || transport || surface) makeTables(device_, scene, options, made_);
-  if (sky) makeSky(device_, passes_, lighting, options, made_);
+  if (media || transport || surface) makeTables(device_, passes_, scene, options, made_);
+  if (sky) makeSky(device_, passes_, lighting, options, plan.opaque, made_);
   const bool behind = sky || before->options.environmentBehind != options.environmentBehind;
   makeBackdrop(plan, edited, behind);
   if (size) makeImages(options, scene);
@@ -96,9 +97,10 @@ void ViewResources::makeRoom(const FramePlan& plan) {
   const VkExtent2D extent = made_.radiance.extent();
   const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
   passes::VisibleSurfaces& surfaces = made_.surfaces;
-  if (!surfaces.words || surfaces.words.options().layers < samples) {
+  const bool opaque = plan.opaque && !surfaces.hasMaterials;
+  if (!surfaces.words || surfaces.words.options().layers < samples || opaque) {
     surfaces = {};  // before memory for the next is taken
-    surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples);
+    surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, plan.opaque);
   }
   if (plan.centre && !made_.centres.position)
     made_.centres = passes::CentresPass::makeCentres(device_, extent);

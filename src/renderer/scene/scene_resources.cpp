@@ -18,6 +18,7 @@
 #include "passes/boundary/solver_pass.h"
 #include "passes/gather/surfel_pass.h"
 #include "renderer/scene/device_room.h"
+#include "renderer/scene/opaque_tables.h"
 #include "scene/mesh/insides.h"
 #include "scene/text.h"
 #include "shaders/shared/surfels.h"
@@ -76,6 +77,13 @@ void listMedia(const Scene& scene, SceneResources& resources) {
     }
     resources.mediumOfObject.push_back(found);
   }
+}
+
+std::vector<OpaqueMaterial> opaqueMaterials(const SceneResources& resources) {
+  std::vector<OpaqueMaterial> materials;
+  for (const std::optional<OpaqueMaterial>& material : resources.opaqueOfMedium)
+    if (material) materials.push_back(*material);
+  return materials;
 }
 
 // A ground comes last.
@@ -243,6 +251,7 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   resources.objects = static_cast<std::uint32_t>(scene.objects.size());
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
   listMedia(scene, resources);
+  resources.opaque = makeOpaqueTables(device, scene, opaqueMaterials(resources), log);
   measure(scene, resources);
   resources.castingTriangles = castingTriangles(scene);
   if (needs.maxSurfels)

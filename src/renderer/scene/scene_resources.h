@@ -56,6 +56,7 @@ struct SceneResources {
   passes::RayHierarchy rays;  ///< where clusters or rays are needed, or surfels have been asked for
   passes::Clusters clusters;  ///< these two where clusters are needed
   passes::Solver solver;
+  passes::OpaqueTables opaque;
   std::vector<SurfelsOfObject> surfelsOfObject;  ///< one an object, where there are surfels
   std::uint32_t objects = 0;
   std::uint32_t triangles = 0;

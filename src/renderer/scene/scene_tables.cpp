@@ -50,11 +50,10 @@ shared::BoundaryMedium insideOfOpaque() {
           .albedo = {0, 0, 0, 0}};
 }
 
-shared::MediumData dataOf(const OpaqueMaterial& material) {
+shared::MediumData dataOfOpaque() {
   shared::MediumData data{};
   data.inside = insideOfOpaque();
   data.boundary = {1, 1 / std::numbers::pi_v<float>, 1, 1};
-  data.opaque = {material.baseColor[0], material.baseColor[1], material.baseColor[2], 0};
   return data;
 }
 
@@ -101,12 +100,13 @@ class TableBuilder {
           passes::specularAlbedo(eta, static_cast<double>(options.roughness));
       albedo_.insert(albedo_.end(), entries.begin(), entries.end());
     }
+    std::uint32_t opaqueCount = 0;
     for (std::size_t i = 0; i < resources.media.size(); ++i) {
       const auto& opaque = resources.opaqueOfMedium[i];
-      media_.push_back(opaque ? opaline::dataOf(*opaque) : dataOf(resources.media[i]));
+      media_.push_back(opaque ? dataOfOpaque() : dataOf(resources.media[i]));
       const auto eta = static_cast<std::uint32_t>(
           std::find(etas_.begin(), etas_.end(), etaOf(resources, i)) - etas_.begin());
-      media_.back().tables = {eta, 0, 0, eta * passes::specularAlbedoEntries};
+      media_.back().tables = {eta, opaque ? opaqueCount++ : 0, 0, eta * passes::specularAlbedoEntries};
     }
   }
 
@@ -123,7 +123,6 @@ class TableBuilder {
             .boundary = {static_cast<float>(medium.eta),
                          static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
                          static_cast<float>(lobes.plain), static_cast<float>(1 / lobes.stretch)},
-            .opaque = {},
             .tables = {}};
   }
 
@@ -174,8 +173,9 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
   return objects;
 }
 
-std::vector<shared::vec4> reflectionLobes(const RenderOptions& options) {
-  const double roughness{options.roughness};
+}  // namespace
+
+std::vector<shared::vec4> reflectionLobes(double roughness) {
   std::vector<shared::vec4> lobes;
   for (int i = 0; i < passes::reflectionLobeEntries; ++i) {
     const ReflectionLobe lobe =
@@ -184,8 +184,6 @@ std::vector<shared::vec4> reflectionLobes(const RenderOptions& options) {
   }
   return lobes;
 }
-
-}  // namespace
 
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
                                     const RenderOptions& options) {
@@ -202,7 +200,7 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
                                      [](float albedo) { return albedo > shared::albedoFollowed; });
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
   tables.reflectionLobes =
-      gpu::makeBuffer(device, "lobes of the reflection", reflectionLobes(options), storage);
+      gpu::makeBuffer(device, "lobes of the reflection", reflectionLobes(double{options.roughness}), storage);
   tables.etas = builder.etas();
   return tables;
 }

@@ -15,4 +15,7 @@ namespace opaline {
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
                                     const RenderOptions& options);
 
+/// Lobes of that roughness by the cosine of the view, reflectionLobeEntries of them.
+std::vector<shared::vec4> reflectionLobes(double roughness);
+
 }  // namespace opaline

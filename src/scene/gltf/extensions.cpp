@@ -13,30 +13,26 @@ namespace opaline::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> read{
+constexpr std::array<std::string_view, 13> read{
     "EXT_mesh_gpu_instancing",      "EXT_meshopt_compression", "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",          "KHR_materials_ior",       "KHR_materials_volume",
-    "KHR_materials_volume_scatter", "KHR_mesh_quantization",   "KHR_meshopt_compression"};
+    "KHR_lights_punctual",          "KHR_materials_emissive_strength", "KHR_materials_ior",  "KHR_materials_specular", "KHR_materials_unlit",     "KHR_materials_volume",
+    "KHR_materials_volume_scatter", "KHR_mesh_quantization",   "KHR_meshopt_compression", "KHR_texture_transform"};
 
-constexpr std::array<std::string_view, 23> appearance{"EXT_texture_avif",
+constexpr std::array<std::string_view, 19> appearance{"EXT_texture_avif",
                                                       "EXT_texture_webp",
                                                       "KHR_materials_anisotropy",
                                                       "KHR_materials_clearcoat",
                                                       "KHR_materials_diffuse_transmission",
                                                       "KHR_materials_dispersion",
-                                                      "KHR_materials_emissive_strength",
                                                       "KHR_materials_iridescence",
                                                       "KHR_materials_pbrSpecularGlossiness",
                                                       "KHR_materials_scatter",
                                                       "KHR_materials_sheen",
-                                                      "KHR_materials_specular",
                                                       "KHR_materials_subsurface",
                                                       "KHR_materials_transmission",
-                                                      "KHR_materials_unlit",
                                                       "KHR_materials_variants",
                                                       "KHR_texture_basisu",
                                                       "KHR_texture_procedurals",
-                                                      "KHR_texture_transform",
                                                       "KHR_xmp",
                                                       "KHR_xmp_json_ld",
                                                       "MSFT_texture_dds",

@@ -31,32 +31,46 @@ struct FileAccess {
   std::string refusal;  ///< why the last file was not given
 };
 
+/// Where that is, or in `refusal` why a model in the folder may not read it.
+std::optional<fs::path> fileIn(const std::string& folder, const std::string& name,
+                               std::string_view kind, std::string& refusal) {
+  const fs::path relative(name);
+  const bool climbs = std::any_of(relative.begin(), relative.end(),
+                                  [](const fs::path& part) { return part == ".."; });
+  const std::string shown = cleanText(name, 100);
+  if (relative.is_absolute() || climbs || name.find('\0') != std::string::npos) {
+    refusal = fmt::format("its {} '{}' lies outside of the model's folder", kind, shown);
+    return std::nullopt;
+  }
+  std::error_code problem;
+  const fs::path real = fs::canonical(fs::path(folder) / relative, problem);
+  if (problem) {
+    refusal = fmt::format("its {} '{}' does not exist", kind, shown);
+    return std::nullopt;
+  }
+  const fs::path root(folder);
+  if (std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end()) {
+    refusal = fmt::format("its {} '{}' leads out of the model's folder", kind, shown);
+    return std::nullopt;
+  }
+  return real;
+}
+
+std::string folderOf(const Input& input) {
+  std::error_code problem;
+  const fs::path parent = input.file.parent_path();
+  std::string folder = fs::canonical(parent.empty() ? fs::path(".") : parent, problem).string();
+  if (problem) failGltf(input, "its folder cannot be found");
+  return folder;
+}
+
 /// The path relative to the model's folder, if the model may read it.
 std::optional<fs::path> allowed(FileAccess& access, const std::string& path) {
   // The library also looks in the working directory.
   if (!path.starts_with(access.folder + "/")) return std::nullopt;
   const std::string name = path.substr(access.folder.size() + 1);
   if (!access.prescan.bufferFiles.contains(name)) return std::nullopt;
-  const fs::path relative(name);
-  const bool climbs = std::any_of(relative.begin(), relative.end(),
-                                  [](const fs::path& part) { return part == ".."; });
-  const std::string shown = cleanText(name, 100);
-  if (relative.is_absolute() || climbs || name.find('\0') != std::string::npos) {
-    access.refusal = fmt::format("its buffer '{}' lies outside of the model's folder", shown);
-    return std::nullopt;
-  }
-  std::error_code problem;
-  const fs::path real = fs::canonical(fs::path(access.folder) / relative, problem);
-  if (problem) {
-    access.refusal = fmt::format("its buffer '{}' does not exist", shown);
-    return std::nullopt;
-  }
-  const fs::path root(access.folder);
-  if (std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end()) {
-    access.refusal = fmt::format("its buffer '{}' leads out of the model's folder", shown);
-    return std::nullopt;
-  }
-  return real;
+  return fileIn(access.folder, name, "buffer", access.refusal);
 }
 
 bool fileExists(const std::string& path, void* user) {
@@ -80,8 +94,9 @@ bool readWholeFile(std::vector<unsigned char>* out, std::string*, const std::str
   }
 }
 
-bool ignoreImage(tinygltf::Image*, const int, std::string*, std::string*, int, int,
-                 const unsigned char*, int, void*) {
+bool keepImage(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
+               const unsigned char* bytes, int size, void*) {
+  image->image.assign(bytes, bytes + size);
   return true;
 }
 
@@ -167,13 +182,10 @@ tinygltf::Model readGltf(const Input& input) {
   access.prescan = prescanGltf(input, json);
   std::string changed;
   const std::string_view bytes = bytesToRead(input, access.prescan, json, binary, changed);
-  std::error_code problem;
-  const fs::path parent = input.file.parent_path();
-  access.folder = fs::canonical(parent.empty() ? fs::path(".") : parent, problem).string();
-  if (problem) failGltf(input, "its folder cannot be found");
+  access.folder = folderOf(input);
 
   tinygltf::TinyGLTF reader;
-  reader.SetImageLoader(ignoreImage, nullptr);
+  reader.SetImageLoader(keepImage, nullptr);
   reader.SetFsCallbacks({fileExists, [](const std::string& path, void*) { return path; },
                          readWholeFile, nullptr, &access});
   tinygltf::Model model;
@@ -215,6 +227,13 @@ tinygltf::Model readGltf(const Input& input) {
   decodeMeshopt(decoded);
   decodeDraco(decoded);
   return model;
+}
+
+fs::path fileBeside(const Input& input, std::string_view uri) {
+  std::string refusal;
+  const auto file = fileIn(folderOf(input), percentDecoded(uri), "picture", refusal);
+  if (!file) throw Error(refusal);
+  return *file;
 }
 
 }  // namespace opaline::scene

@@ -21,7 +21,12 @@ namespace opaline::scene {
 [[noreturn]] void failGltf(const Input& input, const std::string& reason);
 
 /// Reads the JSON and the buffers, from the file itself and from its own folder only. Data that
-/// are compressed are decoded, images are not.
+/// are compressed are decoded. Images are as they are stored; those in files of their own are not
+/// read.
 tinygltf::Model readGltf(const Input& input);
+
+/// A file that a model names by a URI. Throws Error for one that does not exist or lies outside of
+/// the model's folder.
+std::filesystem::path fileBeside(const Input& input, std::string_view uri);
 
 }  // namespace opaline::scene

@@ -10,7 +10,7 @@
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/file.h"
 #include "scene/gltf/instances.h"
-#include "scene/gltf/medium.h"
+#include "scene/gltf/material.h"
 #include "scene/gltf/mesh.h"
 #include "scene/gltf/nodes.h"
 #include "scene/gltf/not_shown.h"
@@ -33,6 +33,7 @@ struct Gathering {
   const tinygltf::Model& model;
   GltfNodes nodes;
   GltfAccessors accessors;
+  GltfMaterials materials;
   GltfMotion motion{};
   RawScene scene{};
   std::size_t triangles = 0;
@@ -53,8 +54,7 @@ bool sameMedium(const Medium& a, const Medium& b) {
 void append(RawObject& object, BakedPrimitive&& part, std::uint64_t partNumber) {
   RawMesh& mesh = object.mesh;
   const auto offset = static_cast<std::uint32_t>(mesh.positions.size());
-  const auto rigOffset =
-      object.rig ? static_cast<std::uint32_t>(object.rig->positions.size()) : std::uint32_t{0};
+  const auto fileOffset = static_cast<std::uint32_t>(object.attributes.vertices);
   const RawMesh& more = part.mesh;
   mesh.facetted = (offset == 0 || mesh.facetted) && more.facetted;
   mesh.positions.insert(mesh.positions.end(), more.positions.begin(), more.positions.end());
@@ -65,8 +65,9 @@ void append(RawObject& object, BakedPrimitive&& part, std::uint64_t partNumber) 
     mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
   }
   mesh.badPolygons += more.badPolygons;
+  for (const Provenance& of : more.provenance) mesh.provenance.push_back({of.vertex + fileOffset});
+  appendAttributes(object.attributes, std::move(part.attributes));
   if (!part.rig) return;
-  for (const Provenance& of : more.provenance) mesh.provenance.push_back({of.vertex + rigOffset});
   if (object.rig) {
     appendRig(*object.rig, std::move(*part.rig));
   } else {
@@ -100,7 +101,8 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
   std::uint64_t part = 0;
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
     if (!isSurface(primitive)) continue;
-    const Medium medium = gltfMedium(to.input, to.model, primitive.material, mesh.name, node.name);
+    const GltfSurface surface =
+        to.materials.surface(primitive.material, mesh.name, node.name);
     BakedPrimitive baked =
         bakePrimitive(to.input, to.model, to.nodes, to.motion, to.accessors, nodeIndex, primitive);
     to.triangles += baked.mesh.triangles.size();
@@ -111,10 +113,12 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
     }
     const auto begin = to.scene.objects.begin() + static_cast<std::ptrdiff_t>(first);
     auto object = std::find_if(begin, to.scene.objects.end(), [&](const RawObject& known) {
-      return sameMedium(known.medium, medium) && known.rig.has_value() == baked.rig.has_value();
+      return known.opaque == surface.opaque && known.rig.has_value() == baked.rig.has_value() &&
+             (known.opaque || sameMedium(known.medium, surface.medium));
     });
     if (object == to.scene.objects.end()) {
-      to.scene.objects.push_back({name, {}, medium, std::nullopt});
+      to.scene.objects.push_back(
+          {.name = name, .medium = surface.medium, .opaque = surface.opaque});
       object = to.scene.objects.end() - 1;
     }
     append(*object, std::move(baked), part++);
@@ -122,7 +126,9 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
   // Without this two objects of one node could not be told apart.
   if (to.scene.objects.size() > first + 1) {
     for (std::size_t i = first; i < to.scene.objects.size(); ++i) {
-      to.scene.objects[i].name += fmt::format(" ({})", to.scene.objects[i].medium.name);
+      RawObject& object = to.scene.objects[i];
+      object.name +=
+          fmt::format(" ({})", object.opaque ? object.opaque->name : object.medium.name);
     }
   }
 }
@@ -265,8 +271,8 @@ RawScene loadGltf(const Input& input) {
   tinygltf::Model read = readGltf(input);
   expandInstances(input, read);
   const tinygltf::Model& model = read;
-  Gathering gathering{input, model, resolveNodes(input, model), GltfAccessors(input, model)};
-  gathering.scene.notShown = notShownOf(model, gathering.nodes);
+  Gathering gathering{input, model, resolveNodes(input, model), GltfAccessors(input, model),
+                      GltfMaterials(input, model)};
   gathering.motion = readMotion(input, model, gathering.nodes, gathering.accessors);
   for (const int node : gathering.nodes.drawn) {
     const auto index = static_cast<std::size_t>(node);
@@ -275,6 +281,10 @@ RawScene loadGltf(const Input& input) {
     takeCamera(gathering, index);
     noteStanding(gathering, index);
   }
+  std::vector<NotShown> notShown =
+      notShownOf(model, gathering.nodes, gathering.materials.opaque());
+  addNotShown(notShown, gathering.scene.notShown);
+  gathering.scene.notShown = std::move(notShown);
   gathering.scene.nodes = std::move(gathering.motion.nodes);
   gathering.scene.clips = std::move(gathering.motion.clips);
   gathering.scene.mmPerUnit = mmPerMetre;

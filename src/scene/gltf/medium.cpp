@@ -7,7 +7,7 @@
 
 #include "bssrdf/media.h"
 #include "bssrdf/profile.h"
-#include "scene/finish.h"
+#include "scene/gltf/json.h"
 #include "scene/text.h"
 
 namespace opaline::scene {
@@ -16,39 +16,16 @@ namespace {
 
 using Numbers3 = std::array<double, 3>;
 
-std::optional<double> number(const tinygltf::Value& object, const std::string& key) {
-  if (!object.Has(key) || !object.Get(key).IsNumber()) return std::nullopt;
-  return object.Get(key).GetNumberAsDouble();
-}
-
-std::optional<Numbers3> numbers3(const tinygltf::Value& object, const std::string& key) {
-  if (!object.Has(key)) return std::nullopt;
-  const tinygltf::Value& list = object.Get(key);
-  if (!list.IsArray() || list.ArrayLen() != 3) return std::nullopt;
-  Numbers3 result{};
-  for (int i = 0; i < 3; ++i) {
-    if (!list.Get(i).IsNumber()) return std::nullopt;
-    result[static_cast<std::size_t>(i)] = list.Get(i).GetNumberAsDouble();
-  }
-  return result;
-}
-
-const tinygltf::Value& extension(const tinygltf::Material& material, const std::string& name) {
-  static const tinygltf::Value none;
-  const auto found = material.extensions.find(name);
-  return found == material.extensions.end() ? none : found->second;
-}
-
 double etaOf(const tinygltf::Material& material) {
-  if (const auto eta = number(material.extras, "eta")) return *eta;
+  if (const auto eta = gltfNumber(material.extras, "eta")) return *eta;
   // Below 1.01 the dipole has no boundary; 1.5 is the extension's own default.
-  const double ior = number(extension(material, "KHR_materials_ior"), "ior").value_or(1.5);
+  const double ior = gltfNumber(gltfExtension(material, "KHR_materials_ior"), "ior").value_or(1.5);
   return std::clamp(ior, 1.01, 3.0);
 }
 
 std::optional<Medium> fromExtras(const tinygltf::Material& material) {
-  const auto scattering = numbers3(material.extras, "sigma_s_prime_per_mm");
-  const auto absorption = numbers3(material.extras, "sigma_a_per_mm");
+  const auto scattering = gltfNumbers<3>(material.extras, "sigma_s_prime_per_mm");
+  const auto absorption = gltfNumbers<3>(material.extras, "sigma_a_per_mm");
   if (!scattering || !absorption) return std::nullopt;
   return Medium{cleanText(material.name), *scattering, *absorption, etaOf(material)};
 }
@@ -79,15 +56,15 @@ struct Volume {
 };
 
 std::optional<Volume> volumeOf(const tinygltf::Material& material) {
-  const tinygltf::Value& volume = extension(material, "KHR_materials_volume");
-  const tinygltf::Value& scatter = extension(material, "KHR_materials_volume_scatter");
-  const auto distance = number(volume, "attenuationDistance");
-  const auto attenuation = numbers3(volume, "attenuationColor");
+  const tinygltf::Value& volume = gltfExtension(material, "KHR_materials_volume");
+  const tinygltf::Value& scatter = gltfExtension(material, "KHR_materials_volume_scatter");
+  const auto distance = gltfNumber(volume, "attenuationDistance");
+  const auto attenuation = gltfNumbers<3>(volume, "attenuationColor");
   // A texture's colours are not read, and the factor alone would be white.
   if (scatter.Has("multiscatterColorTexture")) return std::nullopt;
-  auto reflectance = numbers3(scatter, "multiscatterColorFactor");
-  if (!reflectance) reflectance = numbers3(scatter, "multiscatterColor");
-  const double anisotropy = number(scatter, "scatterAnisotropy").value_or(0);
+  auto reflectance = gltfNumbers<3>(scatter, "multiscatterColorFactor");
+  if (!reflectance) reflectance = gltfNumbers<3>(scatter, "multiscatterColor");
+  const double anisotropy = gltfNumber(scatter, "scatterAnisotropy").value_or(0);
   if (!distance || !attenuation || !reflectance || !(*distance > 0)) return std::nullopt;
   return Volume{*distance, *attenuation, *reflectance, std::clamp(anisotropy, -0.99, 0.99)};
 }
@@ -116,7 +93,22 @@ bool saysMediumByVolume(const tinygltf::Material& material) {
   return volumeOf(material).has_value();
 }
 
-Medium gltfMedium(const Input& input, const tinygltf::Model& model, int material,
+namespace {
+
+/// Whether light goes through it, though it does not say what a medium is.
+bool letsLightThrough(const tinygltf::Material& material) {
+  const auto above0 = [&](const char* name, const char* factor) {
+    return gltfNumber(gltfExtension(material, name), factor).value_or(0) > 0;
+  };
+  return material.extensions.find("KHR_materials_volume_scatter") != material.extensions.end() ||
+         above0("KHR_materials_scatter", "scatterStrengthFactor") ||
+         (above0("KHR_materials_diffuse_transmission", "diffuseTransmissionFactor") &&
+          above0("KHR_materials_volume", "thicknessFactor"));
+}
+
+}  // namespace
+
+std::optional<Medium> gltfMedium(const Input& input, const tinygltf::Model& model, int material,
                   std::string_view meshName, std::string_view nodeName) {
   const tinygltf::Material none;
   if (material != -1 &&
@@ -130,12 +122,13 @@ Medium gltfMedium(const Input& input, const tinygltf::Model& model, int material
     if (!medium && !name.empty()) medium = bssrdf::findMedium(name);
   }
   if (!medium) medium = fromVolume(of);
-  if (!medium) return defaultMedium();
+  if (!medium && letsLightThrough(of)) return defaultMedium();
+  if (!medium) return std::nullopt;
   const std::string complaint = complaintAbout(*medium);
   if (!complaint.empty()) {
     failGltf(input, fmt::format("material '{}': {}", cleanText(of.name, 60), complaint));
   }
-  return *medium;
+  return medium;
 }
 
 }  // namespace opaline::scene

@@ -79,6 +79,50 @@ std::vector<std::uint64_t> tagsOf(const tinygltf::Model& model, GltfAccessors& a
   return tags;
 }
 
+std::vector<Vec2> textureCoordinates(GltfAccessors& accessors,
+                                     const tinygltf::Primitive& primitive, const char* name,
+                                     std::size_t vertices) {
+  std::vector<Vec2> coordinates;
+  const auto accessor = attribute(primitive.attributes, name);
+  if (!accessor) return coordinates;
+  const std::vector<float> numbers = accessors.floats(*accessor, 2, vertices);
+  coordinates.resize(vertices);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    // A texture has no place for what is no number.
+    const Vec2 place{numbers[2 * v], numbers[2 * v + 1]};
+    if (std::isfinite(place[0]) && std::isfinite(place[1])) coordinates[v] = place;
+  }
+  return coordinates;
+}
+
+std::vector<std::array<float, 4>> colors(const tinygltf::Model& model, GltfAccessors& accessors,
+                                         const tinygltf::Primitive& primitive,
+                                         std::size_t vertices) {
+  const auto accessor = attribute(primitive.attributes, "COLOR_0");
+  if (!accessor) return {};
+  const bool known =
+      *accessor >= 0 && static_cast<std::size_t>(*accessor) < model.accessors.size();
+  const bool alpha =
+      known && model.accessors[static_cast<std::size_t>(*accessor)].type == TINYGLTF_TYPE_VEC4;
+  const std::size_t width = alpha ? 4 : 3;
+  const std::vector<float> numbers =
+      accessors.floats(*accessor, static_cast<int>(width), vertices);
+  std::vector<std::array<float, 4>> result(vertices, {1, 1, 1, 1});
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    // 0 where it is no number.
+    result[i / width][i % width] = numbers[i] > 0 ? std::min(numbers[i], 1.0F) : 0.0F;
+  }
+  return result;
+}
+
+VertexAttributes attributesOf(const tinygltf::Model& model, GltfAccessors& accessors,
+                              const tinygltf::Primitive& primitive, std::size_t vertices) {
+  return {vertices,
+          {textureCoordinates(accessors, primitive, "TEXCOORD_0", vertices),
+           textureCoordinates(accessors, primitive, "TEXCOORD_1", vertices)},
+          colors(model, accessors, primitive, vertices)};
+}
+
 /// The morph targets of a primitive, empty where they are not wanted. One that moves nothing turns
 /// no normal either.
 template <typename Wanted>
@@ -261,7 +305,8 @@ BakedPrimitive bakePrimitive(const Input& input, const tinygltf::Model& model,
     for (Triangle& t : draft.triangles) std::swap(t[1], t[2]);
   }
   if (rig) hang(*rig, motion, nodeIndex, std::move(skin));
-  return {draft.normals.empty() ? flatMesh(draft) : smoothMesh(draft), std::move(rig)};
+  return {draft.normals.empty() ? flatMesh(draft) : smoothMesh(draft),
+          attributesOf(model, accessors, primitive, vertices), std::move(rig)};
 }
 
 }  // namespace opaline::scene

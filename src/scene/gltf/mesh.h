@@ -10,6 +10,7 @@ namespace opaline::scene {
 
 struct BakedPrimitive {
   RawMesh mesh;            ///< in the rest pose, its provenance naming the primitive's vertices
+  VertexAttributes attributes;  ///< of these
   std::optional<Rig> rig;  ///< where a clip can move it
 };
 

@@ -10,6 +10,7 @@
 #include "scene/gltf/extensions.h"
 #include "scene/gltf/medium.h"
 #include "scene/gltf/mesh.h"
+#include "scene/not_shown.h"
 #include "scene/text.h"
 
 namespace opaline::scene {
@@ -33,22 +34,25 @@ bool isRead(const tinygltf::Material& material, std::string_view extension) {
   return kindOf(extension) == GltfExtension::Read;
 }
 
-void addMaterial(const tinygltf::Material& material, const std::string& name,
-                 std::vector<NotShown>& to) {
-  const auto add = [&](bool isThere, std::string_view what) {
-    if (isThere) addNotShown(to, what, name);
-  };
+HiddenParts partsOf(const tinygltf::Material& material) {
   const tinygltf::PbrMetallicRoughness& pbr = material.pbrMetallicRoughness;
-  add(!isWhite(pbr.baseColorFactor), "base colours");
-  add(pbr.baseColorTexture.index >= 0, "base-colour textures");
-  add(pbr.metallicFactor > 0, "metals");
-  add(pbr.metallicRoughnessTexture.index >= 0, "metallic-roughness textures");
-  add(material.normalTexture.index >= 0, "normal textures");
-  add(material.occlusionTexture.index >= 0, "occlusion textures");
-  add(material.emissiveTexture.index >= 0 || !isBlack(material.emissiveFactor), "emission");
-  add(material.alphaMode == "MASK" || material.alphaMode == "BLEND", "alpha");
+  return {.baseColor = !isWhite(pbr.baseColorFactor),
+          .baseColorTexture = pbr.baseColorTexture.index >= 0,
+          .metal = pbr.metallicFactor > 0,
+          .metallicRoughnessTexture = pbr.metallicRoughnessTexture.index >= 0,
+          .normalTexture = material.normalTexture.index >= 0,
+          .occlusionTexture = material.occlusionTexture.index >= 0,
+          .emission = material.emissiveTexture.index >= 0 || !isBlack(material.emissiveFactor),
+          .alphaMask = material.alphaMode == "MASK"};
+}
+
+void addMaterial(const tinygltf::Material& material, bool isTranslucent, const std::string& name,
+                 std::vector<NotShown>& to) {
+  if (isTranslucent) addNotShown(to, partsOf(material), name);
+  // Its surface ends where it is less there than not.
+  if (material.alphaMode == "BLEND") addNotShown(to, "blended alpha", name);
   for (const auto& [extension, value] : material.extensions) {
-    add(!isRead(material, extension), cleanText(extension, 60));
+    if (!isRead(material, extension)) addNotShown(to, cleanText(extension, 60), name);
   }
 }
 
@@ -57,8 +61,8 @@ std::string nameOr(const std::string& name, std::string_view kind, std::size_t i
 }
 
 /// Of a mesh once, however often it is drawn.
-void addMesh(const tinygltf::Model& model, std::size_t index, std::set<std::size_t>& materials,
-             std::vector<NotShown>& to) {
+void addMesh(const tinygltf::Model& model, std::size_t index, const std::set<int>& opaque,
+             std::set<std::size_t>& materials, std::vector<NotShown>& to) {
   const tinygltf::Mesh& mesh = model.meshes[index];
   const std::string name = nameOr(mesh.name, "mesh", index);
   bool coloured = false;
@@ -67,8 +71,9 @@ void addMesh(const tinygltf::Model& model, std::size_t index, std::set<std::size
       addNotShown(to, "points and lines", name);
       continue;
     }
-    coloured = coloured || primitive.attributes.find("COLOR_0") != primitive.attributes.end();
     const int material = primitive.material;
+    coloured = coloured || (!opaque.contains(material) &&
+                            primitive.attributes.find("COLOR_0") != primitive.attributes.end());
     if (material >= 0 && static_cast<std::size_t>(material) < model.materials.size()) {
       materials.insert(static_cast<std::size_t>(material));
     }
@@ -87,7 +92,8 @@ void addExtensions(const tinygltf::Model& model, std::vector<NotShown>& to) {
 
 }  // namespace
 
-std::vector<NotShown> notShownOf(const tinygltf::Model& model, const GltfNodes& nodes) {
+std::vector<NotShown> notShownOf(const tinygltf::Model& model, const GltfNodes& nodes,
+                                 const std::set<int>& opaque) {
   std::vector<NotShown> result;
   std::set<std::size_t> meshes;
   std::set<std::size_t> materials;
@@ -95,11 +101,11 @@ std::vector<NotShown> notShownOf(const tinygltf::Model& model, const GltfNodes& 
     const tinygltf::Node& of = model.nodes[static_cast<std::size_t>(node)];
     if (of.mesh < 0 || static_cast<std::size_t>(of.mesh) >= model.meshes.size()) continue;
     const auto mesh = static_cast<std::size_t>(of.mesh);
-    if (meshes.insert(mesh).second) addMesh(model, mesh, materials, result);
+    if (meshes.insert(mesh).second) addMesh(model, mesh, opaque, materials, result);
   }
   for (const std::size_t material : materials) {
     const tinygltf::Material& of = model.materials[material];
-    addMaterial(of, nameOr(of.name, "material", material), result);
+    addMaterial(of, !opaque.contains(static_cast<int>(material)), nameOr(of.name, "material", material), result);
   }
   addExtensions(model, result);
   return result;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "scene/gltf/file.h"
@@ -9,6 +10,7 @@
 namespace opaline::scene {
 
 /// What of the nodes that are drawn, their materials and the file's extensions no picture shows.
-std::vector<NotShown> notShownOf(const tinygltf::Model& model, const GltfNodes& nodes);
+std::vector<NotShown> notShownOf(const tinygltf::Model& model, const GltfNodes& nodes,
+                                 const std::set<int>& opaque);
 
 }  // namespace opaline::scene

@@ -28,6 +28,8 @@ int hexDigit(char c) {
   return -1;
 }
 
+}  // namespace
+
 std::string percentDecoded(std::string_view uri) {
   std::string decoded;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -42,6 +44,8 @@ std::string percentDecoded(std::string_view uri) {
   }
   return decoded;
 }
+
+namespace {
 
 /// Follows the places root.buffers[i].uri; keeps nothing else.
 class Scanner : public nlohmann::json_sax<nlohmann::json> {

@@ -21,4 +21,7 @@ struct GltfPrescan {
 /// buffers in the binary chunk.
 GltfPrescan prescanGltf(const Input& input, std::string_view json);
 
+/// A URI's %20 become spaces, and so on.
+std::string percentDecoded(std::string_view uri);
+
 }  // namespace opaline::scene

@@ -15,8 +15,11 @@
 #include "lib/frame.glsl"
 #include "lib/material.glsl"
 #include "lib/seen_list.glsl"
+#include "shared/opaque.h"
 
 layout(std430, set = 0, binding = 8) buffer Found { vec4 found[]; };
+
+layout(std430, set = 0, binding = 15) readonly buffer Materials { SeenMaterial materials[]; };
 
 layout(push_constant) uniform Push {
   uint first;
@@ -29,7 +32,9 @@ void main() {
   ObjectData body = objects[place.object];
   bool here = seen.there && body.clusters.z != 0u && isSummedAtFragments(body, site);
   vec4 known = found[seen.entry];
+  bool opaque = isOpaque(body);
   vec3 better = corrected(known.rgb, place.position, place.side * place.normal, insideOf(body),
-                          isOpaque(body), here ? body.clusters.x : noNode, body.clusters.y);
+                          opaque, here ? body.clusters.x : noNode, body.clusters.y);
+  if (here && opaque) better = mix(known.rgb, better, materials[seen.entry].normal.w);
   if (here) found[seen.entry] = vec4(better, known.a);
 }

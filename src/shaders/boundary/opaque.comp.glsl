@@ -1,13 +1,11 @@
-// What opaque clusters give back: first of all that comes from lights and the sky, then of what other
-// clusters send them. What surfaces find for themselves (lib/opaque.glsl) is not kept for them.
+// What opaque clusters give back: first of all that comes from lights and the sky, and what they send
+// out by themselves, then of what other clusters send them. For surfaces it keeps the irradiance that
+// these do not find for themselves (scatter/opaque_fragments).
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define BINDING_OBJECTS 1
-#define BINDING_MEDIA 2
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
-#include "lib/material.glsl"
 #include "shared/boundary.h"
 
 layout(std430, set = 0, binding = 3) readonly buffer Ranges { ClusterRange ranges[]; };
@@ -15,9 +13,12 @@ layout(std430, set = 0, binding = 4) readonly buffer Clusters { Cluster clusters
 layout(std430, set = 0, binding = 5) readonly buffer Entries { Entry entries[]; };
 layout(std430, set = 0, binding = 6) readonly buffer SkyShares { vec4 skyShares[]; };
 layout(std430, set = 0, binding = 7) readonly buffer Entered { vec4 entered[]; };
-layout(std430, set = 0, binding = 8) writeonly buffer Latest { vec4 latest[]; };
+layout(std430, set = 0, binding = 8) buffer Latest { vec4 latest[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer EnteredBefore { vec4 enteredBefore[]; };
-layout(std430, set = 0, binding = 10) buffer Exitances { vec4 exitances[]; };
+layout(std430, set = 0, binding = 10) buffer Irradiances { vec4 irradiances[]; };
+layout(std430, set = 0, binding = 1) readonly buffer Shares { OpaqueShare shares[]; };
+
+layout(std430, set = 0, binding = 2) buffer OpaqueExitances { vec4 opaqueExitances[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -28,7 +29,7 @@ void main() {
   uint i = linearIndex();
   if (i >= clusterCount || ranges[i].kind != opaqueBody) return;
   vec3 place = clusters[i].centroidArea.xyz;
-  vec3 share = mediumAt(objects[ranges[i].object], place).opaque.rgb;
+  OpaqueShare gives = shares[i];
   vec3 known = vec3(0.0);
   vec3 other = vec3(0.0);
   if (again != 0u) {
@@ -43,7 +44,9 @@ void main() {
     }
     other += skyShares[i].rgb * entries[frame.counts.w * clusterCount + i].irradiance.rgb;
   }
-  latest[i] = vec4(share * (known + other), 0.0);
+  vec3 own = again != 0u ? vec3(0.0) : gives.emission.rgb;
+  latest[i] = vec4(gives.share.rgb * (known + other) + own, 0.0);
+  opaqueExitances[i] = (again != 0u ? opaqueExitances[i] : vec4(0.0)) + latest[i];
   enteredBefore[i] = vec4(0.0);
-  exitances[i] = vec4((again != 0u ? exitances[i].rgb : vec3(0.0)) + share * other, 0.0);
+  irradiances[i] = vec4((again != 0u ? irradiances[i].rgb : vec3(0.0)) + other, 0.0);
 }

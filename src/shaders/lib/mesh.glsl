@@ -23,6 +23,10 @@ uvec3 verticesOf(uint triangle) {
   return uvec3(meshIndices[3u * triangle], meshIndices[3u * triangle + 1u], meshIndices[3u * triangle + 2u]);
 }
 
+uint objectOfTriangle(uint triangle) {
+  return meshObjects[meshIndices[3u * triangle]];
+}
+
 float cross2(vec2 a, vec2 b) {
   return a.x * b.y - a.y * b.x;
 }
@@ -72,6 +76,18 @@ MeshPlace placeOn(uint triangle, vec2 clip) {
   place.side = front != mirrored ? 1.0 : -1.0;
   place.normal = place.side * normal;
   return place;
+}
+
+// The place on the smooth surface that the normals of the corners are of: lifted out of the triangle, so
+// that what these normals turn to a light is not in the triangle's own shadow (Hanika 2021).
+vec3 liftedPlace(MeshPlace place) {
+  vec3 lifted = place.position;
+  for (int i = 0; i < 3; ++i) {
+    vec3 normal = place.side * meshNormals[place.vertices[i]].xyz;
+    float below = min(dot(place.position - meshPositions[place.vertices[i]].xyz, normal), 0.0);
+    lifted -= clamp(place.weights[i], 0.0, 1.0) * below * normal;
+  }
+  return lifted;
 }
 
 #ifdef BINDING_MESH_EXITANCES

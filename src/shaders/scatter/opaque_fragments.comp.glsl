@@ -1,5 +1,5 @@
-// What opaque bodies give back, of surfaces that pixels see, of the light of lights with shadow maps.
-// Clusters have the rest.
+// Of opaque surfaces that pixels see: what they are made of, and the irradiance there of lights with
+// shadow maps, where the site is the fragments. Clusters have the rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -8,23 +8,65 @@
 #define SHADOW_BINDING 5
 #define MESH_BINDING 6
 #define BINDING_SEEN_LIST 10
+#define BINDING_OPAQUES 12
+#define BINDING_TEXELS 15
 #include "lib/frame.glsl"
-#include "lib/opaque.glsl"
+#include "lib/irradiance.glsl"
+#include "lib/material.glsl"
+#include "lib/opaque_material.glsl"
 #include "lib/seen_list.glsl"
 
-layout(std430, set = 0, binding = 2) buffer Exitances { vec4 exitances[]; };
+layout(std430, set = 0, binding = 2) buffer Irradiances { vec4 irradiances[]; };
+layout(std430, set = 0, binding = 16) writeonly buffer Materials { SeenMaterial materials[]; };
 
 layout(push_constant) uniform Push {
   uint first;
   uint site;
 };
 
+// How far weights may go from a triangle over a pixel, where it is seen edge on.
+const float furthestOverPixel = 64.0;
+
+MaterialPlace materialPlaceSeen(Seen seen, MeshPlace place) {
+  vec2 middle = middleOf(samplesOf(seen.word));
+  vec3 right = weightsOn(place.vertices, seenClip(seen.pixel, middle + vec2(0.5, 0.0))) -
+               weightsOn(place.vertices, seenClip(seen.pixel, middle - vec2(0.5, 0.0)));
+  vec3 down = weightsOn(place.vertices, seenClip(seen.pixel, middle + vec2(0.0, 0.5))) -
+              weightsOn(place.vertices, seenClip(seen.pixel, middle - vec2(0.0, 0.5)));
+  return materialPlaceOn(place.vertices, place.weights, clamp(right, -furthestOverPixel, furthestOverPixel),
+                         clamp(down, -furthestOverPixel, furthestOverPixel));
+}
+
+SeenMaterial materialSeen(Seen seen, MeshPlace place, OpaqueData material) {
+  MaterialPlace read = plainPlace();
+  if (material.rest.z != 0.0) read = materialPlaceSeen(seen, place);
+  SeenMaterial result = materialAt(material, read);
+  vec3 first = meshPositions[place.vertices.x].xyz;
+  vec3 toSecond = meshPositions[place.vertices.y].xyz - first;
+  vec3 toThird = meshPositions[place.vertices.z].xyz - first;
+  float widened;
+  vec3 normal = place.side * mappedNormal(material, read, triangleOf(seen.word), place.weights, toSecond,
+                                          toThird, place.side * place.normal, widened);
+  // What it turns away from the eye would be black.
+  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
+  float facing = dot(normal, toCamera);
+  if (facing < 0.01) normal = normalize(normal + (0.01 - facing) * toCamera);
+  result.normal.xyz = normal;
+  float alpha = result.diffuse.w;
+  result.diffuse.w = min(sqrt(alpha * alpha + widened), 1.0);
+  return result;
+}
+
 void main() {
   Seen seen = seenOfInvocation(first);
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   ObjectData body = objects[place.object];
-  if (!isOpaque(body) || !isSummedAtFragments(body, site)) return;
-  vec3 found = givenBack(place.position, place.side * place.normal, place.side * place.facet, body);
-  exitances[seen.entry] = vec4(found, 0.0);
+  if (!isOpaque(body)) return;
+  MediumData medium = mediumAt(body, place.position);
+  SeenMaterial material = materialSeen(seen, place, opaques[medium.tables.y]);
+  materials[seen.entry] = material;
+  if (!isSummedAtFragments(body, site)) return;
+  vec3 found = lightsIrradiance(liftedPlace(place), material.normal.xyz, place.normal, medium);
+  irradiances[seen.entry] = vec4(found, 0.0);
 }

@@ -1,17 +1,17 @@
-// What opaque bodies give back at their vertices of the light of lights with shadow maps. Clusters have
-// the rest.
+// Irradiance of lights with shadow maps at the vertices of opaque bodies. Clusters have the rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 3
 #define BINDING_MEDIA 4
 #define SHADOW_BINDING 5
+#include "lib/irradiance.glsl"
 #include "lib/linear.glsl"
-#include "lib/opaque.glsl"
+#include "lib/material.glsl"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
 layout(std430, set = 0, binding = 6) readonly buffer ObjectOf { uint objectOf[]; };
-layout(std430, set = 0, binding = 7) buffer Exitances { vec4 exitances[]; };
+layout(std430, set = 0, binding = 7) buffer Irradiances { vec4 irradiances[]; };
 
 layout(push_constant) uniform Push {
   uint vertexCount;
@@ -23,8 +23,9 @@ void main() {
   if (i >= vertexCount) return;
   ObjectData body = objects[objectOf[i]];
   if (!isOpaque(body)) return;
+  vec3 place = positions[i].xyz;
   vec3 normal = normals[i].xyz;
-  exitances[i] = isSummedAtFragments(body, site)
-                     ? vec4(0.0)
-                     : vec4(givenBack(positions[i].xyz, normal, normal, body), 0.0);
+  irradiances[i] = isSummedAtFragments(body, site)
+                       ? vec4(0.0)
+                       : vec4(lightsIrradiance(place, normal, normal, mediumAt(body, place)), 0.0);
 }

@@ -5,13 +5,18 @@
 #define BINDING_SEEN_LIST 10
 #define BINDING_MESH_EXITANCES 2
 #define MESH_BINDING 6
+#define BINDING_OBJECTS 13
+#include "lib/bodies.glsl"
 #include "lib/frame.glsl"
 #include "lib/seen_list.glsl"
+#include "shared/opaque.h"
 
-layout(std430, set = 0, binding = 12) readonly buffer Light { vec4 light[]; };  // exitance
+layout(std430, set = 0, binding = 12) readonly buffer Light { vec4 light[]; };  // exitance, of opaque surfaces irradiance
 layout(set = 0, binding = 3, rgba32f) uniform writeonly image2D positionObject;  // mm; object + 1
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D unitNormal;  // towards the camera
 layout(set = 0, binding = 5, rgba32f) uniform writeonly image2D exitance;
+
+layout(std430, set = 0, binding = 14) readonly buffer Materials { SeenMaterial materials[]; };
 
 layout(push_constant) uniform Push {
   uint atFragments;  // it stands in `light`, else at the vertices
@@ -23,5 +28,7 @@ void main() {
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   imageStore(positionObject, seen.pixel, vec4(place.position, float(place.object + 1u)));
   imageStore(unitNormal, seen.pixel, vec4(place.normal, place.side));
-  imageStore(exitance, seen.pixel, atFragments != 0u ? light[seen.entry] : meshExitanceAt(place));
+  vec4 found = atFragments != 0u ? light[seen.entry] : meshExitanceAt(place);
+  if (isOpaque(objects[place.object])) found.rgb *= materials[seen.entry].diffuse.rgb;
+  imageStore(exitance, seen.pixel, found);
 }

@@ -9,8 +9,10 @@
 #define BINDING_PIECE_CORNERS 6
 #define BINDING_RAYS 7
 #define MESH_BINDING 11
+#define BINDING_GLOSS 15
 #include "lib/frame.glsl"
 #include "lib/area_light.glsl"
+#include "lib/gloss.glsl"
 #include "lib/material.glsl"
 #include "lib/mesh.glsl"
 #include "lib/rays.glsl"
@@ -19,6 +21,9 @@
 
 layout(std430, set = 0, binding = 9) buffer Light { vec4 light[]; };  // radiance, by coverage
 layout(std430, set = 0, binding = 10) readonly buffer Lobes { vec4 lobes[]; };
+
+layout(std430, set = 0, binding = 16) readonly buffer GlossLobes { vec4 glossLobes[]; };
+layout(std430, set = 0, binding = 17) readonly buffer Materials { SeenMaterial materials[]; };
 
 layout(push_constant) uniform Push {
   uint first;      // of the list
@@ -38,6 +43,18 @@ vec4 lobeAt(float cosine) {
   float place = clamp(cosine * float(lobeEntries) - 0.5, 0.0, float(lobeEntries) - 1.001);
   uint lower = uint(place);
   return mix(lobes[lower], lobes[lower + 1u], fract(place));
+}
+
+vec4 glossLobeAt(uint row, float cosine) {
+  float place = clamp(cosine * float(lobeEntries) - 0.5, 0.0, float(lobeEntries) - 1.001);
+  uint lower = row * lobeEntries + uint(place);
+  return mix(glossLobes[lower], glossLobes[lower + 1u], fract(place));
+}
+
+// Of opaque surfaces, of which each has its roughness.
+vec4 glossLobeOf(float alpha, float cosine) {
+  float place = clamp(sqrt(alpha) * float(glossLobeRows) - 0.5, 0.0, float(glossLobeRows) - 1.001);
+  return mix(glossLobeAt(uint(place), cosine), glossLobeAt(uint(place) + 1u, cosine), fract(place));
 }
 
 // A lobe in the scene: its own axes, and what widens it along them.
@@ -113,21 +130,37 @@ float visiblePart(MeshPlace place, AreaView view, Lobe lobe) {
   return free / float(mostRays);
 }
 
+// What mirrors: which way the surface faces, the shape of the lobe and how much it mirrors of all.
+struct Mirror {
+  vec3 normal;
+  vec4 shape;
+  vec3 albedo;
+};
+
+Mirror mirrorOf(Seen seen, MeshPlace place, vec3 toCamera) {
+  ObjectData body = objects[place.object];
+  SeenMaterial material = materials[isOpaque(body) ? seen.entry : 0u];
+  vec3 normal = isOpaque(body) ? material.normal.xyz : place.normal;
+  float cosine = clamp(dot(normal, toCamera), 1e-3, 1.0);
+  if (!isOpaque(body))
+    return Mirror(normal, lobeAt(cosine), vec3(reflectedAlbedo(mediumAt(body, place.position), cosine)));
+  vec2 parts = glossOf(material, cosine);
+  return Mirror(normal, glossLobeOf(material.diffuse.w, cosine),
+                sentOn(material, parts) * mirroredOnce(material, parts));
+}
+
 // Beside what is `known` of the radiance there.
-vec3 mirroredOf(MeshPlace place, vec3 known) {
-  MediumData medium = mediumAt(objects[place.object], place.position);
+vec3 mirroredOf(Seen seen, MeshPlace place, vec3 known) {
   vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
-  float cosine = clamp(dot(place.normal, toCamera), 1e-3, 1.0);
-  vec3 mirrored = reflect(-toCamera, place.normal);
-  Lobe lobe = lobeOf(place.normal, mirrored, lobeAt(cosine));
+  Mirror mirror = mirrorOf(seen, place, toCamera);
+  Lobe lobe = lobeOf(mirror.normal, reflect(-toCamera, mirror.normal), mirror.shape);
   mat3 toLobe = toCosineLobe(lobe);
-  float albedo = reflectedAlbedo(medium, cosine);
   vec3 sum = vec3(0.0);
   for (uint i = firstAreaLight(); i < allLightsAt(place.position); ++i) {
     AreaView view = areaViewFrom(place.position, i);
     if (!view.shines) continue;
-    float part = albedo / pi * vectorIrradianceOf(view, toLobe, vec3(0.0, 0.0, 1.0)).z;
-    vec3 found = part * frame.lights[i].power.rgb;
+    float part = vectorIrradianceOf(view, toLobe, vec3(0.0, 0.0, 1.0)).z / pi;
+    vec3 found = part * mirror.albedo * frame.lights[i].power.rgb;
     if (any(greaterThan(found, leastMirrored * known))) sum += visiblePart(place, view, lobe) * found;
   }
   return sum;
@@ -138,5 +171,5 @@ void main() {
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   float coverage = coverageOf(samplesOf(seen.word));
-  light[seen.entry].rgb += coverage * mirroredOf(place, light[seen.entry].rgb / coverage);
+  light[seen.entry].rgb += coverage * mirroredOf(seen, place, light[seen.entry].rgb / coverage);
 }

@@ -1,4 +1,4 @@
-// How much of what a surface mirrors towards the camera is sky, of all that pixels see: rays of the
+// How much of what a translucent surface mirrors towards the camera is sky, of all that pixels see: rays of the
 // GGX lobe that meet nothing. Each of a pixel's samples that see it has some of the lobe's rays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -10,8 +10,8 @@
 #define BINDING_RAYS 6
 #include "lib/bodies.glsl"
 #include "lib/frame.glsl"
-#include "lib/reflected_rays.glsl"
 #include "lib/seen_list.glsl"
+#include "lib/sky_rays.glsl"
 
 layout(std430, set = 0, binding = 7) buffer Light { vec4 light[]; };  // the share in w
 layout(set = 0, binding = 8) uniform usampler2D skyBlocks;  // of 2×2 pixels
@@ -44,6 +44,7 @@ void main() {
   barrier();
   Seen seen = seenOfInvocation(first);
   uint block = texelFetch(skyBlocks, seen.pixel / 2, 0).r;
+  seen.there = seen.there && !isOpaque(objects[objectOfTriangle(triangleOf(seen.word))]);
   if (seen.there && block == noRay) waiting[atomicAdd(waitingCount, 1u)] = seen.entry;
   if (seen.there && block != noRay) light[seen.entry].w = float(block);
   barrier();

@@ -9,8 +9,8 @@
 #define BINDING_RAYS 4
 #include "lib/bodies.glsl"
 #include "lib/frame.glsl"
-#include "lib/reflected_rays.glsl"
 #include "lib/seen.glsl"
+#include "lib/sky_rays.glsl"
 #include "lib/tile.glsl"
 
 layout(set = 0, binding = 5, r32ui) writeonly uniform uimage2D skyBlocks;

@@ -29,6 +29,12 @@ OPALINE_BOUNDARY_CONSTANT openBody = 0u;
 OPALINE_BOUNDARY_CONSTANT bodyWithInside = 1u;
 OPALINE_BOUNDARY_CONSTANT opaqueBody = 2u;
 
+/// What a cluster of an opaque body gives back of the light that falls on it.
+struct OpaqueShare {
+  vec4 share;     // rgb
+  vec4 emission;  // rgb: exitance of its own
+};
+
 /// A cluster in this frame.
 struct Cluster {
   vec4 centroidArea;  // mm; a, mm²

@@ -24,8 +24,8 @@ struct MediumData {
   BoundaryMedium inside;
   vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t); z, w: plain lobe
                   // and 1 / stretch of the light that enters (lights/fresnel_lobes.h)
-  vec4 opaque;   // rgb: share that an opaque surface gives back
-  uvec4 tables;  // x: cube of the sky's irradiance; y, z: 0; w: first entry of the specular albedo
+  uvec4 tables;  // x: cube of the sky's irradiance; y: of opaque materials (shared/opaque.h), which
+                 // it is; z: 0; w: first entry of the specular albedo
 };
 
 #ifdef __cplusplus

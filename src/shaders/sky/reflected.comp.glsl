@@ -14,9 +14,9 @@ layout(set = 0, binding = 1, rgba32f) writeonly uniform image2DArray cube;
 layout(push_constant) uniform Push {
   vec4 ambient;  // rgb: uniform radiance on top of the environment's
   float alpha;
+  uint sampleCount;
+  float leastLevel;  // of the map, whose texels are as large as the cube's
 };
-
-const uint sampleCount = 256u;
 
 vec3 cubeDirection(uint face, vec2 place) {
   vec2 p = 2.0 * place - 1.0;
@@ -51,7 +51,7 @@ void main() {
     if (weight <= 0.0) continue;
     float solidAngle = 4.0 / (ggxDistribution(alpha, cosine) * float(sampleCount));
     float texelAngle = 2.0 * pi * pi * sqrt(max(1.0 - toLight.y * toLight.y, 1e-6)) / (mapSize.x * mapSize.y);
-    float level = max(0.5 * log2(solidAngle / texelAngle) + 0.5, 0.0);
+    float level = max(0.5 * log2(solidAngle / texelAngle) + 0.5, leastLevel);
     sum += weight * vec4(textureLod(latLong, latLongCoordinates(toLight), level).rgb, 1.0);
   }
   imageStore(cube, ivec3(texel), vec4(sum.rgb / max(sum.a, 1e-6) + ambient.rgb, 1.0));

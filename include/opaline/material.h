@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "opaline/types.h"
+
+namespace opaline {
+
+/// Pixels as a picture file stores them: R G B A in [0, 65535], rows from top to bottom. Without
+/// alpha in the file A is 65535.
+struct TexturePixels {
+  int width = 0;   ///< in [1, 16384]
+  int height = 0;  ///< in [1, 16384]
+  std::vector<std::uint16_t> rgba;  ///< 4 · width · height values
+  std::string name;                 ///< for whoever reads about it
+};
+
+/// How a texture goes on outside of [0, 1].
+enum class TextureWrap { Repeat, MirroredRepeat, ClampToEdge };
+
+/// A picture that varies a number of a material over the surface.
+struct Texture {
+  std::shared_ptr<const TexturePixels> pixels;  ///< never null; copies share it
+  TextureWrap wrapU = TextureWrap::Repeat;
+  TextureWrap wrapV = TextureWrap::Repeat;
+  bool interpolated = true;  ///< false: a pixel of the picture that is seen large has sharp edges
+  int coordinates = 0;       ///< which of Mesh::textureCoordinates, 0 or 1
+  /// From these to the place in the picture, (0, 0) being its upper left corner: rows of an affine
+  /// map.
+  std::array<Vec3, 2> transform{{{1, 0, 0}, {0, 1, 0}}};
+
+  bool operator==(const Texture&) const = default;
+};
+
+/// A surface that lets no light in: metallic-roughness as in glTF 2.0, section 3.9, with
+/// KHR_materials_ior, KHR_materials_specular, KHR_materials_emissive_strength and
+/// KHR_materials_unlit. A texture multiplies the number beside it.
+struct OpaqueMaterial {
+  std::string name;
+  Rgb baseColor{0.5F, 0.5F, 0.5F};  ///< in [0, 1]; share of light given back diffusely, or by a metal
+  std::optional<Texture> baseColorTexture;  ///< rgb: sRGB; a: alpha
+  float metallic = 0;                       ///< in [0, 1]
+  float roughness = 1;                      ///< of the reflection, in [0, 1]
+  std::optional<Texture> metallicRoughnessTexture;  ///< g: roughness, b: metallic, linear
+  float ior = 1.5F;               ///< in [1, 10], or 0, by which all is reflected
+  float specular = 1;             ///< strength of the reflection of what is no metal, in [0, 1]
+  Rgb specularColor{1, 1, 1};     ///< of that, head on, in [0, 1e3]
+  std::optional<Texture> specularTexture;       ///< a: strength, linear
+  std::optional<Texture> specularColorTexture;  ///< rgb: sRGB
+  std::optional<Texture> normalTexture;  ///< tangent space, green up, linear
+  float normalScale = 1;                 ///< of its x and y
+  std::optional<Texture> occlusionTexture;  ///< r: share of indirect light, linear
+  float occlusionStrength = 1;              ///< in [0, 1]
+  Rgb emission{};                           ///< radiance, in [0, 1e30]
+  std::optional<Texture> emissionTexture;   ///< rgb: sRGB
+  float alphaCutoff = 0;  ///< in [0, 1]; where alpha is less there is no surface
+  float alpha = 1;        ///< in [0, 1]
+  bool unlit = false;     ///< its radiance is the base colour, whatever the light
+
+  bool operator==(const OpaqueMaterial&) const = default;
+};
+
+/// Why the material cannot be rendered, as a sentence; empty if it can.
+std::string complaintAbout(const OpaqueMaterial& material);
+
+/// A matt surface that gives back the same share of light in all directions.
+OpaqueMaterial mattMaterial(const Rgb& color);
+
+}  // namespace opaline

@@ -1,0 +1,157 @@
+#include "renderer/scene/opaque_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "gpu/device.h"
+#include "gpu/transfer.h"
+#include "passes/shade/gloss.h"
+#include "renderer/scene/scene_tables.h"
+#include "renderer/scene/texture_packer.h"
+#include "scene/mesh/tangents.h"
+
+namespace opaline {
+
+namespace {
+
+constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+
+/// For each texture of a material, by what it means.
+template <typename Visit>
+void forEachTexture(const OpaqueMaterial& material, const Visit& visit) {
+  visit(material.baseColorTexture, TexelMeaning::Color);
+  visit(material.metallicRoughnessTexture, TexelMeaning::Number);
+  visit(material.specularTexture, TexelMeaning::Number);
+  visit(material.specularColorTexture, TexelMeaning::Color);
+  visit(material.normalTexture, TexelMeaning::Normal);
+  visit(material.occlusionTexture, TexelMeaning::Number);
+  visit(material.emissionTexture, TexelMeaning::Color);
+}
+
+bool readsAttributes(const Scene& scene) {
+  bool any = false;
+  for (const Object& object : scene.objects) {
+    if (!object.opaque) continue;
+    any = any || !object.mesh.colors.empty();
+    forEachTexture(*object.opaque, [&](const auto& texture, TexelMeaning) { any = any || texture; });
+  }
+  return any;
+}
+
+// KHR_materials_ior: 0 stands for what reflects all.
+float headOnReflectance(float ior) {
+  const float part = ior == 0 ? 1 : (ior - 1) / (ior + 1);
+  return part * part;
+}
+
+shared::OpaqueData dataOf(const OpaqueMaterial& material, bool hasAttributes,
+                          TexturePacker& packer) {
+  const auto rgb = [](const Rgb& color, float w) {
+    return shared::vec4(color[0], color[1], color[2], w);
+  };
+  return {.baseColor = rgb(material.baseColor, material.alpha),
+          .emission = rgb(material.emission, material.alphaCutoff),
+          .surface = {material.metallic, material.roughness, headOnReflectance(material.ior),
+                      material.specular},
+          .specularColor = rgb(material.specularColor, material.normalScale),
+          .rest = {material.occlusionStrength, material.unlit ? 1 : 0, hasAttributes ? 1 : 0, 0},
+          .baseColorTexture = packer.add(material.baseColorTexture, TexelMeaning::Color),
+          .metallicRoughnessTexture =
+              packer.add(material.metallicRoughnessTexture, TexelMeaning::Number),
+          .specularTexture = packer.add(material.specularTexture, TexelMeaning::Number),
+          .specularColorTexture = packer.add(material.specularColorTexture, TexelMeaning::Color),
+          .normalTexture = packer.add(material.normalTexture, TexelMeaning::Normal),
+          .occlusionTexture = packer.add(material.occlusionTexture, TexelMeaning::Number),
+          .emissionTexture = packer.add(material.emissionTexture, TexelMeaning::Color)};
+}
+
+std::vector<shared::VertexAttributes> attributesOf(const Scene& scene) {
+  std::vector<shared::VertexAttributes> all;
+  for (const Object& object : scene.objects) {
+    const Mesh& mesh = object.mesh;
+    const auto& [first, second] = mesh.textureCoordinates;
+    for (std::size_t v = 0; v < mesh.positionsMm.size(); ++v) {
+      const Vec2 a = first.empty() ? Vec2{} : first[v];
+      const Vec2 b = second.empty() ? Vec2{} : second[v];
+      const std::array<float, 4> color =
+          mesh.colors.empty() ? std::array<float, 4>{1, 1, 1, 1} : mesh.colors[v];
+      all.push_back({{a[0], a[1], b[0], b[1]}, {color[0], color[1], color[2], color[3]}});
+    }
+  }
+  return all;
+}
+
+void appendTangents(const Object& object, std::vector<shared::CornerTangents>& to) {
+  if (!object.opaque || !object.opaque->normalTexture) {
+    to.resize(to.size() + object.mesh.triangles.size());
+    return;
+  }
+  const auto set = static_cast<std::size_t>(object.opaque->normalTexture->coordinates);
+  for (const scene::TriangleTangents& of : scene::tangentsOf(object.mesh, set)) {
+    const auto& [a, b, c] = of.corners;
+    to.push_back({{a[0], a[1], b[0], b[1]}, {c[0], c[1], of.side, 0}});
+  }
+}
+
+std::vector<shared::CornerTangents> tangentsOf(const Scene& scene) {
+  std::vector<shared::CornerTangents> all;
+  const bool any = std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& o) {
+    return o.opaque && o.opaque->normalTexture;
+  });
+  if (!any) return all;
+  for (const Object& object : scene.objects) appendTangents(object, all);
+  return all;
+}
+
+std::vector<shared::vec4> glossLobes() {
+  std::vector<shared::vec4> lobes;
+  for (std::uint32_t i = 0; i < shared::glossLobeRows; ++i) {
+    const double roughness = (i + 0.5) / shared::glossLobeRows;
+    const std::vector<shared::vec4> row = reflectionLobes(roughness);
+    lobes.insert(lobes.end(), row.begin(), row.end());
+  }
+  return lobes;
+}
+
+void noteHalvings(int halvings, const std::string& device, const LogCallback& log) {
+  if (halvings == 0 || !log) return;
+  log(LogLevel::Note,
+      fmt::format("the textures are shown at 1/{} of their size, for which {} has room",
+                  1 << halvings, device));
+}
+
+}  // namespace
+
+passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
+                                      const std::vector<OpaqueMaterial>& materials,
+                                      const LogCallback& log) {
+  passes::OpaqueTables tables;
+  if (materials.empty()) {
+    tables.gloss = gpu::makeBuffer(device, "gloss", std::vector<float>{}, storage);
+    tables.lobes = gpu::makeBuffer(device, "lobes of gloss", std::vector<float>{}, storage);
+    return tables;
+  }
+  TexturePacker packer(device.limits().maxStorageBufferRange / sizeof(TexturePacker::Texel));
+  for (const OpaqueMaterial& material : materials)
+    forEachTexture(material, [&](const auto& texture, TexelMeaning meaning) {
+      packer.announce(texture, meaning);
+    });
+  noteHalvings(packer.halvings(), device.info().name, log);
+  const bool reads = readsAttributes(scene);
+  std::vector<shared::OpaqueData> data;
+  for (const OpaqueMaterial& material : materials)
+    data.push_back(dataOf(material, reads, packer));
+  tables.materials = gpu::makeBuffer(device, "opaque materials", data, storage);
+  tables.texels = gpu::makeBuffer(device, "texels", packer.texels(), storage);
+  tables.attributes = gpu::makeBuffer(
+      device, "attributes of vertices",
+      reads ? attributesOf(scene) : std::vector<shared::VertexAttributes>{}, storage);
+  tables.tangents = gpu::makeBuffer(device, "tangents of triangles", tangentsOf(scene), storage);
+  tables.gloss = gpu::makeBuffer(device, "gloss", passes::glossTable(), storage);
+  tables.lobes = gpu::makeBuffer(device, "lobes of gloss", glossLobes(), storage);
+  return tables;
+}
+
+}  // namespace opaline

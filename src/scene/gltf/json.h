@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "scene/gltf/file.h"
+
+namespace opaline::scene {
+
+/// What an object of an extension holds under a key; none where that is nothing of the kind.
+inline std::optional<double> gltfNumber(const tinygltf::Value& object, const std::string& key) {
+  if (!object.Has(key) || !object.Get(key).IsNumber()) return std::nullopt;
+  return object.Get(key).GetNumberAsDouble();
+}
+
+template <std::size_t Count>
+std::optional<std::array<double, Count>> gltfNumbers(const tinygltf::Value& object,
+                                                     const std::string& key) {
+  if (!object.Has(key)) return std::nullopt;
+  const tinygltf::Value& list = object.Get(key);
+  if (!list.IsArray() || list.ArrayLen() != Count) return std::nullopt;
+  std::array<double, Count> result{};
+  for (std::size_t i = 0; i < Count; ++i) {
+    const tinygltf::Value& entry = list.Get(static_cast<int>(i));
+    if (!entry.IsNumber()) return std::nullopt;
+    result[i] = entry.GetNumberAsDouble();
+  }
+  return result;
+}
+
+/// An extension of a material, or an object without keys.
+inline const tinygltf::Value& gltfExtension(const tinygltf::Material& material,
+                                            const std::string& name) {
+  static const tinygltf::Value none;
+  const auto found = material.extensions.find(name);
+  return found == material.extensions.end() ? none : found->second;
+}
+
+}  // namespace opaline::scene

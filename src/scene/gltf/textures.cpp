@@ -1,0 +1,119 @@
+#include "scene/gltf/textures.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <span>
+
+#include "core/file.h"
+#include "core/texture_file.h"
+#include "opaline/error.h"
+#include "scene/gltf/json.h"
+#include "scene/text.h"
+
+namespace opaline::scene {
+
+namespace {
+
+/// Pixels of all pictures of one file.
+constexpr std::size_t mostPixels = std::size_t{1} << 28U;
+
+TextureWrap wrapOf(int mode) {
+  if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return TextureWrap::ClampToEdge;
+  if (mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT) return TextureWrap::MirroredRepeat;
+  return TextureWrap::Repeat;
+}
+
+/// KHR_texture_transform: scaled, then turned, then moved.
+void transformBy(const tinygltf::Value& transform, Texture& texture) {
+  const auto pair = [&](const char* key, double missing) {
+    const auto found = gltfNumbers<2>(transform, key);
+    return found.value_or(std::array<double, 2>{missing, missing});
+  };
+  const auto offset = pair("offset", 0);
+  const auto scale = pair("scale", 1);
+  const double turn = gltfNumber(transform, "rotation").value_or(0);
+  const double c = std::cos(turn);
+  const double s = std::sin(turn);
+  const auto row = [](double x, double y, double z) {
+    return Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+  };
+  texture.transform = {row(c * scale[0], s * scale[1], offset[0]),
+                       row(-s * scale[0], c * scale[1], offset[1])};
+  if (const auto set = gltfNumber(transform, "texCoord"))
+    texture.coordinates = static_cast<int>(*set);
+}
+
+}  // namespace
+
+std::optional<Texture> GltfTextures::texture(int index, int coordinates,
+                                             const tinygltf::ExtensionMap& with) {
+  if (index == -1) return std::nullopt;
+  if (index < 0 || static_cast<std::size_t>(index) >= model_.textures.size())
+    failGltf(input_, fmt::format("texture {} does not exist", index));
+  const tinygltf::Texture& of = model_.textures[static_cast<std::size_t>(index)];
+  Texture texture;
+  texture.pixels = pixelsOf(of.source);
+  texture.coordinates = coordinates;
+  if (!texture.pixels) return std::nullopt;
+  if (of.sampler >= 0 && static_cast<std::size_t>(of.sampler) < model_.samplers.size()) {
+    const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(of.sampler)];
+    texture.wrapU = wrapOf(sampler.wrapS);
+    texture.wrapV = wrapOf(sampler.wrapT);
+    texture.interpolated = sampler.magFilter != TINYGLTF_TEXTURE_FILTER_NEAREST;
+  }
+  if (const auto found = with.find("KHR_texture_transform"); found != with.end())
+    transformBy(found->second, texture);
+  return texture;
+}
+
+std::optional<Texture> GltfTextures::texture(const tinygltf::Value& info) {
+  const auto index = gltfNumber(info, "index");
+  if (!index) return std::nullopt;
+  tinygltf::ExtensionMap extensions;
+  if (info.Has("extensions")) {
+    const tinygltf::Value& list = info.Get("extensions");
+    if (list.Has("KHR_texture_transform"))
+      extensions["KHR_texture_transform"] = list.Get("KHR_texture_transform");
+  }
+  const double set = gltfNumber(info, "texCoord").value_or(0);
+  return texture(static_cast<int>(*index), static_cast<int>(set), extensions);
+}
+
+std::shared_ptr<const TexturePixels> GltfTextures::pixelsOf(int image) {
+  if (const auto known = pixels_.find(image); known != pixels_.end()) return known->second;
+  std::shared_ptr<const TexturePixels>& pixels = pixels_[image];
+  try {
+    if (image < 0) throw Error("a texture has no picture that can be read");
+    if (static_cast<std::size_t>(image) >= model_.images.size())
+      failGltf(input_, fmt::format("image {} does not exist", image));
+    TexturePixels found = read(static_cast<std::size_t>(image));
+    pixelsRead_ += found.rgba.size() / 4;
+    if (pixelsRead_ > mostPixels)
+      throw Error(fmt::format("its pictures have more than {} million pixels", mostPixels >> 20U));
+    pixels = std::make_shared<const TexturePixels>(std::move(found));
+  } catch (const Error& error) {
+    note(input_.log, fmt::format("{}: a texture is left out: {}",
+                                 cleanText(input_.file.string(), 1000), error.what()));
+  }
+  return pixels;
+}
+
+TexturePixels GltfTextures::read(std::size_t image) const {
+  const tinygltf::Image& of = model_.images[image];
+  const std::string named = !of.uri.empty() && !of.uri.starts_with("data:") ? of.uri : of.name;
+  const std::string name =
+      named.empty() ? fmt::format("image {}", image) : cleanText(named, 100);
+  TexturePixels pixels;
+  if (!of.image.empty()) {
+    pixels = core::readTexture(name, std::as_bytes(std::span(of.image)));
+  } else {
+    const std::vector<std::byte> bytes =
+        core::readFile(fileBeside(input_, of.uri), longestFileBytes);
+    pixels = core::readTexture(name, bytes);
+  }
+  pixels.name = name;
+  return pixels;
+}
+
+}  // namespace opaline::scene

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "opaline/material.h"
+
+namespace opaline::scene {
+
+/// Whether most of what it gives back is what metal reflects.
+bool isMetal(const OpaqueMaterial& material);
+
+}  // namespace opaline::scene

@@ -1,0 +1,85 @@
+// Opaque materials and their textures in storage buffers. Included by C++ and GLSL.
+#ifndef OPALINE_SHARED_OPAQUE_H
+#define OPALINE_SHARED_OPAQUE_H
+
+#ifdef __cplusplus
+#include <cstdint>
+#include <glm/vec4.hpp>
+namespace opaline::shared {
+using glm::uvec4;
+using glm::vec4;
+#define OPALINE_OPAQUE_CONSTANT constexpr std::uint32_t
+#else
+#define OPALINE_OPAQUE_CONSTANT const uint
+#endif
+
+/// Bits of TextureData::place.w: two for each direction's wrap, as in TextureWrap.
+OPALINE_OPAQUE_CONSTANT wrapVShift = 2u;
+OPALINE_OPAQUE_CONSTANT textureHasEdges = 16u;  // between its texels, seen large
+OPALINE_OPAQUE_CONSTANT textureIsOnSecondSet = 32u;
+
+struct TextureData {
+  uvec4 place;  // x: first texel of level 0, with the other levels behind it; y: width, height from
+                // bit 16; z: levels, 0 without a texture; w: bits as above
+  vec4 rowU;    // xyz: rows of the affine map from the mesh's coordinates
+  vec4 rowV;
+};
+
+/// A material as material.h of the library has it.
+struct OpaqueData {
+  vec4 baseColor;      // rgb; w: alpha
+  vec4 emission;       // rgb; w: alpha cutoff
+  vec4 surface;        // metallic; roughness; F₀ of the index of refraction; specular
+  vec4 specularColor;  // rgb; w: scale of the normal texture
+  vec4 rest;           // x: occlusion strength; y: 1 where it is unlit; z: 1 where vertices have
+                       // attributes
+  TextureData baseColorTexture;
+  TextureData metallicRoughnessTexture;
+  TextureData specularTexture;
+  TextureData specularColorTexture;
+  TextureData normalTexture;
+  TextureData occlusionTexture;
+  TextureData emissionTexture;
+};
+
+/// What textures and colours read of a vertex.
+struct VertexAttributes {
+  vec4 coordinates;  // two sets
+  vec4 color;
+};
+
+/// Tangents of a triangle's corners, as parts of its edges from the first corner to the second and
+/// to the third, so that they go with the deformation.
+struct CornerTangents {
+  vec4 first;  // of corner 0, xy, and 1, zw
+  vec4 last;   // of corner 2, xy; z: side of the bitangent
+};
+
+/// What an opaque surface is made of where a pixel sees it.
+struct SeenMaterial {
+  vec4 diffuse;   // rgb: share of light given back diffusely, less what is mirrored; w: roughness²
+  vec4 specular;  // rgb: F₀; w: F₉₀
+  vec4 normal;    // unit, to the side that is seen; w: share of indirect light
+  vec4 emission;  // rgb: radiance; w: 1 where it is unlit
+  vec4 around;    // rgb: mean radiance of what the lobe mirrors of the scene; w: share of it that is
+                  // sky
+};
+
+/// Rays of what an opaque surface mirrors, at most.
+OPALINE_OPAQUE_CONSTANT mostMirroredRays = 16u;
+
+/// Of the tables of the reflection without Fresnel's reflectance and with that of Schlick 1994:
+/// roughness by cosine of the view.
+OPALINE_OPAQUE_CONSTANT glossEntries = 32u;
+
+/// Of their lobes (lights/reflection_lobe.h): roughness by as many cosines as others have.
+OPALINE_OPAQUE_CONSTANT glossLobeRows = 8u;
+
+/// Levels of the sky as rougher and rougher surfaces mirror it, of roughness 0 to 1.
+OPALINE_OPAQUE_CONSTANT glossySkyLevels = 6u;
+
+#ifdef __cplusplus
+}  // namespace opaline::shared
+#endif
+
+#endif
