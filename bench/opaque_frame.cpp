@@ -70,12 +70,13 @@ class OpaqueFrame::Implementation {
   }
 
   void render(double seconds, FrameTimes& times) {
+    const passes::CutOuts cutOuts{tables_, resources_.opaque};
     commands_.begin();
     motion_.record(commands_, deform_, {.seconds = seconds}, resources_.mesh);
     fit_.record(commands_, upload_, 0, resources_.mesh, view_);
-    shadow_.record(commands_, view_, resources_.mesh, shadows_);
+    shadow_.record(commands_, view_, resources_.mesh, cutOuts, shadows_);
     const passes::SeenSurfaces seen{view_, resources_.mesh, visible_};
-    surface_.draw(commands_, seen, samplePattern(1), false);
+    surface_.draw(commands_, seen, cutOuts, samplePattern(1), false);
     surface_.list(commands_, seen, 0, 1);
     commands_.beginPass("lambert");
     commands_.bind(lambert_,
@@ -105,6 +106,7 @@ class OpaqueFrame::Implementation {
   passes::FrameView view_;
   gpu::CommandList commands_;
   passes::ShadowMaps shadows_;
+  passes::SceneTables tables_;
   passes::VisibleSurfaces visible_;
   gpu::GpuImage radiance_;
   gpu::Buffer upload_;

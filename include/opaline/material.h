@@ -14,8 +14,8 @@ namespace opaline {
 /// Pixels as a picture file stores them: R G B A in [0, 65535], rows from top to bottom. Without
 /// alpha in the file A is 65535.
 struct TexturePixels {
-  int width = 0;   ///< in [1, 16384]
-  int height = 0;  ///< in [1, 16384]
+  int width = 0;                    ///< in [1, 16384]
+  int height = 0;                   ///< in [1, 16384]
   std::vector<std::uint16_t> rgba;  ///< 4 · width · height values
   std::string name;                 ///< for whoever reads about it
 };
@@ -42,22 +42,23 @@ struct Texture {
 /// KHR_materials_unlit. A texture multiplies the number beside it.
 struct OpaqueMaterial {
   std::string name;
-  Rgb baseColor{0.5F, 0.5F, 0.5F};  ///< in [0, 1]; share of light given back diffusely, or by a metal
-  std::optional<Texture> baseColorTexture;  ///< rgb: sRGB; a: alpha
-  float metallic = 0;                       ///< in [0, 1]
-  float roughness = 1;                      ///< of the reflection, in [0, 1]
+  Rgb baseColor{0.5F, 0.5F,
+                0.5F};  ///< in [0, 1]; share of light given back diffusely, or by a metal
+  std::optional<Texture> baseColorTexture;          ///< rgb: sRGB; a: alpha
+  float metallic = 0;                               ///< in [0, 1]
+  float roughness = 1;                              ///< of the reflection, in [0, 1]
   std::optional<Texture> metallicRoughnessTexture;  ///< g: roughness, b: metallic, linear
-  float ior = 1.5F;               ///< in [1, 10], or 0, by which all is reflected
-  float specular = 1;             ///< strength of the reflection of what is no metal, in [0, 1]
-  Rgb specularColor{1, 1, 1};     ///< of that, head on, in [0, 1e3]
+  float ior = 1.5F;                                 ///< in [1, 10], or 0, by which all is reflected
+  float specular = 1;          ///< strength of the reflection of what is no metal, in [0, 1]
+  Rgb specularColor{1, 1, 1};  ///< of that, head on, in [0, 1e3]
   std::optional<Texture> specularTexture;       ///< a: strength, linear
   std::optional<Texture> specularColorTexture;  ///< rgb: sRGB
-  std::optional<Texture> normalTexture;  ///< tangent space, green up, linear
-  float normalScale = 1;                 ///< of its x and y
-  std::optional<Texture> occlusionTexture;  ///< r: share of indirect light, linear
-  float occlusionStrength = 1;              ///< in [0, 1]
-  Rgb emission{};                           ///< radiance, in [0, 1e30]
-  std::optional<Texture> emissionTexture;   ///< rgb: sRGB
+  std::optional<Texture> normalTexture;         ///< tangent space, green up, linear
+  float normalScale = 1;                        ///< of its x and y
+  std::optional<Texture> occlusionTexture;      ///< r: share of indirect light, linear
+  float occlusionStrength = 1;                  ///< in [0, 1]
+  Rgb emission{};                               ///< radiance, in [0, 1e30]
+  std::optional<Texture> emissionTexture;       ///< rgb: sRGB
   float alphaCutoff = 0;  ///< in [0, 1]; where alpha is less there is no surface
   float alpha = 1;        ///< in [0, 1]
   bool unlit = false;     ///< its radiance is the base colour, whatever the light

@@ -204,10 +204,17 @@ Vec3 middleOf(const Bounds& bounds);
 /// Length of the diagonal of boundsOf(scene), mm.
 float diagonalMm(const Scene& scene);
 
+/// What one object is to be made of.
+struct MediumOfObject {
+  std::string object;  ///< its name
+  Medium medium;
+};
+
 /// How a file becomes a scene.
 struct LoadOptions {
-  std::optional<float> diagonalMm;  ///< scale the bounding-box diagonal to this length, mm, > 0
-  std::optional<Medium> medium;     ///< of every object, instead of the file's media
+  std::optional<float> diagonalMm;    ///< scale the bounding-box diagonal to this length, mm, > 0
+  std::optional<Medium> medium;       ///< of every object that is no metal, whatever the file says
+  std::vector<MediumOfObject> media;  ///< of some objects, whatever else is said of them
   /// A model of the same topology that the scene's only object turns into and back, in a clip
   /// "morph" of 4 s; not for built-in scenes.
   std::optional<std::filesystem::path> morphTo;

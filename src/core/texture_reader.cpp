@@ -22,8 +22,8 @@ bool startsWith(std::span<const std::byte> bytes, std::string_view magic) {
          std::equal(magic.begin(), magic.end(), bytes.begin(), same);
 }
 
-// Pixels that a byte can hold. Deflate (RFC 1951) makes at most 1032 bytes of one, and a pixel takes
-// an eighth of one or more; JPEG needs two bits for a component's 64 pixels.
+// Pixels that a byte can hold. Deflate (RFC 1951) makes at most 1032 bytes of one, and a pixel
+// takes an eighth of one or more; JPEG needs two bits for a component's 64 pixels.
 constexpr std::size_t mostOfPngByte = std::size_t{1032} * 8;
 constexpr std::size_t mostOfJpegByte = 256 * 4;
 
@@ -51,8 +51,7 @@ TexturePixels readTexture(const std::filesystem::path& file, std::span<const std
   requireImageSize(file, texture.width, texture.height);
   const std::size_t pixels =
       static_cast<std::size_t>(texture.width) * static_cast<std::size_t>(texture.height);
-  if (pixels > most)
-    failToReadImage(file, "its header claims more pixels than the file can hold");
+  if (pixels > most) failToReadImage(file, "its header claims more pixels than the file can hold");
   if (pixels > mostTexturePixels)
     failToReadImage(file, fmt::format("it has {}x{} pixels; a texture may have {} million",
                                       texture.width, texture.height, mostTexturePixels >> 20U));

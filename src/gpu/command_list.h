@@ -135,7 +135,7 @@ class CommandList {
   void endRendering();
   void draw(std::uint32_t vertices, std::uint32_t firstVertex = 0);
   /// 32-bit indices; ordered with use(indices, Access::Index) before beginRendering.
-  void drawIndexed(Buffer& indices, std::uint32_t count);
+  void drawIndexed(Buffer& indices, std::uint32_t count, std::uint32_t firstIndex = 0);
 
   void copyBuffer(Buffer& from, Buffer& to, std::size_t bytes, std::size_t fromOffset = 0,
                   std::size_t toOffset = 0);

@@ -67,12 +67,12 @@ void CommandList::draw(std::uint32_t vertices, std::uint32_t firstVertex) {
   commands().add(tape::Draw{vertices, firstVertex});
 }
 
-void CommandList::drawIndexed(Buffer& indices, std::uint32_t count) {
+void CommandList::drawIndexed(Buffer& indices, std::uint32_t count, std::uint32_t firstIndex) {
   assert(filling_ && rendering_ && pipeline_ != nullptr);
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_GRAPHICS);
   assert(boundIsCurrent());
-  assert(count * sizeof(std::uint32_t) <= indices.bytes());
-  commands().add(tape::DrawIndexed{indices.handle(), count});
+  assert((firstIndex + count) * sizeof(std::uint32_t) <= indices.bytes());
+  commands().add(tape::DrawIndexed{indices.handle(), count, firstIndex});
 }
 
 }  // namespace opaline::gpu

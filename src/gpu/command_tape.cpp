@@ -147,7 +147,7 @@ class Recorder {
 
   void operator()(const DrawIndexed& draw) {
     vkCmdBindIndexBuffer(to_, draw.indices, 0, VK_INDEX_TYPE_UINT32);
-    vkCmdDrawIndexed(to_, draw.count, 1, 0, 0, 0);
+    vkCmdDrawIndexed(to_, draw.count, 1, draw.firstIndex, 0, 0);
   }
 
   void operator()(const CopyBuffer& copy) {

@@ -102,6 +102,7 @@ struct Draw {
 struct DrawIndexed {
   VkBuffer indices = VK_NULL_HANDLE;
   std::uint32_t count = 0;
+  std::uint32_t firstIndex;
   bool operator==(const DrawIndexed&) const = default;
 };
 

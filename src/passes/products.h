@@ -38,6 +38,12 @@ struct Motion {
   bool normalsFromMesh = false;  ///< of any object in this frame
 };
 
+/// Some indices of a mesh.
+struct IndexRange {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
 /// The surface as it is in this frame.
 struct DeformedMesh {
   gpu::Buffer positions;  ///< vec4 a vertex, mm
@@ -48,6 +54,8 @@ struct DeformedMesh {
   std::uint32_t vertexCount = 0;
   std::uint32_t indexCount = 0;
   std::uint32_t castingIndexCount = 0;  ///< of those, which come first, that cast shadows
+  std::vector<IndexRange> whole;        ///< of surfaces without holes; the rest has some
+  std::vector<IndexRange> cutOut;
 };
 
 /// What the shaders know of opaque materials (shared/opaque.h). Where nothing is opaque it
@@ -59,6 +67,14 @@ struct OpaqueTables {
   gpu::Buffer tangents;    ///< shared::CornerTangents, one a triangle, where one has normals
   gpu::Buffer gloss;       ///< vec2 (passes/shade/gloss.h)
   gpu::Buffer lobes;       ///< vec4, as SceneTables::reflectionLobes, for each of some roughnesses
+};
+
+struct SceneTables;
+
+/// What tells where surfaces have holes.
+struct CutOuts {
+  SceneTables& tables;
+  OpaqueTables& opaque;
 };
 
 /// What the shaders know of bodies and media.
@@ -212,16 +228,16 @@ struct Solver {
 /// Which surfaces the camera sees (shared/seen.h), and what is found of them. The lists are those
 /// of one band of the picture after the other, since a pixel may see as many as it has samples.
 struct VisibleSurfaces {
-  gpu::GpuImage words;      ///< a layer for each sample; a pixel's surfaces are in the first layers
-  gpu::GpuImage depth;      ///< of one sample after the other
-  gpu::Buffer mixed;        ///< pixels that see several triangles
-  gpu::Buffer mixedCount;   ///< shared::SeenCount
-  gpu::Buffer list;         ///< surfaces; those of a pixel follow each other
-  gpu::Buffer counts;       ///< shared::SeenCount, of all and of parts
-  gpu::Buffer light;        ///< vec4 for each on the list: its exitance, then its radiance
-  gpu::Buffer materials;    ///< shared::SeenMaterial for each, of opaque surfaces
+  gpu::GpuImage words;     ///< a layer for each sample; a pixel's surfaces are in the first layers
+  gpu::GpuImage depth;     ///< of one sample after the other
+  gpu::Buffer mixed;       ///< pixels that see several triangles
+  gpu::Buffer mixedCount;  ///< shared::SeenCount
+  gpu::Buffer list;        ///< surfaces; those of a pixel follow each other
+  gpu::Buffer counts;      ///< shared::SeenCount, of all and of parts
+  gpu::Buffer light;       ///< vec4 for each on the list: its exitance, then its radiance
+  gpu::Buffer materials;   ///< shared::SeenMaterial for each, of opaque surfaces
   bool hasMaterials = false;  ///< room for them
-  gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: whether all mirror the sky, or none, or unknown
+  gpu::GpuImage skyBlocks;    ///< of 2×2 pixels: whether all mirror the sky, or none, or unknown
   std::uint32_t rowsOfBand = 0;
   std::uint32_t parts = 0;  ///< of the list, at most
 };
@@ -255,8 +271,8 @@ struct SeenCentres {
   gpu::GpuImage exitance;  ///< rgb B, a evaluations
 };
 
-/// Exitance B of the vertices, of opaque bodies irradiance, all of it or, for the paper's fragments, the far samples' part. What
-/// is summed at fragments is VisibleSurfaces::light.
+/// Exitance B of the vertices, of opaque bodies irradiance, all of it or, for the paper's
+/// fragments, the far samples' part. What is summed at fragments is VisibleSurfaces::light.
 struct Exitance {
   gpu::Buffer vertices;
 };

@@ -4,6 +4,7 @@
 #include "bssrdf/media.h"
 #include "builtin/builtin.h"
 #include "opaline/error.h"
+#include "scene/finish.h"
 
 namespace opaline {
 namespace builtin {
@@ -26,8 +27,8 @@ Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options) {
   scaleToDiagonal(mesh, diagonal);
   Scene scene;
   scene.name = name;
-  const Medium medium = options.medium ? *options.medium : bssrdf::findMedium("marble").value();
-  scene.objects.push_back({name, std::move(mesh), medium});
+  scene.objects.push_back({name, std::move(mesh), bssrdf::findMedium("marble").value()});
+  opaline::scene::setMedia(options, scene);
   scene.camera = defaultCamera(scene);
   scene.lighting = defaultLighting();
   return scene;

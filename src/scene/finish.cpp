@@ -79,6 +79,12 @@ void noteLostFaces(const std::vector<Repair>& repairs, const RawObject& object,
                         nameIn(name, object), lost));
 }
 
+void makeTranslucent(const Medium& medium, Object& object, std::vector<NotShown>& notShown) {
+  if (object.opaque) addNotShown(notShown, partsOf(*object.opaque), object.opaque->name);
+  object.opaque.reset();
+  object.medium = medium;
+}
+
 Mesh meshOf(RawObject& object) {
   return {.positionsMm = std::move(object.mesh.positions),
           .normals = std::move(object.mesh.normals),
@@ -166,10 +172,30 @@ void requireSensible(const LoadOptions& options) {
   if (const std::string complaint = options::complaintAboutFields(options); !complaint.empty()) {
     throw UsageError(complaint);
   }
-  if (options.medium) {
-    const std::string complaint = complaintAbout(*options.medium);
+  const auto require = [](const Medium& medium) {
+    const std::string complaint = complaintAbout(medium);
     if (!complaint.empty()) {
-      throw UsageError(fmt::format("medium '{}': {}", options.medium->name, complaint));
+      throw UsageError(fmt::format("medium '{}': {}", medium.name, complaint));
+    }
+  };
+  if (options.medium) require(*options.medium);
+  for (const MediumOfObject& of : options.media) require(of.medium);
+}
+
+void setMedia(const LoadOptions& options, Scene& scene) {
+  for (Object& object : scene.objects) {
+    const bool metal = object.opaque && isMetal(*object.opaque);
+    if (options.medium && !metal) makeTranslucent(*options.medium, object, scene.notShown);
+  }
+  std::vector<std::string_view> names;
+  for (const Object& object : scene.objects) names.emplace_back(object.name);
+  for (const auto& [name, medium] : options.media) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      throw UsageError(fmt::format("there is no object '{}'; the nearest is '{}'",
+                                   cleanText(name, 100), nearest(name, names).value_or("")));
+    }
+    for (Object& object : scene.objects) {
+      if (object.name == name) makeTranslucent(medium, object, scene.notShown);
     }
   }
 }
@@ -184,14 +210,9 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
   scene.name = cleanText(file.stem().string());
   scene.repairs = std::move(repairs);
   for (RawObject& object : raw.objects) {
-    // What an option says is made of a medium is no longer opaque, but for metals.
-    if (options.medium && object.opaque && !isMetal(*object.opaque)) {
-      addNotShown(raw.notShown, partsOf(*object.opaque), object.opaque->name);
-      object.opaque.reset();
-    }
     scene.objects.push_back({.name = std::move(object.name),
                              .mesh = meshOf(object),
-                             .medium = options.medium.value_or(std::move(object.medium)),
+                             .medium = std::move(object.medium),
                              .rig = std::move(object.rig),
                              .opaque = std::move(object.opaque)});
   }
@@ -199,6 +220,7 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
   scene.clips = std::move(raw.clips);
   scene.deformers = std::move(raw.deformers);
   scene.notShown = std::move(raw.notShown);
+  setMedia(options, scene);
   scene.lighting = raw.hasLights ? std::move(raw.lighting) : defaultLighting();
   scene.camera = raw.camera ? *raw.camera : defaultCamera(scene);
   scene.cameraChosen = raw.cameraChosen;

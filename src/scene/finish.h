@@ -27,6 +27,10 @@ Double3 exactMiddleOf(const Bounds& bounds);
 Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repair> repairs,
                const LoadOptions& options);
 
+/// The media that the options name: of all objects that are no metal, then of single ones. Throws
+/// UsageError for an object that there is not.
+void setMedia(const LoadOptions& options, Scene& scene);
+
 /// Throws UsageError for options that make no sense.
 void requireSensible(const LoadOptions& options);
 

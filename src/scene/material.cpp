@@ -18,7 +18,8 @@ double meanOf(const TexturePixels& pixels, std::size_t channel) {
   std::uint64_t sum = 0;
   std::size_t taken = 0;
   for (std::size_t i = 0; i < count; i += step, ++taken) sum += pixels.rgba[4 * i + channel];
-  return static_cast<double>(sum) / (65535.0 * static_cast<double>(std::max<std::size_t>(taken, 1)));
+  return static_cast<double>(sum) /
+         (65535.0 * static_cast<double>(std::max<std::size_t>(taken, 1)));
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "core/image_file.h"
 #include "core/measures.h"
 #include "core/tone.h"
+#include "opaline/material.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "options/scene.h"
@@ -67,6 +68,10 @@ std::ptrdiff_t trianglesWithoutInside(const Object& object) {
   return std::count(inside.begin(), inside.end(), false);
 }
 
+const std::string& materialName(const Object& object) {
+  return object.opaque ? object.opaque->name : object.medium.name;
+}
+
 Json objectsJson(const Scene& scene) {
   Json objects = Json::array();
   for (const Object& object : scene.objects) {
@@ -75,9 +80,75 @@ Json objectsJson(const Scene& scene) {
                        {"vertices", object.mesh.positionsMm.size()},
                        {"size_mm", sizeMm(object)},
                        {"triangles_without_inside", trianglesWithoutInside(object)},
-                       {"medium", mediumJson(object.medium)}});
+                       {"material", materialName(object)},
+                       {"medium", object.opaque ? Json() : mediumJson(object.medium)}});
   }
   return objects;
+}
+
+struct NamedTexture {
+  const char* use;
+  const std::optional<Texture>& texture;
+};
+
+std::vector<NamedTexture> texturesOf(const OpaqueMaterial& material) {
+  std::vector<NamedTexture> there;
+  for (const NamedTexture& one :
+       {NamedTexture{"base color", material.baseColorTexture},
+        NamedTexture{"metallic-roughness", material.metallicRoughnessTexture},
+        NamedTexture{"specular", material.specularTexture},
+        NamedTexture{"specular color", material.specularColorTexture},
+        NamedTexture{"normal", material.normalTexture},
+        NamedTexture{"occlusion", material.occlusionTexture},
+        NamedTexture{"emission", material.emissionTexture}})
+    if (one.texture) there.push_back(one);
+  return there;
+}
+
+Json opaqueJson(const OpaqueMaterial& material) {
+  Json textures = Json::array();
+  for (const auto& [use, texture] : texturesOf(material)) {
+    textures.push_back({{"use", use},
+                        {"name", texture->pixels->name},
+                        {"width", texture->pixels->width},
+                        {"height", texture->pixels->height}});
+  }
+  return {{"name", material.name},
+          {"kind", "opaque"},
+          {"base_color", material.baseColor},
+          {"metallic", material.metallic},
+          {"roughness", material.roughness},
+          {"emission", material.emission},
+          {"textures", std::move(textures)}};
+}
+
+// Its phase function is isotropic: coefficients are reduced.
+Json translucentJson(const Medium& medium) {
+  return {{"name", medium.name},
+          {"kind", "translucent"},
+          {"sigma_s_prime_per_mm", rgbJson(medium.sigmaSPrimePerMm)},
+          {"sigma_a_per_mm", rgbJson(medium.sigmaAPerMm)},
+          {"eta", medium.eta},
+          {"g", 0},
+          {"textures", Json::array()}};
+}
+
+Json materialsJson(const Scene& scene) {
+  Json materials = Json::array();
+  for (const Object& object : scene.objects) {
+    Json material = object.opaque ? opaqueJson(*object.opaque) : translucentJson(object.medium);
+    if (std::find(materials.begin(), materials.end(), material) == materials.end())
+      materials.push_back(std::move(material));
+  }
+  return materials;
+}
+
+std::string opaqueText(const OpaqueMaterial& material) {
+  std::string text = "opaque";
+  if (!material.name.empty()) text += fmt::format(" ({})", material.name);
+  for (const auto& [use, texture] : texturesOf(material))
+    text += fmt::format(", {} {}x{}", use, texture->pixels->width, texture->pixels->height);
+  return text;
 }
 
 Json clipsJson(const Scene& scene) {
@@ -149,6 +220,7 @@ Json collect(const Scene& scene) {
           {"clips", clipsJson(scene)},
           {"repairs", std::move(repairs)},
           {"not_shown", std::move(notShown)},
+          {"materials", materialsJson(scene)},
           {"objects", objectsJson(scene)},
           {"devices", devicesJson()}};
 }
@@ -187,8 +259,13 @@ std::string sceneText(const Scene& scene, const Json& facts) {
                       core::lengthText(diagonalMm(scene), 4));
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    const MediumLengths lengths = lengthsOf(object.medium);
     const std::array<double, 3> size = sizeMm(object);
+    if (object.opaque) {
+      text += fmt::format("object {}: {}, {}\n", object.name, lengthsText(size, " x ", 4),
+                          opaqueText(*object.opaque));
+      continue;
+    }
+    const MediumLengths lengths = lengthsOf(object.medium);
     text += fmt::format("object {}: {} of {}, mean free path {}, diffusion length {}\n",
                         object.name, lengthsText(size, " x ", 4), object.medium.name,
                         lengthsText(lengths.meanFreePathMm, " ", 3),

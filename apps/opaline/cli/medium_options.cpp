@@ -15,24 +15,41 @@ namespace opaline::app {
 
 namespace {
 
-Medium namedMedium(const Given& given) {
-  if (auto medium = bssrdf::findMedium(given.text)) return *medium;
+Medium namedMedium(const Given& given, std::string_view name) {
+  if (auto medium = bssrdf::findMedium(name)) return *medium;
   std::vector<std::string> names;
   for (const auto& row : bssrdf::measuredMedia()) names.push_back(row.medium.name);
   for (const Medium& medium : bssrdf::artisticMedia()) names.push_back(medium.name);
   throw UsageError(fmt::format("{} {}: there is no such medium{}; opaline media lists them",
-                               given.option, given.text, suggestion(given.text, names)));
+                               given.option, given.text, suggestion(name, names)));
 }
 
 }  // namespace
 
 void MediumOptions::addTo(CommandLine& line) {
-  line.value("--medium", "NAME", "a name that opaline media lists",
-             [this](const Given& given) { named_ = namedMedium(given); });
+  line.repeated("--medium", "NAME[@OBJECT]", "a name that opaline media lists",
+                [this](const Given& given) { read(given); });
   addField(line, options::fieldOf<Medium>("sigma_s_per_mm"), chosen_, "--sigma-s",
            "reduced scattering and absorption, 1/mm");
   addField(line, options::fieldOf<Medium>("sigma_a_per_mm"), chosen_, "--sigma-a", "");
   addField(line, options::fieldOf<Medium>("eta"), chosen_);
+}
+
+void MediumOptions::read(const Given& given) {
+  const std::string_view text = given.text;
+  const std::size_t at = text.find('@');
+  const Medium medium = namedMedium(given, text.substr(0, at));
+  if (at != std::string_view::npos) {
+    ofObjects_.push_back({std::string(text.substr(at + 1)), medium});
+    return;
+  }
+  if (named_) {
+    throw UsageError(
+        fmt::format("{} {}: the medium of all objects is given twice; NAME@OBJECT is "
+                    "that of one",
+                    given.option, given.text));
+  }
+  named_ = medium;
 }
 
 std::optional<Medium> MediumOptions::medium() const {

@@ -3,24 +3,31 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/command_line.h"
 #include "opaline/medium.h"
+#include "opaline/scene.h"
 #include "options/scene.h"
 
 namespace opaline::app {
 
-/// --medium, or --sigma-s, --sigma-a and --eta.
+/// --medium of all or of single objects, or --sigma-s, --sigma-a and --eta.
 class MediumOptions {
  public:
   void addTo(CommandLine& line);
-  bool any() const { return named_ || !chosen_.empty(); }
+  bool any() const { return named_ || !ofObjects_.empty() || !chosen_.empty(); }
   /// What was asked for; nothing when no such option was given. Throws UsageError for a mixture
   /// that describes no medium.
   std::optional<Medium> medium() const;
+  /// Of single objects.
+  const std::vector<MediumOfObject>& ofObjects() const { return ofObjects_; }
 
  private:
+  void read(const Given& given);
+
   std::optional<Medium> named_;
+  std::vector<MediumOfObject> ofObjects_;
   options::Chosen<Medium> chosen_;
 };
 

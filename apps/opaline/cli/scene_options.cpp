@@ -205,6 +205,7 @@ scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
   LoadOptions options;
   options.diagonalMm = diagonalMm_;
   options.medium = medium_.medium();
+  options.media = medium_.ofObjects();
   options.morphTo = morphTo_;
   options.log = log;
   if (files_.empty()) {

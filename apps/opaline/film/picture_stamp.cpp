@@ -79,9 +79,8 @@ void addObject(Digest& digest, const Object& object) {
   const auto& [mediumName, sigmaSPrimePerMm, sigmaAPerMm, eta] = medium;
   addAll(digest, positionsMm, normals, triangles, facetted, sigmaSPrimePerMm, sigmaAPerMm, eta,
          isGround, textureCoordinates[0], textureCoordinates[1], colors);
-  addIfThere(digest, opaque, [&](const OpaqueMaterial& material) {
-    addMaterial(digest, material);
-  });
+  addIfThere(digest, opaque,
+             [&](const OpaqueMaterial& material) { addMaterial(digest, material); });
   addIfThere(digest, rig, [&](const Rig& given) { addRig(digest, given); });
 }
 

@@ -6,9 +6,16 @@
 
 namespace opaline::passes {
 
+namespace {
+
+gpu::GraphicsOptions ofDepth() {
+  return {.depthFormat = VK_FORMAT_D32_SFLOAT, .depth = gpu::DepthMode::Write};
+}
+
+}  // namespace
+
 ShadowPass::ShadowPass(gpu::Device& device)
-    : pipeline_(device, "shadow",
-                {.depthFormat = VK_FORMAT_D32_SFLOAT, .depth = gpu::DepthMode::Write}) {}
+    : pipeline_(device, "shadow", ofDepth()), cutOut_(device, "shadow with holes", ofDepth()) {}
 
 ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::uint32_t views) {
   return {gpu::GpuImage(
@@ -21,16 +28,41 @@ ShadowMaps ShadowPass::makeMaps(gpu::Device& device, std::uint32_t size, std::ui
                .kind = gpu::ImageKind::Array})};
 }
 
+void ShadowPass::bindCutOut(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
+                            const CutOuts& cutOuts, std::uint32_t view) const {
+  commands.bind(cutOut_,
+                {.frame = frame.data,
+                 .positions = mesh.positions,
+                 .vertexAttributes = cutOuts.opaque.attributes,
+                 .objectOf = mesh.objectOf},
+                {.objects = cutOuts.tables.objects,
+                 .media = cutOuts.tables.media,
+                 .opaques = cutOuts.opaque.materials,
+                 .attributes = cutOuts.opaque.attributes,
+                 .tangents = cutOuts.opaque.tangents,
+                 .texels = cutOuts.opaque.texels},
+                {.view = view});
+}
+
 void ShadowPass::record(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
-                        ShadowMaps& maps) const {
+                        const CutOuts& cutOuts, ShadowMaps& maps) const {
   commands.beginPass("shadow");
   commands.use(mesh.indices, gpu::Access::Index);
   for (std::uint32_t view = 0; view < frame.shadowViews; ++view) {
+    // What it reads is ordered before the drawing begins.
+    if (!mesh.cutOut.empty()) bindCutOut(commands, frame, mesh, cutOuts, view);
     commands.bind(pipeline_, {.frame = frame.data, .positions = mesh.positions}, {},
                   {.view = view});
     const gpu::DepthTarget depth{.image = &maps.depth, .layer = view};
     commands.beginRendering({}, &depth);
-    commands.drawIndexed(mesh.indices, mesh.castingIndexCount);
+    for (const IndexRange& range : mesh.whole) {
+      if (range.first >= mesh.castingIndexCount) continue;
+      commands.drawIndexed(
+          mesh.indices, std::min(range.count, mesh.castingIndexCount - range.first), range.first);
+    }
+    if (!mesh.cutOut.empty()) bindCutOut(commands, frame, mesh, cutOuts, view);
+    for (const IndexRange& range : mesh.cutOut)
+      commands.drawIndexed(mesh.indices, range.count, range.first);
     commands.endRendering();
   }
   commands.endPass();

@@ -5,6 +5,8 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/gather/cutout_shadow.frag.h"
+#include "shaders/gather/cutout_shadow.vert.h"
 #include "shaders/gather/shadow.vert.h"
 
 namespace opaline::gpu {
@@ -23,10 +25,14 @@ class ShadowPass {
 
   /// `maps.depth` has at least as many layers as the frame has shadow views.
   void record(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
-              ShadowMaps& maps) const;
+              const CutOuts& cutOuts, ShadowMaps& maps) const;
 
  private:
+  void bindCutOut(gpu::CommandList& commands, FrameView& frame, DeformedMesh& mesh,
+                  const CutOuts& cutOuts, std::uint32_t view) const;
+
   gpu::Graphics<shaders::GatherShadowVert> pipeline_;
+  gpu::Graphics<shaders::GatherCutoutShadowVert, shaders::GatherCutoutShadowFrag> cutOut_;
 };
 
 }  // namespace opaline::passes

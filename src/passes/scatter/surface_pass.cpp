@@ -33,6 +33,7 @@ gpu::GraphicsOptions ofWords() {
 
 SurfacePass::SurfacePass(gpu::Device& device)
     : triangles_(device, "triangles", ofWords()),
+      cutOut_(device, "triangles with holes", ofWords()),
       lights_(device, "visible lights", ofWords()),
       seen_(device, "seen pixels"),
       surfaces_(device, "seen surfaces") {}
@@ -73,8 +74,8 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                   .bytes = (1 + made.parts) * sizeof(shared::SeenCount),
                   .usage = counted}};
   made.light = makeRoom<shared::vec4>(device, "light of seen surfaces", room);
-  made.materials = makeRoom<shared::SeenMaterial>(device, "materials of seen surfaces",
-                                                  opaque ? room : 0);
+  made.materials =
+      makeRoom<shared::SeenMaterial>(device, "materials of seen surfaces", opaque ? room : 0);
   made.hasMaterials = opaque;
   made.skyBlocks = {device,
                     {.name = "blocks of reflected sky",
@@ -85,7 +86,24 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
   return made;
 }
 
-void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen,
+void SurfacePass::bindCutOut(gpu::CommandList& commands, const SeenSurfaces& seen,
+                             const CutOuts& cutOuts, shared::vec2 jitter) const {
+  commands.bind(cutOut_,
+                {.frame = seen.frame.data,
+                 .indices = seen.mesh.indices,
+                 .positions = seen.mesh.positions,
+                 .vertexAttributes = cutOuts.opaque.attributes,
+                 .objectOf = seen.mesh.objectOf},
+                {.objects = cutOuts.tables.objects,
+                 .media = cutOuts.tables.media,
+                 .opaques = cutOuts.opaque.materials,
+                 .attributes = cutOuts.opaque.attributes,
+                 .tangents = cutOuts.opaque.tangents,
+                 .texels = cutOuts.opaque.texels},
+                {.jitter = jitter});
+}
+
+void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
                        std::span<const shared::vec2> samples, bool visibleLights) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   const VkExtent2D extent = surfaces.words.extent();
@@ -94,12 +112,17 @@ void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen,
   commands.beginPass("surface");
   const gpu::DepthTarget depth{.image = &surfaces.depth};
   for (std::uint32_t sample = 0; sample < samples.size(); ++sample) {
+    const shared::vec2 jitter = -samples[sample] * pixel;
+    // What it reads is ordered before the drawing begins.
+    if (!seen.mesh.cutOut.empty()) bindCutOut(commands, seen, cutOuts, jitter);
     commands.bind(
         triangles_,
         {.frame = seen.frame.data, .indices = seen.mesh.indices, .positions = seen.mesh.positions},
-        {}, {.jitter = -samples[sample] * pixel});
+        {}, {.jitter = jitter});
     commands.beginRendering({{.image = &surfaces.words, .layer = sample}}, &depth);
-    commands.draw(seen.mesh.indexCount);
+    for (const IndexRange& range : seen.mesh.whole) commands.draw(range.count, range.first);
+    if (!seen.mesh.cutOut.empty()) bindCutOut(commands, seen, cutOuts, jitter);
+    for (const IndexRange& range : seen.mesh.cutOut) commands.draw(range.count, range.first);
     if (visibleLights) {
       commands.bind(lights_, {}, {.frame = seen.frame.data},
                     {.size = shared::vec2(extent.width, extent.height), .offset = samples[sample]});

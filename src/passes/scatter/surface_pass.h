@@ -6,6 +6,8 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/scatter/cutout_surface.frag.h"
+#include "shaders/scatter/cutout_surface.vert.h"
 #include "shaders/scatter/seen.comp.h"
 #include "shaders/scatter/surface.frag.h"
 #include "shaders/scatter/surface.vert.h"
@@ -28,12 +30,12 @@ class SurfacePass {
 
   /// With room for materials of opaque surfaces, if wanted. Throws Error where the picture is too
   /// large for the device.
-  static VisibleSurfaces makeSurfaces(gpu::Device& device, VkExtent2D extent,
-                                      std::uint32_t samples, bool opaque);
+  static VisibleSurfaces makeSurfaces(gpu::Device& device, VkExtent2D extent, std::uint32_t samples,
+                                      bool opaque);
 
   /// `samples`: from the pixel's centre, pixels; of several, those that shared::FrameData has.
   /// `visibleLights`: there may be lights that hide the surface.
-  void draw(gpu::CommandList& commands, const SeenSurfaces& seen,
+  void draw(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
             std::span<const shared::vec2> samples, bool visibleLights) const;
 
   /// Of a band of the picture that starts at that row, after draw() with as many samples.
@@ -41,7 +43,11 @@ class SurfacePass {
             std::uint32_t samples) const;
 
  private:
+  void bindCutOut(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
+                  shared::vec2 jitter) const;
+
   gpu::Graphics<shaders::ScatterSurfaceVert, shaders::ScatterSurfaceFrag> triangles_;
+  gpu::Graphics<shaders::ScatterCutoutSurfaceVert, shaders::ScatterCutoutSurfaceFrag> cutOut_;
   gpu::Graphics<shaders::ScatterVisibleLightsVert, shaders::ScatterVisibleLightsFrag> lights_;
   gpu::Compute<shaders::ScatterSeen> seen_;
   gpu::Compute<shaders::ScatterSurfaces> surfaces_;

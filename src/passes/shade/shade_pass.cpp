@@ -45,8 +45,8 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
   commands.endPass();
 }
 
-void ShadePass::recordOpaque(gpu::CommandList& commands, const Inputs& inputs,
-                             OpaqueTables& opaque, const SeenSurfaces& seen) const {
+void ShadePass::recordOpaque(gpu::CommandList& commands, const Inputs& inputs, OpaqueTables& opaque,
+                             const SeenSurfaces& seen) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("shade");
   commands.use(surfaces.counts, gpu::Access::Indirect);
@@ -59,8 +59,7 @@ void ShadePass::recordOpaque(gpu::CommandList& commands, const Inputs& inputs,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
                  .glossySky = {inputs.sky.glossy, linear_},
                  .gloss = opaque.gloss},
-                {.atFragments = inputs.atFragments,
-                 .specular = inputs.specular});
+                {.atFragments = inputs.atFragments, .specular = inputs.specular});
   commands.dispatchIndirect(surfaces.counts, 0);
   commands.endPass();
 }

@@ -65,9 +65,11 @@ struct FrameContext {
     passes.fit.record(commands, upload.buffer, upload.offset, mesh, resources.view);
   }
 
+  passes::CutOuts cutOuts(SceneResources& scene) const { return {resources.tables, scene.opaque}; }
+
   void gather(SceneResources& scene) const {
     if (!onSurfels() && !plan.map) return;
-    passes.shadow.record(commands, resources.view, mesh, resources.shadows);
+    passes.shadow.record(commands, resources.view, mesh, cutOuts(scene), resources.shadows);
     // Clusters read what is visible of lights from where surfels have gathered it, and surfels how
     // much of the sky is seen from clusters.
     if (onSurfels())
@@ -290,9 +292,9 @@ struct FrameContext {
                                  {resources.tables, scene.surfels, scene.rays,
                                   static_cast<std::uint32_t>(plan.samples), plan.roughness},
                                  firstRow, seen());
-    const passes::ShadePass::Inputs inputs{
-        resources.tables, resources.shadows, resources.exitance, resources.sky,
-        plan.roughness,   atFragments(),     plan.specular,      plan.mirrorsSky};
+    const passes::ShadePass::Inputs inputs{resources.tables, resources.shadows, resources.exitance,
+                                           resources.sky,    plan.roughness,    atFragments(),
+                                           plan.specular,    plan.mirrorsSky};
     passes.shade.record(commands, inputs, seen());
     if (carriesOpaque()) shadeOpaque(inputs, scene);
     if (plan.specular && plan.areaLights > 0)
@@ -312,7 +314,8 @@ struct FrameContext {
   }
 
   void makePicture(SceneResources& scene) const {
-    passes.surface.draw(commands, seen(), samplePattern(plan.samples), plan.visibleLights);
+    passes.surface.draw(commands, seen(), cutOuts(scene), samplePattern(plan.samples),
+                        plan.visibleLights);
     beginPicture();
     passes::forEachBand(resources.surfaces, [&](std::uint32_t firstRow) {
       findSurfaces(firstRow, plan.samples, scene);
@@ -322,12 +325,13 @@ struct FrameContext {
 
   void lookAtCentres(SceneResources& scene) const {
     passes::SeenCentres& centres = resources.centres;
-    passes.surface.draw(commands, seen(), samplePattern(1), false);
+    passes.surface.draw(commands, seen(), cutOuts(scene), samplePattern(1), false);
     for (gpu::GpuImage* image : {&centres.position, &centres.normal, &centres.exitance})
       commands.clear(*image);
     passes::forEachBand(resources.surfaces, [&](std::uint32_t firstRow) {
       findSurfaces(firstRow, 1, scene);
-      passes.centres.record(commands, seen(), resources.tables, resources.exitance, atFragments(), centres);
+      passes.centres.record(commands, seen(), resources.tables, resources.exitance, atFragments(),
+                            centres);
     });
     if (plan.seenSurfels) findSurfels(scene);
     if (plan.irradiance) showIrradiance(scene);

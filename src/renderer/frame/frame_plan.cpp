@@ -85,8 +85,9 @@ void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan
   plan.ambient = lighting.ambient;
   plan.visibleLights = showsLights(plan, lighting);
   plan.backdrop = showsBackdrop(plan, lighting);
-  // Where nothing has an inside, boundary transport is what it falls back to.
-  if (plan.transport == Transport::Boundary && !scene.hasInside())
+  // Where nothing has an inside, boundary transport is what it falls back to. Its bounces are those
+  // of opaque bodies too.
+  if (plan.transport == Transport::Boundary && !scene.hasInside() && !plan.opaque)
     plan.transport = Transport::BetterDipole;
 }
 

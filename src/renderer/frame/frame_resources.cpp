@@ -13,8 +13,7 @@ void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene
                 const RenderOptions& options, FrameResources& resources) {
   resources.tables = makeSceneTables(device, scene, options);
   if (scene.opaque.materials && scene.clusters.ranges)
-    passes.opaque.makeShares(device, scene.surfels, scene.clusters, scene.opaque,
-                             resources.tables);
+    passes.opaque.makeShares(device, scene.surfels, scene.clusters, scene.opaque, resources.tables);
   // A sky that is there was made for other indices of refraction.
   if (resources.sky.reflected)
     passes::SkyPass::takeEtas(device, resources.tables.etas, resources.sky);
@@ -22,8 +21,8 @@ void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene
 
 void makeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
              const RenderOptions& options, bool hasOpaque, FrameResources& resources) {
-  resources.sky = passes.sky.makeSky(device, lighting, options.roughness, resources.tables.etas,
-                                     hasOpaque);
+  resources.sky =
+      passes.sky.makeSky(device, lighting, options.roughness, resources.tables.etas, hasOpaque);
 }
 
 void makeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,

@@ -39,8 +39,8 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   const bool media = whole || before->changes.media != changes.media;
   const bool pattern = whole || !samePattern(before->options.pattern, options.pattern) ||
                        before->options.dsmSize != options.dsmSize;
-  const bool sky = surface || before->changes.sky != changes.sky ||
-                   (plan.opaque && !made_.sky.glossy);
+  const bool sky =
+      surface || before->changes.sky != changes.sky || (plan.opaque && !made_.sky.glossy);
   const std::uint32_t views = shadowViewCount(lighting);
   const bool shadows =
       whole || made_.view.shadowViews != views || before->options.shadowSize != options.shadowSize;

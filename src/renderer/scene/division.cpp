@@ -29,6 +29,10 @@ double longestMeanFreePathMm(const Medium& medium) {
   return longest;
 }
 
+// Of opaque bodies, in diagonals of the scene: how finely the light between them is known.
+constexpr double opaqueSpacing = 0.01;
+constexpr double opaqueCluster = 0.03;
+
 constexpr const char* noRoom = "this device has no room for more";
 
 std::string cureOfClusters(const Division& division, const DeviceRoom& room) {
@@ -55,18 +59,22 @@ void noteClusters(const Division& division, const DeviceRoom& room, const LogCal
 DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHasInside,
                           std::size_t maxSurfels, std::optional<std::size_t> maxClusters) {
   DivisionOrder order{.maxSurfels = maxSurfels};
+  const double sceneMm{diagonalMm(scene)};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const Object& object : scene.objects)
     order.spacingOfObjectMm.push_back(
-        object.opaque ? std::numeric_limits<double>::infinity()
-                      : sizeInFreePaths * bssrdf::shortestMeanFreePathMm(object.medium));
+        object.isGround ? infinity
+        : object.opaque ? opaqueSpacing * sceneMm
+                        : sizeInFreePaths * bssrdf::shortestMeanFreePathMm(object.medium));
   if (!maxClusters) return order;
   order.maxClusters = *maxClusters;
-  // Without an inside nothing is solved: what such an object sends to others has only its shape.
+  // In an open body nothing is solved: what it sends to others has only its shape.
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     order.largestClusterOfObjectMm.push_back(
         scene.objects[i].isGround ? surfels::asItsTriangles
+        : scene.objects[i].opaque ? opaqueCluster * sceneMm
         : objectHasInside[i] ? clusterInFreePaths * longestMeanFreePathMm(scene.objects[i].medium)
-                             : std::numeric_limits<double>::infinity());
+                             : infinity);
   return order;
 }
 

@@ -35,7 +35,8 @@ bool readsAttributes(const Scene& scene) {
   for (const Object& object : scene.objects) {
     if (!object.opaque) continue;
     any = any || !object.mesh.colors.empty();
-    forEachTexture(*object.opaque, [&](const auto& texture, TexelMeaning) { any = any || texture; });
+    forEachTexture(*object.opaque,
+                   [&](const auto& texture, TexelMeaning) { any = any || texture; });
   }
   return any;
 }
@@ -97,9 +98,8 @@ void appendTangents(const Object& object, std::vector<shared::CornerTangents>& t
 
 std::vector<shared::CornerTangents> tangentsOf(const Scene& scene) {
   std::vector<shared::CornerTangents> all;
-  const bool any = std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& o) {
-    return o.opaque && o.opaque->normalTexture;
-  });
+  const bool any = std::any_of(scene.objects.begin(), scene.objects.end(),
+                               [](const Object& o) { return o.opaque && o.opaque->normalTexture; });
   if (!any) return all;
   for (const Object& object : scene.objects) appendTangents(object, all);
   return all;
@@ -141,8 +141,7 @@ passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
   noteHalvings(packer.halvings(), device.info().name, log);
   const bool reads = readsAttributes(scene);
   std::vector<shared::OpaqueData> data;
-  for (const OpaqueMaterial& material : materials)
-    data.push_back(dataOf(material, reads, packer));
+  for (const OpaqueMaterial& material : materials) data.push_back(dataOf(material, reads, packer));
   tables.materials = gpu::makeBuffer(device, "opaque materials", data, storage);
   tables.texels = gpu::makeBuffer(device, "texels", packer.texels(), storage);
   tables.attributes = gpu::makeBuffer(

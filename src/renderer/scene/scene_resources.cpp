@@ -98,7 +98,22 @@ void measure(const Scene& scene, SceneResources& resources) {
   for (const Object& object : scene.objects) resources.sizeOfObject.push_back(sizeOf(object.mesh));
 }
 
-void makeMesh(gpu::Device& device, SceneResources& resources) {
+// Neighbours in one range.
+void findHoles(const Scene& scene, passes::DeformedMesh& mesh) {
+  std::uint32_t first = 0;
+  for (const Object& object : scene.objects) {
+    const auto count = static_cast<std::uint32_t>(3 * object.mesh.triangles.size());
+    const bool holes = object.opaque && object.opaque->alphaCutoff > 0;
+    std::vector<passes::IndexRange>& ranges = holes ? mesh.cutOut : mesh.whole;
+    if (!ranges.empty() && ranges.back().first + ranges.back().count == first)
+      ranges.back().count += count;
+    else
+      ranges.push_back({first, count});
+    first += count;
+  }
+}
+
+void makeMesh(gpu::Device& device, const Scene& scene, SceneResources& resources) {
   const scene::MergedMesh& merged = *resources.merged;
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   const std::size_t vectorBytes = merged.positionsMm.size() * sizeof(glm::vec4);
@@ -114,6 +129,7 @@ void makeMesh(gpu::Device& device, SceneResources& resources) {
   mesh.vertexCount = static_cast<std::uint32_t>(merged.positionsMm.size());
   mesh.indexCount = static_cast<std::uint32_t>(3 * merged.triangles.size());
   mesh.castingIndexCount = 3 * resources.castingTriangles;
+  findHoles(scene, mesh);
 }
 
 // Spacing of sources in mean free paths from which on sums over them want what NearbyPass adds. A
@@ -256,7 +272,7 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   resources.castingTriangles = castingTriangles(scene);
   if (needs.maxSurfels)
     requireRoom(resources.triangles, roomOf(device.limits()), device.info().name);
-  makeMesh(device, resources);
+  makeMesh(device, scene, resources);
   if (needs.maxClusters) findInsides(scene, resources, log);
   if (needs.maxSurfels) {
     const Division division = divide(merged, orderFor(device, scene, resources));

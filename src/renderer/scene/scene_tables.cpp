@@ -106,7 +106,8 @@ class TableBuilder {
       media_.push_back(opaque ? dataOfOpaque() : dataOf(resources.media[i]));
       const auto eta = static_cast<std::uint32_t>(
           std::find(etas_.begin(), etas_.end(), etaOf(resources, i)) - etas_.begin());
-      media_.back().tables = {eta, opaque ? opaqueCount++ : 0, 0, eta * passes::specularAlbedoEntries};
+      media_.back().tables = {eta, opaque ? opaqueCount++ : 0, 0,
+                              eta * passes::specularAlbedoEntries};
     }
   }
 
@@ -199,8 +200,8 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
   tables.entersAtSurface = anyAlbedo(resources, builder.media(),
                                      [](float albedo) { return albedo > shared::albedoFollowed; });
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
-  tables.reflectionLobes =
-      gpu::makeBuffer(device, "lobes of the reflection", reflectionLobes(double{options.roughness}), storage);
+  tables.reflectionLobes = gpu::makeBuffer(device, "lobes of the reflection",
+                                           reflectionLobes(double{options.roughness}), storage);
   tables.etas = builder.etas();
   return tables;
 }

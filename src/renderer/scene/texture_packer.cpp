@@ -166,12 +166,12 @@ shared::uvec4 TexturePacker::pack(const TexturePixels& pixels, TexelMeaning mean
   Level level = levelOf(pixels, meaning);
   for (int i = halvings(); i > 0; --i) level = halved(level);
   const auto first = static_cast<std::uint32_t>(texels_.size());
-  const auto size = static_cast<std::uint32_t>(level.width) |
-                    static_cast<std::uint32_t>(level.height) << 16U;
+  const auto size =
+      static_cast<std::uint32_t>(level.width) | static_cast<std::uint32_t>(level.height) << 16U;
   for (std::uint32_t levels = 1;; ++levels) {
     for (const glm::vec4& texel : level.texels)
-      texels_.push_back({glm::packHalf2x16({texel.r, texel.g}),
-                         glm::packHalf2x16({texel.b, texel.a})});
+      texels_.push_back(
+          {glm::packHalf2x16({texel.r, texel.g}), glm::packHalf2x16({texel.b, texel.a})});
     if (level.width == 1 && level.height == 1) return {first, size, levels, 0};
     level = halved(level);
   }

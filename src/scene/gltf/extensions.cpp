@@ -13,10 +13,19 @@ namespace opaline::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 13> read{
-    "EXT_mesh_gpu_instancing",      "EXT_meshopt_compression", "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",          "KHR_materials_emissive_strength", "KHR_materials_ior",  "KHR_materials_specular", "KHR_materials_unlit",     "KHR_materials_volume",
-    "KHR_materials_volume_scatter", "KHR_mesh_quantization",   "KHR_meshopt_compression", "KHR_texture_transform"};
+constexpr std::array<std::string_view, 13> read{"EXT_mesh_gpu_instancing",
+                                                "EXT_meshopt_compression",
+                                                "KHR_draco_mesh_compression",
+                                                "KHR_lights_punctual",
+                                                "KHR_materials_emissive_strength",
+                                                "KHR_materials_ior",
+                                                "KHR_materials_specular",
+                                                "KHR_materials_unlit",
+                                                "KHR_materials_volume",
+                                                "KHR_materials_volume_scatter",
+                                                "KHR_mesh_quantization",
+                                                "KHR_meshopt_compression",
+                                                "KHR_texture_transform"};
 
 constexpr std::array<std::string_view, 19> appearance{"EXT_texture_avif",
                                                       "EXT_texture_webp",

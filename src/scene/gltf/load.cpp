@@ -101,8 +101,7 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
   std::uint64_t part = 0;
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
     if (!isSurface(primitive)) continue;
-    const GltfSurface surface =
-        to.materials.surface(primitive.material, mesh.name, node.name);
+    const GltfSurface surface = to.materials.surface(primitive.material, mesh.name, node.name);
     BakedPrimitive baked =
         bakePrimitive(to.input, to.model, to.nodes, to.motion, to.accessors, nodeIndex, primitive);
     to.triangles += baked.mesh.triangles.size();
@@ -127,8 +126,7 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
   if (to.scene.objects.size() > first + 1) {
     for (std::size_t i = first; i < to.scene.objects.size(); ++i) {
       RawObject& object = to.scene.objects[i];
-      object.name +=
-          fmt::format(" ({})", object.opaque ? object.opaque->name : object.medium.name);
+      object.name += fmt::format(" ({})", object.opaque ? object.opaque->name : object.medium.name);
     }
   }
 }
@@ -281,8 +279,7 @@ RawScene loadGltf(const Input& input) {
     takeCamera(gathering, index);
     noteStanding(gathering, index);
   }
-  std::vector<NotShown> notShown =
-      notShownOf(model, gathering.nodes, gathering.materials.opaque());
+  std::vector<NotShown> notShown = notShownOf(model, gathering.nodes, gathering.materials.opaque());
   addNotShown(notShown, gathering.scene.notShown);
   gathering.scene.notShown = std::move(notShown);
   gathering.scene.nodes = std::move(gathering.motion.nodes);

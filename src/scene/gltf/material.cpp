@@ -34,8 +34,7 @@ void readEmission(const tinygltf::Material& of, OpaqueMaterial& material) {
 }
 
 void readSpecular(const tinygltf::Material& of, GltfTextures& textures, OpaqueMaterial& material) {
-  const double ior =
-      gltfNumber(gltfExtension(of, "KHR_materials_ior"), "ior").value_or(1.5);
+  const double ior = gltfNumber(gltfExtension(of, "KHR_materials_ior"), "ior").value_or(1.5);
   material.ior = ior == 0 ? 0.0F : within(ior, 1, 10);
   const tinygltf::Value& specular = gltfExtension(of, "KHR_materials_specular");
   material.specular = within(gltfNumber(specular, "specularFactor").value_or(1), 0, 1);

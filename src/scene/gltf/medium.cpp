@@ -109,7 +109,7 @@ bool letsLightThrough(const tinygltf::Material& material) {
 }  // namespace
 
 std::optional<Medium> gltfMedium(const Input& input, const tinygltf::Model& model, int material,
-                  std::string_view meshName, std::string_view nodeName) {
+                                 std::string_view meshName, std::string_view nodeName) {
   const tinygltf::Material none;
   if (material != -1 &&
       (material < 0 || static_cast<std::size_t>(material) >= model.materials.size())) {

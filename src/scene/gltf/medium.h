@@ -14,7 +14,7 @@ namespace opaline::scene {
 /// through in some other way. None if nothing says so. Throws Error for a material that does not
 /// exist.
 std::optional<Medium> gltfMedium(const Input& input, const tinygltf::Model& model, int material,
-                  std::string_view meshName, std::string_view nodeName);
+                                 std::string_view meshName, std::string_view nodeName);
 
 /// Whether KHR_materials_volume_scatter and KHR_materials_volume say together what it is of.
 bool saysMediumByVolume(const tinygltf::Material& material);

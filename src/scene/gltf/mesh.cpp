@@ -79,9 +79,8 @@ std::vector<std::uint64_t> tagsOf(const tinygltf::Model& model, GltfAccessors& a
   return tags;
 }
 
-std::vector<Vec2> textureCoordinates(GltfAccessors& accessors,
-                                     const tinygltf::Primitive& primitive, const char* name,
-                                     std::size_t vertices) {
+std::vector<Vec2> textureCoordinates(GltfAccessors& accessors, const tinygltf::Primitive& primitive,
+                                     const char* name, std::size_t vertices) {
   std::vector<Vec2> coordinates;
   const auto accessor = attribute(primitive.attributes, name);
   if (!accessor) return coordinates;
@@ -100,13 +99,11 @@ std::vector<std::array<float, 4>> colors(const tinygltf::Model& model, GltfAcces
                                          std::size_t vertices) {
   const auto accessor = attribute(primitive.attributes, "COLOR_0");
   if (!accessor) return {};
-  const bool known =
-      *accessor >= 0 && static_cast<std::size_t>(*accessor) < model.accessors.size();
+  const bool known = *accessor >= 0 && static_cast<std::size_t>(*accessor) < model.accessors.size();
   const bool alpha =
       known && model.accessors[static_cast<std::size_t>(*accessor)].type == TINYGLTF_TYPE_VEC4;
   const std::size_t width = alpha ? 4 : 3;
-  const std::vector<float> numbers =
-      accessors.floats(*accessor, static_cast<int>(width), vertices);
+  const std::vector<float> numbers = accessors.floats(*accessor, static_cast<int>(width), vertices);
   std::vector<std::array<float, 4>> result(vertices, {1, 1, 1, 1});
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     // 0 where it is no number.

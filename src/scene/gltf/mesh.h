@@ -9,9 +9,9 @@
 namespace opaline::scene {
 
 struct BakedPrimitive {
-  RawMesh mesh;            ///< in the rest pose, its provenance naming the primitive's vertices
+  RawMesh mesh;  ///< in the rest pose, its provenance naming the primitive's vertices
   VertexAttributes attributes;  ///< of these
-  std::optional<Rig> rig;  ///< where a clip can move it
+  std::optional<Rig> rig;       ///< where a clip can move it
 };
 
 /// One primitive of a node, morphed by its default weights, skinned by the hierarchy's rest

@@ -105,7 +105,8 @@ std::vector<NotShown> notShownOf(const tinygltf::Model& model, const GltfNodes& 
   }
   for (const std::size_t material : materials) {
     const tinygltf::Material& of = model.materials[material];
-    addMaterial(of, !opaque.contains(static_cast<int>(material)), nameOr(of.name, "material", material), result);
+    addMaterial(of, !opaque.contains(static_cast<int>(material)),
+                nameOr(of.name, "material", material), result);
   }
   addExtensions(model, result);
   return result;

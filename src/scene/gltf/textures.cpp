@@ -102,8 +102,7 @@ std::shared_ptr<const TexturePixels> GltfTextures::pixelsOf(int image) {
 TexturePixels GltfTextures::read(std::size_t image) const {
   const tinygltf::Image& of = model_.images[image];
   const std::string named = !of.uri.empty() && !of.uri.starts_with("data:") ? of.uri : of.name;
-  const std::string name =
-      named.empty() ? fmt::format("image {}", image) : cleanText(named, 100);
+  const std::string name = named.empty() ? fmt::format("image {}", image) : cleanText(named, 100);
   TexturePixels pixels;
   if (!of.image.empty()) {
     pixels = core::readTexture(name, std::as_bytes(std::span(of.image)));

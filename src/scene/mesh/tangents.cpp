@@ -87,8 +87,7 @@ std::vector<TriangleTangents> tangentsOf(const Mesh& mesh, std::size_t coordinat
     const double area = growthOf(places, t, edges).area;
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Double3 normal = toDouble(mesh.normals[t[corner]]);
-      tangents[i].corners[corner] =
-          byEdges(inPlane(sums[handOf(area)][t[corner]], normal), edges);
+      tangents[i].corners[corner] = byEdges(inPlane(sums[handOf(area)][t[corner]], normal), edges);
     }
     tangents[i].side = area < 0 ? 1.0F : -1.0F;
   }

@@ -15,8 +15,8 @@ struct TriangleTangents {
   float side = 1;
 };
 
-/// One for each triangle, in the rest pose, as Mikkelsen 2008 has them: at a vertex the directions in
-/// which the first texture coordinate grows, projected on the plane of the normal and weighed by
+/// One for each triangle, in the rest pose, as Mikkelsen 2008 has them: at a vertex the directions
+/// in which the first texture coordinate grows, projected on the plane of the normal and weighed by
 /// the angles of the triangles that agree in handedness.
 std::vector<TriangleTangents> tangentsOf(const Mesh& mesh, std::size_t coordinates);
 

@@ -14,6 +14,7 @@
 #include "scene/formats.h"
 #include "scene/framing.h"
 #include "scene/joined_models.h"
+#include "scene/material.h"
 #include "scene/mesh/mesh_files.h"
 #include "scene/mesh/morph_to.h"
 #include "scene/mesh/sequence_state.h"
@@ -132,12 +133,15 @@ Medium mediumNamed(const TomlTable& table, std::string_view key, const std::stri
   return *known;
 }
 
-/// Of all objects of a model, where the table says one.
+/// Of all objects of a model that are no metal, where the table says one.
 void setMedium(const TomlTable& table, RawScene& model, const Assembly& from) {
   const auto medium = table.text("medium");
   if (!medium) return;
+  const Medium found = mediumNamed(table, "medium", *medium, from);
   for (RawObject& object : model.objects) {
-    object.medium = mediumNamed(table, "medium", *medium, from);
+    if (object.opaque && isMetal(*object.opaque)) continue;
+    object.medium = found;
+    object.opaque.reset();
   }
 }
 
@@ -224,7 +228,10 @@ void readObjects(const TomlTable& root, Assembly& to) {
     if (placement) to.source.placements.emplace(name, *placement);
     for (RawObject& object : to.scene.objects) {
       if (object.name != name) continue;
-      if (medium) object.medium = mediumNamed(table, "medium", *medium, to);
+      if (medium) {
+        object.medium = mediumNamed(table, "medium", *medium, to);
+        object.opaque.reset();
+      }
       if (placement) place(object, *placement, table);
     }
   }

@@ -336,7 +336,7 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
     description.ground = {ground->opaque->baseColor,
                           ground->mesh.positionsMm[0][1] - description.centreMm[1]};
   for (const Object& object : scene.objects) {
-    if (object.isGround) continue;
+    if (object.opaque) continue;  // the model's file says what it is
     description.media.push_back({object.name, object.medium});
   }
   description.directional = lighting.directional;

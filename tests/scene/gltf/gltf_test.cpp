@@ -341,11 +341,10 @@ TEST_F(Gltf, WhatIsNotShownIsCounted) {
     for (const std::string& name : kind.names) said += " " + name;
     said += "\n";
   }
-  EXPECT_EQ(
-      said,
-      "points and lines 1 body\nvertex colours 1 body\nbase-colour textures 1 skin1\n"
-      "normal textures 1 skin1\nalpha masks 1 skin1\nKHR_materials_sheen 1 skin1\n"
-      "extensions 1 ACME_fog\ncameras after the first 1 b\nlantern lights 1 lamp\n");
+  EXPECT_EQ(said,
+            "points and lines 1 body\nvertex colours 1 body\nbase-colour textures 1 skin1\n"
+            "normal textures 1 skin1\nalpha masks 1 skin1\nKHR_materials_sheen 1 skin1\n"
+            "extensions 1 ACME_fog\ncameras after the first 1 b\nlantern lights 1 lamp\n");
   EXPECT_EQ(scene.camera.verticalFovDegrees, static_cast<float>(180 / std::numbers::pi));
   EXPECT_TRUE(scene.cameraChosen);
 }
@@ -368,7 +367,8 @@ TEST_F(Gltf, RequiredExtensionsThatAreUnknownAreNamed) {
               HasSubstr("requires 'EXT_example_hair', which is not supported"));
   // What changes only how the surface looks may be left out, unless the file forbids it.
   parts.more = R"(,"extensionsRequired":["KHR_mesh_quantization","KHR_materials_clearcoat"])";
-  EXPECT_THAT(errorOf(parts), HasSubstr("requires 'KHR_materials_clearcoat', which is not supported"));
+  EXPECT_THAT(errorOf(parts),
+              HasSubstr("requires 'KHR_materials_clearcoat', which is not supported"));
   parts.more = R"(,"extensionsUsed":["KHR_mesh_quantization","KHR_materials_clearcoat"])";
   EXPECT_FALSE(load(parts).objects.empty());
 }

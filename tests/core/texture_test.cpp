@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+#include <stb_image_write.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/temporary_folder.h"
+#include "core/texture_file.h"
+
+namespace opaline {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+void append(void* to, void* data, int size) {
+  const auto* bytes = static_cast<const std::byte*>(data);
+  static_cast<Bytes*>(to)->insert(static_cast<Bytes*>(to)->end(), bytes, bytes + size);
+}
+
+Bytes png(int width, int height, int channels, const std::vector<std::uint8_t>& pixels) {
+  Bytes bytes;
+  stbi_write_png_to_func(append, &bytes, width, height, channels, pixels.data(), width * channels);
+  return bytes;
+}
+
+TEST(Texture, PngIsReadAsItIsStored) {
+  const auto texture = core::readTexture("a.png", png(2, 1, 4, {0, 128, 255, 64, 1, 2, 3, 255}));
+  EXPECT_EQ(texture.width, 2);
+  EXPECT_EQ(texture.height, 1);
+  const std::vector<std::uint16_t> expected{0,   128 * 257, 65535,   64 * 257,
+                                            257, 2 * 257,   3 * 257, 65535};
+  EXPECT_EQ(texture.rgba, expected);
+  EXPECT_EQ(texture.name, "a.png");
+}
+
+TEST(Texture, WithoutColourOrAlphaItIsGreyAndOpaque) {
+  const auto texture = core::readTexture("a.png", png(1, 1, 1, {51}));
+  EXPECT_EQ(texture.rgba, (std::vector<std::uint16_t>{51 * 257, 51 * 257, 51 * 257, 65535}));
+}
+
+TEST(Texture, JpegIsRead) {
+  Bytes bytes;
+  const std::vector<std::uint8_t> pixels(3 * 16 * 16, 200);
+  stbi_write_jpg_to_func(append, &bytes, 16, 16, 3, pixels.data(), 95);
+  const auto texture = core::readTexture("a.jpg", bytes);
+  ASSERT_EQ(texture.rgba.size(), 4U * 256U);
+  EXPECT_NEAR(texture.rgba[0] / 257, 200, 2);
+}
+
+TEST(Texture, WhatIsNoWholePictureIsAnError) {
+  const Bytes whole = png(64, 64, 3, std::vector<std::uint8_t>(3 * 64 * 64, 7));
+  for (const std::size_t size : {std::size_t{0}, std::size_t{5}, std::size_t{20}, whole.size() / 2})
+    EXPECT_NE(test::messageOf([&] { core::readTexture("a.png", std::span(whole).first(size)); }),
+              "")
+        << size;
+  const std::string text = "GIF89a, or anything else";
+  EXPECT_NE(test::messageOf([&] { core::readTexture("a.gif", std::as_bytes(std::span(text))); }),
+            "");
+}
+
+TEST(Texture, SizesAreCheckedBeforeMemoryIsTaken) {
+  Bytes bytes = png(8, 8, 3, std::vector<std::uint8_t>(3 * 64, 7));
+  const auto claim = [&](std::uint32_t width, std::uint32_t height) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      bytes[16 + i] = static_cast<std::byte>(width >> (24 - 8 * i));
+      bytes[20 + i] = static_cast<std::byte>(height >> (24 - 8 * i));
+    }
+    return test::messageOf([&] { core::readTexture("a.png", bytes); });
+  };
+  EXPECT_NE(claim(60000, 60000), "");
+  EXPECT_NE(claim(16384, 16384), "");
+  EXPECT_NE(claim(0, 8), "");
+}
+
+}  // namespace
+}  // namespace opaline

@@ -1,0 +1,262 @@
+// Opaque materials, against closed forms.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "renderer/renderer_fixture.h"
+#include "renderer/shapes.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+using std::numbers::pi;
+
+constexpr int edgePixels = 32;
+constexpr float halfEdgeMm = 10;
+
+std::shared_ptr<const TexturePixels> texturePixels(int width,
+                                                   std::vector<std::array<double, 4>> texels) {
+  TexturePixels made;
+  made.width = width;
+  made.height = static_cast<int>(texels.size()) / width;
+  for (const auto& texel : texels)
+    for (const double value : texel)
+      made.rgba.push_back(static_cast<std::uint16_t>(std::lround(65535 * value)));
+  return std::make_shared<const TexturePixels>(made);
+}
+
+class OpaqueTest : public RendererTest {
+ protected:
+  static RenderOptions options() {
+    RenderOptions options = smallOptions();
+    options.transport = Transport::Boundary;
+    options.width = options.height = edgePixels;
+    options.antialias = 1;
+    return options;
+  }
+
+  // A square that faces +z, seen from there so that it fills the picture and more; the texture's
+  // upper left corner is at its own.
+  static Scene squareOf(const OpaqueMaterial& material) {
+    Mesh square;
+    for (const float y : {1.0F, -1.0F})
+      for (const float x : {-1.0F, 1.0F}) {
+        square.positionsMm.push_back({halfEdgeMm * x, halfEdgeMm * y, 0});
+        square.normals.push_back({0, 0, 1});
+        square.textureCoordinates[0].push_back({0.5F + 0.5F * x, 0.5F - 0.5F * y});
+      }
+    square.triangles = {{0, 2, 1}, {1, 2, 3}};
+    Scene scene;
+    scene.objects.push_back({.name = "square", .mesh = square, .medium = marble()});
+    scene.objects[0].opaque = material;
+    scene.camera.positionMm = {0, 0, 1000};
+    scene.camera.targetMm = {0, 0, 0};
+    scene.camera.verticalFovDegrees = static_cast<float>(2 * std::atan(0.009) * 180 / pi);
+    return scene;
+  }
+
+  Vector radianceAt(const Scene& scene, int x, int y) {
+    return toVector(render(scene, options(), {Aov::Radiance})[0].pixel(x, y));
+  }
+};
+
+TEST_F(OpaqueTest, TexturesAreLinearBeforeTheyAreInterpolated) {
+  OpaqueMaterial material = mattMaterial({1, 1, 1});
+  Texture texture;
+  texture.pixels = texturePixels(2, {{0, 0, 0, 1}, {1, 1, 1, 1}});
+  texture.wrapU = TextureWrap::ClampToEdge;
+  material.baseColorTexture = texture;
+  Scene scene = squareOf(material);
+  scene.lighting.directional.push_back({{0, 0, 1}, {3, 3, 3}});
+  // In the middle the mean of black and white light, not of what they are stored as.
+  const Image image = render(scene, options(), {Aov::Radiance})[0];
+  const int middle = edgePixels / 2;
+  const double between = 0.5 * (double{image.pixel(middle, 3)[1]} + image.pixel(middle - 1, 3)[1]);
+  EXPECT_NEAR(between, 0.5 * 3 / pi, 0.01);
+  EXPECT_NEAR(double{image.pixel(1, 3)[0]}, 0, 1e-3);
+  EXPECT_NEAR(double{image.pixel(edgePixels - 2, 3)[2]}, 3 / pi, 0.003);
+}
+
+// IEC 61966-2-1.
+TEST_F(OpaqueTest, ColoursOfTexelsAreThoseOfTheFileUpsideUp) {
+  OpaqueMaterial material = mattMaterial({1, 0.5F, 1});
+  Texture texture;
+  texture.pixels = texturePixels(2, {{0.5, 0.5, 0, 1}, {0, 0, 1, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}});
+  texture.interpolated = false;
+  material.baseColorTexture = texture;
+  Scene scene = squareOf(material);
+  scene.lighting.directional.push_back({{0, 0, 1}, {1, 1, 1}});
+  const double half = std::pow((0.5 + 0.055) / 1.055, 2.4);
+  const Image image = render(scene, options(), {Aov::Radiance})[0];
+  const auto expectAt = [&](int x, int y, const Vector& color) {
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(double{image.pixel(x, y)[c]}, color[c] / pi, 1e-3) << x << " " << y << " " << c;
+  };
+  expectAt(8, 8, {half, 0.5 * half, 0});
+  expectAt(24, 8, {0, 0, 1});
+  expectAt(8, 24, {1, 0, 0});
+  expectAt(24, 24, {0, 0.5, 0});
+}
+
+// A fine checker seen small is its mean: nothing shimmers.
+TEST_F(OpaqueTest, FarTexturesAreTheirMean) {
+  OpaqueMaterial material = mattMaterial({1, 1, 1});
+  Texture texture;
+  texture.pixels = texturePixels(2, {{1, 1, 1, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}, {1, 1, 1, 1}});
+  texture.transform = {{{301, 0, 0}, {0, 303, 0}}};
+  material.baseColorTexture = texture;
+  Scene scene = squareOf(material);
+  scene.lighting.directional.push_back({{0, 0, 1}, {1, 1, 1}});
+  const Image image = render(scene, options(), {Aov::Radiance})[0];
+  for (int y = 2; y < edgePixels; y += 5)
+    for (int x = 1; x < edgePixels; x += 3)
+      EXPECT_NEAR(double{image.pixel(x, y)[1]}, 0.5 / pi, 2e-3);
+}
+
+// A square tilted by its texture: Lambert's cosine.
+TEST_F(OpaqueTest, NormalTexturesTurnTheSurface) {
+  OpaqueMaterial material = mattMaterial({1, 1, 1});
+  const double tilt = 0.5;  // towards +x and, since green is up, +y
+  const double s = std::sin(tilt) / std::sqrt(2.0);
+  Texture texture;
+  texture.pixels =
+      texturePixels(1, {{0.5 + 0.5 * s, 0.5 + 0.5 * s, 0.5 + 0.5 * std::cos(tilt), 1}});
+  material.normalTexture = texture;
+  Scene scene = squareOf(material);
+  const Vector light{0.6, 0.2, std::sqrt(1 - 0.4)};
+  scene.lighting.directional.push_back(
+      {{static_cast<float>(light[0]), static_cast<float>(light[1]), static_cast<float>(light[2])},
+       {1, 1, 1}});
+  const double cosine = s * light[0] + s * light[1] + std::cos(tilt) * light[2];
+  EXPECT_NEAR(radianceAt(scene, 9, 20)[0], cosine / pi, 2e-3);
+}
+
+// Of alpha² = a², cosines to the half vector, the light and the eye.
+double ggx(double alpha, double half, double in, double out) {
+  const double a2 = alpha * alpha;
+  const double t = half * half * (a2 - 1) + 1;
+  const double distribution = a2 / (pi * t * t);
+  const auto lambda = [&](double c) { return 0.5 * (std::sqrt(1 + a2 * (1 / (c * c) - 1)) - 1); };
+  return distribution / ((1 + lambda(in) + lambda(out)) * 4 * in * out);
+}
+
+// What a GGX surface of F = 1 mirrors of even light once, by a sum over the hemisphere of half
+// vectors.
+double mirroredOnce(double alpha, double out) {
+  constexpr int steps = 400;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; j < steps; ++j) {
+      const double cosine = (i + 0.5) / steps;
+      const double angle = 2 * pi * (j + 0.5) / steps;
+      const double sine = std::sqrt(1 - cosine * cosine);
+      const double outSine = std::sqrt(1 - out * out);
+      const Vector in{sine * std::cos(angle), sine * std::sin(angle), cosine};
+      const Vector middle{in[0] + outSine, in[1], in[2] + out};
+      const double length = std::sqrt(dot(middle, middle));
+      sum += ggx(alpha, middle[2] / length, cosine, out) * cosine;
+    }
+  return sum * 2 * pi / (steps * steps);
+}
+
+TEST_F(OpaqueTest, MetalMirrorsLightsByGgx) {
+  OpaqueMaterial metal;
+  metal.baseColor = {1, 0.5F, 0.25F};
+  metal.metallic = 1;
+  metal.roughness = 0.6F;
+  Scene scene = squareOf(metal);
+  const double in = 0.8;
+  scene.lighting.directional.push_back({{0.6F, 0, 0.8F}, {1, 1, 1}});
+  const double half = std::sqrt((1 + in) / 2);
+  const double once = ggx(0.36, half, in, 1) * in;
+  const double sent = 1 / mirroredOnce(0.36, 1) - 1;
+  const Vector found = radianceAt(scene, 16, 16);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double head = metal.baseColor[c];
+    const double fresnel = head + (1 - head) * std::pow(1 - half, 5);
+    EXPECT_NEAR(found[c], once * fresnel * (1 + head * sent), 0.02 * found[c]);
+  }
+}
+
+// What is white and takes nothing away is not to be seen in a white furnace.
+TEST_F(OpaqueTest, NothingIsLostInAWhiteFurnace) {
+  for (const float metallic : {0.0F, 1.0F})
+    for (const float roughness : {0.1F, 0.5F, 1.0F}) {
+      OpaqueMaterial white;
+      white.baseColor = {1, 1, 1};
+      white.metallic = metallic;
+      white.roughness = roughness;
+      Scene scene = squareOf(white);
+      scene.lighting.ambient = {1, 1, 1};
+      EXPECT_NEAR(radianceAt(scene, 12, 17)[0], 1, 0.01) << metallic << " " << roughness;
+    }
+}
+
+TEST_F(OpaqueTest, AlphaCutsHoles) {
+  OpaqueMaterial material = mattMaterial({1, 1, 1});
+  Texture texture;
+  texture.pixels = texturePixels(2, {{1, 1, 1, 0}, {1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 0}});
+  texture.interpolated = false;
+  material.baseColorTexture = texture;
+  material.alphaCutoff = 0.5F;
+  Scene scene = squareOf(material);
+  // Behind it, where light comes only through the holes.
+  scene.objects.push_back(squareOf(mattMaterial({1, 1, 1})).objects[0]);
+  for (Vec3& place : scene.objects[1].mesh.positionsMm) place[2] -= 2;
+  scene.lighting.directional.push_back({{0, 0, 1}, {1, 1, 1}});
+  const auto images = render(scene, options(), {Aov::Radiance, Aov::Object});
+  EXPECT_EQ(images[1].pixel(8, 8)[0], 1);
+  EXPECT_EQ(images[1].pixel(24, 8)[0], 0);
+  EXPECT_EQ(images[1].pixel(8, 24)[0], 0);
+  EXPECT_EQ(images[1].pixel(24, 24)[0], 1);
+  for (const int at : {8, 24}) EXPECT_NEAR(double{images[0].pixel(at, at)[0]}, 1 / pi, 0.01);
+}
+
+// A large luminous plane over a matt one: irradiance π L, less at the rim.
+TEST_F(OpaqueTest, EmissionLightsWhatLiesBefore) {
+  OpaqueMaterial lamp = mattMaterial({0, 0, 0});
+  lamp.emission = {2, 1, 0.5F};
+  Scene scene = squareOf(lamp);
+  EXPECT_NEAR(radianceAt(scene, 16, 16)[0], 2, 1e-3);
+  Scene both = squareOf(mattMaterial({0.5F, 0.5F, 0.5F}));
+  both.objects.push_back(scene.objects[0]);
+  // A third of its edge above, facing down; the camera looks from below it.
+  constexpr float above = 2 * halfEdgeMm / 3;
+  Mesh& mesh = both.objects[1].mesh;
+  for (std::size_t v = 0; v < mesh.positionsMm.size(); ++v) {
+    mesh.positionsMm[v][2] = above;
+    mesh.normals[v] = {0, 0, -1};
+  }
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  both.camera.positionMm = {0, 0, 0.99F * above};
+  both.camera.verticalFovDegrees = 10;
+  // Of a square plate over the middle of another (Howell, B-4, four times).
+  const double x = static_cast<double>(halfEdgeMm / above);
+  const double root = std::sqrt(1 + x * x);
+  const double factor = 4 * x / root * std::atan(x / root) / pi;
+  RenderOptions options = OpaqueTest::options();
+  options.bounces = 1;
+  const Vector found =
+      toVector(render(both, options, {Aov::Radiance})[0].pixel(edgePixels / 2, edgePixels / 2));
+  EXPECT_NEAR(found[0], 0.5 * factor * 2, 0.03 * factor);
+  EXPECT_NEAR(found[2], 0.5 * factor * 0.5, 0.01 * factor);
+}
+
+TEST_F(OpaqueTest, UnlitIsItsColourWhateverTheLight) {
+  OpaqueMaterial material;
+  material.baseColor = {0.3F, 0.6F, 0.9F};
+  material.unlit = true;
+  Scene scene = squareOf(material);
+  scene.lighting.directional.push_back({{0, 0, 1}, {50, 50, 50}});
+  const Vector found = radianceAt(scene, 5, 5);
+  EXPECT_NEAR(found[0], 0.3, 1e-4);
+  EXPECT_NEAR(found[2], 0.9, 1e-4);
+}
+
+}  // namespace
+}  // namespace opaline

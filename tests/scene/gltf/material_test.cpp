@@ -1,0 +1,141 @@
+#include <cmath>
+
+#include "core/image_file.h"
+#include "scene/gltf/gltf_fixture.h"
+#include "scene/mesh/tangents.h"
+
+namespace opaline {
+namespace {
+
+using test::Gltf;
+using test::Parts;
+using testing::Contains;
+using testing::HasSubstr;
+
+class GltfMaterial : public Gltf {
+ protected:
+  /// A tetrahedron whose positions are its texture coordinates and colours too.
+  static Parts parts(const std::string& material) {
+    Parts parts;
+    parts.meshes = R"({"primitives":[{"attributes":{"POSITION":0,"COLOR_0":0},"indices":1,)"
+                   R"("material":0}]})";
+    parts.more = R"(,"materials":[)" + material + "]";
+    return parts;
+  }
+};
+
+TEST_F(GltfMaterial, WithoutASignOfTranslucencyItIsOpaque) {
+  const Scene scene = load(
+      parts(R"({"name":"paint","emissiveFactor":[1,0.5,0],"alphaMode":"MASK","alphaCutoff":0.25,)"
+            R"("pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,1,0.75],"metallicFactor":0.5,)"
+            R"("roughnessFactor":0.75},"extensions":{"KHR_materials_ior":{"ior":1.25},)"
+            R"("KHR_materials_emissive_strength":{"emissiveStrength":4},)"
+            R"("KHR_materials_specular":{"specularFactor":0.5,"specularColorFactor":[1,2,3]}}})"));
+  ASSERT_TRUE(scene.objects[0].opaque);
+  const OpaqueMaterial& material = *scene.objects[0].opaque;
+  EXPECT_EQ(material.name, "paint");
+  EXPECT_EQ(material.baseColor, (Rgb{0.5F, 0.25F, 1}));
+  EXPECT_EQ(material.alpha, 0.75F);
+  EXPECT_EQ(material.alphaCutoff, 0.25F);
+  EXPECT_EQ(material.metallic, 0.5F);
+  EXPECT_EQ(material.roughness, 0.75F);
+  EXPECT_EQ(material.emission, (Rgb{4, 2, 0}));
+  EXPECT_EQ(material.ior, 1.25F);
+  EXPECT_EQ(material.specular, 0.5F);
+  EXPECT_EQ(material.specularColor, (Rgb{1, 2, 3}));
+  EXPECT_EQ(scene.objects[0].mesh.colors.size(), scene.objects[0].mesh.positionsMm.size());
+  EXPECT_TRUE(scene.notShown.empty());
+}
+
+TEST_F(GltfMaterial, WithoutAnyItIsMarble) {
+  Parts without = parts("");
+  without.meshes = R"({"primitives":[{"attributes":{"POSITION":0},"indices":1}]})";
+  const Scene scene = load(without);
+  EXPECT_FALSE(scene.objects[0].opaque);
+  EXPECT_EQ(scene.objects[0].medium.name, "marble");
+}
+
+// Flat triangles have vertices of their own; colours go with them.
+TEST_F(GltfMaterial, AttributesFollowTheirVertices) {
+  const Scene scene = load(parts(R"({"pbrMetallicRoughness":{"metallicFactor":0}})"));
+  const Mesh& mesh = scene.objects[0].mesh;
+  ASSERT_EQ(mesh.positionsMm.size(), 12U);
+  for (std::size_t v = 0; v < mesh.positionsMm.size(); ++v)
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(mesh.colors[v][c], mesh.positionsMm[v][c] / 1000);
+}
+
+TEST_F(GltfMaterial, OfAMediumByOptionAllButMetal) {
+  for (const bool metal : {false, true}) {
+    const Parts file =
+        parts(metal ? R"({"name":"steel"})" : R"({"pbrMetallicRoughness":{"metallicFactor":0}})");
+    LoadOptions options;
+    options.medium = Medium{"jelly", {1, 1, 1}, {0.1, 0.1, 0.1}, 1.3};
+    const Scene scene = loadBytes(test::glb(file.json(), test::tetrahedronBytes()), options);
+    EXPECT_EQ(scene.objects[0].opaque.has_value(), metal);
+  }
+}
+
+TEST_F(GltfMaterial, TexturesKeepWhatTheFileSaysOfThem) {
+  core::writePng(folder / "a b.png", {1, 1, {10, 20, 30, 255}});
+  const Scene scene =
+      load(parts(R"({"pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0,)"
+                 R"("texCoord":1,"extensions":{"KHR_texture_transform":{"offset":[0.25,0.5],)"
+                 R"("rotation":1.5707963267948966,"scale":[2,3]}}}}}],)"
+                 R"("textures":[{"source":0,"sampler":0}],"images":[{"uri":"a%20b.png"}],)"
+                 R"("samplers":[{"wrapS":33071,"wrapT":33648,"magFilter":9728}],"extras":[{})"));
+  ASSERT_TRUE(scene.objects[0].opaque->baseColorTexture);
+  const Texture& texture = *scene.objects[0].opaque->baseColorTexture;
+  EXPECT_EQ(texture.pixels->rgba[1], 20 * 257);
+  EXPECT_EQ(texture.coordinates, 1);
+  EXPECT_EQ(texture.wrapU, TextureWrap::ClampToEdge);
+  EXPECT_EQ(texture.wrapV, TextureWrap::MirroredRepeat);
+  EXPECT_FALSE(texture.interpolated);
+  // KHR_texture_transform: moved, turned, scaled, from the right.
+  const std::array<Vec3, 2> expected{{{0, 3, 0.25F}, {-2, 0, 0.5F}}};
+  for (std::size_t row = 0; row < 2; ++row)
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(texture.transform[row][i], expected[row][i], 1e-6);
+}
+
+TEST_F(GltfMaterial, PicturesThatCannotBeReadAreLeftOutAndNamed) {
+  test::writeBytes(folder / "bad.png", "no picture");
+  for (const std::string uri : {"missing.png", "bad.png", "../a.glb"}) {
+    notes.clear();
+    const Scene scene =
+        load(parts(R"({"pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":)"
+                   R"({"index":0}}}],"textures":[{"source":0}],"images":[{"uri":")" +
+                   uri + R"("}],"extras":[{})"));
+    EXPECT_FALSE(scene.objects[0].opaque->baseColorTexture);
+    EXPECT_THAT(notes, Contains(HasSubstr("a texture is left out"))) << uri;
+  }
+  EXPECT_THAT(errorOf(parts(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":7}}})")),
+              HasSubstr("texture 7 does not exist"));
+}
+
+// Two squares side by side, the second with its texture the other way round.
+TEST(Tangents, FollowTheTextureOnBothHands) {
+  Mesh mesh;
+  for (const float y : {0.0F, 1.0F})
+    for (const float x : {-1.0F, 0.0F, 1.0F}) {
+      mesh.positionsMm.push_back({x, y, 0});
+      mesh.normals.push_back({0, 0, 1});
+      mesh.textureCoordinates[0].push_back({std::abs(x), 1 - y});
+    }
+  mesh.triangles = {{1, 2, 4}, {2, 5, 4}, {0, 1, 3}, {1, 4, 3}};
+  const auto tangents = scene::tangentsOf(mesh, 0);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Triangle& t = mesh.triangles[i];
+    for (const Vec2& corner : tangents[i].corners) {
+      Vec3 along{};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        along[axis] = corner[0] * (mesh.positionsMm[t[1]][axis] - mesh.positionsMm[t[0]][axis]) +
+                      corner[1] * (mesh.positionsMm[t[2]][axis] - mesh.positionsMm[t[0]][axis]);
+      EXPECT_NEAR(along[0], i < 2 ? 1 : -1, 1e-6);
+      EXPECT_NEAR(along[1], 0, 1e-6);
+    }
+    EXPECT_EQ(tangents[i].side, i < 2 ? 1 : -1);
+  }
+}
+
+}  // namespace
+}  // namespace opaline
