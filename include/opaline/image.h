@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace opaline {
@@ -27,6 +29,15 @@ struct Image {
     return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                       static_cast<std::size_t>(x))];
   }
+};
+
+/// Pixels as a picture file stores them: R G B A in [0, 65535], rows from top to bottom. Without
+/// alpha in the file A is 65535.
+struct TexturePixels {
+  int width = 0;                    ///< in [1, 16384]
+  int height = 0;                   ///< in [1, 16384]
+  std::vector<std::uint16_t> rgba;  ///< 4 · width · height values
+  std::string name;                 ///< for whoever reads about it
 };
 
 }  // namespace opaline

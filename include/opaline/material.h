@@ -1,24 +1,14 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "opaline/image.h"
 #include "opaline/types.h"
 
 namespace opaline {
-
-/// Pixels as a picture file stores them: R G B A in [0, 65535], rows from top to bottom. Without
-/// alpha in the file A is 65535.
-struct TexturePixels {
-  int width = 0;                    ///< in [1, 16384]
-  int height = 0;                   ///< in [1, 16384]
-  std::vector<std::uint16_t> rgba;  ///< 4 · width · height values
-  std::string name;                 ///< for whoever reads about it
-};
 
 /// How a texture goes on outside of [0, 1].
 enum class TextureWrap { Repeat, MirroredRepeat, ClampToEdge };

@@ -18,4 +18,22 @@ struct Medium {
 /// Why the medium cannot be rendered, as a sentence; empty if it can.
 std::string complaintAbout(const Medium& medium);
 
+/// A medium by what is seen of it.
+struct Appearance {
+  /// Share of the light that entered which leaves again, of a thick body in even light, in [0, 1].
+  std::array<double, 3> color{0.8, 0.8, 0.8};
+  std::array<double, 3> meanFreePathMm{1, 1, 1};  ///< 1/σ_t, in [1e-6, 1e6]
+  double g = 0;                                   ///< mean cosine of scattering, in [-0.99, 0.99]
+  double eta = 1.4;                               ///< in [1.01, 1.6]
+
+  bool operator==(const Appearance&) const = default;
+};
+
+/// Why no medium looks like that, as a sentence; empty if one does.
+std::string complaintAbout(const Appearance& appearance);
+
+/// The medium that looks like that, by a fit to diffusion with Fresnel's boundary whose colours are
+/// right within 0.003.
+Medium mediumOf(const Appearance& appearance);
+
 }  // namespace opaline

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "opaline/material.h"
+#include "opaline/image.h"
 
 namespace opaline::core {
 

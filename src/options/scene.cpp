@@ -31,6 +31,19 @@ const std::vector<Field<Medium>>& fieldsOf() {
 }
 
 template <>
+const std::vector<Field<Appearance>>& fieldsOf() {
+  static const std::vector<Field<Appearance>> table{
+      field<Appearance, &Appearance::color>("color", {share},
+                                            "share of the light that entered which leaves again"),
+      field<Appearance, &Appearance::meanFreePathMm>("mean_free_path_mm", {{1e-6, 1e6, "mm"}},
+                                                     "of light in the medium"),
+      field<Appearance, &Appearance::g>("g", {{-0.99, 0.99}}, "mean cosine of scattering"),
+      field<Appearance, &Appearance::eta>("eta", {{1.01, 1.6}}, "index of refraction"),
+  };
+  return table;
+}
+
+template <>
 const std::vector<Field<LoadOptions>>& fieldsOf() {
   static const std::vector<Field<LoadOptions>> table{
       field<LoadOptions, &LoadOptions::diagonalMm>("diagonal_mm", {{1e-6, 1e9, "mm"}},
@@ -210,6 +223,10 @@ bool isFinite(const Vec3& v) {
 
 std::string complaintAbout(const Medium& medium) {
   return options::complaintAboutFields(medium);
+}
+
+std::string complaintAbout(const Appearance& appearance) {
+  return options::complaintAboutFields(appearance);
 }
 
 std::string complaintAbout(const OpaqueMaterial& material) {

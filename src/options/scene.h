@@ -18,6 +18,8 @@ const std::vector<Field<Camera>>& fieldsOf();
 template <>
 const std::vector<Field<OpaqueMaterial>>& fieldsOf();
 template <>
+const std::vector<Field<Appearance>>& fieldsOf();
+template <>
 const std::vector<Field<Ground>>& fieldsOf();
 template <>
 const std::vector<Field<DirectionalLight>>& fieldsOf();

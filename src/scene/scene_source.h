@@ -9,6 +9,7 @@
 
 #include "opaline/scene.h"
 #include "opaline/types.h"
+#include "options/scene.h"
 
 namespace opaline::scene {
 
@@ -38,11 +39,22 @@ struct ModelSource {
   bool isBuiltIn() const { return file.string().starts_with("builtin:"); }
 };
 
+/// What a scene file says of a material.
+struct MaterialSource {
+  bool isOpaque = false;
+  std::optional<std::string> medium;  ///< of a translucent one its name, else its appearance
+  options::Chosen<Appearance> appearance;
+  options::Chosen<OpaqueMaterial> opaque;
+  std::map<std::string, std::filesystem::path> textures;  ///< by key
+};
+
 /// The files a scene was made of and what was done to them. Paths are absolute.
 struct SceneSource {
   std::optional<std::filesystem::path> sceneFile;  ///< the .toml that says all of this
   std::vector<ModelSource> models;                 ///< at least one
   std::map<std::string, Placement> placements;  ///< by the object's name; others stand as they are
+  std::map<std::string, MaterialSource> materials;
+  std::map<std::string, std::string> materialOfObject;  ///< by the object's name, where one is said
   std::optional<EnvironmentFile> environment;
 };
 

@@ -13,7 +13,7 @@ from program import COMMANDS, ProgramTest
 NEEDS_A_DISPLAY = "display"
 MODELS = ("bunny.ply", "bunny_closed.ply", "bunny_egg_a.ply", "bunny_egg_b.ply", "duck.ply", "ball.ply")
 ENVIRONMENTS = ("venice_sunset_1k.hdr",)
-ANIMATED = ("walker.glb", "CesiumMan.glb", "models/duck.glb")
+ANIMATED = ("walker.glb", "CesiumMan.glb", "models/duck.glb", "materials/CandleTable.glb")
 
 
 def ball(across=1.0):
@@ -144,6 +144,7 @@ class Documents(ProgramTest):
             self.write(name, ply(1.2 if name == "bunny_egg_b.ply" else 1.0))
         for name in ENVIRONMENTS:
             self.write(name, sky_hdr())
+        (self.folder / "materials").mkdir()
         for name in ANIMATED:
             self.write(name, walking_glb())
 

@@ -56,6 +56,11 @@ class Keys(ProgramTest):
         # And what is named in a file.
         self.write("named.obj", "o pot\nusemtl glaze\n" + CUBE_OBJ)
         found |= keys(self.printed("info", "named.obj"))
+        # And materials with textures.
+        self.succeed("render", *SCENE, "--size", "8x8", "-o", "grey.png")
+        self.write("painted.toml", 'model = "named.obj"\n[materials.paint]\nkind = "opaque"\n'
+                   'base_color_texture = "grey.png"\n[objects.pot]\nmaterial = "paint"\n')
+        found |= keys(self.printed("info", "painted.toml"))
         self.expect("info", without_medium(found, "objects[].medium"))
 
     def test_media_and_profile(self):

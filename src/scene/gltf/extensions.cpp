@@ -13,12 +13,13 @@ namespace opaline::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 13> read{"EXT_mesh_gpu_instancing",
+constexpr std::array<std::string_view, 14> read{"EXT_mesh_gpu_instancing",
                                                 "EXT_meshopt_compression",
                                                 "KHR_draco_mesh_compression",
                                                 "KHR_lights_punctual",
                                                 "KHR_materials_emissive_strength",
                                                 "KHR_materials_ior",
+                                                "KHR_materials_scatter",
                                                 "KHR_materials_specular",
                                                 "KHR_materials_unlit",
                                                 "KHR_materials_volume",
@@ -27,7 +28,7 @@ constexpr std::array<std::string_view, 13> read{"EXT_mesh_gpu_instancing",
                                                 "KHR_meshopt_compression",
                                                 "KHR_texture_transform"};
 
-constexpr std::array<std::string_view, 19> appearance{"EXT_texture_avif",
+constexpr std::array<std::string_view, 18> appearance{"EXT_texture_avif",
                                                       "EXT_texture_webp",
                                                       "KHR_materials_anisotropy",
                                                       "KHR_materials_clearcoat",
@@ -35,7 +36,6 @@ constexpr std::array<std::string_view, 19> appearance{"EXT_texture_avif",
                                                       "KHR_materials_dispersion",
                                                       "KHR_materials_iridescence",
                                                       "KHR_materials_pbrSpecularGlossiness",
-                                                      "KHR_materials_scatter",
                                                       "KHR_materials_sheen",
                                                       "KHR_materials_subsurface",
                                                       "KHR_materials_transmission",

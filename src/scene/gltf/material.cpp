@@ -87,7 +87,7 @@ std::set<int> GltfMaterials::opaque() const {
 
 GltfSurface GltfMaterials::surface(int material, std::string_view meshName,
                                    std::string_view nodeName) {
-  if (auto medium = gltfMedium(input_, model_, material, meshName, nodeName))
+  if (auto medium = gltfMedium(input_, model_, material, meshName, nodeName, textures_))
     return {std::move(*medium), std::nullopt};
   if (material < 0) return {defaultMedium(), std::nullopt};
   auto known = opaque_.find(material);

@@ -8,6 +8,7 @@
 #include "bssrdf/media.h"
 #include "bssrdf/profile.h"
 #include "scene/gltf/json.h"
+#include "scene/material.h"
 #include "scene/text.h"
 
 namespace opaline::scene {
@@ -46,41 +47,47 @@ double albedoOf(double reflectance, double eta) {
 }
 
 /// KHR_materials_volume: light falls to attenuationColor after attenuationDistance metres, which is
-/// exp(-σ_t d); KHR_materials_volume_scatter: multiscatterColorFactor, multiscatterColor in older
-/// files, is the diffuse reflectance, and scatterAnisotropy the g of the phase function.
+/// exp(-σ_t d).
 struct Volume {
   double attenuationDistance;
   Numbers3 attenuationColor;
-  Numbers3 multiscatterColor;
-  double anisotropy;
+  GltfScattering scattering;
 };
 
 std::optional<Volume> volumeOf(const tinygltf::Material& material) {
   const tinygltf::Value& volume = gltfExtension(material, "KHR_materials_volume");
-  const tinygltf::Value& scatter = gltfExtension(material, "KHR_materials_volume_scatter");
   const auto distance = gltfNumber(volume, "attenuationDistance");
   const auto attenuation = gltfNumbers<3>(volume, "attenuationColor");
-  // A texture's colours are not read, and the factor alone would be white.
-  if (scatter.Has("multiscatterColorTexture")) return std::nullopt;
-  auto reflectance = gltfNumbers<3>(scatter, "multiscatterColorFactor");
-  if (!reflectance) reflectance = gltfNumbers<3>(scatter, "multiscatterColor");
-  const double anisotropy = gltfNumber(scatter, "scatterAnisotropy").value_or(0);
-  if (!distance || !attenuation || !reflectance || !(*distance > 0)) return std::nullopt;
-  return Volume{*distance, *attenuation, *reflectance, std::clamp(anisotropy, -0.99, 0.99)};
+  const std::optional<GltfScattering> scattering = gltfScattering(material);
+  if (!distance || !attenuation || !scattering || !(*distance > 0)) return std::nullopt;
+  return Volume{*distance, *attenuation, *scattering};
 }
 
-std::optional<Medium> fromVolume(const tinygltf::Material& material) {
+/// A texture of colours counts by its mean.
+Numbers3 reflectanceOf(const GltfScattering& scattering, GltfTextures& textures) {
+  Numbers3 reflectance = scattering.color;
+  if (!scattering.texture) return reflectance;
+  const std::optional<Texture> texture = textures.texture(*scattering.texture);
+  if (!texture) return reflectance;
+  const Rgb mean = meanColor(*texture->pixels);
+  for (std::size_t c = 0; c < 3; ++c) reflectance[c] *= double{mean[c]};
+  return reflectance;
+}
+
+std::optional<Medium> fromVolume(const tinygltf::Material& material, GltfTextures& textures) {
   const std::optional<Volume> volume = volumeOf(material);
   if (!volume) return std::nullopt;
   Medium medium;
   medium.name = cleanText(material.name);
   medium.eta = etaOf(material);
+  const Numbers3 reflectance = reflectanceOf(volume->scattering, textures);
   for (std::size_t c = 0; c < 3; ++c) {
     const double left = std::clamp(volume->attenuationColor[c], 1e-6, 0.9999);
     const double extinctionPerMm = -std::log(left) / (1000 * volume->attenuationDistance);
-    const double albedo = albedoOf(std::clamp(volume->multiscatterColor[c], 0.0, 1.0), medium.eta);
+    const double albedo = albedoOf(std::clamp(reflectance[c], 0.0, 1.0), medium.eta);
     // σ_t = σ_s' / (1 - g) + σ_a, with σ_s' = α' σ_t'.
-    const double reducedPerMm = extinctionPerMm / (albedo / (1 - volume->anisotropy) + 1 - albedo);
+    const double reducedPerMm =
+        extinctionPerMm / (albedo / (1 - volume->scattering.anisotropy) + 1 - albedo);
     medium.sigmaSPrimePerMm[c] = albedo * reducedPerMm;
     medium.sigmaAPerMm[c] = (1 - albedo) * reducedPerMm;
   }
@@ -88,6 +95,21 @@ std::optional<Medium> fromVolume(const tinygltf::Material& material) {
 }
 
 }  // namespace
+
+std::optional<GltfScattering> gltfScattering(const tinygltf::Material& material) {
+  const tinygltf::Value* scatter = &gltfExtension(material, "KHR_materials_volume_scatter");
+  const tinygltf::Value& later = gltfExtension(material, "KHR_materials_scatter");
+  const bool letsIn = material.extensions.contains("KHR_materials_transmission");
+  if (letsIn && gltfNumber(later, "scatterStrengthFactor").value_or(0) > 0) scatter = &later;
+  std::optional<Numbers3> color = gltfNumbers<3>(*scatter, "multiscatterColorFactor");
+  if (!color) color = gltfNumbers<3>(*scatter, "multiscatterColor");
+  const bool textured = scatter->Has("multiscatterColorTexture");
+  if (!color && !textured && scatter != &later) return std::nullopt;
+  GltfScattering found{.color = color.value_or(Numbers3{1, 1, 1})};
+  found.anisotropy = std::clamp(gltfNumber(*scatter, "scatterAnisotropy").value_or(0), -0.99, 0.99);
+  if (textured) found.texture = scatter->Get("multiscatterColorTexture");
+  return found;
+}
 
 bool saysMediumByVolume(const tinygltf::Material& material) {
   return volumeOf(material).has_value();
@@ -109,7 +131,8 @@ bool letsLightThrough(const tinygltf::Material& material) {
 }  // namespace
 
 std::optional<Medium> gltfMedium(const Input& input, const tinygltf::Model& model, int material,
-                                 std::string_view meshName, std::string_view nodeName) {
+                                 std::string_view meshName, std::string_view nodeName,
+                                 GltfTextures& textures) {
   const tinygltf::Material none;
   if (material != -1 &&
       (material < 0 || static_cast<std::size_t>(material) >= model.materials.size())) {
@@ -121,7 +144,7 @@ std::optional<Medium> gltfMedium(const Input& input, const tinygltf::Model& mode
   for (const std::string_view name : {std::string_view(of.name), meshName, nodeName}) {
     if (!medium && !name.empty()) medium = bssrdf::findMedium(name);
   }
-  if (!medium) medium = fromVolume(of);
+  if (!medium) medium = fromVolume(of, textures);
   if (!medium && letsLightThrough(of)) return defaultMedium();
   if (!medium) return std::nullopt;
   const std::string complaint = complaintAbout(*medium);

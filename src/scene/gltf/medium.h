@@ -1,22 +1,34 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
 #include "opaline/medium.h"
-#include "scene/gltf/file.h"
+#include "scene/gltf/textures.h"
 
 namespace opaline::scene {
 
+/// What KHR_materials_volume_scatter says of a material, or its successor KHR_materials_scatter
+/// where that scatters at all: multiscatterColorFactor, multiscatterColor in older files, is the
+/// diffuse reflectance, and scatterAnisotropy the g of the phase function.
+struct GltfScattering {
+  std::array<double, 3> color{1, 1, 1};
+  double anisotropy = 0;
+  std::optional<tinygltf::Value> texture{};  ///< as JSON; its colours multiply the color
+};
+std::optional<GltfScattering> gltfScattering(const tinygltf::Material& material);
+
 /// The medium of a primitive, from the first of these that there is: measured coefficients in the
 /// material's extras (sigma_s_prime_per_mm, sigma_a_per_mm, eta); a material, mesh or node named
-/// like a medium; KHR_materials_volume_scatter with KHR_materials_volume; marble, if it lets light
+/// like a medium; gltfScattering() with KHR_materials_volume; marble, if it lets light
 /// through in some other way. None if nothing says so. Throws Error for a material that does not
 /// exist.
 std::optional<Medium> gltfMedium(const Input& input, const tinygltf::Model& model, int material,
-                                 std::string_view meshName, std::string_view nodeName);
+                                 std::string_view meshName, std::string_view nodeName,
+                                 GltfTextures& textures);
 
-/// Whether KHR_materials_volume_scatter and KHR_materials_volume say together what it is of.
+/// Whether these two say together what it is of.
 bool saysMediumByVolume(const tinygltf::Material& material);
 
 }  // namespace opaline::scene

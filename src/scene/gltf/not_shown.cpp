@@ -28,7 +28,13 @@ bool isBlack(const std::vector<double>& factor) {
 
 /// Whether the object's medium comes of these extensions.
 bool isRead(const tinygltf::Material& material, std::string_view extension) {
-  if (extension == "KHR_materials_volume" || extension == "KHR_materials_volume_scatter") {
+  if (extension == "KHR_materials_volume" || extension == "KHR_materials_volume_scatter" ||
+      extension == "KHR_materials_scatter") {
+    return saysMediumByVolume(material);
+  }
+  // What goes through a medium goes through it by scattering.
+  if (extension == "KHR_materials_transmission" ||
+      extension == "KHR_materials_diffuse_transmission") {
     return saysMediumByVolume(material);
   }
   return kindOf(extension) == GltfExtension::Read;
@@ -49,6 +55,8 @@ HiddenParts partsOf(const tinygltf::Material& material) {
 void addMaterial(const tinygltf::Material& material, bool isTranslucent, const std::string& name,
                  std::vector<NotShown>& to) {
   if (isTranslucent) addNotShown(to, partsOf(material), name);
+  if (const auto scattering = gltfScattering(material); scattering && scattering->texture)
+    addNotShown(to, "colour textures of media, but for their mean", name);
   // Its surface ends where it is less there than not.
   if (material.alphaMode == "BLEND") addNotShown(to, "blended alpha", name);
   for (const auto& [extension, value] : material.extensions) {

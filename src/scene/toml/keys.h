@@ -11,15 +11,32 @@ namespace opaline::scene::keys {
 template <std::size_t count>
 using Keys = std::array<std::string_view, count>;
 
-inline constexpr Keys<13> root{"model",    "diagonal_mm", "medium", "media",       "objects",
-                               "lights",   "models",      "camera", "environment", "render",
-                               "morph_to", "deform",      "ground"};
+inline constexpr Keys<14> root{"model",     "diagonal_mm", "medium", "media",  "objects",
+                               "materials", "lights",      "models", "camera", "environment",
+                               "render",    "morph_to",    "deform", "ground"};
 inline constexpr Keys<2> ground{"color", "height_mm"};
 inline constexpr Keys<8> model{"file",      "diagonal_mm",    "morph_to",         "medium",
                                "transform", "translation_mm", "rotation_degrees", "scale"};
 inline constexpr Keys<4> medium{"measured", "sigma_s_per_mm", "sigma_a_per_mm", "eta"};
-inline constexpr Keys<5> object{"medium", "transform", "translation_mm", "rotation_degrees",
-                                "scale"};
+inline constexpr Keys<17> material{"kind",
+                                   "medium",
+                                   "color",
+                                   "color_texture",
+                                   "mean_free_path_mm",
+                                   "g",
+                                   "eta",
+                                   "base_color",
+                                   "base_color_texture",
+                                   "metallic",
+                                   "roughness",
+                                   "metallic_roughness_texture",
+                                   "specular",
+                                   "normal_texture",
+                                   "occlusion_texture",
+                                   "emission",
+                                   "emission_texture"};
+inline constexpr Keys<6> object{"medium",         "material",         "transform",
+                                "translation_mm", "rotation_degrees", "scale"};
 inline constexpr Keys<3> deform{"kind", "amount", "period_seconds"};
 inline constexpr Keys<3> directional{"type", "direction_to_light", "irradiance"};
 inline constexpr Keys<3> point{"type", "position_mm", "intensity"};

@@ -23,6 +23,8 @@
 #include "scene/text.h"
 #include "scene/toml/keys.h"
 #include "scene/toml/lights.h"
+#include "scene/toml/materials.h"
+#include "scene/toml/paths.h"
 #include "scene/toml/placement.h"
 #include "scene/toml/reader.h"
 #include "scene/toml/settings.h"
@@ -41,17 +43,13 @@ struct Assembly {
   std::vector<Repair> repairs{};
   std::optional<MeshFiles> meshes{};  ///< where the model is a sequence
   std::map<std::string, Medium, std::less<>> media{};
+  std::map<std::string, TomlMaterial> materials{};
   std::vector<double> modelDiagonalsMm{};  ///< before anything is placed
   Vec3 centre{};
   /// How far a built-in scene's own camera stands from its target.
   std::optional<double> builtInDistanceDiagonals{};
   std::optional<Ground> ground{};  ///< its height from the centre
 };
-
-std::filesystem::path beside(const std::filesystem::path& file, const std::string& name) {
-  const std::filesystem::path path(name);
-  return path.is_absolute() ? path : file.parent_path() / path;
-}
 
 /// Nesting that toml++ would follow with recursion of its own.
 void requireShallow(const std::filesystem::path& file, std::string_view text) {
@@ -211,6 +209,19 @@ void loadModels(const TomlTable& root, Assembly& to) {
   if (tables.size() > 1) to.builtInDistanceDiagonals.reset();
 }
 
+/// None where the table says none.
+std::optional<std::pair<std::string, TomlMaterial>> materialNamed(const TomlTable& table,
+                                                                  const Assembly& from) {
+  const auto name = table.text("material");
+  if (!name) return std::nullopt;
+  if (table.has("medium")) table.fail("material", "cannot stand beside 'medium'");
+  const auto found = from.materials.find(*name);
+  if (found == from.materials.end())
+    table.fail("material",
+               fmt::format("names '{}', which is not under [materials]", cleanText(*name, 60)));
+  return *found;
+}
+
 void readObjects(const TomlTable& root, Assembly& to) {
   const auto objects = root.table("objects");
   if (!objects) return;
@@ -226,8 +237,14 @@ void readObjects(const TomlTable& root, Assembly& to) {
     const auto medium = table.text("medium");
     const std::optional<Placement> placement = readPlacement(table);
     if (placement) to.source.placements.emplace(name, *placement);
+    const auto material = materialNamed(table, to);
+    if (material) to.source.materialOfObject.emplace(name, material->first);
     for (RawObject& object : to.scene.objects) {
       if (object.name != name) continue;
+      if (material) {
+        object.opaque = material->second.opaque;
+        object.medium = material->second.medium;
+      }
       if (medium) {
         object.medium = mediumNamed(table, "medium", *medium, to);
         object.opaque.reset();
@@ -235,6 +252,15 @@ void readObjects(const TomlTable& root, Assembly& to) {
       if (placement) place(object, *placement, table);
     }
   }
+}
+
+void loadMaterials(const TomlTable& root, Assembly& to) {
+  to.materials = readMaterials(
+      root, to.file, [&](const TomlTable& table, std::string_view key, const std::string& name) {
+        return mediumNamed(table, key, name, to);
+      });
+  for (const auto& [name, material] : to.materials)
+    to.source.materials.emplace(name, material.source);
 }
 
 void readDeformers(const TomlTable& root, Assembly& to) {
@@ -346,6 +372,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   Assembly assembly{file, options};
   assembly.source.sceneFile = file;
   readMedia(root, assembly);
+  loadMaterials(root, assembly);
   loadModels(root, assembly);
   readObjects(root, assembly);
   readDeformers(root, assembly);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -178,25 +179,43 @@ std::map<std::string, std::string> mediaOfObjects(const SceneDescription& scene,
   return media;
 }
 
+void addMaterials(const SceneDescription& scene, const fs::path& file, Text& to) {
+  for (const auto& [name, material] : scene.source.materials) {
+    to.header(fmt::format("[materials.{}]", toml_text::key(name, "the material")));
+    to.text("kind", material.isOpaque ? "opaque" : "translucent");
+    if (material.medium) to.text("medium", *material.medium);
+    to.fields(material.appearance);
+    to.fields(material.opaque);
+    for (const auto& [key, texture] : material.textures) to.text(key, written(texture, file));
+  }
+}
+
 void addObjects(const SceneDescription& scene, Text& to) {
   const MediaNames names(scene);
   const std::map<std::string, std::string> media = mediaOfObjects(scene, names);
-  const bool alike = std::all_of(media.begin(), media.end(), [&](const auto& entry) {
-    return entry.second == media.begin()->second;
-  });
+  const bool alike =
+      scene.mediaOfAll && std::all_of(media.begin(), media.end(), [&](const auto& entry) {
+        return entry.second == media.begin()->second;
+      });
   if (alike && !media.empty()) to.text("medium", media.begin()->second);
   for (const auto& [name, medium] : names.all()) {
     if (isKnown(name, medium)) continue;
     to.header(fmt::format("[media.{}]", toml_text::key(name, "the medium")));
     to.fields(options::chosenIn(medium));
   }
-  for (const auto& [object, medium] : media) {
-    const auto placement = scene.source.placements.find(object);
-    const bool isPlaced = placement != scene.source.placements.end();
-    if (alike && !isPlaced) continue;
+  std::set<std::string> said;
+  if (!alike)
+    for (const auto& [object, medium] : media) said.insert(object);
+  for (const auto& [object, placement] : scene.source.placements) said.insert(object);
+  for (const auto& [object, material] : scene.source.materialOfObject) said.insert(object);
+  for (const std::string& object : said) {
     to.header(fmt::format("[objects.{}]", toml_text::key(object, "the object")));
-    if (!alike) to.text("medium", medium);
-    if (isPlaced) addPlacement(placement->second, to);
+    if (const auto medium = media.find(object); !alike && medium != media.end())
+      to.text("medium", medium->second);
+    const auto material = scene.source.materialOfObject.find(object);
+    if (material != scene.source.materialOfObject.end()) to.text("material", material->second);
+    const auto placement = scene.source.placements.find(object);
+    if (placement != scene.source.placements.end()) addPlacement(placement->second, to);
   }
 }
 
@@ -321,6 +340,15 @@ void addSettings(const SceneFileSettings& settings, Text& to) {
   to.fields(options::chosenIn(settings.named));
 }
 
+/// Whether it is still of the material that the scene file gave it.
+bool isOfItsMaterial(const Object& object, const SceneSource& source) {
+  const auto name = source.materialOfObject.find(object.name);
+  if (name == source.materialOfObject.end()) return false;
+  if (object.opaque) return true;
+  const MaterialSource& material = source.materials.at(name->second);
+  return !material.isOpaque && object.medium.name == material.medium.value_or(name->second);
+}
+
 }  // namespace
 
 SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSettings settings) {
@@ -336,7 +364,12 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
     description.ground = {ground->opaque->baseColor,
                           ground->mesh.positionsMm[0][1] - description.centreMm[1]};
   for (const Object& object : scene.objects) {
-    if (object.opaque) continue;  // the model's file says what it is
+    if (object.isGround) continue;
+    // What is opaque is so by the model's file or by a material.
+    const bool named = isOfItsMaterial(object, description.source);
+    if (!named) description.source.materialOfObject.erase(object.name);
+    description.mediaOfAll = description.mediaOfAll && !named && !object.opaque;
+    if (named || object.opaque) continue;
     description.media.push_back({object.name, object.medium});
   }
   description.directional = lighting.directional;
@@ -360,6 +393,7 @@ fs::path writeScene(const core::Target& target, const SceneDescription& descript
   const std::vector<ModelSource>& models = description.source.models;
   if (!needTables(models)) addModel(models.front(), "model", file, text);
   addObjects(description, text);
+  addMaterials(description, file, text);
   if (needTables(models)) addModels(models, file, text);
   addLighting(description, file, text);
   addCamera(description, text);

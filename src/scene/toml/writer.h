@@ -22,7 +22,8 @@ struct SceneDescription {
   /// The middle of the box around all objects in the rest pose, mm: what the file counts places
   /// from.
   Vec3 centreMm{};
-  std::vector<ObjectMedium> media;  ///< of every object
+  std::vector<ObjectMedium> media;  ///< of every translucent object without a material
+  bool mediaOfAll = true;           ///< there are no others
   std::vector<DirectionalLight> directional;
   std::vector<PointLight> points;
   std::vector<SpotLight> spots;

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "bssrdf/media.h"
+#include "core/image_file.h"
 #include "opaline/error.h"
 #include "scene/gltf/glb.h"
 #include "scene/random_scene.h"
@@ -241,6 +242,7 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   want("models.", scene::keys::model);
   want("media.", scene::keys::medium);
   want("objects.", scene::keys::object);
+  want("materials.", scene::keys::material);
   want("deform.", scene::keys::deform);
   want("lights.", scene::keys::directional);
   want("lights.", scene::keys::point);
@@ -263,18 +265,86 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   std::set<std::string> found;
   scene::LoadedScene loaded = random(2);
   loaded.scene.objects.push_back(groundUnder(loaded.scene));
+  loaded.source.materials["clay"].isOpaque = true;
+  loaded.source.materials["clay"].opaque = options::chosenIn(OpaqueMaterial{});
+  for (const char* key : {"color_texture", "base_color_texture", "metallic_roughness_texture",
+                          "normal_texture", "occlusion_texture", "emission_texture"})
+    loaded.source.materials["clay"].textures[key] = model();
+  loaded.source.materials["jelly"].appearance = options::chosenIn(Appearance{});
+  loaded.source.materials["wax"].medium = "marble";
+  loaded.scene.objects[2].opaque = OpaqueMaterial{};
+  loaded.source.materialOfObject[loaded.scene.objects[2].name] = "clay";
   loaded.source.models[0].diagonalMm = 5;
   loaded.source.models[0].morphTo = model();
   loaded.source.placements[names[0]].rows = {{1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
   loaded.source.placements[names[1]] = {{}, {1, 2, 3}, {4, 5, 6}, 7};
   collect(toml::parse(written(loaded)), "", found);
   for (Object& object : loaded.scene.objects) object.medium = loaded.scene.objects[1].medium;
+  loaded.scene.objects[2].opaque.reset();
+  loaded.source.materialOfObject.clear();
   collect(toml::parse(written(loaded)), "", found);
   scene::ModelSource& model = loaded.source.models.front();
   model.placement = loaded.source.placements[names[0]];
   loaded.source.models.push_back({model.file, {}, {}, loaded.source.placements[names[1]]});
   collect(toml::parse(written(loaded)), "", found);
   EXPECT_EQ(found, wanted);
+}
+
+TEST_F(SceneWriter, MaterialsComeBack) {
+  core::writePng(folder / "grey.png", {1, 1, {188, 188, 188, 255}});
+  test::writeBytes(file(), R"(
+model = "../../models/cubes.glb"
+[materials.brass]
+kind = "opaque"
+base_color = [0.9, 0.7, 0.3]
+metallic = 1
+roughness = 0.25
+base_color_texture = "../../grey.png"
+[materials.jelly]
+kind = "translucent"
+color = [0.9, 0.5, 0.1]
+mean_free_path_mm = 2
+eta = 1.5
+[materials.cheese]
+kind = "translucent"
+color_texture = "../../grey.png"
+mean_free_path_mm = [1, 2, 4]
+)"
+                           "[objects.plain]\nmaterial = \"brass\"\n[objects.\"" +
+                               escaped(names[1]) + "\"]\nmaterial = \"jelly\"\n");
+  const scene::LoadedScene first = back();
+  const Scene& scene = first.scene;
+  ASSERT_TRUE(scene.objects[0].opaque);
+  EXPECT_EQ(scene.objects[0].opaque->baseColor, (Rgb{0.9F, 0.7F, 0.3F}));
+  EXPECT_EQ(scene.objects[0].opaque->roughness, 0.25F);
+  EXPECT_EQ(scene.objects[0].opaque->baseColorTexture->pixels->rgba[0], 188 * 257);
+  const Appearance jelly{{0.9, 0.5, 0.1}, {2, 2, 2}, 0, 1.5};
+  EXPECT_EQ(scene.objects[1].medium.sigmaAPerMm, mediumOf(jelly).sigmaAPerMm);
+  written(first);
+  const scene::LoadedScene second = back();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = second.scene.objects[i];
+    EXPECT_EQ(object.medium, scene.objects[i].medium);
+    ASSERT_EQ(object.opaque.has_value(), scene.objects[i].opaque.has_value());
+    if (object.opaque) {
+      EXPECT_EQ(object.opaque->baseColor, scene.objects[i].opaque->baseColor);
+    }
+  }
+}
+
+TEST_F(SceneWriter, MaterialsThatMakeNoSenseAreErrors) {
+  const auto complaint = [&](const std::string& material) {
+    test::writeBytes(file(),
+                     "model = \"../../models/cubes.glb\"\n[materials.a]\n" + material + "\n");
+    return test::messageOf([&] { back(); });
+  };
+  EXPECT_THAT(complaint("base_color = 1"), HasSubstr("no 'kind'"));
+  EXPECT_THAT(complaint("kind = \"opaque\"\ncolor = 1"), HasSubstr("'color'"));
+  EXPECT_THAT(complaint("kind = \"translucent\"\nmetallic = 1"), HasSubstr("'metallic'"));
+  EXPECT_THAT(complaint("kind = \"translucent\""), HasSubstr("needs 'medium'"));
+  EXPECT_THAT(complaint("kind = \"translucent\"\nmedium = \"marbel\""), HasSubstr("marbel"));
+  EXPECT_THAT(complaint("kind = \"opaque\"\nnormal_texture = \"none.png\""), HasSubstr("none.png"));
+  EXPECT_THAT(complaint("kind = \"opaque\"\nroughness = 2"), HasSubstr("roughness"));
 }
 
 TEST(SceneKeys, AreAllInTheDocument) {
@@ -291,6 +361,7 @@ TEST(SceneKeys, AreAllInTheDocument) {
   expectAll(scene::keys::model);
   expectAll(scene::keys::medium);
   expectAll(scene::keys::object);
+  expectAll(scene::keys::material);
   expectAll(scene::keys::deform);
   expectAll(scene::keys::directional);
   expectAll(scene::keys::point);

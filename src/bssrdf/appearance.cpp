@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "opaline/medium.h"
+
+namespace opaline {
+
+namespace {
+
+// Of a half-space in even light the share C of what entered leaves again, with s = √(1 - α'):
+// C = (1 - s)(1 - b s) / (1 + c s).
+struct Fit {
+  double eta;
+  double b;
+  double c;
+};
+constexpr std::array<Fit, 6> fits{{{1.0, 0.100, 1.217},
+                                   {1.2, 0.410, 2.153},
+                                   {1.3, 0.450, 2.825},
+                                   {1.4, 0.480, 3.569},
+                                   {1.5, 0.500, 4.398},
+                                   {1.6, 0.520, 5.293}}};
+
+Fit fitAt(double eta) {
+  std::size_t above = 1;
+  while (above + 1 < fits.size() && fits[above].eta < eta) ++above;
+  const Fit& low = fits[above - 1];
+  const Fit& high = fits[above];
+  const double part = std::clamp((eta - low.eta) / (high.eta - low.eta), 0.0, 1.0);
+  return {eta, std::lerp(low.b, high.b, part), std::lerp(low.c, high.c, part)};
+}
+
+}  // namespace
+
+Medium mediumOf(const Appearance& appearance) {
+  const Fit fit = fitAt(appearance.eta);
+  Medium medium;
+  medium.eta = appearance.eta;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const double color = std::clamp(appearance.color[channel], 0.0, 1.0);
+    const double sum = 1 + fit.b + fit.c * color;
+    const double s = (sum - std::sqrt(sum * sum - 4 * fit.b * (1 - color))) / (2 * fit.b);
+    const double albedo = (1 - s * s) / (1 - appearance.g * s * s);
+    const double extinctionPerMm = 1 / appearance.meanFreePathMm[channel];
+    medium.sigmaSPrimePerMm[channel] = (1 - appearance.g) * albedo * extinctionPerMm;
+    medium.sigmaAPerMm[channel] = (1 - albedo) * extinctionPerMm;
+  }
+  return medium;
+}
+
+}  // namespace opaline

@@ -1,0 +1,139 @@
+#include "scene/toml/materials.h"
+
+#include <array>
+
+#include "core/file.h"
+#include "core/texture_file.h"
+#include "opaline/error.h"
+#include "scene/formats.h"
+#include "scene/material.h"
+#include "scene/text.h"
+#include "scene/toml/keys.h"
+#include "scene/toml/paths.h"
+
+namespace opaline::scene {
+
+namespace {
+
+struct TextureOfKey {
+  const char* key;
+  std::optional<Texture> OpaqueMaterial::*texture;
+};
+
+constexpr std::array<TextureOfKey, 5> texturesOfOpaque{
+    {{"base_color_texture", &OpaqueMaterial::baseColorTexture},
+     {"metallic_roughness_texture", &OpaqueMaterial::metallicRoughnessTexture},
+     {"normal_texture", &OpaqueMaterial::normalTexture},
+     {"occlusion_texture", &OpaqueMaterial::occlusionTexture},
+     {"emission_texture", &OpaqueMaterial::emissionTexture}}};
+
+constexpr std::array<std::string_view, 5> keysOfTranslucent{"medium", "color", "color_texture",
+                                                            "mean_free_path_mm", "g"};
+
+/// The keys of one kind that the other has no use for.
+void refuse(const TomlTable& table, std::string_view key, std::string_view kind) {
+  if (table.has(key))
+    table.fail(key, std::string("belongs to materials of kind \"") + std::string(kind) + "\"");
+}
+
+Texture readTextureOf(const TomlTable& table, const char* key, const std::filesystem::path& path) {
+  try {
+    const std::vector<std::byte> bytes = core::readFile(path, longestFileBytes);
+    Texture texture;
+    texture.pixels = std::make_shared<const TexturePixels>(core::readTexture(path, bytes));
+    return texture;
+  } catch (const Error& error) {
+    table.fail(key, error.what());
+  }
+}
+
+class MaterialReader {
+ public:
+  MaterialReader(const TomlTable& table, const std::filesystem::path& file,
+                 const FindMedium& findMedium)
+      : table_(table), file_(file), findMedium_(findMedium) {}
+
+  TomlMaterial read(const std::string& name) {
+    table_.requireKeys(keys::material);
+    constexpr std::array<std::string_view, 2> kinds{"opaque", "translucent"};
+    const auto kind = table_.choice("kind", kinds);
+    if (!kind) table_.fail("", "has no 'kind': opaque or translucent");
+    made_.source.isOpaque = *kind == "opaque";
+    if (made_.source.isOpaque) {
+      readOpaque(name);
+    } else {
+      readTranslucent(name);
+    }
+    return std::move(made_);
+  }
+
+ private:
+  std::optional<Texture> texture(const char* key) {
+    const auto named = table_.text(key);
+    if (!named) return std::nullopt;
+    const std::filesystem::path path = beside(file_, *named);
+    made_.source.textures.emplace(key, path);
+    return readTextureOf(table_, key, path);
+  }
+
+  void readOpaque(const std::string& name) {
+    for (const std::string_view key : keysOfTranslucent) refuse(table_, key, "translucent");
+    refuse(table_, "eta", "translucent");
+    OpaqueMaterial& material = made_.opaque.emplace();
+    material.name = cleanText(name);
+    made_.source.opaque = chosenIn<OpaqueMaterial>(table_);
+    // A texture alone is shown as it is.
+    if (table_.has("base_color_texture")) material.baseColor = {1, 1, 1};
+    if (table_.has("metallic_roughness_texture")) material.metallic = 1;
+    if (table_.has("emission_texture")) material.emission = {1, 1, 1};
+    made_.source.opaque.applyTo(material);
+    for (const auto& [key, member] : texturesOfOpaque) material.*member = texture(key);
+  }
+
+  void readTranslucent(const std::string& name) {
+    for (const auto& field : options::fieldsOf<OpaqueMaterial>())
+      refuse(table_, field.key, "opaque");
+    for (const auto& [key, member] : texturesOfOpaque) refuse(table_, key, "opaque");
+    if (const auto medium = table_.text("medium")) {
+      for (const char* key : {"color", "color_texture", "mean_free_path_mm", "g", "eta"})
+        if (table_.has(key)) table_.fail(key, "cannot stand beside 'medium', which has its own");
+      made_.source.medium = *medium;
+      made_.medium = findMedium_(table_, "medium", *medium);
+      return;
+    }
+    made_.source.appearance = chosenIn<Appearance>(table_);
+    if (!made_.source.appearance.has("mean_free_path_mm"))
+      table_.fail("", "needs 'medium', or 'mean_free_path_mm' beside 'color' or 'color_texture'");
+    Appearance appearance;
+    if (table_.has("color_texture")) appearance.color = {1, 1, 1};
+    made_.source.appearance.applyTo(appearance);
+    // Its mean.
+    if (const std::optional<Texture> colors = texture("color_texture")) {
+      const Rgb mean = meanColor(*colors->pixels);
+      for (std::size_t c = 0; c < 3; ++c) appearance.color[c] *= double{mean[c]};
+    }
+    made_.medium = mediumOf(appearance);
+    made_.medium.name = cleanText(name);
+  }
+
+  const TomlTable& table_;
+  const std::filesystem::path& file_;
+  const FindMedium& findMedium_;
+  TomlMaterial made_;
+};
+
+}  // namespace
+
+std::map<std::string, TomlMaterial> readMaterials(const TomlTable& root,
+                                                  const std::filesystem::path& file,
+                                                  const FindMedium& findMedium) {
+  std::map<std::string, TomlMaterial> materials;
+  const auto tables = root.table("materials");
+  if (!tables) return materials;
+  const auto all = tables->subtables();
+  for (const auto& [name, table] : all)
+    materials.emplace(name, MaterialReader(table, file, findMedium).read(name));
+  return materials;
+}
+
+}  // namespace opaline::scene

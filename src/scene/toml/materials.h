@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "scene/scene_source.h"
+#include "scene/toml/reader.h"
+
+namespace opaline::scene {
+
+/// What an object with a material is made of.
+struct TomlMaterial {
+  MaterialSource source;
+  Medium medium;  ///< of a translucent one
+  std::optional<OpaqueMaterial> opaque;
+};
+
+/// Looks a medium up by its name; the table and the key are for its complaint.
+using FindMedium =
+    std::function<Medium(const TomlTable& table, std::string_view key, const std::string& name)>;
+
+/// The [materials] of a scene, whose textures are read beside `file`.
+std::map<std::string, TomlMaterial> readMaterials(const TomlTable& root,
+                                                  const std::filesystem::path& file,
+                                                  const FindMedium& findMedium);
+
+}  // namespace opaline::scene
