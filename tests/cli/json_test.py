@@ -59,7 +59,7 @@ class Keys(ProgramTest):
         # And materials with textures.
         self.succeed("render", *SCENE, "--size", "8x8", "-o", "grey.png")
         self.write("painted.toml", 'model = "named.obj"\n[materials.paint]\nkind = "opaque"\n'
-                   'base_color_texture = "grey.png"\n[objects.pot]\nmaterial = "paint"\n')
+                   'base_color_texture = "grey.png"\n[objects.named]\nmaterial = "paint"\n')
         found |= keys(self.printed("info", "painted.toml"))
         self.expect("info", without_medium(found, "objects[].medium"))
 
