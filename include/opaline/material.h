@@ -56,6 +56,13 @@ struct OpaqueMaterial {
   bool operator==(const OpaqueMaterial&) const = default;
 };
 
+/// All textures that a material may have.
+inline constexpr std::array<std::optional<Texture> OpaqueMaterial::*, 7> texturesOfMaterial{
+    &OpaqueMaterial::baseColorTexture, &OpaqueMaterial::metallicRoughnessTexture,
+    &OpaqueMaterial::specularTexture,  &OpaqueMaterial::specularColorTexture,
+    &OpaqueMaterial::normalTexture,    &OpaqueMaterial::occlusionTexture,
+    &OpaqueMaterial::emissionTexture};
+
 /// Why the material cannot be rendered, as a sentence; empty if it can.
 std::string complaintAbout(const OpaqueMaterial& material);
 

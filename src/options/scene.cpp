@@ -229,7 +229,44 @@ std::string complaintAbout(const Appearance& appearance) {
   return options::complaintAboutFields(appearance);
 }
 
+namespace {
+
+std::string complaintAbout(const Texture& texture) {
+  if (!texture.pixels) return "a texture has no pixels";
+  constexpr int largestEdge = 16384;
+  const auto& [width, height, rgba, name] = *texture.pixels;
+  if (width < 1 || height < 1 || width > largestEdge || height > largestEdge)
+    return fmt::format("texture '{}' has {}x{} pixels", name, width, height);
+  if (rgba.size() !=
+      std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+    return fmt::format("texture '{}' has {} values for {}x{} pixels", name, rgba.size(), width,
+                       height);
+  if (texture.coordinates != 0 && texture.coordinates != 1)
+    return fmt::format("texture '{}' is on coordinates {}; there are 0 and 1", name,
+                       texture.coordinates);
+  if (!isFinite(texture.transform[0]) || !isFinite(texture.transform[1]))
+    return fmt::format("the transform of texture '{}' is not finite", name);
+  return {};
+}
+
+bool isWithin(float value, float low, float high) {
+  return value >= low && value <= high;
+}
+
+}  // namespace
+
 std::string complaintAbout(const OpaqueMaterial& material) {
+  if (material.ior != 0 && !isWithin(material.ior, 1, 10))
+    return fmt::format("ior {}: must be 0 or from 1 to 10", material.ior);
+  for (const float tint : material.specularColor)
+    if (!isWithin(tint, 0, 1000)) return "specular_color: must be from 0 to 1000";
+  for (const float part : {material.occlusionStrength, material.alphaCutoff, material.alpha})
+    if (!isWithin(part, 0, 1))
+      return "occlusion strength, alpha and its cutoff: must be from 0 to 1";
+  if (!std::isfinite(material.normalScale)) return "the scale of the normal texture is not finite";
+  for (const auto member : texturesOfMaterial)
+    if (const std::optional<Texture>& texture = material.*member; texture)
+      if (std::string complaint = complaintAbout(*texture); !complaint.empty()) return complaint;
   return options::complaintAboutFields(material);
 }
 

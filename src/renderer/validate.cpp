@@ -33,6 +33,18 @@ void validateMesh(const Object& object) {
   };
   if (!allFinite(mesh.positionsMm) || !allFinite(mesh.normals))
     throw Error(fmt::format("object '{}' has coordinates that are not finite", object.name));
+  const auto requireOneEach = [&](std::size_t count, const char* what) {
+    if (count != 0 && count != mesh.positionsMm.size())
+      throw Error(fmt::format("object '{}' has {} {} for {} vertices", object.name, count, what,
+                              mesh.positionsMm.size()));
+  };
+  for (const std::vector<Vec2>& set : mesh.textureCoordinates) {
+    requireOneEach(set.size(), "texture coordinates");
+    if (!std::all_of(set.begin(), set.end(), [](const Vec2& v) { return finite(v); }))
+      throw Error(
+          fmt::format("object '{}' has texture coordinates that are not finite", object.name));
+  }
+  requireOneEach(mesh.colors.size(), "colors");
   for (const Triangle& triangle : mesh.triangles)
     for (const std::uint32_t index : triangle)
       if (index >= mesh.positionsMm.size())

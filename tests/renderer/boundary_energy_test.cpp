@@ -234,5 +234,32 @@ TEST_F(BoundaryEnergyTest, LightsAddUp) {
   EXPECT_LT(largest, 1e-5);
 }
 
+// What was asked for as a colour is seen on a body many diffusion lengths thick: the share of the
+// light that entered which leaves again.
+TEST_F(BoundaryEnergyTest, ColoursOfAppearancesAreSeenInEvenLight) {
+  constexpr float radiusMm = 10;
+  const std::array<double, 3> color{0.9, 0.7, 0.5};  // darker ones are 0.02 too bright
+  for (const double eta : {1.3, 1.5})
+    for (const double meanFreePathMm : {radiusMm / 1000.0, radiusMm / 2000.0}) {
+      const Medium medium =
+          mediumOf({color, {meanFreePathMm, meanFreePathMm, meanFreePathMm}, 0, eta});
+      Scene scene = sceneOf(sphere({0, 0, 0}, radiusMm, 5), medium, {0, 0, 60}, radiusMm);
+      scene.lighting.ambient = {1, 1, 1};
+      const auto images =
+          renderBoundary(scene, boundaryOptions(24), {Aov::Exitance, Aov::Irradiance}).images;
+      std::array<double, 3> left{};
+      std::array<double, 3> entered{};
+      for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x)
+          for (std::size_t c = 0; c < 3; ++c) {
+            if (images[1].pixel(x, y)[3] == 0) continue;
+            left[c] += double{images[0].pixel(x, y)[c]};
+            entered[c] += double{images[1].pixel(x, y)[c]};
+          }
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(left[c] / entered[c], color[c], 0.02) << eta << " " << meanFreePathMm;
+    }
+}
+
 }  // namespace
 }  // namespace opaline

@@ -12,6 +12,7 @@
 #include "scene/gltf/draco.h"
 #include "scene/gltf/meshopt.h"
 #include "scene/gltf/prescan.h"
+#include "scene/own_folder.h"
 #include "scene/text.h"
 
 namespace opaline::scene {
@@ -31,46 +32,13 @@ struct FileAccess {
   std::string refusal;  ///< why the last file was not given
 };
 
-/// Where that is, or in `refusal` why a model in the folder may not read it.
-std::optional<fs::path> fileIn(const std::string& folder, const std::string& name,
-                               std::string_view kind, std::string& refusal) {
-  const fs::path relative(name);
-  const bool climbs = std::any_of(relative.begin(), relative.end(),
-                                  [](const fs::path& part) { return part == ".."; });
-  const std::string shown = cleanText(name, 100);
-  if (relative.is_absolute() || climbs || name.find('\0') != std::string::npos) {
-    refusal = fmt::format("its {} '{}' lies outside of the model's folder", kind, shown);
-    return std::nullopt;
-  }
-  std::error_code problem;
-  const fs::path real = fs::canonical(fs::path(folder) / relative, problem);
-  if (problem) {
-    refusal = fmt::format("its {} '{}' does not exist", kind, shown);
-    return std::nullopt;
-  }
-  const fs::path root(folder);
-  if (std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end()) {
-    refusal = fmt::format("its {} '{}' leads out of the model's folder", kind, shown);
-    return std::nullopt;
-  }
-  return real;
-}
-
-std::string folderOf(const Input& input) {
-  std::error_code problem;
-  const fs::path parent = input.file.parent_path();
-  std::string folder = fs::canonical(parent.empty() ? fs::path(".") : parent, problem).string();
-  if (problem) failGltf(input, "its folder cannot be found");
-  return folder;
-}
-
 /// The path relative to the model's folder, if the model may read it.
 std::optional<fs::path> allowed(FileAccess& access, const std::string& path) {
   // The library also looks in the working directory.
   if (!path.starts_with(access.folder + "/")) return std::nullopt;
   const std::string name = path.substr(access.folder.size() + 1);
   if (!access.prescan.bufferFiles.contains(name)) return std::nullopt;
-  return fileIn(access.folder, name, "buffer", access.refusal);
+  return fileInFolder(access.folder, name, "buffer", access.refusal);
 }
 
 bool fileExists(const std::string& path, void* user) {
@@ -182,7 +150,7 @@ tinygltf::Model readGltf(const Input& input) {
   access.prescan = prescanGltf(input, json);
   std::string changed;
   const std::string_view bytes = bytesToRead(input, access.prescan, json, binary, changed);
-  access.folder = folderOf(input);
+  access.folder = folderOf(input.file);
 
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keepImage, nullptr);
@@ -227,13 +195,6 @@ tinygltf::Model readGltf(const Input& input) {
   decodeMeshopt(decoded);
   decodeDraco(decoded);
   return model;
-}
-
-fs::path fileBeside(const Input& input, std::string_view uri) {
-  std::string refusal;
-  const auto file = fileIn(folderOf(input), percentDecoded(uri), "picture", refusal);
-  if (!file) throw Error(refusal);
-  return *file;
 }
 
 }  // namespace opaline::scene

@@ -25,8 +25,4 @@ namespace opaline::scene {
 /// read.
 tinygltf::Model readGltf(const Input& input);
 
-/// A file that a model names by a URI. Throws Error for one that does not exist or lies outside of
-/// the model's folder.
-std::filesystem::path fileBeside(const Input& input, std::string_view uri);
-
 }  // namespace opaline::scene

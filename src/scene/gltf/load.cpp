@@ -86,6 +86,20 @@ void requireEqualTargets(const Gathering& of, const tinygltf::Mesh& mesh, std::s
   }
 }
 
+/// A texture whose coordinates the mesh does not have cannot be shown. Whether there was one.
+bool dropTexturesWithout(const VertexAttributes& attributes, OpaqueMaterial& material) {
+  bool any = false;
+  for (const auto member : texturesOfMaterial) {
+    std::optional<Texture>& texture = material.*member;
+    const bool isThere = texture && (texture->coordinates == 0 || texture->coordinates == 1) &&
+                         !attributes.textureCoordinates[texture->coordinates == 1].empty();
+    if (!texture || isThere) continue;
+    texture.reset();
+    any = true;
+  }
+  return any;
+}
+
 void addMesh(Gathering& to, std::size_t nodeIndex) {
   const tinygltf::Node& node = to.model.nodes[nodeIndex];
   if (node.mesh < 0 || static_cast<std::size_t>(node.mesh) >= to.model.meshes.size()) {
@@ -101,9 +115,11 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
   std::uint64_t part = 0;
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
     if (!isSurface(primitive)) continue;
-    const GltfSurface surface = to.materials.surface(primitive.material, mesh.name, node.name);
+    GltfSurface surface = to.materials.surface(primitive.material, mesh.name, node.name);
     BakedPrimitive baked =
         bakePrimitive(to.input, to.model, to.nodes, to.motion, to.accessors, nodeIndex, primitive);
+    if (surface.opaque && dropTexturesWithout(baked.attributes, *surface.opaque))
+      addNotShown(to.scene.notShown, "textures without coordinates", name);
     to.triangles += baked.mesh.triangles.size();
     to.vertices += baked.mesh.positions.size();
     if (to.triangles > to.most() || to.vertices > to.most()) {

@@ -9,6 +9,8 @@
 #include "core/texture_file.h"
 #include "opaline/error.h"
 #include "scene/gltf/json.h"
+#include "scene/gltf/prescan.h"
+#include "scene/own_folder.h"
 #include "scene/text.h"
 
 namespace opaline::scene {
@@ -107,8 +109,8 @@ TexturePixels GltfTextures::read(std::size_t image) const {
   if (!of.image.empty()) {
     pixels = core::readTexture(name, std::as_bytes(std::span(of.image)));
   } else {
-    const std::vector<std::byte> bytes =
-        core::readFile(fileBeside(input_, of.uri), longestFileBytes);
+    const std::vector<std::byte> bytes = core::readFile(
+        fileBeside(input_.file, percentDecoded(of.uri), "picture"), longestFileBytes);
     pixels = core::readTexture(name, bytes);
   }
   pixels.name = name;

@@ -2,6 +2,8 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <istream>
 #include <limits>
 #include <map>
@@ -14,9 +16,12 @@
 
 #include "bssrdf/media.h"
 #include "scene/formats.h"
+#include "scene/hash.h"
+#include "scene/mesh/mtl.h"
 #include "scene/mesh/obj_lines.h"
 #include "scene/mesh/triangulate.h"
 #include "scene/not_shown.h"
+#include "scene/rig.h"
 #include "scene/text.h"
 
 namespace opaline::scene {
@@ -41,17 +46,20 @@ struct Group {
 };
 
 constexpr std::int64_t noNormal = std::numeric_limits<std::int64_t>::min();
+constexpr std::int64_t noPlace = noNormal;
 
-/// A position and a normal, by index from 0.
+/// A position, a normal and a place in a texture, by index from 0.
 struct Corner {
   std::int64_t position = 0;
   std::int64_t normal = noNormal;
+  std::int64_t place = noPlace;
 };
 
 struct ObjReader {
   const Input& input;
   std::vector<Vec3> positions{};
   std::vector<Vec3> normals{};
+  std::vector<Vec2> places{};
   std::vector<Corner> corners{};
   std::vector<Group> groups{};
   std::map<std::string, std::size_t, std::less<>> groupOf{};
@@ -76,6 +84,7 @@ struct ObjReader {
       if (index.vertex_index == 0) break;  // the words of a comment
       Corner corner{resolve(index.vertex_index, positions.size()), noNormal};
       if (index.normal_index != 0) corner.normal = resolve(index.normal_index, normals.size());
+      if (index.texcoord_index != 0) corner.place = resolve(index.texcoord_index, places.size());
       groups[current].corners.push_back(static_cast<std::uint32_t>(corners.size()));
       corners.push_back(corner);
       ++size;
@@ -90,6 +99,11 @@ struct ObjReader {
       if (corner.position < 0 || corner.position >= static_cast<std::int64_t>(positions.size())) {
         failObj(input, fmt::format("a face names vertex {}, but there are {} vertices",
                                    corner.position + 1, positions.size()));
+      }
+      if (corner.place != noPlace &&
+          (corner.place < 0 || corner.place >= static_cast<std::int64_t>(places.size()))) {
+        failObj(input, fmt::format("a face names texture coordinates {}, but there are {}",
+                                   corner.place + 1, places.size()));
       }
       if (corner.normal == noNormal) continue;
       if (corner.normal < 0 || corner.normal >= static_cast<std::int64_t>(normals.size())) {
@@ -108,6 +122,10 @@ tinyobj::callback_t callbacks() {
   callback.normal_cb = [](void* reader, float x, float y, float z) {
     static_cast<ObjReader*>(reader)->normals.push_back({x, y, z});
   };
+  callback.texcoord_cb = [](void* reader, float u, float v, float) {
+    const bool finite = std::isfinite(u) && std::isfinite(v);
+    static_cast<ObjReader*>(reader)->places.push_back(finite ? Vec2{u, 1 - v} : Vec2{});
+  };
   callback.index_cb = [](void* reader, tinyobj::index_t* indices, int count) {
     static_cast<ObjReader*>(reader)->face({indices, static_cast<std::size_t>(count)});
   };
@@ -124,16 +142,21 @@ tinyobj::callback_t callbacks() {
   return callback;
 }
 
-std::vector<NotShown> notShownOf(const ObjReader& reader, const ObjExtras& extras) {
+using Materials = std::map<std::string, OpaqueMaterial>;
+
+std::vector<NotShown> notShownOf(const ObjReader& reader, const ObjExtras& extras,
+                                 const Materials& materials) {
   std::vector<NotShown> result;
   for (const Group& group : reader.groups) {
     const bool isMaterial = !group.sizes.empty() && !group.name.empty();
-    if (isMaterial && !bssrdf::findMedium(group.name)) {
+    if (isMaterial && !bssrdf::findMedium(group.name) && !materials.contains(group.name)) {
       addNotShown(result, "materials", group.name);
     }
   }
-  for (const std::string& file : extras.materialFiles) {
-    addNotShown(result, "material files", file);
+  if (materials.empty()) {
+    for (const std::string& file : extras.materialFiles) {
+      addNotShown(result, "material files", file);
+    }
   }
   if (reader.parts.size() > 1) {
     for (const std::string& part : reader.parts) {
@@ -147,16 +170,22 @@ std::vector<NotShown> notShownOf(const ObjReader& reader, const ObjExtras& extra
 /// Numbers the distinct corners that a set of groups uses.
 class VertexTable {
  public:
-  VertexTable(const ObjReader& reader, bool withNormals)
-      : reader_(reader), withNormals_(withNormals) {}
+  VertexTable(const ObjReader& reader, bool withNormals, bool withPlaces)
+      : reader_(reader), withNormals_(withNormals), withPlaces_(withPlaces) {}
 
-  std::uint32_t indexOf(const Corner& corner, RawMesh& mesh) {
+  std::uint32_t indexOf(const Corner& corner, RawObject& object) {
+    RawMesh& mesh = object.mesh;
     const std::int64_t normal = withNormals_ ? corner.normal : noNormal;
-    const std::uint64_t key =
-        (static_cast<std::uint64_t>(corner.position) << 32U) | static_cast<std::uint32_t>(normal);
-    const auto [entry, isNew] =
-        known_.try_emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
+    const std::int64_t place = withPlaces_ ? corner.place : noPlace;
+    const auto [entry, isNew] = known_.try_emplace(
+        Key{corner.position, normal, place}, static_cast<std::uint32_t>(mesh.positions.size()));
     if (isNew) {
+      if (withPlaces_) {
+        object.attributes.textureCoordinates[0].push_back(
+            place == noPlace ? Vec2{} : reader_.places[static_cast<std::size_t>(place)]);
+        // Vertices along the seam of a texture are no duplicates.
+        mesh.tags.push_back(static_cast<std::uint64_t>(place));
+      }
       mesh.positions.push_back(reader_.positions[static_cast<std::size_t>(corner.position)]);
       if (withNormals_) {
         // A zero normal is replaced by a smooth one on repair.
@@ -170,11 +199,21 @@ class VertexTable {
  private:
   const ObjReader& reader_;
   bool withNormals_;
-  std::unordered_map<std::uint64_t, std::uint32_t> known_;
+  bool withPlaces_;
+  using Key = std::array<std::int64_t, 3>;
+  struct Hash {
+    std::size_t operator()(const Key& key) const {
+      std::uint64_t hash = 0;
+      for (const std::int64_t part : key) mix(hash, static_cast<std::uint64_t>(part));
+      return static_cast<std::size_t>(hash);
+    }
+  };
+  std::unordered_map<Key, std::uint32_t, Hash> known_;
 };
 
 /// Positions that no face names join the first mesh, so that they are seen and counted.
-void addUnused(const ObjReader& reader, RawMesh& mesh) {
+void addUnused(const ObjReader& reader, RawObject& object) {
+  RawMesh& mesh = object.mesh;
   std::vector<bool> used(reader.positions.size());
   for (const Corner& corner : reader.corners)
     used[static_cast<std::size_t>(corner.position)] = true;
@@ -182,10 +221,13 @@ void addUnused(const ObjReader& reader, RawMesh& mesh) {
     if (used[v]) continue;
     mesh.positions.push_back(reader.positions[v]);
     if (!mesh.normals.empty()) mesh.normals.push_back({0, 0, 0});
+    if (mesh.tags.empty()) continue;
+    mesh.tags.push_back(0);
+    object.attributes.textureCoordinates[0].push_back({});
   }
 }
 
-RawMesh buildMesh(const ObjReader& reader, std::span<const Group* const> groups) {
+void buildMesh(const ObjReader& reader, std::span<const Group* const> groups, RawObject& object) {
   bool withNormals = false;
   for (const Group* group : groups) {
     withNormals = withNormals || std::any_of(group->corners.begin(), group->corners.end(),
@@ -193,8 +235,7 @@ RawMesh buildMesh(const ObjReader& reader, std::span<const Group* const> groups)
                                                return reader.corners[corner].normal != noNormal;
                                              });
   }
-  RawMesh mesh;
-  VertexTable table(reader, withNormals);
+  VertexTable table(reader, withNormals, object.opaque && !reader.places.empty());
   Triangulator triangulator;
   std::vector<std::uint32_t> polygon;
   for (const Group* group : groups) {
@@ -202,13 +243,12 @@ RawMesh buildMesh(const ObjReader& reader, std::span<const Group* const> groups)
     for (const std::uint32_t size : group->sizes) {
       polygon.clear();
       for (const std::uint32_t corner : rest.first(size)) {
-        polygon.push_back(table.indexOf(reader.corners[corner], mesh));
+        polygon.push_back(table.indexOf(reader.corners[corner], object));
       }
       rest = rest.subspan(size);
-      triangulator.add(mesh, polygon);
+      triangulator.add(object.mesh, polygon);
     }
   }
-  return mesh;
 }
 
 }  // namespace
@@ -227,24 +267,31 @@ RawScene loadObj(const Input& input) {
   if (reader.positions.empty()) failObj(input, "it has no vertices, so it is not an OBJ file");
   reader.checkRange();
 
-  // Materials that are no medium all become marble: one object.
+  const std::vector<std::string> files(extras.materialFiles.begin(), extras.materialFiles.end());
+  const Materials materials = readMtl(input, files);
+  // Those that are neither a medium nor in a material file all become marble: one object.
   std::map<std::string, std::vector<const Group*>> byMedium;
   for (const Group& group : reader.groups) {
     if (group.sizes.empty()) continue;
     const auto medium = bssrdf::findMedium(group.name);
-    byMedium[medium ? medium->name : ""].push_back(&group);
+    const std::string own = materials.contains(group.name) ? group.name : "";
+    byMedium[medium ? medium->name : own].push_back(&group);
   }
   if (byMedium.empty()) failObj(input, "it has no faces");
   RawScene scene;
   for (const auto& [medium, groups] : byMedium) {
     RawObject object;
-    object.name = medium.empty() ? cleanText(input.file.stem().string()) : medium;
+    object.name = medium.empty() ? cleanText(input.file.stem().string()) : cleanText(medium);
     object.medium = bssrdf::findMedium(medium).value_or(defaultMedium());
-    object.mesh = buildMesh(reader, groups);
+    const auto material = materials.find(medium);
+    if (material != materials.end() && !bssrdf::findMedium(medium))
+      object.opaque = material->second;
+    buildMesh(reader, groups, object);
     scene.objects.push_back(std::move(object));
   }
-  addUnused(reader, scene.objects[0].mesh);
-  scene.notShown = notShownOf(reader, extras);
+  addUnused(reader, scene.objects[0]);
+  for (RawObject& object : scene.objects) startProvenance(object.mesh);
+  scene.notShown = notShownOf(reader, extras, materials);
   return scene;
 }
 

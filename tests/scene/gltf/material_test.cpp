@@ -77,12 +77,17 @@ TEST_F(GltfMaterial, OfAMediumByOptionAllButMetal) {
 
 TEST_F(GltfMaterial, TexturesKeepWhatTheFileSaysOfThem) {
   core::writePng(folder / "a b.png", {1, 1, {10, 20, 30, 255}});
-  const Scene scene =
-      load(parts(R"({"pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0,)"
-                 R"("texCoord":1,"extensions":{"KHR_texture_transform":{"offset":[0.25,0.5],)"
-                 R"("rotation":1.5707963267948966,"scale":[2,3]}}}}}],)"
-                 R"("textures":[{"source":0,"sampler":0}],"images":[{"uri":"a%20b.png"}],)"
-                 R"("samplers":[{"wrapS":33071,"wrapT":33648,"magFilter":9728}],"extras":[{})"));
+  Parts file = parts(R"({"pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0,)"
+                     R"("texCoord":1,"extensions":{"KHR_texture_transform":{"offset":[0.25,0.5],)"
+                     R"("rotation":1.5707963267948966,"scale":[2,3]}}}}}],)"
+                     R"("textures":[{"source":0,"sampler":0}],"images":[{"uri":"a%20b.png"}],)"
+                     R"("samplers":[{"wrapS":33071,"wrapT":33648,"magFilter":9728}],"extras":[{})");
+  const Scene without = load(file);
+  EXPECT_FALSE(without.objects[0].opaque->baseColorTexture);
+  EXPECT_EQ(without.notShown.at(0).what, "textures without coordinates");
+  file.meshes = test::changed(file.meshes, R"("COLOR_0":0)", R"("TEXCOORD_1":2)");
+  file.accessors += R"(,{"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})";
+  const Scene scene = load(file);
   ASSERT_TRUE(scene.objects[0].opaque->baseColorTexture);
   const Texture& texture = *scene.objects[0].opaque->baseColorTexture;
   EXPECT_EQ(texture.pixels->rgba[1], 20 * 257);

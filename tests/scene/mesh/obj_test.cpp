@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "core/image_file.h"
 #include "opaline/error.h"
 #include "opaline/scene.h"
 #include "scene/shapes.h"
@@ -127,6 +130,34 @@ TEST_F(Obj, WhatIsNotShownIsCounted) {
                      "f 2 4 8 6\n"),
             "materials 2 glaze wood\nmaterial files 1 a.mtl\n"
             "groups as objects of their own 2 lid pot\nvertex colours 1\n");
+}
+
+TEST_F(Obj, MaterialsComeFromTheirFile) {
+  core::writePng(folder / "clay.png", {1, 1, {10, 20, 30, 255}});
+  test::writeBytes(folder / "a.mtl",
+                   "newmtl glaze\nKd 0.5 0.25 1\nKs 0.04 0.02 0\nNs 6\nKe 0 2 0\n"
+                   "map_Kd clay.png\nmap_Ke none.png\nnewmtl unused\nKd 1 0 0\n");
+  const Scene scene = load("mtllib a.mtl\n" + cubeCorners +
+                           "vt 0 0\nvt 1 0\nvt 1 0.25\nvt 0 1\nusemtl glaze\n"
+                           "f 1/1 3/2 4/3 2/4\nf 5/1 6/2 8/3 7/4\nf 1/1 2/2 6/3 5/4\n"
+                           "f 3/1 7/2 8/3 4/4\nf 1/1 5/2 7/3 3/4\nf 2/1 4/2 8/3 6/4\n");
+  ASSERT_EQ(scene.objects.size(), 1U);
+  ASSERT_TRUE(scene.objects[0].opaque);
+  const OpaqueMaterial& glaze = *scene.objects[0].opaque;
+  EXPECT_EQ(glaze.baseColor, (Rgb{0.5F, 0.25F, 1}));
+  EXPECT_NEAR(glaze.roughness, std::sqrt(0.5), 1e-6);  // α = 1/2
+  EXPECT_NEAR(glaze.specularColor[1], 0.5, 1e-6);
+  EXPECT_EQ(glaze.emission, (Rgb{0, 2, 0}));
+  EXPECT_EQ(glaze.baseColorTexture->pixels->rgba[2], 30 * 257);
+  EXPECT_FALSE(glaze.emissionTexture);
+  EXPECT_TRUE(scene.notShown.empty());
+  // Seams of the texture part vertices, not the body; rows of a picture go down.
+  const Mesh& mesh = scene.objects[0].mesh;
+  ASSERT_EQ(mesh.textureCoordinates[0].size(), mesh.positionsMm.size());
+  EXPECT_GT(mesh.positionsMm.size(), 8U);
+  std::set<float> rows;
+  for (const Vec2& place : mesh.textureCoordinates[0]) rows.insert(place[1]);
+  EXPECT_EQ(rows, (std::set<float>{0, 0.75F, 1}));
 }
 
 TEST_F(Obj, BadUtf8InNamesIsHarmless) {

@@ -129,22 +129,24 @@ void showLengths(const Medium& medium) {
   ImGui::EndTable();
 }
 
-}  // namespace
+// Of the file's own making.
+void showMaterial(const OpaqueMaterial& material) {
+  controls::text(material.name.empty() ? "opaque" : material.name + ", opaque");
+  const auto& [red, green, blue] = material.baseColor;
+  controls::text(fmt::format("base color {:.2f} {:.2f} {:.2f}", red, green, blue));
+  controls::text(
+      fmt::format("metallic {:.2f}, roughness {:.2f}", material.metallic, material.roughness));
+  for (const std::optional<Texture>& texture :
+       {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture,
+        material.occlusionTexture, material.emissionTexture})
+    if (texture)
+      controls::text(fmt::format("{}, {}x{}", texture->pixels->name, texture->pixels->width,
+                                 texture->pixels->height));
+}
 
-void drawMediumPanel(Session& session) {
-  if (!controls::section("Medium", true) || session.scene.objects.empty()) return;
-  std::vector<std::string> names;
-  for (const Object& object : session.scene.objects)
-    if (!object.isGround) names.push_back(object.name);
-  if (names.size() > 1) {
-    auto index = static_cast<int>(session.object);
-    if (controls::choice("object", index, names, "The object whose medium this panel shows.")) {
-      session.object = static_cast<std::size_t>(index);
-    }
-  }
-  Medium& medium = session.scene.objects[session.object].medium;
+bool drawMedium(Medium& medium) {
   controls::text(medium.name);
-  bool changed = drawChips(medium);
+  const bool chosen = drawChips(medium);
   const bool scatters =
       drawCoefficients("scattering", medium.sigmaSPrimePerMm, 1e-3, 1e2,
                        "Reduced scattering coefficient: how often light is deflected within a "
@@ -158,10 +160,29 @@ void drawMediumPanel(Session& session) {
                                      "1.5 glass. More keeps more light inside.");
   const bool edited = scatters || absorbs || bent;
   if (edited) medium.name = "custom";
-  changed = changed || edited;
-  if (changed) session.edits.medium[session.object] = true;
+  return chosen || edited;
+}
+
+}  // namespace
+
+void drawMediumPanel(Session& session) {
+  if (!controls::section("Medium", true) || session.scene.objects.empty()) return;
+  std::vector<std::string> names;
+  for (const Object& object : session.scene.objects)
+    if (!object.isGround) names.push_back(object.name);
+  if (names.size() > 1) {
+    auto index = static_cast<int>(session.object);
+    if (controls::choice("object", index, names, "The object whose medium this panel shows.")) {
+      session.object = static_cast<std::size_t>(index);
+    }
+  }
+  Object& object = session.scene.objects[session.object];
+  if (object.opaque)
+    showMaterial(*object.opaque);
+  else if (drawMedium(object.medium))
+    session.edits.medium[session.object] = true;
   drawBodySize(session);
-  showLengths(medium);
+  if (!object.opaque) showLengths(object.medium);
 }
 
 }  // namespace opaline::app::viewer

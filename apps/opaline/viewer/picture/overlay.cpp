@@ -78,7 +78,7 @@ void drawScaleBar(const Session& session, const Projection& projection, const Ar
   const float left = static_cast<float>(area.x) + line;
   float y = static_cast<float>(area.y + area.height) - 3.4F * line;
 
-  const MediumLengths lengths = lengthsOf(session.scene.objects[session.object].medium);
+  const Object& object = session.scene.objects[session.object];
   drawBar(list, {left, y}, static_cast<float>(lengthMm / pixelMm), ink, 3);
   float widest = 0;
   const auto name = [&](float from, const std::string& text) {
@@ -101,8 +101,11 @@ void drawScaleBar(const Session& session, const Projection& projection, const Ar
     }
     name(left + longest, what);
   };
-  rows("mean free path", lengths.meanFreePathMm);
-  rows("diffusion length", lengths.diffusionMm);
+  if (!object.opaque) {
+    const MediumLengths lengths = lengthsOf(object.medium);
+    rows("mean free path", lengths.meanFreePathMm);
+    rows("diffusion length", lengths.diffusionMm);
+  }
   labels.take({left, top, widest, y + 0.5F * line - top});
 }
 
