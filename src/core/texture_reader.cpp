@@ -25,7 +25,7 @@ bool startsWith(std::span<const std::byte> bytes, std::string_view magic) {
 // Pixels that a byte can hold. Deflate (RFC 1951) makes at most 1032 bytes of one, and a pixel
 // takes an eighth of one or more; JPEG needs two bits for a component's 64 pixels.
 constexpr std::size_t mostOfPngByte = std::size_t{1032} * 8;
-constexpr std::size_t mostOfJpegByte = 256 * 4;
+constexpr std::size_t mostOfJpegByte = 1024;
 
 std::size_t mostPixels(const std::filesystem::path& file, std::span<const std::byte> bytes) {
   if (startsWith(bytes, "\x89PNG\r\n\x1a\n"sv)) return mostOfPngByte * bytes.size();

@@ -141,6 +141,7 @@ passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
   noteHalvings(packer.halvings(), device.info().name, log);
   const bool reads = readsAttributes(scene);
   std::vector<shared::OpaqueData> data;
+  data.reserve(materials.size());
   for (const OpaqueMaterial& material : materials) data.push_back(dataOf(material, reads, packer));
   tables.materials = gpu::makeBuffer(device, "opaque materials", data, storage);
   tables.texels = gpu::makeBuffer(device, "texels", packer.texels(), storage);
