@@ -81,6 +81,8 @@ void noteLostFaces(const std::vector<Repair>& repairs, const RawObject& object,
 
 void makeTranslucent(const Medium& medium, Object& object, std::vector<NotShown>& notShown) {
   if (object.opaque) addNotShown(notShown, partsOf(*object.opaque), object.opaque->name);
+  if (object.opaque && !object.mesh.colors.empty())
+    addNotShown(notShown, "vertex colours", object.name);
   object.opaque.reset();
   object.medium = medium;
 }

@@ -11,10 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/tone.h"
 #include "opaline/error.h"
 #include "scene/formats.h"
+#include "scene/hash.h"
 #include "scene/mesh/triangulate.h"
 #include "scene/not_shown.h"
+#include "scene/rig.h"
 #include "scene/text.h"
 
 // The format: G. Turk, "The PLY Polygon File Format", 1994.
@@ -275,10 +278,21 @@ class Body {
   Encoding encoding_;
 };
 
-void readVertices(const Input& input, const Element& element, Body& body, RawMesh& mesh) {
-  constexpr std::array<std::string_view, 6> names{"x", "y", "z", "nx", "ny", "nz"};
+/// Whole numbers are sRGB, others linear.
+float linearColor(double value, Scalar type) {
+  const std::size_t bytes = sizeOf(type);
+  if (bytes > 2) return static_cast<float>(value > 0 ? std::min(value, 1.0) : 0.0);
+  const double most = bytes == 1 ? 255 : 65535;
+  return core::decodeSrgb(static_cast<float>(std::clamp(value / most, 0.0, 1.0)));
+}
+
+void readVertices(const Input& input, const Element& element, Body& body, RawObject& object) {
+  RawMesh& mesh = object.mesh;
+  constexpr std::array<std::string_view, 9> names{"x",  "y",   "z",     "nx",  "ny",
+                                                  "nz", "red", "green", "blue"};
+  constexpr std::size_t red = 6;
   std::vector<std::size_t> slot(element.properties.size(), names.size());
-  std::array<bool, 6> have{};
+  std::array<bool, names.size()> have{};
   for (std::size_t i = 0; i < element.properties.size(); ++i) {
     const auto name = std::find(names.begin(), names.end(), element.properties[i].name);
     if (name == names.end() || element.properties[i].listCount) continue;
@@ -288,20 +302,35 @@ void readVertices(const Input& input, const Element& element, Body& body, RawMes
   if (!have[0] || !have[1] || !have[2]) fail(input, "its vertices have no x, y and z");
   if (element.count > 0xFFFFFFFEU) fail(input, "it has more vertices than 32-bit indices can name");
   const bool hasNormals = have[3] && have[4] && have[5];
+  const bool hasColors = have[red] && have[red + 1] && have[red + 2];
   mesh.positions.reserve(element.count);
   if (hasNormals) mesh.normals.reserve(element.count);
   for (std::uint64_t v = 0; v < element.count; ++v) {
-    std::array<float, 7> value{};
+    std::array<float, names.size() + 1> value{};
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const Property& property = element.properties[i];
       const std::uint64_t count = property.listCount ? body.nextCount(property, element) : 1;
       for (std::uint64_t n = 0; n < count; ++n) {
-        value[slot[i]] = static_cast<float>(body.next(property.type, element));
+        const double found = body.next(property.type, element);
+        value[slot[i]] = slot[i] >= red && slot[i] < names.size()
+                             ? linearColor(found, property.type)
+                             : static_cast<float>(found);
       }
     }
     mesh.positions.push_back({value[0], value[1], value[2]});
     if (hasNormals) mesh.normals.push_back({value[3], value[4], value[5]});
+    if (!hasColors) continue;
+    object.attributes.colors.push_back({value[red], value[red + 1], value[red + 2], 1});
+    // Vertices of different colours are no duplicates.
+    std::uint64_t tag = 0;
+    for (std::size_t c = red; c < red + 3; ++c)
+      mix(tag, std::uint64_t{std::bit_cast<std::uint32_t>(value[c])});
+    mesh.tags.push_back(tag);
   }
+  object.attributes.vertices = mesh.positions.size();
+  if (!hasColors) return;
+  object.opaque = mattMaterial({1, 1, 1});
+  object.opaque->name = "vertex colours";
 }
 
 void skip(const Element& element, Body& body) {
@@ -360,14 +389,15 @@ void buildTriangles(const Input& input, const Faces& faces, RawMesh& mesh) {
   }
 }
 
-void addNotShown(const Element& element, std::vector<NotShown>& to) {
+void addNotShown(const Element& element, bool colorsAreShown, std::vector<NotShown>& to) {
   const auto hasOneOf = [&](std::initializer_list<std::string_view> names) {
     return std::any_of(element.properties.begin(), element.properties.end(),
                        [&](const Property& p) {
                          return std::find(names.begin(), names.end(), p.name) != names.end();
                        });
   };
-  if (hasOneOf({"red", "r", "diffuse_red"})) scene::addNotShown(to, element.name + " colours", {});
+  if (!colorsAreShown && hasOneOf({"red", "r", "diffuse_red"}))
+    scene::addNotShown(to, element.name + " colours", {});
   if (hasOneOf({"s", "u", "texture_u", "texcoord"})) {
     scene::addNotShown(to, "texture coordinates", {});
   }
@@ -389,12 +419,12 @@ RawScene loadPly(const Input& input) {
     body.requireRoom(element);
     if (element.name == "vertex" && !sawVertices) {
       sawVertices = true;
-      readVertices(input, element, body, object.mesh);
-      addNotShown(element, scene.notShown);
+      readVertices(input, element, body, object);
+      addNotShown(element, object.opaque.has_value(), scene.notShown);
     } else if (element.name == "face" && !sawFaces) {
       sawFaces = true;
       readFaces(input, element, body, faces);
-      addNotShown(element, scene.notShown);
+      addNotShown(element, false, scene.notShown);
     } else {
       skip(element, body);
     }
@@ -402,6 +432,7 @@ RawScene loadPly(const Input& input) {
   if (!sawVertices) fail(input, "it has no vertices");
   if (!sawFaces) fail(input, "it has no faces; point clouds have no surface that can be rendered");
   buildTriangles(input, faces, object.mesh);
+  startProvenance(object.mesh);
   scene.objects.push_back(std::move(object));
   return scene;
 }

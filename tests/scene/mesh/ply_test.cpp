@@ -132,6 +132,22 @@ TEST_F(Ply, ColoursAreNotShownWhichIsSaid) {
   EXPECT_THAT(kinds, testing::ElementsAre("vertex colours", "texture coordinates", "face colours"));
 }
 
+// IEC 61966-2-1 for whole numbers.
+TEST_F(Ply, ColouredVerticesMakeAnOpaqueBody) {
+  const Scene scene = load(
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 255 0 0\n1 0 0 0 188 0\n0 1 0 0 0 255\n0 0 1 255 255 255\n"
+      "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  EXPECT_TRUE(scene.notShown.empty());
+  ASSERT_TRUE(scene.objects[0].opaque);
+  const Mesh& mesh = scene.objects[0].mesh;
+  ASSERT_EQ(mesh.colors.size(), mesh.positionsMm.size());
+  EXPECT_NEAR(mesh.colors[1][1], std::pow((188 / 255.0 + 0.055) / 1.055, 2.4), 1e-5);
+  EXPECT_EQ(mesh.colors[0][0], 1);
+}
+
 TEST_F(Ply, EveryTruncationIsAnErrorAndNothingElse) {
   const std::string whole = binaryCube(false);
   for (std::size_t size = 0; size < whole.size(); size += 7) {
