@@ -15,6 +15,14 @@ inline std::optional<double> gltfNumber(const tinygltf::Value& object, const std
   return object.Get(key).GetNumberAsDouble();
 }
 
+/// The same of an index or a small whole number; -2, which names nothing, where it is none.
+inline std::optional<int> gltfIndex(const tinygltf::Value& object, const std::string& key) {
+  const std::optional<double> number = gltfNumber(object, key);
+  if (!number) return std::nullopt;
+  constexpr double most = 1e9;
+  return *number >= 0 && *number <= most ? static_cast<int>(*number) : -2;
+}
+
 template <std::size_t Count>
 std::optional<std::array<double, Count>> gltfNumbers(const tinygltf::Value& object,
                                                      const std::string& key) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -38,12 +39,15 @@ void transformBy(const tinygltf::Value& transform, Texture& texture) {
   const double c = std::cos(turn);
   const double s = std::sin(turn);
   const auto row = [](double x, double y, double z) {
-    return Vec3{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+    const auto number = [](double v) {
+      constexpr double most = 1e6;
+      return std::isnan(v) ? 0.0F : static_cast<float>(std::clamp(v, -most, most));
+    };
+    return Vec3{number(x), number(y), number(z)};
   };
   texture.transform = {row(c * scale[0], s * scale[1], offset[0]),
                        row(-s * scale[0], c * scale[1], offset[1])};
-  if (const auto set = gltfNumber(transform, "texCoord"))
-    texture.coordinates = static_cast<int>(*set);
+  if (const auto set = gltfIndex(transform, "texCoord")) texture.coordinates = *set;
 }
 
 }  // namespace
@@ -70,7 +74,7 @@ std::optional<Texture> GltfTextures::texture(int index, int coordinates,
 }
 
 std::optional<Texture> GltfTextures::texture(const tinygltf::Value& info) {
-  const auto index = gltfNumber(info, "index");
+  const auto index = gltfIndex(info, "index");
   if (!index) return std::nullopt;
   tinygltf::ExtensionMap extensions;
   if (info.Has("extensions")) {
@@ -78,8 +82,7 @@ std::optional<Texture> GltfTextures::texture(const tinygltf::Value& info) {
     if (list.Has("KHR_texture_transform"))
       extensions["KHR_texture_transform"] = list.Get("KHR_texture_transform");
   }
-  const double set = gltfNumber(info, "texCoord").value_or(0);
-  return texture(static_cast<int>(*index), static_cast<int>(set), extensions);
+  return texture(*index, gltfIndex(info, "texCoord").value_or(0), extensions);
 }
 
 std::shared_ptr<const TexturePixels> GltfTextures::pixelsOf(int image) {

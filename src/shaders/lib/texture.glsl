@@ -76,10 +76,12 @@ vec2 near0(vec2 at, uint bits) {
 // Anisotropic: several probes along the longer side of the pixel.
 vec4 sampled(TextureData data, TexturePlace place) {
   mat2 map = transpose(mat2(data.rowU.xy, data.rowV.xy));
-  vec2 at = near0(map * place.at + vec2(data.rowU.z, data.rowV.z), data.place.w);
+  const vec2 furthest = vec2(1e7);
+  vec2 at = clamp(map * place.at + vec2(data.rowU.z, data.rowV.z), -furthest, furthest);
+  at = near0(at, data.place.w);
   vec2 size = vec2(data.place.y & 0xffffu, data.place.y >> 16u);
-  vec2 right = map * place.right;
-  vec2 down = map * place.down;
+  vec2 right = clamp(map * place.right, -furthest, furthest);
+  vec2 down = clamp(map * place.down, -furthest, furthest);
   float across = length(size * right);
   float along = length(size * down);
   vec2 axis = across > along ? right : down;
