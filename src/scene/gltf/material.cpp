@@ -22,7 +22,7 @@ Rgb color(const std::vector<double>& factor, double most = 1) {
   return rgb;
 }
 
-constexpr double brightest = 1e30;
+constexpr double brightest = 1e29;
 
 void readEmission(const tinygltf::Material& of, OpaqueMaterial& material) {
   const double strength =
