@@ -107,6 +107,9 @@ std::optional<GltfScattering> gltfScattering(const tinygltf::Material& material)
   if (!color && !textured && scatter != &later) return std::nullopt;
   GltfScattering found{.color = color.value_or(Numbers3{1, 1, 1})};
   found.anisotropy = std::clamp(gltfNumber(*scatter, "scatterAnisotropy").value_or(0), -0.99, 0.99);
+  if (scatter == &later)
+    found.isPartial = gltfNumber(later, "scatterStrengthFactor").value_or(1) < 1 ||
+                      later.Has("scatterStrengthTexture");
   if (textured) found.texture = scatter->Get("multiscatterColorTexture");
   return found;
 }

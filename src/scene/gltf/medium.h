@@ -15,6 +15,7 @@ namespace opaline::scene {
 struct GltfScattering {
   std::array<double, 3> color{1, 1, 1};
   double anisotropy = 0;
+  bool isPartial = false;  ///< its strength is less than 1 in some places, and counts as 1
   std::optional<tinygltf::Value> texture{};  ///< as JSON; its colours multiply the color
 };
 std::optional<GltfScattering> gltfScattering(const tinygltf::Material& material);

@@ -55,8 +55,10 @@ HiddenParts partsOf(const tinygltf::Material& material) {
 void addMaterial(const tinygltf::Material& material, bool isTranslucent, const std::string& name,
                  std::vector<NotShown>& to) {
   if (isTranslucent) addNotShown(to, partsOf(material), name);
-  if (const auto scattering = gltfScattering(material); scattering && scattering->texture)
+  const std::optional<GltfScattering> scattering = gltfScattering(material);
+  if (scattering && scattering->texture)
     addNotShown(to, "colour textures of media, but for their mean", name);
+  if (scattering && scattering->isPartial) addNotShown(to, "scatter strengths below 1", name);
   // Its surface ends where it is less there than not.
   if (material.alphaMode == "BLEND") addNotShown(to, "blended alpha", name);
   for (const auto& [extension, value] : material.extensions) {

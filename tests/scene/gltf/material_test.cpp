@@ -64,6 +64,26 @@ TEST_F(GltfMaterial, AttributesFollowTheirVertices) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(mesh.colors[v][c], mesh.positionsMm[v][c] / 1000);
 }
 
+// Both extensions say the same of a medium.
+TEST_F(GltfMaterial, ScatterIsReadAsVolumeScatterIs) {
+  const auto medium = [&](const std::string& extensions) {
+    const Scene scene =
+        load(parts(R"({"name":"jelly","extensions":{"KHR_materials_volume":{"thicknessFactor":1,)"
+                   R"("attenuationDistance":0.001,"attenuationColor":[0.1,0.2,0.3]},)" +
+                   extensions + "}}"));
+    EXPECT_FALSE(scene.objects[0].opaque);
+    return scene.objects[0].medium;
+  };
+  const std::string colour = R"("multiscatterColorFactor":[0.8,0.5,0.2],"scatterAnisotropy":0.4)";
+  const Medium former = medium(R"("KHR_materials_volume_scatter":{)" + colour + "}");
+  const Medium later =
+      medium(R"("KHR_materials_transmission":{"transmissionFactor":1},"KHR_materials_scatter":)"
+             R"({"scatterStrengthFactor":1,)" +
+             colour + "}");
+  EXPECT_EQ(former, later);
+  EXPECT_NE(former.sigmaAPerMm[0], former.sigmaAPerMm[2]);
+}
+
 TEST_F(GltfMaterial, OfAMediumByOptionAllButMetal) {
   for (const bool metal : {false, true}) {
     const Parts file =
