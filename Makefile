@@ -13,7 +13,7 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan package dependencies configure
+.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan package package-check dependencies configure
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -29,6 +29,7 @@ help:
 	@echo 'make format    clang-format everything'
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
 	@echo 'make package   a tar.gz of the program that runs on other x86-64 Linux machines'
+	@echo 'make package-check  the library alone, shared: builds it, installs it, uses it from another project'
 
 dependencies:
 	@scripts/install-dependencies.sh
@@ -107,3 +108,8 @@ asan: dependencies
 package: build
 	scripts/package.sh $(BUILD)
 	scripts/test-package.sh
+
+package-check: dependencies
+	cmake --preset library -B build/shared -DBUILD_SHARED_LIBS=ON $(LAUNCHER)
+	cmake --build build/shared
+	cd tests/package && BUILD=$(CURDIR)/build/shared $(PYTHON) -m unittest package_test

@@ -91,4 +91,5 @@ function(opaline_shaders target)
   add_library(${target} STATIC ${sources} ${generated}/layouts.cpp)
   target_include_directories(${target} PUBLIC ${generated})
   target_link_libraries(${target} PUBLIC opaline_gpu opaline_shader_headers)  # what those headers include
+  opaline_part(${target})
 endfunction()

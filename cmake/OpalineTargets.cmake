@@ -34,12 +34,21 @@ function(opaline_include_folder target scope folder)
   target_include_directories(${target} ${scope} ${root})
 endfunction()
 
+# Notes a static library and what it links, for opaline_whole_library(). Its objects make shared libraries too.
+function(opaline_part target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  list(FILTER ARGN EXCLUDE REGEX "^opaline_")
+  set_property(GLOBAL APPEND PROPERTY OPALINE_PARTS ${target})
+  set_property(GLOBAL APPEND PROPERTY OPALINE_LINKED ${ARGN})
+endfunction()
+
 function(opaline_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(opaline_${name} STATIC ${ARG_SOURCES})
   add_library(opaline::${name} ALIAS opaline_${name})
   opaline_include_folder(opaline_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(opaline_${name} PUBLIC opaline_headers ${ARG_PUBLIC} PRIVATE opaline_warnings ${ARG_PRIVATE})
+  opaline_part(opaline_${name} ${ARG_PUBLIC} ${ARG_PRIVATE})
 endfunction()
 
 # What only talks to people or checks the library waits more for its compiler than for itself.

@@ -12,9 +12,7 @@ build=$1
 # The C library, which every Linux has and which must be the system's own.
 glibc='^(linux-vdso|ld-linux-x86-64|libc|libm|libdl|libpthread|librt|libresolv)\.so'
 fallback='^(libstdc\+\+|libgcc_s|libz)\.so'
-# Libraries of headers only, compiled into the program.
-compiled_in=(libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libtinygltf-dev libtinyobjloader-dev
-  libstb-dev libeigen3-dev libglm-dev libfmt-dev libimgui-dev)
+mapfile -t compiled_in < <(grep '^[a-z]' cmake/compiled_in.txt)
 
 if ! command -v dpkg-query >/dev/null; then
   echo "package.sh: licences are collected from Debian's packages; run this on Debian or Ubuntu" >&2
@@ -31,6 +29,7 @@ stage=build/package/$name
 rm -rf "$stage"
 mkdir -p "$stage/lib/fallback" "$stage/licences"
 cmake --install "$build" --prefix "$stage" --strip --component program >/dev/null
+mv "$stage/bin" "$stage/libexec"
 cp scripts/launcher.sh "$stage/opaline"
 chmod 755 "$stage/opaline"
 cp LICENSE CHANGELOG.md "$stage"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "opaline/export.h"
 #include "opaline/scene.h"
 
 namespace opaline {
@@ -13,6 +14,6 @@ namespace opaline {
 /// rest, but no nearer than half its diagonal; and ambient light and environment in spherical
 /// harmonics of bands 0–2. If W is from ¼ to 2½, the exposure is 0. Otherwise it brings W to the
 /// nearer of these. In [-32, 32], in hundredths; 0 without light.
-float automaticExposureStops(const Scene& scene);
+OPALINE_API float automaticExposureStops(const Scene& scene);
 
 }  // namespace opaline

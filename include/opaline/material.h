@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "opaline/export.h"
 #include "opaline/image.h"
 #include "opaline/types.h"
 
@@ -64,9 +65,9 @@ inline constexpr std::array<std::optional<Texture> OpaqueMaterial::*, 7> texture
     &OpaqueMaterial::emissionTexture};
 
 /// Why the material cannot be rendered, as a sentence; empty if it can.
-std::string complaintAbout(const OpaqueMaterial& material);
+OPALINE_API std::string complaintAbout(const OpaqueMaterial& material);
 
 /// A matt surface that gives back the same share of light in all directions.
-OpaqueMaterial mattMaterial(const Rgb& color);
+OPALINE_API OpaqueMaterial mattMaterial(const Rgb& color);
 
 }  // namespace opaline

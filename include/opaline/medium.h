@@ -3,6 +3,8 @@
 #include <array>
 #include <string>
 
+#include "opaline/export.h"
+
 namespace opaline {
 
 /// A homogeneous, highly scattering medium behind a smooth dielectric boundary, per colour channel.
@@ -16,7 +18,7 @@ struct Medium {
 };
 
 /// Why the medium cannot be rendered, as a sentence; empty if it can.
-std::string complaintAbout(const Medium& medium);
+OPALINE_API std::string complaintAbout(const Medium& medium);
 
 /// A medium by what is seen of it.
 struct Appearance {
@@ -30,10 +32,10 @@ struct Appearance {
 };
 
 /// Why no medium looks like that, as a sentence; empty if one does.
-std::string complaintAbout(const Appearance& appearance);
+OPALINE_API std::string complaintAbout(const Appearance& appearance);
 
 /// The medium that looks like that, by a fit to diffusion with Fresnel's boundary whose colours are
 /// right within 0.003.
-Medium mediumOf(const Appearance& appearance);
+OPALINE_API Medium mediumOf(const Appearance& appearance);
 
 }  // namespace opaline

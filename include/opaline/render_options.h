@@ -1,5 +1,7 @@
 #pragma once
 
+#include "opaline/export.h"
+
 namespace opaline {
 
 /// How light travels from the place where it enters to the place where it leaves.
@@ -48,7 +50,7 @@ enum class Aov {
 };
 
 /// Whether a variable is read from the diffusion source map.
-bool showsMap(Aov aov);
+OPALINE_API bool showsMap(Aov aov);
 
 /// Shape of the pattern of Gong et al. 2008, Figure 5. Lengths are in mean free paths 1/σ_t' of the
 /// channel with the shortest.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "opaline/export.h"
 #include "opaline/log.h"
 #include "opaline/motion.h"
 #include "opaline/render_options.h"
@@ -35,10 +36,10 @@ struct RendererOptions {
 };
 
 /// All Vulkan devices of this machine, in the order of their index; empty when there is none.
-std::vector<DeviceDescription> listDevices();
+OPALINE_API std::vector<DeviceDescription> listDevices();
 
 /// Holds one scene at a time, of which any number of views make pictures. Not thread-safe.
-class Renderer {
+class OPALINE_API Renderer {
  public:
   explicit Renderer(const RendererOptions& options = {});
   ~Renderer();

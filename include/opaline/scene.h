@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "opaline/export.h"
 #include "opaline/image.h"
 #include "opaline/log.h"
 #include "opaline/material.h"
@@ -70,7 +71,7 @@ struct SpotLight {
 };
 
 /// 1 up to 50 outer degrees, 6 beyond.
-std::size_t shadowMapsOf(const SpotLight& light);
+OPALINE_API std::size_t shadowMapsOf(const SpotLight& light);
 
 /// A rectangle, or any parallelogram, that shines evenly to the side of u × v.
 struct RectangleLight {
@@ -148,16 +149,16 @@ struct Camera {
 };
 
 /// Why the lights, or the camera, cannot be rendered, as a sentence; empty if they can.
-std::string complaintAbout(const DirectionalLight& light);
-std::string complaintAbout(const PointLight& light);
-std::string complaintAbout(const SpotLight& light);
-std::string complaintAbout(const RectangleLight& light);
-std::string complaintAbout(const DiscLight& light);
-std::string complaintAbout(const SphereLight& light);
-std::string complaintAbout(const TubeLight& light);
-std::string complaintAbout(const AreaLight& light);
-std::string complaintAbout(const Lighting& lighting);
-std::string complaintAbout(const Camera& camera);
+OPALINE_API std::string complaintAbout(const DirectionalLight& light);
+OPALINE_API std::string complaintAbout(const PointLight& light);
+OPALINE_API std::string complaintAbout(const SpotLight& light);
+OPALINE_API std::string complaintAbout(const RectangleLight& light);
+OPALINE_API std::string complaintAbout(const DiscLight& light);
+OPALINE_API std::string complaintAbout(const SphereLight& light);
+OPALINE_API std::string complaintAbout(const TubeLight& light);
+OPALINE_API std::string complaintAbout(const AreaLight& light);
+OPALINE_API std::string complaintAbout(const Lighting& lighting);
+OPALINE_API std::string complaintAbout(const Camera& camera);
 
 /// A kind of repair by a loader, and how often it was made.
 struct Repair {
@@ -196,13 +197,13 @@ struct Bounds {
 };
 
 /// The smallest box around all vertices of all objects but a ground; zero without vertices.
-Bounds boundsOf(const Scene& scene);
+OPALINE_API Bounds boundsOf(const Scene& scene);
 
 /// The middle of a box, mm.
-Vec3 middleOf(const Bounds& bounds);
+OPALINE_API Vec3 middleOf(const Bounds& bounds);
 
 /// Length of the diagonal of boundsOf(scene), mm.
-float diagonalMm(const Scene& scene);
+OPALINE_API float diagonalMm(const Scene& scene);
 
 /// What one object is to be made of.
 struct MediumOfObject {
@@ -223,13 +224,13 @@ struct LoadOptions {
 
 /// Reads a .glb, .gltf, .obj, .ply or .toml scene, repairs its meshes and adds a default camera and
 /// lights if the file has none. Throws Error when the file cannot be read or makes no sense.
-Scene loadScene(const std::filesystem::path& file, const LoadOptions& options = {});
+OPALINE_API Scene loadScene(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// The built-in scene: a gummy bear, closed and smooth, about 50,000 triangles, 50 mm diagonal.
-Scene builtInBear(const LoadOptions& options = {});
+OPALINE_API Scene builtInBear(const LoadOptions& options = {});
 
 /// The Utah teapot (Newell 1975) from its Bézier patches: 2256 triangles, 1177 vertices.
-Scene builtInTeapot(const LoadOptions& options = {});
+OPALINE_API Scene builtInTeapot(const LoadOptions& options = {});
 
 /// An opaque horizontal plane, a thousand diagonals wide, under what the scene has. It takes
 /// shadows and light and gives light back. Lights below it are hidden by it.
@@ -240,26 +241,26 @@ struct Ground {
   bool operator==(const Ground&) const = default;
 };
 
-std::string complaintAbout(const Ground& ground);
+OPALINE_API std::string complaintAbout(const Ground& ground);
 
 /// The ground as an object, which becomes a part of the scene by being added to its objects.
-Object groundUnder(const Scene& scene, const Ground& ground = {});
+OPALINE_API Object groundUnder(const Scene& scene, const Ground& ground = {});
 
 /// The scene's ground; null if it has none.
-const Object* groundOf(const Scene& scene);
+OPALINE_API const Object* groundOf(const Scene& scene);
 
 /// Takes the ground away, if there is one.
-void removeGround(Scene& scene);
+OPALINE_API void removeGround(Scene& scene);
 
 /// The default camera: in the given direction from the centre of the box (default +z), looking at
 /// the centre, 1.4 diagonals away. It knows neither the picture's width over its height nor the
 /// scene's motion, so it may cut off a scene's ends. From 0.5 / sin(half the field of view)
 /// diagonals, 1.93 for 30 degrees, all of a scene at rest is seen in a picture at least as wide as
 /// high.
-Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre = {0, 0, 1},
-                     float verticalFovDegrees = 30);
+OPALINE_API Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre = {0, 0, 1},
+                                 float verticalFovDegrees = 30);
 
 /// The default lights: a key light from behind at the side, a weak fill and weak ambient light.
-Lighting defaultLighting();
+OPALINE_API Lighting defaultLighting();
 
 }  // namespace opaline

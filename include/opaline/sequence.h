@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "opaline/export.h"
 #include "opaline/scene.h"
 
 namespace opaline {
 
 /// Meshes of one topology in numbered files, frame by frame.
-class MeshSequence {
+class OPALINE_API MeshSequence {
  public:
   /// `pattern` is a path whose last part has exactly one %d or %0Nd, such as frame_%04d.ply. Finds
   /// the smallest number that exists, from 0 to 999999, and all that follow without a gap. Reads

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "opaline/export.h"
 #include "opaline/types.h"
 
 namespace opaline {
@@ -30,7 +31,7 @@ struct SoftBodyOptions {
 /// Time advances in substeps of one length, whatever the length of the steps. So the same pulls at
 /// the same times give the same motion. The renderer must outlive it and must not be moved. After
 /// Renderer::setScene it may only be destroyed. Not thread-safe: use it on the renderer's thread.
-class SoftBody {
+class OPALINE_API SoftBody {
  public:
   /// `object` is an index in the renderer's scene. `restMm` are the positions of its vertices at
   /// rest, mm, one for each. A mesh that is not closed is a shell as thick as a cell. Throws

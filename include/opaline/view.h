@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "opaline/export.h"
 #include "opaline/image.h"
 #include "opaline/render_options.h"
 #include "opaline/scene.h"
@@ -91,7 +92,7 @@ struct FrameOrder {
 /// All views of a renderer share the scene and its time, and those with the same maxSurfels and
 /// maxClusters its division into surfels and clusters. The renderer must outlive its views. Not
 /// thread-safe: use them on the renderer's thread.
-class View {
+class OPALINE_API View {
  public:
   /// Throws UsageError for options out of range.
   explicit View(Renderer& renderer, const RenderOptions& options = {});

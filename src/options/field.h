@@ -129,7 +129,7 @@ Field<Owner> formerly(std::string_view formerKey, Field<Owner> field) {
 
 /// The names of an enumeration's values, in their order.
 template <typename Enumeration>
-const std::vector<std::string_view>& namesOf();
+[[gnu::visibility("hidden")]] const std::vector<std::string_view>& namesOf();
 
 template <typename Enumeration>
 std::string nameOf(Enumeration value) {

@@ -4,6 +4,7 @@ benchmarks and tests; whoever links it sees its public headers and no others."""
 import json
 import os
 import pathlib
+import re
 import shlex
 import subprocess
 import tempfile
@@ -77,9 +78,25 @@ class Library(unittest.TestCase):
             self.assertNotEqual(self.compile(f"#include <{hidden}>\n").returncode, 0, hidden)
 
     def test_what_needs_more_says_so(self):
-        done = configure("--preset", "library", "-S", ROOT, "-B", self.folder, "-DOPALINE_PROGRAM=ON")
+        done = configure("--preset", "library", "-S", ROOT, "-B", self.folder, "-DOPALINE_BUILD_PROGRAM=ON")
         self.assertNotEqual(done.returncode, 0)
-        self.assertIn("OPALINE_PROGRAM is on, which needs OPALINE_REFERENCE", " ".join(done.stderr.split()))
+        self.assertIn("OPALINE_BUILD_PROGRAM is on, which needs OPALINE_BUILD_REFERENCE", " ".join(done.stderr.split()))
+
+
+class Headers(unittest.TestCase):
+    PUBLIC = sorted((ROOT / "include" / "opaline").glob("*.h"))
+
+    def test_one_header_includes_all(self):
+        included = re.findall(r'#include "opaline/(.*)"', (ROOT / "include" / "opaline" / "opaline.h").read_text())
+        self.assertEqual(included, sorted({path.name for path in self.PUBLIC} - {"opaline.h"} | {"version.h"}))
+
+    def test_every_function_and_class_is_exported(self):
+        for path in self.PUBLIC:
+            text = path.read_text()
+            functions = re.findall(r"^(?!inline |template|constexpr |using |static_assert|#|//|OPALINE_API )[\w:].*\(", text,
+                                   re.MULTILINE)
+            classes = re.findall(r"^class (?!OPALINE_API )\w+ .*", text, re.MULTILINE)
+            self.assertEqual(functions + classes, [], path.name)
 
 
 class Lists(unittest.TestCase):

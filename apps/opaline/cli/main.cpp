@@ -11,6 +11,7 @@
 #include "cli/interrupt.h"
 #include "cli/output.h"
 #include "opaline/error.h"
+#include "opaline/version.h"
 
 namespace {
 

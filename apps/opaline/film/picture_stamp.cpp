@@ -10,6 +10,7 @@
 #include "core/digest.h"
 #include "core/file.h"
 #include "film/sequence_frames.h"
+#include "opaline/version.h"
 
 namespace opaline::app {
 

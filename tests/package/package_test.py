@@ -1,0 +1,152 @@
+"""What `cmake --install` leaves behind is all that another project needs, in a folder that knows nothing of ours.
+
+BUILD names the build folder, which is whole. `make package-check` runs this on a shared library."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = pathlib.Path(os.environ.get("BUILD", ROOT / "build" / "release"))
+CMAKE = os.environ.get("CMAKE", "cmake")
+
+PROJECT = """cmake_minimum_required(VERSION 3.24)
+project(picture LANGUAGES CXX)
+find_package(Opaline 0.2 REQUIRED)
+add_executable(picture picture.cpp)
+target_link_libraries(picture PRIVATE opaline::opaline)
+"""
+
+PROGRAM = """#include <opaline/opaline.h>
+
+#include <cstdio>
+
+int main() try {
+  static_assert(OPALINE_VERSION_MAJOR == 0 && OPALINE_VERSION_MINOR >= 2 && OPALINE_VERSION_PATCH >= 0);
+  opaline::Renderer renderer;
+  renderer.setScene(opaline::builtInTeapot());
+  opaline::RenderOptions options;
+  options.width = 32;
+  options.height = 24;
+  options.transport = opaline::Transport::Dipole;
+  const opaline::RenderResult result = renderer.render(options);
+  std::printf("%dx%d\\n", result.images[0].width, result.images[0].height);
+  renderer.setScene({});
+} catch (const opaline::Error& error) {
+  std::printf("refused: %s\\n", error.what());
+}
+"""
+
+
+def run(*words, **more):
+    return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False, **more)
+
+
+def cached(name):
+    """What CMake's cache of the build says."""
+    for line in (BUILD / "CMakeCache.txt").read_text().splitlines():
+        if line.startswith(name + ":"):
+            return line.partition("=")[2]
+    return ""
+
+
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(temporary.cleanup)
+        cls.folder = pathlib.Path(temporary.name)
+        cls.prefix = cls.folder / "prefix"
+        done = run(CMAKE, "--install", BUILD, "--prefix", cls.prefix)
+        assert done.returncode == 0, done.stderr
+        cls.shared = cached("BUILD_SHARED_LIBS") in ("ON", "TRUE", "1")
+
+    def succeed(self, *words, **more):
+        done = run(*words, **more)
+        self.assertEqual(done.returncode, 0, f"{words}: {done.stdout}{done.stderr}")
+        return done.stdout
+
+    def project(self, name):
+        folder = self.folder / name
+        folder.mkdir()
+        (folder / "CMakeLists.txt").write_text(PROJECT)
+        (folder / "picture.cpp").write_text(PROGRAM)
+        return folder
+
+    def assert_draws(self, program):
+        lines = self.succeed(program, env=os.environ | {"LD_LIBRARY_PATH": str(self.prefix / "lib")}).splitlines()
+        self.assertEqual(lines[0], "32x24")
+        self.assertTrue(lines[1].startswith("refused: "), lines)
+
+    def test_nothing_installed_names_our_folders(self):
+        names = [str(path).encode() for path in (ROOT, BUILD.resolve())]
+        files = [path for path in self.prefix.rglob("*") if path.is_file()]
+        self.assertGreater(len(files), 40)
+        for path in files:
+            content = path.read_bytes()
+            for name in names:
+                self.assertNotIn(name, content, path)
+
+    def test_licence_pages_and_headers_are_there(self):
+        documents = self.prefix / "share" / "doc" / "opaline"
+        for path in (documents / "LICENSE", documents / "docs" / "media.md", self.prefix / "include" / "opaline" / "version.h",
+                     self.prefix / "lib" / "cmake" / "Opaline" / "OpalineConfig.cmake"):
+            self.assertTrue(path.is_file(), path)
+        ours = {path.name for path in (ROOT / "include" / "opaline").glob("*.h")}
+        self.assertEqual({path.name for path in (self.prefix / "include" / "opaline").iterdir()}, ours | {"version.h"})
+
+    def test_the_program_runs_from_there(self):
+        program = self.prefix / "bin" / "opaline"
+        if cached("OPALINE_BUILD_PROGRAM") != "ON":
+            self.skipTest("this build has no program")
+        self.assertTrue(self.succeed(program, "--version").startswith("opaline 0."))
+
+    def test_another_project_finds_it(self):
+        folder = self.project("found")
+        self.succeed(CMAKE, "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        self.succeed(CMAKE, "--build", folder / "build")
+        self.assert_draws(folder / "build" / "picture")
+
+    def test_it_moves_as_a_whole(self):
+        moved = self.folder / "moved"
+        shutil.copytree(self.prefix / "include", moved / "include")
+        shutil.copytree(self.prefix / "lib", moved / "lib", symlinks=True)
+        folder = self.project("of_the_moved")
+        self.succeed(CMAKE, "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={moved}")
+
+    def test_another_minor_version_is_refused(self):
+        folder = self.project("refused")
+        (folder / "CMakeLists.txt").write_text(PROJECT.replace("0.2", "0.99"))
+        done = run(CMAKE, "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("Opaline", done.stderr)
+
+    @unittest.skipUnless(shutil.which("pkg-config"), "pkg-config is not there")
+    def test_pkg_config_knows_it(self):
+        folder = self.project("by_pkg_config")
+        environment = os.environ | {"PKG_CONFIG_PATH": str(self.prefix / "lib" / "pkgconfig")}
+        kind = [] if self.shared else ["--static"]
+        flags = self.succeed("pkg-config", "--cflags", "--libs", *kind, "opaline", env=environment).split()
+        self.succeed(os.environ.get("CXX", "c++"), "-std=c++20", "-o", folder / "picture", folder / "picture.cpp", *flags)
+        self.assert_draws(folder / "picture")
+
+    def test_a_shared_library_shows_its_interface_alone(self):
+        if not self.shared:
+            self.skipTest("this build makes a static library")
+        library = self.prefix / "lib" / "libopaline.so"
+        version = cached("CMAKE_PROJECT_VERSION")
+        self.assertIn(f"[libopaline.so.{version.rpartition('.')[0]}]", self.succeed("readelf", "-d", library))
+        symbols = [line.split(" ", 2)[-1] for line in
+                   self.succeed("nm", "-DC", "--defined-only", "--no-weak", library).splitlines()]
+        ours = [name for name in symbols if "opaline::" in name]
+        self.assertGreater(len(ours), 50)
+        folders = sorted(path.name for path in (ROOT / "src").iterdir() if path.is_dir())
+        for folder in folders:
+            self.assertEqual([name for name in ours if f" opaline::{folder}::" in f" {name}"], [])
+
+
+if __name__ == "__main__":
+    unittest.main()
