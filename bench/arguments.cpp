@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "bssrdf/media.h"
 #include "opaline/error.h"
+#include "opaline/media.h"
 
 namespace opaline::bench {
 
@@ -28,7 +28,7 @@ std::optional<std::filesystem::path> findModel(const char* name) {
 LoadOptions optionsFor(const char* medium) {
   LoadOptions options;
   options.diagonalMm = 50;
-  options.medium = bssrdf::findMedium(medium);
+  options.medium = findMedium(medium);
   return options;
 }
 

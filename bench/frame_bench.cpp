@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "arguments.h"
-#include "compare/figures.h"
+#include "opaline/compare.h"
 #include "opaline/renderer.h"
 #include "opaque_frame.h"
 

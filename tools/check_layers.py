@@ -7,8 +7,22 @@ import sys
 
 from repository import ROOT, finish, read_text, tracked_files
 
-PLAIN = ("opaline/error.h", "opaline/image.h", "opaline/log.h", "opaline/types.h")
-APP = ("opaline", "core", "options", "compare", "bssrdf", "scene", "deform", "reference")
+PLAIN = ("opaline/error.h", "opaline/file.h", "opaline/image.h", "opaline/image_file.h", "opaline/log.h", "opaline/tone.h",
+         "opaline/types.h")
+
+# What the program still reads of the library beside its public headers. This list only shrinks: what nobody includes any
+# more is a finding.
+NOT_YET_PUBLIC = (
+    "bssrdf/profile.h",
+    "core/digest.h", "core/measures.h", "core/numbered_name.h",
+    "deform/deformed_vertices.h", "deform/pose.h",
+    "options/field.h", "options/picture.h", "options/scene.h",
+    "paper/atlas/atlas.h", "paper/atlas/draw.h",
+    "scene/framing.h", "scene/mesh/insides.h", "scene/mesh/merged_mesh.h", "scene/mesh/normals.h", "scene/not_shown.h",
+    "scene/placed_lights.h", "scene/repair/topology.h", "scene/scene_files.h", "scene/scene_settings.h",
+    "scene/scene_source.h", "scene/toml/writer.h", "scene/vector_math.h",
+)
+APP = ("opaline", "reference", *NOT_YET_PUBLIC)
 
 # Below these, includes begin with a folder of theirs.
 PROGRAMS = ("apps/opaline",)
@@ -19,9 +33,9 @@ PROGRAMS = ("apps/opaline",)
 ALLOWED = {
     "include/opaline": ("opaline",),
     "src/core": PLAIN,
-    "src/compare": (*PLAIN, "core"),
-    "src/bssrdf": ("opaline/medium.h",),
-    "src/options": ("opaline", "core/tone.h"),
+    "src/compare": (*PLAIN, "opaline/compare.h", "core"),
+    "src/bssrdf": ("opaline/media.h", "opaline/medium.h"),
+    "src/options": ("opaline",),
     "src/scene": ("opaline", "core", "options", "bssrdf", "builtin"),
     "src/lights": ("opaline", "bssrdf"),
     "src/environment": ("opaline", "core", "bssrdf", "lights"),
@@ -40,7 +54,7 @@ ALLOWED = {
     "src/renderer": ("opaline", "core", "options", "bssrdf", "lights", "scene", "environment", "deform", "surfels",
                      "soft_body", "gpu", "passes", "paper/technique.h", "shaders"),
     "reference": ("opaline", "core", "bssrdf", "lights", "environment"),
-    "apps/opaline/cli": (*APP, "paper/atlas"),
+    "apps/opaline/cli": APP,
     "apps/opaline/film": (*APP, "apps/opaline/cli"),
     "apps/opaline/lab": (*APP, "apps/opaline/cli", "apps/opaline/film"),
     "apps/opaline/viewer": (*APP, "apps/opaline/cli", "apps/opaline/film", "apps/opaline/lab",
@@ -155,12 +169,23 @@ def check(path, text):
     return findings
 
 
+def made_public(texts):
+    """What of NOT_YET_PUBLIC none of the program's files includes."""
+    included = {match[2] for text in texts for match in INCLUDE.finditer(text)}
+    return [f"tools/check_layers.py: the program includes {header} no more: NOT_YET_PUBLIC can do without"
+            for header in NOT_YET_PUBLIC if header not in included]
+
+
 def main():
     findings = []
+    program = []
     for path in tracked_files():
         if path.endswith(SOURCE):
-            findings += check(path, read_text(ROOT / path))
-    finish("layers", findings)
+            text = read_text(ROOT / path)
+            findings += check(path, text)
+            if within(path, "apps"):
+                program.append(text)
+    finish("layers", findings + made_public(program))
 
 
 if __name__ == "__main__":

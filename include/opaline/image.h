@@ -31,6 +31,13 @@ struct Image {
   }
 };
 
+/// Eight-bit sRGB pixels with straight alpha, rows from top to bottom.
+struct Image8 {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
 /// Pixels as a picture file stores them: R G B A in [0, 65535], rows from top to bottom. Without
 /// alpha in the file A is 65535.
 struct TexturePixels {

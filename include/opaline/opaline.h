@@ -2,12 +2,17 @@
 
 /// All of the C++ interface. Each subject has a header of its own, which is its reference.
 
+#include "opaline/compare.h"
+#include "opaline/environment.h"
 #include "opaline/error.h"
 #include "opaline/export.h"
 #include "opaline/exposure.h"
+#include "opaline/file.h"
 #include "opaline/image.h"
+#include "opaline/image_file.h"
 #include "opaline/log.h"
 #include "opaline/material.h"
+#include "opaline/media.h"
 #include "opaline/medium.h"
 #include "opaline/motion.h"
 #include "opaline/render_options.h"
@@ -15,6 +20,7 @@
 #include "opaline/scene.h"
 #include "opaline/sequence.h"
 #include "opaline/soft_body.h"
+#include "opaline/tone.h"
 #include "opaline/types.h"
 #include "opaline/version.h"
 #include "opaline/view.h"

@@ -1,9 +1,9 @@
-#include "bssrdf/media.h"
+#include "opaline/media.h"
 
 #include <algorithm>
 #include <vector>
 
-namespace opaline::bssrdf {
+namespace opaline {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::optional<Medium> findMedium(std::string_view name) {
   return std::nullopt;
 }
 
-}  // namespace opaline::bssrdf
+}  // namespace opaline

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "compare/cie_color.h"
-#include "core/tone.h"
+#include "opaline/tone.h"
 
 namespace opaline::compare {
 
@@ -61,7 +61,7 @@ Rgb8 perceptualColor(double unit) {
   Rgb8 color{};
   for (std::size_t c = 0; c < color.size(); ++c) {
     const auto channel = static_cast<float>(std::clamp(linear[c], 0.0, 1.0));
-    color[c] = static_cast<std::uint8_t>(std::lround(core::encodeSrgb(channel) * 255.0F));
+    color[c] = static_cast<std::uint8_t>(std::lround(encodeSrgb(channel) * 255.0F));
   }
   return color;
 }

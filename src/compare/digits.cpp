@@ -31,7 +31,7 @@ constexpr std::array<Glyph, 12> glyphs{{
 
 }  // namespace
 
-void fillRectangle(core::Image8& picture, int x, int y, int width, int height, Rgb8 color) {
+void fillRectangle(Image8& picture, int x, int y, int width, int height, Rgb8 color) {
   const int right = std::min(x + width, picture.width);
   const int bottom = std::min(y + height, picture.height);
   for (int row = std::max(y, 0); row < bottom; ++row) {
@@ -46,7 +46,7 @@ void fillRectangle(core::Image8& picture, int x, int y, int width, int height, R
   }
 }
 
-void drawNumber(core::Image8& picture, int x, int y, int scale, std::string_view text, Rgb8 color) {
+void drawNumber(Image8& picture, int x, int y, int scale, std::string_view text, Rgb8 color) {
   for (const char character : text) {
     const auto glyph = std::find_if(glyphs.begin(), glyphs.end(), [&](const Glyph& candidate) {
       return candidate.character == character;

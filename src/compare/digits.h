@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "compare/color_map.h"
-#include "core/image_file.h"
+#include "opaline/image_file.h"
 
 namespace opaline::compare {
 
@@ -13,9 +13,9 @@ constexpr int glyphAdvance = glyphWidth + 1;
 
 /// Writes digits, points and percent signs, each dot a square of `scale` pixels, from an
 /// upper left corner. What is outside the picture is left out; other characters stay blank.
-void drawNumber(core::Image8& picture, int x, int y, int scale, std::string_view text, Rgb8 color);
+void drawNumber(Image8& picture, int x, int y, int scale, std::string_view text, Rgb8 color);
 
 /// Clipped to the picture.
-void fillRectangle(core::Image8& picture, int x, int y, int width, int height, Rgb8 color);
+void fillRectangle(Image8& picture, int x, int y, int width, int height, Rgb8 color);
 
 }  // namespace opaline::compare

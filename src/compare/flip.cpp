@@ -1,5 +1,3 @@
-#include "compare/flip.h"
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -7,7 +5,9 @@
 #include <numbers>
 
 #include "compare/cie_color.h"
-#include "core/tone.h"
+#include "compare/plane.h"
+#include "opaline/compare.h"
+#include "opaline/tone.h"
 
 namespace opaline::compare {
 
@@ -105,10 +105,10 @@ Plane magnitude(Plane x, const Plane& y) {
 }
 
 /// Y_y, C_x and C_z of section 4.1.1: L*a*b* without its roots.
-std::array<Plane, 3> toYcxcz(const core::Image8& picture) {
+std::array<Plane, 3> toYcxcz(const Image8& picture) {
   std::array<double, 256> linear{};
   for (std::size_t i = 0; i < linear.size(); ++i) {
-    linear[i] = static_cast<double>(core::decodeSrgb(static_cast<float>(i) / 255.0F));
+    linear[i] = static_cast<double>(decodeSrgb(static_cast<float>(i) / 255.0F));
   }
   const Plane empty(picture.width, picture.height);
   std::array<Plane, 3> planes{empty, empty, empty};
@@ -174,7 +174,7 @@ struct Seen {
   Plane points;
 };
 
-Seen look(const core::Image8& picture, double pixelsPerDegree) {
+Seen look(const Image8& picture, double pixelsPerDegree) {
   Seen seen;
   seen.color = toYcxcz(picture);
   Plane luminance = seen.color[0];
@@ -190,7 +190,7 @@ Seen look(const core::Image8& picture, double pixelsPerDegree) {
 
 }  // namespace
 
-Plane flipMap(const core::Image8& a, const core::Image8& b, double pixelsPerDegree) {
+Plane flipMap(const Image8& a, const Image8& b, double pixelsPerDegree) {
   assert(a.width == b.width && a.height == b.height);
   assert(pixelsPerDegree >= 1 && pixelsPerDegree <= 1000);
   const Seen seenA = look(a, pixelsPerDegree);

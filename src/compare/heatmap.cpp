@@ -1,4 +1,4 @@
-#include "compare/heatmap.h"
+#include "opaline/compare.h"
 
 #include <fmt/format.h>
 
@@ -52,7 +52,7 @@ int stepsTo(double top) {
   return leading > 1.5 && leading < 3 ? 4 : 5;
 }
 
-void drawScale(core::Image8& picture, const Layout& layout, double top) {
+void drawScale(Image8& picture, const Layout& layout, double top) {
   for (int row = 0; row < layout.barHeight; ++row) {
     const double unit = 1 - row / static_cast<double>(layout.barHeight - 1);
     fillRectangle(picture, layout.barLeft, layout.barTop + row, layout.barWidth, 1,
@@ -92,10 +92,10 @@ double heatmapTop(const Plane& errors, const Selection& selection) {
   return 1e30;
 }
 
-core::Image8 drawHeatmap(const Plane& errors, const Selection& selection, double top) {
+Image8 drawHeatmap(const Plane& errors, const Selection& selection, double top) {
   assert(errors.values.size() == selection.size() && top > 0);
   const Layout layout = layOut(errors.width, errors.height);
-  core::Image8 picture{layout.width, layout.height, {}};
+  Image8 picture{layout.width, layout.height, {}};
   picture.rgba.assign(std::size_t{4} * static_cast<std::size_t>(layout.width) *
                           static_cast<std::size_t>(layout.height),
                       255);

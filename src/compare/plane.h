@@ -1,23 +1,11 @@
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 
+#include "opaline/compare.h"
+
 namespace opaline::compare {
-
-/// One number a pixel, rows from top to bottom.
-struct Plane {
-  int width = 0;
-  int height = 0;
-  std::vector<float> values;
-
-  Plane() = default;
-  Plane(int widthPixels, int heightPixels)
-      : width(widthPixels),
-        height(heightPixels),
-        values(static_cast<std::size_t>(widthPixels) * static_cast<std::size_t>(heightPixels)) {}
-};
 
 /// Weights at -radius … radius.
 using Kernel = std::vector<double>;

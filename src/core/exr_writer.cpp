@@ -12,10 +12,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/file.h"
-#include "core/image_file.h"
+#include "opaline/file.h"
+#include "opaline/image_file.h"
 
-namespace opaline::core {
+namespace opaline {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::filesystem::path writeExr(const Target& target, const Image& image, std::st
   });
 }
 
-}  // namespace opaline::core
+}  // namespace opaline

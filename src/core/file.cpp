@@ -1,4 +1,4 @@
-#include "core/file.h"
+#include "opaline/file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 
 #include "opaline/error.h"
 
-namespace opaline::core {
+namespace opaline {
 
 namespace fs = std::filesystem;
 
@@ -322,4 +322,4 @@ void abandonTemporaryFiles() {
   for (const fs::path& path : temporaryFiles().paths) unlink(path.c_str());
 }
 
-}  // namespace opaline::core
+}  // namespace opaline

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/file.h"
 #include "core/hdr_readers.h"
-#include "core/image_file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
+#include "opaline/image_file.h"
 
 namespace opaline::core {
 
@@ -64,17 +64,23 @@ Image RowCollector::take() {
   return std::move(image_);
 }
 
+}  // namespace opaline::core
+
+namespace opaline {
+
 Image readHdrImage(const std::filesystem::path& file, Negatives negatives) {
   // Uncompressed RGBE of the largest image, its run markers and a generous header.
-  constexpr std::size_t edge = largestImageEdge;
+  constexpr std::size_t edge = core::largestImageEdge;
   constexpr std::size_t limitBytes = edge * edge * 4 + edge * edge / 16 + (std::size_t{1} << 20U);
   constexpr std::string_view exrMagic = "\x76\x2f\x31\x01";
   constexpr std::string_view radianceMagic = "#?";
 
   const std::vector<std::byte> head = readFileHead(file, exrMagic.size());
-  if (startsWith(head, exrMagic)) return readExr(file, negatives);
-  if (startsWith(head, radianceMagic)) return readRadiance(file, readFile(file, limitBytes));
-  failToReadImage(file, head.empty() ? "it is empty" : "it is neither OpenEXR nor Radiance RGBE");
+  if (core::startsWith(head, exrMagic)) return core::readExr(file, negatives);
+  if (core::startsWith(head, radianceMagic))
+    return core::readRadiance(file, readFile(file, limitBytes));
+  core::failToReadImage(file,
+                        head.empty() ? "it is empty" : "it is neither OpenEXR nor Radiance RGBE");
 }
 
-}  // namespace opaline::core
+}  // namespace opaline

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/image_file.h"
 #include "opaline/image.h"
+#include "opaline/image_file.h"
 
 namespace opaline::core {
 

@@ -6,12 +6,12 @@
 #include <memory>
 #include <string_view>
 
-#include "core/file.h"
 #include "core/hdr_readers.h"
-#include "core/image_file.h"
 #include "core/stb_memory.h"
+#include "opaline/file.h"
+#include "opaline/image_file.h"
 
-namespace opaline::core {
+namespace opaline {
 
 namespace {
 
@@ -29,8 +29,8 @@ PngHeader readHeader(const std::filesystem::path& file, const std::vector<std::b
   constexpr std::size_t headerBytes = start.size() + 9;
   const auto same = [](char a, std::byte b) { return static_cast<std::byte>(a) == b; };
   if (bytes.size() < headerBytes || !std::equal(start.begin(), start.end(), bytes.begin(), same)) {
-    failToReadImage(file,
-                    bytes.empty() ? "it is empty" : "it is not a PNG file, whatever its name says");
+    core::failToReadImage(
+        file, bytes.empty() ? "it is empty" : "it is not a PNG file, whatever its name says");
   }
   const auto bigEndian = [&](std::size_t at) {
     std::uint32_t value = 0;
@@ -66,13 +66,13 @@ Image readPng(const std::filesystem::path& file) {
 
   const std::vector<std::byte> bytes = readFile(file, limitBytes);
   const PngHeader header = readHeader(file, bytes);
-  requireImageSize(file, header.width, header.height);
+  core::requireImageSize(file, header.width, header.height);
   const RawBytes raw = rawBytes(header);
   if (raw.least > mostExpansion * bytes.size()) {
-    failToReadImage(file, "its header claims more pixels than the file can hold");
+    core::failToReadImage(file, "its header claims more pixels than the file can hold");
   }
 
-  const StbMemoryLimit limit(std::max(raw.most, 2 * bytes.size()) + tables);
+  const core::StbMemoryLimit limit(std::max(raw.most, 2 * bytes.size()) + tables);
   int width = 0;
   int height = 0;
   int channels = 0;
@@ -81,8 +81,8 @@ Image readPng(const std::filesystem::path& file) {
                                static_cast<int>(bytes.size()), &width, &height, &channels, 4),
       stbi_image_free);
   if (!pixels) {
-    failToReadImage(file, fmt::format("it is not a complete PNG file (stb_image says: {})",
-                                      stbi_failure_reason()));
+    core::failToReadImage(file, fmt::format("it is not a complete PNG file (stb_image says: {})",
+                                            stbi_failure_reason()));
   }
   Image image(width, height);
   std::transform(pixels.get(), pixels.get() + image.rgba.size(), image.rgba.begin(),
@@ -90,4 +90,4 @@ Image readPng(const std::filesystem::path& file) {
   return image;
 }
 
-}  // namespace opaline::core
+}  // namespace opaline

@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "core/file.h"
-#include "core/image_file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
+#include "opaline/image_file.h"
 
-namespace opaline::core {
+namespace opaline {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::filesystem::path writePng(const Target& target, const Image8& image, std::s
   return writeWhole(target, encoded);
 }
 
-}  // namespace opaline::core
+}  // namespace opaline

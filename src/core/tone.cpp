@@ -1,4 +1,4 @@
-#include "core/tone.h"
+#include "opaline/tone.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "opaline/error.h"
 
-namespace opaline::core {
+namespace opaline {
 
 namespace {
 
@@ -89,4 +89,4 @@ Image8 toneMap(const Image& radiance, const ToneOptions& options) {
   return result;
 }
 
-}  // namespace opaline::core
+}  // namespace opaline

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/image_file.h"
+#include "opaline/image_file.h"
 
-namespace opaline::core {
+namespace opaline {
 
 namespace fs = std::filesystem;
 
@@ -151,4 +151,4 @@ bool isWholeImage(const fs::path& file, int width, int height) {
   return isExr(file) ? isWholeExr(file, width, height, bytes) : isWholePng(file, width, height);
 }
 
-}  // namespace opaline::core
+}  // namespace opaline

@@ -21,7 +21,7 @@ const std::vector<std::string_view>& namesOf<Site>() {
 }
 
 template <>
-const std::vector<std::string_view>& namesOf<core::ToneCurve>() {
+const std::vector<std::string_view>& namesOf<ToneCurve>() {
   static const std::vector<std::string_view> names{"none", "neutral"};
   return names;
 }
@@ -115,9 +115,9 @@ const std::vector<Field<PictureSettings>>& fieldsOf() {
       of<&Options::roughness>("roughness", {{0.05, 1}}, "of that reflection"),
       of<&Options::antialias>("antialias", {.range = {1, 8}, .counts = {1, 2, 4, 8}},
                               "samples a pixel", "4; AOVs 1"),
-      ofTone<&core::ToneOptions::exposureStops>("exposure", {{-32, 32, "stops"}},
-                                                "for PNG and films", "by the light"),
-      ofTone<&core::ToneOptions::curve>("tone", {}, "curve for PNG and films"),
+      ofTone<&ToneOptions::exposureStops>("exposure", {{-32, 32, "stops"}}, "for PNG and films",
+                                          "by the light"),
+      ofTone<&ToneOptions::curve>("tone", {}, "curve for PNG and films"),
       background(),
       field<PictureSettings, &PictureSettings::time, &SceneTime::seconds>(
           "seconds", {{0, 1e6, "s"}}, "time of clip and deformers"),

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "core/tone.h"
 #include "opaline/motion.h"
 #include "opaline/render_options.h"
+#include "opaline/tone.h"
 #include "options/field.h"
 
 namespace opaline::options {
@@ -14,7 +14,7 @@ namespace opaline::options {
 struct PictureSettings {
   RenderOptions render;
   SceneTime time;
-  core::ToneOptions tone;
+  ToneOptions tone;
 };
 
 template <>
@@ -38,7 +38,7 @@ const std::vector<std::string_view>& namesOf<Sum>();
 template <>
 const std::vector<std::string_view>& namesOf<Site>();
 template <>
-const std::vector<std::string_view>& namesOf<core::ToneCurve>();
+const std::vector<std::string_view>& namesOf<ToneCurve>();
 
 /// As chosen, of what the library renders.
 void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options);

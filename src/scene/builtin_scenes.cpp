@@ -1,9 +1,9 @@
 #include <cmath>
 #include <utility>
 
-#include "bssrdf/media.h"
 #include "builtin/builtin.h"
 #include "opaline/error.h"
+#include "opaline/media.h"
 #include "scene/finish.h"
 
 namespace opaline {
@@ -27,7 +27,7 @@ Scene sceneOf(const char* name, Mesh mesh, const LoadOptions& options) {
   scaleToDiagonal(mesh, diagonal);
   Scene scene;
   scene.name = name;
-  scene.objects.push_back({name, std::move(mesh), bssrdf::findMedium("marble").value()});
+  scene.objects.push_back({name, std::move(mesh), findMedium("marble").value()});
   opaline::scene::setMedia(options, scene);
   scene.camera = defaultCamera(scene);
   scene.lighting = defaultLighting();

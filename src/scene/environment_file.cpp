@@ -4,15 +4,15 @@
 
 #include <cmath>
 
-#include "core/image_file.h"
 #include "opaline/error.h"
+#include "opaline/image_file.h"
 #include "scene/text.h"
 
 namespace opaline::options {
 
 template <>
-const std::vector<Field<scene::EnvironmentFile>>& fieldsOf() {
-  using File = scene::EnvironmentFile;
+const std::vector<Field<EnvironmentFile>>& fieldsOf() {
+  using File = EnvironmentFile;
   static const std::vector<Field<File>> table{
       field<File, &File::intensity>("intensity", {{0, 1e6}}, "factor of its radiance"),
       field<File, &File::rotationDegrees>("rotation_degrees", {{-1e6, 1e6, "degrees"}}, "about +y"),
@@ -22,16 +22,16 @@ const std::vector<Field<scene::EnvironmentFile>>& fieldsOf() {
 
 }  // namespace opaline::options
 
-namespace opaline::scene {
+namespace opaline {
 
 std::shared_ptr<const Image> readEnvironment(const EnvironmentFile& from) {
-  Image image = core::readHdrImage(from.file);
+  Image image = readHdrImage(from.file);
   for (std::size_t i = 0; i < image.rgba.size(); ++i) {
     if (i % 4 == 3) continue;
     image.rgba[i] *= from.intensity;
     if (std::isfinite(image.rgba[i])) continue;
     throw Error(fmt::format("{}: an intensity of {} makes a pixel infinite",
-                            cleanText(from.file.string(), 1000), from.intensity));
+                            scene::cleanText(from.file.string(), 1000), from.intensity));
   }
   return std::make_shared<const Image>(turned(image, from.rotationDegrees));
 }
@@ -56,4 +56,4 @@ Image turned(const Image& environment, double degrees) {
   return result;
 }
 
-}  // namespace opaline::scene
+}  // namespace opaline

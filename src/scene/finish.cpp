@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bssrdf/media.h"
 #include "opaline/error.h"
+#include "opaline/media.h"
 #include "options/scene.h"
 #include "scene/formats.h"
 #include "scene/material.h"

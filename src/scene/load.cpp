@@ -5,9 +5,9 @@
 #include <new>
 #include <utility>
 
-#include "bssrdf/media.h"
-#include "core/file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
+#include "opaline/media.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
 #include "scene/joined_models.h"
@@ -65,11 +65,11 @@ void note(const LogCallback& log, std::string_view message) {
 }
 
 Medium defaultMedium() {
-  return bssrdf::findMedium("marble").value();
+  return findMedium("marble").value();
 }
 
 RawScene loadModel(const std::filesystem::path& file, const LogCallback& log) {
-  const std::vector<std::byte> bytes = core::readFile(file, longestFileBytes);
+  const std::vector<std::byte> bytes = readFile(file, longestFileBytes);
   const std::string name = cleanText(file.string(), 1000);
   if (bytes.empty()) throw Error(fmt::format("{}: the file is empty", name));
   RawScene scene = readByName({file, bytes, log});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/tone.h"
+#include "opaline/tone.h"
 
 namespace opaline {
 
@@ -36,8 +36,7 @@ bool isMetal(const OpaqueMaterial& material) {
 
 Rgb meanColor(const TexturePixels& pixels) {
   Rgb mean{};
-  for (std::size_t c = 0; c < 3; ++c)
-    mean[c] = static_cast<float>(meanOf(pixels, c, core::decodeSrgb));
+  for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<float>(meanOf(pixels, c, decodeSrgb));
   return mean;
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 #include "scene/formats.h"
 
 namespace opaline::scene {
@@ -86,7 +86,7 @@ void addNamesBehind(std::string_view text, const fs::path& folder,
 /// A file that cannot be read names none.
 std::string textOf(const fs::path& file) {
   try {
-    const std::vector<std::byte> bytes = core::readFile(file, longestFileBytes);
+    const std::vector<std::byte> bytes = readFile(file, longestFileBytes);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   } catch (const Error&) {
     return {};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "opaline/environment.h"
 #include "opaline/scene.h"
 #include "opaline/types.h"
 #include "options/scene.h"
@@ -20,13 +21,6 @@ struct Placement {
   Vec3 translationMm{};
   Vec3 rotationDegrees{};
   double scale = 1;
-};
-
-/// A latitude-longitude picture that lights a scene.
-struct EnvironmentFile {
-  std::filesystem::path file;
-  float intensity = 1;         ///< what its radiance is multiplied with, in [0, 1e6]
-  double rotationDegrees = 0;  ///< about +y, counter-clockwise seen from above; in [-1e6, 1e6]
 };
 
 /// A model and what is done to it before it meets the others.

@@ -1,4 +1,4 @@
-#include "bssrdf/media.h"
+#include "opaline/media.h"
 
 #include <gtest/gtest.h>
 

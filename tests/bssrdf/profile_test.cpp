@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bssrdf/fresnel.h"
-#include "bssrdf/media.h"
 #include "bssrdf/quadrature.h"
+#include "opaline/media.h"
 
 namespace opaline::bssrdf {
 namespace {

@@ -8,8 +8,8 @@
 #include <glm/vector_relational.hpp>
 
 #include "bssrdf/fresnel.h"
-#include "bssrdf/media.h"
 #include "bssrdf/profile.h"
+#include "opaline/media.h"
 #include "shaders/profile_packing.h"
 
 namespace opaline::test::glsl {

@@ -1,4 +1,4 @@
-#include "compare/figures.h"
+#include "opaline/compare.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "compare/flip.h"
+#include "opaline/compare.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 using Pixel = std::array<int, 3>;
 
 template <typename Function>
-core::Image8 drawn(int width, int height, Function pixelAt) {
-  core::Image8 picture{width, height, {}};
+Image8 drawn(int width, int height, Function pixelAt) {
+  Image8 picture{width, height, {}};
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       for (const int channel : Pixel(pixelAt(x, y))) {
@@ -27,7 +27,7 @@ core::Image8 drawn(int width, int height, Function pixelAt) {
   return picture;
 }
 
-core::Image8 plain(const Pixel& color) {
+Image8 plain(const Pixel& color) {
   return drawn(5, 3, [&](int, int) { return color; });
 }
 
@@ -43,13 +43,13 @@ double plainFlip(const Pixel& a, const Pixel& b) {
   return mean(map);
 }
 
-core::Image8 patternA() {
+Image8 patternA() {
   return drawn(24, 18, [](int x, int y) {
     return Pixel{(37 * x + 11 * y) % 256, (x * x + 3 * y) % 256, (200 - 5 * x + 2 * y) % 256};
   });
 }
 
-core::Image8 patternB() {
+Image8 patternB() {
   return drawn(24, 18, [](int x, int y) {
     return Pixel{(37 * x + 11 * y + (x > 12 ? 40 : 0)) % 256, (x * x + 3 * y) % 256,
                  (200 - 5 * x + 2 * y + y * y) % 256};
@@ -111,8 +111,8 @@ TEST(Flip, PatternsAgreeWithTwoDimensionalKernels) {
 }
 
 TEST(Flip, ALineOnBlackIsAnEdgeAsWell) {
-  const core::Image8 black = drawn(24, 18, [](int, int) { return Pixel{}; });
-  const core::Image8 line = drawn(24, 18, [](int x, int) {
+  const Image8 black = drawn(24, 18, [](int, int) { return Pixel{}; });
+  const Image8 line = drawn(24, 18, [](int x, int) {
     return x == 12 ? Pixel{255, 255, 255} : Pixel{};
   });
   const Plane map = flipMap(line, black);
@@ -126,8 +126,8 @@ TEST(Flip, ALineOnBlackIsAnEdgeAsWell) {
 }
 
 TEST(Flip, OnePixelIsAPictureToo) {
-  const core::Image8 black{1, 1, {0, 0, 0, 255}};
-  const core::Image8 white{1, 1, {255, 255, 255, 255}};
+  const Image8 black{1, 1, {0, 0, 0, 255}};
+  const Image8 white{1, 1, {255, 255, 255, 255}};
   EXPECT_NEAR(mean(flipMap(black, white, 1000)), 0.967379, 1e-5);
   EXPECT_NEAR(mean(flipMap(black, white, 1)), 0.967379, 1e-5);
 }

@@ -1,4 +1,4 @@
-#include "compare/heatmap.h"
+#include "opaline/compare.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace opaline::compare {
 namespace {
 
-Rgb8 at(const core::Image8& picture, int x, int y) {
+Rgb8 at(const Image8& picture, int x, int y) {
   const auto pixel = static_cast<std::size_t>(4 * (y * picture.width + x));
   EXPECT_EQ(picture.rgba[pixel + 3], 255);
   return {picture.rgba[pixel], picture.rgba[pixel + 1], picture.rgba[pixel + 2]};
@@ -50,7 +50,7 @@ TEST(Heatmap, TheScaleEndsAtARoundNumberAboveNearlyAll) {
 
 TEST(Heatmap, ShowsErrorsInPlaceAndTheScaleBeside) {
   const Plane errors = plane(2, 2, {0.0F, 0.1F, 0.2F, 5.0F});
-  const core::Image8 picture = drawHeatmap(errors, {1, 1, 0, 1}, 0.2);
+  const Image8 picture = drawHeatmap(errors, {1, 1, 0, 1}, 0.2);
   EXPECT_GE(picture.height, 64);
   EXPECT_EQ(at(picture, 0, 0), perceptualColor(0));
   EXPECT_EQ(at(picture, 1, 0), perceptualColor(0.5));
@@ -63,7 +63,7 @@ TEST(Heatmap, ShowsErrorsInPlaceAndTheScaleBeside) {
 
 TEST(Digits, AreDrawnWhereTheyShouldBeAndClipped) {
   constexpr Rgb8 ink{1, 2, 3};
-  core::Image8 picture{14, 7, std::vector<std::uint8_t>(14 * 7 * 4, 255)};
+  Image8 picture{14, 7, std::vector<std::uint8_t>(14 * 7 * 4, 255)};
   drawNumber(picture, 0, 0, 1, "1?7", ink);
   EXPECT_EQ(at(picture, 2, 0), ink);  // the top of the 1
   EXPECT_EQ(at(picture, 0, 0), (Rgb8{255, 255, 255}));

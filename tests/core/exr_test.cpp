@@ -14,8 +14,8 @@
 #include <limits>
 #include <vector>
 
-#include "core/image_file.h"
 #include "core/temporary_folder.h"
+#include "opaline/image_file.h"
 
 namespace opaline::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/file.h"
+#include "opaline/file.h"
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
@@ -12,8 +12,8 @@
 #include <thread>
 #include <vector>
 
-#include "core/image_file.h"
 #include "core/temporary_folder.h"
+#include "opaline/image_file.h"
 
 namespace opaline::core {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "core/image_file.h"
 #include "core/temporary_folder.h"
+#include "opaline/image_file.h"
 
 namespace opaline::core {
 namespace {

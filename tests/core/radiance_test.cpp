@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "core/image_file.h"
 #include "core/temporary_folder.h"
+#include "opaline/image_file.h"
 
 namespace opaline::core {
 namespace {

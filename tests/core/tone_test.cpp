@@ -1,4 +1,4 @@
-#include "core/tone.h"
+#include "opaline/tone.h"
 
 #include <gtest/gtest.h>
 

@@ -13,20 +13,20 @@ namespace {
 
 constexpr Paper paper{9, 8, 7};
 
-core::Image8 uniform(int width, int height, std::uint8_t grey) {
-  core::Image8 image{width, height, {}};
+Image8 uniform(int width, int height, std::uint8_t grey) {
+  Image8 image{width, height, {}};
   for (int i = 0; i < width * height; ++i) {
     image.rgba.insert(image.rgba.end(), {grey, grey, grey, 255});
   }
   return image;
 }
 
-int redAt(const core::Image8& image, int x, int y) {
+int redAt(const Image8& image, int x, int y) {
   return image.rgba.at(4 * static_cast<std::size_t>(y * image.width + x));
 }
 
 TEST(Padded, KeepsThePictureAndAddsPaperAtTheRight) {
-  const core::Image8 wider = padded(uniform(3, 2, 100), 5, paper);
+  const Image8 wider = padded(uniform(3, 2, 100), 5, paper);
   ASSERT_EQ(wider.width, 5);
   ASSERT_EQ(wider.height, 2);
   EXPECT_EQ(redAt(wider, 2, 1), 100);
@@ -35,7 +35,7 @@ TEST(Padded, KeepsThePictureAndAddsPaperAtTheRight) {
 }
 
 TEST(Sheet, PlacesPanelsRowByRowWithPaperBetweenAndWhereNoneIsLeft) {
-  const core::Image8 picture =
+  const Image8 picture =
       sheet({uniform(3, 2, 100), uniform(3, 2, 150), uniform(3, 2, 200)}, 2, 1, paper);
   ASSERT_EQ(picture.width, 7);
   ASSERT_EQ(picture.height, 5);

@@ -74,7 +74,7 @@ class Library(unittest.TestCase):
         self.succeed(configure("-S", self.folder, "-B", self.folder / "build"))
         self.assertIn("picture", self.succeed(run("ninja", "-C", self.folder / "build", "-n", "picture")))
         self.succeed(self.compile(PROGRAM))
-        for hidden in ("core/file.h", "renderer/validate.h", "gpu/device.h"):
+        for hidden in ("core/digest.h", "renderer/validate.h", "gpu/device.h"):
             self.assertNotEqual(self.compile(f"#include <{hidden}>\n").returncode, 0, hidden)
 
     def test_what_needs_more_says_so(self):

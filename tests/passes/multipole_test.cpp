@@ -11,8 +11,8 @@
 #include <glm/vector_relational.hpp>
 #include <numbers>
 
-#include "bssrdf/media.h"
 #include "bssrdf/profile.h"
+#include "opaline/media.h"
 #include "shaders/profile_packing.h"
 
 namespace opaline::test::glsl {
@@ -127,8 +127,8 @@ Worst worstOf(const Medium& medium, Model model, double meanFreePaths) {
 void expectDerivatives(Model model, double meanFreePaths, double bound) {
   std::vector<Medium> media{{"faint", {1, 10, 0.1}, {1e-4, 1e-5, 0}, 1.3},
                             {"dark", {0.01, 0.1, 1}, {1, 1, 10}, 1.8}};
-  for (const bssrdf::MeasuredMedium& row : bssrdf::measuredMedia()) media.push_back(row.medium);
-  for (const Medium& medium : bssrdf::artisticMedia()) media.push_back(medium);
+  for (const MeasuredMedium& row : measuredMedia()) media.push_back(row.medium);
+  for (const Medium& medium : artisticMedia()) media.push_back(medium);
   Worst all;
   for (const Medium& medium : media) {
     const Worst worst = worstOf(medium, model, meanFreePaths);
@@ -153,7 +153,7 @@ TEST(MultipoleShader, BetterDipolesDerivatives) {
 }
 
 TEST(MultipoleShader, OutsideADiscIsWhatTheDiscLeaves) {
-  for (const bssrdf::MeasuredMedium& row : bssrdf::measuredMedia())
+  for (const MeasuredMedium& row : measuredMedia())
     for (const Model model : {Model::Dipole, Model::BetterDipole}) {
       const std::array<Profile, 3> profiles = bssrdf::makeProfiles(model, row.medium);
       for (const double radiusMm : {0.0, 0.1, 1.0, 5.0}) {
@@ -170,7 +170,7 @@ TEST(MultipoleShader, OutsideADiscIsWhatTheDiscLeaves) {
 }
 
 TEST(MultipoleShader, DifferencesAreOfThePublishedProfiles) {
-  for (const bssrdf::MeasuredMedium& row : bssrdf::measuredMedia())
+  for (const MeasuredMedium& row : measuredMedia())
     for (const Model model : {Model::Dipole, Model::BetterDipole})
       for (const Profile& profile : bssrdf::makeProfiles(model, row.medium))
         for (const double radiusMm : {0.0, 0.1, 1.0, 10.0})

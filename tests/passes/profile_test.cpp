@@ -8,11 +8,11 @@
 
 #include <glm/vec4.hpp>
 
-#include "bssrdf/media.h"
 #include "bssrdf/profile.h"
 #include "gpu/gpu_fixture.h"
 #include "gpu/helpers.h"
 #include "gpu/pipeline.h"
+#include "opaline/media.h"
 #include "shaders/profile.comp.h"
 #include "shaders/profile_packing.h"
 
@@ -70,13 +70,11 @@ class ProfileTest : public gpu::GpuTest {
 };
 
 TEST_F(ProfileTest, DipoleOfEveryMeasuredMedium) {
-  for (const bssrdf::MeasuredMedium& row : bssrdf::measuredMedia())
-    expectSame(row.medium, Model::Dipole);
+  for (const MeasuredMedium& row : measuredMedia()) expectSame(row.medium, Model::Dipole);
 }
 
 TEST_F(ProfileTest, BetterDipoleOfEveryMeasuredMedium) {
-  for (const bssrdf::MeasuredMedium& row : bssrdf::measuredMedia())
-    expectSame(row.medium, Model::BetterDipole);
+  for (const MeasuredMedium& row : measuredMedia()) expectSame(row.medium, Model::BetterDipole);
 }
 
 TEST_F(ProfileTest, StrongAbsorptionAndOtherIndices) {

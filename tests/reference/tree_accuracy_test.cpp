@@ -20,10 +20,10 @@
 #include <utility>
 #include <vector>
 
-#include "bssrdf/media.h"
-#include "compare/figures.h"
-#include "core/image_file.h"
 #include "deform/deformed_vertices.h"
+#include "opaline/compare.h"
+#include "opaline/image_file.h"
+#include "opaline/media.h"
 #include "reference/integral.h"
 #include "reference/picture.h"
 #include "renderer/renderer_fixture.h"
@@ -76,7 +76,7 @@ bool isUpdating() {
 Scene sceneOf(const AccuracyCase& accuracy) {
   LoadOptions load;
   load.diagonalMm = accuracy.diagonalMm;
-  load.medium = bssrdf::findMedium(accuracy.medium);
+  load.medium = findMedium(accuracy.medium);
   Scene scene =
       accuracy.model == nullptr ? builtInBear(load) : loadScene(*sharedModel(accuracy.model), load);
   constexpr auto full = static_cast<float>(std::numbers::pi);
@@ -172,9 +172,9 @@ class Comparison {
         geometry_(reference_),
         irradiance_(geometry_) {
     const fs::path file = folder / (std::string(accuracy.name) + ".exr");
-    if (isUpdating()) core::writeExr(file, computed(every), written(marksOf(reference_)));
-    expectSameScene(core::readImageNote(file).value_or(""), marksOf(reference_));
-    truth_ = core::readHdrImage(file, core::Negatives::Stay);
+    if (isUpdating()) writeExr(file, computed(every), written(marksOf(reference_)));
+    expectSameScene(readImageNote(file).value_or(""), marksOf(reference_));
+    truth_ = readHdrImage(file, Negatives::Stay);
     sharedRenderer().renderer->setScene(scene_);
     sharedRenderer().renderer->setTime({.seconds = accuracy_.seconds});
   }

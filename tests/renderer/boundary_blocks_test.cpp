@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "bssrdf/media.h"
+#include "opaline/media.h"
 #include "renderer/renderer_fixture.h"
 #include "shared_files.h"
 
@@ -121,7 +121,7 @@ void PrintTo(const BlocksCase& blocks, std::ostream* to) {
 Scene sceneOfBlocks(const BlocksCase& blocks) {
   LoadOptions load;
   load.diagonalMm = 50.0F;
-  load.medium = bssrdf::findMedium(blocks.medium);
+  load.medium = findMedium(blocks.medium);
   Scene scene =
       blocks.model == nullptr ? builtInBear(load) : loadScene(*sharedModel(blocks.model), load);
   constexpr auto full = std::numbers::pi_v<float>;

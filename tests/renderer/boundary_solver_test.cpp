@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bssrdf/media.h"
+#include "opaline/media.h"
 #include "renderer/boundary_fixture.h"
 #include "renderer/scene/division.h"
 #include "scene/mesh/merged_mesh.h"
@@ -167,7 +167,7 @@ TEST_F(BoundarySolverTest, NoMoreUnknownsThanAllowed) {
 // In a body a few mean free paths wide all points of light are near all clusters: there are as many
 // pairs as there may ever be, more than one shader's loop may have rounds on a software device.
 TEST_F(BoundarySolverTest, ManyUnknownsInASmallBodySayWhatFewDo) {
-  Scene bear = backlitBear(8, bssrdf::findMedium("gummy-red").value());
+  Scene bear = backlitBear(8, findMedium("gummy-red").value());
   bear.lighting = {};
   bear.lighting.ambient = {1, 1, 1};
   renderer().setScene(bear);

@@ -14,9 +14,9 @@
 #include <optional>
 #include <string>
 
-#include "core/file.h"
-#include "core/image_file.h"
-#include "core/tone.h"
+#include "opaline/file.h"
+#include "opaline/image_file.h"
+#include "opaline/tone.h"
 #include "renderer/renderer_fixture.h"
 
 namespace opaline {
@@ -87,7 +87,7 @@ GoldenCase readCase(const json& description) {
 }
 
 std::vector<GoldenCase> readCases() {
-  const std::vector<std::byte> text = core::readFile(folder / "cases.json", 1 << 20);
+  const std::vector<std::byte> text = readFile(folder / "cases.json", 1 << 20);
   const auto* characters = reinterpret_cast<const char*>(text.data());
   std::vector<GoldenCase> cases;
   for (const json& description : json::parse(characters, characters + text.size()))
@@ -95,9 +95,9 @@ std::vector<GoldenCase> readCases() {
   return cases;
 }
 
-core::Image8 readPng(const std::filesystem::path& file) {
-  const std::vector<std::byte> bytes = core::readFile(file, 1 << 22);
-  core::Image8 image;
+Image8 readPng(const std::filesystem::path& file) {
+  const std::vector<std::byte> bytes = readFile(file, 1 << 22);
+  Image8 image;
   int channels = 0;
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
       stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
@@ -126,15 +126,15 @@ TEST_P(GoldenTest, LooksAsBefore) {
     GTEST_SKIP() << "golden pictures are those of the software device, not of "
                  << result.report.device.name;
 
-  const core::Image8 picture = core::toneMap(result.images[0]);
+  const Image8 picture = toneMap(result.images[0]);
   const std::filesystem::path file = folder / (golden.name + ".png");
   if (isUpdating()) {
-    core::writePng(file, picture);
+    writePng(file, picture);
     return;
   }
   ASSERT_TRUE(std::filesystem::exists(file))
       << file << " does not exist; run this test with OPALINE_UPDATE_GOLDEN=1 to make it";
-  const core::Image8 expected = readPng(file);
+  const Image8 expected = readPng(file);
   ASSERT_EQ(picture.width, expected.width);
   ASSERT_EQ(picture.height, expected.height);
   double squares = 0;
@@ -150,7 +150,7 @@ TEST_P(GoldenTest, LooksAsBefore) {
   if (!HasFailure()) return;
   const std::filesystem::path seen =
       std::filesystem::temp_directory_path() / ("opaline-" + golden.name + ".png");
-  core::writePng(seen, picture);
+  writePng(seen, picture);
   std::cerr << "what was rendered stands in " << seen << '\n';
 }
 

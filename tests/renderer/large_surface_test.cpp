@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bssrdf/fresnel.h"
-#include "bssrdf/media.h"
 #include "bssrdf/profile.h"
+#include "opaline/media.h"
 #include "renderer/renderer_fixture.h"
 #include "renderer/shapes.h"
 
@@ -162,8 +162,7 @@ TEST_F(LargeSurfaceTest, AFineBodyDoesNotDecideForTheFloorUnderIt) {
 // What crosses a plate that is 20 times as wide as thick is the same everywhere in its middle, also
 // where clusters are two mean free paths apart and larger than shape and medium ask for.
 TEST_F(LargeSurfaceTest, APlateLitFromBehindIsEven) {
-  Scene scene =
-      sceneOf(box({0, 0, 0}, {88, 88, 4}, 1), *bssrdf::findMedium("chicken1"), {0, 0, 300}, 44);
+  Scene scene = sceneOf(box({0, 0, 0}, {88, 88, 4}, 1), *findMedium("chicken1"), {0, 0, 300}, 44);
   scene.lighting.directional = {{{0, 0, -1}, {3, 3, 3}}};
   RenderOptions options = optionsAt(Site::Fragment, 65'536);
   options.transport = Transport::Boundary;

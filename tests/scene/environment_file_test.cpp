@@ -13,14 +13,14 @@ TEST(EnvironmentFile, TurnsWholeColumnsExactly) {
   Image image(4, 1);
   for (int x = 0; x < 4; ++x) image.pixel(x, 0)[0] = static_cast<float>(x);
   // The columns look to +z/-x, -x/-z, -z/+x and +x/+z; a quarter turn takes -z to -x.
-  const Image quarter = scene::turned(image, 90);
+  const Image quarter = turned(image, 90);
   for (int x = 0; x < 4; ++x) EXPECT_EQ(quarter.pixel(x, 0)[0], static_cast<float>((x + 1) % 4));
   for (const double whole : {0.0, 360.0, -720.0}) {
-    EXPECT_EQ(scene::turned(image, whole).rgba, image.rgba);
+    EXPECT_EQ(turned(image, whole).rgba, image.rgba);
   }
-  EXPECT_EQ(scene::turned(image, -270).rgba, quarter.rgba);
+  EXPECT_EQ(turned(image, -270).rgba, quarter.rgba);
   // Half a column: the mean of neighbours.
-  EXPECT_FLOAT_EQ(scene::turned(image, 45).pixel(3, 0)[0], 1.5F);
+  EXPECT_FLOAT_EQ(turned(image, 45).pixel(3, 0)[0], 1.5F);
 }
 
 // Light from d shines from R d after the turn, R about +y by the right-hand rule.
@@ -44,7 +44,7 @@ TEST(EnvironmentFile, TurnsAboutTheVerticalAxis) {
   }
   constexpr double degrees = 37.3;
   const double angle = degrees * std::numbers::pi / 180;
-  const Image turned = scene::turned(image, degrees);
+  const Image turned = opaline::turned(image, degrees);
   for (int y = 0; y < height; ++y) {
     double before = 0;
     double after = 0;

@@ -4,8 +4,8 @@
 #include <random>
 #include <string>
 
-#include "bssrdf/media.h"
-#include "core/image_file.h"
+#include "opaline/image_file.h"
+#include "opaline/media.h"
 #include "scene/environment_file.h"
 
 namespace opaline::test {
@@ -53,7 +53,7 @@ scene::SceneFileSettings randomSettings(Numbers& random) {
   render.roughness = random.real(0.05, 1);
   render.antialias = 1 << random.below(4);
   picture.time.seconds = random.within(0, 1e6);
-  picture.tone = {random.real(-32, 32), core::ToneCurve::None, Rgb{random.real(0, 1), 0, 1}};
+  picture.tone = {random.real(-32, 32), ToneCurve::None, Rgb{random.real(0, 1), 0, 1}};
   return {options::chosenIn(picture), "a \"GPU\"\t№ 1", "none"};
 }
 
@@ -74,7 +74,7 @@ scene::LoadedScene randomScene(unsigned seed, const std::filesystem::path& model
   if (random.below(2) == 0) options.diagonalMm = random.real(1, 1000);
   scene::LoadedScene loaded = scene::loadSceneFile(model, options);
   Scene& scene = loaded.scene;
-  scene.objects[0].medium = bssrdf::findMedium("ketchup").value();
+  scene.objects[0].medium = findMedium("ketchup").value();
   for (std::size_t i = 1; i < scene.objects.size(); ++i) {
     scene.objects[i].medium = {"soap [" + std::to_string(i) + "] \"x\"",
                                {random.within(0, 10), 1.0 / 3, random.within(0, 1e-7)},
@@ -98,9 +98,9 @@ scene::LoadedScene randomScene(unsigned seed, const std::filesystem::path& model
       TubeLight{random.place(), random.place(), random.real(0.1, 9), random.light()}};
   scene.lighting.points.push_back({{0, 1e-4F, -3e-5F}, {1, 1e20F, 0}});
   scene.lighting.ambient = random.light();
-  core::writeExr(skyFile, sky());
+  writeExr(skyFile, sky());
   loaded.source.environment = {skyFile, random.real(0, 100), random.within(-1e6, 1e6)};
-  scene.lighting.environment = scene::readEnvironment(*loaded.source.environment);
+  scene.lighting.environment = readEnvironment(*loaded.source.environment);
   scene.camera = {random.place(), random.place(), random.place(), random.real(1, 170)};
   scene.deformers = {{DeformerKind::Twist, random.real(-100, 100), random.real(0.001, 100)},
                      {DeformerKind::Wobble, random.real(-1, 1), 0},

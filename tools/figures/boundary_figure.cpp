@@ -10,11 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "compare/figures.h"
-#include "compare/heatmap.h"
-#include "core/image_file.h"
 #include "figures.h"
+#include "opaline/compare.h"
 #include "opaline/error.h"
+#include "opaline/image_file.h"
 
 namespace opaline::figures {
 
@@ -44,7 +43,7 @@ Truth readTruth(std::string_view name) {
     const std::filesystem::path file = folder / fmt::format("{}_{}.exr", name, i + 1);
     if (!std::filesystem::exists(file))
       throw Error(fmt::format("there is no {}: make figures traces it", file.string()));
-    truth.runs[i] = core::readHdrImage(file);
+    truth.runs[i] = readHdrImage(file);
   }
   truth.mean = meanOf(truth.runs[0], truth.runs[1]);
   return truth;
@@ -65,8 +64,8 @@ RenderOptions boundary() {
 }
 
 /// Without the scale at the right: the same for all of them.
-core::Image8 mapAlone(const core::Image8& drawn) {
-  core::Image8 map{mapPixels, mapPixels, {}};
+Image8 mapAlone(const Image8& drawn) {
+  Image8 map{mapPixels, mapPixels, {}};
   for (int y = 0; y < mapPixels; ++y) {
     const auto row = drawn.rgba.begin() + std::ptrdiff_t{4} * y * drawn.width;
     map.rgba.insert(map.rgba.end(), row, row + std::ptrdiff_t{4} * mapPixels);
@@ -74,7 +73,7 @@ core::Image8 mapAlone(const core::Image8& drawn) {
   return map;
 }
 
-core::Image8 heatmap(const char* what, const Image& found, const Image& truth) {
+Image8 heatmap(const char* what, const Image& found, const Image& truth) {
   const compare::Selection selection = compare::commonPixels(found, truth);
   if (const auto figures = compare::blockFiguresOver(found, truth, selection, blockPixels))
     fmt::print("{}: {:.3f} of the mean, r {:.3f} g {:.3f} b {:.3f}\n", what, figures->relRmse,
@@ -89,8 +88,8 @@ void compareTransports(Studio& studio, const char* name, Scene scene, const Trut
   scene.lighting = {};
   scene.lighting.directional = {{{0.45F, 0.35F, -0.82F}, {irradiance, irradiance, irradiance}}};
   studio.renderer.setScene(scene);
-  std::vector<core::Image8> pictures;
-  std::vector<core::Image8> maps;
+  std::vector<Image8> pictures;
+  std::vector<Image8> maps;
   const auto show = [&](const char* what, const Image& found, const Image& held) {
     pictures.push_back(develop(held, stops));
     maps.push_back(heatmap(what, found, truth.mean));

@@ -10,7 +10,7 @@ namespace opaline::figures {
 
 namespace {
 
-void fillWith(core::Image8& image, const Paper& paper) {
+void fillWith(Image8& image, const Paper& paper) {
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
     std::copy(paper.begin(), paper.end(),
               image.rgba.begin() + static_cast<std::vector<std::uint8_t>::difference_type>(i));
@@ -18,14 +18,14 @@ void fillWith(core::Image8& image, const Paper& paper) {
   }
 }
 
-core::Image8 blank(int width, int height) {
+Image8 blank(int width, int height) {
   return {width, height,
           std::vector<std::uint8_t>(std::size_t{4} * static_cast<std::size_t>(width) *
                                     static_cast<std::size_t>(height))};
 }
 
 /// Copies a panel to where its upper left pixel shall be.
-void blit(const core::Image8& panel, core::Image8& target, int left, int top) {
+void blit(const Image8& panel, Image8& target, int left, int top) {
   using Offset = std::vector<std::uint8_t>::difference_type;
   for (int y = 0; y < panel.height; ++y) {
     const Offset from = Offset{4} * y * panel.width;
@@ -55,8 +55,8 @@ Image halved(const Image& image) {
   return half;
 }
 
-core::Image8 plain(const Image& image, const Paper& paper) {
-  core::Image8 picture = blank(image.width, image.height);
+Image8 plain(const Image& image, const Paper& paper) {
+  Image8 picture = blank(image.width, image.height);
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
     const float coverage = std::clamp(image.rgba[i + 3], 0.0F, 1.0F);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -70,26 +70,24 @@ core::Image8 plain(const Image& image, const Paper& paper) {
   return picture;
 }
 
-core::Image8 padded(const core::Image8& picture, int width, const Paper& paper) {
-  core::Image8 wider = blank(width, picture.height);
+Image8 padded(const Image8& picture, int width, const Paper& paper) {
+  Image8 wider = blank(width, picture.height);
   fillWith(wider, paper);
   blit(picture, wider, 0, 0);
   return wider;
 }
 
-core::Image8 sheet(const std::vector<core::Image8>& panels, int columns, int gap,
-                   const Paper& paper) {
+Image8 sheet(const std::vector<Image8>& panels, int columns, int gap, const Paper& paper) {
   if (panels.empty() || columns < 1) throw std::invalid_argument("a sheet without panels");
   const int width = panels.front().width;
   const int height = panels.front().height;
   const int count = static_cast<int>(panels.size());
   const int across = std::min(columns, count);
   const int down = (count + columns - 1) / columns;
-  core::Image8 picture =
-      blank(across * width + (across - 1) * gap, down * height + (down - 1) * gap);
+  Image8 picture = blank(across * width + (across - 1) * gap, down * height + (down - 1) * gap);
   fillWith(picture, paper);
   int index = 0;
-  for (const core::Image8& panel : panels) {
+  for (const Image8& panel : panels) {
     if (panel.width != width || panel.height != height) {
       throw std::invalid_argument("panels of different sizes");
     }

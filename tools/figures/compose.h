@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/image_file.h"
 #include "opaline/image.h"
+#include "opaline/image_file.h"
 #include "opaline/types.h"
 
 namespace opaline::figures {
@@ -18,15 +18,14 @@ Image halved(const Image& image);
 using Paper = std::array<std::uint8_t, 3>;
 
 /// Values in [0,1] as they are, without a tone curve or sRGB, over the paper.
-core::Image8 plain(const Image& image, const Paper& paper);
+Image8 plain(const Image& image, const Paper& paper);
 
 /// The picture at the left of paper of that width, at least its own.
-core::Image8 padded(const core::Image8& picture, int width, const Paper& paper);
+Image8 padded(const Image8& picture, int width, const Paper& paper);
 
 /// Panels of one size from left to right and from top to bottom, with `gap` pixels of paper between
 /// them. Throws std::invalid_argument where there is none or the sizes differ.
-core::Image8 sheet(const std::vector<core::Image8>& panels, int columns, int gap,
-                   const Paper& paper);
+Image8 sheet(const std::vector<Image8>& panels, int columns, int gap, const Paper& paper);
 
 /// All six faces of a cube map, laid out as a cross of four by three faces whose middle is +z, so
 /// that faces that meet in the picture meet in the cube. What is outside has no coverage.

@@ -6,10 +6,10 @@
 #include <memory>
 #include <numbers>
 
-#include "core/image_file.h"
 #include "environment/lat_long.h"
 #include "environment/sky_irradiance.h"
 #include "figures.h"
+#include "opaline/image_file.h"
 
 namespace opaline::figures {
 
@@ -20,7 +20,7 @@ constexpr double eta = 1.3;
 constexpr float stops = 0;
 
 void cubes(Studio& studio, const char* name) {
-  const Image environment = core::readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr");
+  const Image environment = readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr");
   Lighting lighting;
   lighting.environment = std::make_shared<const Image>(environment);
   const SkyIrradiance irradiance = SkyIrradiance::entering(partsOfSky(lighting), eta);

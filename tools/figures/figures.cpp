@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/image_file.h"
+#include "opaline/image_file.h"
 
 namespace opaline::figures {
 
@@ -46,16 +46,16 @@ void buddha(Studio& studio, const char* name) {
       {{centre[0] - 75, centre[1] + 62, centre[2] + 10}, {66000, 61000, 54000}}};
   const Exposure exposure{0, 512, 704};
   studio.renderer.setScene(scene);
-  const core::Image8 point = photograph(studio, objectSpace(), exposure);
+  const Image8 point = photograph(studio, objectSpace(), exposure);
   scene.lighting.environment = std::make_shared<const Image>(
-      dimmed(core::readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr"), 0.3F));
+      dimmed(readHdrImage(studio.models / "env" / "venice_sunset_1k.hdr"), 0.3F));
   studio.renderer.setScene(scene);
   publish(studio, name,
           sheet({point, photograph(studio, objectSpace(), exposure)}, 2, gapPixels, white));
 }
 
 void threeModels(Studio& studio, const char* name) {
-  std::vector<core::Image8> panels;
+  std::vector<Image8> panels;
   const auto show = [&](Scene scene, const Vec3& direction, float fovDegrees, float stops) {
     scene.camera = defaultCamera(scene, direction, fovDegrees);
     scene.lighting = stageLight();

@@ -47,7 +47,7 @@ void softShadows(Studio& studio, const char* name) {
   scene.camera.targetMm = {middle[0] + 9, floor + 12, middle[2]};
   scene.camera.positionMm = {middle[0] + 20, floor + 100, middle[2] + 105};
   scene.camera.verticalFovDegrees = 28;
-  std::vector<core::Image8> pictures;
+  std::vector<Image8> pictures;
   for (const float radiusMm : {0.5F, 4.0F, 12.0F, 24.0F}) {
     const float radiance = 7000 / (radiusMm * radiusMm);
     scene.lighting = {};

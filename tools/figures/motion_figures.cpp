@@ -17,9 +17,9 @@ namespace opaline::figures {
 namespace {
 
 /// One panel for each time.
-std::vector<core::Image8> film(Studio& studio, const RenderOptions& options,
-                               const Exposure& exposure, double stepSeconds, int frames) {
-  std::vector<core::Image8> panels;
+std::vector<Image8> film(Studio& studio, const RenderOptions& options, const Exposure& exposure,
+                         double stepSeconds, int frames) {
+  std::vector<Image8> panels;
   for (int frame = 0; frame < frames; ++frame) {
     studio.renderer.setTime({.seconds = stepSeconds * frame});
     panels.push_back(photograph(studio, options, exposure));
@@ -33,8 +33,8 @@ void morph(Studio& studio, const char* name) {
   scene.lighting = stageLight();
   studio.renderer.setScene(scene);
   const Exposure exposure{0.7F, 304, 304};
-  std::vector<core::Image8> panels = film(studio, paperMethod(), exposure, 0.4, 6);
-  for (core::Image8& panel : film(studio, objectSpace(), exposure, 0.4, 6)) {
+  std::vector<Image8> panels = film(studio, paperMethod(), exposure, 0.4, 6);
+  for (Image8& panel : film(studio, objectSpace(), exposure, 0.4, 6)) {
     panels.push_back(std::move(panel));
   }
   publish(studio, name, sheet(panels, 6, 0, dark));
@@ -61,7 +61,7 @@ void deformers(Studio& studio, const char* name) {
   Scene scene = bear("gummy-orange", 50);
   scene.camera = defaultCamera(scene, {0.25F, 0.12F, 1}, 40);
   scene.lighting = stageLight();
-  std::vector<core::Image8> panels;
+  std::vector<Image8> panels;
   for (const Deformer& deformer :
        {Deformer{DeformerKind::Twist, 0}, Deformer{DeformerKind::Twist, 1.5F},
         Deformer{DeformerKind::Bend, 0.6F}, Deformer{DeformerKind::Squash, 0.3F},
@@ -88,7 +88,7 @@ void poke(Studio& studio, const char* name) {
   studio.renderer.setScene(scene);
   const Mesh& mesh = scene.objects[0].mesh;
   SoftBody body(studio.renderer, 0, mesh.positionsMm, mesh.triangles);
-  std::vector<core::Image8> panels;
+  std::vector<Image8> panels;
   const auto show = [&](double seconds) {
     for (double left = seconds; left > 0; left -= SoftBody::maxStepSeconds)
       body.step(std::min(left, SoftBody::maxStepSeconds));

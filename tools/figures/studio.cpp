@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "bssrdf/media.h"
-#include "core/file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
+#include "opaline/media.h"
 
 namespace opaline::figures {
 
@@ -25,7 +25,7 @@ float decodeSrgb(std::uint8_t encoded) {
 
 LoadOptions loadOptions(std::string_view medium, float diagonalMm) {
   LoadOptions options;
-  options.medium = bssrdf::findMedium(medium);
+  options.medium = findMedium(medium);
   options.diagonalMm = diagonalMm;
   return options;
 }
@@ -94,21 +94,21 @@ Image asColour(Image map) {
   return map;
 }
 
-core::Image8 photograph(Studio& studio, RenderOptions options, const Exposure& exposure) {
+Image8 photograph(Studio& studio, RenderOptions options, const Exposure& exposure) {
   options.width = 2 * exposure.width / studio.shrunk;
   options.height = 2 * exposure.height / studio.shrunk;
   options.maxClusters /= studio.shrunk;
   return develop(halved(studio.renderer.render(options).images.at(0)), exposure.stops);
 }
 
-core::Image8 develop(const Image& radiance, float stops, const Paper& paper) {
+Image8 develop(const Image& radiance, float stops, const Paper& paper) {
   const Rgb background{decodeSrgb(paper[0]), decodeSrgb(paper[1]), decodeSrgb(paper[2])};
-  return core::toneMap(radiance, {stops, core::ToneCurve::Neutral, background});
+  return toneMap(radiance, {stops, ToneCurve::Neutral, background});
 }
 
-void publish(const Studio& studio, const std::string& name, const core::Image8& picture) {
+void publish(const Studio& studio, const std::string& name, const Image8& picture) {
   const std::filesystem::path file = studio.output / (name + ".jpg");
-  core::requireWritable(file);
+  requireWritable(file);
   std::string encoded;
   const auto append = [](void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data),
@@ -120,7 +120,7 @@ void publish(const Studio& studio, const std::string& name, const core::Image8& 
   if (done == 0 || encoded.empty()) {
     throw Error(fmt::format("cannot write {}: there is not enough memory", file.string()));
   }
-  core::writeWhole(file, encoded);
+  writeWhole(file, encoded);
   fmt::print("wrote {}, {}x{}, {} KiB\n", file.lexically_normal().string(), picture.width,
              picture.height, encoded.size() / 1024);
   static_cast<void>(std::fflush(stdout));

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "compose.h"
-#include "core/image_file.h"
-#include "core/tone.h"
+#include "opaline/image_file.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "opaline/tone.h"
 
 namespace opaline::figures {
 
@@ -60,11 +60,11 @@ Image asColour(Image map);
 
 /// The scene that the renderer has been given, rendered twice as large as it is shown, over dark
 /// paper.
-core::Image8 photograph(Studio& studio, RenderOptions options, const Exposure& exposure);
+Image8 photograph(Studio& studio, RenderOptions options, const Exposure& exposure);
 
-core::Image8 develop(const Image& radiance, float stops, const Paper& paper = dark);
+Image8 develop(const Image& radiance, float stops, const Paper& paper = dark);
 
 /// Writes a JPEG and says so.
-void publish(const Studio& studio, const std::string& name, const core::Image8& picture);
+void publish(const Studio& studio, const std::string& name, const Image8& picture);
 
 }  // namespace opaline::figures

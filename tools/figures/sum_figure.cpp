@@ -3,9 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "compare/figures.h"
-#include "compare/heatmap.h"
 #include "figures.h"
+#include "opaline/compare.h"
 #include "reference/integral.h"
 #include "reference/picture.h"
 
@@ -46,7 +45,7 @@ Image exactExitance(const Scene& scene) {
       .image;
 }
 
-core::Image8 heatmap(const Image& found, const Image& truth) {
+Image8 heatmap(const Image& found, const Image& truth) {
   constexpr double top = 0.5;
   const compare::Selection selection = compare::commonPixels(found, truth);
   return compare::drawHeatmap(compare::relativeErrors(found, truth, selection), selection, top);
@@ -58,8 +57,8 @@ void sums(Studio& studio, const char* name) {
   scene.lighting.directional = {{{0.45F, 0.35F, -0.82F}, {6, 6, 6}}};
   const Image truth = exactExitance(scene);
   studio.renderer.setScene(scene);
-  std::vector<core::Image8> pictures;
-  std::vector<core::Image8> maps;
+  std::vector<Image8> pictures;
+  std::vector<Image8> maps;
   for (RenderOptions options : {paperMethod(), objectSpace()}) {
     pictures.push_back(photograph(studio, options, {0, panelPixels, panelPixels}));
     options.width = options.height = panelPixels;

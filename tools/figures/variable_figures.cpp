@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/image_file.h"
 #include "figures.h"
+#include "opaline/image_file.h"
 #include "opaline/scene.h"
 
 namespace opaline::figures {
@@ -58,7 +58,7 @@ void exitance(Studio& studio, const char* name) {
 }
 
 void models(Studio& studio, const char* name) {
-  std::vector<core::Image8> panels;
+  std::vector<Image8> panels;
   const auto show = [&](Scene scene, const Vec3& direction, float fovDegrees) {
     scene.camera = defaultCamera(scene, direction, fovDegrees);
     scene.lighting = stageLight();
@@ -91,7 +91,7 @@ void surfels(Studio& studio, const char* name) {
   options.treeLevel = 4;
   options.antialias = 1;
   const Image indices = studio.renderer.render(options, {Aov::Surfels}).images.at(0);
-  std::vector<core::Image8> panels;
+  std::vector<Image8> panels;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     Image shown = indices;
     for (std::size_t i = 0; i < shown.rgba.size(); i += 4) {

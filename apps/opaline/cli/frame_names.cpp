@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "core/file.h"
+#include "opaline/file.h"
 
 namespace opaline::app {
 
@@ -24,7 +24,7 @@ std::filesystem::path freeRow(const std::string& name, const std::string& ending
   const auto isFree = [&](const std::filesystem::path& row) {
     for (int frame = frames.first; frame <= frames.last; frame += frames.step) {
       const std::filesystem::path file = fileOf(row, frame);
-      if (core::freeName(file) != file) return false;
+      if (freeName(file) != file) return false;
     }
     return true;
   };

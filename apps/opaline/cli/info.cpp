@@ -16,13 +16,13 @@
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/scene_options.h"
-#include "core/file.h"
-#include "core/image_file.h"
 #include "core/measures.h"
-#include "core/tone.h"
+#include "opaline/file.h"
+#include "opaline/image_file.h"
 #include "opaline/material.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "opaline/tone.h"
 #include "options/scene.h"
 #include "paper/atlas/atlas.h"
 #include "paper/atlas/draw.h"
@@ -230,9 +230,9 @@ Json drawAtlas(const Scene& scene, const std::filesystem::path& file) {
   const scene::MergedMesh surface = scene::mergedMesh(scene);
   const atlas::Atlas atlas =
       atlas::makeAtlas({surface.positionsMm, surface.triangles, surface.objectOfTriangle});
-  core::ToneOptions plain;
-  plain.curve = core::ToneCurve::None;
-  core::writePng(file, core::toneMap(atlas::drawAtlas(atlas, atlasPictureTexels), plain));
+  ToneOptions plain;
+  plain.curve = ToneCurve::None;
+  writePng(file, toneMap(atlas::drawAtlas(atlas, atlasPictureTexels), plain));
   return atlasJson(atlas.statistics);
 }
 
@@ -315,7 +315,7 @@ void runInfo(const Arguments& arguments) {
   InfoCommand command;
   command.addTo(line);
   if (!line.parse(arguments)) return;
-  if (command.atlas) core::requireWritable(*command.atlas);
+  if (command.atlas) requireWritable(*command.atlas);
 
   const LogCallback log = noteTaker(command.quiet);
   scene::LoadedScene loaded = command.scene.load(log);

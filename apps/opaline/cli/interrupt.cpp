@@ -6,7 +6,7 @@
 
 #include "cli/child_process.h"
 #include "cli/output.h"
-#include "core/file.h"
+#include "opaline/file.h"
 
 namespace opaline::app {
 
@@ -27,7 +27,7 @@ void awaitInterrupt(sigset_t signals) {
   }
   // The child first: it writes into one of the files.
   abandonChildProcesses();
-  core::abandonTemporaryFiles();
+  abandonTemporaryFiles();
   clearStatus();
   dieBy(signal);
 }

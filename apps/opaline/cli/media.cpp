@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "bssrdf/media.h"
 #include "bssrdf/profile.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
@@ -12,6 +11,7 @@
 #include "cli/json.h"
 #include "cli/medium_options.h"
 #include "cli/output.h"
+#include "opaline/media.h"
 
 namespace opaline::app {
 
@@ -50,11 +50,11 @@ std::string table(const HalfSpaceOption& halfSpace) {
   text += fmt::format("{:^18}{:^24}{:<6}{:^21}{:^21}{:^18}\n", "1/mm", "1/mm", "", "mm", "mm",
                       halfSpace.name());
   text += "measured (Jensen, Marschner, Levoy, Hanrahan 2001, Fig. 5); R G B each\n";
-  for (const auto& measured : bssrdf::measuredMedia()) {
+  for (const auto& measured : measuredMedia()) {
     text += row(measured.medium, halfSpace.model(), measured.diffuseReflectance);
   }
   text += "artistic, never measured\n";
-  for (const Medium& medium : bssrdf::artisticMedia()) {
+  for (const Medium& medium : artisticMedia()) {
     text += row(medium, halfSpace.model(), std::nullopt);
   }
   return text;
@@ -69,8 +69,8 @@ Json json(const HalfSpaceOption& halfSpace) {
     if (published) entry["published_reflectance"] = rgbJson(*published);
     list.push_back(std::move(entry));
   };
-  for (const auto& row : bssrdf::measuredMedia()) add(row.medium, row.diffuseReflectance);
-  for (const Medium& medium : bssrdf::artisticMedia()) add(medium, std::nullopt);
+  for (const auto& row : measuredMedia()) add(row.medium, row.diffuseReflectance);
+  for (const Medium& medium : artisticMedia()) add(medium, std::nullopt);
   Json json;
   halfSpace.describe(json);
   json["media"] = std::move(list);

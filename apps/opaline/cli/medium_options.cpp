@@ -6,20 +6,20 @@
 #include <limits>
 #include <vector>
 
-#include "bssrdf/media.h"
 #include "bssrdf/profile.h"
 #include "cli/fields.h"
 #include "opaline/error.h"
+#include "opaline/media.h"
 
 namespace opaline::app {
 
 namespace {
 
 Medium namedMedium(const Given& given, std::string_view name) {
-  if (auto medium = bssrdf::findMedium(name)) return *medium;
+  if (auto medium = findMedium(name)) return *medium;
   std::vector<std::string> names;
-  for (const auto& row : bssrdf::measuredMedia()) names.push_back(row.medium.name);
-  for (const Medium& medium : bssrdf::artisticMedia()) names.push_back(medium.name);
+  for (const auto& row : measuredMedia()) names.push_back(row.medium.name);
+  for (const Medium& medium : artisticMedia()) names.push_back(medium.name);
   throw UsageError(fmt::format("{} {}: there is no such medium{}; opaline media lists them",
                                given.option, given.text, suggestion(name, names)));
 }

@@ -62,7 +62,7 @@ scene::SceneFileSettings settingsOf(const options::PictureSettings& picture, con
   return settings;
 }
 
-core::ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& scene) {
+ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& scene) {
   options::PictureSettings found;
   if (!settings.picture.has("exposure")) found.tone.exposureStops = automaticExposureStops(scene);
   settings.picture.applyTo(found);
@@ -158,8 +158,7 @@ void LookOptions::applyTo(RenderOptions& options) const {
   options::apply(chosen_, options);
 }
 
-core::ToneOptions LookOptions::tone(const scene::SceneFileSettings& settings,
-                                    const Scene& scene) const {
+ToneOptions LookOptions::tone(const scene::SceneFileSettings& settings, const Scene& scene) const {
   options::PictureSettings found{.tone = toneOf(settings, scene)};
   chosen_.applyTo(found);
   return found.tone;
@@ -211,7 +210,7 @@ void PictureOptions::applyTo(RenderOptions& options) const {
 }
 
 std::optional<std::string> PictureOptions::noteOnExposure(const scene::SceneFileSettings& settings,
-                                                          const core::ToneOptions& tone) const {
+                                                          const ToneOptions& tone) const {
   if (isExr() || !look_.exposesByLight(settings) || tone.exposureStops == 0) return std::nullopt;
   return fmt::format("exposed by {:+} stops to suit the light; --exposure 0 turns this off",
                      tone.exposureStops);
@@ -255,12 +254,12 @@ void PictureOptions::requireNameFor(bool frames, bool resume) const {
   }
 }
 
-core::Target PictureOptions::target(const std::string& sceneName,
-                                    const std::optional<FrameRange>& frames) const {
+Target PictureOptions::target(const std::string& sceneName,
+                              const std::optional<FrameRange>& frames) const {
   if (file_) return *file_;
   const std::string ending = isExr() ? ".exr" : ".png";
-  if (!frames) return {sceneName + ending, core::Existing::TakeNextName};
-  return {freeRow(sceneName, ending, *frames), core::Existing::Refuse};
+  if (!frames) return {sceneName + ending, Existing::TakeNextName};
+  return {freeRow(sceneName, ending, *frames), Existing::Refuse};
 }
 
 }  // namespace opaline::app

@@ -7,9 +7,9 @@
 #include "cli/command_line.h"
 #include "cli/motion_options.h"
 #include "cli/values.h"
-#include "core/file.h"
-#include "core/tone.h"
+#include "opaline/file.h"
 #include "opaline/renderer.h"
+#include "opaline/tone.h"
 #include "options/picture.h"
 #include "scene/scene_settings.h"
 
@@ -26,7 +26,7 @@ scene::SceneFileSettings settingsOf(const options::PictureSettings& picture, con
 
 /// How a scene file wants its pictures shown, with the exposure that suits the light where it names
 /// none.
-core::ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& scene);
+ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& scene);
 
 /// --transport, --sum, --site, --method and what shapes each of them.
 class MethodOptions {
@@ -57,7 +57,7 @@ class LookOptions {
   /// Whether a value was given that only matters to colours of eight bits.
   bool asksForTone() const;
   /// What was asked for, else what the scene file says.
-  core::ToneOptions tone(const scene::SceneFileSettings& settings, const Scene& scene) const;
+  ToneOptions tone(const scene::SceneFileSettings& settings, const Scene& scene) const;
   /// Whether nobody has said how to expose, so that the scene's light decides.
   bool exposesByLight(const scene::SceneFileSettings& settings) const {
     return !chosen_.has("exposure") && !settings.picture.has("exposure");
@@ -90,15 +90,15 @@ class PictureOptions {
   /// The same where there is nothing but stills.
   void requireNameOfStill() const;
   /// -o, or a name after the scene's in the current folder under which nothing is replaced.
-  core::Target target(const std::string& sceneName, const std::optional<FrameRange>& frames) const;
+  Target target(const std::string& sceneName, const std::optional<FrameRange>& frames) const;
   bool hasFile() const { return file_.has_value(); }
   /// What was asked for, else what the scene file says.
-  core::ToneOptions tone(const scene::SceneFileSettings& settings, const Scene& scene) const {
+  ToneOptions tone(const scene::SceneFileSettings& settings, const Scene& scene) const {
     return look_.tone(settings, scene);
   }
   /// Where the scene's light has chosen an exposure that shows, which.
   std::optional<std::string> noteOnExposure(const scene::SceneFileSettings& settings,
-                                            const core::ToneOptions& tone) const;
+                                            const ToneOptions& tone) const;
 
  private:
   void takeAov(const Given& given);

@@ -15,9 +15,9 @@
 #include "cli/frame_names.h"
 #include "cli/values.h"
 #include "core/measures.h"
+#include "opaline/environment.h"
 #include "opaline/error.h"
 #include "options/scene.h"
-#include "scene/environment_file.h"
 #include "scene/framing.h"
 
 namespace opaline::app {
@@ -281,11 +281,11 @@ void LightOptions::applyTo(scene::LoadedScene& loaded) const {
   if (any_) {
     loaded.source.environment.reset();
     if (environment_) {
-      loaded.source.environment = scene::EnvironmentFile{std::filesystem::absolute(*environment_)};
+      loaded.source.environment = EnvironmentFile{std::filesystem::absolute(*environment_)};
     }
     loaded.scene.lighting = lightingFor(loaded.scene);
   }
-  std::optional<scene::EnvironmentFile>& environment = loaded.source.environment;
+  std::optional<EnvironmentFile>& environment = loaded.source.environment;
   if (!environment && !turned_.empty()) {
     throw UsageError(
         fmt::format("--environment-{} needs an environment: name one with --environment FILE",
@@ -293,7 +293,7 @@ void LightOptions::applyTo(scene::LoadedScene& loaded) const {
   }
   if (!environment || !(environment_ || !turned_.empty())) return;
   turned_.applyTo(*environment);
-  loaded.scene.lighting.environment = scene::readEnvironment(*environment);
+  loaded.scene.lighting.environment = readEnvironment(*environment);
 }
 
 Lighting LightOptions::lightingFor(const Scene& scene) const {

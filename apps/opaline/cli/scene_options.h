@@ -8,10 +8,10 @@
 
 #include "cli/command_line.h"
 #include "cli/medium_options.h"
+#include "opaline/environment.h"
 #include "opaline/log.h"
 #include "opaline/scene.h"
 #include "opaline/sequence.h"
-#include "scene/environment_file.h"
 #include "scene/scene_settings.h"
 
 namespace opaline::app {
@@ -62,7 +62,7 @@ class LightOptions {
   Rgb ambient_{};
   std::optional<Ground> ground_;
   std::optional<std::filesystem::path> environment_;
-  options::Chosen<scene::EnvironmentFile> turned_;
+  options::Chosen<EnvironmentFile> turned_;
 };
 
 /// --camera-direction, --camera-position, --camera-target, --fov-degrees.

@@ -2,12 +2,12 @@
 
 #include "cli/frame_names.h"
 #include "cli/progress.h"
-#include "core/file.h"
-#include "core/image_file.h"
 #include "film/film_encoder.h"
 #include "film/film_job.h"
 #include "film/film_output.h"
 #include "film/picture_stamp.h"
+#include "opaline/file.h"
+#include "opaline/image_file.h"
 
 namespace opaline::app {
 
@@ -16,13 +16,12 @@ namespace fs = std::filesystem;
 namespace {
 
 bool isWhole(const FilmOrder& order, int frame) {
-  return core::isWholeImage(fileOf(order.output.path, frame), order.options.width,
-                            order.options.height);
+  return isWholeImage(fileOf(order.output.path, frame), order.options.width, order.options.height);
 }
 
 bool carriesItsStamp(const FilmOrder& order, int frame) {
   if (!order.stamp) return true;
-  const auto note = core::readImageNote(fileOf(order.output.path, frame));
+  const auto note = readImageNote(fileOf(order.output.path, frame));
   return note && isSamePicture(*note, order.stamp(frame));
 }
 
@@ -32,8 +31,8 @@ bool isThere(const FilmOrder& order, int frame) {
   return order.resume && isWhole(order, frame) && carriesItsStamp(order, frame);
 }
 
-void requireFilmWritable(const core::Target& output, const FrameRange& frames) {
-  core::requireWritable({fileOf(output.path, frames.first), output.existing});
+void requireFilmWritable(const Target& output, const FrameRange& frames) {
+  requireWritable({fileOf(output.path, frames.first), output.existing});
   if (isFilm(output.path)) requireFfmpeg();
 }
 

@@ -7,21 +7,21 @@
 #include <vector>
 
 #include "cli/motion_options.h"
-#include "core/file.h"
-#include "core/tone.h"
+#include "opaline/file.h"
 #include "opaline/renderer.h"
+#include "opaline/tone.h"
 
 namespace opaline::app {
 
 /// Many frames, and where they go.
 struct FilmOrder {
   FrameRange frames;
-  core::Target output{""};  ///< a film, .mp4, or a name with a mark for the number
+  Target output{""};  ///< a film, .mp4, or a name with a mark for the number
   Aov aov = Aov::Radiance;
   RenderOptions options;
   int clip = 0;
-  core::ToneOptions tone;  ///< of what is not EXR
-  bool resume = false;     ///< leave out what is there already; not for a film
+  ToneOptions tone;     ///< of what is not EXR
+  bool resume = false;  ///< leave out what is there already; not for a film
   /// What each picture carries, if anything; where that differs, it is not the picture. Is called
   /// on several threads.
   std::function<std::string(int frame)> stamp;
@@ -32,7 +32,7 @@ struct FilmOrder {
 
 /// Throws Error now, before hours of work, when the output could not be written or ffmpeg is not
 /// there.
-void requireFilmWritable(const core::Target& output, const FrameRange& frames);
+void requireFilmWritable(const Target& output, const FrameRange& frames);
 
 /// Whether the file of that frame need not be made.
 bool isThere(const FilmOrder& order, int frame);

@@ -64,7 +64,7 @@ FilmEncoder::FilmEncoder(const fs::path& file, int width, int height, double fra
       height_(even(height)),
       ffmpeg_(foundFfmpeg(), argumentsFor(file, width_, height_, framesPerSecond)) {}
 
-void FilmEncoder::add(const core::Image8& picture) {
+void FilmEncoder::add(const Image8& picture) {
   constexpr std::size_t channels = 3;
   rgb_.resize(channels * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   auto out = rgb_.begin();

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/child_process.h"
-#include "core/image_file.h"
+#include "opaline/image_file.h"
 
 namespace opaline::app {
 
@@ -18,7 +18,7 @@ class FilmEncoder {
   FilmEncoder(const std::filesystem::path& file, int width, int height, double framesPerSecond);
 
   /// Its colours are used as they are: what has no background is on black. Throws Error.
-  void add(const core::Image8& picture);
+  void add(const Image8& picture);
   /// Throws Error unless the film is whole.
   void finish();
   /// Nobody wants the film any more: ends an add() on another thread, too.

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/frame_names.h"
-#include "core/file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 
 namespace opaline::app {
 
@@ -53,8 +53,8 @@ class FramesUnderWay {
 
 FilmJob::FilmJob(FilmOrder order)
     : order_(std::move(order)), output_(order_), next_(order_.frames.first) {
-  const core::Target& target = order_.output;
-  if (!isFilm(target.path)) core::requireWritable({fileOf(target.path, next_), target.existing});
+  const Target& target = order_.output;
+  if (!isFilm(target.path)) requireWritable({fileOf(target.path, next_), target.existing});
 }
 
 FilmProgress FilmJob::progress() const {

@@ -6,8 +6,8 @@
 
 #include "cli/frame_names.h"
 #include "cli/paths.h"
-#include "core/image_file.h"
 #include "opaline/error.h"
+#include "opaline/image_file.h"
 
 namespace opaline::app {
 
@@ -31,11 +31,10 @@ bool isFilm(const fs::path& output) {
   return extensionOf(output) == ".mp4";
 }
 
-fs::path writePicture(const core::Target& target, const Image& image, const core::ToneOptions& tone,
+fs::path writePicture(const Target& target, const Image& image, const ToneOptions& tone,
                       std::string_view note) {
-  return extensionOf(target.path) == ".exr"
-             ? core::writeExr(target, image, note)
-             : core::writePng(target, core::toneMap(image, tone), note);
+  return extensionOf(target.path) == ".exr" ? writeExr(target, image, note)
+                                            : writePng(target, toneMap(image, tone), note);
 }
 
 FilmOutput::FilmOutput(const FilmOrder& order) : path_(order.output.path) {
@@ -51,14 +50,14 @@ FilmOutput::FilmOutput(const FilmOrder& order) : path_(order.output.path) {
 }
 
 void FilmOutput::startFilm(const FilmOrder& order) {
-  core::ToneOptions tone = order.tone;
+  ToneOptions tone = order.tone;
   if (!tone.background) tone.background = Rgb{0, 0, 0};  // a film has no alpha
   file_.emplace(order.output);
   encoder_.emplace(file_->temporary(), order.options.width, order.options.height,
                    order.frames.perSecond);
   writer_.emplace(1, [this, tone](int, const Frame& frame) {
     try {
-      encoder_->add(core::toneMap(frame.images.at(0), tone));
+      encoder_->add(toneMap(frame.images.at(0), tone));
     } catch (const Error&) {
       throw;
     } catch (const std::exception& failure) {

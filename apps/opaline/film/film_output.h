@@ -5,20 +5,20 @@
 #include <optional>
 #include <string_view>
 
-#include "core/file.h"
-#include "core/tone.h"
 #include "film/film.h"
 #include "film/film_encoder.h"
 #include "film/frame_writer.h"
+#include "opaline/file.h"
 #include "opaline/renderer.h"
+#include "opaline/tone.h"
 
 namespace opaline::app {
 
 bool isFilm(const std::filesystem::path& output);
 
 /// EXR as it is, or PNG after the tone curve, with a note in it. Returns where it is.
-std::filesystem::path writePicture(const core::Target& target, const Image& image,
-                                   const core::ToneOptions& tone, std::string_view note = {});
+std::filesystem::path writePicture(const Target& target, const Image& image,
+                                   const ToneOptions& tone, std::string_view note = {});
 
 /// Takes rendered frames and makes pictures or a film of them on threads of its own. A film that is
 /// not finished leaves no file; pictures are whole or not there.
@@ -46,7 +46,7 @@ class FilmOutput {
 
   std::filesystem::path path_;
   // What goes first is used by what comes after.
-  std::optional<core::WholeFile> file_;
+  std::optional<WholeFile> file_;
   std::optional<FilmEncoder> encoder_;
   std::optional<FrameWriter> writer_;
 };

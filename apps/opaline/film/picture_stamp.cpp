@@ -8,8 +8,8 @@
 #include "cli/json.h"
 #include "cli/picture_options.h"
 #include "core/digest.h"
-#include "core/file.h"
 #include "film/sequence_frames.h"
+#include "opaline/file.h"
 #include "opaline/version.h"
 
 namespace opaline::app {
@@ -163,10 +163,9 @@ void addScene(Digest& digest, const Scene& scene) {
 }
 
 void addSettings(Digest& digest, const RenderOptions& options,
-                 const std::optional<core::ToneOptions>& tone) {
+                 const std::optional<ToneOptions>& tone) {
   digest.add(tone.has_value());
-  const options::PictureSettings settings{.render = options,
-                                          .tone = tone.value_or(core::ToneOptions{})};
+  const options::PictureSettings settings{.render = options, .tone = tone.value_or(ToneOptions{})};
   for (const auto& field : options::fieldsOf<options::PictureSettings>()) {
     // Each frame of a film has its own time.
     if (field.key == "seconds") continue;
@@ -179,7 +178,7 @@ void addSettings(Digest& digest, const RenderOptions& options,
 
 void addFile(Digest& digest, const std::filesystem::path& file) {
   constexpr std::size_t mostBytes = std::size_t{1} << 31U;
-  digest.add(core::readFile(file, mostBytes));
+  digest.add(readFile(file, mostBytes));
 }
 
 /// What people want to know of a picture that they find.

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "cli/motion_options.h"
-#include "core/tone.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "opaline/sequence.h"
+#include "opaline/tone.h"
 
 namespace opaline::app {
 
@@ -20,7 +20,7 @@ struct PictureMakers {
   RenderOptions options;
   int clip = 0;
   Aov aov = Aov::Radiance;
-  std::optional<core::ToneOptions> tone;         ///< none: linear, as EXR is
+  std::optional<ToneOptions> tone;               ///< none: linear, as EXR is
   std::shared_ptr<const MeshSequence> sequence;  ///< whose files the frames show
 };
 

@@ -16,7 +16,6 @@
 #include "cli/paths.h"
 #include "cli/picture_options.h"
 #include "cli/scene_options.h"
-#include "core/file.h"
 #include "film/film.h"
 #include "film/film_output.h"
 #include "film/framing.h"
@@ -25,6 +24,7 @@
 #include "film/render_report.h"
 #include "film/sequence_frames.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "scene/scene_files.h"
@@ -89,8 +89,8 @@ struct RenderJob {
   scene::SceneFileSettings settings;
   RenderOptions options;
   SceneTime time;
-  core::ToneOptions tone;
-  core::Target output;
+  ToneOptions tone;
+  Target output;
   std::vector<std::filesystem::path> inputs;
   std::shared_ptr<const MeshSequence> sequence;
   std::shared_ptr<KeptPositions> kept = std::make_shared<KeptPositions>();
@@ -104,7 +104,7 @@ struct RenderJob {
   }
 };
 
-RenderJob prepareRender(const RenderCommand& command, core::Target output, const LogCallback& log) {
+RenderJob prepareRender(const RenderCommand& command, Target output, const LogCallback& log) {
   scene::LoadedScene loaded = command.scene.load(log);
   command.lights.applyTo(loaded);
   auto& [scene, settings, source, sequence] = loaded;
@@ -113,7 +113,7 @@ RenderJob prepareRender(const RenderCommand& command, core::Target output, const
   command.motion.applyTo(scene);
   const SceneTime time = command.motion.time(scene, settings);
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  const core::ToneOptions tone = command.picture.tone(settings, scene);
+  const ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
   return {std::move(scene),       std::move(settings), options, time, tone, std::move(output),
@@ -219,7 +219,7 @@ FilmOrder filmOrder(const RenderCommand& command, const RenderJob& job, const Fr
 void requireNoInput(const RenderCommand& command, const RenderJob& job,
                     const std::optional<FrameRange>& frames) {
   std::vector<Output> outputs;
-  if (job.output.existing == core::Existing::Replace) {
+  if (job.output.existing == Existing::Replace) {
     const FrameRange range = frames.value_or(FrameRange{});
     for (int frame = range.first; frame <= range.last; frame += range.step) {
       outputs.push_back({"-o", fileOf(job.output.path, frame)});
@@ -261,13 +261,13 @@ void runRender(const Arguments& arguments) {
 
   const LogCallback log = noteTaker(command.quiet);
   const std::optional<FrameRange> frames = command.motion.frames();
-  core::Target output = command.picture.target(command.scene.name(), frames);
+  Target output = command.picture.target(command.scene.name(), frames);
   if (frames) {
     requireFilmWritable(output, *frames);
   } else {
-    core::requireWritable(output);
+    requireWritable(output);
   }
-  if (command.report) core::requireWritable(*command.report);
+  if (command.report) requireWritable(*command.report);
 
   RenderJob job = prepareRender(command, std::move(output), log);
   job.aimCamera(frames);
@@ -276,7 +276,7 @@ void runRender(const Arguments& arguments) {
   done.report["exposure_stops"] =
       command.picture.isExr() ? Json() : shortJson(job.tone.exposureStops);
   const std::string report = toText(done.report);
-  if (command.report) core::writeWhole(*command.report, report);
+  if (command.report) writeWhole(*command.report, report);
   if (command.json) printOut(report);
   if (done.validationMessages > 0) {
     throw Error(

@@ -12,13 +12,13 @@
 #include "cli/paths.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
-#include "core/file.h"
-#include "core/image_file.h"
 #include "film/framing.h"
 #include "lab/methods.h"
 #include "lab/scaling.h"
 #include "lab/table1.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
+#include "opaline/image_file.h"
 #include "options/picture.h"
 
 namespace opaline::app {
@@ -126,7 +126,7 @@ struct BenchCommand {
   }
 
   void run() const {
-    if (plot) core::requireWritable(*plot);
+    if (plot) requireWritable(*plot);
     switch (*suite) {
       case Suite::Table1:
         return runTable1();
@@ -159,9 +159,9 @@ struct BenchCommand {
     order.frames = frames.value_or(order.frames);
     order.all = all;
     order.device = device();
-    if (truth) order.truth = core::readHdrImage(*truth);
+    if (truth) order.truth = readHdrImage(*truth);
     const Methods methods = measureMethods(order);
-    if (plot) core::writeWhole(*plot, plotSvg(methods));
+    if (plot) writeWhole(*plot, plotSvg(methods));
     printOut(json ? toText(toJson(methods)) : toReadable(methods));
   }
 
@@ -175,7 +175,7 @@ struct BenchCommand {
     order.frames = frames.value_or(order.frames);
     order.device = device();
     const Scaling scaling = measureScaling(order);
-    if (plot) core::writeWhole(*plot, plotSvg(scaling));
+    if (plot) writeWhole(*plot, plotSvg(scaling));
     printOut(json ? toText(toJson(scaling)) : toReadable(scaling));
   }
 };

@@ -12,13 +12,11 @@
 #include "cli/paths.h"
 #include "cli/picture_options.h"
 #include "cli/values.h"
-#include "compare/figures.h"
-#include "compare/flip.h"
-#include "compare/heatmap.h"
-#include "core/file.h"
 #include "lab/compare_inputs.h"
 #include "lab/compare_report.h"
+#include "opaline/compare.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 
 namespace opaline::app {
 
@@ -59,10 +57,9 @@ struct CompareCommand {
     line.value("--exposure", "X", "stops, -32 to 32, not for PNG [0]", [this](const Given& given) {
       tone.exposureStops = static_cast<float>(readNumber(given, {-32, 32, "stops"}));
     });
-    line.value("--tone", "NAME", "curve: neutral or none, not for PNG [neutral]",
-               [this](const Given& given) {
-                 tone.curve = readChoice(given, choicesOf<core::ToneCurve>());
-               });
+    line.value(
+        "--tone", "NAME", "curve: neutral or none, not for PNG [neutral]",
+        [this](const Given& given) { tone.curve = readChoice(given, choicesOf<ToneCurve>()); });
     line.value("--pixels-per-degree", "X",
                fmt::format("as the viewer sees them, 1 to 1000 [{:.1f}]", pixelsPerDegree),
                [this](const Given& given) {
@@ -123,7 +120,7 @@ void writeHeatmap(const CompareCommand& command, const ComparedImages& images,
                     : compare::relativeErrors(images.a, images.b, selection);
   report.heatmap = command.heatmap;
   report.heatmapTop = command.heatmapTop.value_or(compare::heatmapTop(errors, selection));
-  core::writePng(*command.heatmap, compare::drawHeatmap(errors, selection, report.heatmapTop));
+  writePng(*command.heatmap, compare::drawHeatmap(errors, selection, report.heatmapTop));
 }
 
 CompareReport measure(const CompareCommand& command) {
@@ -168,7 +165,7 @@ void runCompare(const Arguments& arguments) {
     throw UsageError("--heatmap-max belongs to --heatmap FILE.png");
   }
   if (command.heatmap) {
-    core::requireWritable(*command.heatmap);
+    requireWritable(*command.heatmap);
     requireNoInput({{"--heatmap", *command.heatmap}}, {command.a, command.b});
   }
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cli/paths.h"
-#include "core/file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 
 namespace opaline::app {
 
@@ -24,15 +24,15 @@ struct Input {
 
 bool isPng(const std::filesystem::path& file) {
   constexpr std::string_view signature = "\x89PNG";
-  const std::vector<std::byte> head = core::readFileHead(file, signature.size());
+  const std::vector<std::byte> head = readFileHead(file, signature.size());
   const auto same = [](std::byte a, char b) { return a == static_cast<std::byte>(b); };
   return extensionOf(file) == ".png" ||
          std::equal(head.begin(), head.end(), signature.begin(), signature.end(), same);
 }
 
 Input readImage(const std::filesystem::path& file) {
-  if (isPng(file)) return {core::readPng(file), true};
-  return {core::readHdrImage(file, core::Negatives::Stay), false};
+  if (isPng(file)) return {readPng(file), true};
+  return {readHdrImage(file, Negatives::Stay), false};
 }
 
 void requireSameSize(const Image& a, const std::filesystem::path& fileA, const Image& b,
@@ -44,29 +44,29 @@ void requireSameSize(const Image& a, const std::filesystem::path& fileA, const I
                   fileA.string(), a.width, a.height, fileB.string(), b.width, b.height));
 }
 
-core::ToneOptions toneOptions(const CompareTone& tone) {
-  core::ToneOptions options;
+ToneOptions toneOptions(const CompareTone& tone) {
+  ToneOptions options;
   options.exposureStops = tone.exposureStops.value_or(options.exposureStops);
   options.curve = tone.curve.value_or(options.curve);
   return options;
 }
 
-core::Image8 shownOverBlack(const Input& input, core::ToneOptions options) {
+Image8 shownOverBlack(const Input& input, ToneOptions options) {
   options.background = Rgb{0, 0, 0};
-  if (!input.encoded) return core::toneMap(input.image, options);
+  if (!input.encoded) return toneMap(input.image, options);
   Image linear = input.image;
   for (std::size_t i = 0; i < linear.rgba.size(); ++i) {
-    if (i % 4 != 3) linear.rgba[i] = core::decodeSrgb(linear.rgba[i]);
+    if (i % 4 != 3) linear.rgba[i] = decodeSrgb(linear.rgba[i]);
   }
   options.exposureStops = 0;
-  options.curve = core::ToneCurve::None;
-  return core::toneMap(linear, options);
+  options.curve = ToneCurve::None;
+  return toneMap(linear, options);
 }
 
 /// What `render` would write as PNG.
-void makePicture(Input& input, const core::ToneOptions& options) {
+void makePicture(Input& input, const ToneOptions& options) {
   if (input.encoded) return;
-  const core::Image8 picture = core::toneMap(input.image, options);
+  const Image8 picture = toneMap(input.image, options);
   for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
     const auto value = static_cast<float>(picture.rgba[i]) / 255.0F;
     // Coverage decides which pixels count and stays as exact as it was.
@@ -87,7 +87,7 @@ ComparedImages readCompared(const std::filesystem::path& a, const std::filesyste
         fmt::format("--exposure and --tone belong to linear images, EXR or HDR; {} and {} are PNG",
                     a.string(), b.string()));
   }
-  const core::ToneOptions options = toneOptions(tone);
+  const ToneOptions options = toneOptions(tone);
   ComparedImages compared;
   compared.pictures = inputA.encoded || inputB.encoded;
   compared.shownA = shownOverBlack(inputA, options);

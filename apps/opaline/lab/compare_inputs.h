@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "compare/figures.h"
-#include "core/image_file.h"
-#include "core/tone.h"
+#include "opaline/compare.h"
 #include "opaline/image.h"
+#include "opaline/image_file.h"
+#include "opaline/tone.h"
 
 namespace opaline::app {
 
@@ -16,13 +16,13 @@ struct ComparedImages {
   Image a;
   Image b;
   bool pictures = false;
-  core::Image8 shownA;  ///< as a screen shows them, over black
-  core::Image8 shownB;
+  Image8 shownA;  ///< as a screen shows them, over black
+  Image8 shownB;
 };
 
 struct CompareTone {
   std::optional<float> exposureStops;
-  std::optional<core::ToneCurve> curve;
+  std::optional<ToneCurve> curve;
 };
 
 /// Throws Error when one cannot be read or they differ in size, UsageError when `tone` asks for

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/json.h"
-#include "compare/figures.h"
+#include "opaline/compare.h"
 
 namespace opaline::app {
 

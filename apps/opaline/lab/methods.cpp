@@ -7,10 +7,10 @@
 
 #include "cli/output.h"
 #include "cli/picture_options.h"
-#include "compare/figures.h"
 #include "film/reference_scene.h"
 #include "lab/frame_medians.h"
 #include "lab/truth.h"
+#include "opaline/compare.h"
 #include "opaline/error.h"
 #include "reference/integral.h"
 #include "reference/path/path_run.h"

@@ -12,9 +12,9 @@
 #include "cli/paths.h"
 #include "cli/progress.h"
 #include "cli/values.h"
-#include "core/file.h"
 #include "lab/truth.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 
 namespace opaline::app {
 
@@ -91,7 +91,7 @@ void PathMethod::resume(rf::PathTracer& tracer) const {
   std::error_code ignored;
   if (!checkpoint_ || !std::filesystem::exists(*checkpoint_, ignored)) return;
   try {
-    tracer.restore(core::readFile(*checkpoint_, longestCheckpointBytes));
+    tracer.restore(readFile(*checkpoint_, longestCheckpointBytes));
   } catch (const Error& error) {
     throw Error(fmt::format("--checkpoint {}: {}; name another file to start anew",
                             checkpoint_->string(), error.what()));
@@ -108,8 +108,8 @@ double PathMethod::run(rf::PathTracer& tracer, const rf::BlockError& error, bool
   const auto save = [&] {
     if (!checkpoint_) return;
     const std::vector<std::byte> bytes = tracer.save();
-    core::writeWhole(*checkpoint_,
-                     std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    writeWhole(*checkpoint_,
+               std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   };
   const double reached =
       rf::runPaths(tracer, error, ends, [&](std::uint64_t particles, double seconds, double now) {
@@ -127,7 +127,7 @@ double PathMethod::run(rf::PathTracer& tracer, const rf::BlockError& error, bool
 rf::Picture PathMethod::make(const rf::Geometry& geometry, const rf::Irradiance& irradiance,
                              const rf::PictureOptions& picture, bool quiet, const LogCallback& log,
                              Json& report) const {
-  if (checkpoint_) core::requireWritable(*checkpoint_);
+  if (checkpoint_) requireWritable(*checkpoint_);
   const auto begin = Clock::now();
   rf::PathTracer tracer(geometry, options_);
   resume(tracer);

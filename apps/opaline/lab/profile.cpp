@@ -8,7 +8,6 @@
 #include <optional>
 #include <string>
 
-#include "bssrdf/media.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/half_space_option.h"
@@ -17,9 +16,10 @@
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/values.h"
-#include "core/file.h"
 #include "lab/plot.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
+#include "opaline/media.h"
 
 namespace opaline::app {
 
@@ -111,7 +111,7 @@ void runProfile(const Arguments& arguments) {
   command.addTo(line);
   if (!line.parse(arguments)) return;
 
-  const Medium medium = command.medium.medium().value_or(*bssrdf::findMedium("marble"));
+  const Medium medium = command.medium.medium().value_or(*findMedium("marble"));
   const std::string title = fmt::format("{}, {}", medium.name, command.halfSpace.label());
   Profiles profiles;
   std::array<double, 3> total{};
@@ -120,10 +120,10 @@ void runProfile(const Arguments& arguments) {
     profiles[channel] = makeProfile(command.halfSpace.model(), coefficients);
     total[channel] = profiles[channel].totalReflectance();
   }
-  if (command.plot) core::requireWritable(*command.plot);
+  if (command.plot) requireWritable(*command.plot);
   const double mostRadiusMm = command.mostRadiusMm.value_or(defaultRadiusMm(medium));
   if (command.plot) {
-    core::writeWhole(*command.plot, plotSvg(sample(profiles, mostRadiusMm, plotSamples), title));
+    writeWhole(*command.plot, plotSvg(sample(profiles, mostRadiusMm, plotSamples), title));
     noteTaker(command.quiet)(LogLevel::Note, fmt::format("wrote {}", command.plot->string()));
   }
   const ProfileSamples samples = sample(profiles, mostRadiusMm, command.samples);

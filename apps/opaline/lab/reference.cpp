@@ -18,7 +18,6 @@
 #include "cli/progress.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
-#include "core/file.h"
 #include "film/film_output.h"
 #include "film/framing.h"
 #include "film/reference_scene.h"
@@ -26,6 +25,7 @@
 #include "lab/path_method.h"
 #include "lab/truth.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 #include "reference/integral.h"
 #include "reference/picture.h"
 #include "scene/scene_files.h"
@@ -175,8 +175,8 @@ struct ReferenceCommand {
 struct ReferenceJob {
   rf::Scene scene;
   RenderOptions options;
-  core::ToneOptions tone;
-  core::Target output;
+  ToneOptions tone;
+  Target output;
 };
 
 /// Positions of a still of a row of files.
@@ -186,7 +186,7 @@ PositionsByObject positionsOf(const MeshSequence* sequence, double seconds) {
   return positionsMm;
 }
 
-ReferenceJob prepareReference(const ReferenceCommand& command, core::Target output,
+ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
                               const LogCallback& log) {
   scene::LoadedScene loaded = command.scene.load(log);
   command.lights.applyTo(loaded);
@@ -205,7 +205,7 @@ ReferenceJob prepareReference(const ReferenceCommand& command, core::Target outp
         "--no-specular");
   }
   requireNoInput(command.outputs(), scene::filesOf(source));
-  const core::ToneOptions tone = command.picture.tone(settings, scene);
+  const ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
   return {referenceScene(scene, time, positionsOf(sequence.get(), time.seconds)), options, tone,
@@ -284,10 +284,10 @@ void runReference(const Arguments& arguments) {
 
   const auto begin = std::chrono::steady_clock::now();
   const LogCallback log = noteTaker(command.quiet);
-  core::Target output = command.picture.target(command.scene.name(), std::nullopt);
+  Target output = command.picture.target(command.scene.name(), std::nullopt);
   command.path.check(output.path, command.report);
-  core::requireWritable(output);
-  if (command.report) core::requireWritable(*command.report);
+  requireWritable(output);
+  if (command.report) requireWritable(*command.report);
 
   const ReferenceJob job = prepareReference(command, std::move(output), log);
   const Made made = command.integral ? makeIntegral(command, job) : makePath(command, job, log);
@@ -304,7 +304,7 @@ void runReference(const Arguments& arguments) {
   }
   log(LogLevel::Note, note);
   const std::string report = toText(reportJson(command, job, made, seconds.count(), file));
-  if (command.report) core::writeWhole(*command.report, report);
+  if (command.report) writeWhole(*command.report, report);
   if (command.json) printOut(report);
 }
 

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "cli/output.h"
-#include "compare/figures.h"
 #include "lab/frame_medians.h"
 #include "lab/scaling_scenes.h"
+#include "opaline/compare.h"
 
 namespace opaline::app {
 

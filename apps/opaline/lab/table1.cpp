@@ -6,10 +6,10 @@
 #include <span>
 #include <system_error>
 
-#include "bssrdf/media.h"
 #include "cli/output.h"
 #include "lab/frame_medians.h"
 #include "opaline/error.h"
+#include "opaline/media.h"
 #include "opaline/scene.h"
 
 namespace opaline::app {
@@ -54,7 +54,7 @@ RenderOptions paperOptions(Site site) {
 Scene loadRow(const PaperRow& row, const Table1Order& order) {
   LoadOptions options;
   options.diagonalMm = modelDiagonalMm;
-  options.medium = bssrdf::findMedium("marble");
+  options.medium = findMedium("marble");
   if (row.morphTo != nullptr) options.morphTo = order.models / row.morphTo;
   options.log = order.log;
   return loadScene(order.models / row.file, options);

@@ -10,9 +10,9 @@
 
 #include "cli/field_names.h"
 #include "cli/json.h"
-#include "core/file.h"
 #include "film/render_report.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 #include "viewer/panels/controls.h"
 #include "viewer/session/playback.h"
 #include "viewer/session/work_under_way.h"
@@ -329,7 +329,7 @@ void Viewer::writeControls() const {
                   {"truth", truth_.running()      ? truth_.progress()
                             : truth_.hasPicture() ? 1
                                                   : 0}};
-  core::writeWhole(*options_.controls, toText(json));
+  writeWhole(*options_.controls, toText(json));
 }
 
 Json Viewer::report() const {

@@ -166,8 +166,7 @@ void Viewer::saveTruth() {
                        : *what == TruthFile::Exr   ? "_truth.exr"
                                                    : "_truth.png";
   try {
-    say(truth_.save(*what, {session_.saveName + ending, core::Existing::TakeNextName},
-                    session_.tone));
+    say(truth_.save(*what, {session_.saveName + ending, Existing::TakeNextName}, session_.tone));
   } catch (const std::exception& error) {
     say(error.what(), true);
   }

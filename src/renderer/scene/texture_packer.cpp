@@ -10,7 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "core/tone.h"
+#include "opaline/tone.h"
 
 namespace opaline {
 
@@ -48,7 +48,7 @@ const std::vector<float>& linearOfEncoded() {
   static const std::vector<float> table = [] {
     std::vector<float> values(65536);
     for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = core::decodeSrgb(static_cast<float>(i) / 65535.0F);
+      values[i] = decodeSrgb(static_cast<float>(i) / 65535.0F);
     return values;
   }();
   return table;

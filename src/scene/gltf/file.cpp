@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 #include "scene/gltf/accepted_json.h"
 #include "scene/gltf/decoded.h"
 #include "scene/gltf/draco.h"
@@ -51,7 +51,7 @@ bool readWholeFile(std::vector<unsigned char>* out, std::string*, const std::str
   const auto file = allowed(access, path);
   if (!file) return false;
   try {
-    const std::vector<std::byte> bytes = core::readFile(*file, longestFileBytes - access.bytesRead);
+    const std::vector<std::byte> bytes = readFile(*file, longestFileBytes - access.bytesRead);
     access.bytesRead += bytes.size();
     out->resize(bytes.size());
     if (!bytes.empty()) std::memcpy(out->data(), bytes.data(), bytes.size());

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bssrdf/media.h"
 #include "bssrdf/profile.h"
+#include "opaline/media.h"
 #include "scene/gltf/json.h"
 #include "scene/material.h"
 #include "scene/text.h"
@@ -145,7 +145,7 @@ std::optional<Medium> gltfMedium(const Input& input, const tinygltf::Model& mode
       material < 0 ? none : model.materials[static_cast<std::size_t>(material)];
   std::optional<Medium> medium = fromExtras(of);
   for (const std::string_view name : {std::string_view(of.name), meshName, nodeName}) {
-    if (!medium && !name.empty()) medium = bssrdf::findMedium(name);
+    if (!medium && !name.empty()) medium = findMedium(name);
   }
   if (!medium) medium = fromVolume(of, textures);
   if (!medium && letsLightThrough(of)) return defaultMedium();

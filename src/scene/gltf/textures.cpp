@@ -6,9 +6,9 @@
 #include <cmath>
 #include <span>
 
-#include "core/file.h"
 #include "core/texture_file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 #include "scene/gltf/json.h"
 #include "scene/gltf/prescan.h"
 #include "scene/own_folder.h"
@@ -112,8 +112,8 @@ TexturePixels GltfTextures::read(std::size_t image) const {
   if (!of.image.empty()) {
     pixels = core::readTexture(name, std::as_bytes(std::span(of.image)));
   } else {
-    const std::vector<std::byte> bytes = core::readFile(
-        fileBeside(input_.file, percentDecoded(of.uri), "picture"), longestFileBytes);
+    const std::vector<std::byte> bytes =
+        readFile(fileBeside(input_.file, percentDecoded(of.uri), "picture"), longestFileBytes);
     pixels = core::readTexture(name, bytes);
   }
   pixels.name = name;

@@ -10,9 +10,9 @@
 #include <sstream>
 #include <vector>
 
-#include "core/file.h"
 #include "core/texture_file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 #include "scene/own_folder.h"
 #include "scene/text.h"
 
@@ -27,7 +27,7 @@ class MtlReader {
   void read(const std::string& file) {
     constexpr std::size_t longest = 64U << 20U;
     const std::vector<std::byte> bytes =
-        core::readFile(fileBeside(obj_.file, file, "material file"), longest);
+        readFile(fileBeside(obj_.file, file, "material file"), longest);
     std::istringstream stream(
         std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
     std::map<std::string, int> indices;
@@ -87,7 +87,7 @@ class MtlReader {
     try {
       const std::filesystem::path file = fileBeside(obj_.file, name, "picture");
       pixels = std::make_shared<const TexturePixels>(
-          core::readTexture(file, core::readFile(file, longestFileBytes)));
+          core::readTexture(file, readFile(file, longestFileBytes)));
     } catch (const Error& error) {
       note(obj_.log, fmt::format("{}: a texture is left out: {}",
                                  cleanText(obj_.file.string(), 1000), error.what()));

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "bssrdf/media.h"
+#include "opaline/media.h"
 #include "scene/formats.h"
 #include "scene/hash.h"
 #include "scene/mesh/mtl.h"
@@ -149,7 +149,7 @@ std::vector<NotShown> notShownOf(const ObjReader& reader, const ObjExtras& extra
   std::vector<NotShown> result;
   for (const Group& group : reader.groups) {
     const bool isMaterial = !group.sizes.empty() && !group.name.empty();
-    if (isMaterial && !bssrdf::findMedium(group.name) && !materials.contains(group.name)) {
+    if (isMaterial && !findMedium(group.name) && !materials.contains(group.name)) {
       addNotShown(result, "materials", group.name);
     }
   }
@@ -273,7 +273,7 @@ RawScene loadObj(const Input& input) {
   std::map<std::string, std::vector<const Group*>> byMedium;
   for (const Group& group : reader.groups) {
     if (group.sizes.empty()) continue;
-    const auto medium = bssrdf::findMedium(group.name);
+    const auto medium = findMedium(group.name);
     const std::string own = materials.contains(group.name) ? group.name : "";
     byMedium[medium ? medium->name : own].push_back(&group);
   }
@@ -282,10 +282,9 @@ RawScene loadObj(const Input& input) {
   for (const auto& [medium, groups] : byMedium) {
     RawObject object;
     object.name = medium.empty() ? cleanText(input.file.stem().string()) : cleanText(medium);
-    object.medium = bssrdf::findMedium(medium).value_or(defaultMedium());
+    object.medium = findMedium(medium).value_or(defaultMedium());
     const auto material = materials.find(medium);
-    if (material != materials.end() && !bssrdf::findMedium(medium))
-      object.opaque = material->second;
+    if (material != materials.end() && !findMedium(medium)) object.opaque = material->second;
     buildMesh(reader, groups, object);
     scene.objects.push_back(std::move(object));
   }

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/tone.h"
 #include "opaline/error.h"
+#include "opaline/tone.h"
 #include "scene/formats.h"
 #include "scene/hash.h"
 #include "scene/mesh/triangulate.h"
@@ -283,7 +283,7 @@ float linearColor(double value, Scalar type) {
   const std::size_t bytes = sizeOf(type);
   if (bytes > 2) return static_cast<float>(value > 0 ? std::min(value, 1.0) : 0.0);
   const double most = bytes == 1 ? 255 : 65535;
-  return core::decodeSrgb(static_cast<float>(std::clamp(value / most, 0.0, 1.0)));
+  return decodeSrgb(static_cast<float>(std::clamp(value / most, 0.0, 1.0)));
 }
 
 void readVertices(const Input& input, const Element& element, Body& body, RawObject& object) {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "bssrdf/media.h"
-#include "core/file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
+#include "opaline/media.h"
 #include "options/scene.h"
 #include "scene/environment_file.h"
 #include "scene/finish.h"
@@ -69,7 +69,7 @@ void requireShallow(const std::filesystem::path& file, std::string_view text) {
 
 toml::table parse(const std::filesystem::path& file) {
   constexpr std::size_t longestToml = 4U << 20U;
-  const std::vector<std::byte> bytes = core::readFile(file, longestToml);
+  const std::vector<std::byte> bytes = readFile(file, longestToml);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   requireShallow(file, text);
   try {
@@ -107,7 +107,7 @@ void readMedia(const TomlTable& root, Assembly& to) {
     Medium medium;
     const options::Chosen<Medium> chosen = chosenIn<Medium>(table);
     if (const auto measured = table.text("measured")) {
-      const auto known = bssrdf::findMedium(*measured);
+      const auto known = findMedium(*measured);
       if (!known) table.fail("measured", "names no medium; `opaline media` lists them");
       medium = *known;
     } else if (!chosen.has("sigma_s_per_mm") || !chosen.has("sigma_a_per_mm")) {
@@ -123,7 +123,7 @@ Medium mediumNamed(const TomlTable& table, std::string_view key, const std::stri
                    const Assembly& from) {
   const auto own = from.media.find(name);
   if (own != from.media.end()) return own->second;
-  const auto known = bssrdf::findMedium(name);
+  const auto known = findMedium(name);
   if (!known) {
     table.fail(key, fmt::format("names '{}', which is neither under [media] nor measured",
                                 cleanText(name, 60)));

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "core/file.h"
 #include "core/texture_file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 #include "scene/formats.h"
 #include "scene/material.h"
 #include "scene/text.h"
@@ -38,7 +38,7 @@ void refuse(const TomlTable& table, std::string_view key, std::string_view kind)
 
 Texture readTextureOf(const TomlTable& table, const char* key, const std::filesystem::path& path) {
   try {
-    const std::vector<std::byte> bytes = core::readFile(path, longestFileBytes);
+    const std::vector<std::byte> bytes = readFile(path, longestFileBytes);
     Texture texture;
     texture.pixels = std::make_shared<const TexturePixels>(core::readTexture(path, bytes));
     return texture;

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include "bssrdf/media.h"
 #include "opaline/error.h"
+#include "opaline/media.h"
 #include "options/scene.h"
 #include "scene/environment_file.h"
 #include "scene/finish.h"
@@ -81,7 +81,7 @@ bool isSame(const Medium& a, const Medium& b) {
 }
 
 bool isKnown(const std::string& name, const Medium& medium) {
-  const auto known = bssrdf::findMedium(name);
+  const auto known = findMedium(name);
   return known && known->name == name && isSame(*known, medium);
 }
 
@@ -383,7 +383,7 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
   return description;
 }
 
-fs::path writeScene(const core::Target& target, const SceneDescription& description) {
+fs::path writeScene(const Target& target, const SceneDescription& description) {
   const fs::path& file = target.path;
   if (file.extension() != ".toml") {
     throw UsageError(
@@ -400,7 +400,7 @@ fs::path writeScene(const core::Target& target, const SceneDescription& descript
   addGround(description, text);
   addDeformers(description, text);
   addSettings(description.settings, text);
-  return core::writeWhole(target, text.lines());
+  return writeWhole(target, text.lines());
 }
 
 }  // namespace opaline::scene

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/file.h"
+#include "opaline/file.h"
 #include "opaline/scene.h"
 #include "scene/scene_settings.h"
 
@@ -45,6 +45,6 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
 /// UsageError for a name that does not end in .toml, and Error for what no scene file can say, as
 /// two objects of one name and different media, or when it cannot be written. Returns
 /// where it is.
-std::filesystem::path writeScene(const core::Target& target, const SceneDescription& description);
+std::filesystem::path writeScene(const Target& target, const SceneDescription& description);
 
 }  // namespace opaline::scene

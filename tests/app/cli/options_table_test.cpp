@@ -131,7 +131,7 @@ TEST_F(OptionsTable, SceneFilesKeepEach) {
     EXPECT_TRUE(loaded.settings.picture.empty());
     loaded.settings.picture.set(field, another(field));
     const std::filesystem::path file = folder_ / "written.toml";
-    scene::writeScene({file, core::Existing::Replace},
+    scene::writeScene({file, Existing::Replace},
                       scene::describe(loaded.scene, loaded.source, loaded.settings));
     EXPECT_EQ(scene::loadSceneFile(file, {}).settings, loaded.settings) << field.key;
   }
@@ -141,7 +141,7 @@ TEST_F(OptionsTable, SceneFilesKeepNames) {
   scene::LoadedScene loaded = load("device = 'some \"device\"'\nclip = 'none'");
   EXPECT_EQ(loaded.settings.named, (options::NamedSettings{"some \"device\"", "none"}));
   const std::filesystem::path file = folder_ / "written.toml";
-  scene::writeScene({file, core::Existing::Replace},
+  scene::writeScene({file, Existing::Replace},
                     scene::describe(loaded.scene, loaded.source, loaded.settings));
   EXPECT_EQ(scene::loadSceneFile(file, {}).settings, loaded.settings);
   for (const auto& field : options::fieldsOf<options::NamedSettings>()) {

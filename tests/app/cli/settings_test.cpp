@@ -80,14 +80,13 @@ TEST(Settings, OptionsComeBack) {
 }
 
 TEST(Settings, ToneComesBack) {
-  core::ToneOptions tone;
+  ToneOptions tone;
   tone.exposureStops = -1.25F;
-  tone.curve = core::ToneCurve::None;
+  tone.curve = ToneCurve::None;
   tone.background = Rgb{0.25F, 0.5F, 1};
-  for (const core::ToneOptions& wanted : {tone, core::ToneOptions{}}) {
+  for (const ToneOptions& wanted : {tone, ToneOptions{}}) {
     const scene::SceneFileSettings settings = settingsOf({.tone = wanted}, {});
-    for (const core::ToneOptions& found :
-         {toneOf(settings, {}), PictureOptions().tone(settings, {})}) {
+    for (const ToneOptions& found : {toneOf(settings, {}), PictureOptions().tone(settings, {})}) {
       EXPECT_EQ(found.exposureStops, wanted.exposureStops);
       EXPECT_EQ(found.curve, wanted.curve);
       EXPECT_EQ(found.background, wanted.background);

@@ -119,7 +119,7 @@ TEST(EditState, EveryKindOfEditIsSeenAndUndone) {
       [](Session& s) { s.options.shadowSize = 512; },
       [](Session& s) { s.options.specular = false; },
       [](Session& s) { s.time.clip = -1; },
-      [](Session& s) { s.tone.curve = core::ToneCurve::None; },
+      [](Session& s) { s.tone.curve = ToneCurve::None; },
       [](Session& s) { s.exposesByLight = false; },
       [](Session& s) { s.film.perSecond = 24; },
       [](Session& s) {
@@ -175,7 +175,7 @@ TEST(EditState, AnEnvironmentIsTurnedBack) {
   auto image = std::make_shared<Image>(8, 4);
   image->rgba[0] = 5;
   session.environment = session.scene.lighting.environment = image;
-  session.source.environment = scene::EnvironmentFile{"/sky.hdr"};
+  session.source.environment = EnvironmentFile{"/sky.hdr"};
   const EditState straight = editStateOf(session);
   session.source.environment->rotationDegrees = 90;
   session.scene.lighting.environment = std::make_shared<Image>(8, 4);

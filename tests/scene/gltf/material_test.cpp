@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "core/image_file.h"
+#include "opaline/image_file.h"
 #include "scene/gltf/gltf_fixture.h"
 #include "scene/mesh/tangents.h"
 
@@ -96,7 +96,7 @@ TEST_F(GltfMaterial, OfAMediumByOptionAllButMetal) {
 }
 
 TEST_F(GltfMaterial, TexturesKeepWhatTheFileSaysOfThem) {
-  core::writePng(folder / "a b.png", {1, 1, {10, 20, 30, 255}});
+  writePng(folder / "a b.png", {1, 1, {10, 20, 30, 255}});
   Parts file = parts(R"({"pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":{"index":0,)"
                      R"("texCoord":1,"extensions":{"KHR_texture_transform":{"offset":[0.25,0.5],)"
                      R"("rotation":1.5707963267948966,"scale":[2,3]}}}}}],)"

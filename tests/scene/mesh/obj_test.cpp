@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "core/image_file.h"
 #include "opaline/error.h"
+#include "opaline/image_file.h"
 #include "opaline/scene.h"
 #include "scene/shapes.h"
 
@@ -133,7 +133,7 @@ TEST_F(Obj, WhatIsNotShownIsCounted) {
 }
 
 TEST_F(Obj, MaterialsComeFromTheirFile) {
-  core::writePng(folder / "clay.png", {1, 1, {10, 20, 30, 255}});
+  writePng(folder / "clay.png", {1, 1, {10, 20, 30, 255}});
   test::writeBytes(folder / "a.mtl",
                    "newmtl glaze\nKd 0.5 0.25 1\nKs 0.04 0.02 0\nNs 6\nKe 0 2 0\n"
                    "map_Kd clay.png\nmap_Ke none.png\nnewmtl unused\nKd 1 0 0\n");

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "core/image_file.h"
 #include "opaline/error.h"
+#include "opaline/image_file.h"
 #include "opaline/scene.h"
 #include "scene/scene_settings.h"
 #include "scene/shapes.h"
@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 
 TEST_F(Toml, EverythingThatCanBeSaid) {
-  core::writeExr(folder / "sky.exr", [] {
+  writeExr(folder / "sky.exr", [] {
     Image sky(4, 2);
     for (float& value : sky.rgba) value = 0.5F;
     sky.pixel(1, 0)[0] = 3;
@@ -132,7 +132,7 @@ device = "llvmpipe"
   EXPECT_EQ(render.roughness, 0.5F);
   EXPECT_EQ(render.antialias, 8);
   EXPECT_EQ(tone.exposureStops, -1.5F);
-  EXPECT_EQ(tone.curve, core::ToneCurve::None);
+  EXPECT_EQ(tone.curve, ToneCurve::None);
   EXPECT_EQ(tone.background, (Rgb{0, 0.25F, 1}));
   EXPECT_EQ(loaded.settings.named.device, "llvmpipe");
 }

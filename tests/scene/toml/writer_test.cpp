@@ -11,9 +11,9 @@
 #include <string>
 #include <variant>
 
-#include "bssrdf/media.h"
-#include "core/image_file.h"
 #include "opaline/error.h"
+#include "opaline/image_file.h"
+#include "opaline/media.h"
 #include "scene/gltf/glb.h"
 #include "scene/random_scene.h"
 #include "scene/scene_settings.h"
@@ -291,7 +291,7 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
 }
 
 TEST_F(SceneWriter, MaterialsComeBack) {
-  core::writePng(folder / "grey.png", {1, 1, {188, 188, 188, 255}});
+  writePng(folder / "grey.png", {1, 1, {188, 188, 188, 255}});
   test::writeBytes(file(), R"(
 model = "../../models/cubes.glb"
 [materials.brass]
@@ -464,7 +464,7 @@ TEST_F(SceneWriter, RefusesWhatNoSceneCanSay) {
   scene::LoadedScene bad = good;
   bad.scene.objects[1].name = bad.scene.objects[0].name;
   EXPECT_EQ(written(bad).substr(0, 1), "#");  // alike, they may share a name
-  bad.scene.objects[1].medium = bssrdf::findMedium("ketchup").value();
+  bad.scene.objects[1].medium = findMedium("ketchup").value();
   EXPECT_THAT(complaint(bad), AllOf(HasSubstr("'plain'"), HasSubstr("names of their own")));
   bad = good;
   bad.scene.lighting.environment = std::make_shared<const Image>(test::sky());

@@ -14,12 +14,12 @@ namespace opaline::app::viewer {
 
 namespace {
 
-std::string saved(const std::filesystem::path& file, const core::Target& wanted) {
+std::string saved(const std::filesystem::path& file, const Target& wanted) {
   return fmt::format("saved {}", nameText(file, wanted.path));
 }
 
 // Which `opaline render` draws as the picture.
-std::string saveScene(const Session& session, const core::Target& target, int width, int height) {
+std::string saveScene(const Session& session, const Target& target, int width, int height) {
   scene::SceneFileSettings settings = settingsOf(
       {sized(session.options, width, height), session.time, session.tone}, session.scene);
   if (session.exposesByLight) settings.picture.erase("exposure");
@@ -37,11 +37,10 @@ std::string saveScene(const Session& session, const core::Target& target, int wi
 std::optional<std::string> Saver::save(Save wanted, const Session& session, int width, int height) {
   const auto named = [&](const char* ending) {
     if (!session.saveTo) {
-      return core::Target(session.saveName + ending, core::Existing::TakeNextName);
+      return Target(session.saveName + ending, Existing::TakeNextName);
     }
-    return core::Target(session.saveTo->file, session.saveTo->mayReplace
-                                                  ? core::Existing::Replace
-                                                  : core::Existing::TakeNextName);
+    return Target(session.saveTo->file,
+                  session.saveTo->mayReplace ? Existing::Replace : Existing::TakeNextName);
   };
   switch (wanted) {
     case Save::Picture:
@@ -62,13 +61,13 @@ std::optional<std::string> Saver::save(Save wanted, const Session& session, int 
   return std::nullopt;
 }
 
-std::string Saver::savePicture(const Session& session, const core::Target& target, int width,
+std::string Saver::savePicture(const Session& session, const Target& target, int width,
                                int height) {
   const Image picture = pictureOf(session, renderer_, sized(session.options, width, height));
   return saved(writePicture(target, picture, session.tone), target);
 }
 
-void Saver::startFilm(const Session& session, const core::Target& target, int width, int height) {
+void Saver::startFilm(const Session& session, const Target& target, int width, int height) {
   // Films have an even number of pixels each way.
   FilmOrder order;
   order.options = sized(session.options, std::max(2, width / 2 * 2), std::max(2, height / 2 * 2));

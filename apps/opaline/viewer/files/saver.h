@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "core/file.h"
 #include "film/film_job.h"
+#include "opaline/file.h"
 #include "opaline/renderer.h"
 #include "viewer/session/session.h"
 
@@ -30,13 +30,12 @@ class Saver {
   void cancelFilm() { film_.reset(); }
 
  private:
-  std::string savePicture(const Session& session, const core::Target& target, int width,
-                          int height);
-  void startFilm(const Session& session, const core::Target& target, int width, int height);
+  std::string savePicture(const Session& session, const Target& target, int width, int height);
+  void startFilm(const Session& session, const Target& target, int width, int height);
 
   Renderer& renderer_;
   std::optional<FilmJob> film_;
-  core::Target filmTarget_{""};
+  Target filmTarget_{""};
 };
 
 }  // namespace opaline::app::viewer

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "scene/environment_file.h"
+#include "opaline/environment.h"
 #include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 #include "viewer/session/light_list.h"
@@ -232,14 +232,14 @@ bool drawAdding(Session& session) {
 
 bool turnEnvironment(Session& session) {
   if (!session.environment || !session.source.environment) return false;
-  scene::EnvironmentFile& file = *session.source.environment;
+  EnvironmentFile& file = *session.source.environment;
   if (!controls::slider(
           "rotation", file.rotationDegrees, -180, 180, "%.1f deg",
           "Rotates the environment about the vertical, counter-clockwise seen from above.")) {
     return false;
   }
   session.scene.lighting.environment =
-      std::make_shared<const Image>(scene::turned(*session.environment, file.rotationDegrees));
+      std::make_shared<const Image>(turned(*session.environment, file.rotationDegrees));
   return true;
 }
 

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "bssrdf/media.h"
 #include "bssrdf/profile.h"
 #include "cli/medium_options.h"
 #include "core/measures.h"
-#include "core/tone.h"
+#include "opaline/media.h"
+#include "opaline/tone.h"
 #include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 
@@ -30,8 +30,8 @@ ImVec4 colorOf(const Medium& medium) {
       bssrdf::makeProfiles(bssrdf::Model::BetterDipole, medium);
   std::array<float, 3> encoded{};
   for (std::size_t c = 0; c < 3; ++c) {
-    encoded[c] = core::encodeSrgb(
-        std::clamp(static_cast<float>(profiles[c].totalReflectance()), 0.0F, 1.0F));
+    encoded[c] =
+        encodeSrgb(std::clamp(static_cast<float>(profiles[c].totalReflectance()), 0.0F, 1.0F));
   }
   return {encoded[0], encoded[1], encoded[2], 1};
 }
@@ -39,8 +39,8 @@ ImVec4 colorOf(const Medium& medium) {
 const std::vector<Chip>& chips() {
   static const std::vector<Chip> made = [] {
     std::vector<Chip> list;
-    for (const Medium& medium : bssrdf::artisticMedia()) list.push_back({medium, colorOf(medium)});
-    for (const auto& row : bssrdf::measuredMedia()) {
+    for (const Medium& medium : artisticMedia()) list.push_back({medium, colorOf(medium)});
+    for (const auto& row : measuredMedia()) {
       list.push_back({row.medium, colorOf(row.medium)});
     }
     return list;

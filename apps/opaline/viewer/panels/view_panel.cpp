@@ -74,7 +74,7 @@ void drawViewPanel(Session& session) {
                          "Suits lights and sky, whatever the camera sees.")) {
     exposeByLight(session);
   }
-  controls::choice("tone", session.tone.curve, choicesOf<core::ToneCurve>(),
+  controls::choice("tone", session.tone.curve, choicesOf<ToneCurve>(),
                    "Neutral bends only what is brighter than white (Khronos 2024).");
   changed |= drawOption("samples a pixel", options, "antialias",
                         "Samples at rest; 1 while the picture moves.");

@@ -138,7 +138,7 @@ void PicturePainter::makePipeline(VkRenderPass renderPass) {
 }
 
 void PicturePainter::draw(VkCommandBuffer commands, const DeviceImage& picture, const Area& place,
-                          const Area& visible, const core::ToneOptions& tone) const {
+                          const Area& visible, const ToneOptions& tone) const {
   if (visible.empty() || place.empty() || picture.view == VK_NULL_HANDLE) return;
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
   const VkViewport viewport{static_cast<float>(visible.x),
@@ -162,7 +162,7 @@ void PicturePainter::draw(VkCommandBuffer commands, const DeviceImage& picture, 
 
   const Rgb behind = tone.background.value_or(Rgb{0, 0, 0});
   const auto shown = [&](std::size_t c) { return std::clamp(behind[c], 0.0F, 1.0F); };
-  const bool neutral = tone.curve == core::ToneCurve::Neutral;
+  const bool neutral = tone.curve == ToneCurve::Neutral;
   const Constants constants{.background = glm::vec4(shown(0), shown(1), shown(2), neutral ? 1 : 0),
                             .origin = glm::vec2(place.x, place.y),
                             .pixels = glm::vec2(place.width, place.height),

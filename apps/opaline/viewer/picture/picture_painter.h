@@ -2,7 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
-#include "core/tone.h"
+#include "opaline/tone.h"
 #include "opaline/vulkan.h"
 
 namespace opaline::app::viewer {
@@ -25,7 +25,7 @@ struct Area {
 /// The largest area of a picture's shape within another.
 Area fitted(const Area& area, int width, int height);
 
-/// Draws pictures of light into the window: exposure, tone curve and sRGB as core::toneMap.
+/// Draws pictures of light into the window: exposure, tone curve and sRGB as toneMap.
 class PicturePainter {
  public:
   PicturePainter(const VulkanDevice& device, VkRenderPass renderPass);
@@ -36,7 +36,7 @@ class PicturePainter {
   /// `picture` fills `place`, of which only `visible` is drawn; both lie within the window. Tone
   /// without a background means black.
   void draw(VkCommandBuffer commands, const DeviceImage& picture, const Area& place,
-            const Area& visible, const core::ToneOptions& tone) const;
+            const Area& visible, const ToneOptions& tone) const;
 
  private:
   void makeLayout();

@@ -16,8 +16,8 @@ void PictureView::take(const Stage& stage, const Session& session) {
 
 void PictureView::drawShown(VkCommandBuffer commands, const Session& session, const Stage& stage,
                             const TruthView& truth, const Area& area) const {
-  const core::ToneOptions plain{0, core::ToneCurve::None, session.tone.background};
-  const auto draw = [&](const DeviceImage& image, const core::ToneOptions& tone) {
+  const ToneOptions plain{0, ToneCurve::None, session.tone.background};
+  const auto draw = [&](const DeviceImage& image, const ToneOptions& tone) {
     const Area place =
         fitted(area, static_cast<int>(image.extent.width), static_cast<int>(image.extent.height));
     painter_.draw(commands, image, place, place, tone);

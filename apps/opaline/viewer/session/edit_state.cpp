@@ -4,7 +4,7 @@
 
 #include "cli/motion_options.h"
 #include "cli/picture_options.h"
-#include "scene/environment_file.h"
+#include "opaline/environment.h"
 #include "viewer/session/light_list.h"
 
 namespace opaline::app::viewer {
@@ -26,7 +26,7 @@ bool sameEnvironment(const EditState& state, const Session& session) {
 
 // Options and tone as a scene file has them: all that makes a picture.
 bool sameLook(const EditState& state, const Session& session) {
-  core::ToneOptions tone = session.tone;
+  ToneOptions tone = session.tone;
   // What follows from the light is no edit of its own.
   if (session.exposesByLight) tone.exposureStops = state.tone.exposureStops;
   using Picture = options::PictureSettings;
@@ -66,7 +66,7 @@ void restoreEnvironment(const EditState& state, Session& session) {
   const double degrees = state.environmentFile ? state.environmentFile->rotationDegrees : 0;
   session.scene.lighting.environment =
       state.environment && degrees != 0
-          ? std::make_shared<const Image>(scene::turned(*state.environment, degrees))
+          ? std::make_shared<const Image>(turned(*state.environment, degrees))
           : state.environment;
 }
 

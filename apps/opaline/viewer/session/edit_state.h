@@ -14,12 +14,12 @@ namespace opaline::app::viewer {
 struct EditState {
   std::vector<Medium> media;  ///< by object
   Lighting lighting;          ///< but for the environment
-  std::optional<scene::EnvironmentFile> environmentFile;
+  std::optional<EnvironmentFile> environmentFile;
   std::shared_ptr<const Image> environment;  ///< as the file has it, not turned
   std::vector<Deformer> deformers;
   RenderOptions options;
   int clip = 0;
-  core::ToneOptions tone;
+  ToneOptions tone;
   bool exposesByLight = true;  ///< what the tone says of exposure then means nothing
   float fovDegrees = 0;
   std::optional<float> diagonalMm;  ///< as asked for; none: as the file has it

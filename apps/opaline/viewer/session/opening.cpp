@@ -5,7 +5,7 @@
 
 #include "cli/motion_options.h"
 #include "cli/paths.h"
-#include "scene/environment_file.h"
+#include "opaline/environment.h"
 #include "scene/placed_lights.h"
 
 namespace opaline::app::viewer {
@@ -34,9 +34,8 @@ Session opened(Loader::Result result, const Prepare& prepare) {
   made.scene = std::move(loaded.scene);
   made.source = std::move(loaded.source);
   if (const auto& from = made.source.environment) {
-    made.environment = from->rotationDegrees == 0
-                           ? made.scene.lighting.environment
-                           : scene::readEnvironment({from->file, from->intensity});
+    made.environment = from->rotationDegrees == 0 ? made.scene.lighting.environment
+                                                  : readEnvironment({from->file, from->intensity});
   }
   made.diagonalMm = diagonalMm(made.scene);
   made.sequence = std::move(loaded.sequence);
@@ -85,8 +84,8 @@ bool isEnvironment(const std::filesystem::path& file) {
 }
 
 void takeEnvironment(const std::filesystem::path& file, Session& session) {
-  const scene::EnvironmentFile dropped{std::filesystem::absolute(file)};
-  session.scene.lighting.environment = scene::readEnvironment(dropped);
+  const EnvironmentFile dropped{std::filesystem::absolute(file)};
+  session.scene.lighting.environment = readEnvironment(dropped);
   session.environment = session.scene.lighting.environment;
   session.source.environment = dropped;
   session.edits.lighting = true;

@@ -9,12 +9,12 @@
 
 #include "cli/motion_options.h"
 #include "cli/scene_options.h"
-#include "core/tone.h"
 #include "film/reference_scene.h"
 #include "lab/truth_job.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "opaline/sequence.h"
+#include "opaline/tone.h"
 #include "scene/scene_source.h"
 #include "viewer/files/file_question.h"
 #include "viewer/picture/variable_display.h"
@@ -83,7 +83,7 @@ struct Session {
 
   RenderOptions options;
   SceneTime time;
-  core::ToneOptions tone;
+  ToneOptions tone;
   bool exposesByLight = true;  ///< nobody has said how to expose
   Playback playback;
   FilmSettings film;

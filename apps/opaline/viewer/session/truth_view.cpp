@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "cli/paths.h"
-#include "compare/heatmap.h"
 #include "film/film_output.h"
+#include "opaline/compare.h"
 #include "opaline/error.h"
 
 namespace opaline::app::viewer {
@@ -16,11 +16,11 @@ namespace {
 constexpr int blockEdge = 8;
 
 // As it is shown with tone curve None and exposure 0.
-Image linear(const core::Image8& encoded) {
+Image linear(const Image8& encoded) {
   Image image(encoded.width, encoded.height);
   for (std::size_t i = 0; i < encoded.rgba.size(); ++i) {
     const float value = static_cast<float>(encoded.rgba[i]) / 255;
-    image.rgba[i] = i % 4 == 3 ? value : core::decodeSrgb(value);
+    image.rgba[i] = i % 4 == 3 ? value : decodeSrgb(value);
   }
   return image;
 }
@@ -82,11 +82,10 @@ std::string TruthView::legend() const {
   return text;
 }
 
-std::string TruthView::save(TruthFile what, const core::Target& target,
-                            const core::ToneOptions& tone) const {
+std::string TruthView::save(TruthFile what, const Target& target, const ToneOptions& tone) const {
   if (!latest_) throw Error("there is no truth to save yet");
   const std::filesystem::path file = what == TruthFile::HeatMap
-                                         ? core::writePng(target, drawnHeatMap_)
+                                         ? writePng(target, drawnHeatMap_)
                                          : writePicture(target, latest_->image, tone);
   return fmt::format("saved {}", nameText(file, target.path));
 }

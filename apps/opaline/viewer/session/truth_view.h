@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 
-#include "compare/figures.h"
-#include "core/image_file.h"
-#include "core/tone.h"
 #include "lab/truth_job.h"
+#include "opaline/compare.h"
 #include "opaline/image.h"
+#include "opaline/image_file.h"
 #include "opaline/renderer.h"
+#include "opaline/tone.h"
 #include "viewer/picture/host_picture.h"
 #include "viewer/session/session.h"
 
@@ -43,7 +43,7 @@ class TruthView {
   /// What its pictures are of and how far the window's is from it, in a sentence.
   std::string legend() const;
   /// Writes the last picture of it, or its heat map; the sentence that says so. Throws Error.
-  std::string save(TruthFile what, const core::Target& target, const core::ToneOptions& tone) const;
+  std::string save(TruthFile what, const Target& target, const ToneOptions& tone) const;
   std::string error() const { return job_ ? job_->error() : std::string(); }
 
  private:
@@ -55,7 +55,7 @@ class TruthView {
   std::shared_ptr<const TruthPicture> latest_;
   HostPicture truth_;
   HostPicture heatMap_;
-  core::Image8 drawnHeatMap_;
+  Image8 drawnHeatMap_;
   std::optional<compare::Figures> figures_;
   std::optional<compare::BlockFigures> blocks_;
 };

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "cli/json.h"
-#include "core/file.h"
 #include "opaline/error.h"
+#include "opaline/file.h"
 
 namespace opaline::app::viewer {
 
@@ -22,7 +22,7 @@ ViewerState readState(const std::filesystem::path& folder) {
   if (folder.empty()) return state;
   constexpr std::size_t longest = 1U << 16U;
   try {
-    const std::vector<std::byte> bytes = core::readFile(fileIn(folder), longest);
+    const std::vector<std::byte> bytes = readFile(fileIn(folder), longest);
     const auto* text = reinterpret_cast<const char*>(bytes.data());
     const Json json = Json::parse(text, text + bytes.size());
     ViewerState read;
@@ -54,7 +54,7 @@ void writeState(const std::filesystem::path& folder, const ViewerState& state) {
                   {"open", std::move(open)},
                   {"open_folder", state.openFolder.string()}};
   try {
-    core::writeWhole(fileIn(folder), toText(json));
+    writeWhole(fileIn(folder), toText(json));
   } catch (const Error&) {
     return;  // a full or read-only folder is no reason to complain when the window closes
   }

@@ -5,9 +5,10 @@
 #include <span>
 #include <string_view>
 
+#include "opaline/export.h"
 #include "opaline/medium.h"
 
-namespace opaline::bssrdf {
+namespace opaline {
 
 /// A row of the table of Jensen, Marschner, Levoy, Hanrahan 2001, Figure 5.
 struct MeasuredMedium {
@@ -15,12 +16,12 @@ struct MeasuredMedium {
   std::array<double, 3> diffuseReflectance;  ///< its last column
 };
 
-std::span<const MeasuredMedium> measuredMedia();
+OPALINE_API std::span<const MeasuredMedium> measuredMedia();
 
 /// Media that look nice and were never measured.
-std::span<const Medium> artisticMedia();
+OPALINE_API std::span<const Medium> artisticMedia();
 
 /// Either table, by name, any case.
-std::optional<Medium> findMedium(std::string_view name);
+OPALINE_API std::optional<Medium> findMedium(std::string_view name);
 
-}  // namespace opaline::bssrdf
+}  // namespace opaline

@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "core/image_file.h"
+#include "opaline/export.h"
 #include "opaline/image.h"
 #include "opaline/types.h"
 
-namespace opaline::core {
+namespace opaline {
 
 enum class ToneCurve {
   None,     ///< clip at 1
@@ -20,12 +20,12 @@ struct ToneOptions {
 };
 
 /// IEC 61966-2-1: linear in [0,1] to encoded in [0,1].
-float encodeSrgb(float linear);
+OPALINE_API float encodeSrgb(float linear);
 
 /// The way back: encoded in [0,1] to linear in [0,1].
-float decodeSrgb(float encoded);
+OPALINE_API float decodeSrgb(float encoded);
 
 /// Exposure, tone curve, sRGB.
-Image8 toneMap(const Image& radiance, const ToneOptions& options = {});
+OPALINE_API Image8 toneMap(const Image& radiance, const ToneOptions& options = {});
 
-}  // namespace opaline::core
+}  // namespace opaline

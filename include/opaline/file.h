@@ -8,14 +8,18 @@
 #include <utility>
 #include <vector>
 
-namespace opaline::core {
+#include "opaline/export.h"
+
+namespace opaline {
 
 /// The whole file. Throws Error, naming it, when it does not exist, is no regular file, cannot be
 /// read or is longer than `limitBytes`; nothing is allocated before that is known.
-std::vector<std::byte> readFile(const std::filesystem::path& file, std::size_t limitBytes);
+OPALINE_API std::vector<std::byte> readFile(const std::filesystem::path& file,
+                                            std::size_t limitBytes);
 
 /// Its first `countBytes` bytes, or all where it is shorter. Throws like readFile.
-std::vector<std::byte> readFileHead(const std::filesystem::path& file, std::size_t countBytes);
+OPALINE_API std::vector<std::byte> readFileHead(const std::filesystem::path& file,
+                                                std::size_t countBytes);
 
 /// What becomes of a file that stands where another is to be written.
 enum class Existing {
@@ -35,21 +39,21 @@ struct Target {
 
 /// The name itself, or where something stands there already, the first free one of bear-2.png,
 /// bear-3.png, … Another program may take it at any time.
-std::filesystem::path freeName(const std::filesystem::path& wanted);
+OPALINE_API std::filesystem::path freeName(const std::filesystem::path& wanted);
 
 /// Writes beside the target and renames, so that a file that exists is whole; what stays is never
 /// replaced, whoever else writes at the same time. `write` gets the temporary name. Returns where
 /// the file is. Throws Error, naming the target, and leaves nothing behind on failure; what stood
 /// there before then stays.
-std::filesystem::path writeWhole(
+OPALINE_API std::filesystem::path writeWhole(
     const Target& target, const std::function<void(const std::filesystem::path& temporary)>& write);
 
 /// The same for text or bytes that stand ready.
-std::filesystem::path writeWhole(const Target& target, std::string_view contents);
+OPALINE_API std::filesystem::path writeWhole(const Target& target, std::string_view contents);
 
 /// A file that takes its time: it is written under another name beside the target, and takes its
 /// place when it is kept. Otherwise nothing is left behind, and what stood there before stays.
-class WholeFile {
+class OPALINE_API WholeFile {
  public:
   /// Throws Error, naming the target, where it cannot be written.
   explicit WholeFile(const Target& target);
@@ -70,11 +74,11 @@ class WholeFile {
 
 /// Throws Error now, before hours of work, when `target` could not be written: its folder does not
 /// exist, it is a folder, there is no permission, or what stands there stays.
-void requireWritable(const Target& target);
+OPALINE_API void requireWritable(const Target& target);
 
 /// For a program that is about to die of a signal: removes the files that are being written and not
 /// yet renamed, and lets none be made or renamed from then on; whoever tries waits for ever. Not
 /// for a signal handler but for a thread that waits for signals.
-void abandonTemporaryFiles();
+OPALINE_API void abandonTemporaryFiles();
 
-}  // namespace opaline::core
+}  // namespace opaline
