@@ -13,7 +13,7 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan package package-check dependencies configure
+.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan fuzz package package-check dependencies configure
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -28,6 +28,7 @@ help:
 	@echo 'make contact-sheet  every model and ten awkward bodies, of every medium and three sizes, to look at: hours'
 	@echo 'make format    clang-format everything'
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
+	@echo 'make fuzz      every fuzz target for 60 seconds each; SECONDS=600 lets them run longer; needs clang 14'
 	@echo 'make package   a tar.gz of the program that runs on other x86-64 Linux machines'
 	@echo 'make package-check  the library alone, shared: builds it, installs it, uses it from another project'
 
@@ -104,6 +105,9 @@ asan: dependencies
 	cmake --preset asan $(LAUNCHER)
 	cmake --build --preset asan
 	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/lsan.supp $(PYTHON) tools/run_tests.py asan
+
+fuzz: dependencies
+	$(PYTHON) tools/fuzz.py --seconds $(or $(SECONDS),60)
 
 package: build
 	scripts/package.sh $(BUILD)

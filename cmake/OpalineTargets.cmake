@@ -11,6 +11,11 @@ target_compile_options(opaline_warnings INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(opaline_warnings INTERFACE -Wno-restrict)  # false positives, GCC bug 105651
 endif()
+if(OPALINE_FUZZ)
+  target_compile_options(opaline_warnings INTERFACE
+    -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(opaline_warnings INTERFACE -fsanitize=address,undefined)
+endif()
 if(OPALINE_SANITIZE)
   target_compile_options(opaline_warnings INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer

@@ -9,6 +9,7 @@
 #include <array>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/hdr_readers.h"
@@ -82,6 +83,38 @@ class HeaderCheck {
   exr_context_t context_ = nullptr;
 };
 
+/// The C++ interface reads a list of channels up to its empty name, wherever the attribute ends.
+bool isWholeChannelList(std::string_view bytes) {
+  constexpr std::size_t bytesAfterName = 16;
+  while (!bytes.empty() && bytes.front() != '\0') {
+    const std::size_t name = bytes.find('\0');
+    if (name == std::string_view::npos || bytes.size() - name - 1 < bytesAfterName) return false;
+    bytes.remove_prefix(name + 1 + bytesAfterName);
+  }
+  return bytes.size() == 1;
+}
+
+/// The C++ interface reads as many bytes of these types as it knows them to have.
+bool hasBytesOfItsType(std::string_view type, std::string_view bytes) {
+  struct Type {
+    std::string_view name;
+    std::size_t bytes;
+  };
+  constexpr std::array types{
+      Type{"box2f", 16},      Type{"box2i", 16},   Type{"chromaticities", 32},
+      Type{"compression", 1}, Type{"double", 8},   Type{"envmap", 1},
+      Type{"float", 4},       Type{"int", 4},      Type{"keycode", 28},
+      Type{"lineOrder", 1},   Type{"m33d", 72},    Type{"m33f", 36},
+      Type{"m44d", 128},      Type{"m44f", 64},    Type{"rational", 8},
+      Type{"tiledesc", 9},    Type{"timecode", 8}, Type{"v2d", 16},
+      Type{"v2f", 8},         Type{"v2i", 8},      Type{"v3d", 24},
+      Type{"v3f", 12},        Type{"v3i", 12},     Type{"deepImageState", 1}};
+  if (type == "chlist") return isWholeChannelList(bytes);
+  const auto* const known =
+      std::find_if(types.begin(), types.end(), [&](const Type& one) { return one.name == type; });
+  return known == types.end() || known->bytes == bytes.size();
+}
+
 /// The C++ interface sets aside as many bytes as an attribute of unknown type claims to have,
 /// before it reads them. So every claim is held against the length of the file first.
 void requireAttributesFit(const std::filesystem::path& file) {
@@ -93,6 +126,7 @@ void requireAttributesFit(const std::filesystem::path& file) {
   const bool multiPart = (start[5] & 0x10U) != 0;
   std::string name;
   std::string type;
+  std::string value;
   bool afterAttribute = false;
   while (std::getline(stream, name, '\0')) {
     if (name.empty()) {
@@ -107,10 +141,12 @@ void requireAttributesFit(const std::filesystem::path& file) {
     const std::streamoff size =
         static_cast<std::streamoff>(bytes[3]) << 24U | bytes[2] << 16U | bytes[1] << 8U | bytes[0];
     if (!stream || size > fileBytes - stream.tellg()) break;
-    stream.seekg(size, std::ios::cur);
+    value.resize(static_cast<std::size_t>(size));
+    stream.read(value.data(), size);
+    if (!hasBytesOfItsType(type, value)) break;
     afterAttribute = true;
   }
-  failToReadImage(file, "its header claims more than the file holds");
+  failToReadImage(file, "its header is damaged, or claims more than the file holds");
 }
 
 std::string channelNames(const Imf::ChannelList& channels) {

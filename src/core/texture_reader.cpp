@@ -2,8 +2,11 @@
 #include <stb_image.h>
 
 #include <algorithm>
+#include <array>
+#include <bitset>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "core/hdr_readers.h"
@@ -26,12 +29,106 @@ bool startsWith(std::span<const std::byte> bytes, std::string_view magic) {
 // takes an eighth of one or more; JPEG needs two bits for a component's 64 pixels.
 constexpr std::size_t mostOfPngByte = std::size_t{1032} * 8;
 constexpr std::size_t mostOfJpegByte = 1024;
+constexpr std::string_view jpegStart = "\xff\xd8\xff"sv;
 
 std::size_t mostPixels(const std::filesystem::path& file, std::span<const std::byte> bytes) {
   if (startsWith(bytes, "\x89PNG\r\n\x1a\n"sv)) return mostOfPngByte * bytes.size();
-  if (startsWith(bytes, "\xff\xd8\xff"sv)) return mostOfJpegByte * bytes.size();
+  if (startsWith(bytes, jpegStart)) return mostOfJpegByte * bytes.size();
   failToReadImage(file, bytes.empty() ? "it is empty" : "it is neither PNG nor JPEG");
 }
+
+/// The tables of Huffman codes in a JPEG file (ITU T.81, annex B), as stb_image comes to them. It
+/// leaves its memory where a table has too many codes, and where a scan names one that is not
+/// there.
+class JpegTables {
+ public:
+  explicit JpegTables(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+  bool areSound() {
+    at_ = 2;  // after the start of the image
+    while (const std::optional<unsigned> marker = nextMarker()) {
+      if (*marker == endOfImage) return true;
+      const unsigned length = twoBytes();
+      if (length < 2 || at_ > bytes_.size()) return true;  // damaged, as stb_image finds too
+      const std::size_t end = at_ + length - 2;
+      if (*marker == progressiveFrame) progressive_ = true;
+      if (*marker == huffmanTables && !tablesFit(end)) return false;
+      inScan_ = *marker == startOfScan;
+      if (inScan_ && !scanHasTables()) return false;
+      at_ = end;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr unsigned progressiveFrame = 0xC2;
+  static constexpr unsigned huffmanTables = 0xC4;
+  static constexpr unsigned endOfImage = 0xD9;
+  static constexpr unsigned startOfScan = 0xDA;
+  // F.1.2 has at most 176, and stb_image takes the 256th for none.
+  static constexpr unsigned mostCodes = 255;
+
+  unsigned byte() {
+    const unsigned value = at_ < bytes_.size() ? std::to_integer<unsigned>(bytes_[at_]) : 0;
+    ++at_;
+    return value;
+  }
+
+  unsigned twoBytes() {
+    const unsigned high = byte();
+    return high << 8U | byte();
+  }
+
+  /// In a scan a zero behind 0xFF makes that a value, and there are markers to restart from.
+  std::optional<unsigned> nextMarker() {
+    while (at_ < bytes_.size()) {
+      if (byte() != 0xFF) continue;
+      unsigned marker = 0xFF;
+      while (marker == 0xFF && at_ < bytes_.size()) marker = byte();
+      const bool ofScan = marker == 0 || (marker >= 0xD0 && marker <= 0xD7);
+      if (!inScan_ || !ofScan) return marker;
+    }
+    return std::nullopt;
+  }
+
+  bool tablesFit(std::size_t end) {
+    while (at_ < end) {
+      there_.set(byte() & 0x1FU);  // its class and number
+      unsigned codes = 0;
+      for (int bits = 1; bits <= 16; ++bits) codes += byte();
+      if (codes > mostCodes) return false;
+      at_ += codes;
+    }
+    return at_ == end;
+  }
+
+  bool scanHasTables() {
+    constexpr unsigned mostComponents = 4;
+    const unsigned components = byte();
+    if (components > mostComponents) return true;  // as above
+    std::array<unsigned, mostComponents> tables{};
+    for (unsigned i = 0; i < components; ++i) {
+      byte();  // the component's name
+      tables.at(i) = byte();
+    }
+    const bool first = byte() == 0;  // of the coefficients
+    byte();
+    const bool refined = byte() >= 0x10;
+    const bool needsDc = !progressive_ || (first && !refined);
+    const bool needsAc = !progressive_ || !first;
+    for (unsigned i = 0; i < components; ++i) {
+      if (needsDc && !there_.test(tables.at(i) >> 4U)) return false;
+      if (needsAc && !there_.test(0x10U | (tables.at(i) & 0xFU))) return false;
+    }
+    return true;
+  }
+
+  std::span<const std::byte> bytes_;
+  std::size_t at_ = 0;
+  std::bitset<32> there_;  // by class, then number
+  bool progressive_ = false;
+  bool inScan_ = false;
+};
 
 }  // namespace
 
@@ -41,6 +138,9 @@ TexturePixels readTexture(const std::filesystem::path& file, std::span<const std
   if (bytes.size() > mostBytes) failToReadImage(file, "it is longer than a gigabyte");
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
+  const bool jpeg = startsWith(bytes, jpegStart);
+  if (jpeg && !JpegTables(bytes).areSound())
+    failToReadImage(file, "it is damaged: a table of Huffman codes is missing or too long");
   TexturePixels texture;
   int channels = 0;
   const auto incomplete = [&] {

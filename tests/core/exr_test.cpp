@@ -249,6 +249,31 @@ TEST(Exr, ChangedBytesAreReadOrRefused) {
   }
 }
 
+TEST(Exr, AListOfChannelsWithoutAnEndIsAnError) {
+  const TemporaryFolder folder;
+  writeHalf(folder / "a.exr", {"Y"}, false, Imf::NO_COMPRESSION);
+  std::string changed = readBytes(folder / "a.exr");
+  const std::string channel("channels\0chlist\0\x13\0\0\0Y", 21);
+  const std::size_t at = changed.find(channel);
+  ASSERT_NE(at, std::string::npos);
+  changed[at + channel.size() + 17] = 'x';
+  writeBytes(folder / "b.exr", changed);
+  EXPECT_THAT(messageOf([&] { readHdrImage(folder / "b.exr"); }), HasSubstr("damaged"));
+}
+
+TEST(Exr, AnAttributeLongerThanItsTypeIsAnError) {
+  const TemporaryFolder folder;
+  writeExr(folder / "a.exr", gradient(4, 4));
+  std::string changed = readBytes(folder / "a.exr");
+  const std::string window("displayWindow\0box2i\0", 20);
+  const std::size_t at = changed.find(window);
+  ASSERT_NE(at, std::string::npos);
+  changed[at + window.size()] = 17;
+  changed.insert(at + window.size() + 4, 1, '\0');
+  writeBytes(folder / "b.exr", changed);
+  EXPECT_THAT(messageOf([&] { readHdrImage(folder / "b.exr"); }), HasSubstr("damaged"));
+}
+
 TEST(Exr, AHugeClaimIsAnError) {
   const TemporaryFolder folder;
   writeExr(folder / "a.exr", gradient(16, 16));

@@ -1,6 +1,9 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stb_image_write.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -58,6 +61,22 @@ TEST(Texture, WhatIsNoWholePictureIsAnError) {
   const std::string text = "GIF89a, or anything else";
   EXPECT_NE(test::messageOf([&] { core::readTexture("a.gif", std::as_bytes(std::span(text))); }),
             "");
+}
+
+// Its first table of Huffman codes begins behind the segment's length and the table's number.
+TEST(Texture, TablesOfHuffmanCodesThatCannotBeAreAnError) {
+  Bytes bytes;
+  stbi_write_jpg_to_func(append, &bytes, 16, 16, 3, std::vector<std::uint8_t>(768, 200).data(), 95);
+  const std::array<std::byte, 2> marker{std::byte{0xFF}, std::byte{0xC4}};
+  const auto table = std::search(bytes.begin(), bytes.end(), marker.begin(), marker.end());
+  ASSERT_NE(table, bytes.end());
+  // One that a scan names but nothing defines.
+  *(table + 4) = std::byte{3};
+  EXPECT_THAT(test::messageOf([&] { core::readTexture("a.jpg", bytes); }),
+              testing::HasSubstr("Huffman"));
+  std::fill_n(table + 5, 16, std::byte{255});
+  EXPECT_THAT(test::messageOf([&] { core::readTexture("a.jpg", bytes); }),
+              testing::HasSubstr("Huffman"));
 }
 
 TEST(Texture, SizesAreCheckedBeforeMemoryIsTaken) {

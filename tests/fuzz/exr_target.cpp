@@ -1,0 +1,11 @@
+#include "loading.h"
+#include "opaline/image_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace opaline;
+  const std::filesystem::path file = fuzz::fileOf("a.exr", fuzz::textOf(data, size));
+  fuzz::expectReadOrRefused([&] { readHdrImage(file, Negatives::Stay); });
+  fuzz::expectReadOrRefused([&] { readImageNote(file); });
+  fuzz::expectReadOrRefused([&] { isWholeImage(file, 8, 8); });
+  return 0;
+}
