@@ -14,6 +14,7 @@
 #include "opaline/material.h"
 #include "opaline/media.h"
 #include "opaline/medium.h"
+#include "opaline/mesh.h"
 #include "opaline/motion.h"
 #include "opaline/render_options.h"
 #include "opaline/renderer.h"

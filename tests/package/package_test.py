@@ -2,6 +2,7 @@
 
 BUILD names the build folder, which is whole. `make package-check` runs this on a shared library."""
 
+import json
 import os
 import pathlib
 import shutil
@@ -123,6 +124,45 @@ class Package(unittest.TestCase):
         done = run(CMAKE, "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("Opaline", done.stderr)
+
+    def built_examples(self, language):
+        """The folder with the programs of examples/LANGUAGE, copied elsewhere and built there."""
+        folder = self.folder / f"examples_{language}"
+        if not folder.exists():
+            shutil.copytree(ROOT / "examples" / language, folder)
+            self.succeed(CMAKE, "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+            self.succeed(CMAKE, "--build", folder / "build")
+        return folder / "build"
+
+    def run_example(self, program, *words):
+        return self.succeed(program, *words, cwd=program.parent,
+                            env=os.environ | {"LD_LIBRARY_PATH": str(self.prefix / "lib")})
+
+    def test_meshes_of_examples_move(self):
+        for language in ("cpp", "c"):
+            program = self.built_examples(language) / "moving_mesh"
+            first, later = (program.parent / f"{frames}.png" for frames in (1, 4))
+            self.assertIn("1 frames", self.run_example(program, 1, first))
+            self.assertIn("4 frames", self.run_example(program, 4, later))
+            self.assertNotEqual(first.read_bytes(), later.read_bytes())
+
+    def test_the_same_picture_in_every_language(self):
+        pictures = {}
+        for language in ("cpp", "c"):
+            program = self.built_examples(language) / "still"
+            files = [program.parent / name for name in ("still.png", "radiance.exr", "exitance.exr")]
+            self.assertIn("exitance in the middle", self.run_example(program, *files))
+            pictures[language] = [path.read_bytes() for path in files]
+        self.assertEqual(pictures["cpp"], pictures["c"])
+        program = self.prefix / "bin" / "opaline"
+        if not program.exists():
+            return
+        for name, variable in (("radiance.exr", "radiance"), ("exitance.exr", "exitance")):
+            ours = self.folder / name
+            self.succeed(program, "render", "--medium", "jade", "--size", "320x320", "--directional", "0.6,0,-0.8:6,6,5",
+                         "--directional", "0,1,0:0.5,0.5,0.6", "--ambient", "0.05,0.05,0.05", "--aov", variable, "-o", ours)
+            difference = json.loads(self.succeed(program, "compare", ours, self.built_examples("cpp") / name, "--json"))
+            self.assertEqual(difference["max_abs"], 0)
 
     @unittest.skipUnless(shutil.which("pkg-config"), "pkg-config is not there")
     def test_pkg_config_knows_it(self):

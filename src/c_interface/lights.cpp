@@ -1,0 +1,140 @@
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "c_interface/status.h"
+#include "c_interface/values.h"
+#include "opaline/environment.h"
+#include "opaline/scene.h"
+
+namespace opaline::c {
+
+namespace {
+
+Lighting& lightingOf(OpalineScene* scene) {
+  return required(scene, "scene").scene.lighting;
+}
+
+/// Refuses what cannot be rendered, alone or with the lights that are there, which then stay.
+void set(OpalineScene* scene, Lighting lighting) {
+  Lighting& of = lightingOf(scene);
+  const std::string complaint = complaintAbout(lighting);
+  if (!complaint.empty()) throw UsageError(complaint);
+  of = std::move(lighting);
+}
+
+template <typename Light>
+void add(OpalineScene* scene, std::vector<Light> Lighting::*list, Light light) {
+  Lighting lighting = lightingOf(scene);
+  (lighting.*list).push_back(std::move(light));
+  set(scene, std::move(lighting));
+}
+
+void addArea(OpalineScene* scene, AreaLight light) {
+  add(scene, &Lighting::areas, std::move(light));
+}
+
+}  // namespace
+}  // namespace opaline::c
+
+using namespace opaline;
+using opaline::c::guarded;
+using opaline::c::required;
+using opaline::c::vectorOf;
+
+extern "C" {
+
+OpalineStatus opalineClearLights(OpalineScene* scene) {
+  return guarded([&] { c::lightingOf(scene) = {}; });
+}
+
+OpalineStatus opalineUseDefaultLights(OpalineScene* scene) {
+  return guarded([&] { c::lightingOf(scene) = defaultLighting(); });
+}
+
+OpalineStatus opalineAddDirectionalLight(OpalineScene* scene, const float directionToLight[3],
+                                         const float irradiance[3]) {
+  return guarded([&] {
+    c::add(scene, &Lighting::directional,
+           DirectionalLight{vectorOf(directionToLight, "directionToLight"),
+                            vectorOf(irradiance, "irradiance")});
+  });
+}
+
+OpalineStatus opalineAddPointLight(OpalineScene* scene, const float positionMm[3],
+                                   const float intensity[3]) {
+  return guarded([&] {
+    c::add(scene, &Lighting::points,
+           PointLight{vectorOf(positionMm, "positionMm"), vectorOf(intensity, "intensity")});
+  });
+}
+
+OpalineStatus opalineAddSpotLight(OpalineScene* scene, const float positionMm[3],
+                                  const float direction[3], const float intensity[3],
+                                  float innerDegrees, float outerDegrees) {
+  return guarded([&] {
+    c::add(scene, &Lighting::spots,
+           SpotLight{vectorOf(positionMm, "positionMm"), vectorOf(direction, "direction"),
+                     vectorOf(intensity, "intensity"), innerDegrees, outerDegrees});
+  });
+}
+
+OpalineStatus opalineAddRectangleLight(OpalineScene* scene, const float centreMm[3],
+                                       const float uMm[3], const float vMm[3],
+                                       const float radiance[3]) {
+  return guarded([&] {
+    c::addArea(scene, RectangleLight{vectorOf(centreMm, "centreMm"), vectorOf(uMm, "uMm"),
+                                     vectorOf(vMm, "vMm"), vectorOf(radiance, "radiance")});
+  });
+}
+
+OpalineStatus opalineAddDiscLight(OpalineScene* scene, const float centreMm[3],
+                                  const float normal[3], float radiusMm, const float radiance[3]) {
+  return guarded([&] {
+    c::addArea(scene, DiscLight{vectorOf(centreMm, "centreMm"), vectorOf(normal, "normal"),
+                                radiusMm, vectorOf(radiance, "radiance")});
+  });
+}
+
+OpalineStatus opalineAddSphereLight(OpalineScene* scene, const float centreMm[3], float radiusMm,
+                                    const float radiance[3]) {
+  return guarded([&] {
+    c::addArea(scene, SphereLight{vectorOf(centreMm, "centreMm"), radiusMm,
+                                  vectorOf(radiance, "radiance")});
+  });
+}
+
+OpalineStatus opalineAddTubeLight(OpalineScene* scene, const float fromMm[3], const float toMm[3],
+                                  float radiusMm, const float radiance[3]) {
+  return guarded([&] {
+    c::addArea(scene, TubeLight{vectorOf(fromMm, "fromMm"), vectorOf(toMm, "toMm"), radiusMm,
+                                vectorOf(radiance, "radiance")});
+  });
+}
+
+OpalineStatus opalineSetAmbientLight(OpalineScene* scene, const float radiance[3]) {
+  return guarded([&] {
+    Lighting lighting = c::lightingOf(scene);
+    lighting.ambient = vectorOf(radiance, "radiance");
+    c::set(scene, std::move(lighting));
+  });
+}
+
+OpalineStatus opalineSetEnvironment(OpalineScene* scene, const char* file, float intensity,
+                                    double rotationDegrees) {
+  return guarded([&] {
+    constexpr float brightest = 1e6F;
+    constexpr double mostDegrees = 1e6;
+    if (!(intensity >= 0 && intensity <= brightest)) {
+      throw UsageError(fmt::format("intensity {}: must be from 0 to 1e6", intensity));
+    }
+    if (!(std::abs(rotationDegrees) <= mostDegrees)) {
+      throw UsageError(
+          fmt::format("rotationDegrees {}: must be from -1e6 to 1e6 degrees", rotationDegrees));
+    }
+    c::lightingOf(scene).environment =
+        readEnvironment({&required(file, "file"), intensity, rotationDegrees});
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,81 @@
+#include "opaline/media.h"
+
+#include <vector>
+
+#include "c_interface/status.h"
+#include "c_interface/values.h"
+
+namespace opaline::c {
+
+namespace {
+
+const std::vector<Medium>& namedMedia() {
+  static const std::vector<Medium> media = [] {
+    std::vector<Medium> all;
+    for (const MeasuredMedium& measured : measuredMedia()) all.push_back(measured.medium);
+    for (const Medium& medium : artisticMedia()) all.push_back(medium);
+    return all;
+  }();
+  return media;
+}
+
+}  // namespace
+
+Medium mediumOf(const OpalineMedium* given) {
+  const OpalineMedium whole = wholeOf(given, {}, "medium");
+  Medium medium;
+  std::copy_n(whole.sigmaSPrimePerMm, 3, medium.sigmaSPrimePerMm.begin());
+  std::copy_n(whole.sigmaAPerMm, 3, medium.sigmaAPerMm.begin());
+  medium.eta = whole.eta;
+  const std::string complaint = complaintAbout(medium);
+  if (!complaint.empty()) throw UsageError(complaint);
+  return medium;
+}
+
+void give(const Medium& medium, OpalineMedium* to) {
+  OpalineMedium whole{};
+  std::copy_n(medium.sigmaSPrimePerMm.begin(), 3, whole.sigmaSPrimePerMm);
+  std::copy_n(medium.sigmaAPerMm.begin(), 3, whole.sigmaAPerMm);
+  whole.eta = medium.eta;
+  give(whole, to, "medium");
+}
+
+}  // namespace opaline::c
+
+using namespace opaline;
+using opaline::c::guarded;
+using opaline::c::required;
+
+extern "C" {
+
+OpalineStatus opalineFindMedium(const char* name, OpalineMedium* medium) {
+  return guarded([&] {
+    const std::optional<Medium> found = findMedium(&required(name, "name"));
+    if (!found) throw UsageError(fmt::format("There is no medium '{}'.", name));
+    c::give(*found, medium);
+  });
+}
+
+size_t opalineMediumCount(void) {
+  return c::namedMedia().size();
+}
+
+const char* opalineMediumName(size_t index) {
+  return index < c::namedMedia().size() ? c::namedMedia()[index].name.c_str() : nullptr;
+}
+
+OpalineStatus opalineMediumOfAppearance(const double color[3], const double meanFreePathMm[3],
+                                        double g, double eta, OpalineMedium* medium) {
+  return guarded([&] {
+    Appearance appearance;
+    std::copy_n(&required(color, "color"), 3, appearance.color.begin());
+    std::copy_n(&required(meanFreePathMm, "meanFreePathMm"), 3, appearance.meanFreePathMm.begin());
+    appearance.g = g;
+    appearance.eta = eta;
+    const std::string complaint = complaintAbout(appearance);
+    if (!complaint.empty()) throw UsageError(complaint);
+    c::give(opaline::mediumOf(appearance), medium);
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,303 @@
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "c_interface/status.h"
+#include "c_interface/values.h"
+#include "opaline/renderer.h"
+#include "opaline/view.h"
+
+struct OpalineRenderer {
+  opaline::Renderer renderer;
+};
+
+struct OpalineView {
+  opaline::View view;
+  opaline::Frame frame;  ///< kept, so that collecting allocates nothing
+  int width = 0;
+  int height = 0;
+};
+
+namespace opaline::c {
+
+namespace {
+
+// The interfaces number their choices alike.
+static_assert(static_cast<int>(Transport::Boundary) == OpalineTransportBoundary);
+static_assert(static_cast<int>(Sum::All) == OpalineSumAll);
+static_assert(static_cast<int>(Site::Fragment) == OpalineSiteFragment);
+static_assert(static_cast<int>(Aov::Surfels) == OpalineAovSurfels);
+static_assert(static_cast<int>(LogLevel::Warning) == OpalineWarning);
+static_assert(sizeof(OpalineAov) == 4 && sizeof(OpalineTransport) == 4);
+
+template <typename Choice, typename Given>
+Choice choiceOf(Given given, Given last, const char* name) {
+  const auto number = static_cast<long long>(given);
+  if (number < 0 || number > static_cast<long long>(last)) {
+    throw UsageError(fmt::format("There is no {} {}.", name, number));
+  }
+  return static_cast<Choice>(number);
+}
+
+Aov aovOf(OpalineAov given) {
+  return choiceOf<Aov>(given, OpalineAovSurfels, "variable");
+}
+
+OpalineRendererOptions defaultRendererOptions() {
+  OpalineRendererOptions options{};
+  options.rayQueries = -1;
+  return options;
+}
+
+RendererOptions rendererOptionsOf(const OpalineRendererOptions* given) {
+  RendererOptions options;
+  if (!given) return options;
+  const OpalineRendererOptions whole = wholeOf(given, defaultRendererOptions(), "options");
+  if (whole.device) options.device = whole.device;
+  options.validation = whole.validation != 0;
+  if (whole.rayQueries >= 0) options.rayQueries = whole.rayQueries != 0;
+  if (whole.log) {
+    options.log = [log = whole.log, context = whole.logContext](LogLevel level,
+                                                                std::string_view message) {
+      log(context, static_cast<OpalineLogLevel>(level), std::string(message).c_str());
+    };
+  }
+  return options;
+}
+
+OpalineRenderOptions given(const RenderOptions& options) {
+  return {0,
+          options.width,
+          options.height,
+          static_cast<OpalineTransport>(options.transport),
+          static_cast<OpalineSum>(options.sum),
+          static_cast<OpalineSite>(options.site),
+          options.tolerance,
+          options.maxSurfels,
+          options.maxClusters,
+          options.bounces,
+          options.ambientOcclusion ? 1 : 0,
+          options.shadowSize,
+          options.specular ? 1 : 0,
+          options.roughness,
+          options.antialias,
+          options.environmentBehind ? 1 : 0};
+}
+
+RenderOptions renderOptionsOf(const OpalineRenderOptions* from) {
+  RenderOptions options;
+  if (!from) return options;
+  const OpalineRenderOptions whole = wholeOf(from, given(options), "options");
+  options.width = whole.width;
+  options.height = whole.height;
+  options.transport = choiceOf<Transport>(whole.transport, OpalineTransportBoundary, "transport");
+  options.sum = choiceOf<Sum>(whole.sum, OpalineSumAll, "sum");
+  options.site = choiceOf<Site>(whole.site, OpalineSiteFragment, "site");
+  options.tolerance = whole.tolerance;
+  options.maxSurfels = whole.maxSurfels;
+  options.maxClusters = whole.maxClusters;
+  options.bounces = whole.bounces;
+  options.ambientOcclusion = whole.ambientOcclusion != 0;
+  options.shadowSize = whole.shadowSize;
+  options.specular = whole.specular != 0;
+  options.roughness = whole.roughness;
+  options.antialias = whole.antialias;
+  options.environmentBehind = whole.environmentBehind != 0;
+  return options;
+}
+
+std::vector<OpalineTarget> targetsOf(const OpalineTarget* targets, std::size_t count) {
+  if (count == 0) throw UsageError("A frame has at least one target.");
+  std::vector<OpalineTarget> whole;
+  // Structs of another size lie so far apart.
+  const auto* at = reinterpret_cast<const char*>(&required(targets, "targets"));
+  for (std::size_t i = 0; i < count; ++i, at += targets->size) {
+    whole.push_back(wholeOf(reinterpret_cast<const OpalineTarget*>(at), {}, "target"));
+    required(whole.back().rgba, "rgba");
+  }
+  return whole;
+}
+
+void requireRoom(const OpalineTarget& target, int width, int height) {
+  const std::size_t needed =
+      std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (target.floatCount < needed) {
+    throw UsageError(fmt::format("A target has room for {} floats; a picture of {}x{} has {}.",
+                                 target.floatCount, width, height, needed));
+  }
+}
+
+void requireFit(const std::vector<Image>& images, const std::vector<OpalineTarget>& targets) {
+  if (images.size() != targets.size()) {
+    throw UsageError(fmt::format("There are {} targets, but the frame has {} variables.",
+                                 targets.size(), images.size()));
+  }
+}
+
+void copy(const std::vector<Image>& images, const std::vector<OpalineTarget>& targets) {
+  requireFit(images, targets);
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    requireRoom(targets[i], images[i].width, images[i].height);
+    std::copy(images[i].rgba.begin(), images[i].rgba.end(), targets[i].rgba);
+  }
+}
+
+FrameOrder orderOf(std::vector<Aov> aovs) {
+  FrameOrder order;
+  order.aovs = std::move(aovs);
+  return order;
+}
+
+}  // namespace
+}  // namespace opaline::c
+
+using namespace opaline;
+using opaline::c::guarded;
+using opaline::c::required;
+
+extern "C" {
+
+OpalineStatus opalineDeviceCount(size_t* count) {
+  return guarded([&] { required(count, "count") = listDevices().size(); });
+}
+
+OpalineStatus opalineDeviceName(size_t device, char* name, size_t nameBytes) {
+  return guarded([&] {
+    const std::vector<DeviceDescription> devices = listDevices();
+    if (device >= devices.size()) {
+      throw UsageError(fmt::format("There is no device {}: there are {}.", device, devices.size()));
+    }
+    required(name, "name");
+    if (nameBytes == 0) throw UsageError("A name has at least one byte.");
+    const std::size_t length = std::min(devices[device].name.size(), nameBytes - 1);
+    std::copy_n(devices[device].name.begin(), length, name);
+    name[length] = '\0';
+  });
+}
+
+OpalineStatus opalineDefaultRendererOptions(OpalineRendererOptions* options) {
+  return guarded([&] { c::give(c::defaultRendererOptions(), options, "options"); });
+}
+
+OpalineStatus opalineCreateRenderer(const OpalineRendererOptions* options,
+                                    OpalineRenderer** renderer) {
+  return guarded([&] {
+    required(renderer, "renderer");
+    *renderer = new OpalineRenderer{Renderer(c::rendererOptionsOf(options))};
+  });
+}
+
+void opalineDestroyRenderer(OpalineRenderer* renderer) {
+  delete renderer;
+}
+
+OpalineStatus opalineSetScene(OpalineRenderer* renderer, const OpalineScene* scene) {
+  return guarded(
+      [&] { required(renderer, "renderer").renderer.setScene(required(scene, "scene").scene); });
+}
+
+OpalineStatus opalineSetTime(OpalineRenderer* renderer, double seconds, int32_t clip) {
+  return guarded([&] { required(renderer, "renderer").renderer.setTime({seconds, clip}); });
+}
+
+OpalineStatus opalineSetCamera(OpalineRenderer* renderer, const OpalineCamera* camera) {
+  return guarded([&] { required(renderer, "renderer").renderer.setCamera(c::cameraOf(camera)); });
+}
+
+OpalineStatus opalineSetMedium(OpalineRenderer* renderer, size_t object,
+                               const OpalineMedium* medium) {
+  return guarded(
+      [&] { required(renderer, "renderer").renderer.setMedium(object, c::mediumOf(medium)); });
+}
+
+OpalineStatus opalineSetLights(OpalineRenderer* renderer, const OpalineScene* scene) {
+  return guarded([&] {
+    required(renderer, "renderer").renderer.setLighting(required(scene, "scene").scene.lighting);
+  });
+}
+
+OpalineStatus opalineSetPositions(OpalineRenderer* renderer, size_t object,
+                                  const float* positionsMm, size_t vertexCount,
+                                  size_t strideBytes) {
+  return guarded([&] {
+    required(renderer, "renderer")
+        .renderer.replacePositions(object, c::positionsOf(positionsMm, vertexCount, strideBytes));
+  });
+}
+
+OpalineStatus opalineRestorePositions(OpalineRenderer* renderer, size_t object) {
+  return guarded([&] { required(renderer, "renderer").renderer.restorePositions(object); });
+}
+
+OpalineStatus opalineDefaultRenderOptions(OpalineRenderOptions* options) {
+  return guarded([&] { c::give(c::given(RenderOptions{}), options, "options"); });
+}
+
+OpalineStatus opalineCreateView(OpalineRenderer* renderer, const OpalineRenderOptions* options,
+                                OpalineView** view) {
+  return guarded([&] {
+    required(view, "view");
+    const RenderOptions wanted = c::renderOptionsOf(options);
+    *view = new OpalineView{
+        View(required(renderer, "renderer").renderer, wanted), {}, wanted.width, wanted.height};
+  });
+}
+
+void opalineDestroyView(OpalineView* view) {
+  delete view;
+}
+
+OpalineStatus opalineSetViewOptions(OpalineView* view, const OpalineRenderOptions* options) {
+  return guarded([&] {
+    required(options, "options");
+    const RenderOptions wanted = c::renderOptionsOf(options);
+    required(view, "view").view.setOptions(wanted);
+    view->width = wanted.width;
+    view->height = wanted.height;
+  });
+}
+
+OpalineStatus opalineSetViewCamera(OpalineView* view, const OpalineCamera* camera) {
+  return guarded([&] {
+    required(view, "view")
+        .view.setCamera(camera ? std::optional<Camera>(c::cameraOf(camera)) : std::nullopt);
+  });
+}
+
+OpalineStatus opalineRender(OpalineView* view, const OpalineTarget* targets, size_t targetCount) {
+  return guarded([&] {
+    required(view, "view");
+    const std::vector<OpalineTarget> to = c::targetsOf(targets, targetCount);
+    std::vector<Aov> aovs;
+    for (const OpalineTarget& target : to) {
+      aovs.push_back(c::aovOf(target.aov));
+      if (!showsMap(aovs.back())) c::requireRoom(target, view->width, view->height);
+    }
+    c::copy(view->view.render(c::orderOf(std::move(aovs))).images, to);
+  });
+}
+
+OpalineStatus opalineSubmit(OpalineView* view, const OpalineAov* aovs, size_t aovCount) {
+  return guarded([&] {
+    required(view, "view");
+    if (aovCount > 0) required(aovs, "aovs");
+    std::vector<Aov> wanted;
+    for (std::size_t i = 0; i < aovCount; ++i) wanted.push_back(c::aovOf(aovs[i]));
+    view->view.submit(c::orderOf(std::move(wanted)));
+  });
+}
+
+OpalineStatus opalineCollect(OpalineView* view, const OpalineTarget* targets, size_t targetCount,
+                             double* milliseconds) {
+  return guarded([&] {
+    required(view, "view");
+    const std::vector<OpalineTarget> to = c::targetsOf(targets, targetCount);
+    view->view.collect(view->frame);
+    c::copy(view->frame.images, to);
+    if (milliseconds) *milliseconds = view->frame.milliseconds;
+  });
+}
+
+}  // extern "C"

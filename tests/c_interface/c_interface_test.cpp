@@ -1,0 +1,296 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "opaline/media.h"
+#include "opaline/mesh.h"
+#include "opaline/opaline_c.h"
+#include "opaline/renderer.h"
+
+namespace {
+
+struct SceneDeleter {
+  void operator()(OpalineScene* scene) const { opalineDestroyScene(scene); }
+};
+struct RendererDeleter {
+  void operator()(OpalineRenderer* renderer) const { opalineDestroyRenderer(renderer); }
+};
+struct ViewDeleter {
+  void operator()(OpalineView* view) const { opalineDestroyView(view); }
+};
+using Scene = std::unique_ptr<OpalineScene, SceneDeleter>;
+using Renderer = std::unique_ptr<OpalineRenderer, RendererDeleter>;
+using View = std::unique_ptr<OpalineView, ViewDeleter>;
+
+constexpr int edge = 24;
+constexpr std::size_t floats = std::size_t{4} * edge * edge;
+
+/// An octahedron of 20 mm, in vertices with four floats more than they need.
+struct Body {
+  static constexpr std::size_t count = 6;
+  std::array<std::array<float, 7>, count> vertices{};
+  std::array<std::uint32_t, 24> triangles{0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
+                                          2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+
+  Body() {
+    for (std::size_t i = 0; i < count; ++i) vertices[i][i / 2] = i % 2 == 0 ? 10.F : -10.F;
+  }
+  OpalineObject object() const {
+    OpalineObject object{};
+    object.size = sizeof object;
+    object.name = "octahedron";
+    object.positionsMm = vertices[0].data();
+    object.positionStrideBytes = sizeof vertices[0];
+    object.vertexCount = count;
+    object.triangles = triangles.data();
+    object.triangleCount = triangles.size() / 3;
+    return object;
+  }
+};
+
+OpalineRenderOptions smallDipole() {
+  OpalineRenderOptions options{};
+  options.size = sizeof options;
+  EXPECT_EQ(opalineDefaultRenderOptions(&options), OpalineOk);
+  options.width = options.height = edge;
+  options.transport = OpalineTransportDipole;
+  return options;
+}
+
+Scene sceneOf(const Body& body) {
+  OpalineScene* scene = nullptr;
+  EXPECT_EQ(opalineCreateScene(&scene), OpalineOk);
+  const OpalineObject object = body.object();
+  EXPECT_EQ(opalineAddObject(scene, &object, nullptr), OpalineOk) << opalineLastError();
+  EXPECT_EQ(opalineUseDefaultLights(scene), OpalineOk);
+  OpalineCamera camera{};
+  camera.size = sizeof camera;
+  const std::array<float, 3> towards{0.3F, 0.4F, 1};
+  EXPECT_EQ(opalineDefaultCamera(scene, towards.data(), 30, &camera), OpalineOk);
+  EXPECT_EQ(opalineSetSceneCamera(scene, &camera), OpalineOk);
+  return Scene(scene);
+}
+
+struct Drawn {
+  Renderer renderer;
+  View view;
+
+  explicit Drawn(const Scene& scene) {
+    OpalineRenderer* made = nullptr;
+    EXPECT_EQ(opalineCreateRenderer(nullptr, &made), OpalineOk) << opalineLastError();
+    renderer.reset(made);
+    EXPECT_EQ(opalineSetScene(made, scene.get()), OpalineOk) << opalineLastError();
+    const OpalineRenderOptions options = smallDipole();
+    OpalineView* drawn = nullptr;
+    EXPECT_EQ(opalineCreateView(made, &options, &drawn), OpalineOk);
+    view.reset(drawn);
+  }
+
+  std::vector<float> picture(OpalineAov aov = OpalineAovExitance) const {
+    std::vector<float> rgba(floats);
+    const OpalineTarget target{sizeof target, aov, rgba.data(), rgba.size()};
+    EXPECT_EQ(opalineRender(view.get(), &target, 1), OpalineOk) << opalineLastError();
+    return rgba;
+  }
+};
+
+TEST(CInterface, DrawsWhatTheCppInterfaceDraws) {
+  const Body body;
+  const std::vector<float> drawn = Drawn(sceneOf(body)).picture();
+
+  opaline::Scene scene;
+  std::vector<opaline::Vec3> positions;
+  for (const auto& vertex : body.vertices) positions.push_back({vertex[0], vertex[1], vertex[2]});
+  std::vector<opaline::Triangle> triangles;
+  for (std::size_t i = 0; i < body.triangles.size(); i += 3) {
+    triangles.push_back({body.triangles[i], body.triangles[i + 1], body.triangles[i + 2]});
+  }
+  scene.objects.push_back({"octahedron", opaline::makeMesh(positions, triangles),
+                           opaline::findMedium("marble").value()});
+  scene.lighting = opaline::defaultLighting();
+  scene.camera = opaline::defaultCamera(scene, {0.3F, 0.4F, 1});
+  opaline::Renderer renderer;
+  renderer.setScene(scene);
+  opaline::RenderOptions options;
+  options.width = options.height = edge;
+  options.transport = opaline::Transport::Dipole;
+  const auto expected = renderer.render(options, {opaline::Aov::Exitance}).images[0].rgba;
+  EXPECT_EQ(drawn, expected);
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0);
+}
+
+TEST(CInterface, MovesVerticesOfAnyStride) {
+  Body body;
+  const Scene scene = sceneOf(body);
+  const Drawn drawn(scene);
+  const std::vector<float> atRest = drawn.picture(OpalineAovPosition);
+  for (auto& vertex : body.vertices) vertex[1] *= 0.5F;
+  ASSERT_EQ(opalineSetPositions(drawn.renderer.get(), 0, body.vertices[0].data(), Body::count,
+                                sizeof body.vertices[0]),
+            OpalineOk);
+  const std::vector<float> flat = drawn.picture(OpalineAovPosition);
+  float highest = 0;
+  for (std::size_t i = 0; i < floats; i += 4) {
+    if (flat[i + 3] > 0) highest = std::max(highest, flat[i + 1]);
+  }
+  EXPECT_GT(highest, 3);
+  EXPECT_LE(highest, 5.001F);
+  ASSERT_EQ(opalineRestorePositions(drawn.renderer.get(), 0), OpalineOk);
+  EXPECT_EQ(drawn.picture(OpalineAovPosition), atRest);
+}
+
+TEST(CInterface, CollectsFramesInTheirOrder) {
+  Body body;
+  const Drawn drawn(sceneOf(body));
+  const OpalineAov aov = OpalineAovDepth;
+  std::vector<std::vector<float>> expected;
+  std::vector<std::vector<float>> collected;
+  const auto squash = [&](float factor) {
+    for (std::size_t i = 0; i < Body::count; ++i)
+      body.vertices[i][2] = Body().vertices[i][2] * factor;
+    ASSERT_EQ(opalineSetPositions(drawn.renderer.get(), 0, body.vertices[0].data(), Body::count,
+                                  sizeof body.vertices[0]),
+              OpalineOk);
+  };
+  for (const float factor : {1.F, 0.5F}) {
+    squash(factor);
+    expected.push_back(drawn.picture(aov));
+  }
+  for (const float factor : {1.F, 0.5F}) {
+    squash(factor);
+    ASSERT_EQ(opalineSubmit(drawn.view.get(), &aov, 1), OpalineOk);
+  }
+  EXPECT_EQ(opalineSubmit(drawn.view.get(), &aov, 1), OpalineBadUse);
+  for (int i = 0; i < 2; ++i) {
+    std::vector<float> rgba(floats);
+    const OpalineTarget target{sizeof target, aov, rgba.data(), rgba.size()};
+    double milliseconds = -1;
+    ASSERT_EQ(opalineCollect(drawn.view.get(), &target, 1, &milliseconds), OpalineOk);
+    EXPECT_GE(milliseconds, 0);
+    collected.push_back(rgba);
+  }
+  EXPECT_EQ(collected, expected);
+  EXPECT_NE(expected[0], expected[1]);
+}
+
+TEST(CInterface, RefusesWhatMakesNoSense) {
+  const Body body;
+  const Scene scene = sceneOf(body);
+  OpalineMedium medium{};
+  EXPECT_EQ(opalineFindMedium("marble", &medium), OpalineBadUse) << "a struct without its size";
+  medium.size = sizeof medium + 8;
+  EXPECT_EQ(opalineFindMedium("marble", &medium), OpalineBadUse);
+  medium.size = sizeof medium;
+  EXPECT_EQ(opalineFindMedium("marble", &medium), OpalineOk);
+  EXPECT_EQ(opalineFindMedium("granite", &medium), OpalineBadUse);
+  EXPECT_NE(std::string(opalineLastError()).find("granite"), std::string::npos);
+  EXPECT_EQ(opalineFindMedium(nullptr, &medium), OpalineBadUse);
+  EXPECT_EQ(opalineFindMedium("marble", nullptr), OpalineBadUse);
+  medium.eta = 0;
+  EXPECT_EQ(opalineSetObjectMedium(scene.get(), 0, &medium), OpalineBadUse);
+  EXPECT_EQ(opalineSetObjectMedium(nullptr, 0, &medium), OpalineBadUse);
+
+  OpalineObject object = body.object();
+  object.triangleCount = 1;
+  const std::array<std::uint32_t, 3> beyond{0, 1, 6};
+  object.triangles = beyond.data();
+  EXPECT_EQ(opalineAddObject(scene.get(), &object, nullptr), OpalineBadUse);
+  Body broken;
+  broken.vertices[3][1] = std::numeric_limits<float>::quiet_NaN();
+  object = broken.object();
+  EXPECT_EQ(opalineAddObject(scene.get(), &object, nullptr), OpalineBadUse);
+  object = body.object();
+  object.positionStrideBytes = 8;
+  EXPECT_EQ(opalineAddObject(scene.get(), &object, nullptr), OpalineBadUse);
+  std::size_t count = 0;
+  EXPECT_EQ(opalineObjectCount(scene.get(), &count), OpalineOk);
+  EXPECT_EQ(count, 1U);
+
+  OpalineScene* none = nullptr;
+  EXPECT_EQ(opalineLoadScene("no_such_file.ply", nullptr, &none), OpalineFailed);
+  EXPECT_NE(std::string(opalineLastError()).find("no_such_file.ply"), std::string::npos);
+  EXPECT_EQ(none, nullptr);
+
+  const Drawn drawn(scene);
+  std::vector<float> rgba(floats);
+  OpalineTarget target{sizeof target, OpalineAovRadiance, rgba.data(), floats - 1};
+  EXPECT_EQ(opalineRender(drawn.view.get(), &target, 1), OpalineBadUse);
+  target.floatCount = floats;
+  const int unknown = 77;
+  std::memcpy(&target.aov, &unknown, sizeof unknown);
+  EXPECT_EQ(opalineRender(drawn.view.get(), &target, 1), OpalineBadUse);
+  EXPECT_EQ(opalineRender(drawn.view.get(), &target, 0), OpalineBadUse);
+  EXPECT_EQ(opalineSetPositions(drawn.renderer.get(), 0, body.vertices[0].data(), 5, 28),
+            OpalineBadUse);
+  EXPECT_EQ(opalineSetPositions(drawn.renderer.get(), 3, body.vertices[0].data(), 6, 28),
+            OpalineBadUse);
+  OpalineRenderOptions options = smallDipole();
+  options.bounces = 99;
+  EXPECT_EQ(opalineSetViewOptions(drawn.view.get(), &options), OpalineBadUse);
+  const std::array<float, 3> zero{};
+  EXPECT_EQ(opalineAddDirectionalLight(scene.get(), zero.data(), zero.data()), OpalineBadUse);
+}
+
+TEST(CInterface, KeepsTheLastErrorOfEachThread) {
+  OpalineMedium medium{};
+  medium.size = sizeof medium;
+  ASSERT_EQ(opalineFindMedium("granite", &medium), OpalineBadUse);
+  const std::string here = opalineLastError();
+  std::thread([&] {
+    EXPECT_STREQ(opalineLastError(), "");
+    OpalineMedium other{};
+    other.size = sizeof other;
+    EXPECT_EQ(opalineFindMedium("basalt", &other), OpalineBadUse);
+  }).join();
+  EXPECT_EQ(opalineLastError(), here);
+}
+
+TEST(CInterface, ReadsStructsOfTheirOwnSizeFromAnArray) {
+  const Body body;
+  const Drawn drawn(sceneOf(body));
+  std::vector<float> a(floats);
+  std::vector<float> b(floats);
+  const std::array<OpalineTarget, 2> targets{
+      {{sizeof(OpalineTarget), OpalineAovNormal, a.data(), floats},
+       {sizeof(OpalineTarget), OpalineAovDepth, b.data(), floats}}};
+  ASSERT_EQ(opalineRender(drawn.view.get(), targets.data(), targets.size()), OpalineOk);
+  EXPECT_EQ(a, drawn.picture(OpalineAovNormal));
+  EXPECT_EQ(b, drawn.picture(OpalineAovDepth));
+}
+
+TEST(CInterface, ComparesLikeTheFormula) {
+  // Two pixels are covered by both: errors of 1 and 0 in every channel against 1 and 3.
+  const std::vector<float> a{2, 2, 2, 1, 3, 3, 3, 1, 9, 9, 9, 0};
+  const std::vector<float> b{1, 1, 1, 1, 3, 3, 3, 1, 0, 0, 0, 1};
+  OpalineDifference difference{};
+  difference.size = sizeof difference;
+  ASSERT_EQ(opalineCompare(a.data(), b.data(), 3, 1, &difference), OpalineOk);
+  EXPECT_EQ(difference.coveredPixels, 2U);
+  EXPECT_NEAR(difference.relRmse, std::sqrt(0.5) / 2, 1e-6);
+  EXPECT_NEAR(difference.relBias, 0.25, 1e-6);
+  EXPECT_EQ(difference.maxAbs, 1);
+}
+
+TEST(CInterface, NamesItsMedia) {
+  ASSERT_EQ(opalineMediumCount(), 18U);
+  for (std::size_t i = 0; i < opalineMediumCount(); ++i) {
+    OpalineMedium medium{};
+    medium.size = sizeof medium;
+    EXPECT_EQ(opalineFindMedium(opalineMediumName(i), &medium), OpalineOk);
+  }
+  EXPECT_EQ(opalineMediumName(18), nullptr);
+  OpalineMedium marble{};
+  marble.size = sizeof marble;
+  ASSERT_EQ(opalineFindMedium("Marble", &marble), OpalineOk);  // Jensen et al. 2001, Figure 5
+  EXPECT_EQ(marble.sigmaSPrimePerMm[1], 2.62);
+  EXPECT_EQ(marble.sigmaAPerMm[0], 0.0021);
+}
+
+}  // namespace
