@@ -13,7 +13,7 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan fuzz package package-check dependencies configure
+.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan fuzz package package-check python wheel dependencies configure
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -29,6 +29,8 @@ help:
 	@echo 'make format    clang-format everything'
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz      every fuzz target for 60 seconds each; SECONDS=600 lets them run longer; needs clang 14'
+	@echo 'make python    the Python module, into the virtual environment at hand, or PREFIX=folder'
+	@echo 'make wheel     the Python module as a wheel in build/release/'
 	@echo 'make package   a tar.gz of the program that runs on other x86-64 Linux machines'
 	@echo 'make package-check  the library alone, shared: builds it, installs it, uses it from another project'
 
@@ -117,3 +119,11 @@ package-check: dependencies
 	cmake --preset library -B build/shared -DBUILD_SHARED_LIBS=ON $(LAUNCHER)
 	cmake --build build/shared
 	cd tests/package && BUILD=$(CURDIR)/build/shared $(PYTHON) -m unittest package_test
+
+wheel: configure
+	cmake --build --preset release --target opaline_wheel
+
+# pip refuses to change a system's own Python: use a virtual environment with NumPy, or PREFIX.
+python: wheel
+	$(or $(VIRTUAL_ENV:%=%/bin/python),$$(sed -n 's/^OPALINE_PYTHON_EXECUTABLE:[^=]*=//p' $(BUILD)/CMakeCache.txt)) -m pip \
+	  install --no-deps --force-reinstall $(PREFIX:%=--prefix %) $(BUILD)/opaline-*.whl

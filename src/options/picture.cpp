@@ -26,6 +26,15 @@ const std::vector<std::string_view>& namesOf<ToneCurve>() {
   return names;
 }
 
+template <>
+const std::vector<std::string_view>& namesOf<Aov>() {
+  static const std::vector<std::string_view> names{
+      "radiance",   "exitance",       "irradiance", "position", "normal",
+      "depth",      "evaluations",    "object",     "surfels",  "dsm-position",
+      "dsm-normal", "dsm-irradiance", "dsm-area"};
+  return names;
+}
+
 namespace {
 
 template <auto... path>

@@ -39,6 +39,8 @@ template <>
 const std::vector<std::string_view>& namesOf<Site>();
 template <>
 const std::vector<std::string_view>& namesOf<ToneCurve>();
+template <>
+const std::vector<std::string_view>& namesOf<Aov>();
 
 /// As chosen, of what the library renders.
 void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options);

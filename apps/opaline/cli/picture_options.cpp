@@ -13,14 +13,13 @@ namespace opaline::app {
 namespace {
 
 const Choices<Aov>& aovs() {
-  static const Choices<Aov> table{
-      {"radiance", Aov::Radiance},     {"exitance", Aov::Exitance},
-      {"irradiance", Aov::Irradiance}, {"position", Aov::Position},
-      {"normal", Aov::Normal},         {"depth", Aov::Depth},
-      {"object", Aov::Object},         {"evaluations", Aov::Evaluations},
-      {"surfels", Aov::Surfels},       {"dsm-position", Aov::DsmPosition},
-      {"dsm-normal", Aov::DsmNormal},  {"dsm-irradiance", Aov::DsmIrradiance},
-      {"dsm-area", Aov::DsmArea}};
+  static const Choices<Aov> table = [] {
+    Choices<Aov> choices;
+    for (const std::string_view name : options::namesOf<Aov>()) {
+      choices.push_back({std::string(name), options::named<Aov>(name)});
+    }
+    return choices;
+  }();
   return table;
 }
 

@@ -32,7 +32,7 @@ constexpr std::int64_t mostMoments = 1024;
 /// Calls use(position) for all vertices of the scene as it is at that time.
 template <typename Use>
 void forEachPosition(const Scene& scene, const Bounds& box, const SceneTime& time,
-                     const PositionsByObject& positionsMm, const Use& use) {
+                     const reference::PositionsByObject& positionsMm, const Use& use) {
   deform::Pose pose = deform::makePose(scene);
   deform::poseAt(scene, time.clip, time.seconds, pose);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -54,7 +54,7 @@ struct Needs {
 
 void add(const Scene& scene, const Bounds& box, const Framed& framed, const Moment& moment,
          Needs& to) {
-  PositionsByObject positionsMm;
+  reference::PositionsByObject positionsMm;
   try {
     if (moment.number) framed.sequence->read(*moment.number, positionsMm[0]);
   } catch (const Error&) {
@@ -141,7 +141,7 @@ void showAll(Scene& scene, const Framed& framed) {
   scene::standBack(scene.camera, needs.loose.distanceMm());
 }
 
-void frame(Scene& scene, const SceneTime& time, const PositionsByObject& positionsMm,
+void frame(Scene& scene, const SceneTime& time, const reference::PositionsByObject& positionsMm,
            double aspect) {
   Double3 low{INFINITY, INFINITY, INFINITY};
   Double3 high{-INFINITY, -INFINITY, -INFINITY};

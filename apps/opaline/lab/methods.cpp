@@ -7,14 +7,15 @@
 
 #include "cli/output.h"
 #include "cli/picture_options.h"
-#include "film/reference_scene.h"
 #include "lab/frame_medians.h"
-#include "lab/truth.h"
+#include "lab/path_method.h"
 #include "opaline/compare.h"
 #include "opaline/error.h"
 #include "reference/integral.h"
 #include "reference/path/path_run.h"
 #include "reference/picture.h"
+#include "reference/posed_scene.h"
+#include "reference/truth.h"
 #include "scene/mesh/insides.h"
 
 namespace opaline::app {
@@ -107,7 +108,7 @@ Image traceTruth(const MethodsOrder& order, const rf::Geometry& geometry, Method
   order.status("following light through the body");
   methods.truthsOwnError = rf::runPaths(tracer, error, limits);
   warnOfLostLight(tracer, order.log);
-  return pathTruth(tracer, geometry, irradiance, pictureOf(order, 1)).image;
+  return reference::pathTruth(tracer, geometry, irradiance, pictureOf(order, 1)).image;
 }
 
 /// The one that was given, or else one traced here where the scene has an inside.
@@ -158,7 +159,7 @@ Methods measureMethods(const MethodsOrder& order) {
   Methods methods;
   methods.scene = order.scene.name;
   methods.edgePixels = order.edgePixels;
-  const rf::Scene scene = referenceScene(order.scene, {});
+  const rf::Scene scene = reference::posedScene(order.scene, {});
   const rf::Geometry geometry(scene);
   const std::optional<Image> truth = truthFor(order, geometry, methods);
   methods.hasTruth = truth.has_value();

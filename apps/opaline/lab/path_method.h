@@ -46,4 +46,7 @@ class PathMethod {
   std::optional<std::filesystem::path> checkpoint_;
 };
 
+/// Warns where so much light slipped through gaps of the surface that the truth is none.
+void warnOfLostLight(const reference::PathTracer& tracer, const LogCallback& log);
+
 }  // namespace opaline::app

@@ -20,14 +20,14 @@
 #include "cli/values.h"
 #include "film/film_output.h"
 #include "film/framing.h"
-#include "film/reference_scene.h"
 #include "film/sequence_frames.h"
 #include "lab/path_method.h"
-#include "lab/truth.h"
 #include "opaline/error.h"
 #include "opaline/file.h"
 #include "reference/integral.h"
 #include "reference/picture.h"
+#include "reference/posed_scene.h"
+#include "reference/truth.h"
 #include "scene/scene_files.h"
 
 namespace opaline::app {
@@ -141,7 +141,7 @@ struct ReferenceCommand {
 
   RenderOptions options(const scene::SceneFileSettings& settings) const {
     RenderOptions options = optionsOf(settings);
-    options.transport = transportOfIntegral(options.transport);
+    options.transport = reference::transportOfIntegral(options.transport);
     if (transport) options.transport = *transport;
     picture.applyTo(options);
     return options;
@@ -180,8 +180,8 @@ struct ReferenceJob {
 };
 
 /// Positions of a still of a row of files.
-PositionsByObject positionsOf(const MeshSequence* sequence, double seconds) {
-  PositionsByObject positionsMm;
+reference::PositionsByObject positionsOf(const MeshSequence* sequence, double seconds) {
+  reference::PositionsByObject positionsMm;
   if (sequence) sequence->read(numberAt(*sequence, seconds), positionsMm[0]);
   return positionsMm;
 }
@@ -208,8 +208,8 @@ ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
   const ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
-  return {referenceScene(scene, time, positionsOf(sequence.get(), time.seconds)), options, tone,
-          std::move(output)};
+  return {reference::posedScene(scene, time, positionsOf(sequence.get(), time.seconds)), options,
+          tone, std::move(output)};
 }
 
 /// What was made.
@@ -225,12 +225,12 @@ Made makeIntegral(const ReferenceCommand& command, const ReferenceJob& job) {
   const rf::Irradiance irradiance(geometry,
                                   command.ambientOcclusion ? Sky::Shadowed : Sky::Unshadowed);
   std::optional<Progress> progress;
-  IntegralTruth truth =
-      integralTruth(geometry, irradiance, {job.options.transport, command.toleranceOf()},
-                    command.pictureOptions(job.options), [&](std::size_t done, std::size_t total) {
-                      if (!progress) progress.emplace(total, command.quiet, "pixel");
-                      progress->show(done, 0);
-                    });
+  reference::IntegralTruth truth = reference::integralTruth(
+      geometry, irradiance, {job.options.transport, command.toleranceOf()},
+      command.pictureOptions(job.options), [&](std::size_t done, std::size_t total) {
+        if (!progress) progress.emplace(total, command.quiet, "pixel");
+        progress->show(done, 0);
+      });
   return {std::move(truth.picture),
           {{"transport", options::nameOf(job.options.transport)},
            {"tolerance", command.toleranceOf()},

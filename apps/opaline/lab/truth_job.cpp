@@ -6,8 +6,8 @@
 #include <new>
 #include <utility>
 
-#include "lab/truth.h"
 #include "reference/run_control.h"
+#include "reference/truth.h"
 
 namespace opaline::app {
 
@@ -33,7 +33,7 @@ struct TruthJob::Work {
   SceneTime time;
   RenderOptions options;
   TruthOrder order;
-  PositionsByObject positionsMm;
+  reference::PositionsByObject positionsMm;
   Clock::time_point begin = Clock::now();
 
   rf::PictureOptions picture() const {
@@ -47,7 +47,7 @@ struct TruthJob::Work {
 };
 
 TruthJob::TruthJob(Scene scene, const SceneTime& time, const RenderOptions& options,
-                   const TruthOrder& order, PositionsByObject positionsMm)
+                   const TruthOrder& order, reference::PositionsByObject positionsMm)
     : thread_([this, work = Work{std::move(scene), time, options, order, std::move(positionsMm)}](
                   const std::stop_token& stop) { run(work, stop); }) {}
 
@@ -90,7 +90,7 @@ void TruthJob::run(const Work& work, const std::stop_token& stop) {
 
 void TruthJob::compute(const Work& work, const std::stop_token& stop) {
   rf::requireSound(work.picture());
-  const rf::Scene scene = referenceScene(work.scene, work.time, work.positionsMm);
+  const rf::Scene scene = reference::posedScene(work.scene, work.time, work.positionsMm);
   const rf::Geometry geometry(scene);
   rf::throwIfStopped(stop);
   if (work.order.method == TruthOrder::Method::Integral) {
@@ -103,9 +103,9 @@ void TruthJob::compute(const Work& work, const std::stop_token& stop) {
 void TruthJob::integrate(const Work& work, const rf::Geometry& geometry,
                          const std::stop_token& stop) {
   const rf::Irradiance irradiance(geometry);
-  const rf::IntegralOptions integral{transportOfIntegral(work.options.transport),
+  const rf::IntegralOptions integral{reference::transportOfIntegral(work.options.transport),
                                      work.order.tolerance, stop};
-  IntegralTruth truth = integralTruth(
+  reference::IntegralTruth truth = reference::integralTruth(
       geometry, irradiance, integral, work.picture(), [&](std::size_t done, std::size_t total) {
         rf::throwIfStopped(stop);
         progress_ = static_cast<double>(done) / static_cast<double>(total);
@@ -119,12 +119,13 @@ void TruthJob::follow(const Work& work, const rf::Geometry& geometry, const std:
   rf::PathTracer tracer(geometry, work.order.path);
   const rf::CameraRays rays(geometry.scene().camera, picture.width, picture.height);
   const rf::BlockError blockError(tracer, geometry, rays, picture.width, picture.height, stop);
-  rf::PathLimits limits = orUsual(work.order.limits);
+  rf::PathLimits limits = reference::orUsual(work.order.limits);
   limits.secondsOfBatch = secondsOfBatch;
 
   const auto showNow = [&](double error) {
-    rf::Picture made = pathTruth(tracer, geometry, irradiance, picture,
-                                 [&](std::size_t, std::size_t) { rf::throwIfStopped(stop); });
+    rf::Picture made =
+        reference::pathTruth(tracer, geometry, irradiance, picture,
+                             [&](std::size_t, std::size_t) { rf::throwIfStopped(stop); });
     show({std::move(made.image), error, secondsSince(work.begin), tracer.particles()});
   };
   Clock::time_point shown = Clock::now();
@@ -132,7 +133,7 @@ void TruthJob::follow(const Work& work, const rf::Geometry& geometry, const std:
   const double reached = rf::runPaths(
       tracer, blockError, limits, [&](std::uint64_t particles, double seconds, double error) {
         rf::throwIfStopped(stop);
-        progress_ = shareDone(limits, particles, seconds, error);
+        progress_ = reference::shareDone(limits, particles, seconds, error);
         if (secondsSince(shown) < pause) return;
         const Clock::time_point begin = Clock::now();
         showNow(error);

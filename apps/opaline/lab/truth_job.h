@@ -7,12 +7,12 @@
 #include <string>
 #include <thread>
 
-#include "film/reference_scene.h"
 #include "opaline/image.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "reference/path/path_run.h"
 #include "reference/path/path_tracer.h"
+#include "reference/posed_scene.h"
 
 namespace opaline::app {
 
@@ -49,7 +49,7 @@ class TruthJob {
   /// `options`, seen by the scene's camera. Given positions are as those that a Renderer is
   /// given.
   TruthJob(Scene scene, const SceneTime& time, const RenderOptions& options,
-           const TruthOrder& order, PositionsByObject positionsMm = {});
+           const TruthOrder& order, reference::PositionsByObject positionsMm = {});
   /// Cancels.
   ~TruthJob();
   TruthJob(const TruthJob&) = delete;

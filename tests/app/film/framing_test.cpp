@@ -103,7 +103,7 @@ TEST(Frame, OfTheMomentIsFilled) {
   frame(scene, {}, {}, 1.5);
   EXPECT_NEAR(farthestOut(scene, {0, 1.5, nullptr, {Moment{}}}), 0.97, 1e-4);
   // What is given moves the target.
-  PositionsByObject given{{0, scene.objects[0].mesh.positionsMm}};
+  reference::PositionsByObject given{{0, scene.objects[0].mesh.positionsMm}};
   for (Vec3& p : given[0]) p[0] += 100;
   scene.deformers.clear();
   frame(scene, {}, given, 1.5);

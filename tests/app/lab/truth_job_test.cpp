@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/truth.h"
+#include "reference/truth.h"
 #include "renderer/shapes.h"
 
 namespace opaline::app {
@@ -52,7 +52,7 @@ void await(const TruthJob& job) {
 
 std::shared_ptr<const TruthPicture> finished(const Scene& scene, const RenderOptions& options,
                                              const TruthOrder& order,
-                                             PositionsByObject positions = {},
+                                             reference::PositionsByObject positions = {},
                                              const SceneTime& time = {}) {
   const TruthJob job(scene, time, options, order, std::move(positions));
   await(job);
@@ -82,7 +82,7 @@ double difference(const Image& a, const Image& b) {
 
 TEST(TruthJob, IntegralIsThatOfTheReferenceOnAnyThreads) {
   const Scene scene = litBall();
-  const rf::Scene still = referenceScene(scene, {});
+  const rf::Scene still = reference::posedScene(scene, {});
   const rf::Geometry geometry(still);
   const rf::Irradiance irradiance(geometry);
   rf::PictureOptions picture;
@@ -90,7 +90,7 @@ TEST(TruthJob, IntegralIsThatOfTheReferenceOnAnyThreads) {
   picture.height = 16;
   picture.antialias = 2;
   const Image expected =
-      integralTruth(geometry, irradiance, {Transport::BetterDipole, 1e-2}, picture, {})
+      reference::integralTruth(geometry, irradiance, {Transport::BetterDipole, 1e-2}, picture, {})
           .picture.image;
   RenderOptions options = small();
   options.transport = Transport::BetterDipole;
@@ -106,7 +106,7 @@ TEST(TruthJob, IntegralIsThatOfTheReferenceOnAnyThreads) {
 
 TEST(TruthJob, ParticlesAreThoseOfTheReference) {
   const Scene scene = litBall();
-  const rf::Scene still = referenceScene(scene, {});
+  const rf::Scene still = reference::posedScene(scene, {});
   const rf::Geometry geometry(still);
   const rf::Irradiance irradiance(geometry);
   rf::PictureOptions picture;
@@ -115,7 +115,7 @@ TEST(TruthJob, ParticlesAreThoseOfTheReference) {
   picture.antialias = 2;
   rf::PathTracer tracer(geometry, {});
   tracer.run(5000);
-  const Image expected = pathTruth(tracer, geometry, irradiance, picture).image;
+  const Image expected = reference::pathTruth(tracer, geometry, irradiance, picture).image;
   const auto truth = finished(scene, small(), particles(5000));
   EXPECT_EQ(truth->particles, 5000U);
   EXPECT_EQ(truth->image.rgba, expected.rgba);
@@ -182,7 +182,7 @@ TEST(TruthJob, MayGoAwayWhileItRuns) {
 
 TEST(TruthJob, SaysWhatWentWrong) {
   const auto errorOf = [](const Scene& scene, const RenderOptions& options, const TruthOrder& order,
-                          PositionsByObject positions) {
+                          reference::PositionsByObject positions) {
     const TruthJob job(scene, {}, options, order, std::move(positions));
     await(job);
     EXPECT_EQ(job.state(), State::Failed);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "deform/pose.h"
-#include "film/reference_scene.h"
+#include "reference/posed_scene.h"
 #include "viewer/picture/vectors.h"
 
 namespace opaline::app::viewer {
@@ -21,7 +21,7 @@ std::vector<Vec3> verticesOf(Session& session, std::size_t object, bool deformed
   deform::Pose pose = deform::makePose(scene);
   deform::poseAt(scene, session.time.clip, session.time.seconds, pose);
   const deform::DeformedVertices mesh =
-      meshAt(scene, object, pose, session.time.seconds, session.positionsMm);
+      reference::meshAt(scene, object, pose, session.time.seconds, session.positionsMm);
   if (!deformed) scene.deformers = std::move(deformers);
   std::vector<Vec3> vertices;
   vertices.reserve(mesh.positionsMm.size());

@@ -1,4 +1,4 @@
-#include "film/reference_scene.h"
+#include "reference/posed_scene.h"
 
 #include <fmt/format.h>
 
@@ -8,16 +8,17 @@
 #include "opaline/error.h"
 #include "scene/mesh/normals.h"
 
-namespace opaline::app {
+namespace opaline::reference {
 
-deform::DeformedVertices meshAt(const Scene& scene, std::size_t object, const deform::Pose& pose,
-                                double seconds, const PositionsByObject& positionsMm) {
+deform::DeformedVertices meshAt(const opaline::Scene& scene, std::size_t object,
+                                const deform::Pose& pose, double seconds,
+                                const PositionsByObject& positionsMm) {
   const Bounds box = boundsOf(scene);
   const auto given = positionsMm.find(object);
   if (given == positionsMm.end()) {
     return deform::deformedVertices(scene, object, pose, box, seconds);
   }
-  Scene moved;
+  opaline::Scene moved;
   moved.objects.push_back(scene.objects[object]);
   moved.objects[0].rig.reset();
   moved.objects[0].mesh.positionsMm = given->second;
@@ -28,8 +29,8 @@ deform::DeformedVertices meshAt(const Scene& scene, std::size_t object, const de
   return mesh;
 }
 
-reference::Scene referenceScene(const Scene& scene, const SceneTime& time,
-                                const PositionsByObject& positionsMm) {
+Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
+                 const PositionsByObject& positionsMm) {
   for (const auto& [object, positions] : positionsMm) {
     if (object >= scene.objects.size() ||
         positions.size() != scene.objects[object].mesh.positionsMm.size()) {
@@ -39,13 +40,13 @@ reference::Scene referenceScene(const Scene& scene, const SceneTime& time,
   }
   deform::Pose pose = deform::makePose(scene);
   deform::poseAt(scene, time.clip, time.seconds, pose);
-  reference::Scene result;
+  Scene result;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     if (object.opaque)
       throw UsageError(
           fmt::format("'{}' is opaque, and a reference knows translucent bodies only: "
-                      "leave it out, or give it a medium with --medium",
+                      "leave it out, or give it a medium",
                       object.name));
     deform::DeformedVertices mesh = meshAt(scene, i, pose, time.seconds, positionsMm);
     result.bodies.push_back({std::move(mesh.positionsMm), std::move(mesh.normals),
@@ -56,4 +57,4 @@ reference::Scene referenceScene(const Scene& scene, const SceneTime& time,
   return result;
 }
 
-}  // namespace opaline::app
+}  // namespace opaline::reference

@@ -9,18 +9,19 @@
 #include "opaline/scene.h"
 #include "reference/scene.h"
 
-namespace opaline::app {
+namespace opaline::reference {
 
 /// By object: one position for each of its vertices, instead of where its mesh or rig puts them.
 using PositionsByObject = std::map<std::size_t, std::vector<Vec3>>;
 
 /// An object as it is in that pose at that time, under the scene's deformers.
-deform::DeformedVertices meshAt(const Scene& scene, std::size_t object, const deform::Pose& pose,
-                                double seconds, const PositionsByObject& positionsMm);
+deform::DeformedVertices meshAt(const opaline::Scene& scene, std::size_t object,
+                                const deform::Pose& pose, double seconds,
+                                const PositionsByObject& positionsMm);
 
 /// The scene as it is at that time of a clip (-1: none). The scene's deformers apply to given
 /// positions too. Throws UsageError unless they fit their object.
-reference::Scene referenceScene(const Scene& scene, const SceneTime& time,
-                                const PositionsByObject& positionsMm = {});
+Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
+                 const PositionsByObject& positionsMm = {});
 
-}  // namespace opaline::app
+}  // namespace opaline::reference

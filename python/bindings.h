@@ -1,0 +1,37 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <vector>
+
+#include "opaline/log.h"
+#include "opaline/medium.h"
+#include "opaline/scene.h"
+
+namespace opaline::python {
+
+namespace py = pybind11;
+
+/// A scene whose objects Python shares, so that one can be changed in its place.
+struct SharedScene {
+  Scene scene;  ///< without objects
+  std::vector<std::shared_ptr<Object>> objects;
+
+  explicit SharedScene(Scene whole = {});
+  Scene whole() const;
+};
+
+/// A Medium, or the name of one.
+Medium mediumOf(const py::handle& given);
+
+/// Messages go to Python's logger "opaline". May be called with the interpreter's lock or without.
+LogCallback pythonLog();
+
+void bindMedia(py::module_& module);
+void bindScenes(py::module_& module);
+void bindRendering(py::module_& module);
+void bindReferences(py::module_& module);
+void bindPictures(py::module_& module);
+
+}  // namespace opaline::python

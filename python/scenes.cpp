@@ -1,0 +1,507 @@
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "opaline/environment.h"
+#include "opaline/error.h"
+#include "opaline/exposure.h"
+#include "opaline/image_file.h"
+#include "opaline/material.h"
+#include "opaline/media.h"
+#include "opaline/mesh.h"
+#include "opaline/scene.h"
+#include "python/arrays.h"
+#include "python/bindings.h"
+
+namespace opaline::python {
+
+SharedScene::SharedScene(Scene whole) : scene(std::move(whole)) {
+  for (Object& object : scene.objects)
+    objects.push_back(std::make_shared<Object>(std::move(object)));
+  scene.objects.clear();
+}
+
+Scene SharedScene::whole() const {
+  Scene result = scene;
+  for (const auto& object : objects) result.objects.push_back(*object);
+  return result;
+}
+
+namespace {
+
+template <typename Value>
+Value sound(Value value) {
+  const std::string complaint = complaintAbout(value);
+  if (!complaint.empty()) throw UsageError(complaint);
+  return value;
+}
+
+Vec3 unitOf(const py::handle& values, const char* name) {
+  const auto given = tripleOf(values, name);
+  const double length = std::hypot(given[0], given[1], given[2]);
+  if (!(length > 0) || !std::isfinite(length)) {
+    throw UsageError(fmt::format("{} must have a length that is finite and above 0.", name));
+  }
+  return {static_cast<float>(given[0] / length), static_cast<float>(given[1] / length),
+          static_cast<float>(given[2] / length)};
+}
+
+template <typename Light>
+void bindArea(py::class_<Light>& light) {
+  light
+      .def_property_readonly(
+          "radiance", [](const Light& of) { return tupleOf(of.radiance); }, "Linear RGB.")
+      .def_readonly("visible", &Light::visible, "Whether the picture itself shows it.");
+}
+
+void bindLights(py::module_& module) {
+  using py::arg;
+  const py::tuple white = py::make_tuple(1, 1, 1);
+  py::class_<DirectionalLight>(module, "DirectionalLight",
+                               R"(Light from infinitely far away. It never changes.
+
+direction_to_light: of any length above 0; irradiance: linear RGB on a surface that faces it, in [0, 1e30].)")
+      .def(py::init([](const py::object& direction, const py::object& irradiance) {
+             return sound(DirectionalLight{unitOf(direction, "direction_to_light"),
+                                           vectorOf(irradiance, "irradiance")});
+           }),
+           arg("direction_to_light"), arg("irradiance") = white)
+      .def_property_readonly(
+          "direction_to_light",
+          [](const DirectionalLight& of) { return tupleOf(of.directionToLight); }, "Unit vector.")
+      .def_property_readonly(
+          "irradiance", [](const DirectionalLight& of) { return tupleOf(of.irradiance); },
+          "Linear RGB.");
+  py::class_<PointLight>(module, "PointLight",
+                         R"(Light from one point. It never changes.
+
+position_mm; intensity: linear RGB, in [0, 1e30]. Irradiance on a facing surface is intensity / distance², mm.)")
+      .def(py::init([](const py::object& position, const py::object& intensity) {
+             return sound(
+                 PointLight{vectorOf(position, "position_mm"), vectorOf(intensity, "intensity")});
+           }),
+           arg("position_mm"), arg("intensity") = white)
+      .def_property_readonly(
+          "position_mm", [](const PointLight& of) { return tupleOf(of.positionMm); }, "mm.")
+      .def_property_readonly(
+          "intensity", [](const PointLight& of) { return tupleOf(of.intensity); }, "Linear RGB.");
+  py::class_<SpotLight>(module, "SpotLight",
+                        R"(A point light that shines into a cone. It never changes.
+
+direction: away from the light; intensity: along its axis; as bright as there up to inner_degrees from the axis, dark
+from outer_degrees on, in (0, 90].)")
+      .def(py::init([](const py::object& position, const py::object& direction,
+                       const py::object& intensity, float inner, float outer) {
+             return sound(SpotLight{vectorOf(position, "position_mm"),
+                                    unitOf(direction, "direction"),
+                                    vectorOf(intensity, "intensity"), inner, outer});
+           }),
+           arg("position_mm"), arg("direction"), arg("intensity") = white,
+           arg("inner_degrees") = 0.F, arg("outer_degrees") = 45.F)
+      .def_property_readonly(
+          "position_mm", [](const SpotLight& of) { return tupleOf(of.positionMm); }, "mm.")
+      .def_property_readonly(
+          "direction", [](const SpotLight& of) { return tupleOf(of.direction); }, "Unit vector.")
+      .def_property_readonly(
+          "intensity", [](const SpotLight& of) { return tupleOf(of.intensity); }, "Linear RGB.")
+      .def_readonly("inner_degrees", &SpotLight::innerDegrees, "From the axis.")
+      .def_readonly("outer_degrees", &SpotLight::outerDegrees, "From the axis.");
+
+  py::class_<RectangleLight> rectangle(
+      module, "RectangleLight",
+      R"(A parallelogram that shines to the side of u × v. It never changes.
+
+u_mm, v_mm: half its edges; radiance: linear RGB, in [0, 1e30]; two_sided: to the other side too; visible: in the
+picture itself.)");
+  rectangle
+      .def(py::init([](const py::object& centre, const py::object& u, const py::object& v,
+                       const py::object& radiance, bool twoSided, bool visible) {
+             return sound(RectangleLight{vectorOf(centre, "centre_mm"), vectorOf(u, "u_mm"),
+                                         vectorOf(v, "v_mm"), vectorOf(radiance, "radiance"),
+                                         twoSided, visible});
+           }),
+           arg("centre_mm"), arg("u_mm"), arg("v_mm"), arg("radiance") = white,
+           arg("two_sided") = false, arg("visible") = false)
+      .def_property_readonly(
+          "centre_mm", [](const RectangleLight& of) { return tupleOf(of.centreMm); }, "mm.")
+      .def_property_readonly(
+          "u_mm", [](const RectangleLight& of) { return tupleOf(of.uMm); }, "Half an edge, mm.")
+      .def_property_readonly(
+          "v_mm", [](const RectangleLight& of) { return tupleOf(of.vMm); }, "Half the other, mm.")
+      .def_readonly("two_sided", &RectangleLight::twoSided, "Whether both sides shine.");
+  bindArea(rectangle);
+  py::class_<DiscLight> disc(module, "DiscLight",
+                             R"(A disc that shines to the side of its normal. It never changes.)");
+  disc.def(py::init([](const py::object& centre, const py::object& normal, float radius,
+                       const py::object& radiance, bool twoSided, bool visible) {
+             return sound(DiscLight{vectorOf(centre, "centre_mm"), unitOf(normal, "normal"), radius,
+                                    vectorOf(radiance, "radiance"), twoSided, visible});
+           }),
+           arg("centre_mm"), arg("normal"), arg("radius_mm"), arg("radiance") = white,
+           arg("two_sided") = false, arg("visible") = false)
+      .def_property_readonly(
+          "centre_mm", [](const DiscLight& of) { return tupleOf(of.centreMm); }, "mm.")
+      .def_property_readonly(
+          "normal", [](const DiscLight& of) { return tupleOf(of.normal); }, "Unit vector.")
+      .def_readonly("radius_mm", &DiscLight::radiusMm, "In (0, 1e6].")
+      .def_readonly("two_sided", &DiscLight::twoSided, "Whether both sides shine.");
+  bindArea(disc);
+  py::class_<SphereLight> sphere(module, "SphereLight",
+                                 R"(A sphere that shines evenly outwards. It never changes.)");
+  sphere
+      .def(py::init([](const py::object& centre, float radius, const py::object& radiance,
+                       bool visible) {
+             return sound(SphereLight{vectorOf(centre, "centre_mm"), radius,
+                                      vectorOf(radiance, "radiance"), visible});
+           }),
+           arg("centre_mm"), arg("radius_mm"), arg("radiance") = white, arg("visible") = false)
+      .def_property_readonly(
+          "centre_mm", [](const SphereLight& of) { return tupleOf(of.centreMm); }, "mm.")
+      .def_readonly("radius_mm", &SphereLight::radiusMm, "In (0, 1e6].");
+  bindArea(sphere);
+  py::class_<TubeLight> tube(module, "TubeLight",
+                             R"(A cylinder that shines evenly outwards. It never changes.)");
+  tube.def(py::init([](const py::object& from, const py::object& to, float radius,
+                       const py::object& radiance, bool visible) {
+             return sound(TubeLight{vectorOf(from, "from_mm"), vectorOf(to, "to_mm"), radius,
+                                    vectorOf(radiance, "radiance"), visible});
+           }),
+           arg("from_mm"), arg("to_mm"), arg("radius_mm"), arg("radiance") = white,
+           arg("visible") = false)
+      .def_property_readonly(
+          "from_mm", [](const TubeLight& of) { return tupleOf(of.fromMm); }, "mm.")
+      .def_property_readonly(
+          "to_mm", [](const TubeLight& of) { return tupleOf(of.toMm); }, "mm.")
+      .def_readonly("radius_mm", &TubeLight::radiusMm, "In (0, 1e6].");
+  bindArea(tube);
+}
+
+/// All that shines by itself, in the order of their kinds.
+py::tuple lightsOf(const SharedScene& shared) {
+  py::list lights;
+  const Lighting& lighting = shared.scene.lighting;
+  for (const DirectionalLight& light : lighting.directional) lights.append(light);
+  for (const PointLight& light : lighting.points) lights.append(light);
+  for (const SpotLight& light : lighting.spots) lights.append(light);
+  for (const AreaLight& light : lighting.areas) {
+    std::visit([&](const auto& kind) { lights.append(kind); }, light);
+  }
+  return lights;
+}
+
+void setLights(SharedScene& shared, const py::iterable& lights) {
+  Lighting lighting = shared.scene.lighting;
+  lighting.directional.clear();
+  lighting.points.clear();
+  lighting.spots.clear();
+  lighting.areas.clear();
+  for (const py::handle& light : lights) {
+    if (py::isinstance<DirectionalLight>(light)) {
+      lighting.directional.push_back(light.cast<DirectionalLight>());
+    } else if (py::isinstance<PointLight>(light)) {
+      lighting.points.push_back(light.cast<PointLight>());
+    } else if (py::isinstance<SpotLight>(light)) {
+      lighting.spots.push_back(light.cast<SpotLight>());
+    } else if (py::isinstance<RectangleLight>(light)) {
+      lighting.areas.emplace_back(light.cast<RectangleLight>());
+    } else if (py::isinstance<DiscLight>(light)) {
+      lighting.areas.emplace_back(light.cast<DiscLight>());
+    } else if (py::isinstance<SphereLight>(light)) {
+      lighting.areas.emplace_back(light.cast<SphereLight>());
+    } else if (py::isinstance<TubeLight>(light)) {
+      lighting.areas.emplace_back(light.cast<TubeLight>());
+    } else {
+      throw py::type_error(
+          "lights are DirectionalLight, PointLight, SpotLight, RectangleLight, "
+          "DiscLight, SphereLight or TubeLight");
+    }
+  }
+  shared.scene.lighting = sound(std::move(lighting));
+}
+
+std::shared_ptr<Object> makeObject(const py::object& positions, const py::object& triangles,
+                                   const py::object& medium, const std::string& name,
+                                   const py::object& opaqueColor) {
+  py::object vertices = positions;
+  py::object faces = triangles;
+  if (faces.is_none()) {
+    if (!py::hasattr(positions, "vertices") || !py::hasattr(positions, "faces")) {
+      throw UsageError(
+          "An Object is made of positions and triangles, or of a mesh that has "
+          "vertices and faces.");
+    }
+    vertices = positions.attr("vertices");
+    faces = positions.attr("faces");
+  }
+  auto object = std::make_shared<Object>();
+  object->name = name;
+  object->mesh = makeMesh(positionsOf(vertices, "positions_mm"), trianglesOf(faces, "triangles"));
+  object->medium = mediumOf(medium);
+  if (!opaqueColor.is_none()) {
+    object->opaque = sound(mattMaterial(vectorOf(opaqueColor, "opaque_color")));
+  }
+  return object;
+}
+
+std::vector<std::shared_ptr<Object>> objectsOf(const py::iterable& given) {
+  std::vector<std::shared_ptr<Object>> objects;
+  for (const py::handle& each : given) {
+    if (py::isinstance<Object>(each)) {
+      objects.push_back(each.cast<std::shared_ptr<Object>>());
+    } else {
+      objects.push_back(makeObject(py::reinterpret_borrow<py::object>(each), py::none(),
+                                   py::str("marble"), "", py::none()));
+    }
+  }
+  return objects;
+}
+
+LoadOptions loadOptionsOf(const py::object& medium, std::optional<float> diagonalMm,
+                          std::optional<std::filesystem::path> morphTo) {
+  LoadOptions options;
+  options.diagonalMm = diagonalMm;
+  options.morphTo = std::move(morphTo);
+  if (!medium.is_none()) options.medium = mediumOf(medium);
+  options.log = pythonLog();
+  return options;
+}
+
+template <typename Make>
+std::shared_ptr<SharedScene> sceneBy(Make&& make) {
+  const py::gil_scoped_release released;
+  return std::make_shared<SharedScene>(make());
+}
+
+void setEnvironment(SharedScene& shared, const py::object& picture, float intensity,
+                    double rotationDegrees) {
+  Lighting& lighting = shared.scene.lighting;
+  if (picture.is_none()) {
+    lighting.environment.reset();
+    return;
+  }
+  if (!(intensity >= 0 && std::isfinite(intensity)) || !std::isfinite(rotationDegrees)) {
+    throw UsageError("intensity must be finite and not negative, rotation_degrees finite.");
+  }
+  if (py::isinstance<py::str>(picture) || py::hasattr(picture, "__fspath__")) {
+    const EnvironmentFile file{picture.cast<std::filesystem::path>(), intensity, rotationDegrees};
+    const py::gil_scoped_release released;
+    lighting.environment = readEnvironment(file);
+    return;
+  }
+  Image image = imageOf(picture, "picture");
+  for (float& value : image.rgba) {
+    value *= intensity;
+    if (!std::isfinite(value) || value < 0) {
+      throw UsageError("The radiance of an environment must be finite and not negative.");
+    }
+  }
+  lighting.environment = std::make_shared<const Image>(turned(image, rotationDegrees));
+}
+
+void bindObjects(py::module_& module) {
+  using py::arg;
+  py::class_<Object, std::shared_ptr<Object>>(module, "Object", R"(A body of one medium.
+
+Object(positions_mm, triangles, medium="wax"): positions are an array (N, 3) of any kind of number, triangles an array
+(M, 3) of whole numbers, counter-clockwise seen from outside. Object(mesh, medium="wax") takes anything with .vertices
+and .faces. medium is a Medium or the name of one. With opaque_color, linear RGB in [0, 1], it is a matt surface that lets
+no light in. A closed mesh has an inside; in an open one light scatters as in a half-space.)")
+      .def(py::init(&makeObject), arg("positions_mm"), arg("triangles") = py::none(),
+           arg("medium") = "marble", arg("name") = "", py::kw_only(),
+           arg("opaque_color") = py::none())
+      .def_readwrite("name", &Object::name, "Its name, or an empty text.")
+      .def_property(
+          "medium", [](const Object& object) { return object.medium; },
+          [](Object& object, const py::object& medium) {
+            object.medium = mediumOf(medium);
+            object.opaque.reset();
+          },
+          "What it is made of. May be set to a Medium or the name of one; a Renderer that has the\n"
+          "scene already keeps what it has, see Renderer.set_medium.")
+      .def_property_readonly(
+          "is_opaque", [](const Object& object) { return object.opaque.has_value(); },
+          "Whether it is a surface that lets no light in.")
+      .def_property_readonly(
+          "positions_mm", [](const Object& object) { return arrayOf(object.mesh.positionsMm); },
+          "Its vertices at rest: array (N, 3), float32, a copy.")
+      .def_property_readonly(
+          "normals", [](const Object& object) { return arrayOf(object.mesh.normals); },
+          "Unit normals of the vertices at rest: array (N, 3), float32, a copy.")
+      .def_property_readonly(
+          "triangles", [](const Object& object) { return arrayOf(object.mesh.triangles); },
+          "Array (M, 3), uint32, a copy.")
+      .def("__repr__", [](const Object& object) {
+        return fmt::format("<opaline.Object '{}': {} vertices, {} triangles>", object.name,
+                           object.mesh.positionsMm.size(), object.mesh.triangles.size());
+      });
+  py::class_<Camera>(module, "Camera", R"(A pinhole camera. It never changes.
+
+position_mm, target_mm: where it stands and what it looks at; vertical_fov_degrees: in [1, 170].)")
+      .def(py::init([](const py::object& position, const py::object& target, const py::object& up,
+                       float fov) {
+             return sound(Camera{vectorOf(position, "position_mm"), vectorOf(target, "target_mm"),
+                                 vectorOf(up, "up"), fov});
+           }),
+           arg("position_mm"), arg("target_mm") = py::make_tuple(0, 0, 0),
+           arg("up") = py::make_tuple(0, 1, 0), arg("vertical_fov_degrees") = 30.F)
+      .def_property_readonly(
+          "position_mm", [](const Camera& of) { return tupleOf(of.positionMm); }, "mm.")
+      .def_property_readonly(
+          "target_mm", [](const Camera& of) { return tupleOf(of.targetMm); }, "mm.")
+      .def_property_readonly(
+          "up", [](const Camera& of) { return tupleOf(of.up); }, "What is up in the picture.")
+      .def_readonly("vertical_fov_degrees", &Camera::verticalFovDegrees, "In [1, 170].");
+}
+
+void bindScene(py::module_& module) {
+  using py::arg;
+  py::class_<SharedScene, std::shared_ptr<SharedScene>>(
+      module, "Scene",
+      R"(Objects, lights and a camera, as plain data.
+
+Scene(objects): a list of Object, or of anything with .vertices and .faces. Camera and lights are usual ones until they
+are set. A Renderer takes what it needs: later changes reach it by its own methods.)")
+      .def(py::init([](const py::iterable& objects) {
+             auto shared = std::make_shared<SharedScene>();
+             shared->objects = objectsOf(objects);
+             shared->scene.camera = defaultCamera(shared->whole());
+             shared->scene.lighting = defaultLighting();
+             return shared;
+           }),
+           arg("objects"))
+      .def_property(
+          "objects",
+          [](const SharedScene& shared) {
+            py::list objects;
+            for (const auto& object : shared.objects) objects.append(object);
+            return py::tuple(objects);
+          },
+          [](SharedScene& shared, const py::iterable& objects) {
+            shared.objects = objectsOf(objects);
+          },
+          "Its bodies, a tuple. Set it to a list of others.")
+      .def_property("lights", &lightsOf, &setLights,
+                    "A tuple of lights, at most 16. Set it to a list of others: changing what it\n"
+                    "returns changes nothing.")
+      .def_property(
+          "ambient",
+          [](const SharedScene& shared) { return tupleOf(shared.scene.lighting.ambient); },
+          [](SharedScene& shared, const py::object& radiance) {
+            Lighting lighting = shared.scene.lighting;
+            lighting.ambient = vectorOf(radiance, "ambient");
+            shared.scene.lighting = sound(std::move(lighting));
+          },
+          "Radiance from all directions alike, linear RGB.")
+      .def(
+          "set_environment", &setEnvironment, arg("picture"), arg("intensity") = 1.F,
+          arg("rotation_degrees") = 0.0,
+          R"(Light from all around: an .exr or .hdr file, or an array (height, width, 3 or 4) of radiance, latitude by
+longitude, whose top row is +y and whose centre column is -z; or None.)")
+      .def_property(
+          "camera", [](const SharedScene& shared) { return shared.scene.camera; },
+          [](SharedScene& shared, const Camera& camera) {
+            shared.scene.camera = camera;
+            shared.scene.cameraChosen = true;
+          },
+          "The Camera.")
+      .def(
+          "look_from",
+          [](SharedScene& shared, const py::object& direction, float fov, float distance) {
+            Camera camera = defaultCamera(shared.whole(), unitOf(direction, "direction"), fov);
+            for (std::size_t i = 0; i < 3; ++i) {
+              camera.positionMm[i] = camera.targetMm[i] +
+                                     distance / 1.4F * (camera.positionMm[i] - camera.targetMm[i]);
+            }
+            shared.scene.camera = sound(camera);
+            shared.scene.cameraChosen = true;
+          },
+          arg("direction"), arg("vertical_fov_degrees") = 30.F, arg("diagonals") = 1.93F,
+          "Places the camera in a direction from the middle of the scene, so many diagonals of "
+          "its\n"
+          "box away; 1.93 shows all of it at 30 degrees.")
+      .def(
+          "add_ground",
+          [](SharedScene& shared, const py::object& color, std::optional<float> heightMm) {
+            const Ground ground = sound(Ground{vectorOf(color, "color"), heightMm});
+            shared.objects.push_back(std::make_shared<Object>(groundUnder(shared.whole(), ground)));
+          },
+          arg("color") = py::make_tuple(0.5, 0.5, 0.5), arg("height_mm") = py::none(),
+          "Adds an opaque plane under all there is, which gives back this share of light.")
+      .def_property_readonly(
+          "diagonal_mm", [](const SharedScene& shared) { return diagonalMm(shared.whole()); },
+          "Length of the diagonal of the box around it, mm.")
+      .def_property_readonly(
+          "exposure_stops",
+          [](const SharedScene& shared) { return automaticExposureStops(shared.whole()); },
+          "The exposure that suits its light, stops.")
+      .def_property_readonly(
+          "clips",
+          [](const SharedScene& shared) {
+            py::dict clips;
+            for (const Clip& clip : shared.scene.clips) clips[clip.name.c_str()] = clip.seconds;
+            return clips;
+          },
+          "Its motions: name -> length in seconds, in their order.")
+      .def_property_readonly(
+          "repairs",
+          [](const SharedScene& shared) {
+            py::dict repairs;
+            for (const Repair& repair : shared.scene.repairs)
+              repairs[repair.what.c_str()] = repair.count;
+            return repairs;
+          },
+          "What was mended when it was loaded: kind -> count.")
+      .def_property_readonly(
+          "name", [](const SharedScene& shared) { return shared.scene.name; },
+          "Of its file, or an empty text.")
+      .def("__repr__", [](const SharedScene& shared) {
+        return fmt::format("<opaline.Scene '{}': {} objects>", shared.scene.name,
+                           shared.objects.size());
+      });
+}
+
+}  // namespace
+
+void bindScenes(py::module_& module) {
+  using py::arg;
+  bindLights(module);
+  bindObjects(module);
+  bindScene(module);
+  module.def(
+      "load",
+      [](const std::filesystem::path& file, const py::object& medium,
+         std::optional<float> diagonalMm, std::optional<std::filesystem::path> morphTo) {
+        const LoadOptions options = loadOptionsOf(medium, diagonalMm, std::move(morphTo));
+        return sceneBy([&] { return loadScene(file, options); });
+      },
+      arg("file"), arg("medium") = py::none(), arg("diagonal_mm") = py::none(),
+      arg("morph_to") = py::none(),
+      R"(Reads a .glb, .gltf, .obj, .ply or .toml file and repairs its meshes.
+
+medium: a Medium or its name, of everything that is no metal; diagonal_mm: length that the diagonal of the box around the
+scene is scaled to; morph_to: a file with a mesh of the same topology that the scene turns into.)");
+  module.def(
+      "bear",
+      [](const py::object& medium, std::optional<float> diagonalMm) {
+        const LoadOptions options = loadOptionsOf(medium, diagonalMm, {});
+        return sceneBy([&] { return builtInBear(options); });
+      },
+      arg("medium") = py::none(), arg("diagonal_mm") = py::none(),
+      "The built-in gummy bear, 50 mm, of marble unless said otherwise.");
+  module.def(
+      "teapot",
+      [](const py::object& medium, std::optional<float> diagonalMm) {
+        const LoadOptions options = loadOptionsOf(medium, diagonalMm, {});
+        return sceneBy([&] { return builtInTeapot(options); });
+      },
+      arg("medium") = py::none(), arg("diagonal_mm") = py::none(),
+      "The Utah teapot, 50 mm, of marble unless said otherwise.");
+}
+
+}  // namespace opaline::python

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "opaline/renderer.h"
+#include "reference/geometry.h"
+#include "reference/integral.h"
+#include "reference/irradiance.h"
+#include "reference/path/path_run.h"
+#include "reference/path/path_tracer.h"
+#include "reference/picture.h"
+
+namespace opaline::reference {
+
+/// There is an integral of half-spaces alone, so that boundary transport is judged by the dipole's.
+Transport transportOfIntegral(Transport transport);
+
+struct IntegralTruth {
+  Picture picture;
+  std::size_t patches = 0;
+};
+
+/// The exact surface integral, where the variable needs it.
+IntegralTruth integralTruth(const Geometry& geometry, const Irradiance& irradiance,
+                            const IntegralOptions& integral, const PictureOptions& picture,
+                            const PictureProgress& progress);
+
+/// What the particles followed so far show.
+Picture pathTruth(const PathTracer& tracer, const Geometry& geometry, const Irradiance& irradiance,
+                  const PictureOptions& picture, const PictureProgress& progress = {});
+
+/// The limits as they are, or the usual one where there is none.
+PathLimits orUsual(const PathLimits& limits);
+
+/// How much of the way to the nearest limit is done, in [0, 1].
+double shareDone(const PathLimits& limits, std::uint64_t particles, double seconds, double error);
+
+}  // namespace opaline::reference
