@@ -20,7 +20,7 @@ PRESET = "fuzz"
 BUILD = ROOT / "build" / PRESET
 SEEDS = ROOT / "tests" / "fuzz" / "corpus"
 
-SECONDS_OF_AN_INPUT = 10
+SECONDS_OF_AN_INPUT = 25  # under sanitizers, on a machine that does something else too
 MEGABYTES = 2500  # with what the sanitizers take
 MEGABYTES_AT_ONCE = 1000
 LONGEST_INPUT = 8192

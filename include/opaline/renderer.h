@@ -33,6 +33,8 @@ struct RendererOptions {
   /// Rays by VK_KHR_ray_query instead of compute shaders; pictures differ by rounding. Empty: used
   /// on every device with ray queries, except software devices.
   std::optional<bool> rayQueries;
+  /// MB (10⁶ bytes) of the device's memory, in [64, 1e7]; none: what the device has.
+  std::optional<float> memoryLimit;
 };
 
 /// All Vulkan devices of this machine, in the order of their index; empty when there is none.

@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -128,6 +130,7 @@ fs::path checkedTarget(const Target& target) {
 struct TemporaryFiles {
   std::mutex mutex;
   std::set<fs::path> paths;
+  std::set<fs::path> cleared;  ///< folders
 };
 
 TemporaryFiles& temporaryFiles() {
@@ -136,25 +139,56 @@ TemporaryFiles& temporaryFiles() {
   return files;
 }
 
+constexpr std::string_view temporaryStart = ".opaline-";
+
+/// Whoever makes a temporary file locks it for as long as it is one. So one that nobody has locked
+/// was left by a program that was killed.
+void removeIfLeft(const fs::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return;
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) unlink(file.c_str());
+  close(descriptor);
+}
+
+/// .opaline-PROCESS-NUMBER, and an extension.
+bool isTemporaryName(std::string_view name) {
+  const auto skipDigits = [&name] {
+    const std::size_t end = name.find_first_not_of("0123456789");
+    const bool some = end != 0 && !name.empty();
+    name.remove_prefix(std::min(end, name.size()));
+    return some;
+  };
+  if (!name.starts_with(temporaryStart)) return false;
+  name.remove_prefix(temporaryStart.size());
+  if (!skipDigits() || !name.starts_with('-')) return false;
+  name.remove_prefix(1);
+  return skipDigits() && (name.empty() || name.front() == '.');
+}
+
+void removeWhatIsLeftIn(const fs::path& folder) {
+  std::error_code ignored;  // they are in nobody's way
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    if (isTemporaryName(entry->path().filename().string()) &&
+        fs::is_regular_file(entry->symlink_status(ignored)))
+      removeIfLeft(entry->path());
+  }
+}
+
 /// Removes the temporary file unless it has been renamed.
 class TemporaryFile {
  public:
   /// Creates an empty file beside `target` that was not there before, with the same extension:
-  /// some writers choose the format by it.
+  /// some writers choose the format by it. The first in a folder clears what was left there.
   explicit TemporaryFile(const fs::path& target) {
-    static std::atomic<unsigned> counter = 0;
     constexpr std::size_t longestExtension = 16;
     std::string extension = target.extension().string();
     if (extension.size() > longestExtension) extension.clear();
+    const fs::path folder = folderOf(target);
     const std::lock_guard lock(temporaryFiles().mutex);
-    for (int descriptor = -1; descriptor < 0;) {
-      path_ = folderOf(target) / fmt::format(".opaline-{}-{}{}", getpid(), counter++, extension);
-      descriptor = open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-      if (descriptor >= 0) {
-        close(descriptor);
-      } else if (errno != EEXIST) {
-        failToWrite(target, reasonOf(errno));
-      }
+    if (temporaryFiles().cleared.insert(folder).second) removeWhatIsLeftIn(folder);
+    while (!create(folder, extension)) {
+      if (errno != EEXIST) failToWrite(target, reasonOf(errno));
     }
     temporaryFiles().paths.insert(path_);
   }
@@ -164,6 +198,7 @@ class TemporaryFile {
     std::error_code ignored;  // nothing better can be done about a file that cannot be removed
     fs::remove(path_, ignored);
     temporaryFiles().paths.erase(path_);
+    close(descriptor_);
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -193,6 +228,22 @@ class TemporaryFile {
   }
 
  private:
+  /// False, with a reason in errno, where there is one of that name, or somebody took the new one
+  /// for one that was left, before it was locked.
+  bool create(const fs::path& folder, const std::string& extension) {
+    static std::atomic<unsigned> counter = 0;
+    path_ = folder / fmt::format("{}{}-{}{}", temporaryStart, getpid(), counter++, extension);
+    descriptor_ = open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) return false;
+    struct stat status {};
+    // Where a file system knows no locks, nobody clears either.
+    if (flock(descriptor_, LOCK_EX) != 0 || fstat(descriptor_, &status) != 0 || status.st_nlink > 0)
+      return true;
+    close(descriptor_);
+    errno = EEXIST;
+    return false;
+  }
+
   /// For file systems that cannot refuse to replace: the name is first taken by an empty file.
   bool claimAndRename(const fs::path& target) {
     const int claimed = open(target.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
@@ -212,9 +263,11 @@ class TemporaryFile {
   void forget() {
     temporaryFiles().paths.erase(path_);
     path_.clear();
+    close(descriptor_);
   }
 
   fs::path path_;
+  int descriptor_ = -1;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "gpu/device_choice.h"
+#include "gpu/host_room.h"
 #include "gpu/instance.h"
 #include "gpu/vulkan_result.h"
 #include "opaline/error.h"
@@ -49,6 +50,15 @@ Error outOfMemory(const std::string& name, std::size_t bytes, const std::string&
                   name, static_cast<double>(bytes) / 1e6, device));
 }
 
+Error beyondLimit(const std::string& name, std::size_t bytes, std::size_t taken,
+                  std::size_t limit) {
+  return Error(fmt::format(
+      "\"{}\" needs {:.1f} MB, but of {:.1f} MB that may be taken {:.1f} are; use a smaller image "
+      "or map, or raise RendererOptions::memoryLimit",
+      name, static_cast<double>(bytes) / 1e6, static_cast<double>(limit) / 1e6,
+      static_cast<double>(taken) / 1e6));
+}
+
 }  // namespace
 
 const char* toString(DeviceType type) {
@@ -77,7 +87,8 @@ std::vector<DeviceInfo> Device::list() {
 
 Device::Device(const DeviceOptions& options)
     : instance_(
-          std::make_unique<Instance>(options.validation, options.log, options.instanceExtensions)) {
+          std::make_unique<Instance>(options.validation, options.log, options.instanceExtensions)),
+      mostMemoryBytes_(options.mostMemoryBytes) {
   const std::vector<VkPhysicalDevice> devices = instance_->physicalDevices();
   const std::vector<DeviceInfo> infos = describeAll(devices);
   const std::size_t chosen = choose(infos, options.selector);
@@ -142,6 +153,7 @@ void Device::createDevice(const std::vector<std::string>& wanted, bool rayQuerie
   info.pQueueCreateInfos = &queue;
   info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
+  requireHostRoom(roomToOpenDevice, fmt::format("open the device {}", info_.name));
   check(vkCreateDevice(physical_, &info, nullptr, &device_),
         fmt::format("open the device {}", info_.name));
 }
@@ -225,6 +237,9 @@ std::uint64_t Device::submit(std::span<const VkCommandBuffer> commands) {
   info.pCommandBufferInfos = buffers.data();
   info.signalSemaphoreInfoCount = 1;
   info.pSignalSemaphoreInfos = &done;
+  // What is drawn is compiled again there, for the state that it meets.
+  if (info_.type == DeviceType::Software)
+    requireHostRoom(roomToCompile, "submit work to the device");
   check(vkQueueSubmit2(queue_, 1, &info, VK_NULL_HANDLE), "submit work to the device");
   return ++submitted_;
 }
@@ -280,6 +295,10 @@ VkDeviceMemory Device::tryAllocate(const VkMemoryRequirements& requirements,
   return VK_NULL_HANDLE;
 }
 
+bool Device::exceedsLimit(std::size_t bytes) const {
+  return mostMemoryBytes_ && bytes > *mostMemoryBytes_ - std::min(memoryBytes_, *mostMemoryBytes_);
+}
+
 VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements,
                                 VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags preferred,
                                 const std::string& name, bool addressed) {
@@ -287,6 +306,7 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements,
     throw outOfMemory(name, requirements.size, info_.name);
   }
   const auto tryBoth = [&] {
+    if (exceedsLimit(requirements.size)) return VkDeviceMemory{VK_NULL_HANDLE};
     const VkDeviceMemory best = tryAllocate(requirements, wanted | preferred, name, addressed);
     return best != VK_NULL_HANDLE ? best : tryAllocate(requirements, wanted, name, addressed);
   };
@@ -296,6 +316,8 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements,
     waitFor(submitted_);
     memory = tryBoth();
   }
+  if (memory == VK_NULL_HANDLE && exceedsLimit(requirements.size))
+    throw beyondLimit(name, requirements.size, memoryBytes_, *mostMemoryBytes_);
   if (memory == VK_NULL_HANDLE) throw outOfMemory(name, requirements.size, info_.name);
   memoryBytes_ += requirements.size;
   peakMemoryBytes_ = std::max(peakMemoryBytes_, memoryBytes_);

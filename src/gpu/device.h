@@ -38,6 +38,7 @@ struct DeviceOptions {
   std::vector<std::string> instanceExtensions;  ///< beside those that Opaline needs itself
   std::vector<std::string> deviceExtensions;    ///< the same of the device
   std::optional<bool> rayQueries;               ///< use them; empty: where they are hardware's
+  std::optional<std::size_t> mostMemoryBytes;   ///< that buffers and images may take together
 };
 
 /// For AccelerationStructure: what the device has for it.
@@ -130,6 +131,7 @@ class Device {
   void createTimeline();
   void retire(VkObjectType type, std::uint64_t handle, std::size_t bytes, bool lent);
   void destroyRetired();
+  bool exceedsLimit(std::size_t bytes) const;
   VkDeviceMemory tryAllocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags flags,
                              const std::string& name, bool addressed);
 
@@ -148,6 +150,7 @@ class Device {
   std::size_t largestBufferBytes_ = 0;
   std::size_t memoryBytes_ = 0;
   std::size_t peakMemoryBytes_ = 0;
+  std::optional<std::size_t> mostMemoryBytes_;
   PFN_vkCmdPushDescriptorSetKHR pushDescriptorSet_ = nullptr;
   PFN_vkSetDebugUtilsObjectNameEXT setObjectName_ = nullptr;
   PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel_ = nullptr;

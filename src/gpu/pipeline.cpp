@@ -12,6 +12,7 @@
 
 #include "gpu/device.h"
 #include "gpu/device_choice.h"
+#include "gpu/host_room.h"
 #include "gpu/vulkan_result.h"
 #include "opaline/error.h"
 
@@ -109,6 +110,7 @@ VkPipeline createCompute(const Device& device, const std::string& name, const Sh
   info.layout = layout;
   info.flags = VK_PIPELINE_CREATE_DISPATCH_BASE_BIT;  // see CommandList::dispatchLinear
   VkPipeline pipeline = VK_NULL_HANDLE;
+  requireHostRoom(roomToCompile, fmt::format("create the pipeline \"{}\"", name));
   check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
         fmt::format("create the pipeline \"{}\"", name));
   return pipeline;
@@ -174,6 +176,7 @@ VkPipeline createGraphics(const Device& device, const std::string& name, const S
   info.pDynamicState = &dynamic;
   info.layout = layout;
   VkPipeline pipeline = VK_NULL_HANDLE;
+  requireHostRoom(roomToCompile, fmt::format("create the pipeline \"{}\"", name));
   check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
         fmt::format("create the pipeline \"{}\"", name));
   return pipeline;

@@ -145,6 +145,15 @@ const std::vector<Field<NamedSettings>>& fieldsOf() {
   return table;
 }
 
+template <>
+const std::vector<Field<RendererOptions>>& fieldsOf() {
+  static const std::vector<Field<RendererOptions>> table{
+      field<RendererOptions, &RendererOptions::memoryLimit>("memory_limit", {{64, 1e7, "MB"}},
+                                                            "of host and device each", "none"),
+  };
+  return table;
+}
+
 void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options) {
   PictureSettings settings{.render = options};
   chosen.applyTo(settings);

@@ -5,6 +5,7 @@
 
 #include "opaline/motion.h"
 #include "opaline/render_options.h"
+#include "opaline/renderer.h"
 #include "opaline/tone.h"
 #include "options/field.h"
 
@@ -30,6 +31,9 @@ struct NamedSettings {
 
 template <>
 const std::vector<Field<NamedSettings>>& fieldsOf();
+
+template <>
+const std::vector<Field<RendererOptions>>& fieldsOf();
 
 template <>
 const std::vector<std::string_view>& namesOf<Transport>();

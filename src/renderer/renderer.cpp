@@ -3,11 +3,24 @@
 #include <memory>
 
 #include "gpu/device.h"
+#include "opaline/error.h"
 #include "opaline/vulkan.h"
+#include "options/picture.h"
 #include "renderer/context.h"
 #include "renderer/validate.h"
 
 namespace opaline {
+
+namespace {
+
+std::optional<std::size_t> mostMemoryBytes(const RendererOptions& options) {
+  if (const std::string complaint = options::complaintAboutFields(options); !complaint.empty())
+    throw UsageError(complaint);
+  if (!options.memoryLimit) return std::nullopt;
+  return static_cast<std::size_t>(1e6 * static_cast<double>(*options.memoryLimit));
+}
+
+}  // namespace
 
 RendererContext::RendererContext(const RendererOptions& options)
     : device({.selector = options.device,
@@ -15,7 +28,8 @@ RendererContext::RendererContext(const RendererOptions& options)
               .log = options.log,
               .instanceExtensions = options.instanceExtensions,
               .deviceExtensions = options.deviceExtensions,
-              .rayQueries = options.rayQueries}),
+              .rayQueries = options.rayQueries,
+              .mostMemoryBytes = mostMemoryBytes(options)}),
       passes(device),
       prepared(device, passes, options.log) {}
 

@@ -45,6 +45,38 @@ class Interrupt(ProgramTest):
                              size="800x600")
             self.assertFalse(self.some(".*"), self.listing())
 
+    def leftovers(self):
+        return [name for name in self.listing() if name.startswith(".")]
+
+    def kill(self, until, *arguments):
+        process = self.start(*ENDLESS, *arguments, "--size", "400x300", "--aov", "position", stderr=subprocess.DEVNULL)
+        self.wait_for(until, process)
+        process.kill()
+        process.wait()
+
+    def test_killed_in_the_middle_of_writing(self):
+        """Nobody can clear away then; whoever writes there next does."""
+        left = set()
+        for _ in range(6):
+            self.kill(lambda: set(self.leftovers()) - left, "--resume", "-o", "f%d.exr")
+            left.update(self.leftovers())
+            for name in set(self.listing()) - left:
+                self.assertEqual(read_exr((self.folder / name).read_bytes()).width, 400)
+            self.assertLessEqual(len(self.leftovers()), 1, "each run clears what the one before it left")
+        self.succeed(*ENDLESS[:-2], "0:1", "--quiet", "--size", "400x300", "--aov", "position", "--resume", "-o", "f%d.exr")
+        self.assertEqual(self.leftovers(), [])
+
+    def test_two_at_once_in_one_folder(self):
+        film = (*ENDLESS[:-2], "0:5", "--quiet", "--size", "64x48", "-o", "f%d.png")
+        both = [self.start(*film, stderr=subprocess.PIPE) for _ in range(2)]
+        for process in both:
+            self.assertEqual(process.communicate(timeout=200)[1], b"")
+            self.assertEqual(process.returncode, 0)
+        self.assertEqual(self.listing(), [f"f{i}.png" for i in range(6)])
+        together = [(self.folder / name).read_bytes() for name in self.listing()]
+        self.succeed(*film)
+        self.assertEqual([(self.folder / name).read_bytes() for name in self.listing()], together)
+
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
     def test_a_film_is_whole_or_not_there(self):
         for number in SIGNALS:

@@ -1,7 +1,10 @@
 #include "opaline/file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -110,6 +113,32 @@ TEST(WriteWhole, NobodyReplacesWhatAnotherWroteAtTheSameTime) {
     contents.insert(readBytes(entry.path()));
   }
   EXPECT_EQ(contents.size(), std::size_t{writers * files});
+}
+
+// A lock that another process holds looks like one that this process holds by another descriptor.
+TEST(WriteWhole, ClearsWhatKilledProgramsLeftAndNothingElse) {
+  const TemporaryFolder folder;
+  for (const char* name : {".opaline-1-0.png", ".opaline-23-456", ".opaline-1-2.mp4", ".opaline-x",
+                           ".opaline-1-2x", ".opaline-1-.png", ".other-1-2.png"})
+    writeBytes(folder / name, "");
+  const int held = open((folder / ".opaline-1-2.mp4").c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(held, LOCK_EX), 0);
+  writeWhole(folder / "a.txt", "a");
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    names.insert(entry.path().filename().string());
+  EXPECT_THAT(names, testing::ElementsAre(".opaline-1-.png", ".opaline-1-2.mp4", ".opaline-1-2x",
+                                          ".opaline-x", ".other-1-2.png", "a.txt"));
+  close(held);
+}
+
+TEST(WholeFile, IsNotTakenForOneThatWasLeft) {
+  const TemporaryFolder folder;
+  const WholeFile file(Target(folder / "a.txt"));
+  const int other = open(file.temporary().c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_GE(other, 0);
+  EXPECT_NE(flock(other, LOCK_EX | LOCK_NB), 0);
+  close(other);
 }
 
 TEST(WholeFile, TakesItsPlaceOnlyWhenItIsKept) {

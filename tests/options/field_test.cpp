@@ -62,9 +62,9 @@ TEST(Text, IsWhatPeopleType) {
 template <typename Owner>
 class Table : public testing::Test {};
 
-using Owners = testing::Types<PictureSettings, NamedSettings, Medium, Camera, DirectionalLight,
-                              PointLight, SpotLight, RectangleLight, DiscLight, SphereLight,
-                              TubeLight, Lighting, Deformer, LoadOptions>;
+using Owners = testing::Types<PictureSettings, NamedSettings, RendererOptions, Medium, Camera,
+                              DirectionalLight, PointLight, SpotLight, RectangleLight, DiscLight,
+                              SphereLight, TubeLight, Lighting, Deformer, LoadOptions>;
 TYPED_TEST_SUITE(Table, Owners);
 
 TYPED_TEST(Table, HasEachKeyOnce) {

@@ -9,7 +9,7 @@ std::string withOptionNames(std::string_view sentence) {
   std::string result;
   while (!sentence.empty()) {
     std::string_view structure;
-    for (const std::string_view name : {"RenderOptions::", "LoadOptions::"})
+    for (const std::string_view name : {"RenderOptions::", "RendererOptions::", "LoadOptions::"})
       if (sentence.starts_with(name)) structure = name;
     if (structure.empty()) {
       result += sentence.front();

@@ -134,9 +134,11 @@ void MethodOptions::requireUse(const RenderOptions& options, Aov aov) const {
 }
 
 void LookOptions::addTo(CommandLine& line) {
-  constexpr std::array<std::string_view, 6> keys{"antialias", "specular", "roughness",
-                                                 "exposure",  "tone",     "background"};
-  addFields<options::PictureSettings>(line, keys, chosen_);
+  constexpr std::array<std::string_view, 2> before{"antialias", "specular"};
+  constexpr std::array<std::string_view, 2> after{"tone", "background"};
+  addFields<options::PictureSettings>(line, before, chosen_);
+  addTogether(line, {"roughness", "exposure"}, {"of that reflection", "stops"}, chosen_);
+  addFields<options::PictureSettings>(line, after, chosen_);
 }
 
 bool LookOptions::asksForAntialiasing() const {

@@ -258,6 +258,7 @@ void runRender(const Arguments& arguments) {
   command.addTo(line);
   if (!line.parse(arguments)) return;
   command.check();
+  command.device.limitHostMemory();
 
   const LogCallback log = noteTaker(command.quiet);
   const std::optional<FrameRange> frames = command.motion.frames();

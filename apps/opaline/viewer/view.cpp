@@ -111,6 +111,7 @@ void runView(const Arguments& arguments) {
   command.addTo(line);
   if (!line.parse(arguments)) return;
   command.motion.check();
+  command.device.limitHostMemory();
   static_cast<void>(command.options({}));  // before any window
   const LogCallback log = noteTaker(command.quiet);
   viewer::ViewerOptions options;
