@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "opaline/error.h"
-#include "options/picture.h"
+#include "opaline/options/picture.h"
 
 namespace opaline::python {
 

@@ -9,7 +9,7 @@
 
 #include "opaline/error.h"
 #include "opaline/exposure.h"
-#include "options/picture.h"
+#include "opaline/options/picture.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/keywords.h"

@@ -16,11 +16,9 @@ NOT_YET_PUBLIC = (
     "bssrdf/profile.h",
     "core/digest.h", "core/measures.h", "core/numbered_name.h",
     "deform/deformed_vertices.h", "deform/pose.h",
-    "options/field.h", "options/picture.h", "options/scene.h",
     "paper/atlas/atlas.h", "paper/atlas/draw.h",
-    "scene/framing.h", "scene/mesh/insides.h", "scene/mesh/merged_mesh.h", "scene/not_shown.h",
-    "scene/placed_lights.h", "scene/repair/topology.h", "scene/scene_files.h", "scene/scene_settings.h",
-    "scene/scene_source.h", "scene/toml/writer.h", "scene/vector_math.h",
+    "scene/framing.h", "scene/mesh/insides.h", "scene/mesh/merged_mesh.h", "scene/not_shown.h", "scene/placed_lights.h",
+    "scene/repair/topology.h", "scene/vector_math.h",
 )
 APP = ("opaline", "reference", *NOT_YET_PUBLIC)
 
@@ -36,7 +34,7 @@ ALLOWED = {
     "src/compare": (*PLAIN, "opaline/compare.h", "core"),
     "src/bssrdf": ("opaline/media.h", "opaline/medium.h"),
     "src/options": ("opaline",),
-    "src/scene": ("opaline", "core", "options", "bssrdf", "builtin"),
+    "src/scene": ("opaline", "core", "bssrdf", "builtin"),
     "src/lights": ("opaline", "bssrdf"),
     "src/environment": ("opaline", "core", "bssrdf", "lights"),
     "src/deform": ("opaline", "core", "scene"),
@@ -51,7 +49,7 @@ ALLOWED = {
     "src/paper": ("opaline", "core", "bssrdf", "gpu", "shaders", "passes/products.h",
                   "passes/seen_parts.h"),
     "src/paper/atlas": (*PLAIN, "core"),
-    "src/renderer": ("opaline", "core", "options", "bssrdf", "lights", "scene", "environment", "deform", "surfels",
+    "src/renderer": ("opaline", "core", "bssrdf", "lights", "scene", "environment", "deform", "surfels",
                      "soft_body", "gpu", "passes", "paper/technique.h", "shaders"),
     "src/c_interface": ("opaline",),
     "reference": ("opaline", "core", "bssrdf", "deform", "lights", "environment", "scene/mesh/normals.h"),
@@ -62,7 +60,7 @@ ALLOWED = {
                             "shaders/picture.vert.h", "shaders/picture.frag.h"),  # its own
     "bench": ("*",),
     "tools/figures": ("*",),
-    "python": ("opaline", "options", "reference"),
+    "python": ("opaline", "reference"),
     "examples": ("opaline",),
     "tests": ("*", "tests"),
 }

@@ -1,4 +1,4 @@
-#include "options/field.h"
+#include "opaline/options/field.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

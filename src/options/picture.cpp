@@ -1,4 +1,4 @@
-#include "options/picture.h"
+#include "opaline/options/picture.h"
 
 namespace opaline::options {
 

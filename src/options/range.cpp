@@ -1,4 +1,4 @@
-#include "options/range.h"
+#include "opaline/options/range.h"
 
 #include <fmt/format.h>
 

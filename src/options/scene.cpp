@@ -1,4 +1,4 @@
-#include "options/scene.h"
+#include "opaline/options/scene.h"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 
 #include "gpu/device.h"
 #include "opaline/error.h"
+#include "opaline/options/picture.h"
 #include "opaline/vulkan.h"
-#include "options/picture.h"
 #include "renderer/context.h"
 #include "renderer/validate.h"
 

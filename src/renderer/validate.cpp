@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "opaline/error.h"
-#include "options/picture.h"
+#include "opaline/options/picture.h"
 #include "shaders/shared/seen.h"
 
 namespace opaline {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "opaline/error.h"
-#include "options/scene.h"
+#include "opaline/options/scene.h"
 #include "renderer/validate.h"
 #include "shaders/shared/deform.h"
 

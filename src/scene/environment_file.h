@@ -1,7 +1,7 @@
 #pragma once
 
 #include "opaline/environment.h"
-#include "options/field.h"
+#include "opaline/options/field.h"
 
 namespace opaline::options {
 

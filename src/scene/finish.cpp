@@ -7,7 +7,7 @@
 
 #include "opaline/error.h"
 #include "opaline/media.h"
-#include "options/scene.h"
+#include "opaline/options/scene.h"
 #include "scene/formats.h"
 #include "scene/material.h"
 #include "scene/matrix.h"

@@ -8,12 +8,13 @@
 #include "opaline/error.h"
 #include "opaline/file.h"
 #include "opaline/media.h"
+#include "opaline/scene_file.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
 #include "scene/joined_models.h"
 #include "scene/mesh/morph_to.h"
 #include "scene/not_shown.h"
-#include "scene/scene_settings.h"
+#include "scene/scene_source.h"
 #include "scene/text.h"
 
 namespace opaline {
@@ -79,48 +80,49 @@ RawScene loadModel(const std::filesystem::path& file, const LogCallback& log) {
   return scene;
 }
 
+}  // namespace scene
+
 LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
                            const LoadOptions& options) {
   if (files.size() == 1) return loadSceneFile(files.front(), options);
-  requireSensible(options);
+  scene::requireSensible(options);
   if (options.morphTo) {
     throw UsageError(fmt::format("LoadOptions::morphTo {} is for a scene of one model",
-                                 cleanText(options.morphTo->string(), 1000)));
+                                 scene::cleanText(options.morphTo->string(), 1000)));
   }
-  RawScene all;
+  scene::RawScene all;
   SceneSource source;
   std::vector<Repair> repairs;
   std::vector<double> diagonalsMm;
   for (const std::filesystem::path& file : files) {
-    const std::string name = cleanText(file.string(), 1000);
-    if (lowerExtension(file) == ".toml") {
+    const std::string name = scene::cleanText(file.string(), 1000);
+    if (scene::lowerExtension(file) == ".toml") {
       throw UsageError(fmt::format(
           "{}: a .toml scene stands alone; it names its models under [[models]]", name));
     }
     if (MeshSequence::isPattern(file)) {
       throw UsageError(fmt::format("{}: numbered meshes must be a scene's only model", name));
     }
-    RawScene model = inMillimetres(loadModel(file, options.log), file, !options.diagonalMm,
-                                   options.log, repairs);
-    diagonalsMm.push_back(diagonalOf(boundsOf(model)));
+    scene::RawScene model = scene::inMillimetres(scene::loadModel(file, options.log), file,
+                                                 !options.diagonalMm, options.log, repairs);
+    diagonalsMm.push_back(scene::diagonalOf(scene::boundsOf(model)));
     source.models.push_back({file, {}, {}, {}});
-    join(all, std::move(model));
+    scene::join(all, std::move(model));
   }
   if (options.diagonalMm) {
-    rescale(source, double{*options.diagonalMm} / diagonalOf(boundsOf(all)), diagonalsMm);
+    scene::rescale(source, double{*options.diagonalMm} / scene::diagonalOf(scene::boundsOf(all)),
+                   diagonalsMm);
   }
-  return {finished(std::move(all), files.front(), std::move(repairs), options),
+  return {scene::finished(std::move(all), files.front(), std::move(repairs), options),
           {},
-          withAbsolutePaths(std::move(source)),
+          scene::withAbsolutePaths(std::move(source)),
           nullptr};
 }
-
-}  // namespace scene
 
 Scene loadScene(const std::filesystem::path& file, const LoadOptions& options) {
   try {
     if (scene::lowerExtension(file) == ".toml") {
-      scene::LoadedScene loaded = scene::loadSceneFile(file, options);
+      LoadedScene loaded = loadSceneFile(file, options);
       if (loaded.sequence && options.log) {
         options.log(LogLevel::Note, fmt::format("{}: its model is the first of {} numbered meshes",
                                                 scene::cleanText(file.string(), 1000),

@@ -1,4 +1,4 @@
-#include "scene/scene_files.h"
+#include "opaline/scene_file.h"
 
 #include <algorithm>
 #include <cctype>
@@ -111,15 +111,19 @@ void addModel(const fs::path& model, std::vector<fs::path>& to) {
 
 }  // namespace
 
-std::vector<fs::path> filesOf(const SceneSource& source) {
-  std::vector<fs::path> files;
+}  // namespace opaline::scene
+
+namespace opaline {
+
+std::vector<std::filesystem::path> filesOf(const SceneSource& source) {
+  std::vector<std::filesystem::path> files;
   if (source.sceneFile) files.push_back(*source.sceneFile);
   for (const ModelSource& model : source.models) {
-    if (!model.isBuiltIn()) addModel(model.file, files);
-    if (model.morphTo) addModel(*model.morphTo, files);
+    if (!model.isBuiltIn()) scene::addModel(model.file, files);
+    if (model.morphTo) scene::addModel(*model.morphTo, files);
   }
   if (source.environment) files.push_back(source.environment->file);
   return files;
 }
 
-}  // namespace opaline::scene
+}  // namespace opaline

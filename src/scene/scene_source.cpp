@@ -16,12 +16,6 @@ void moveApart(Placement& placement, double factor) {
 
 }  // namespace
 
-SceneSource sourceOf(const std::filesystem::path& model, const LoadOptions& options) {
-  SceneSource source;
-  source.models.push_back({model, options.diagonalMm, options.morphTo, {}});
-  return withAbsolutePaths(std::move(source));
-}
-
 SceneSource withAbsolutePaths(SceneSource source) {
   if (source.sceneFile) source.sceneFile = std::filesystem::absolute(*source.sceneFile);
   for (ModelSource& model : source.models) {
@@ -43,3 +37,13 @@ void rescale(SceneSource& source, double factor, const std::vector<double>& mode
 }
 
 }  // namespace opaline::scene
+
+namespace opaline {
+
+SceneSource sourceOf(const std::filesystem::path& model, const LoadOptions& options) {
+  SceneSource source;
+  source.models.push_back({model, options.diagonalMm, options.morphTo, {}});
+  return scene::withAbsolutePaths(std::move(source));
+}
+
+}  // namespace opaline

@@ -1,9 +1,9 @@
 #include "loading.h"
-#include "scene/scene_settings.h"
+#include "opaline/scene_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace opaline;
   const std::filesystem::path file = fuzz::fileOf("scene.toml", fuzz::textOf(data, size));
-  fuzz::expectSoundOrRefused([&] { return scene::loadSceneFile(file).scene; });
+  fuzz::expectSoundOrRefused([&] { return loadSceneFile(file).scene; });
   return 0;
 }

@@ -1,4 +1,4 @@
-#include "options/field.h"
+#include "opaline/options/field.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "options/picture.h"
-#include "options/scene.h"
+#include "opaline/options/picture.h"
+#include "opaline/options/scene.h"
 
 namespace opaline::options {
 namespace {

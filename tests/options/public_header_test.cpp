@@ -8,7 +8,7 @@
 #include <regex>
 #include <string>
 
-#include "options/picture.h"
+#include "opaline/options/picture.h"
 
 namespace opaline::options {
 namespace {

@@ -5,10 +5,9 @@
 #include <string>
 
 #include "opaline/error.h"
+#include "opaline/scene_file.h"
 #include "scene/gltf/builder.h"
-#include "scene/scene_settings.h"
 #include "scene/shapes.h"
-#include "scene/toml/writer.h"
 
 namespace opaline {
 namespace {
@@ -49,9 +48,9 @@ class Joined : public testing::Test {
                    {R"("node":0,"path":"translation")"});
     test::writeBytes(folder / "walker.glb", walker.file());
   }
-  scene::LoadedScene load(const std::string& text, const LoadOptions& options = {}) {
+  LoadedScene load(const std::string& text, const LoadOptions& options = {}) {
     test::writeBytes(folder / "a.toml", text);
-    return scene::loadSceneFile(folder / "a.toml", options);
+    return loadSceneFile(folder / "a.toml", options);
   }
   std::string errorOf(const std::string& text) {
     return test::messageOf([&] { load(text); });
@@ -71,7 +70,7 @@ void expectNear(const Vec3& a, const Vec3& b, double tolerance) {
 
 // Edges of 10 and 20 mm, the second turned from x to -z and moved.
 TEST_F(Joined, EachModelStandsWhereItsTableSays) {
-  const scene::LoadedScene loaded = load(R"(
+  const LoadedScene loaded = load(R"(
 medium = "jade"
 [[models]]
 file = "cube.obj"
@@ -96,8 +95,7 @@ translation_mm = [100, 0, 5]
 
 // glTF is in metres; an OBJ without a size of its own gets 50 mm.
 TEST_F(Joined, FilesOfTheCommandLineKeepTheirUnits) {
-  const scene::LoadedScene loaded =
-      scene::loadSceneFiles({folder / "walker.glb", folder / "cube.obj"});
+  const LoadedScene loaded = loadSceneFiles({folder / "walker.glb", folder / "cube.obj"});
   ASSERT_EQ(loaded.scene.objects.size(), 2U);
   EXPECT_EQ(loaded.scene.name, "walker");
   expectNear(boundsOfObject(loaded.scene, 0).maxMm, {1000, 1000, 1000}, 1e-3);
@@ -108,15 +106,14 @@ TEST_F(Joined, FilesOfTheCommandLineKeepTheirUnits) {
 TEST_F(Joined, ADiagonalIsThatOfAllTogetherAndIsWrittenSo) {
   LoadOptions options;
   options.diagonalMm = 100.0F;
-  const scene::LoadedScene loaded =
-      scene::loadSceneFiles({folder / "walker.glb", folder / "cube.obj"}, options);
+  const LoadedScene loaded = loadSceneFiles({folder / "walker.glb", folder / "cube.obj"}, options);
   EXPECT_NEAR(diagonalMm(loaded.scene), 100, 1e-3);
   const double walker = diagonalMm({"", {loaded.scene.objects[0]}});
   const double cube = diagonalMm({"", {loaded.scene.objects[1]}});
   EXPECT_NEAR(walker / cube, 1000 * std::sqrt(3.0) / 50, 1e-4);
 
-  scene::writeScene(folder / "b.toml", scene::describe(loaded.scene, loaded.source, {}));
-  const scene::LoadedScene again = scene::loadSceneFile(folder / "b.toml");
+  writeScene(folder / "b.toml", describe(loaded.scene, loaded.source, {}));
+  const LoadedScene again = loadSceneFile(folder / "b.toml");
   ASSERT_EQ(again.scene.objects.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(again.scene.objects[i].name, loaded.scene.objects[i].name);
@@ -126,7 +123,7 @@ TEST_F(Joined, ADiagonalIsThatOfAllTogetherAndIsWrittenSo) {
 }
 
 TEST_F(Joined, ClipsOfOneNamePlayTogetherAndLightsGoWithTheirModel) {
-  const scene::LoadedScene loaded = load(R"(
+  const LoadedScene loaded = load(R"(
 [[models]]
 file = "walker.glb"
 [[models]]
@@ -150,7 +147,7 @@ transform = [0.5, 0, 0, 3000,  0, 0.5, 0, 0,  0, 0, 0.5, 0,  0, 0, 0, 1]
 }
 
 TEST_F(Joined, WhatIsWrittenIsTheSame) {
-  const scene::LoadedScene loaded = load(R"(
+  const LoadedScene loaded = load(R"(
 [[models]]
 file = "walker.glb"
 rotation_degrees = [10, 20, 30]
@@ -163,8 +160,8 @@ translation_mm = [0, -800, 0]
 file = "builtin:teapot"
 scale = 3
 )");
-  scene::writeScene(folder / "b.toml", scene::describe(loaded.scene, loaded.source, {}));
-  const scene::LoadedScene again = scene::loadSceneFile(folder / "b.toml");
+  writeScene(folder / "b.toml", describe(loaded.scene, loaded.source, {}));
+  const LoadedScene again = loadSceneFile(folder / "b.toml");
   ASSERT_EQ(again.scene.objects.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(again.scene.objects[i].mesh.positionsMm, loaded.scene.objects[i].mesh.positionsMm);
@@ -183,11 +180,11 @@ TEST_F(Joined, WhatCannotBeJoinedIsRefused) {
   EXPECT_THAT(errorOf(two + "transform = [0,0,0,0, 0,0,0,0, 0,0,0,0, 0,0,0,1]\n"),
               HasSubstr("flattens"));
   EXPECT_THAT(test::messageOf([&] {
-                scene::loadSceneFiles({folder / "cube.obj", folder / "a.toml"});
+                loadSceneFiles({folder / "cube.obj", folder / "a.toml"});
               }),
               HasSubstr("[[models]]"));
   EXPECT_THAT(test::messageOf([&] {
-                scene::loadSceneFiles({folder / "cube.obj", folder / "m_%d.ply"});
+                loadSceneFiles({folder / "cube.obj", folder / "m_%d.ply"});
               }),
               HasSubstr("only model"));
 }

@@ -34,7 +34,7 @@ class Numbers {
   std::mt19937 random_;
 };
 
-scene::SceneFileSettings randomSettings(Numbers& random) {
+SceneFileSettings randomSettings(Numbers& random) {
   options::PictureSettings picture;
   RenderOptions& render = picture.render;
   render.width = 1 + random.below(16384);
@@ -67,12 +67,12 @@ Image sky() {
   return image;
 }
 
-scene::LoadedScene randomScene(unsigned seed, const std::filesystem::path& model,
-                               const std::filesystem::path& skyFile) {
+LoadedScene randomScene(unsigned seed, const std::filesystem::path& model,
+                        const std::filesystem::path& skyFile) {
   Numbers random(seed);
   LoadOptions options;
   if (random.below(2) == 0) options.diagonalMm = random.real(1, 1000);
-  scene::LoadedScene loaded = scene::loadSceneFile(model, options);
+  LoadedScene loaded = loadSceneFile(model, options);
   Scene& scene = loaded.scene;
   scene.objects[0].medium = findMedium("ketchup").value();
   for (std::size_t i = 1; i < scene.objects.size(); ++i) {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "opaline/image.h"
-#include "scene/scene_settings.h"
+#include "opaline/scene_file.h"
 
 namespace opaline::test {
 
@@ -12,7 +12,7 @@ Image sky();
 
 /// The model with everything that a scene can have besides, at random, and awkward to print; its
 /// environment is sky(), written to that file.
-scene::LoadedScene randomScene(unsigned seed, const std::filesystem::path& model,
-                               const std::filesystem::path& skyFile);
+LoadedScene randomScene(unsigned seed, const std::filesystem::path& model,
+                        const std::filesystem::path& skyFile);
 
 }  // namespace opaline::test

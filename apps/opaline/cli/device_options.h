@@ -4,8 +4,8 @@
 #include <string>
 
 #include "opaline/log.h"
+#include "opaline/options/picture.h"
 #include "opaline/renderer.h"
-#include "options/picture.h"
 
 namespace opaline::app {
 

@@ -9,7 +9,7 @@
 
 #include "cli/command_line.h"
 #include "cli/values.h"
-#include "options/field.h"
+#include "opaline/options/field.h"
 
 namespace opaline::app {
 

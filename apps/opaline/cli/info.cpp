@@ -20,17 +20,17 @@
 #include "opaline/file.h"
 #include "opaline/image_file.h"
 #include "opaline/material.h"
+#include "opaline/options/scene.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "opaline/scene_file.h"
 #include "opaline/tone.h"
-#include "options/scene.h"
 #include "paper/atlas/atlas.h"
 #include "paper/atlas/draw.h"
 #include "scene/mesh/insides.h"
 #include "scene/mesh/merged_mesh.h"
 #include "scene/not_shown.h"
 #include "scene/repair/topology.h"
-#include "scene/scene_files.h"
 
 namespace opaline::app {
 
@@ -318,10 +318,10 @@ void runInfo(const Arguments& arguments) {
   if (command.atlas) requireWritable(*command.atlas);
 
   const LogCallback log = noteTaker(command.quiet);
-  scene::LoadedScene loaded = command.scene.load(log);
+  LoadedScene loaded = command.scene.load(log);
   removeGround(loaded.scene);
   const Scene& scene = loaded.scene;
-  if (command.atlas) requireNoInput({{"--atlas", *command.atlas}}, scene::filesOf(loaded.source));
+  if (command.atlas) requireNoInput({{"--atlas", *command.atlas}}, filesOf(loaded.source));
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
   Json facts = collect(scene);
   if (command.atlas) {

@@ -7,8 +7,8 @@
 
 #include "cli/command_line.h"
 #include "opaline/medium.h"
+#include "opaline/options/scene.h"
 #include "opaline/scene.h"
-#include "options/scene.h"
 
 namespace opaline::app {
 

@@ -9,7 +9,7 @@
 #include "cli/fields.h"
 #include "cli/values.h"
 #include "opaline/error.h"
-#include "options/scene.h"
+#include "opaline/options/scene.h"
 
 namespace opaline::app {
 
@@ -122,7 +122,7 @@ void MotionOptions::applyTo(Scene& scene) const {
   scene.deformers.insert(scene.deformers.end(), deformers_.begin(), deformers_.end());
 }
 
-SceneTime MotionOptions::time(const Scene& scene, const scene::SceneFileSettings& settings) const {
+SceneTime MotionOptions::time(const Scene& scene, const SceneFileSettings& settings) const {
   options::PictureSettings found;
   settings.picture.applyTo(found);
   chosen_.applyTo(found);

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "cli/command_line.h"
+#include "opaline/options/picture.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
-#include "options/picture.h"
-#include "scene/scene_settings.h"
+#include "opaline/scene_file.h"
 
 namespace opaline::app {
 
@@ -38,7 +38,7 @@ class MotionOptions {
   void applyTo(Scene& scene) const;
   /// What was asked for, else what the scene file says. Throws UsageError for a clip that the scene
   /// does not have.
-  SceneTime time(const Scene& scene, const scene::SceneFileSettings& settings) const;
+  SceneTime time(const Scene& scene, const SceneFileSettings& settings) const;
 
  private:
   options::Chosen<options::PictureSettings> chosen_;  // the time of a still

@@ -43,14 +43,14 @@ const Choices<Transport>& halfSpaceTransports() {
   return table;
 }
 
-RenderOptions optionsOf(const scene::SceneFileSettings& settings) {
+RenderOptions optionsOf(const SceneFileSettings& settings) {
   RenderOptions options;
   options::apply(settings.picture, options);
   return options;
 }
 
-scene::SceneFileSettings settingsOf(const options::PictureSettings& picture, const Scene& scene) {
-  scene::SceneFileSettings settings;
+SceneFileSettings settingsOf(const options::PictureSettings& picture, const Scene& scene) {
+  SceneFileSettings settings;
   settings.picture = options::chosenIn(picture);
   const int clip = picture.time.clip;
   if (clip < 0) {
@@ -61,7 +61,7 @@ scene::SceneFileSettings settingsOf(const options::PictureSettings& picture, con
   return settings;
 }
 
-ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& scene) {
+ToneOptions toneOf(const SceneFileSettings& settings, const Scene& scene) {
   options::PictureSettings found;
   if (!settings.picture.has("exposure")) found.tone.exposureStops = automaticExposureStops(scene);
   settings.picture.applyTo(found);
@@ -82,8 +82,7 @@ void MethodOptions::addTo(CommandLine& line) {
   addTogether(line, {"near_rings", "dsm_size", "shadow_size"}, {"rings", "texels", "and"}, chosen_);
 }
 
-void MethodOptions::applyTo(RenderOptions& options,
-                            const scene::SceneFileSettings& settings) const {
+void MethodOptions::applyTo(RenderOptions& options, const SceneFileSettings& settings) const {
   Chosen chosen = chosen_;
   if (paper_) {
     choosePaper(chosen, "transport", options::nameOf(Transport::Dipole));
@@ -159,7 +158,7 @@ void LookOptions::applyTo(RenderOptions& options) const {
   options::apply(chosen_, options);
 }
 
-ToneOptions LookOptions::tone(const scene::SceneFileSettings& settings, const Scene& scene) const {
+ToneOptions LookOptions::tone(const SceneFileSettings& settings, const Scene& scene) const {
   options::PictureSettings found{.tone = toneOf(settings, scene)};
   chosen_.applyTo(found);
   return found.tone;
@@ -210,7 +209,7 @@ void PictureOptions::applyTo(RenderOptions& options) const {
   if (!picture) options.antialias = 1;
 }
 
-std::optional<std::string> PictureOptions::noteOnExposure(const scene::SceneFileSettings& settings,
+std::optional<std::string> PictureOptions::noteOnExposure(const SceneFileSettings& settings,
                                                           const ToneOptions& tone) const {
   if (isExr() || !look_.exposesByLight(settings) || tone.exposureStops == 0) return std::nullopt;
   return fmt::format("exposed by {:+} stops to suit the light; --exposure 0 turns this off",

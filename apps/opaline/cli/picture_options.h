@@ -8,25 +8,25 @@
 #include "cli/motion_options.h"
 #include "cli/values.h"
 #include "opaline/file.h"
+#include "opaline/options/picture.h"
 #include "opaline/renderer.h"
+#include "opaline/scene_file.h"
 #include "opaline/tone.h"
-#include "options/picture.h"
-#include "scene/scene_settings.h"
 
 namespace opaline::app {
 
 const Choices<Transport>& halfSpaceTransports();  ///< those of which a profile tells all
 
 /// The [render] table of a scene file over the defaults.
-RenderOptions optionsOf(const scene::SceneFileSettings& settings);
+RenderOptions optionsOf(const SceneFileSettings& settings);
 
 /// The [render] table of a file that shows what is on the screen: everything, whether or not it is
 /// the default, but the device.
-scene::SceneFileSettings settingsOf(const options::PictureSettings& picture, const Scene& scene);
+SceneFileSettings settingsOf(const options::PictureSettings& picture, const Scene& scene);
 
 /// How a scene file wants its pictures shown, with the exposure that suits the light where it names
 /// none.
-ToneOptions toneOf(const scene::SceneFileSettings& settings, const Scene& scene);
+ToneOptions toneOf(const SceneFileSettings& settings, const Scene& scene);
 
 /// --transport, --sum, --site, --method and what shapes each of them.
 class MethodOptions {
@@ -34,7 +34,7 @@ class MethodOptions {
   void addTo(CommandLine& line);
   /// Onto what `settings` made of the defaults. Throws UsageError for a mixture that contradicts
   /// itself.
-  void applyTo(RenderOptions& options, const scene::SceneFileSettings& settings) const;
+  void applyTo(RenderOptions& options, const SceneFileSettings& settings) const;
   /// Throws UsageError for what only the diffusion source map has a use for, where none is made,
   /// and for a variable that the method does not have.
   void requireUse(const RenderOptions& options, Aov aov) const;
@@ -57,9 +57,9 @@ class LookOptions {
   /// Whether a value was given that only matters to colours of eight bits.
   bool asksForTone() const;
   /// What was asked for, else what the scene file says.
-  ToneOptions tone(const scene::SceneFileSettings& settings, const Scene& scene) const;
+  ToneOptions tone(const SceneFileSettings& settings, const Scene& scene) const;
   /// Whether nobody has said how to expose, so that the scene's light decides.
-  bool exposesByLight(const scene::SceneFileSettings& settings) const {
+  bool exposesByLight(const SceneFileSettings& settings) const {
     return !chosen_.has("exposure") && !settings.picture.has("exposure");
   }
 
@@ -93,11 +93,11 @@ class PictureOptions {
   Target target(const std::string& sceneName, const std::optional<FrameRange>& frames) const;
   bool hasFile() const { return file_.has_value(); }
   /// What was asked for, else what the scene file says.
-  ToneOptions tone(const scene::SceneFileSettings& settings, const Scene& scene) const {
+  ToneOptions tone(const SceneFileSettings& settings, const Scene& scene) const {
     return look_.tone(settings, scene);
   }
   /// Where the scene's light has chosen an exposure that shows, which.
-  std::optional<std::string> noteOnExposure(const scene::SceneFileSettings& settings,
+  std::optional<std::string> noteOnExposure(const SceneFileSettings& settings,
                                             const ToneOptions& tone) const;
 
  private:

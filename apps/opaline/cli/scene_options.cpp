@@ -17,7 +17,7 @@
 #include "core/measures.h"
 #include "opaline/environment.h"
 #include "opaline/error.h"
-#include "options/scene.h"
+#include "opaline/options/scene.h"
 #include "scene/framing.h"
 
 namespace opaline::app {
@@ -193,7 +193,7 @@ std::string SceneOptions::name() const {
   return names ? names->common() : stem;
 }
 
-scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
+LoadedScene SceneOptions::load(const LogCallback& log) const {
   if (!files_.empty() && builtIn_) {
     throw UsageError(fmt::format("--builtin {} and the scene {} exclude each other", *builtIn_,
                                  files_.front().string()));
@@ -212,14 +212,14 @@ scene::LoadedScene SceneOptions::load(const LogCallback& log) const {
     const bool teapot = builtIn_ == "teapot";
     return {teapot ? builtInTeapot(options) : builtInBear(options),
             {},
-            scene::sourceOf(teapot ? "builtin:teapot" : "builtin:bear", options),
+            sourceOf(teapot ? "builtin:teapot" : "builtin:bear", options),
             {}};
   }
   if (files_.size() == 1 && MeshSequence::isPattern(files_.front())) {
     auto sequence = std::make_shared<const MeshSequence>(files_.front(), options);
-    return {sequence->scene(), {}, scene::sourceOf(files_.front(), options), sequence};
+    return {sequence->scene(), {}, sourceOf(files_.front(), options), sequence};
   }
-  return scene::loadSceneFiles(files_, options);
+  return loadSceneFiles(files_, options);
 }
 
 void LightOptions::addTo(CommandLine& line) {
@@ -273,7 +273,7 @@ void LightOptions::addTo(CommandLine& line) {
               {"--environment-rotation", "--environment-intensity"});
 }
 
-void LightOptions::applyTo(scene::LoadedScene& loaded) const {
+void LightOptions::applyTo(LoadedScene& loaded) const {
   if (ground_) {
     removeGround(loaded.scene);
     loaded.scene.objects.push_back(groundUnder(loaded.scene, *ground_));

@@ -11,8 +11,8 @@
 #include "opaline/environment.h"
 #include "opaline/log.h"
 #include "opaline/scene.h"
+#include "opaline/scene_file.h"
 #include "opaline/sequence.h"
-#include "scene/scene_settings.h"
 
 namespace opaline::app {
 
@@ -30,7 +30,7 @@ class SceneOptions {
   /// The first file's name without folder and extension, or that of the built-in scene.
   std::string name() const;
   /// Reads or makes it. Throws UsageError for a mixture of options that makes no sense.
-  scene::LoadedScene load(const LogCallback& log) const;
+  LoadedScene load(const LogCallback& log) const;
 
  private:
   std::vector<std::filesystem::path> files_;
@@ -48,7 +48,7 @@ class LightOptions {
   bool any() const { return any_ || ground_ || !turned_.empty(); }
   /// As soon as a light was given, only what was given shines. Turn and intensity are of its
   /// environment or else of the scene's own.
-  void applyTo(scene::LoadedScene& loaded) const;
+  void applyTo(LoadedScene& loaded) const;
 
  private:
   /// Without the environment.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/command_line.h"
-#include "options/field.h"
+#include "opaline/options/field.h"
 
 namespace opaline::app {
 

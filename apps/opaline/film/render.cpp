@@ -27,7 +27,7 @@
 #include "opaline/file.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
-#include "scene/scene_files.h"
+#include "opaline/scene_file.h"
 
 namespace opaline::app {
 
@@ -74,7 +74,7 @@ struct RenderCommand {
     static_cast<void>(options({}));
   }
 
-  RenderOptions options(const scene::SceneFileSettings& settings) const {
+  RenderOptions options(const SceneFileSettings& settings) const {
     RenderOptions options = optionsOf(settings);
     method.applyTo(options, settings);
     picture.applyTo(options);
@@ -86,7 +86,7 @@ struct RenderCommand {
 /// What is settled before anything is rendered.
 struct RenderJob {
   Scene scene;
-  scene::SceneFileSettings settings;
+  SceneFileSettings settings;
   RenderOptions options;
   SceneTime time;
   ToneOptions tone;
@@ -105,7 +105,7 @@ struct RenderJob {
 };
 
 RenderJob prepareRender(const RenderCommand& command, Target output, const LogCallback& log) {
-  scene::LoadedScene loaded = command.scene.load(log);
+  LoadedScene loaded = command.scene.load(log);
   command.lights.applyTo(loaded);
   auto& [scene, settings, source, sequence] = loaded;
   RenderOptions options = command.options(settings);
@@ -116,8 +116,8 @@ RenderJob prepareRender(const RenderCommand& command, Target output, const LogCa
   const ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);
-  return {std::move(scene),       std::move(settings), options, time, tone, std::move(output),
-          scene::filesOf(source), std::move(sequence)};
+  return {std::move(scene), std::move(settings), options, time, tone, std::move(output),
+          filesOf(source),  std::move(sequence)};
 }
 
 std::string onDevice(const DeviceDescription& device) {

@@ -19,7 +19,7 @@
 #include "opaline/error.h"
 #include "opaline/file.h"
 #include "opaline/image_file.h"
-#include "options/picture.h"
+#include "opaline/options/picture.h"
 
 namespace opaline::app {
 
@@ -118,7 +118,7 @@ struct BenchCommand {
   }
 
   Scene loadScene(const LogCallback& log) const {
-    scene::LoadedScene loaded = scene.load(log);
+    LoadedScene loaded = scene.load(log);
     lights.applyTo(loaded);
     camera.applyTo(loaded.scene);
     showAll(loaded.scene, {SceneTime{}.clip, 1, nullptr, {Moment{}}});

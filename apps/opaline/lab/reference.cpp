@@ -24,11 +24,11 @@
 #include "lab/path_method.h"
 #include "opaline/error.h"
 #include "opaline/file.h"
+#include "opaline/scene_file.h"
 #include "reference/integral.h"
 #include "reference/picture.h"
 #include "reference/posed_scene.h"
 #include "reference/truth.h"
-#include "scene/scene_files.h"
 
 namespace opaline::app {
 
@@ -139,7 +139,7 @@ struct ReferenceCommand {
     static_cast<void>(options({}));
   }
 
-  RenderOptions options(const scene::SceneFileSettings& settings) const {
+  RenderOptions options(const SceneFileSettings& settings) const {
     RenderOptions options = optionsOf(settings);
     options.transport = reference::transportOfIntegral(options.transport);
     if (transport) options.transport = *transport;
@@ -188,7 +188,7 @@ reference::PositionsByObject positionsOf(const MeshSequence* sequence, double se
 
 ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
                               const LogCallback& log) {
-  scene::LoadedScene loaded = command.scene.load(log);
+  LoadedScene loaded = command.scene.load(log);
   command.lights.applyTo(loaded);
   auto& [scene, settings, source, sequence] = loaded;
   RenderOptions options = command.options(settings);
@@ -204,7 +204,7 @@ ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
         "the reference leaves out the reflection on the surface; compare it with render "
         "--no-specular");
   }
-  requireNoInput(command.outputs(), scene::filesOf(source));
+  requireNoInput(command.outputs(), filesOf(source));
   const ToneOptions tone = command.picture.tone(settings, scene);
   const auto exposure = command.picture.noteOnExposure(settings, tone);
   if (exposure) log(LogLevel::Note, *exposure);

@@ -61,14 +61,14 @@ struct ViewCommand {
   }
 
   /// Also refuses what contradicts itself.
-  RenderOptions options(const scene::SceneFileSettings& settings) const {
+  RenderOptions options(const SceneFileSettings& settings) const {
     RenderOptions options = optionsOf(settings);
     method.applyTo(options, settings);
     look.applyTo(options);
     return options;
   }
 
-  void prepare(scene::LoadedScene& loaded, viewer::Session& session) const {
+  void prepare(LoadedScene& loaded, viewer::Session& session) const {
     lights.applyTo(loaded);
     camera.applyTo(loaded.scene);
     motion.applyTo(loaded.scene);
@@ -117,7 +117,7 @@ void runView(const Arguments& arguments) {
   viewer::ViewerOptions options;
   options.source = command.scene;
   // What was asked for is about the first scene; the next ones are as their files say.
-  options.prepare = [next = command](scene::LoadedScene& loaded, viewer::Session& session) mutable {
+  options.prepare = [next = command](LoadedScene& loaded, viewer::Session& session) mutable {
     std::exchange(next, {}).prepare(loaded, session);
   };
   options.renderer = command.device.rendererOptions("", log);

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "bssrdf/profile.h"
-#include "options/picture.h"
+#include "opaline/options/picture.h"
 
 namespace opaline {
 

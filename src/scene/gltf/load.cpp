@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "options/scene.h"
+#include "opaline/options/scene.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
 #include "scene/gltf/accessor.h"

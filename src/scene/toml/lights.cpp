@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "options/scene.h"
+#include "opaline/options/scene.h"
 #include "scene/toml/keys.h"
 #include "scene/vector_math.h"
 

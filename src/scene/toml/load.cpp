@@ -8,7 +8,8 @@
 #include "opaline/error.h"
 #include "opaline/file.h"
 #include "opaline/media.h"
-#include "options/scene.h"
+#include "opaline/options/scene.h"
+#include "opaline/scene_file.h"
 #include "scene/environment_file.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
@@ -19,7 +20,7 @@
 #include "scene/mesh/morph_to.h"
 #include "scene/mesh/sequence_state.h"
 #include "scene/raw_scene.h"
-#include "scene/scene_settings.h"
+#include "scene/scene_source.h"
 #include "scene/text.h"
 #include "scene/toml/keys.h"
 #include "scene/toml/lights.h"
@@ -400,11 +401,15 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
 
 }  // namespace
 
+}  // namespace opaline::scene
+
+namespace opaline {
+
 LoadedScene loadSceneFile(const std::filesystem::path& file, const LoadOptions& options) {
   if (file.extension() != ".toml" && file.extension() != ".TOML") {
     return {loadScene(file, options), {}, sourceOf(file, options)};
   }
-  return loadToml(file, options);
+  return scene::loadToml(file, options);
 }
 
-}  // namespace opaline::scene
+}  // namespace opaline

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/scene_source.h"
+#include "opaline/scene_file.h"
 #include "scene/toml/reader.h"
 
 namespace opaline::scene {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "opaline/scene_file.h"
 #include "scene/raw_scene.h"
-#include "scene/scene_source.h"
 #include "scene/toml/reader.h"
 
 namespace opaline::scene {

@@ -10,8 +10,8 @@
 
 #include <toml++/toml.h>
 
+#include "opaline/options/field.h"
 #include "opaline/types.h"
-#include "options/field.h"
 
 namespace opaline::scene {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/scene_settings.h"
+#include "opaline/scene_file.h"
 #include "scene/toml/reader.h"
 
 namespace opaline::scene {

@@ -1,4 +1,4 @@
-#include "scene/toml/writer.h"
+#include "opaline/scene_file.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "opaline/error.h"
 #include "opaline/media.h"
-#include "options/scene.h"
+#include "opaline/options/scene.h"
 #include "scene/environment_file.h"
 #include "scene/finish.h"
 #include "scene/text.h"
@@ -351,6 +351,10 @@ bool isOfItsMaterial(const Object& object, const SceneSource& source) {
 
 }  // namespace
 
+}  // namespace opaline::scene
+
+namespace opaline {
+
 SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSettings settings) {
   const Lighting& lighting = scene.lighting;
   if (lighting.environment && !source.environment) {
@@ -366,7 +370,7 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
   for (const Object& object : scene.objects) {
     if (object.isGround) continue;
     // What is opaque is so by the model's file or by a material.
-    const bool named = isOfItsMaterial(object, description.source);
+    const bool named = scene::isOfItsMaterial(object, description.source);
     if (!named) description.source.materialOfObject.erase(object.name);
     description.mediaOfAll = description.mediaOfAll && !named && !object.opaque;
     if (named || object.opaque) continue;
@@ -383,24 +387,24 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
   return description;
 }
 
-fs::path writeScene(const Target& target, const SceneDescription& description) {
-  const fs::path& file = target.path;
+std::filesystem::path writeScene(const Target& target, const SceneDescription& description) {
+  const std::filesystem::path& file = target.path;
   if (file.extension() != ".toml") {
-    throw UsageError(
-        fmt::format("{}: the name of a scene file ends in .toml", cleanText(file.string(), 1000)));
+    throw UsageError(fmt::format("{}: the name of a scene file ends in .toml",
+                                 scene::cleanText(file.string(), 1000)));
   }
-  Text text;
+  scene::Text text;
   const std::vector<ModelSource>& models = description.source.models;
-  if (!needTables(models)) addModel(models.front(), "model", file, text);
-  addObjects(description, text);
-  addMaterials(description, file, text);
-  if (needTables(models)) addModels(models, file, text);
-  addLighting(description, file, text);
-  addCamera(description, text);
-  addGround(description, text);
-  addDeformers(description, text);
-  addSettings(description.settings, text);
+  if (!scene::needTables(models)) scene::addModel(models.front(), "model", file, text);
+  scene::addObjects(description, text);
+  scene::addMaterials(description, file, text);
+  if (scene::needTables(models)) scene::addModels(models, file, text);
+  scene::addLighting(description, file, text);
+  scene::addCamera(description, text);
+  scene::addGround(description, text);
+  scene::addDeformers(description, text);
+  scene::addSettings(description.settings, text);
   return writeWhole(target, text.lines());
 }
 
-}  // namespace opaline::scene
+}  // namespace opaline

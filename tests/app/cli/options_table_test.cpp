@@ -12,9 +12,8 @@
 #include "cli/motion_options.h"
 #include "cli/picture_options.h"
 #include "opaline/error.h"
-#include "options/picture.h"
-#include "scene/scene_settings.h"
-#include "scene/toml/writer.h"
+#include "opaline/options/picture.h"
+#include "opaline/scene_file.h"
 
 // Every option of the table by every way that sets it: the library, the command line and scene
 // files, there and back.
@@ -99,9 +98,9 @@ class OptionsTable : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  scene::LoadedScene load(const std::string& settings) {
+  LoadedScene load(const std::string& settings) {
     std::ofstream(folder_ / "scene.toml") << "model = \"cube.obj\"\n[render]\n" << settings << "\n";
-    return scene::loadSceneFile(folder_ / "scene.toml", {});
+    return loadSceneFile(folder_ / "scene.toml", {});
   }
 
   std::string refusal(const std::string& settings) {
@@ -127,23 +126,21 @@ TEST_F(OptionsTable, TheCommandLineSetsEach) {
 
 TEST_F(OptionsTable, SceneFilesKeepEach) {
   for (const PictureField& field : options::fieldsOf<PictureSettings>()) {
-    scene::LoadedScene loaded = load("");
+    LoadedScene loaded = load("");
     EXPECT_TRUE(loaded.settings.picture.empty());
     loaded.settings.picture.set(field, another(field));
     const std::filesystem::path file = folder_ / "written.toml";
-    scene::writeScene({file, Existing::Replace},
-                      scene::describe(loaded.scene, loaded.source, loaded.settings));
-    EXPECT_EQ(scene::loadSceneFile(file, {}).settings, loaded.settings) << field.key;
+    writeScene({file, Existing::Replace}, describe(loaded.scene, loaded.source, loaded.settings));
+    EXPECT_EQ(loadSceneFile(file, {}).settings, loaded.settings) << field.key;
   }
 }
 
 TEST_F(OptionsTable, SceneFilesKeepNames) {
-  scene::LoadedScene loaded = load("device = 'some \"device\"'\nclip = 'none'");
+  LoadedScene loaded = load("device = 'some \"device\"'\nclip = 'none'");
   EXPECT_EQ(loaded.settings.named, (options::NamedSettings{"some \"device\"", "none"}));
   const std::filesystem::path file = folder_ / "written.toml";
-  scene::writeScene({file, Existing::Replace},
-                    scene::describe(loaded.scene, loaded.source, loaded.settings));
-  EXPECT_EQ(scene::loadSceneFile(file, {}).settings, loaded.settings);
+  writeScene({file, Existing::Replace}, describe(loaded.scene, loaded.source, loaded.settings));
+  EXPECT_EQ(loadSceneFile(file, {}).settings, loaded.settings);
   for (const auto& field : options::fieldsOf<options::NamedSettings>()) {
     EXPECT_THAT(refusal(std::string(field.key) + " = 3"), HasSubstr("must be a name"));
     EXPECT_THAT(refusal(std::string(field.key) + " = ''"), HasSubstr("must be a name"));
@@ -209,7 +206,7 @@ TEST_F(OptionsTable, OlderNamesSetTheSameWithANote) {
                                            << former.key << " = " << options::textOf(value) << "\n";
     LoadOptions options;
     options.log = [&](LogLevel, std::string_view note) { notes.emplace_back(note); };
-    const scene::LoadedScene loaded = scene::loadSceneFile(folder_ / "former.toml", options);
+    const LoadedScene loaded = loadSceneFile(folder_ / "former.toml", options);
     EXPECT_EQ(*loaded.settings.picture.find(field.key), value);
     EXPECT_THAT(notes, testing::Contains(HasSubstr(std::string(field.key))));
   }

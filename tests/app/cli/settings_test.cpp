@@ -13,7 +13,7 @@ Scene withClips() {
 }
 
 /// As the command line understands a file, where no option is given.
-options::PictureSettings understood(const scene::SceneFileSettings& settings, const Scene& scene) {
+options::PictureSettings understood(const SceneFileSettings& settings, const Scene& scene) {
   RenderOptions options = optionsOf(settings);
   MethodOptions().applyTo(options, settings);
   PictureOptions().applyTo(options);
@@ -85,7 +85,7 @@ TEST(Settings, ToneComesBack) {
   tone.curve = ToneCurve::None;
   tone.background = Rgb{0.25F, 0.5F, 1};
   for (const ToneOptions& wanted : {tone, ToneOptions{}}) {
-    const scene::SceneFileSettings settings = settingsOf({.tone = wanted}, {});
+    const SceneFileSettings settings = settingsOf({.tone = wanted}, {});
     for (const ToneOptions& found : {toneOf(settings, {}), PictureOptions().tone(settings, {})}) {
       EXPECT_EQ(found.exposureStops, wanted.exposureStops);
       EXPECT_EQ(found.curve, wanted.curve);
@@ -97,7 +97,7 @@ TEST(Settings, ToneComesBack) {
 TEST(Settings, ExposureFollowsTheLightUnlessItIsSaid) {
   Scene bright;
   bright.lighting.ambient = {5, 5, 5};  // radiance of white, twice the brightest that is left
-  scene::SceneFileSettings settings;
+  SceneFileSettings settings;
   EXPECT_EQ(toneOf(settings, bright).exposureStops, -1);
   EXPECT_EQ(PictureOptions().noteOnExposure(settings, toneOf(settings, bright)),
             "exposed by -1 stops to suit the light; --exposure 0 turns this off");

@@ -6,10 +6,9 @@
 
 #include "opaline/error.h"
 #include "opaline/scene.h"
+#include "opaline/scene_file.h"
 #include "opaline/sequence.h"
-#include "scene/scene_settings.h"
 #include "scene/shapes.h"
-#include "scene/toml/writer.h"
 
 // Files whose positions stand for each other's: morphs and sequences.
 
@@ -211,7 +210,7 @@ TEST_F(Sequence, ASceneFilePlacesEveryMeshAsTheFirst) {
                    "model = \"frame_%03d.ply\"\ndiagonal_mm = 17\n[objects." +
                        plain.scene().objects[0].name +
                        "]\nscale = 2\nrotation_degrees = [0, 90, 0]\ntranslation_mm = [1, 2, 3]\n");
-  const scene::LoadedScene loaded = scene::loadSceneFile(folder / "a.toml");
+  const LoadedScene loaded = loadSceneFile(folder / "a.toml");
   test::expectSound(loaded.scene);
   ASSERT_TRUE(loaded.sequence);
   EXPECT_FALSE(loaded.scene.objects[0].rig);
@@ -231,14 +230,14 @@ TEST_F(Sequence, ASceneFilePlacesEveryMeshAsTheFirst) {
     }
   }
 
-  scene::writeScene(folder / "b.toml", scene::describe(loaded.scene, loaded.source, {}));
-  const scene::LoadedScene again = scene::loadSceneFile(folder / "b.toml");
+  writeScene(folder / "b.toml", describe(loaded.scene, loaded.source, {}));
+  const LoadedScene again = loadSceneFile(folder / "b.toml");
   ASSERT_TRUE(again.sequence);
   again.sequence->read(1, given);
   EXPECT_EQ(given, placed);
 
   test::writeBytes(folder / "c.toml", "model = \"frame_%03d.ply\"\nmorph_to = \"frame_001.ply\"\n");
-  EXPECT_THROW(scene::loadSceneFile(folder / "c.toml"), UsageError);
+  EXPECT_THROW(loadSceneFile(folder / "c.toml"), UsageError);
 }
 
 TEST_F(Sequence, PatternsHaveExactlyOneNumber) {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "opaline/scene.h"
-#include "scene/scene_settings.h"
+#include "opaline/scene_file.h"
 #include "scene/shapes.h"
 
 namespace opaline {
@@ -30,9 +30,9 @@ class Toml : public testing::Test {
     }
     test::writeBytes(folder / "cube.ply", cube);
   }
-  scene::LoadedScene load(const std::string& text, const LoadOptions& options = {}) {
+  LoadedScene load(const std::string& text, const LoadOptions& options = {}) {
     test::writeBytes(folder / "a.toml", text);
-    return scene::loadSceneFile(folder / "a.toml", options);
+    return loadSceneFile(folder / "a.toml", options);
   }
   std::string errorOf(const std::string& text) {
     std::string message = test::messageOf([&] { load(text); });

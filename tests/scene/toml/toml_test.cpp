@@ -7,7 +7,7 @@
 #include "opaline/error.h"
 #include "opaline/image_file.h"
 #include "opaline/scene.h"
-#include "scene/scene_settings.h"
+#include "opaline/scene_file.h"
 #include "scene/shapes.h"
 #include "scene/toml/toml_fixture.h"
 
@@ -23,7 +23,7 @@ TEST_F(Toml, EverythingThatCanBeSaid) {
     sky.pixel(1, 0)[0] = 3;
     return sky;
   }());
-  const scene::LoadedScene loaded = load(model + R"(
+  const LoadedScene loaded = load(model + R"(
 [media.soap]
 sigma_s_per_mm = [1, 2, 3.5]
 sigma_a_per_mm = [0.1, 0.2, 0.3]
@@ -138,7 +138,7 @@ device = "llvmpipe"
 }
 
 TEST_F(Toml, DeformersAreAppliedInTheirOrder) {
-  const scene::LoadedScene loaded = load(model + R"(
+  const LoadedScene loaded = load(model + R"(
 [[deform]]
 kind = "squash"
 amount = -2
@@ -175,7 +175,7 @@ TEST_F(Toml, DeformersThatMakeNoSenseAreErrors) {
 
 TEST_F(Toml, MorphsAreReadBesideTheScene) {
   test::writeBytes(folder / "other.ply", test::readBytes(folder / "cube.ply"));
-  const scene::LoadedScene loaded = load(model + R"(
+  const LoadedScene loaded = load(model + R"(
 morph_to = "other.ply"
 [objects.cube]
 translation_mm = [0, 0, 100]
@@ -198,7 +198,7 @@ clip = "morph"
 }
 
 TEST_F(Toml, DefaultsStayWhereNothingIsSaid) {
-  const scene::LoadedScene loaded = load("model = 'cube.ply'\nmedium = 'ketchup'\n");
+  const LoadedScene loaded = load("model = 'cube.ply'\nmedium = 'ketchup'\n");
   EXPECT_EQ(loaded.scene.lighting.directional.size(), defaultLighting().directional.size());
   EXPECT_NEAR(diagonalMm(loaded.scene), 50, 1e-3);
   EXPECT_EQ(loaded.scene.objects[0].medium.name, "ketchup");

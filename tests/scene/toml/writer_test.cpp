@@ -1,4 +1,4 @@
-#include "scene/toml/writer.h"
+#include "opaline/scene_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,6 @@
 #include "opaline/media.h"
 #include "scene/gltf/glb.h"
 #include "scene/random_scene.h"
-#include "scene/scene_settings.h"
 #include "scene/shapes.h"
 #include "scene/toml/keys.h"
 
@@ -24,7 +23,6 @@ namespace opaline {
 namespace {
 
 namespace fs = std::filesystem;
-using scene::SceneDescription;
 using testing::HasSubstr;
 
 /// The current folder, back where it was at the end.
@@ -112,18 +110,18 @@ class SceneWriter : public testing::Test {
   fs::path file() const { return folder / "scenes" / "mine" / "a.toml"; }
 
   std::string written(const SceneDescription& description) {
-    scene::writeScene(file(), description);
+    writeScene(file(), description);
     return test::readBytes(file());
   }
-  std::string written(const scene::LoadedScene& loaded) {
-    return written(scene::describe(loaded.scene, loaded.source, loaded.settings));
+  std::string written(const LoadedScene& loaded) {
+    return written(describe(loaded.scene, loaded.source, loaded.settings));
   }
-  scene::LoadedScene back() { return scene::loadSceneFile(file()); }
-  std::string complaint(const scene::LoadedScene& loaded) {
+  LoadedScene back() { return loadSceneFile(file()); }
+  std::string complaint(const LoadedScene& loaded) {
     return test::messageOf([&] { written(loaded); });
   }
 
-  scene::LoadedScene random(unsigned seed) {
+  LoadedScene random(unsigned seed) {
     return test::randomScene(seed, model(), folder / "sky \"1\".exr");
   }
 
@@ -133,9 +131,9 @@ class SceneWriter : public testing::Test {
 TEST_F(SceneWriter, EverythingComesBackBitByBit) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(seed);
-    const scene::LoadedScene loaded = random(seed);
+    const LoadedScene loaded = random(seed);
     written(loaded);
-    const scene::LoadedScene again = back();
+    const LoadedScene again = back();
     expectSame(again.scene, loaded.scene);
     EXPECT_EQ(again.settings, loaded.settings);
     if (HasFailure()) FAIL() << test::readBytes(file());
@@ -143,7 +141,7 @@ TEST_F(SceneWriter, EverythingComesBackBitByBit) {
 }
 
 TEST_F(SceneWriter, AGroundComesBackWithItsColourAndHeight) {
-  scene::LoadedScene loaded = random(5);
+  LoadedScene loaded = random(5);
   loaded.scene.objects.push_back(
       groundUnder(loaded.scene, {.color = {0.25F, 0.5F, 1}, .heightMm = -123.5F}));
   written(loaded);
@@ -156,12 +154,12 @@ TEST_F(SceneWriter, AGroundComesBackWithItsColourAndHeight) {
 }
 
 TEST_F(SceneWriter, AGroundLiesUnderTheModelUnlessItsHeightIsGiven) {
-  const auto heightOver = [&](const char* keys, const scene::LoadedScene& plain) {
+  const auto heightOver = [&](const char* keys, const LoadedScene& plain) {
     test::writeBytes(file(), "model = \"../../models/cubes.glb\"\n[ground]\n" + std::string(keys));
     return double{groundOf(back().scene)->mesh.positionsMm[0][1]} -
            double{boundsOf(plain.scene).minMm[1]};
   };
-  const scene::LoadedScene plain = scene::loadSceneFile(model());
+  const LoadedScene plain = loadSceneFile(model());
   EXPECT_EQ(heightOver("", plain), 0);
   const Bounds bounds = boundsOf(plain.scene);
   const double half = 0.5 * double{bounds.maxMm[1] - bounds.minMm[1]};
@@ -176,37 +174,35 @@ TEST_F(SceneWriter, WhatIsWrittenTwiceIsTheSame) {
 }
 
 TEST_F(SceneWriter, IsFoundFromAnyFolder) {
-  const scene::LoadedScene loaded = random(3);
+  const LoadedScene loaded = random(3);
   {
     const CurrentFolder here(folder / "scenes");
-    scene::writeScene(fs::path("mine/a.toml"),
-                      scene::describe(loaded.scene, loaded.source, loaded.settings));
+    writeScene(fs::path("mine/a.toml"), describe(loaded.scene, loaded.source, loaded.settings));
   }
   const std::string text = test::readBytes(file());
   EXPECT_THAT(text, HasSubstr("model = \"../../models/cubes.glb\""));
   EXPECT_THAT(text, HasSubstr(R"(file = "../../sky \"1\".exr")"));
   const CurrentFolder elsewhere(folder / "models");
-  expectSame(scene::loadSceneFile("../scenes/mine/a.toml").scene, loaded.scene);
+  expectSame(loadSceneFile("../scenes/mine/a.toml").scene, loaded.scene);
   // All of it may move.
   fs::create_directory(folder / "moved");
   for (const char* part : {"models", "scenes", "sky \"1\".exr"}) {
     fs::rename(folder / part, folder / "moved" / part);
   }
-  expectSame(scene::loadSceneFile(folder / "moved/scenes/mine/a.toml").scene, loaded.scene);
+  expectSame(loadSceneFile(folder / "moved/scenes/mine/a.toml").scene, loaded.scene);
 }
 
 TEST_F(SceneWriter, ALinkedFolderIsFollowedAndALinkedModelIsNot) {
   fs::create_directory_symlink(folder / "scenes" / "mine", folder / "shortcut");
   fs::create_symlink("cubes.glb", folder / "models" / "current.glb");
-  const scene::LoadedScene loaded = scene::loadSceneFile(folder / "models" / "current.glb");
-  scene::writeScene(folder / "shortcut" / "a.toml",
-                    scene::describe(loaded.scene, loaded.source, {}));
+  const LoadedScene loaded = loadSceneFile(folder / "models" / "current.glb");
+  writeScene(folder / "shortcut" / "a.toml", describe(loaded.scene, loaded.source, {}));
   EXPECT_THAT(test::readBytes(file()), HasSubstr("\"../../models/current.glb\""));
-  expectSame(scene::loadSceneFile(folder / "shortcut" / "a.toml").scene, loaded.scene);
+  expectSame(loadSceneFile(folder / "shortcut" / "a.toml").scene, loaded.scene);
 }
 
 TEST_F(SceneWriter, WhatHasOnlyTheRootInCommonStaysAbsolute) {
-  scene::LoadedScene loaded = random(1);
+  LoadedScene loaded = random(1);
   loaded.source.models[0].file = "/elsewhere/far/model.ply";
   EXPECT_THAT(written(loaded), HasSubstr("model = \"/elsewhere/far/model.ply\""));
 }
@@ -263,7 +259,7 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
     wanted.erase(otherwise);
 
   std::set<std::string> found;
-  scene::LoadedScene loaded = random(2);
+  LoadedScene loaded = random(2);
   loaded.scene.objects.push_back(groundUnder(loaded.scene));
   loaded.source.materials["clay"].isOpaque = true;
   loaded.source.materials["clay"].opaque = options::chosenIn(OpaqueMaterial{});
@@ -283,7 +279,7 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   loaded.scene.objects[2].opaque.reset();
   loaded.source.materialOfObject.clear();
   collect(toml::parse(written(loaded)), "", found);
-  scene::ModelSource& model = loaded.source.models.front();
+  ModelSource& model = loaded.source.models.front();
   model.placement = loaded.source.placements[names[0]];
   loaded.source.models.push_back({model.file, {}, {}, loaded.source.placements[names[1]]});
   collect(toml::parse(written(loaded)), "", found);
@@ -312,7 +308,7 @@ mean_free_path_mm = [1, 2, 4]
 )"
                            "[objects.plain]\nmaterial = \"brass\"\n[objects.\"" +
                                escaped(names[1]) + "\"]\nmaterial = \"jelly\"\n");
-  const scene::LoadedScene first = back();
+  const LoadedScene first = back();
   const Scene& scene = first.scene;
   ASSERT_TRUE(scene.objects[0].opaque);
   EXPECT_EQ(scene.objects[0].opaque->baseColor, (Rgb{0.9F, 0.7F, 0.3F}));
@@ -321,7 +317,7 @@ mean_free_path_mm = [1, 2, 4]
   const Appearance jelly{{0.9, 0.5, 0.1}, {2, 2, 2}, 0, 1.5};
   EXPECT_EQ(scene.objects[1].medium.sigmaAPerMm, mediumOf(jelly).sigmaAPerMm);
   written(first);
-  const scene::LoadedScene second = back();
+  const LoadedScene second = back();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = second.scene.objects[i];
     EXPECT_EQ(object.medium, scene.objects[i].medium);
@@ -391,12 +387,12 @@ scale = 1.7
 [objects."dots.and\"quotes\"\\'"]
 transform = [-1, 0.25, 0, 12.3, 0, 1.1, 0, 0.1, 0, 0, 0.7, 0, 0, 0, 0, 1]
 )");
-  const scene::LoadedScene loaded = scene::loadSceneFile(folder / "scenes" / "b.toml");
+  const LoadedScene loaded = loadSceneFile(folder / "scenes" / "b.toml");
   written(loaded);
   expectSame(back().scene, loaded.scene);
   LoadOptions larger;
   larger.diagonalMm = 500;
-  const scene::LoadedScene scaled = scene::loadSceneFile(folder / "scenes" / "b.toml", larger);
+  const LoadedScene scaled = loadSceneFile(folder / "scenes" / "b.toml", larger);
   written(scaled);
   const Scene again = back().scene;
   for (std::size_t i = 0; i < again.objects.size(); ++i) {
@@ -413,10 +409,9 @@ TEST_F(SceneWriter, BuiltInModelsOfAnySize) {
   LoadOptions options;
   options.diagonalMm = 71.3F;
   for (const bool teapot : {true, false}) {
-    const scene::LoadedScene loaded{
-        teapot ? builtInTeapot(options) : builtInBear(options),
-        {},
-        scene::sourceOf(teapot ? "builtin:teapot" : "builtin:bear", options)};
+    const LoadedScene loaded{teapot ? builtInTeapot(options) : builtInBear(options),
+                             {},
+                             sourceOf(teapot ? "builtin:teapot" : "builtin:bear", options)};
     EXPECT_THAT(written(loaded),
                 HasSubstr(teapot ? "model = \"builtin:teapot\"" : "model = \"builtin:bear\""));
     expectSame(back().scene, loaded.scene);
@@ -428,7 +423,7 @@ TEST_F(SceneWriter, MorphsComeBack) {
   test::writeBytes(folder / "models" / "other.glb", rowOfCubes({"one"}));
   LoadOptions options;
   options.morphTo = folder / "models" / "other.glb";
-  scene::LoadedScene loaded = scene::loadSceneFile(folder / "models" / "one.glb", options);
+  LoadedScene loaded = loadSceneFile(folder / "models" / "one.glb", options);
   loaded.settings.named.clip = "morph";
   EXPECT_THAT(written(loaded), HasSubstr("morph_to = \"../../models/other.glb\""));
   EXPECT_EQ(back().scene.clips.size(), 1U);
@@ -436,7 +431,7 @@ TEST_F(SceneWriter, MorphsComeBack) {
 }
 
 TEST_F(SceneWriter, MediaWithoutNeedStayOutAndNamesAreMadeUnique) {
-  scene::LoadedScene loaded = scene::loadSceneFile(model());
+  LoadedScene loaded = loadSceneFile(model());
   EXPECT_THAT(written(loaded), HasSubstr("\nmedium = \"marble\"\n"));
   EXPECT_THAT(written(loaded), Not(HasSubstr("[media")));
   EXPECT_THAT(written(loaded), Not(HasSubstr("[objects")));
@@ -453,15 +448,15 @@ TEST_F(SceneWriter, MediaWithoutNeedStayOutAndNamesAreMadeUnique) {
 }
 
 TEST_F(SceneWriter, TheDarkStaysDark) {
-  scene::LoadedScene loaded = scene::loadSceneFile(model());
+  LoadedScene loaded = loadSceneFile(model());
   loaded.scene.lighting = {};
   written(loaded);
   expectSameLighting(back().scene.lighting, {});
 }
 
 TEST_F(SceneWriter, RefusesWhatNoSceneCanSay) {
-  const scene::LoadedScene good = scene::loadSceneFile(model());
-  scene::LoadedScene bad = good;
+  const LoadedScene good = loadSceneFile(model());
+  LoadedScene bad = good;
   bad.scene.objects[1].name = bad.scene.objects[0].name;
   EXPECT_EQ(written(bad).substr(0, 1), "#");  // alike, they may share a name
   bad.scene.objects[1].medium = findMedium("ketchup").value();
@@ -487,12 +482,11 @@ TEST_F(SceneWriter, RefusesWhatNoSceneCanSay) {
   bad = good;
   bad.source.models[0].file = folder / "caf\xE9.obj";
   EXPECT_THAT(complaint(bad), HasSubstr("UTF-8"));
-  EXPECT_THROW(scene::writeScene(folder / "a.ply", scene::describe(good.scene, good.source, {})),
-               UsageError);
+  EXPECT_THROW(writeScene(folder / "a.ply", describe(good.scene, good.source, {})), UsageError);
 }
 
 TEST_F(SceneWriter, AFileThatCannotBeWrittenStaysAsItWas) {
-  scene::LoadedScene loaded = scene::loadSceneFile(model());
+  LoadedScene loaded = loadSceneFile(model());
   const std::string before = written(loaded);
   loaded.scene.objects[0].medium.eta = NAN;
   EXPECT_NE(complaint(loaded), "");

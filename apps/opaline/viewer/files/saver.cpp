@@ -8,7 +8,7 @@
 #include "cli/paths.h"
 #include "cli/picture_options.h"
 #include "film/sequence_frames.h"
-#include "scene/toml/writer.h"
+#include "opaline/scene_file.h"
 
 namespace opaline::app::viewer {
 
@@ -20,7 +20,7 @@ std::string saved(const std::filesystem::path& file, const Target& wanted) {
 
 // Which `opaline render` draws as the picture.
 std::string saveScene(const Session& session, const Target& target, int width, int height) {
-  scene::SceneFileSettings settings = settingsOf(
+  SceneFileSettings settings = settingsOf(
       {sized(session.options, width, height), session.time, session.tone}, session.scene);
   if (session.exposesByLight) settings.picture.erase("exposure");
   // Between the last file and the end, the last is shown; render knows no such time.
@@ -28,8 +28,7 @@ std::string saveScene(const Session& session, const Target& target, int width, i
     settings.picture.set(options::fieldOf<options::PictureSettings>("seconds"),
                          std::min(session.time.seconds, lastSecond(*session.sequence)));
   }
-  return saved(scene::writeScene(target, scene::describe(session.scene, session.source, settings)),
-               target);
+  return saved(writeScene(target, describe(session.scene, session.source, settings)), target);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "options/scene.h"
+#include "opaline/options/scene.h"
 #include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "options/picture.h"
+#include "opaline/options/picture.h"
 
 namespace opaline::app::viewer {
 

@@ -18,7 +18,7 @@ class Loader {
   /// What came of it: a scene, or the reason why there is none.
   struct Result {
     SceneOptions source;
-    std::optional<scene::LoadedScene> loaded;
+    std::optional<LoadedScene> loaded;
     std::vector<std::string> notes;
     std::string error;
   };

@@ -23,7 +23,7 @@ Edits newScene(const Scene& scene) {
 }  // namespace
 
 Session opened(Loader::Result result, const Prepare& prepare) {
-  scene::LoadedScene& loaded = *result.loaded;
+  LoadedScene& loaded = *result.loaded;
   Session made;
   made.name = result.source.name();
   made.saveName = made.name;

@@ -11,7 +11,7 @@ namespace opaline::app::viewer {
 
 /// Brings what was asked for beside a scene, and what its file says of pictures, into the scene and
 /// the session that begins with it. May throw.
-using Prepare = std::function<void(scene::LoadedScene&, Session&)>;
+using Prepare = std::function<void(LoadedScene&, Session&)>;
 
 /// The session that begins with a loaded scene. Throws Error where the scene and what was asked for
 /// do not go together, or its environment cannot be read.

@@ -6,7 +6,7 @@
 
 #include "film/sequence_frames.h"
 #include "opaline/exposure.h"
-#include "options/picture.h"
+#include "opaline/options/picture.h"
 
 namespace opaline::app::viewer {
 

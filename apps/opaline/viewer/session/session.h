@@ -12,10 +12,10 @@
 #include "lab/truth_job.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
+#include "opaline/scene_file.h"
 #include "opaline/sequence.h"
 #include "opaline/tone.h"
 #include "reference/posed_scene.h"
-#include "scene/scene_source.h"
 #include "viewer/files/file_question.h"
 #include "viewer/picture/variable_display.h"
 
@@ -71,7 +71,7 @@ struct Session {
   SceneOptions asked;  ///< what was asked to be opened
   std::string name;
   Scene scene;
-  scene::SceneSource source;                     ///< the files that it was made of
+  SceneSource source;                            ///< the files that it was made of
   std::shared_ptr<const MeshSequence> sequence;  ///< of numbered files, where its model is one
   reference::PositionsByObject positionsMm;      ///< where these have the body now
   std::shared_ptr<const Image> environment;      ///< as the source's file has it, not turned

@@ -2,10 +2,12 @@
 
 #include <string>
 
+#include "opaline/export.h"
+
 namespace opaline::options {
 
 /// What a number may be; the ends belong to it unless `aboveLeast`.
-struct Range {
+struct OPALINE_API Range {
   double least;
   double most;
   const char* unit = "";    ///< written after the numbers: "mm", "degrees"
@@ -17,9 +19,9 @@ struct Range {
 };
 
 /// As short as it can be: "0.05", "4194304", "1e6".
-std::string numberText(double number);
+OPALINE_API std::string numberText(double number);
 
 /// "from 0 to 8", "above 0 and at most 100 mean free paths".
-std::string describe(const Range& range);
+OPALINE_API std::string describe(const Range& range);
 
 }  // namespace opaline::options

@@ -12,8 +12,9 @@
 #include <variant>
 #include <vector>
 
+#include "opaline/export.h"
+#include "opaline/options/range.h"
 #include "opaline/types.h"
-#include "options/range.h"
 
 namespace opaline::options {
 
@@ -24,7 +25,7 @@ using Size = std::array<int, 2>;
 using Value = std::variant<bool, int, float, double, std::string, Size, Rgb, std::array<double, 3>>;
 
 /// What values an option takes.
-struct Allowed {
+struct OPALINE_API Allowed {
   Range range{0, 0};  ///< of a number, and of each of several
   /// Of a text; empty: any text but an empty one. Where values are no texts, names that may stand
   /// in their place.
@@ -35,10 +36,10 @@ struct Allowed {
 };
 
 /// What a value that is not allowed should have been, after a subject: "must be from 0 to 8".
-std::string requirement(const Allowed& allowed, const Value& like);
+OPALINE_API std::string requirement(const Allowed& allowed, const Value& like);
 
 /// As people write it: "0.01", "1,1,0.5", "1024x768".
-std::string textOf(const Value& value);
+OPALINE_API std::string textOf(const Value& value);
 
 /// One option of an Owner: all that the command line, scene files, the window and the checks need
 /// to know of it.
@@ -129,7 +130,7 @@ Field<Owner> formerly(std::string_view formerKey, Field<Owner> field) {
 
 /// The names of an enumeration's values, in their order.
 template <typename Enumeration>
-[[gnu::visibility("hidden")]] const std::vector<std::string_view>& namesOf();
+const std::vector<std::string_view>& namesOf();
 
 template <typename Enumeration>
 std::string nameOf(Enumeration value) {

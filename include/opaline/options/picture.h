@@ -3,11 +3,12 @@
 #include <optional>
 #include <string>
 
+#include "opaline/export.h"
 #include "opaline/motion.h"
+#include "opaline/options/field.h"
 #include "opaline/render_options.h"
 #include "opaline/renderer.h"
 #include "opaline/tone.h"
-#include "options/field.h"
 
 namespace opaline::options {
 
@@ -19,7 +20,7 @@ struct PictureSettings {
 };
 
 template <>
-const std::vector<Field<PictureSettings>>& fieldsOf();
+OPALINE_API const std::vector<Field<PictureSettings>>& fieldsOf();
 
 /// What is chosen by a name that only the machine or the model knows.
 struct NamedSettings {
@@ -30,29 +31,29 @@ struct NamedSettings {
 };
 
 template <>
-const std::vector<Field<NamedSettings>>& fieldsOf();
+OPALINE_API const std::vector<Field<NamedSettings>>& fieldsOf();
 
 template <>
-const std::vector<Field<RendererOptions>>& fieldsOf();
+OPALINE_API const std::vector<Field<RendererOptions>>& fieldsOf();
 
 template <>
-const std::vector<std::string_view>& namesOf<Transport>();
+OPALINE_API const std::vector<std::string_view>& namesOf<Transport>();
 template <>
-const std::vector<std::string_view>& namesOf<Sum>();
+OPALINE_API const std::vector<std::string_view>& namesOf<Sum>();
 template <>
-const std::vector<std::string_view>& namesOf<Site>();
+OPALINE_API const std::vector<std::string_view>& namesOf<Site>();
 template <>
-const std::vector<std::string_view>& namesOf<ToneCurve>();
+OPALINE_API const std::vector<std::string_view>& namesOf<ToneCurve>();
 template <>
-const std::vector<std::string_view>& namesOf<Aov>();
+OPALINE_API const std::vector<std::string_view>& namesOf<Aov>();
 
 /// As chosen, of what the library renders.
-void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options);
+OPALINE_API void apply(const Chosen<PictureSettings>& chosen, RenderOptions& options);
 
 /// Why no picture can be made so, as a sentence; empty where one can.
-std::string complaintAbout(const RenderOptions& options);
+OPALINE_API std::string complaintAbout(const RenderOptions& options);
 
 /// Why there is no such time, as a sentence; empty where there is.
-std::string complaintAbout(const SceneTime& time);
+OPALINE_API std::string complaintAbout(const SceneTime& time);
 
 }  // namespace opaline::options
