@@ -63,7 +63,7 @@ class OpaqueFrame::Implementation {
     view_.shadowViews = shadowViewCount(scene.lighting);
     shadows_ =
         passes::ShadowPass::makeMaps(device_, unsignedOf(options.shadowSize), view_.shadowViews);
-    visible_ = passes::SurfacePass::makeSurfaces(device_, {width, height}, 1, false);
+    visible_ = passes::SurfacePass::makeSurfaces(device_, {width, height}, 1, {});
     radiance_ = passes::ShadePass::makeRadiance(device_, width, height);
     upload_ = gpu::makeBuffer(device_, "frame data",
                               std::vector<shared::FrameData>{makeFrameData(scene, options)}, 0);

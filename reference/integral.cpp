@@ -212,6 +212,8 @@ Integral::Integral(const Geometry& geometry, const Irradiance& irradiance,
   }
   const Scene& scene = geometry.scene();
   for (std::uint32_t body = 0; body < scene.bodies.size(); ++body) {
+    if (scene.bodies[body].painted)
+      throw UsageError("the integral knows no paint, and a body is painted; path tracing does");
     const auto profiles =
         bssrdf::makeProfiles(modelOf(options.transport), scene.bodies[body].medium);
     const std::array<Kernel, 3> kernels{Kernel(profiles[0]), Kernel(profiles[1]),

@@ -51,6 +51,9 @@ Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
     deform::DeformedVertices mesh = meshAt(scene, i, pose, time.seconds, positionsMm);
     result.bodies.push_back({std::move(mesh.positionsMm), std::move(mesh.normals),
                              object.mesh.triangles, object.medium});
+    if (object.paint)
+      result.bodies.back().painted = {*object.paint, object.mesh.textureCoordinates,
+                                      object.mesh.colors};
   }
   result.lighting = scene.lighting;
   result.camera = scene.camera;

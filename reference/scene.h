@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "opaline/medium.h"
@@ -14,6 +16,14 @@ struct Body {
   std::vector<Vector> normals;      ///< unit, one per position
   std::vector<Triangle> triangles;  ///< counter-clockwise seen from outside
   Medium medium;
+  /// Paint, and what it reads of the vertices, as opaline::Mesh has it. Path tracing knows it, the
+  /// integral does not.
+  struct Painted {
+    Paint paint;
+    std::array<std::vector<Vec2>, 2> textureCoordinates;
+    std::vector<std::array<float, 4>> colors;
+  };
+  std::optional<Painted> painted{};
 };
 
 /// All that a picture depends on. Nothing refers to the scene it was made from.

@@ -70,4 +70,21 @@ OPALINE_API std::string complaintAbout(const OpaqueMaterial& material);
 /// A matt surface that gives back the same share of light in all directions.
 OPALINE_API OpaqueMaterial mattMaterial(const Rgb& color);
 
+/// Colours on a translucent body: a layer on its surface that absorbs as much as its medium needs
+/// to be seen in them. They are shares of the light that entered which leave again in even light,
+/// as those of an Appearance, of a thick body; where they are brighter than colorOf its medium,
+/// they are that. Colours of its vertices multiply them.
+struct Paint {
+  static constexpr float mostColor = 100;  ///< of a dark texture
+
+  std::string name;
+  Rgb color{1, 1, 1};                   ///< in [0, mostColor]
+  std::optional<Texture> colorTexture;  ///< rgb: sRGB, multiplies the color
+
+  bool operator==(const Paint&) const = default;
+};
+
+/// Why the paint cannot be rendered, as a sentence; empty if it can.
+OPALINE_API std::string complaintAbout(const Paint& paint);
+
 }  // namespace opaline

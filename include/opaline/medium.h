@@ -4,6 +4,7 @@
 #include <string>
 
 #include "opaline/export.h"
+#include "opaline/types.h"
 
 namespace opaline {
 
@@ -37,5 +38,9 @@ OPALINE_API std::string complaintAbout(const Appearance& appearance);
 /// The medium that looks like that, by a fit to diffusion with Fresnel's boundary whose colours are
 /// right within 0.003.
 OPALINE_API Medium mediumOf(const Appearance& appearance);
+
+/// The other way: the colour that a thick body of the medium has in even light, by the same fit,
+/// which knows indices of refraction up to 1.6.
+OPALINE_API Rgb colorOf(const Medium& medium);
 
 }  // namespace opaline

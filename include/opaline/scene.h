@@ -37,6 +37,7 @@ struct Object {
   std::string name;
   Mesh mesh;  ///< in the rest pose
   Medium medium;
+  std::optional<Paint> paint;            ///< if set, `medium` is what lies below it
   std::optional<Rig> rig;                ///< none: only the scene's deformers move it
   std::optional<OpaqueMaterial> opaque;  ///< if set, light does not enter and `medium` is not used
   bool isGround = false;  ///< stands still, casts no shadow of its own, and counts for no size

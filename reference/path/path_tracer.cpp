@@ -19,7 +19,8 @@ std::vector<Interior> interiorsOf(const Scene& scene, int channel, double anisot
   for (const Body& body : scene.bodies) {
     const double scattering = body.medium.sigmaSPrimePerMm[c] / (1 - anisotropy);
     const double extinction = scattering + body.medium.sigmaAPerMm[c];
-    interiors.push_back({extinction, scattering / extinction, anisotropy, body.medium.eta});
+    interiors.push_back({extinction, scattering / extinction, anisotropy, body.medium.eta,
+                         body.painted ? std::make_shared<const Layer>(body, channel) : nullptr});
   }
   return interiors;
 }

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "bssrdf/fresnel.h"
 #include "reference/geometry.h"
 #include "reference/path/distance_bound.h"
+#include "reference/path/layer.h"
 #include "reference/path/random.h"
 
 namespace opaline::reference {
@@ -22,6 +24,7 @@ struct Interior {
   double albedo = 0;       ///< σ_s / σ_t
   double anisotropy = 0;   ///< g of Henyey and Greenstein 1941
   double eta = 1;
+  std::shared_ptr<const Layer> layer{};  ///< on its surface; null without
 };
 
 /// Light on its way through space outside all bodies.
@@ -65,6 +68,13 @@ class Walk {
   enum class Inside { Left, Absorbed, Lost };
   template <typename Leave>
   Inside passThrough(Particle& particle, Random& random, const Leave& leave) const;
+
+  /// Whether a particle gets through the layer at a point, with that cosine inside.
+  static bool passes(const Interior& interior, const SurfacePoint& point, double cosine,
+                     Random& random) {
+    return !interior.layer ||
+           random() < std::exp(-interior.layer->thicknessAt(point) / std::max(cosine, 1e-9));
+  }
 
   std::optional<Geometry::Hit> next(const Particle& particle) const {
     return particle.fromSurface ? geometry_.closestHit(particle.surface, particle.direction)
@@ -113,8 +123,10 @@ Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& 
         if (cosine <= 0) ++depth;
         if (cosine <= 0 || --depth > 0) continue;
         depth = 1;
+        if (!passes(interior, hit->point, cosine, random)) return Inside::Absorbed;
         if (random() < bssrdf::fresnelReflectanceInside(interior.eta, std::min(cosine, 1.0))) {
           particle.direction = mirrored(particle.direction, hit->point.facetNormal);
+          if (!passes(interior, hit->point, cosine, random)) return Inside::Absorbed;
           continue;
         }
         leave(hit->point, scatterings == 0   ? Order::Unscattered
@@ -155,6 +167,9 @@ End Walk::follow(const Flight& flight, Random& random, const Leave& leave) const
       continue;
     }
     particle.direction = refracted(particle.direction, hit->point.facetNormal, eta);
+    if (!passes(interiors_[hit->point.body], hit->point,
+                -dot(particle.direction, hit->point.facetNormal), random))
+      return End::Absorbed;
     const Inside inside = passThrough(particle, random, leave);
     if (inside == Inside::Absorbed) return End::Absorbed;
     if (inside == Inside::Lost) return End::Lost;

@@ -50,4 +50,15 @@ Medium mediumOf(const Appearance& appearance) {
   return medium;
 }
 
+Rgb colorOf(const Medium& medium) {
+  const Fit fit = fitAt(medium.eta);
+  Rgb color{};
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const double absorbed = medium.sigmaAPerMm[channel];
+    const double s = std::sqrt(absorbed / (absorbed + medium.sigmaSPrimePerMm[channel]));
+    color[channel] = static_cast<float>((1 - s) * (1 - fit.b * s) / (1 + fit.c * s));
+  }
+  return color;
+}
+
 }  // namespace opaline

@@ -270,6 +270,13 @@ std::string complaintAbout(const OpaqueMaterial& material) {
   return options::complaintAboutFields(material);
 }
 
+std::string complaintAbout(const Paint& paint) {
+  for (const float part : paint.color)
+    if (!isWithin(part, 0, Paint::mostColor))
+      return fmt::format("the colour of its paint: must be from 0 to {}", Paint::mostColor);
+  return paint.colorTexture ? complaintAbout(*paint.colorTexture) : std::string{};
+}
+
 std::string complaintAbout(const Ground& ground) {
   return options::complaintAboutFields(ground);
 }

@@ -69,6 +69,15 @@ struct OpaqueTables {
   gpu::Buffer lobes;       ///< vec4, as SceneTables::reflectionLobes, for each of some roughnesses
 };
 
+/// What the shaders know of paint (shared/paint.h). Where nothing is painted it holds no more than
+/// what is bound all the same.
+struct PaintTables {
+  bool any = false;
+  gpu::Buffer entries;         ///< shared::PaintEntry
+  gpu::Buffer throughSurfels;  ///< vec4 a surfel: of diffuse light on it, what gets in
+  gpu::Buffer clusters;        ///< shared::ClusterPaint
+};
+
 struct SceneTables;
 
 /// What tells where surfaces have holes.
@@ -89,7 +98,8 @@ struct SceneTables {
   gpu::Buffer reflectionLobes;   ///< vec4, by the cosine of the view (lights/reflection_lobe.h)
   gpu::Buffer opaqueShares;      ///< shared::OpaqueShare a cluster, where something is opaque
   gpu::Buffer opaqueExitances;   ///< vec4 a cluster of an opaque body: of all light
-  std::vector<double> etas;      ///< the different ones, see MediumData::tables.x
+  PaintTables paint;
+  std::vector<double> etas;  ///< the different ones, see MediumData::tables.x
 };
 
 /// All light that comes from everywhere, and all that passes know of it (lib/sky.glsl).
@@ -212,6 +222,7 @@ struct Clusters {
   gpu::Buffer latest;         ///< vec4 a cluster: exitance of the light that entered last
   gpu::Buffer exitances;      ///< vec4 a cluster: of all light; of an opaque body the irradiance
                               ///< that surfaces do not find for themselves
+  gpu::Buffer bareLights;     ///< shared::BareLight, of painted bodies
   gpu::Buffer means;          ///< vec4 a cluster: exitance of a half-space
   gpu::Buffer exitancesOfSurfels;  ///< vec4 a surfel: of a half-space
 };
@@ -225,6 +236,14 @@ struct Solver {
   gpu::Buffer states;     ///< shared::SolverState, of every solution of a frame
 };
 
+/// What else is kept of surfaces that the camera sees.
+struct KeptOfSeen {
+  bool materials = false;  ///< of opaque ones
+  bool paint = false;      ///< of painted ones
+
+  bool operator==(const KeptOfSeen&) const = default;
+};
+
 /// Which surfaces the camera sees (shared/seen.h), and what is found of them. The lists are those
 /// of one band of the picture after the other, since a pixel may see as many as it has samples.
 struct VisibleSurfaces {
@@ -236,8 +255,10 @@ struct VisibleSurfaces {
   gpu::Buffer counts;      ///< shared::SeenCount, of all and of parts
   gpu::Buffer light;       ///< vec4 for each on the list: its exitance, then its radiance
   gpu::Buffer materials;   ///< shared::SeenMaterial for each, of opaque surfaces
-  bool hasMaterials = false;  ///< room for them
-  gpu::GpuImage skyBlocks;    ///< of 2×2 pixels: whether all mirror the sky, or none, or unknown
+  gpu::Buffer paint;  ///< vec4 for each: what has entered at the surface of painted bodies, then
+                      ///< of what leaves the part that goes towards the camera, over that without
+  KeptOfSeen kept;    ///< there is room for these
+  gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: whether all mirror the sky, or none, or unknown
   std::uint32_t rowsOfBand = 0;
   std::uint32_t parts = 0;  ///< of the list, at most
 };

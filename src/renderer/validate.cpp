@@ -18,7 +18,8 @@ bool finite(const T& values) {
   return std::all_of(values.begin(), values.end(), [](auto v) { return std::isfinite(v); });
 }
 
-void validate(const std::string& name, const OpaqueMaterial& material) {
+template <typename Surface>
+void validate(const std::string& name, const Surface& material) {
   const std::string complaint = complaintAbout(material);
   if (!complaint.empty()) throw Error(fmt::format("object '{}': {}", name, complaint));
 }
@@ -97,6 +98,7 @@ void validate(const Scene& scene) {
       validate(object.name, *object.opaque);
     else
       validate(object.medium);
+    if (object.paint) validate(object.name, *object.paint);
     if (object.isGround && (&object != &scene.objects.back() || !object.opaque || object.rig))
       throw Error("a ground must be opaque, have no rig and come after all other objects");
     triangles += object.mesh.triangles.size();

@@ -27,6 +27,14 @@ bool hasOpaque(const Scene& scene) {
                      [](const Object& object) { return object.opaque.has_value(); });
 }
 
+bool isPainted(const Object& object) {
+  return !object.opaque && object.paint;
+}
+
+bool hasPaint(const Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(), isPainted);
+}
+
 shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& camera, int shadowSize,
                                 int samples) {
   shared::FrameData frame{};
@@ -87,9 +95,14 @@ class View::Implementation {
       throw UsageError(
           "the pattern lights no opaque bodies and no ground; the sums tree and all do, and "
           "LoadOptions::medium makes bodies translucent");
+    const bool painted = hasPaint(edited.scene());
+    if (options_.sum == Sum::Pattern && painted)
+      throw UsageError(
+          "the pattern knows no paint, and a body is painted; the sums tree and all do");
     FramePlan plan = planFor(options_, order.aovs, order.onDevice);
     plan.time = edited.time();
     plan.opaque = opaque;
+    plan.painted = painted;
     prepared_ = context_.prepared.share(options_, plan, lighting, std::move(prepared_));
     prepared_->prepare(options_, plan, order.patient, edited);
     const SceneChanges changes = prepared_->changes(edited);

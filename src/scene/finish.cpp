@@ -83,6 +83,8 @@ void makeTranslucent(const Medium& medium, Object& object, std::vector<NotShown>
   if (object.opaque) addNotShown(notShown, partsOf(*object.opaque), object.opaque->name);
   if (object.opaque && !object.mesh.colors.empty())
     addNotShown(notShown, "vertex colours", object.name);
+  if (object.paint) addNotShown(notShown, "colour textures of media", object.name);
+  object.paint.reset();
   object.opaque.reset();
   object.medium = medium;
 }
@@ -215,6 +217,7 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
     scene.objects.push_back({.name = std::move(object.name),
                              .mesh = meshOf(object),
                              .medium = std::move(object.medium),
+                             .paint = std::move(object.paint),
                              .rig = std::move(object.rig),
                              .opaque = std::move(object.opaque)});
   }

@@ -18,6 +18,7 @@ struct Input {
   std::filesystem::path file;
   std::span<const std::byte> bytes;
   LogCallback log;
+  bool wantsCoordinates = false;  ///< of textures that others will put on it
 };
 
 /// Each throws Error, naming the file, for bytes that are not what they say.
@@ -26,7 +27,8 @@ RawScene loadObj(const Input& input);
 RawScene loadGltf(const Input& input);
 
 /// By magic or by extension; .toml is not among them.
-RawScene loadModel(const std::filesystem::path& file, const LogCallback& log);
+RawScene loadModel(const std::filesystem::path& file, const LogCallback& log,
+                   bool wantsCoordinates = false);
 
 void note(const LogCallback& log, std::string_view message);
 

@@ -69,11 +69,12 @@ Medium defaultMedium() {
   return findMedium("marble").value();
 }
 
-RawScene loadModel(const std::filesystem::path& file, const LogCallback& log) {
+RawScene loadModel(const std::filesystem::path& file, const LogCallback& log,
+                   bool wantsCoordinates) {
   const std::vector<std::byte> bytes = readFile(file, longestFileBytes);
   const std::string name = cleanText(file.string(), 1000);
   if (bytes.empty()) throw Error(fmt::format("{}: the file is empty", name));
-  RawScene scene = readByName({file, bytes, log});
+  RawScene scene = readByName({file, bytes, log, wantsCoordinates});
   if (!scene.notShown.empty()) {
     note(log, fmt::format("{}: not shown: {}", name, textOf(scene.notShown)));
   }

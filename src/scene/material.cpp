@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <vector>
 
 #include "opaline/tone.h"
 
@@ -11,17 +13,20 @@ namespace scene {
 
 namespace {
 
-// Of what one channel stands for; of some thousand pixels, spread evenly.
-template <typename Meaning>
-double meanOf(const TexturePixels& pixels, std::size_t channel, const Meaning& meaning) {
+// Of one channel, those of some thousand pixels, spread evenly.
+std::vector<float> someOf(const TexturePixels& pixels, std::size_t channel) {
   constexpr std::size_t wanted = 4096;
   const std::size_t count = pixels.rgba.size() / 4;
   const std::size_t step = std::max<std::size_t>(count / wanted, 1) | 1U;
-  double sum = 0;
-  std::size_t taken = 0;
-  for (std::size_t i = 0; i < count; i += step, ++taken)
-    sum += double{meaning(static_cast<float>(pixels.rgba[4 * i + channel]) / 65535.0F)};
-  return sum / static_cast<double>(std::max<std::size_t>(taken, 1));
+  std::vector<float> values;
+  for (std::size_t i = 0; i < count; i += step)
+    values.push_back(static_cast<float>(pixels.rgba[4 * i + channel]) / 65535.0F);
+  return values;
+}
+
+double meanOf(const std::vector<float>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) /
+         static_cast<double>(std::max<std::size_t>(values.size(), 1));
 }
 
 }  // namespace
@@ -29,15 +34,21 @@ double meanOf(const TexturePixels& pixels, std::size_t channel, const Meaning& m
 bool isMetal(const OpaqueMaterial& material) {
   constexpr std::size_t blue = 2;
   const auto& texture = material.metallicRoughnessTexture;
-  const double mean =
-      texture ? meanOf(*texture->pixels, blue, [](float value) { return value; }) : 1;
+  const double mean = texture ? meanOf(someOf(*texture->pixels, blue)) : 1;
   return mean * double{material.metallic} > 0.5;
 }
 
-Rgb meanColor(const TexturePixels& pixels) {
-  Rgb mean{};
-  for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<float>(meanOf(pixels, c, decodeSrgb));
-  return mean;
+Rgb brightColor(const TexturePixels& pixels) {
+  constexpr std::size_t brightest = 20;  // one in so many
+  Rgb bright{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::vector<float> values = someOf(pixels, c);
+    if (values.empty()) continue;
+    const auto at = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / brightest);
+    std::nth_element(values.begin(), at, values.end());
+    bright[c] = decodeSrgb(*at);
+  }
+  return bright;
 }
 
 }  // namespace scene

@@ -40,8 +40,9 @@ struct RawObject {
   /// As in Object; until alignRig() its vertices are the file's, which `mesh.provenance` names, and
   /// a normal may be zero.
   std::optional<Rig> rig;
-  std::optional<OpaqueMaterial> opaque;  ///< as in Object
-  VertexAttributes attributes;           ///< of the file's vertices until alignAttributes()
+  std::optional<Paint> paint;  ///< these two as in Object
+  std::optional<OpaqueMaterial> opaque;
+  VertexAttributes attributes;  ///< of the file's vertices until alignAttributes()
 };
 
 /// What a file holds, in the file's unit, before repair, scale and defaults.

@@ -105,14 +105,17 @@ std::vector<NamedTexture> texturesOf(const OpaqueMaterial& material) {
   return there;
 }
 
+Json textureJson(const NamedTexture& named) {
+  const TexturePixels& pixels = *named.texture->pixels;
+  return {{"use", named.use},
+          {"name", pixels.name},
+          {"width", pixels.width},
+          {"height", pixels.height}};
+}
+
 Json opaqueJson(const OpaqueMaterial& material) {
   Json textures = Json::array();
-  for (const auto& [use, texture] : texturesOf(material)) {
-    textures.push_back({{"use", use},
-                        {"name", texture->pixels->name},
-                        {"width", texture->pixels->width},
-                        {"height", texture->pixels->height}});
-  }
+  for (const NamedTexture& named : texturesOf(material)) textures.push_back(textureJson(named));
   return {{"name", material.name},
           {"kind", "opaque"},
           {"base_color", material.baseColor},
@@ -123,20 +126,23 @@ Json opaqueJson(const OpaqueMaterial& material) {
 }
 
 // Its phase function is isotropic: coefficients are reduced.
-Json translucentJson(const Medium& medium) {
+Json translucentJson(const Medium& medium, const std::optional<Paint>& paint) {
+  Json textures = Json::array();
+  if (paint && paint->colorTexture) textures.push_back(textureJson({"color", paint->colorTexture}));
   return {{"name", medium.name},
           {"kind", "translucent"},
           {"sigma_s_prime_per_mm", rgbJson(medium.sigmaSPrimePerMm)},
           {"sigma_a_per_mm", rgbJson(medium.sigmaAPerMm)},
           {"eta", medium.eta},
           {"g", 0},
-          {"textures", Json::array()}};
+          {"textures", std::move(textures)}};
 }
 
 Json materialsJson(const Scene& scene) {
   Json materials = Json::array();
   for (const Object& object : scene.objects) {
-    Json material = object.opaque ? opaqueJson(*object.opaque) : translucentJson(object.medium);
+    Json material =
+        object.opaque ? opaqueJson(*object.opaque) : translucentJson(object.medium, object.paint);
     if (std::find(materials.begin(), materials.end(), material) == materials.end())
       materials.push_back(std::move(material));
   }
@@ -270,6 +276,11 @@ std::string sceneText(const Scene& scene, const Json& facts) {
                         object.name, lengthsText(size, " x ", 4), object.medium.name,
                         lengthsText(lengths.meanFreePathMm, " ", 3),
                         lengthsText(lengths.diffusionMm, " ", 3));
+    if (object.paint && object.paint->colorTexture) {
+      const TexturePixels& pixels = *object.paint->colorTexture->pixels;
+      text += fmt::format("object {} is painted: color {}x{}\n", object.name, pixels.width,
+                          pixels.height);
+    }
     const auto open = facts["objects"][i]["triangles_without_inside"].get<std::size_t>();
     if (open > 0)
       text += fmt::format(

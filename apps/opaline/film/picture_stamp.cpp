@@ -75,13 +75,18 @@ void addMaterial(Digest& digest, const OpaqueMaterial& material) {
 }
 
 void addObject(Digest& digest, const Object& object) {
-  const auto& [name, mesh, medium, rig, opaque, isGround] = object;
+  const auto& [name, mesh, medium, paint, rig, opaque, isGround] = object;
   const auto& [positionsMm, normals, triangles, facetted, textureCoordinates, colors] = mesh;
   const auto& [mediumName, sigmaSPrimePerMm, sigmaAPerMm, eta] = medium;
   addAll(digest, positionsMm, normals, triangles, facetted, sigmaSPrimePerMm, sigmaAPerMm, eta,
          isGround, textureCoordinates[0], textureCoordinates[1], colors);
   addIfThere(digest, opaque,
              [&](const OpaqueMaterial& material) { addMaterial(digest, material); });
+  addIfThere(digest, paint, [&](const Paint& given) {
+    const auto& [paintName, color, colorTexture] = given;
+    addAll(digest, color);
+    addTexture(digest, colorTexture);
+  });
   addIfThere(digest, rig, [&](const Rig& given) { addRig(digest, given); });
 }
 

@@ -57,19 +57,22 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
 void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                              bool isFirst) const {
   commands.beginPass("sources");
-  commands.bind(
-      reentry_,
-      {.objects = inputs.tables.objects,
-       .media = inputs.tables.media,
-       .ranges = clusters.ranges,
-       .clusters = clusters.clusters,
-       .meetings = clusters.meetings,
-       .latest = clusters.latest,
-       .enteredBefore = clusters.enteredBefore,
-       .arrived = clusters.arrived,
-       .strengths = clusters.fromEverywhere.strengths,
-       .entered = clusters.entered},
-      {.clusterCount = clusters.count, .raysOutwards = clusters.raysOutwards, .isFirst = isFirst});
+  commands.bind(reentry_,
+                {.objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .ranges = clusters.ranges,
+                 .clusters = clusters.clusters,
+                 .meetings = clusters.meetings,
+                 .latest = clusters.latest,
+                 .enteredBefore = clusters.enteredBefore,
+                 .arrived = clusters.arrived,
+                 .strengths = clusters.fromEverywhere.strengths,
+                 .entered = clusters.entered,
+                 .clusterPaints = inputs.tables.paint.clusters},
+                {.clusterCount = clusters.count,
+                 .raysOutwards = clusters.raysOutwards,
+                 .isFirst = isFirst,
+                 .painted = inputs.tables.paint.any});
   commands.dispatchLinear(clusters.count);
   spread(commands, inputs, clusters, clusters.fromEverywhere, false);
   commands.endPass();
@@ -92,12 +95,14 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
                  .mirrored = clusters.mirrored,
                  .peak = clusters.peak,
                  .entered = clusters.entered,
-                 .skyShares = clusters.skyShares},
+                 .skyShares = clusters.skyShares,
+                 .clusterPaints = inputs.tables.paint.clusters},
                 {.clusterCount = clusters.count,
                  .beam = beam.index,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .nodeCount = inputs.surfels.tree.nodeCount,
-                 .mirrors = beam.mirrors});
+                 .mirrors = beam.mirrors,
+                 .painted = inputs.tables.paint.any});
   commands.dispatchLinear(clusters.count, shared::maxPoints * roundsOfWalk);
 }
 

@@ -26,6 +26,7 @@ class CarryPass {
 
   void overVertices(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
                     Clusters& clusters, const Places& vertices) const;
+  /// Of painted bodies, what is below the paint.
   void overFragments(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
                      Clusters& clusters, const SeenSurfaces& seen) const;
 
@@ -35,6 +36,7 @@ class CarryPass {
   gpu::Compute<shaders::BoundaryMeans> meansOfSurfels_;
   gpu::Compute<shaders::BoundaryCarryVertices> vertices_;
   gpu::Compute<shaders::BoundaryCarryFragments> fragments_;
+  gpu::Compute<shaders::BoundaryCarryFragments> paintedFragments_;
 };
 
 }  // namespace opaline::passes

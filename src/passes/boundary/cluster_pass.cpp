@@ -11,6 +11,7 @@
 #include "passes/mechanics.h"
 #include "shaders/shared/boundary.h"
 #include "shaders/shared/frame.h"
+#include "shaders/shared/paint.h"
 
 namespace opaline::passes {
 
@@ -185,6 +186,7 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.latest = makeRoom<shared::vec4>(device, "latest exitances", count);
   clusters.exitances = makeRoom<shared::vec4>(device, "exitances of clusters", count);
   clusters.means = makeRoom<shared::vec4>(device, "means over clusters", count);
+  clusters.bareLights = makeRoom<shared::BareLight>(device, "light below paint", count);
   clusters.exitancesOfSurfels =
       makeRoom<shared::vec4>(device, "exitances of surfels", surfels.count());
   return clusters;

@@ -21,12 +21,17 @@ bool entersAtSurface(const SolverPass::Order& order, const SceneTables& tables) 
 }  // namespace
 
 SolverPass::SolverPass(gpu::Device& device)
-    : densities_(device, "densities"),
-      product_(device, "product"),
+    : plain_(makePipelines(device, false)),
+      painted_(makePipelines(device, true)),
       step_(device, "step of the solver"),
-      exitance_(device, "exitance of clusters"),
       powerOfLastButOne_(device, "power of a bounce", {.ofLast = 0}),
       furtherBounces_(device, "further bounces", {.ofLast = 1}) {}
+
+SolverPass::Pipelines SolverPass::makePipelines(gpu::Device& device, bool withPaint) {
+  return {{device, "densities", {.withPaint = withPaint}},
+          {device, "product", {.withPaint = withPaint}},
+          {device, "exitance of clusters", {.withPaint = withPaint}}};
+}
 
 Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
                               std::uint32_t solutions) {
@@ -55,7 +60,7 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
     findDensities(commands, order, Of::Basis, tables, clusters, solver);
     multiply(commands, order, step, tables, clusters, solver);
   }
-  commands.bind(exitance_,
+  commands.bind(pipelines(tables).exitance,
                 {.objects = tables.objects,
                  .media = tables.media,
                  .ranges = clusters.ranges,
@@ -65,7 +70,9 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
                  .exitances = clusters.exitances,
                  .clusters = clusters.clusters,
                  .entered = clusters.entered,
-                 .enteredBefore = clusters.enteredBefore},
+                 .enteredBefore = clusters.enteredBefore,
+                 .clusterPaints = tables.paint.clusters,
+                 .bareLights = clusters.bareLights},
                 {.clusterCount = clusters.count,
                  .solution = order.solution,
                  .adds = order.adds,
@@ -76,15 +83,16 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
 }
 
 void SolverPass::recordFurtherBounces(gpu::CommandList& commands, Bounce bounce,
-                                      Clusters& clusters) const {
+                                      SceneTables& tables, Clusters& clusters) const {
   commands.beginPass("solve");
   commands.bind(bounce == Bounce::Last ? furtherBounces_ : powerOfLastButOne_,
                 {.clusters = clusters.clusters,
                  .latest = clusters.latest,
                  .entered = clusters.entered,
                  .powerBefore = clusters.power,
-                 .exitances = clusters.exitances},
-                {.clusterCount = clusters.count});
+                 .exitances = clusters.exitances,
+                 .bareLights = clusters.bareLights},
+                {.clusterCount = clusters.count, .painted = tables.paint.any});
   commands.dispatchLinear(groupSize);
   commands.endPass();
 }
@@ -92,7 +100,7 @@ void SolverPass::recordFurtherBounces(gpu::CommandList& commands, Bounce bounce,
 // Of the vector that the last product adds to the basis, or of diffuse light at the surface.
 void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, Of of,
                                SceneTables& tables, Clusters& clusters, Solver& solver) const {
-  commands.bind(densities_,
+  commands.bind(pipelines(tables).densities,
                 {.objects = tables.objects,
                  .media = tables.media,
                  .clusterNodes = clusters.nodes,
@@ -103,7 +111,8 @@ void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, O
                  .basis = solver.basis,
                  .nodes = solver.densities,
                  .states = solver.states,
-                 .entered = clusters.entered},
+                 .entered = clusters.entered,
+                 .clusterPaints = tables.paint.clusters},
                 {.clusterCount = clusters.count,
                  .smallCount = clusters.smallInnerCount,
                  .innerCount = clusters.innerCount,
@@ -118,7 +127,7 @@ void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, O
 void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                           SceneTables& tables, Clusters& clusters, Solver& solver) const {
   const bool atSurface = step == 0 && entersAtSurface(order, tables);
-  commands.bind(product_,
+  commands.bind(pipelines(tables).product,
                 {.objects = tables.objects,
                  .media = tables.media,
                  .tiles = clusters.tiles,
@@ -133,7 +142,8 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                  .products = solver.products,
                  .sums = solver.sums,
                  .states = solver.states,
-                 .entered = clusters.entered},
+                 .entered = clusters.entered,
+                 .clusterPaints = tables.paint.clusters},
                 {.tileCount = clusters.tileCount,
                  .clusterCount = clusters.count,
                  .openingAngle = order.openingAngle,

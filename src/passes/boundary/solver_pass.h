@@ -43,7 +43,8 @@ class SolverPass {
   /// Adds what further bounces would, as far as the last two tell. Of the last but one, then of the
   /// last, each after its solution.
   enum class Bounce : std::uint8_t { LastButOne, Last };
-  void recordFurtherBounces(gpu::CommandList& commands, Bounce bounce, Clusters& clusters) const;
+  void recordFurtherBounces(gpu::CommandList& commands, Bounce bounce, SceneTables& tables,
+                            Clusters& clusters) const;
 
  private:
   enum class Of : std::uint8_t { Basis, Entered };
@@ -52,10 +53,20 @@ class SolverPass {
   void multiply(gpu::CommandList& commands, const Order& order, std::uint32_t step,
                 SceneTables& tables, Clusters& clusters, Solver& solver) const;
 
-  gpu::Compute<shaders::BoundaryDensities> densities_;
-  gpu::Compute<shaders::BoundaryProduct> product_;
+  /// Where nothing is painted the shaders have no code for it.
+  struct Pipelines {
+    gpu::Compute<shaders::BoundaryDensities> densities;
+    gpu::Compute<shaders::BoundaryProduct> product;
+    gpu::Compute<shaders::BoundaryExitance> exitance;
+  };
+  static Pipelines makePipelines(gpu::Device& device, bool withPaint);
+  const Pipelines& pipelines(const SceneTables& tables) const {
+    return tables.paint.any ? painted_ : plain_;
+  }
+
+  Pipelines plain_;
+  Pipelines painted_;
   gpu::Compute<shaders::BoundarySolverStep> step_;
-  gpu::Compute<shaders::BoundaryExitance> exitance_;
   gpu::Compute<shaders::BoundaryFurtherBounces> powerOfLastButOne_;
   gpu::Compute<shaders::BoundaryFurtherBounces> furtherBounces_;
 };

@@ -14,15 +14,19 @@ NearbyPass::NearbyPass(gpu::Device& device)
       dipole_(makePipelines(device, ScatterTransport::Dipole)),
       betterDipole_(makePipelines(device, ScatterTransport::BetterDipole)) {}
 
-NearbyPass::Pipelines NearbyPass::makePipelines(gpu::Device& device, ScatterTransport transport) {
-  return {{device, "nearby over vertices", {.transport = transport}},
-          {device, "nearby over fragments", {.transport = transport}}};
+NearbyPass::PerTransport NearbyPass::makePipelines(gpu::Device& device,
+                                                   ScatterTransport transport) {
+  const auto make = [&](std::uint32_t withPaint) -> Pipelines {
+    return {{device, "nearby over vertices", {.transport = transport, .withPaint = withPaint}},
+            {device, "nearby over fragments", {.transport = transport, .withPaint = withPaint}}};
+  };
+  return {make(0), make(1)};
 }
 
 void NearbyPass::overPlaces(gpu::CommandList& commands, ScatterTransport transport,
                             ScatterSite site, const Inputs& inputs, const Places& places) const {
   commands.beginPass("nearby");
-  commands.bind(pipelines(transport).vertices,
+  commands.bind(pipelines(transport, inputs.tables).vertices,
                 {.frame = inputs.frame.data,
                  .positions = places.positions,
                  .objectOf = places.objectOf,
@@ -36,7 +40,8 @@ void NearbyPass::overPlaces(gpu::CommandList& commands, ScatterTransport transpo
                  .surfelNormals = inputs.surfels.normals,
                  .normals = places.normals,
                  .order = places.order,
-                 .skyShares = inputs.surfels.skyShares},
+                 .skyShares = inputs.surfels.skyShares,
+                 .throughPaint = inputs.tables.paint.throughSurfels},
                 {.vertexCount = places.count, .site = site});
   commands.dispatchLinear(places.count, roundsOfWalk);
   commands.endPass();
@@ -46,7 +51,7 @@ void NearbyPass::overFragments(gpu::CommandList& commands, ScatterTransport tran
                                ScatterSite site, const Inputs& inputs,
                                const SeenSurfaces& seen) const {
   commands.beginPass("nearby");
-  dispatchParts(commands, seen.surfaces, pipelines(transport).fragments,
+  dispatchParts(commands, seen.surfaces, pipelines(transport, inputs.tables).fragments,
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .exitances = seen.surfaces.light,
                  .objects = inputs.tables.objects,
@@ -56,7 +61,8 @@ void NearbyPass::overFragments(gpu::CommandList& commands, ScatterTransport tran
                  .nodes = inputs.surfels.nodes,
                  .sources = inputs.surfels.sources,
                  .surfelNormals = inputs.surfels.normals,
-                 .skyShares = inputs.surfels.skyShares},
+                 .skyShares = inputs.surfels.skyShares,
+                 .throughPaint = inputs.tables.paint.throughSurfels},
                 {.first = 0, .site = site});
   commands.endPass();
 }

@@ -35,15 +35,21 @@ class NearbyPass {
     gpu::Compute<shaders::ScatterNearbyVertices> vertices;
     gpu::Compute<shaders::ScatterNearby> fragments;
   };
-  static Pipelines makePipelines(gpu::Device& device, ScatterTransport transport);
-  const Pipelines& pipelines(ScatterTransport transport) const {
-    return transport == ScatterTransport::Dipole ? dipole_ : betterDipole_;
+  /// Where nothing is painted the shaders have no code for it.
+  struct PerTransport {
+    Pipelines plain;
+    Pipelines painted;
+  };
+  static PerTransport makePipelines(gpu::Device& device, ScatterTransport transport);
+  const Pipelines& pipelines(ScatterTransport transport, const SceneTables& tables) const {
+    const PerTransport& of = transport == ScatterTransport::Dipole ? dipole_ : betterDipole_;
+    return tables.paint.any ? of.painted : of.plain;
   }
 
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
-  Pipelines dipole_;
-  Pipelines betterDipole_;
+  PerTransport dipole_;
+  PerTransport betterDipole_;
 };
 
 }  // namespace opaline::passes

@@ -39,7 +39,7 @@ SurfacePass::SurfacePass(gpu::Device& device)
       surfaces_(device, "seen surfaces") {}
 
 VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent,
-                                          std::uint32_t samples, bool opaque) {
+                                          std::uint32_t samples, KeptOfSeen kept) {
   constexpr VkBufferUsageFlags counted = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                          VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
                                          VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
@@ -59,7 +59,7 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                  .height = extent.height,
                  .format = VK_FORMAT_D32_SFLOAT,
                  .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT}};
-  made.rowsOfBand = rowsOfBand(extent, samples, opaque);
+  made.rowsOfBand = rowsOfBand(extent, samples, kept.materials);
   const std::uint32_t pixels = extent.width * made.rowsOfBand;
   const std::uint32_t room = pixels * samples;
   made.parts = (room + shared::seenOfPart - 1) / shared::seenOfPart;
@@ -74,9 +74,10 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                   .bytes = (1 + made.parts) * sizeof(shared::SeenCount),
                   .usage = counted}};
   made.light = makeRoom<shared::vec4>(device, "light of seen surfaces", room);
-  made.materials =
-      makeRoom<shared::SeenMaterial>(device, "materials of seen surfaces", opaque ? room : 0);
-  made.hasMaterials = opaque;
+  made.materials = makeRoom<shared::SeenMaterial>(device, "materials of seen surfaces",
+                                                  kept.materials ? room : 0);
+  made.paint = makeRoom<shared::vec4>(device, "paint of seen surfaces", kept.paint ? room : 0);
+  made.kept = kept;
   made.skyBlocks = {device,
                     {.name = "blocks of reflected sky",
                      .width = (extent.width + 1) / 2,

@@ -28,10 +28,9 @@ class SurfacePass {
  public:
   explicit SurfacePass(gpu::Device& device);
 
-  /// With room for materials of opaque surfaces, if wanted. Throws Error where the picture is too
-  /// large for the device.
+  /// Throws Error where the picture is too large for the device.
   static VisibleSurfaces makeSurfaces(gpu::Device& device, VkExtent2D extent, std::uint32_t samples,
-                                      bool opaque);
+                                      KeptOfSeen kept);
 
   /// `samples`: from the pixel's centre, pixels; of several, those that shared::FrameData has.
   /// `visibleLights`: there may be lights that hide the surface.

@@ -36,11 +36,13 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .media = inputs.tables.media,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
                  .skyReflection = {inputs.sky.reflected, linear_},
-                 .specularAlbedo = inputs.tables.specularAlbedo},
+                 .specularAlbedo = inputs.tables.specularAlbedo,
+                 .paint = surfaces.paint},
                 {.atFragments = inputs.atFragments,
                  .alpha = inputs.roughness * inputs.roughness,
                  .specular = inputs.specular,
-                 .skyIsMirrored = inputs.mirrorsSky});
+                 .skyIsMirrored = inputs.mirrorsSky,
+                 .painted = inputs.tables.paint.any && inputs.atFragments});
   commands.dispatchIndirect(surfaces.counts, 0);
   commands.endPass();
 }

@@ -104,6 +104,7 @@ struct FrameContext {
     if (plan.occludesSky)
       passes.occludedSky.record(commands, resources.tables, resources.sky, scene.clusters,
                                 scene.surfels);
+    if (plan.painted) passes.paint.overSources(commands, resources.tables.paint, scene.surfels);
     passes.surfels.fitTree(commands, scene.surfels);
   }
 
@@ -167,7 +168,8 @@ struct FrameContext {
       using Bounce = passes::SolverPass::Bounce;
       if (plan.bounces > 1 && bounce > 0 && bounce + 1 >= plan.bounces)
         passes.solver.recordFurtherBounces(
-            commands, bounce == plan.bounces ? Bounce::Last : Bounce::LastButOne, clusters);
+            commands, bounce == plan.bounces ? Bounce::Last : Bounce::LastButOne, resources.tables,
+            clusters);
     }
   }
 
@@ -277,6 +279,8 @@ struct FrameContext {
       passes.opaque.overFragments(commands, ofOpaque(), scene.opaque, order().site, seen());
     if (atFragments() && carries() && plan.sum != Sum::Pattern)
       passes.carry.overFragments(commands, order().site, resources.tables, scene.clusters, seen());
+    if (atFragments() && plan.painted && plan.sum != Sum::Pattern)
+      passes.paint.overFragments(commands, resources.tables, scene.opaque, carries(), seen());
   }
 
   void shadeOpaque(const passes::ShadePass::Inputs& inputs, SceneResources& scene) const {
@@ -350,6 +354,7 @@ Passes::Passes(gpu::Device& device)
       sum(device),
       nearby(device),
       opaque(device),
+      paint(device),
       rays(device),
       clusters(device),
       occludedSky(device),

@@ -21,6 +21,7 @@
 #include "passes/gather/surfel_pass.h"
 #include "passes/scatter/nearby_pass.h"
 #include "passes/scatter/opaque_pass.h"
+#include "passes/scatter/paint_pass.h"
 #include "passes/scatter/surface_pass.h"
 #include "passes/scatter/surfel_sum_pass.h"
 #include "passes/shade/backdrop_pass.h"
@@ -52,6 +53,7 @@ struct Passes {
   passes::SurfelSumPass sum;
   passes::NearbyPass nearby;
   passes::OpaquePass opaque;
+  passes::PaintPass paint;
   passes::RayPass rays;
   passes::ClusterPass clusters;
   passes::OccludedSkyPass occludedSky;

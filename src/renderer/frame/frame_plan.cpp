@@ -25,7 +25,9 @@ bool sumsAtVertices(const FramePlan& plan, const SceneResources& scene) {
 
 // What is asked for, or where all objects agree, that; Auto where they do not.
 Site chooseSite(const FramePlan& plan, const SceneResources& scene) {
-  if (plan.site != Site::Auto) return plan.site;
+  // What is painted shows its detail at the fragments alone.
+  const bool vertices = plan.site == Site::Vertex;
+  if (plan.site != Site::Auto && !(vertices && plan.painted)) return plan.site;
   std::size_t atVertices = 0;
   for (std::size_t i = 0; i < scene.objects; ++i)
     if (wantsVertices(scene, i)) ++atVertices;

@@ -28,6 +28,7 @@ struct FramePlan {
   bool centre = false;           ///< leave the visible surface and exitance of the pixels' centres
   bool seenSurfels = false;      ///< find the surfels at the pixels' centres, not for Sum::Pattern
   bool opaque = false;           ///< some bodies are; the view says so
+  bool painted = false;          ///< some bodies are; the view says so
   bool irradiance = false;       ///< leave that of the pixels' centres; wants seenSurfels but for
                                  ///< Sum::Pattern
   int treeLevel = 0;             ///< of the nodes that hold them

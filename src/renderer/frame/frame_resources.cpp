@@ -14,6 +14,7 @@ void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene
   resources.tables = makeSceneTables(device, scene, options);
   if (scene.opaque.materials && scene.clusters.ranges)
     passes.opaque.makeShares(device, scene.surfels, scene.clusters, scene.opaque, resources.tables);
+  passes.paint.makeTables(device, scene.surfels, scene.clusters, scene.opaque, resources.tables);
   // A sky that is there was made for other indices of refraction.
   if (resources.sky.reflected)
     passes::SkyPass::takeEtas(device, resources.tables.etas, resources.sky);

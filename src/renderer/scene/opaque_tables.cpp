@@ -33,10 +33,10 @@ void forEachTexture(const OpaqueMaterial& material, const Visit& visit) {
 bool readsAttributes(const Scene& scene) {
   bool any = false;
   for (const Object& object : scene.objects) {
-    if (!object.opaque) continue;
+    const std::optional<OpaqueMaterial> material = surfaceOf(object);
+    if (!material) continue;
     any = any || !object.mesh.colors.empty();
-    forEachTexture(*object.opaque,
-                   [&](const auto& texture, TexelMeaning) { any = any || texture; });
+    forEachTexture(*material, [&](const auto& texture, TexelMeaning) { any = any || texture; });
   }
   return any;
 }
@@ -123,6 +123,15 @@ void noteHalvings(int halvings, const std::string& device, const LogCallback& lo
 }
 
 }  // namespace
+
+std::optional<OpaqueMaterial> surfaceOf(const Object& object) {
+  if (object.opaque || !object.paint) return object.opaque;
+  OpaqueMaterial material;
+  material.name = object.paint->name;
+  material.baseColor = object.paint->color;
+  material.baseColorTexture = object.paint->colorTexture;
+  return material;
+}
 
 passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
                                       const std::vector<OpaqueMaterial>& materials,

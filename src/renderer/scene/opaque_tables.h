@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "opaline/log.h"
 #include "opaline/scene.h"
 #include "passes/products.h"
@@ -10,8 +13,12 @@ class Device;
 
 namespace opaline {
 
-/// The opaque materials of a scene, `materials` of them, with their textures, and what they read of
-/// its meshes. Notes go to `log`.
+/// What textures an object's surface has: those of its opaque material, or its paint as base
+/// colour.
+std::optional<OpaqueMaterial> surfaceOf(const Object& object);
+
+/// The materials of a scene, `materials` of them, with their textures, and what they read of its
+/// meshes. Notes go to `log`.
 passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
                                       const std::vector<OpaqueMaterial>& materials,
                                       const LogCallback& log);

@@ -57,32 +57,37 @@ bool same(const Medium& a, const Medium& b) {
          a.eta == b.eta;
 }
 
-bool isMadeOf(const Object& object, const Medium& medium,
-              const std::optional<OpaqueMaterial>& opaque) {
-  return object.opaque == opaque && (opaque || same(object.medium, medium));
+bool isMadeOf(const Object& object, const SceneResources& resources, std::size_t medium) {
+  const std::optional<OpaqueMaterial>& opaque = resources.opaqueOfMedium[medium];
+  if (object.opaque != opaque) return false;
+  return opaque || (object.paint == resources.paintOfMedium[medium] &&
+                    same(object.medium, resources.media[medium]));
 }
 
 void listMedia(const Scene& scene, SceneResources& resources) {
   resources.media.clear();
   resources.opaqueOfMedium.clear();
+  resources.paintOfMedium.clear();
   resources.mediumOfObject.clear();
   for (const Object& object : scene.objects) {
     std::uint32_t found = 0;
-    while (found < resources.media.size() &&
-           !isMadeOf(object, resources.media[found], resources.opaqueOfMedium[found]))
-      ++found;
+    while (found < resources.media.size() && !isMadeOf(object, resources, found)) ++found;
     if (found == resources.media.size()) {
       resources.media.push_back(object.medium);
       resources.opaqueOfMedium.push_back(object.opaque);
+      resources.paintOfMedium.push_back(object.opaque ? std::nullopt : object.paint);
     }
     resources.mediumOfObject.push_back(found);
   }
 }
 
-std::vector<OpaqueMaterial> opaqueMaterials(const SceneResources& resources) {
+std::vector<OpaqueMaterial> differentMaterials(const Scene& scene) {
   std::vector<OpaqueMaterial> materials;
-  for (const std::optional<OpaqueMaterial>& material : resources.opaqueOfMedium)
-    if (material) materials.push_back(*material);
+  for (const Object& object : scene.objects) {
+    const std::optional<OpaqueMaterial> material = surfaceOf(object);
+    if (material && std::find(materials.begin(), materials.end(), *material) == materials.end())
+      materials.push_back(*material);
+  }
   return materials;
 }
 
@@ -214,7 +219,7 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
 constexpr double longestByArea = 3;
 
 bool wantsVertices(const SceneResources& resources, std::size_t object) {
-  if (resources.isOpaque(object)) return false;
+  if (resources.isOpaque(object) || resources.isPainted(object)) return false;
   const SizeOfObject& size = resources.sizeOfObject[object];
   const double freePathMm =
       bssrdf::shortestMeanFreePathMm(resources.media[resources.mediumOfObject[object]]);
@@ -258,6 +263,10 @@ bool SceneResources::isOpaque(std::size_t object) const {
   return opaqueOfMedium[mediumOfObject[object]].has_value();
 }
 
+bool SceneResources::isPainted(std::size_t object) const {
+  return paintOfMedium[mediumOfObject[object]].has_value();
+}
+
 SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
                                   const scene::MergedMesh& merged, const SceneNeeds& needs,
                                   const LogCallback& log) {
@@ -267,7 +276,8 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   resources.objects = static_cast<std::uint32_t>(scene.objects.size());
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
   listMedia(scene, resources);
-  resources.opaque = makeOpaqueTables(device, scene, opaqueMaterials(resources), log);
+  resources.materials = differentMaterials(scene);
+  resources.opaque = makeOpaqueTables(device, scene, resources.materials, log);
   measure(scene, resources);
   resources.castingTriangles = castingTriangles(scene);
   if (needs.maxSurfels)

@@ -63,6 +63,8 @@ struct SceneResources {
   std::uint32_t castingTriangles = 0;                         ///< that cast shadows, and come first
   std::vector<Medium> media;                                  ///< the different ones
   std::vector<std::optional<OpaqueMaterial>> opaqueOfMedium;  ///< that has its place among these
+  std::vector<std::optional<Paint>> paintOfMedium;            ///< on those
+  std::vector<OpaqueMaterial> materials;  ///< the different ones, and paints as such, in `opaque`
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<SizeOfObject> sizeOfObject;
   passes::BodyKinds kinds;               ///< these two where clusters are needed
@@ -73,6 +75,7 @@ struct SceneResources {
   /// Whether any object has, so that boundary transport is of use.
   bool hasInside() const;
   bool isOpaque(std::size_t object) const;
+  bool isPainted(std::size_t object) const;
 };
 
 /// `merged` is of the scene and outlives the resources. Notes go to `log`.

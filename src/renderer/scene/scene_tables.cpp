@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "bssrdf/fresnel.h"
+#include "bssrdf/paint.h"
 #include "bssrdf/profile.h"
 #include "gpu/device.h"
 #include "gpu/transfer.h"
@@ -14,11 +15,13 @@
 #include "passes/scatter/nearby_shares.h"
 #include "passes/shade/reflected_lights_pass.h"
 #include "passes/shade/specular_albedo.h"
+#include "renderer/scene/opaque_tables.h"
 #include "shaders/profile_packing.h"
 #include "shaders/shared/boundary.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/medium.h"
 #include "shaders/shared/nearby.h"
+#include "shaders/shared/paint.h"
 
 namespace opaline {
 
@@ -100,13 +103,14 @@ class TableBuilder {
           passes::specularAlbedo(eta, static_cast<double>(options.roughness));
       albedo_.insert(albedo_.end(), entries.begin(), entries.end());
     }
-    std::uint32_t opaqueCount = 0;
     for (std::size_t i = 0; i < resources.media.size(); ++i) {
       const auto& opaque = resources.opaqueOfMedium[i];
+      const bool painted = resources.paintOfMedium[i].has_value();
       media_.push_back(opaque ? dataOfOpaque() : dataOf(resources.media[i]));
       const auto eta = static_cast<std::uint32_t>(
           std::find(etas_.begin(), etas_.end(), etaOf(resources, i)) - etas_.begin());
-      media_.back().tables = {eta, opaque ? opaqueCount++ : 0, 0,
+      media_.back().tables = {eta, materialOf(resources, i),
+                              painted ? addPaint(resources.media[i]) : 0,
                               eta * passes::specularAlbedoEntries};
     }
   }
@@ -114,8 +118,41 @@ class TableBuilder {
   const std::vector<double>& etas() const { return etas_; }
   const std::vector<shared::MediumData>& media() const { return media_; }
   const std::vector<float>& albedo() const { return albedo_; }
+  const std::vector<shared::PaintEntry>& paints() const { return paints_; }
 
  private:
+  // Among SceneResources::materials, where it has one.
+  static std::uint32_t materialOf(const SceneResources& resources, std::size_t medium) {
+    const Object object{.paint = resources.paintOfMedium[medium],
+                        .opaque = resources.opaqueOfMedium[medium]};
+    const std::optional<OpaqueMaterial> material = surfaceOf(object);
+    if (!material) return 0;
+    const auto& all = resources.materials;
+    return static_cast<std::uint32_t>(std::find(all.begin(), all.end(), *material) - all.begin());
+  }
+
+  // Its number and 1.
+  std::uint32_t addPaint(const Medium& medium) {
+    const auto channels = bssrdf::paints(medium, shared::paintEntries);
+    for (std::size_t i = 0; i < shared::paintEntries; ++i) {
+      shared::PaintEntry entry{};
+      for (int c = 0; c < 3; ++c) {
+        const bssrdf::PaintedBoundary& layer = channels[static_cast<std::size_t>(c)][i];
+        entry.thickness[c] = static_cast<float>(layer.thickness);
+        entry.entering[c] = static_cast<float>(layer.entering);
+        entry.layer[c] = static_cast<float>(layer.layer);
+        entry.leaving[c] = static_cast<float>(layer.leaving);
+        entry.takenOff[c] = static_cast<float>(layer.takenOff);
+        entry.source[c] = static_cast<float>(layer.source);
+        entry.deep[c] = static_cast<float>(layer.deep);
+      }
+      paints_.push_back(entry);
+    }
+    const Rgb color = colorOf(medium);
+    paints_.push_back({.thickness = {color[0], color[1], color[2], 0}});
+    return static_cast<std::uint32_t>(paints_.size() / (shared::paintEntries + 1));
+  }
+
   shared::MediumData dataOf(const Medium& medium) const {
     const bssrdf::Model model = modelOf(options_.transport);
     const FresnelLobes lobes = fresnelLobesOf(medium.eta);
@@ -131,6 +168,7 @@ class TableBuilder {
   std::vector<double> etas_;
   std::vector<shared::MediumData> media_;
   std::vector<float> albedo_;
+  std::vector<shared::PaintEntry> paints_;
 };
 
 // Exitance that nothing visible depends on, as a part of that of the body's mean irradiance.
@@ -202,6 +240,8 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
   tables.reflectionLobes = gpu::makeBuffer(device, "lobes of the reflection",
                                            reflectionLobes(double{options.roughness}), storage);
+  tables.paint.any = !builder.paints().empty();
+  tables.paint.entries = gpu::makeBuffer(device, "paints", builder.paints(), storage);
   tables.etas = builder.etas();
   return tables;
 }

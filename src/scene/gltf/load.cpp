@@ -86,18 +86,22 @@ void requireEqualTargets(const Gathering& of, const tinygltf::Mesh& mesh, std::s
   }
 }
 
-/// A texture whose coordinates the mesh does not have cannot be shown. Whether there was one.
-bool dropTexturesWithout(const VertexAttributes& attributes, OpaqueMaterial& material) {
+/// A texture whose coordinates the mesh does not have cannot be shown. Whether it was dropped.
+bool dropWithout(const VertexAttributes& attributes, std::optional<Texture>& texture) {
+  const bool isThere = texture && (texture->coordinates == 0 || texture->coordinates == 1) &&
+                       !attributes.textureCoordinates[texture->coordinates == 1].empty();
+  if (!texture || isThere) return false;
+  texture.reset();
+  return true;
+}
+
+bool dropTexturesWithout(const VertexAttributes& attributes, GltfSurface& surface) {
   bool any = false;
-  for (const auto member : texturesOfMaterial) {
-    std::optional<Texture>& texture = material.*member;
-    const bool isThere = texture && (texture->coordinates == 0 || texture->coordinates == 1) &&
-                         !attributes.textureCoordinates[texture->coordinates == 1].empty();
-    if (!texture || isThere) continue;
-    texture.reset();
-    any = true;
-  }
-  return any;
+  if (surface.opaque)
+    for (const auto member : texturesOfMaterial)
+      any = dropWithout(attributes, *surface.opaque.*member) || any;
+  std::optional<Paint>& paint = surface.translucent.paint;
+  return (paint && dropWithout(attributes, paint->colorTexture)) || any;
 }
 
 void addMesh(Gathering& to, std::size_t nodeIndex) {
@@ -118,7 +122,8 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
     GltfSurface surface = to.materials.surface(primitive.material, mesh.name, node.name);
     BakedPrimitive baked =
         bakePrimitive(to.input, to.model, to.nodes, to.motion, to.accessors, nodeIndex, primitive);
-    if (surface.opaque && dropTexturesWithout(baked.attributes, *surface.opaque))
+    if (!surface.opaque) baked.attributes.colors.clear();  // a medium has no base colour
+    if (dropTexturesWithout(baked.attributes, surface))
       addNotShown(to.scene.notShown, "textures without coordinates", name);
     to.triangles += baked.mesh.triangles.size();
     to.vertices += baked.mesh.positions.size();
@@ -129,11 +134,14 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
     const auto begin = to.scene.objects.begin() + static_cast<std::ptrdiff_t>(first);
     auto object = std::find_if(begin, to.scene.objects.end(), [&](const RawObject& known) {
       return known.opaque == surface.opaque && known.rig.has_value() == baked.rig.has_value() &&
-             (known.opaque || sameMedium(known.medium, surface.medium));
+             (known.opaque || (sameMedium(known.medium, surface.translucent.medium) &&
+                               known.paint == surface.translucent.paint));
     });
     if (object == to.scene.objects.end()) {
-      to.scene.objects.push_back(
-          {.name = name, .medium = surface.medium, .opaque = surface.opaque});
+      to.scene.objects.push_back({.name = name,
+                                  .medium = surface.translucent.medium,
+                                  .paint = surface.translucent.paint,
+                                  .opaque = surface.opaque});
       object = to.scene.objects.end() - 1;
     }
     append(*object, std::move(baked), part++);

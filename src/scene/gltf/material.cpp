@@ -87,15 +87,15 @@ std::set<int> GltfMaterials::opaque() const {
 
 GltfSurface GltfMaterials::surface(int material, std::string_view meshName,
                                    std::string_view nodeName) {
-  if (auto medium = gltfMedium(input_, model_, material, meshName, nodeName, textures_))
-    return {std::move(*medium), std::nullopt};
-  if (material < 0) return {defaultMedium(), std::nullopt};
+  if (auto translucent = gltfMedium(input_, model_, material, meshName, nodeName, textures_))
+    return {std::move(*translucent), std::nullopt};
+  if (material < 0) return {{defaultMedium(), std::nullopt}, std::nullopt};
   auto known = opaque_.find(material);
   if (known == opaque_.end()) {
     const tinygltf::Material& of = model_.materials[static_cast<std::size_t>(material)];
     known = opaque_.emplace(material, read(of)).first;
   }
-  return {defaultMedium(), known->second};
+  return {{defaultMedium(), std::nullopt}, known->second};
 }
 
 }  // namespace opaline::scene

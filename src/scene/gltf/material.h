@@ -6,13 +6,14 @@
 #include <string_view>
 
 #include "scene/gltf/textures.h"
+#include "scene/material.h"
 
 namespace opaline::scene {
 
 /// What a primitive is made of.
 struct GltfSurface {
-  Medium medium;
-  std::optional<OpaqueMaterial> opaque;  ///< if set, the medium does not count
+  Translucent translucent;
+  std::optional<OpaqueMaterial> opaque;  ///< if set, the other does not count
 };
 
 /// The materials of one file. One with no sign of translucency is opaque; a primitive without any

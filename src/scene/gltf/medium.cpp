@@ -63,35 +63,41 @@ std::optional<Volume> volumeOf(const tinygltf::Material& material) {
   return Volume{*distance, *attenuation, *scattering};
 }
 
-/// A texture of colours counts by its mean.
-Numbers3 reflectanceOf(const GltfScattering& scattering, GltfTextures& textures) {
-  Numbers3 reflectance = scattering.color;
-  if (!scattering.texture) return reflectance;
-  const std::optional<Texture> texture = textures.texture(*scattering.texture);
-  if (!texture) return reflectance;
-  const Rgb mean = meanColor(*texture->pixels);
-  for (std::size_t c = 0; c < 3; ++c) reflectance[c] *= double{mean[c]};
-  return reflectance;
+/// The texture of its colours, if it has any.
+std::optional<Paint> paintOf(const tinygltf::Material& material, const GltfScattering& scattering,
+                             GltfTextures& textures) {
+  if (!scattering.texture) return std::nullopt;
+  std::optional<Texture> texture = textures.texture(*scattering.texture);
+  if (!texture) return std::nullopt;
+  return Paint{.name = cleanText(material.name), .colorTexture = std::move(texture)};
 }
 
-std::optional<Medium> fromVolume(const tinygltf::Material& material, GltfTextures& textures) {
+std::optional<Translucent> fromVolume(const tinygltf::Material& material, GltfTextures& textures) {
   const std::optional<Volume> volume = volumeOf(material);
   if (!volume) return std::nullopt;
   Medium medium;
   medium.name = cleanText(material.name);
   medium.eta = etaOf(material);
-  const Numbers3 reflectance = reflectanceOf(volume->scattering, textures);
+  std::optional<Paint> paint = paintOf(material, volume->scattering, textures);
+  const Rgb bright = paint ? brightColor(*paint->colorTexture->pixels) : Rgb{1, 1, 1};
   for (std::size_t c = 0; c < 3; ++c) {
+    const double reflectance =
+        std::clamp(volume->scattering.color[c] * double{bright[c]}, 0.0, 1.0);
     const double left = std::clamp(volume->attenuationColor[c], 1e-6, 0.9999);
     const double extinctionPerMm = -std::log(left) / (1000 * volume->attenuationDistance);
-    const double albedo = albedoOf(std::clamp(reflectance[c], 0.0, 1.0), medium.eta);
+    const double albedo = albedoOf(reflectance, medium.eta);
     // σ_t = σ_s' / (1 - g) + σ_a, with σ_s' = α' σ_t'.
     const double reducedPerMm =
         extinctionPerMm / (albedo / (1 - volume->scattering.anisotropy) + 1 - albedo);
     medium.sigmaSPrimePerMm[c] = albedo * reducedPerMm;
     medium.sigmaAPerMm[c] = (1 - albedo) * reducedPerMm;
   }
-  return medium;
+  if (!paint) return Translucent{std::move(medium), std::nullopt};
+  // Where the texture is that bright, the medium is bare.
+  const Rgb bare = colorOf(medium);
+  for (std::size_t c = 0; c < 3; ++c)
+    paint->color[c] = bright[c] > 0 ? std::min(bare[c] / bright[c], Paint::mostColor) : 1.0F;
+  return Translucent{std::move(medium), std::move(paint)};
 }
 
 }  // namespace
@@ -133,9 +139,9 @@ bool letsLightThrough(const tinygltf::Material& material) {
 
 }  // namespace
 
-std::optional<Medium> gltfMedium(const Input& input, const tinygltf::Model& model, int material,
-                                 std::string_view meshName, std::string_view nodeName,
-                                 GltfTextures& textures) {
+std::optional<Translucent> gltfMedium(const Input& input, const tinygltf::Model& model,
+                                      int material, std::string_view meshName,
+                                      std::string_view nodeName, GltfTextures& textures) {
   const tinygltf::Material none;
   if (material != -1 &&
       (material < 0 || static_cast<std::size_t>(material) >= model.materials.size())) {
@@ -147,14 +153,18 @@ std::optional<Medium> gltfMedium(const Input& input, const tinygltf::Model& mode
   for (const std::string_view name : {std::string_view(of.name), meshName, nodeName}) {
     if (!medium && !name.empty()) medium = findMedium(name);
   }
-  if (!medium) medium = fromVolume(of, textures);
-  if (!medium && letsLightThrough(of)) return defaultMedium();
-  if (!medium) return std::nullopt;
-  const std::string complaint = complaintAbout(*medium);
+  std::optional<Translucent> found;
+  if (medium)
+    found = Translucent{std::move(*medium), std::nullopt};
+  else
+    found = fromVolume(of, textures);
+  if (!found && letsLightThrough(of)) return Translucent{defaultMedium(), std::nullopt};
+  if (!found) return std::nullopt;
+  const std::string complaint = complaintAbout(found->medium);
   if (!complaint.empty()) {
     failGltf(input, fmt::format("material '{}': {}", cleanText(of.name, 60), complaint));
   }
-  return medium;
+  return found;
 }
 
 }  // namespace opaline::scene

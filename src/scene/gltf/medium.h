@@ -6,6 +6,7 @@
 
 #include "opaline/medium.h"
 #include "scene/gltf/textures.h"
+#include "scene/material.h"
 
 namespace opaline::scene {
 
@@ -23,11 +24,11 @@ std::optional<GltfScattering> gltfScattering(const tinygltf::Material& material)
 /// The medium of a primitive, from the first of these that there is: measured coefficients in the
 /// material's extras (sigma_s_prime_per_mm, sigma_a_per_mm, eta); a material, mesh or node named
 /// like a medium; gltfScattering() with KHR_materials_volume; marble, if it lets light
-/// through in some other way. None if nothing says so. Throws Error for a material that does not
-/// exist.
-std::optional<Medium> gltfMedium(const Input& input, const tinygltf::Model& model, int material,
-                                 std::string_view meshName, std::string_view nodeName,
-                                 GltfTextures& textures);
+/// through in some other way. A texture of colours is its paint. None if nothing says so. Throws
+/// Error for a material that does not exist.
+std::optional<Translucent> gltfMedium(const Input& input, const tinygltf::Model& model,
+                                      int material, std::string_view meshName,
+                                      std::string_view nodeName, GltfTextures& textures);
 
 /// Whether these two say together what it is of.
 bool saysMediumByVolume(const tinygltf::Material& material);

@@ -235,7 +235,8 @@ void buildMesh(const ObjReader& reader, std::span<const Group* const> groups, Ra
                                                return reader.corners[corner].normal != noNormal;
                                              });
   }
-  VertexTable table(reader, withNormals, object.opaque && !reader.places.empty());
+  const bool withPlaces = object.opaque || reader.input.wantsCoordinates;
+  VertexTable table(reader, withNormals, withPlaces && !reader.places.empty());
   Triangulator triangulator;
   std::vector<std::uint32_t> polygon;
   for (const Group* group : groups) {

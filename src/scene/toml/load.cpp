@@ -140,8 +140,14 @@ void setMedium(const TomlTable& table, RawScene& model, const Assembly& from) {
   for (RawObject& object : model.objects) {
     if (object.opaque && isMetal(*object.opaque)) continue;
     object.medium = found;
+    object.paint.reset();
     object.opaque.reset();
   }
+}
+
+bool hasTextures(const Assembly& from) {
+  return std::any_of(from.materials.begin(), from.materials.end(),
+                     [](const auto& named) { return !named.second.source.textures.empty(); });
 }
 
 /// In millimetres, from the table that names it under `key`.
@@ -172,7 +178,10 @@ RawScene loadModelOf(const TomlTable& table, std::string_view key, bool isOnly, 
     if (!isOnly) table.fail(key, "stands for numbered meshes, which must be a scene's only model");
     to.meshes.emplace(path, morphTo);
   }
-  RawScene raw = to.meshes ? to.meshes->loadFirst(to.options.log) : loadModel(path, to.options.log);
+  // The vertices of meshes that follow each other are matched one to one.
+  const bool wantsCoordinates = !to.meshes && !morphTo && hasTextures(to);
+  RawScene raw = to.meshes ? to.meshes->loadFirst(to.options.log)
+                           : loadModel(path, to.options.log, wantsCoordinates);
   if (morphTo) addMorph(raw, path, *morphTo, to.options.log);
   raw = inMillimetres(std::move(raw), path, noteUnit, to.options.log, to.repairs);
   if (to.meshes) to.meshes->followRepairs(raw);
@@ -223,6 +232,16 @@ std::optional<std::pair<std::string, TomlMaterial>> materialNamed(const TomlTabl
   return *found;
 }
 
+void noteWithoutCoordinates(const std::pair<std::string, TomlMaterial>& material,
+                            const RawObject& object, const Assembly& to) {
+  if (material.second.source.textures.empty()) return;
+  if (!object.attributes.textureCoordinates[0].empty()) return;
+  note(to.options.log,
+       fmt::format("object '{}' has no texture coordinates: it shows one pixel of the textures of "
+                   "material '{}'",
+                   object.name, cleanText(material.first, 60)));
+}
+
 void readObjects(const TomlTable& root, Assembly& to) {
   const auto objects = root.table("objects");
   if (!objects) return;
@@ -243,11 +262,14 @@ void readObjects(const TomlTable& root, Assembly& to) {
     for (RawObject& object : to.scene.objects) {
       if (object.name != name) continue;
       if (material) {
+        noteWithoutCoordinates(*material, object, to);
         object.opaque = material->second.opaque;
-        object.medium = material->second.medium;
+        object.medium = material->second.translucent.medium;
+        object.paint = material->second.translucent.paint;
       }
       if (medium) {
         object.medium = mediumNamed(table, "medium", *medium, to);
+        object.paint.reset();
         object.opaque.reset();
       }
       if (placement) place(object, *placement, table);

@@ -98,7 +98,7 @@ class MaterialReader {
       for (const char* key : {"color", "color_texture", "mean_free_path_mm", "g", "eta"})
         if (table_.has(key)) table_.fail(key, "cannot stand beside 'medium', which has its own");
       made_.source.medium = *medium;
-      made_.medium = findMedium_(table_, "medium", *medium);
+      made_.translucent.medium = findMedium_(table_, "medium", *medium);
       return;
     }
     made_.source.appearance = chosenIn<Appearance>(table_);
@@ -107,13 +107,18 @@ class MaterialReader {
     Appearance appearance;
     if (table_.has("color_texture")) appearance.color = {1, 1, 1};
     made_.source.appearance.applyTo(appearance);
-    // Its mean.
-    if (const std::optional<Texture> colors = texture("color_texture")) {
-      const Rgb mean = meanColor(*colors->pixels);
-      for (std::size_t c = 0; c < 3; ++c) appearance.color[c] *= double{mean[c]};
+    if (std::optional<Texture> colors = texture("color_texture")) {
+      Paint& paint = made_.translucent.paint.emplace();
+      paint.name = cleanText(name);
+      const Rgb bright = brightColor(*colors->pixels);
+      for (std::size_t c = 0; c < 3; ++c) {
+        paint.color[c] = static_cast<float>(appearance.color[c]);
+        appearance.color[c] *= double{bright[c]};
+      }
+      paint.colorTexture = std::move(colors);
     }
-    made_.medium = mediumOf(appearance);
-    made_.medium.name = cleanText(name);
+    made_.translucent.medium = mediumOf(appearance);
+    made_.translucent.medium.name = cleanText(name);
   }
 
   const TomlTable& table_;

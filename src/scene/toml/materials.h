@@ -6,6 +6,7 @@
 #include <string>
 
 #include "opaline/scene_file.h"
+#include "scene/material.h"
 #include "scene/toml/reader.h"
 
 namespace opaline::scene {
@@ -13,7 +14,7 @@ namespace opaline::scene {
 /// What an object with a material is made of.
 struct TomlMaterial {
   MaterialSource source;
-  Medium medium;  ///< of a translucent one
+  Translucent translucent;  ///< unless `opaque` is set
   std::optional<OpaqueMaterial> opaque;
 };
 

@@ -6,12 +6,14 @@
 #define BINDING_MEDIA 2
 #define BINDING_PIECE_CORNERS 3
 #define BINDING_RAYS 4
+#define BINDING_CLUSTER_PAINTS 15
 #include "lib/boundary.glsl"
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/area_light.glsl"
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
+#include "lib/paint.glsl"
 #include "lib/point_counts.glsl"
 #include "lib/rays.glsl"
 #include "lib/unit.glsl"
@@ -34,6 +36,7 @@ layout(push_constant) uniform Push {
   uint piecesPerSurfel;
   uint nodeCount;  // of all surfels' trees
   uint mirrors;    // 1: what the surface does not let in goes on
+  uint painted;    // 1: some bodies are
 };
 
 const float leastShare = 0.005;      // of light that is followed further
@@ -151,6 +154,11 @@ void firstSegment(Body body, uint i, Cluster cluster, vec3 origin, vec3 directio
   }
 }
 
+// Of a beam with that cosine inside.
+vec3 throughPaint(uint cluster, Body body, float cosine) {
+  return throughLayer(clusterPaints[cluster].entering.rgb, body.medium.sigma.w, cosine);
+}
+
 void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction, RayHit hit) {
   vec3 extinction = body.medium.extinction.rgb;
   bool further = cluster.second.rgb != vec3(0.0);
@@ -158,7 +166,9 @@ void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction
   for (uint s = 1u; s <= maxReflections; ++s) {
     if (hit.piece == noPiece) return;
     vec3 normal = facetNormal(hit.piece);
-    left *= exp(-extinction * hit.distance) * reflectedInside(body, abs(dot(direction, normal)));
+    float cosine = abs(dot(direction, normal));
+    left *= exp(-extinction * hit.distance) * reflectedInside(body, cosine);
+    if (painted != 0u) left *= throughPaint(clusterOfSurfel[hit.piece / piecesPerSurfel], body, 0.5 * cosine);
     if (largestOf(left) < leastShare) return;
     origin += hit.distance * direction;
     direction = reflect(direction, normal);
@@ -213,6 +223,7 @@ void main() {
   pointCount[0] = 0u;
   pointCount[1] = 0u;
   Mirrored goesOn = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);
+  float cosineInside = body.medium.sigma.w;
   if (everywhere) {
     vec3 extinction = body.medium.extinction.rgb / cluster.facet.w;
     firstSegment(body, i, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
@@ -223,6 +234,7 @@ void main() {
     float cosine = dot(toLight, normal);
     vec3 from = unitOr(toLight + max(leastEntryCosine - cosine, 0.0) * normal, normal);
     vec3 direction = unitOr(refract(-from, normal, 1.0 / body.eta), -normal);
+    cosineInside = -dot(direction, normal);
     RayHit hit = nextHit(body, entry.start.xyz, direction, 3e38);
     firstSegment(body, i, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
                  body.medium.extinction.rgb);
@@ -233,5 +245,6 @@ void main() {
     }
   }
   if (mirrors != 0u) mirrored[i] = goesOn;
+  if (painted != 0u) power *= throughPaint(i, body, cosineInside);
   strengths[i] = vec4(power, packPointCounts(pointCount[0], pointCount[1]));
 }

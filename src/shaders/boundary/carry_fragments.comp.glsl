@@ -9,6 +9,7 @@
 #define BINDING_CLUSTER_NODES 3
 #define BINDING_EXITANCES 4
 #define BINDING_MEANS 5
+#define BINDING_BARE_LIGHTS 16
 #define MESH_BINDING 9
 #define BINDING_SEEN_LIST 13
 #include "lib/carry.glsl"
@@ -20,6 +21,7 @@
 layout(std430, set = 0, binding = 8) buffer Found { vec4 found[]; };
 
 layout(std430, set = 0, binding = 15) readonly buffer Materials { SeenMaterial materials[]; };
+layout(std430, set = 0, binding = 17) writeonly buffer Paint { vec4 paint[]; };
 
 layout(push_constant) uniform Push {
   uint first;
@@ -33,8 +35,10 @@ void main() {
   bool here = seen.there && body.clusters.z != 0u && isSummedAtFragments(body, site);
   vec4 known = found[seen.entry];
   bool opaque = isOpaque(body);
+  bool painted = withPaint != 0u && mediumAt(body, place.position).tables.z != 0u;
   vec3 better = corrected(known.rgb, place.position, place.side * place.normal, insideOf(body),
-                          opaque, here ? body.clusters.x : noNode, body.clusters.y);
+                          opaque, painted, here ? body.clusters.x : noNode, body.clusters.y);
   if (here && opaque) better = mix(known.rgb, better, materials[seen.entry].normal.w);
   if (here) found[seen.entry] = vec4(better, known.a);
+  if (withPaint != 0u && seen.there) paint[seen.entry] = vec4(enteredAround, 0.0);
 }

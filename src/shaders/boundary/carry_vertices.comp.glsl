@@ -31,7 +31,7 @@ void main() {
   bool here = inside && body.clusters.z != 0u && !isSummedAtFragments(body, site);
   vec4 known = vertexExitances[vertex];
   vec3 better = corrected(known.rgb, positions[vertex].xyz, normals[vertex].xyz,
-                          insideOf(body), isOpaque(body),
+                          insideOf(body), isOpaque(body), false,
                           here ? body.clusters.x : noNode, body.clusters.y);
   if (here) vertexExitances[vertex] = vec4(better, known.a);
 }

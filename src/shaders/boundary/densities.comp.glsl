@@ -8,10 +8,12 @@
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
 #define BINDING_CLUSTER_NODES 2
+#define BINDING_CLUSTER_PAINTS 11
 #include "lib/boundary.glsl"
 #include "lib/cluster_node.glsl"
 #include "lib/linear.glsl"
 #include "lib/over_or_0.glsl"
+#include "lib/painted_cluster.glsl"
 
 layout(std430, set = 0, binding = 3) readonly buffer Inner { InnerNode innerNodes[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
@@ -33,7 +35,7 @@ layout(push_constant) uniform Push {
 vec3 enteredFluence(uint cluster) {
   float thicknessMm = texelFetch(clusterTexels, 7 * int(cluster) + 3).w;
   BoundaryMedium medium = insideOf(objects[ranges[cluster].object]);
-  return fluenceAtSurface(entered[cluster].rgb, thicknessMm, medium);
+  return fluenceEntered(cluster, entered[cluster].rgb, thicknessMm, medium);
 }
 
 // What is left of the last product without its parts along the vectors of the basis so far. Those are
@@ -55,10 +57,11 @@ DensityNode noDensity() {
 void add(inout DensityNode sum, uint cluster, vec3 fluence, vec3 place, vec3 weightS) {
   vec4 centroidArea = texelFetch(clusterTexels, 7 * int(cluster));
   vec3 vectorArea = texelFetch(clusterTexels, 7 * int(cluster) + 2).xyz;
-  vec3 arm = centroidArea.w * (centroidArea.xyz - place);
-  sum.red += fluence.r * vec4(vectorArea + weightS.r * arm, centroidArea.w);
-  sum.green += fluence.g * vec4(vectorArea + weightS.g * arm, centroidArea.w);
-  sum.blue += fluence.b * vec4(vectorArea + weightS.b * arm, centroidArea.w);
+  vec3 areas = centroidArea.w * layerOf(cluster);
+  vec3 arm = centroidArea.xyz - place;
+  sum.red += fluence.r * vec4(vectorArea + weightS.r * areas.r * arm, areas.r);
+  sum.green += fluence.g * vec4(vectorArea + weightS.g * areas.g * arm, areas.g);
+  sum.blue += fluence.b * vec4(vectorArea + weightS.b * areas.b * arm, areas.b);
 }
 
 // Of the clusters below, every `stride`-th from the `start`-th on.

@@ -6,6 +6,7 @@
 #include "lib/linear.glsl"
 #include "lib/over_or_0.glsl"
 #include "shared/boundary.h"
+#include "shared/paint.h"
 
 layout(constant_id = 0) const uint ofLast = 1u;  // else of the one before
 
@@ -14,9 +15,11 @@ layout(std430, set = 0, binding = 1) readonly buffer Latest { vec4 latest[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Entered { vec4 entered[]; };
 layout(std430, set = 0, binding = 3) buffer PowerBefore { vec4 powerBefore; };
 layout(std430, set = 0, binding = 4) buffer Exitances { vec4 exitances[]; };
+layout(std430, set = 0, binding = 5) buffer BareLights { BareLight bareLights[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
+  uint painted;  // 1: some bodies are
 };
 
 // Each bounce loses what gets out of the scene.
@@ -32,6 +35,13 @@ void main() {
     return;
   }
   vec3 kept = min(overOr0(power, powerBefore.rgb), vec3(mostKept));
-  for (uint i = gl_LocalInvocationIndex; i < clusterCount; i += gl_WorkGroupSize.x)
-    exitances[i].rgb += latest[i].rgb * kept / (1.0 - kept);
+  for (uint i = gl_LocalInvocationIndex; i < clusterCount; i += gl_WorkGroupSize.x) {
+    vec3 before = exitances[i].rgb;
+    vec3 after = before + latest[i].rgb * kept / (1.0 - kept);
+    exitances[i].rgb = after;
+    if (painted == 0u) continue;
+    vec3 more = mix(vec3(1.0), overOr0(after, before), greaterThan(before, vec3(0.0)));
+    bareLights[i].exitance.rgb *= more;
+    bareLights[i].entered.rgb *= more;
+  }
 }

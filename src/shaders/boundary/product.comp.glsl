@@ -13,7 +13,9 @@
 #define BINDING_MEDIA 1
 #define BINDING_TILES 2
 #define BINDING_CLUSTER_NODES 4
+#define BINDING_CLUSTER_PAINTS 15
 #include "lib/cluster_walk.glsl"
+#include "lib/painted_cluster.glsl"
 #include "lib/tile_sum.glsl"
 
 layout(std430, set = 0, binding = 5) readonly buffer Clusters { Cluster clusters[]; };
@@ -131,11 +133,11 @@ vec3 productOf(uint i, vec3 sum) {
   vec3 own = 0.5 * absorbedLength(medium.sigma.rgb, vec3(cluster.normal.w)) / medium.diffusion.rgb;
   vec3 fluence = basis[(step - 1u) * clusterCount + i].rgb;
   float share = clamp(cluster.vectorArea.w, leastShare, 1.0);
-  return sum / (4.0 * pi) + fluence * (share + own / (2.0 * medium.diffusion.w));
+  return sum / (4.0 * pi) + fluence * (share + layerOf(i) * own / (2.0 * medium.diffusion.w));
 }
 
 vec3 enteredFluence(uint i) {
-  return fluenceAtSurface(entered[i].rgb, clusters[i].start.w, medium);
+  return fluenceEntered(i, entered[i].rgb, clusters[i].start.w, medium);
 }
 
 // α' times the sources, less (c + K) on what has entered. That is nothing where this is even and nothing

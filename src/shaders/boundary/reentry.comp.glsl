@@ -4,8 +4,10 @@
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
 #define BINDING_MEDIA 1
+#define BINDING_CLUSTER_PAINTS 10
 #include "lib/boundary.glsl"
 #include "lib/linear.glsl"
+#include "lib/paint.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Clusters { Cluster clusters[]; };
@@ -20,6 +22,7 @@ layout(push_constant) uniform Push {
   uint clusterCount;
   uint raysOutwards;
   uint isFirst;  // 1: light that was mirrored on arrival too
+  uint painted;  // 1: some bodies are
 };
 
 void main() {
@@ -37,5 +40,7 @@ void main() {
   float area = cluster.centroidArea.w;
   if (isFirst != 0u && area > 0.0) sum += arrived[i].rgb / area;
   entered[i] = vec4(sum, 0.0);
-  strengths[i].rgb = area * sum * (1.0 - shareAtSurface(cluster.start.w, medium));
+  vec3 power = area * sum * (1.0 - shareAtSurface(cluster.start.w, medium));
+  if (painted != 0u) power *= clusterPaints[i].entering.rgb;
+  strengths[i].rgb = power;
 }

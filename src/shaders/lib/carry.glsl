@@ -8,6 +8,7 @@
 #include "lib/tree_node.glsl"
 #include "shared/boundary.h"
 #include "shared/medium.h"
+#include "shared/paint.h"
 
 layout(std430, set = 0, binding = BINDING_CLUSTERS) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = BINDING_EXITANCES) readonly buffer Exitances { vec4 exitances[]; };
@@ -18,12 +19,31 @@ layout(std430, set = 0, binding = BINDING_MEANS) readonly buffer Means { vec4 me
 const float coarseInFreePaths = 4.0;
 const float coarseInDiffusionLengths = 1.0;
 
+#ifdef BINDING_BARE_LIGHTS
+layout(constant_id = 0) const uint withPaint = 0u;
+layout(std430, set = 0, binding = BINDING_BARE_LIGHTS) readonly buffer BareLights { BareLight bareLights[]; };
+
+// Of a painted body: what has entered the diffusion at the surface, which the walk below finds too.
+vec3 enteredAround = vec3(0.0);
+
+vec3 exitanceOfCluster(uint i, bool painted, float weight) {
+  if (withPaint == 0u || !painted) return exitances[i].rgb;
+  enteredAround += weight * bareLights[i].entered.rgb;
+  return bareLights[i].exitance.rgb;
+}
+#else
+vec3 exitanceOfCluster(uint i, bool painted, float weight) {
+  return exitances[i].rgb;
+}
+#endif
+
 // The exitance at a place, where the half-space has that one, by the clusters around: their weights
 // fall to 0 where a cluster's reach ends, so nothing jumps. Detail is scaled down, not up. Of opaque
-// bodies clusters have what is not known at the place, and none of what is. The
+// bodies clusters have what is not known at the place, and none of what is; of painted ones what is below
+// the paint. The
 // invocations of a subgroup go in step; those with nothing to do have noNode as root.
 vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium,
-               bool opaque, uint root, uint end) {
+               bool opaque, bool painted, uint root, uint end) {
   vec3 exitance = vec3(0.0);
   vec3 mean = vec3(0.0);
   float edges = 0.0;
@@ -46,7 +66,7 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium,
         float weight = weightOfCluster(squared, reach, edge, dot(normal, clusters[i].normal.xyz));
         all += weight;
         weight *= clusters[i].second.w;  // 0 without inside
-        exitance += weight * exitances[i].rgb;
+        exitance += weight * exitanceOfCluster(i, painted, weight);
         mean += weight * means[i].rgb;
         edges += weight * edge;
         inside += weight;
@@ -57,6 +77,9 @@ vec3 corrected(vec3 halfSpace, vec3 place, vec3 normal, BoundaryMedium medium,
   }
   if (inside <= 0.0) return halfSpace;
   exitance /= inside;
+#ifdef BINDING_BARE_LIGHTS
+  enteredAround /= all;
+#endif
   if (opaque) return halfSpace + exitance;
   mean /= inside;
   vec3 wanted = max(medium.extinction.rgb / coarseInFreePaths,

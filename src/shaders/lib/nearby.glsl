@@ -1,5 +1,6 @@
 // What sums over coarse sources leave out within their reach (shared/nearby.h). Needs, before it,
-// BINDING_NODES, BINDING_SURFEL_NORMALS, BINDING_SKY_SHARES, lib/irradiance.glsl and what lib/surfel_sum.glsl needs.
+// BINDING_NODES, BINDING_SURFEL_NORMALS, BINDING_SKY_SHARES, BINDING_THROUGH_PAINT,
+// lib/irradiance.glsl and what lib/surfel_sum.glsl needs.
 #ifndef OPALINE_LIB_NEARBY
 #define OPALINE_LIB_NEARBY
 #include "lib/surfel_sum.glsl"
@@ -14,6 +15,11 @@ layout(std430, set = 0, binding = BINDING_SURFEL_NORMALS) readonly buffer Surfel
 
 // Of the sky's irradiance, what enters each surfel.
 layout(std430, set = 0, binding = BINDING_SKY_SHARES) readonly buffer SkyShares { vec4 skyShares[]; };
+
+layout(constant_id = 1) const uint withPaint = 0u;
+
+// Of light on each surfel, what its paint lets through.
+layout(std430, set = 0, binding = BINDING_THROUGH_PAINT) readonly buffer ThroughPaint { vec4 throughPaint[]; };
 
 // Cosine of the normals below which a surfel is taken for the other side of a thin part.
 const float otherSide = -0.3;
@@ -49,12 +55,13 @@ struct Neighbours {
   float present;  // part of the plane around that there is, by nearbyWeight
   vec3 sky;       // share of its irradiance that enters there, by nearbyWeight
   vec3 gathered;  // mean irradiance of this side, by nearbyWeight
+  vec3 through;   // part of the light there that paint lets through, by nearbyWeight
 };
 
 Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
   Profile profile = mediumAt(body, position).profile;
   float reach = body.darkest.w;
-  Neighbours found = Neighbours(vec4(0.0), vec3(0.0), 0.0, vec3(0.0), vec3(0.0));
+  Neighbours found = Neighbours(vec4(0.0), vec3(0.0), 0.0, vec3(0.0), vec3(0.0), vec3(0.0));
   float area = 0.0;
   uint node = body.tree.x;
   while (node < body.tree.y) {
@@ -76,6 +83,7 @@ Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
         float counted = place.w * nearbyWeight(squared, reach * reach);
         found.even += counted * weight;
         found.sky += counted * skyShares[i / sourcesPerSurfel].rgb;
+        if (withPaint != 0u) found.through += counted * throughPaint[i / sourcesPerSurfel].rgb;
         found.gathered += counted / max(place.w, 1e-30) * fluxOf(i);
         area += counted;
       }
@@ -83,6 +91,7 @@ Neighbours neighboursOf(vec3 position, vec3 normal, ObjectData body) {
     node = apart ? afterNode(node, link) : node + 1u;
   }
   found.sky = area > 0.0 ? found.sky / area : vec3(1.0);
+  found.through = withPaint != 0u && area > 0.0 ? found.through / area : vec3(1.0);
   if (area > 0.0) found.gathered /= area;
   found.present = min(area / (wholeDisc * pi / 3.0 * reach * reach), 1.0);
   return found;
@@ -117,7 +126,10 @@ vec4 nearbyExitance(vec3 position, vec3 normal, ObjectData body) {
   vec3 inner = ringIrradiance(position, normal, innerRingAt * reach, 0.0, medium);
   vec3 outer = ringIrradiance(position, normal, outerRingAt * reach, 0.5, medium);
   Neighbours found = neighboursOf(position, normal, body);
-  vec3 ambient = found.sky * skyIrradianceAt(normal, medium);
+  here *= found.through;
+  inner *= found.through;
+  outer *= found.through;
+  vec3 ambient = found.through * found.sky * skyIrradianceAt(normal, medium);
   // Of area lights, what neighbours have gathered is known.
   if (frame.counts.w > firstAreaLight())
     ambient += max(found.gathered - ambient - (here + inner + outer) / 3.0, 0.0);

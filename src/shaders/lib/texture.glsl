@@ -54,9 +54,12 @@ vec4 textureAtLevel(uvec4 place, vec2 at, float level) {
   uint first = place.x;
   ivec2 size = ivec2(place.y & 0xffffu, place.y >> 16u);
   level = clamp(level, 0.0, float(place.z - 1u));
-  for (uint l = 0u; l < uint(level); ++l) {
-    first += uint(size.x * size.y);
-    size = max(size / 2, ivec2(1));
+  // As often for all: where each invocation went round as often as it needed, those of a subgroup got each
+  // other's levels on Mesa's software device.
+  for (uint l = 0u; l + 1u < mostTextureLevels; ++l) {
+    bool below = l < uint(level);
+    first += below ? uint(size.x * size.y) : 0u;
+    size = below ? max(size / 2, ivec2(1)) : size;
   }
   float part = fract(level);
   vec4 fine = levelAt(first, size, at, place.w, level == 0.0 && (place.w & textureHasEdges) != 0u);

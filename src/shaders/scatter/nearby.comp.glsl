@@ -10,6 +10,7 @@
 #define BINDING_SOURCES 9
 #define BINDING_SURFEL_NORMALS 10
 #define BINDING_SKY_SHARES 17
+#define BINDING_THROUGH_PAINT 18
 #define MESH_BINDING 11
 #define BINDING_SEEN_LIST 15
 #include "lib/irradiance.glsl"

@@ -9,6 +9,7 @@
 #define BINDING_SOURCES 9
 #define BINDING_SURFEL_NORMALS 10
 #define BINDING_SKY_SHARES 13
+#define BINDING_THROUGH_PAINT 14
 #include "lib/irradiance.glsl"
 #include "lib/nearby.glsl"
 #include "lib/linear.glsl"

@@ -13,8 +13,7 @@
 #include "lib/frame.glsl"
 #include "lib/irradiance.glsl"
 #include "lib/material.glsl"
-#include "lib/opaque_material.glsl"
-#include "lib/seen_list.glsl"
+#include "lib/seen_material.glsl"
 
 layout(std430, set = 0, binding = 2) buffer Irradiances { vec4 irradiances[]; };
 layout(std430, set = 0, binding = 16) writeonly buffer Materials { SeenMaterial materials[]; };
@@ -24,22 +23,8 @@ layout(push_constant) uniform Push {
   uint site;
 };
 
-// How far weights may go from a triangle over a pixel, where it is seen edge on.
-const float furthestOverPixel = 64.0;
-
-MaterialPlace materialPlaceSeen(Seen seen, MeshPlace place) {
-  vec2 middle = middleOf(samplesOf(seen.word));
-  vec3 right = weightsOn(place.vertices, seenClip(seen.pixel, middle + vec2(0.5, 0.0))) -
-               weightsOn(place.vertices, seenClip(seen.pixel, middle - vec2(0.5, 0.0)));
-  vec3 down = weightsOn(place.vertices, seenClip(seen.pixel, middle + vec2(0.0, 0.5))) -
-              weightsOn(place.vertices, seenClip(seen.pixel, middle - vec2(0.0, 0.5)));
-  return materialPlaceOn(place.vertices, place.weights, clamp(right, -furthestOverPixel, furthestOverPixel),
-                         clamp(down, -furthestOverPixel, furthestOverPixel));
-}
-
 SeenMaterial materialSeen(Seen seen, MeshPlace place, OpaqueData material) {
-  MaterialPlace read = plainPlace();
-  if (material.rest.z != 0.0) read = materialPlaceSeen(seen, place);
+  MaterialPlace read = materialPlaceSeen(seen, place, material);
   SeenMaterial result = materialAt(material, read);
   vec3 first = meshPositions[place.vertices.x].xyz;
   vec3 toSecond = meshPositions[place.vertices.y].xyz - first;

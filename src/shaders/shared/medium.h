@@ -25,7 +25,8 @@ struct MediumData {
   vec4 boundary;  // x: η; y: radiance per exitance without F_t, 1/π or 1/(π F̄_t); z, w: plain lobe
                   // and 1 / stretch of the light that enters (lights/fresnel_lobes.h)
   uvec4 tables;  // x: cube of the sky's irradiance; y: of opaque materials (shared/opaque.h), which
-                 // it is; z: 0; w: first entry of the specular albedo
+                 // it is; z: its paint and 1, 0 without; w: first entry of the specular
+                 // albedo
 };
 
 #ifdef __cplusplus

@@ -18,6 +18,9 @@ OPALINE_OPAQUE_CONSTANT wrapVShift = 2u;
 OPALINE_OPAQUE_CONSTANT textureHasEdges = 16u;  // between its texels, seen large
 OPALINE_OPAQUE_CONSTANT textureIsOnSecondSet = 32u;
 
+/// Of the largest texture there may be, 16384 pixels along an edge, with all its levels.
+OPALINE_OPAQUE_CONSTANT mostTextureLevels = 15u;
+
 struct TextureData {
   uvec4 place;  // x: first texel of level 0, with the other levels behind it; y: width, height from
                 // bit 16; z: levels, 0 without a texture; w: bits as above

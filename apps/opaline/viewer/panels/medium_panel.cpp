@@ -25,7 +25,7 @@ struct Chip {
   ImVec4 color;  ///< what a thick piece of it reflects of white light, sRGB
 };
 
-ImVec4 colorOf(const Medium& medium) {
+ImVec4 chipColorOf(const Medium& medium) {
   const std::array<bssrdf::Profile, 3> profiles =
       bssrdf::makeProfiles(bssrdf::Model::BetterDipole, medium);
   std::array<float, 3> encoded{};
@@ -39,9 +39,10 @@ ImVec4 colorOf(const Medium& medium) {
 const std::vector<Chip>& chips() {
   static const std::vector<Chip> made = [] {
     std::vector<Chip> list;
-    for (const Medium& medium : artisticMedia()) list.push_back({medium, colorOf(medium)});
+    for (const Medium& medium : artisticMedia())
+      list.push_back({medium, chipColorOf(medium)});
     for (const auto& row : measuredMedia()) {
-      list.push_back({row.medium, colorOf(row.medium)});
+      list.push_back({row.medium, chipColorOf(row.medium)});
     }
     return list;
   }();
@@ -129,6 +130,12 @@ void showLengths(const Medium& medium) {
   ImGui::EndTable();
 }
 
+void showTexture(const std::optional<Texture>& texture) {
+  if (texture)
+    controls::text(fmt::format("{}, {}x{}", texture->pixels->name, texture->pixels->width,
+                               texture->pixels->height));
+}
+
 // Of the file's own making.
 void showMaterial(const OpaqueMaterial& material) {
   controls::text(material.name.empty() ? "opaque" : material.name + ", opaque");
@@ -136,12 +143,13 @@ void showMaterial(const OpaqueMaterial& material) {
   controls::text(fmt::format("base color {:.2f} {:.2f} {:.2f}", red, green, blue));
   controls::text(
       fmt::format("metallic {:.2f}, roughness {:.2f}", material.metallic, material.roughness));
-  for (const std::optional<Texture>& texture :
-       {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture,
-        material.occlusionTexture, material.emissionTexture})
-    if (texture)
-      controls::text(fmt::format("{}, {}x{}", texture->pixels->name, texture->pixels->width,
-                                 texture->pixels->height));
+  for (const auto member : texturesOfMaterial) showTexture(material.*member);
+}
+
+void showPaint(const Paint& paint) {
+  const auto& [red, green, blue] = paint.color;
+  controls::text(fmt::format("painted {:.2f} {:.2f} {:.2f}", red, green, blue));
+  showTexture(paint.colorTexture);
 }
 
 bool drawMedium(Medium& medium) {
@@ -181,6 +189,7 @@ void drawMediumPanel(Session& session) {
     showMaterial(*object.opaque);
   else if (drawMedium(object.medium))
     session.edits.medium[session.object] = true;
+  if (!object.opaque && object.paint) showPaint(*object.paint);
   drawBodySize(session);
   if (!object.opaque) showLengths(object.medium);
 }

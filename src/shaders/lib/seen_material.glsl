@@ -1,0 +1,22 @@
+// Where a pixel reads the textures of the surface that it sees. Needs what lib/seen_list.glsl and
+// lib/opaque_material.glsl need.
+#ifndef OPALINE_LIB_SEEN_MATERIAL
+#define OPALINE_LIB_SEEN_MATERIAL
+#include "lib/opaque_material.glsl"
+#include "lib/seen_list.glsl"
+
+// How far weights may go from a triangle over a pixel, where it is seen edge on.
+const float furthestOverPixel = 64.0;
+
+MaterialPlace materialPlaceSeen(Seen seen, MeshPlace place, OpaqueData material) {
+  if (material.rest.z == 0.0) return plainPlace();
+  vec2 middle = middleOf(samplesOf(seen.word));
+  vec3 right = weightsOn(place.vertices, seenClip(seen.pixel, middle + vec2(0.5, 0.0))) -
+               weightsOn(place.vertices, seenClip(seen.pixel, middle - vec2(0.5, 0.0)));
+  vec3 down = weightsOn(place.vertices, seenClip(seen.pixel, middle + vec2(0.0, 0.5))) -
+              weightsOn(place.vertices, seenClip(seen.pixel, middle - vec2(0.0, 0.5)));
+  return materialPlaceOn(place.vertices, place.weights, clamp(right, -furthestOverPixel, furthestOverPixel),
+                         clamp(down, -furthestOverPixel, furthestOverPixel));
+}
+
+#endif
