@@ -16,6 +16,9 @@
 #include <string>
 #include <vector>
 
+#include "bssrdf/fresnel.h"
+#include "bssrdf/half_space.h"
+#include "reference/path/layer.h"
 #include "reference/path/path_run.h"
 #include "reference/path/path_tracer.h"
 #include "renderer/shapes.h"
@@ -147,6 +150,27 @@ TEST(PathTest, SlabsAreThoseOfTheTable) {
   RecordProperty("entries", outcome.entries);
   RecordProperty("far", outcome.far);
   EXPECT_LE(outcome.far, outcome.entries / 20) << outcome.entries << " entries";
+}
+
+// By Chandrasekhar's H for a half-space.
+TEST(PathTest, LayersTakeWhatExactTransferSays) {
+  const int particles = particlesOfTests();
+  Outcome outcome;
+  for (const double thickness : {0.1, 0.4}) {
+    Interior interior{1, 0.95, 0, 1.4};
+    interior.layer = std::make_shared<const Layer>(thickness);
+    const test::HalfSpace exact(0.95, 1.4);
+    for (const bool diffuse : {false, true}) {
+      const SlabShares shares = traceSlab(40, 60, interior, diffuse, particles);
+      const double found = shares.reflected[1] + shares.reflected[2];
+      const double entered =
+          diffuse ? bssrdf::meanTransmittance(1.4) : 1 - bssrdf::fresnelReflectance(1.4, 1);
+      const double expected =
+          entered * (diffuse ? exact.ofEvenLight(thickness) : exact.ofBeam(thickness, 1));
+      outcome.compare(found, errorOf(found, particles), expected, 0);
+    }
+  }
+  EXPECT_EQ(outcome.far, 0) << outcome.entries << " entries";
 }
 
 TEST(PathTest, SpheresAreThoseOfTheTable) {

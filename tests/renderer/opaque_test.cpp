@@ -258,5 +258,28 @@ TEST_F(OpaqueTest, UnlitIsItsColourWhateverTheLight) {
   EXPECT_NEAR(found[2], 0.9, 1e-4);
 }
 
+// Surfaces are listed in any order, so that each time others are looked at together.
+TEST_F(OpaqueTest, APictureWithTexturesIsTheSameEachTime) {
+  constexpr int size = 64;
+  std::vector<std::array<double, 4>> texels;
+  for (int i = 0; i < size * size; ++i) {
+    const double level = (i / 8 + i / size / 8) % 2 == 0 ? 0.9 : 0.1;
+    texels.push_back({level, level, level, 1});
+  }
+  OpaqueMaterial material = mattMaterial({1, 1, 1});
+  material.baseColorTexture = Texture{.pixels = texturePixels(size, texels)};
+  Scene scene = squareOf(material);
+  scene.camera.positionMm = {60, 20, 40};
+  scene.camera.verticalFovDegrees = 25;
+  scene.lighting.ambient = {1, 1, 1};
+  RenderOptions large = options();
+  large.width = large.height = 256;
+  large.antialias = 4;
+  sharedRenderer().renderer->setScene(scene);
+  const Image first = sharedRenderer().renderer->render(large, {Aov::Radiance}).images[0];
+  for (int i = 0; i < 8; ++i)
+    EXPECT_EQ(sharedRenderer().renderer->render(large, {Aov::Radiance}).images[0].rgba, first.rgba);
+}
+
 }  // namespace
 }  // namespace opaline

@@ -84,6 +84,35 @@ TEST_F(GltfMaterial, ScatterIsReadAsVolumeScatterIs) {
   EXPECT_NE(former.sigmaAPerMm[0], former.sigmaAPerMm[2]);
 }
 
+// The medium is as bright as all but the brightest twentieth; where the picture has that colour the
+// medium is bare.
+TEST_F(GltfMaterial, ATextureOfColoursIsPaintOnTheirBrightest) {
+  std::vector<std::uint8_t> pixels;
+  for (int i = 0; i < 10; ++i) {
+    const auto level = static_cast<std::uint8_t>(i < 4 ? 255 : 60);
+    pixels.insert(pixels.end(), {level, level, level, 255});
+  }
+  writePng(folder / "bands.png", {10, 1, pixels});
+  Parts file = parts(R"({"name":"jelly","pbrMetallicRoughness":{"metallicFactor":0},)"
+                     R"("extensions":{"KHR_materials_volume":{"thicknessFactor":1,)"
+                     R"("attenuationDistance":0.001,"attenuationColor":[0.1,0.2,0.3]},)"
+                     R"("KHR_materials_volume_scatter":{"multiscatterColorFactor":[0.8,0.5,0.2],)"
+                     R"("multiscatterColorTexture":{"index":0}}}}],)"
+                     R"("textures":[{"source":0}],"images":[{"uri":"bands.png"}],"extras":[{})");
+  file.meshes = test::changed(file.meshes, R"("COLOR_0":0)", R"("TEXCOORD_0":2)");
+  file.accessors += R"(,{"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})";
+  const Scene scene = load(file);
+  const Object& object = scene.objects[0];
+  EXPECT_FALSE(object.opaque);
+  ASSERT_TRUE(object.paint && object.paint->colorTexture);
+  EXPECT_EQ(object.paint->colorTexture->pixels->width, 10);
+  EXPECT_TRUE(scene.notShown.empty());
+  const Rgb bare = colorOf(object.medium);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(object.paint->color[c], bare[c], 1e-6);
+  EXPECT_GT(bare[0], bare[1]);
+  EXPECT_GT(bare[1], bare[2]);
+}
+
 TEST_F(GltfMaterial, OfAMediumByOptionAllButMetal) {
   for (const bool metal : {false, true}) {
     const Parts file =

@@ -328,6 +328,38 @@ mean_free_path_mm = [1, 2, 4]
   }
 }
 
+// An OBJ file has its texture coordinates where a material of the scene wants them.
+TEST_F(SceneWriter, TexturesOfTranslucentMaterialsArePaint) {
+  writePng(folder / "grey.png", {1, 1, {188, 188, 188, 255}});
+  test::writeBytes(folder / "tetra.obj",
+                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0.25 0.75\n"
+                   "f 1/1 3/1 2/1\nf 1/1 2/1 4/1\nf 1/1 4/1 3/1\nf 2/1 3/1 4/1\n");
+  const auto loaded = [&](const std::string& materials) {
+    test::writeBytes(file(), "model = \"../../tetra.obj\"\n" + materials);
+    return back().scene.objects[0];
+  };
+  const Object painted = loaded(R"(
+[materials.cheese]
+kind = "translucent"
+color = [1, 0.5, 0.25]
+color_texture = "../../grey.png"
+mean_free_path_mm = [1, 2, 4]
+[objects.tetra]
+material = "cheese"
+)");
+  ASSERT_TRUE(painted.paint && painted.paint->colorTexture);
+  EXPECT_EQ(painted.paint->color, (Rgb{1, 0.5F, 0.25F}));
+  ASSERT_EQ(painted.mesh.textureCoordinates[0].size(), painted.mesh.positionsMm.size());
+  EXPECT_EQ(painted.mesh.textureCoordinates[0][0], (Vec2{0.25F, 0.25F}));
+  // All of it is its brightest. 188 is half of the light.
+  const Rgb bare = colorOf(painted.medium);
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(bare[c], 0.5026F * painted.paint->color[c], 1e-3F);
+  const Object plain = loaded("medium = \"wax\"\n");
+  EXPECT_FALSE(plain.paint);
+  EXPECT_TRUE(plain.mesh.textureCoordinates[0].empty());
+}
+
 TEST_F(SceneWriter, MaterialsThatMakeNoSenseAreErrors) {
   const auto complaint = [&](const std::string& material) {
     test::writeBytes(file(),

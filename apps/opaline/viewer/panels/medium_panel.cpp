@@ -39,8 +39,7 @@ ImVec4 chipColorOf(const Medium& medium) {
 const std::vector<Chip>& chips() {
   static const std::vector<Chip> made = [] {
     std::vector<Chip> list;
-    for (const Medium& medium : artisticMedia())
-      list.push_back({medium, chipColorOf(medium)});
+    for (const Medium& medium : artisticMedia()) list.push_back({medium, chipColorOf(medium)});
     for (const auto& row : measuredMedia()) {
       list.push_back({row.medium, chipColorOf(row.medium)});
     }

@@ -1,0 +1,195 @@
+// Paint on translucent bodies: in even light its colours, in a lamp's what path tracing finds.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "bssrdf/fresnel.h"
+#include "reference/geometry.h"
+#include "reference/path/emitter.h"
+#include "reference/path/walk.h"
+#include "renderer/boundary_fixture.h"
+
+namespace opaline {
+namespace {
+
+using namespace test;
+using PaintedBodyTest = RendererTest;
+
+constexpr float ballRadiusMm = 10;
+constexpr Rgb pale{0.75F, 0.75F, 0.75F};
+constexpr float darkShare = 0.3F;
+
+/// The part of a body that is dark: two of four sectors around z.
+bool isDark(const Vector& place) {
+  return place[0] * place[1] > 0;
+}
+
+/// A ball of a medium of the pale colour, with a dark tint on two sectors by a texture of four
+/// pixels along the angle around z. Triangles that meet the border between sectors have corners of
+/// their own, so that the texture does not run backwards there.
+Scene paintedBall(double eta, double meanFreePathMm) {
+  Appearance appearance{{0.75, 0.75, 0.75}, {}, 0, eta};
+  appearance.meanFreePathMm.fill(meanFreePathMm);
+  Scene scene = ballOf(ballRadiusMm, mediumOf(appearance), 4);
+  Mesh& mesh = scene.objects[0].mesh;
+  const Mesh welded = mesh;
+  mesh = {};
+  for (const Triangle& t : welded.triangles) {
+    Triangle own{};
+    Vector middle{};
+    for (const std::uint32_t corner : t) middle = middle + toVector(welded.positionsMm[corner]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      own[k] = static_cast<std::uint32_t>(mesh.positionsMm.size());
+      mesh.positionsMm.push_back(welded.positionsMm[t[k]]);
+      mesh.normals.push_back(welded.normals[t[k]]);
+      mesh.textureCoordinates[0].push_back({isDark(middle) ? 0.75F : 0.25F, 0.5F});
+    }
+    mesh.triangles.push_back(own);
+  }
+  TexturePixels pixels;
+  pixels.width = 2;
+  pixels.height = 1;
+  const auto encoded = static_cast<std::uint16_t>(
+      std::lround(65535 * (1.055 * std::pow(double{darkShare}, 1 / 2.4) - 0.055)));
+  pixels.rgba = {65535, 65535, 65535, 65535, encoded, encoded, encoded, 65535};
+  Texture texture;
+  texture.pixels = std::make_shared<const TexturePixels>(pixels);
+  texture.interpolated = false;
+  scene.objects[0].paint = Paint{"paint", pale, texture};
+  return scene;
+}
+
+struct Means {
+  double pale;
+  double dark;
+};
+
+/// Of the exitance well inside of the sectors, seen from +z.
+Means meansInside(const std::vector<Image>& images) {
+  const auto mean = [&](bool dark) {
+    return meanWhere(images[0], images[1], [&](const Vector& at) {
+      const double border = std::min(std::abs(at[0]), std::abs(at[1]));
+      return isDark(at) == dark && border > 3 && at[2] > 3;
+    })[1];
+  };
+  return {mean(false), mean(true)};
+}
+
+// A body of two hundred mean free paths is all but a half-space.
+TEST_F(PaintedBodyTest, InEvenLightItsColorsAreThoseOfThePaint) {
+  for (const double eta : {1.3, 1.4, 1.5}) {
+    Scene scene = paintedBall(eta, 0.1);
+    scene.lighting.ambient = {1, 1, 1};
+    const Means seen = meansInside(
+        renderBoundary(scene, boundaryOptions(64), {Aov::Exitance, Aov::Position}).images);
+    const double entered = std::numbers::pi * bssrdf::meanTransmittance(eta);
+    EXPECT_NEAR(seen.pale / entered, 0.75, 0.02) << eta;
+    EXPECT_NEAR(seen.dark / entered, 0.75 * double{darkShare}, 0.02) << eta;
+  }
+}
+
+/// By path tracing, in four bands of the cosine to +z by dark and pale: exitance.
+using Bands = std::array<std::array<double, 2>, 4>;
+
+std::size_t bandOf(const Vector& place) {
+  return std::min<std::size_t>(static_cast<std::size_t>(4 * place[2] / double{ballRadiusMm}), 3);
+}
+
+Bands tracedBands(const Scene& scene, int particles) {
+  const Object& object = scene.objects[0];
+  reference::Body body;
+  for (const Vec3& p : object.mesh.positionsMm) body.positionsMm.push_back(toVector(p));
+  for (const Vec3& n : object.mesh.normals) body.normals.push_back(toVector(n));
+  body.triangles = object.mesh.triangles;
+  body.medium = object.medium;
+  body.painted = {*object.paint, object.mesh.textureCoordinates, {}};
+  reference::Scene traced;
+  traced.bodies = {body};
+  traced.lighting = scene.lighting;
+  traced.camera = scene.camera;
+  const reference::Geometry geometry(traced);
+  const reference::DistanceBound bound(traced);
+  const double s = object.medium.sigmaSPrimePerMm[0];
+  const double a = object.medium.sigmaAPerMm[0];
+  const std::vector<reference::Interior> interiors{
+      {s + a, s / (s + a), 0, object.medium.eta,
+       std::make_shared<const reference::Layer>(traced.bodies[0], 0)}};
+  const reference::Walk walk(geometry, bound, interiors, 0);
+  const reference::Emitter emitter(traced, 0);
+  Bands bands{};
+  const double area = 2 * std::numbers::pi * double{ballRadiusMm} * double{ballRadiusMm} / 8;
+  for (int i = 0; i < particles; ++i) {
+    reference::Random random(3, static_cast<std::uint64_t>(i));
+    walk.follow(emitter.emit(random), random,
+                [&](const reference::SurfacePoint& point, reference::Order) {
+                  if (point.position[2] <= 0) return;
+                  bands[bandOf(point.position)][isDark(point.position) ? 1 : 0] +=
+                      emitter.flux() / particles / area;
+                });
+  }
+  return bands;
+}
+
+Bands renderedBands(const Scene& scene) {
+  const std::vector<Image> images =
+      renderBoundary(scene, boundaryOptions(96), {Aov::Exitance, Aov::Position}).images;
+  Bands sums{};
+  Bands areas{};
+  forEachCovered(images[0], [&](std::size_t i) {
+    const Vector at = toVector(&images[1].rgba[i]);
+    const Vector toCamera = toVector(scene.camera.positionMm) - at;
+    const double seen = dot(unit(at), unit(toCamera));
+    if (at[2] <= 0 || seen < 0.02) return;
+    const double axial = dot(unit(toCamera), unit(toVector(scene.camera.positionMm)));
+    const double area = dot(toCamera, toCamera) * std::pow(axial, 3) / seen;
+    const std::size_t dark = isDark(at) ? 1 : 0;
+    areas[bandOf(at)][dark] += area;
+    sums[bandOf(at)][dark] += area * static_cast<double>(images[0].rgba[i + 1]);
+  });
+  for (std::size_t band = 0; band < sums.size(); ++band)
+    for (std::size_t dark = 0; dark < 2; ++dark) sums[band][dark] /= areas[band][dark];
+  return sums;
+}
+
+// Where light crosses the layer, four times over: on its way in, out, and mirrored back and forth.
+TEST_F(PaintedBodyTest, InALampsLightItIsWhatPathTracingFinds) {
+  Scene scene = paintedBall(1.4, 0.4);
+  scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+  scene.lighting.ambient = {};
+  const Bands traced = tracedBands(scene, 400'000);
+  const Bands rendered = renderedBands(scene);
+  for (std::size_t band = 1; band < 4; ++band)
+    for (std::size_t dark = 0; dark < 2; ++dark)
+      EXPECT_NEAR(rendered[band][dark] / traced[band][dark], 1, 0.04) << band << " " << dark;
+}
+
+TEST_F(PaintedBodyTest, PaintThatIsNotThereChangesNothing) {
+  Scene scene = paintedBall(1.4, 0.4);
+  scene.objects[0].paint->colorTexture.reset();
+  scene.objects[0].paint->color = {1, 1, 1};
+  scene.lighting.directional = {{{1, 0, 1}, {1, 1, 1}}};
+  const RenderOptions options = boundaryOptions(32);
+  const Image painted = renderBoundary(scene, options, {Aov::Radiance}).images[0];
+  scene.objects[0].paint.reset();
+  RenderOptions atFragments = options;
+  atFragments.site = Site::Fragment;
+  const Image bare = renderBoundary(scene, atFragments, {Aov::Radiance}).images[0];
+  forEachCovered(bare, [&](std::size_t i) {
+    EXPECT_NEAR(painted.rgba[i], bare.rgba[i], 1e-3F * bare.rgba[i] + 1e-5F);
+  });
+}
+
+TEST_F(PaintedBodyTest, ThePatternRefusesIt) {
+  RenderOptions options = smallOptions();
+  options.sum = Sum::Pattern;
+  options.transport = Transport::Dipole;
+  sharedRenderer().renderer->setScene(paintedBall(1.4, 0.4));
+  EXPECT_THROW(sharedRenderer().renderer->render(options, {Aov::Radiance}), UsageError);
+}
+
+}  // namespace
+}  // namespace opaline
