@@ -38,8 +38,8 @@ namespace {
 class PythonRenderer {
  public:
   PythonRenderer(const SharedScene& scene, const std::string& device, bool validation,
-                 std::optional<bool> rayQueries)
-      : renderer_(optionsOf(device, validation, rayQueries)) {
+                 std::optional<bool> rayQueries, std::optional<float> memoryLimitMb)
+      : renderer_(optionsOf(device, validation, rayQueries, memoryLimitMb)) {
     setScene(scene);
   }
 
@@ -123,11 +123,13 @@ class PythonRenderer {
 
  private:
   static RendererOptions optionsOf(const std::string& device, bool validation,
-                                   std::optional<bool> rayQueries) {
+                                   std::optional<bool> rayQueries,
+                                   std::optional<float> memoryLimitMb) {
     RendererOptions options;
     options.device = device;
     options.validation = validation;
     options.rayQueries = rayQueries;
+    options.memoryLimit = memoryLimitMb;
     options.log = pythonLog();
     return options;
   }
@@ -184,11 +186,13 @@ The interpreter's lock is released meanwhile. Ctrl C is heeded when the frame is
                              R"(A Vulkan device with one scene, of which it makes pictures.
 
 Renderer(scene): the best device there is. device: index or part of a name; validation: run Vulkan's validation layer;
-ray_queries: True or False, or None for where the device has them and is no software. Notes and warnings go to the logger
+ray_queries: True or False, or None for where the device has them and is no software; memory_limit_mb: of the device's
+memory, in [64, 1e7]. Notes and warnings go to the logger
 "opaline". Several threads may use it, one after the other.)")
-      .def(py::init<const SharedScene&, const std::string&, bool, std::optional<bool>>(),
+      .def(py::init<const SharedScene&, const std::string&, bool, std::optional<bool>,
+                    std::optional<float>>(),
            arg("scene"), arg("device") = "", arg("validation") = false,
-           arg("ray_queries") = py::none())
+           arg("ray_queries") = py::none(), arg("memory_limit_mb") = py::none())
       .def("render", &PythonRenderer::render, kept.c_str(), arg("width") = 1024,
            arg("height") = 1024, arg("aovs") = "radiance", py::kw_only(),
            arg("camera") = py::none(), arg("environment_behind") = false)

@@ -214,6 +214,7 @@ typedef struct OpalineRendererOptions {
       rayQueries;    ///< 1 or 0: with or without; -1: where the device has them and is no software
   OpalineLog log;    ///< may be NULL
   void* logContext;  ///< for the log
+  float memoryLimitMegabytes;  ///< of the device, in [64, 1e7]; 0: what the device has
 } OpalineRendererOptions;
 
 OPALINE_API OpalineStatus opalineDefaultRendererOptions(OpalineRendererOptions* options);

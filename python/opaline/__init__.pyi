@@ -198,7 +198,8 @@ class Frame(Mapping[str, _Floats]):
              background: _Triple | None = None) -> None: ...
 
 class Renderer:
-    def __init__(self, scene: Scene, device: str = "", validation: bool = False, ray_queries: bool | None = None) -> None: ...
+    def __init__(self, scene: Scene, device: str = "", validation: bool = False, ray_queries: bool | None = None,
+                 memory_limit_mb: float | None = None) -> None: ...
     def render(self, width: int = 1024, height: int = 1024, aovs: _Aov | Iterable[_Aov] = "radiance", *,
                camera: Camera | None = None, environment_behind: bool = False,
                transport: Literal["dipole", "better-dipole", "boundary"] = "boundary",

@@ -58,6 +58,7 @@ RendererOptions rendererOptionsOf(const OpalineRendererOptions* given) {
   if (whole.device) options.device = whole.device;
   options.validation = whole.validation != 0;
   if (whole.rayQueries >= 0) options.rayQueries = whole.rayQueries != 0;
+  if (whole.memoryLimitMegabytes != 0) options.memoryLimit = whole.memoryLimitMegabytes;
   if (whole.log) {
     options.log = [log = whole.log, context = whole.logContext](LogLevel level,
                                                                 std::string_view message) {

@@ -231,6 +231,13 @@ TEST(CInterface, RefusesWhatMakesNoSense) {
             OpalineBadUse);
   EXPECT_EQ(opalineSetPositions(drawn.renderer.get(), 3, body.vertices[0].data(), 6, 28),
             OpalineBadUse);
+  OpalineRendererOptions device{};
+  device.size = sizeof device;
+  EXPECT_EQ(opalineDefaultRendererOptions(&device), OpalineOk);
+  device.memoryLimitMegabytes = 1;
+  OpalineRenderer* tooSmall = nullptr;
+  EXPECT_EQ(opalineCreateRenderer(&device, &tooSmall), OpalineBadUse);
+  EXPECT_EQ(tooSmall, nullptr);
   OpalineRenderOptions options = smallDipole();
   options.bounces = 99;
   EXPECT_EQ(opalineSetViewOptions(drawn.view.get(), &options), OpalineBadUse);
