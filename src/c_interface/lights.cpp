@@ -24,14 +24,14 @@ void set(OpalineScene* scene, Lighting lighting) {
 }
 
 template <typename Light>
-void add(OpalineScene* scene, std::vector<Light> Lighting::*list, Light light) {
+void add(OpalineScene* scene, std::vector<Light> Lighting::*list, const Light& light) {
   Lighting lighting = lightingOf(scene);
-  (lighting.*list).push_back(std::move(light));
+  (lighting.*list).push_back(light);
   set(scene, std::move(lighting));
 }
 
-void addArea(OpalineScene* scene, AreaLight light) {
-  add(scene, &Lighting::areas, std::move(light));
+void addArea(OpalineScene* scene, const AreaLight& light) {
+  add(scene, &Lighting::areas, light);
 }
 
 }  // namespace

@@ -166,12 +166,11 @@ class Package(unittest.TestCase):
         program = self.prefix / "bin" / "opaline"
         if not program.exists():
             return
-        for name, variable in (("radiance.exr", "radiance"), ("exitance.exr", "exitance")):
-            ours = self.folder / name
-            self.succeed(program, "render", "--medium", "jade", "--size", "320x320", "--directional", "0.6,0,-0.8:6,6,5",
-                         "--directional", "0,1,0:0.5,0.5,0.6", "--ambient", "0.05,0.05,0.05", "--aov", variable, "-o", ours)
-            difference = json.loads(self.succeed(program, "compare", ours, self.built_examples("cpp") / name, "--json"))
-            self.assertEqual(difference["max_abs"], 0)
+        ours = self.folder / "radiance.exr"
+        self.succeed(program, "render", "--medium", "jade", "--size", "320x320", "--directional", "0.6,0,-0.8:6,6,5",
+                     "--directional", "0,1,0:0.5,0.5,0.6", "--ambient", "0.05,0.05,0.05", "--aov", "radiance", "-o", ours)
+        theirs = self.built_examples("cpp") / "radiance.exr"
+        self.assertEqual(json.loads(self.succeed(program, "compare", ours, theirs, "--json"))["max_abs"], 0)
 
     @unittest.skipUnless(shutil.which("pkg-config"), "pkg-config is not there")
     def test_pkg_config_knows_it(self):
