@@ -59,8 +59,8 @@ Layer::Layer(const Body& body, int channel)
       channel_(static_cast<std::size_t>(channel)),
       bare_(double{colorOf(body.medium)[channel_]}) {
   constexpr std::size_t entries = 1024;
-  for (const bssrdf::PaintedBoundary& layer : bssrdf::paints(body.medium, entries)[channel_])
-    table_.push_back(layer.thickness);
+  const auto layers = bssrdf::paints(body.medium, entries);
+  for (const bssrdf::PaintedBoundary& layer : layers[channel_]) table_.push_back(layer.thickness);
 }
 
 double Layer::colorAt(const SurfacePoint& point) const {

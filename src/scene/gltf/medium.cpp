@@ -64,22 +64,32 @@ std::optional<Volume> volumeOf(const tinygltf::Material& material) {
 }
 
 /// The texture of its colours, if it has any.
-std::optional<Paint> paintOf(const tinygltf::Material& material, const GltfScattering& scattering,
-                             GltfTextures& textures) {
-  if (!scattering.texture) return std::nullopt;
-  std::optional<Texture> texture = textures.texture(*scattering.texture);
-  if (!texture) return std::nullopt;
-  return Paint{.name = cleanText(material.name), .colorTexture = std::move(texture)};
+std::optional<Texture> colorsOf(const tinygltf::Material& material, GltfTextures& textures) {
+  const std::optional<GltfScattering> scattering = gltfScattering(material);
+  if (!scattering || !scattering->texture) return std::nullopt;
+  return textures.texture(*scattering->texture);
 }
 
-std::optional<Translucent> fromVolume(const tinygltf::Material& material, GltfTextures& textures) {
+/// On a medium that is bare where the texture has its brightest colours.
+std::optional<Paint> paintOn(const Medium& medium, std::optional<Texture> colors) {
+  if (!colors) return std::nullopt;
+  Paint paint{.name = medium.name};
+  const Rgb bare = colorOf(medium);
+  const Rgb bright = brightColor(*colors->pixels);
+  for (std::size_t c = 0; c < 3; ++c)
+    paint.color[c] = bright[c] > 0 ? std::min(bare[c] / bright[c], Paint::mostColor) : 1.0F;
+  paint.colorTexture = std::move(colors);
+  return paint;
+}
+
+std::optional<Medium> fromVolume(const tinygltf::Material& material,
+                                 const std::optional<Texture>& colors) {
   const std::optional<Volume> volume = volumeOf(material);
   if (!volume) return std::nullopt;
   Medium medium;
   medium.name = cleanText(material.name);
   medium.eta = etaOf(material);
-  std::optional<Paint> paint = paintOf(material, volume->scattering, textures);
-  const Rgb bright = paint ? brightColor(*paint->colorTexture->pixels) : Rgb{1, 1, 1};
+  const Rgb bright = colors ? brightColor(*colors->pixels) : Rgb{1, 1, 1};
   for (std::size_t c = 0; c < 3; ++c) {
     const double reflectance =
         std::clamp(volume->scattering.color[c] * double{bright[c]}, 0.0, 1.0);
@@ -92,12 +102,7 @@ std::optional<Translucent> fromVolume(const tinygltf::Material& material, GltfTe
     medium.sigmaSPrimePerMm[c] = albedo * reducedPerMm;
     medium.sigmaAPerMm[c] = (1 - albedo) * reducedPerMm;
   }
-  if (!paint) return Translucent{std::move(medium), std::nullopt};
-  // Where the texture is that bright, the medium is bare.
-  const Rgb bare = colorOf(medium);
-  for (std::size_t c = 0; c < 3; ++c)
-    paint->color[c] = bright[c] > 0 ? std::min(bare[c] / bright[c], Paint::mostColor) : 1.0F;
-  return Translucent{std::move(medium), std::move(paint)};
+  return medium;
 }
 
 }  // namespace
@@ -153,18 +158,16 @@ std::optional<Translucent> gltfMedium(const Input& input, const tinygltf::Model&
   for (const std::string_view name : {std::string_view(of.name), meshName, nodeName}) {
     if (!medium && !name.empty()) medium = findMedium(name);
   }
-  std::optional<Translucent> found;
-  if (medium)
-    found = Translucent{std::move(*medium), std::nullopt};
-  else
-    found = fromVolume(of, textures);
-  if (!found && letsLightThrough(of)) return Translucent{defaultMedium(), std::nullopt};
-  if (!found) return std::nullopt;
-  const std::string complaint = complaintAbout(found->medium);
+  std::optional<Texture> colors = colorsOf(of, textures);
+  if (!medium) medium = fromVolume(of, colors);
+  if (!medium && letsLightThrough(of)) medium = defaultMedium();
+  if (!medium) return std::nullopt;
+  const std::string complaint = complaintAbout(*medium);
   if (!complaint.empty()) {
     failGltf(input, fmt::format("material '{}': {}", cleanText(of.name, 60), complaint));
   }
-  return found;
+  std::optional<Paint> paint = paintOn(*medium, std::move(colors));
+  return Translucent{std::move(*medium), std::move(paint)};
 }
 
 }  // namespace opaline::scene

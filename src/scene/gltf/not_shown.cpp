@@ -56,8 +56,6 @@ void addMaterial(const tinygltf::Material& material, bool isTranslucent, const s
                  std::vector<NotShown>& to) {
   if (isTranslucent) addNotShown(to, partsOf(material), name);
   const std::optional<GltfScattering> scattering = gltfScattering(material);
-  if (scattering && scattering->texture && !saysMediumByVolume(material))
-    addNotShown(to, "colour textures of media", name);
   if (scattering && scattering->isPartial) addNotShown(to, "scatter strengths below 1", name);
   // Its surface ends where it is less there than not.
   if (material.alphaMode == "BLEND") addNotShown(to, "blended alpha", name);
