@@ -31,6 +31,10 @@ struct Box {
   }
 };
 
+// Nodes that a ray looks at; the models of bodies take up to 200. Where thousands of long thin
+// parts lie upon each other the boxes of all of them meet.
+constexpr int mostNodesOfRay = 500;
+
 struct Ray {
   Vector origin;
   Vector direction;    // unit
@@ -51,7 +55,7 @@ class Tracer {
   }
 
   // From the middle of a surfel's first piece, inwards.
-  double thicknessUnder(std::uint32_t surfel) const {
+  double thicknessUnder(std::uint32_t surfel) {
     const Piece& piece = surfels_.pieces[std::size_t{surfel} * surfels_.piecesPerSurfel];
     const std::array<Vector, 3> corners = cornersOf(piece.triangle);
     const Vector along = difference(corners[1], corners[0]);
@@ -118,9 +122,10 @@ class Tracer {
     return link.end;
   }
 
-  static bool meets(const Ray& ray, const Box& box, double within) {
+  // Where the ray enters the box; nothing where it misses it.
+  static std::optional<double> entryOf(const Ray& ray, const Box& box) {
     double near = 0;
-    double far = within;
+    double far = std::numeric_limits<double>::infinity();
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double over = 1 / ray.direction[axis];
       double first = (box.low[axis] - ray.origin[axis]) * over;
@@ -129,7 +134,7 @@ class Tracer {
       if (first > near) near = first;  // keeps the other where this is no number
       if (second < far) far = second;
     }
-    return near <= far;
+    return near <= far ? std::optional(near) : std::nullopt;
   }
 
   // Distance to a triangle by Möller and Trumbore 1997.
@@ -150,19 +155,40 @@ class Tracer {
     return distance;
   }
 
-  double nearest(const Ray& ray, std::uint32_t object) const {
+  struct Waiting {
+    double entry;
+    std::uint32_t node;
+  };
+
+  // Of the children that the ray meets, the nearest last.
+  void addChildren(const Ray& ray, std::uint32_t node, std::uint32_t end) {
+    const auto first = static_cast<std::ptrdiff_t>(waiting_.size());
+    for (std::uint32_t child = node; child < end;) {
+      if (const std::optional<double> entry = entryOf(ray, boxes_[child]))
+        waiting_.push_back({*entry, child});
+      const NodeLink link = linkOf(surfels_.tree, child);
+      child = link.leaf ? child + 1 : link.end;
+    }
+    std::stable_sort(waiting_.begin() + first, waiting_.end(),
+                     [](const Waiting& a, const Waiting& b) { return a.entry > b.entry; });
+  }
+
+  // What is near is looked at first, so what is found in the end is the nearest but where nodes
+  // beyond number meet the ray.
+  double nearest(const Ray& ray, std::uint32_t object) {
     double distance = std::numeric_limits<double>::infinity();
-    const std::uint32_t end = surfels_.tree.rootOfObject[object + 1];
-    for (std::uint32_t node = surfels_.tree.rootOfObject[object]; node < end;) {
-      const NodeLink link = linkOf(surfels_.tree, node);
-      if (!meets(ray, boxes_[node], distance)) {
-        node = link.end;
-        continue;
-      }
+    waiting_.clear();
+    addChildren(ray, surfels_.tree.rootOfObject[object], surfels_.tree.rootOfObject[object + 1]);
+    for (int nodes = 0; !waiting_.empty() && nodes < mostNodesOfRay; ++nodes) {
+      const Waiting next = waiting_.back();
+      waiting_.pop_back();
+      if (next.entry > distance) continue;
+      const NodeLink link = linkOf(surfels_.tree, next.node);
       if (link.leaf)
         for (const Piece& piece : piecesOf(link))
           distance = std::min(distance, meet(ray, piece.triangle).value_or(distance));
-      ++node;
+      else
+        addChildren(ray, next.node + 1, link.end);
     }
     return distance;
   }
@@ -170,12 +196,13 @@ class Tracer {
   const core::RestSurface& surface_;
   const SurfelDivision& surfels_;
   std::vector<Box> boxes_;
+  std::vector<Waiting> waiting_;
 };
 
 }  // namespace
 
 std::vector<double> thicknessMm(const core::RestSurface& surface, const SurfelDivision& surfels) {
-  const Tracer tracer(surface, surfels);
+  Tracer tracer(surface, surfels);
   std::vector<double> thickness(surfels.count());
   for (std::uint32_t node = 0; node < surfels.tree.links.size(); ++node) {
     const NodeLink link = linkOf(surfels.tree, node);

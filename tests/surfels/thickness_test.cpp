@@ -62,6 +62,21 @@ void forEachLeaf(const Body& body, const Measured& measured, const Check& check)
   EXPECT_EQ(seen, measured.surfels.count());
 }
 
+// Slivers that lie upon each other in one plane: the boxes of all their parts meet every ray, and
+// no ray meets anything. It took minutes; that it ends is what matters.
+TEST(Thickness, EndsWhereThousandsOfPartsOverlap) {
+  Body body;
+  constexpr std::uint32_t slivers = 1500;
+  for (std::uint32_t i = 0; i < slivers; ++i) {
+    const float x = static_cast<float>(i) / slivers;
+    const auto first = static_cast<std::uint32_t>(body.positions.size());
+    body.positions.insert(body.positions.end(), {{x, 0, 0}, {x + 1e-3F, 0, 0}, {100 * x, 100, 0}});
+    body.triangles.push_back({first, first + 1, first + 2});
+    body.objectOfTriangle.push_back(0);
+  }
+  for (const double mm : Measured(body, 0.5).thickness) EXPECT_GT(mm, 0);
+}
+
 TEST(Thickness, OfABoxAndASlabIsTheWayToTheOtherSide) {
   for (const Point& size : {Point{10, 6, 4}, {20, 1, 20}, {0.1, 5, 30}}) {
     const Body body =

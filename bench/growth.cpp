@@ -1,0 +1,109 @@
+#include "growth.h"
+
+#include <malloc.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <new>
+
+#include "opaline/scene.h"
+#include "paper/atlas/atlas.h"
+#include "scene/mesh/insides.h"
+#include "scene/mesh/merged_mesh.h"
+#include "surfels/clusters.h"
+#include "surfels/surfels.h"
+
+namespace {
+
+std::atomic<std::size_t> taken{0};
+std::atomic<std::size_t> peak{0};
+std::atomic<std::size_t> calls{0};
+
+void note(void* memory) {
+  const std::size_t now = taken += malloc_usable_size(memory);
+  ++calls;
+  std::size_t before = peak;
+  while (now > before && !peak.compare_exchange_weak(before, now)) {
+  }
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  void* const memory = std::malloc(size > 0 ? size : 1);
+  if (memory == nullptr) throw std::bad_alloc();
+  note(memory);
+  return memory;
+}
+void operator delete(void* memory) noexcept {
+  if (memory != nullptr) taken -= malloc_usable_size(memory);
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  operator delete(memory);
+}
+
+namespace opaline::bench {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+template <typename Make>
+auto measured(const char* stage, std::vector<Cost>& costs, const Make& make) {
+  using Clock = std::chrono::steady_clock;
+  const std::size_t before = taken;
+  peak = before;
+  calls = 0;
+  const Clock::time_point start = Clock::now();
+  auto made = make();
+  costs.push_back({stage, std::chrono::duration<double>(Clock::now() - start).count(),
+                   static_cast<double>(peak - before), static_cast<double>(calls)});
+  return made;
+}
+
+fs::path written(const Family& family, std::uint32_t count) {
+  const fs::path file =
+      fs::temp_directory_path() / ("opaline-growth-" + std::to_string(getpid()) + family.extension);
+  std::ofstream stream(file, std::ios::binary);
+  const std::string bytes = family.file(count);
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return file;
+}
+
+}  // namespace
+
+std::vector<Cost> costsOf(const Family& family, std::uint32_t count) {
+  constexpr std::size_t maxSurfels = 1U << 16U;
+  constexpr std::size_t maxClusters = 8192;
+  constexpr double spacingMm = 1;
+  constexpr double largestClusterMm = 4;
+  std::vector<Cost> costs;
+  const fs::path file = written(family, count);
+  const Scene scene = measured("read", costs, [&] { return loadScene(file); });
+  fs::remove(file);
+  const scene::MergedMesh mesh = scene::mergedMesh(scene);
+  const core::RestSurface surface = scene::surfaceOf(mesh);
+  measured("insides", costs,
+           [&] { return scene::trianglesWithInside(mesh.positionsMm, mesh.triangles); });
+  const std::vector<double> spacing(scene.objects.size(), spacingMm);
+  const surfels::SurfelDivision division = measured(
+      "surfels", costs, [&] { return surfels::makeSurfels(surface, spacing, maxSurfels); });
+  const std::vector<double> largest(scene.objects.size(), largestClusterMm);
+  measured("clusters", costs,
+           [&] { return surfels::makeClusters(surface, division, largest, maxClusters); });
+  measured("atlas", costs, [&] { return atlas::makeAtlas(surface); });
+  return costs;
+}
+
+double exponent(double small, double large, double factor) {
+  return small > 0 && large > 0 ? std::log(large / small) / std::log(factor) : 0;
+}
+
+}  // namespace opaline::bench
