@@ -273,12 +273,12 @@ void CommandList::build(AccelerationStructure& structure, Buffer& corners, bool 
   order(structure.storage_, scopeOf(Access::RayBuild));
   order(structure.scratch_, scopeOf(Access::RayBuild));
   flushBarriers();
-  using Part = tape::BuildStructure::Part;
+  using Built = tape::BuildStructure::Part;
   commands().add(tape::BuildStructure{&structure, structure.handle(),
-                                      refit ? Part::RefitTriangles : Part::Triangles});
+                                      refit ? Built::RefitTriangles : Built::Triangles});
   order(structure.storage_, scopeOf(Access::RayBuild));
   flushBarriers();
-  commands().add(tape::BuildStructure{&structure, structure.handle(), Part::Bodies});
+  commands().add(tape::BuildStructure{&structure, structure.handle(), Built::Bodies});
 }
 
 void CommandList::pushBytes(const void* data, std::uint32_t bytes) {
