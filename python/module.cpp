@@ -45,8 +45,6 @@ void bindErrors(py::module_& module) {
 }  // namespace opaline::python
 
 PYBIND11_MODULE(_opaline, module) {
-  pybind11::options options;
-  options.disable_function_signatures();  // __init__.pyi has better ones
   using namespace opaline::python;
   bindErrors(module);
   bindMedia(module);
