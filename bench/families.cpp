@@ -111,7 +111,8 @@ std::string components(std::uint32_t count) {
   for (std::uint32_t i = 0; i < count / 4; ++i) {
     const double x = 2.0 * (i % edge);
     const double y = 2.0 * (i / edge % edge);
-    const double z = 2.0 * (i / edge / edge);
+    const std::uint32_t layer = i / edge / edge;
+    const double z = 2.0 * layer;
     const std::uint32_t first = obj.vertices() + 1;
     obj.vertex(x, y, z);
     obj.vertex(x + 1, y, z);

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <new>
@@ -57,13 +57,12 @@ namespace fs = std::filesystem;
 
 template <typename Make>
 auto measured(const char* stage, std::vector<Cost>& costs, const Make& make) {
-  using Clock = std::chrono::steady_clock;
   const std::size_t before = taken;
   peak = before;
   calls = 0;
-  const Clock::time_point start = Clock::now();
+  const std::clock_t start = std::clock();
   auto made = make();
-  costs.push_back({stage, std::chrono::duration<double>(Clock::now() - start).count(),
+  costs.push_back({stage, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC,
                    static_cast<double>(peak - before), static_cast<double>(calls)});
   return made;
 }

@@ -12,7 +12,7 @@ namespace opaline::bench {
 /// What a stage of the preparation of a scene took.
 struct Cost {
   std::string stage;
-  double seconds = 0;
+  double seconds = 0;      ///< of all cores together, whatever else the machine does
   double peakBytes = 0;    ///< beyond what was taken before
   double allocations = 0;  ///< the same on every machine, as a measure of work
 };
