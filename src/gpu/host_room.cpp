@@ -7,7 +7,7 @@
 
 namespace opaline::gpu {
 
-void requireHostRoom(std::size_t bytes, const std::string& attempt) {
+void requireHostRoom(std::size_t bytes, std::string_view attempt) {
   if (core::hasRoomFor(bytes)) return;
   throw Error(
       fmt::format("Vulkan could not {}: the driver may need {} MB more than this process may take; "

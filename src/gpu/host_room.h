@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <string_view>
 
 namespace opaline::gpu {
 
@@ -11,6 +11,6 @@ inline constexpr std::size_t roomToCompile = std::size_t{128} << 20U;
 
 /// Asks for memory of the host before a driver does, which may crash where there is none. Throws
 /// Error; `attempt` completes "Vulkan could not …".
-void requireHostRoom(std::size_t bytes, const std::string& attempt);
+void requireHostRoom(std::size_t bytes, std::string_view attempt);
 
 }  // namespace opaline::gpu
