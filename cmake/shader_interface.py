@@ -202,13 +202,17 @@ def groups_in(path):
 
 def grouped(fields, groups):
     """The members of Bindings, (class, name) of each, and name -> the path to it there."""
+    left = dict.fromkeys(fields.values())
+    paths = {name: name for name, _ in left}
+    members = []
     for struct, places in reversed(groups.items()):
-        if places.keys() <= set(fields.values()):
+        if places.keys() <= left.keys():
             group = struct[0].lower() + struct[1:]
-            left = [(kind, name) for name, kind in fields.values() if (name, kind) not in places]
-            paths = {name: f"{group}.{places[name, kind]}" if (name, kind) in places else name for name, kind in fields.values()}
-            return [(struct, group), *left], paths
-    return [(kind, name) for name, kind in fields.values()], {name: name for name, _ in fields.values()}
+            members.append((struct, group))
+            for name, kind in places:
+                paths[name] = f"{group}.{places[name, kind]}"
+                del left[name, kind]
+    return [*members, *((kind, name) for name, kind in left)], paths
 
 
 def fields_of(struct, members):

@@ -69,6 +69,13 @@ struct OpaqueTables {
   gpu::Buffer lobes;       ///< vec4, as SceneTables::reflectionLobes, for each of some roughnesses
 };
 
+inline shaders::SurfaceMaterials surfaceMaterials(OpaqueTables& tables) {
+  return {.opaques = tables.materials,
+          .attributes = tables.attributes,
+          .tangents = tables.tangents,
+          .texels = tables.texels};
+}
+
 /// What the shaders know of paint (shared/paint.h). Where nothing is painted it holds no more than
 /// what is bound all the same.
 struct PaintTables {

@@ -3,9 +3,17 @@
 #include "gpu/binding.h"
 
 /// Bindings that many shaders have, by the names that these have in GLSL. Where a shader has all of
-/// a group, its C++ side has the group in their place; see cmake/shader_interface.py. Of two groups
-/// that fit it is the later one.
+/// a group, its C++ side has the group in their place; see cmake/shader_interface.py. Of groups
+/// that share bindings it is the last one that fits.
 namespace opaline::shaders {
+
+/// What lib/opaque_material.glsl needs.
+struct SurfaceMaterials {
+  gpu::Read opaques;
+  gpu::Read attributes;
+  gpu::Read tangents;
+  gpu::Read texels;
+};
 
 /// What lib/seen.glsl needs.
 struct SeenPlaces {

@@ -92,6 +92,16 @@ class ShaderInterface(unittest.TestCase):
         self.assertFalse(self.compiles())
         self.assertTrue(self.compiles(bindings="{.bothEnds = {.sums = buffer, .ends = {.lengths = buffer}}, .nodes = buffer}"))
 
+    def test_groups_apart_stand_beside_each_other(self):
+        self.groups = self.folder / "shaders/groups.h"
+        self.groups.parent.mkdir()
+        self.groups.write_text('#pragma once\n#include "gpu/binding.h"\nnamespace opaline::shaders {\n'
+                               "struct Ends {\n  gpu::Read lengths;\n};\nstruct Middles {\n  gpu::Texels nodes;\n};\n}\n")
+        self.assertEqual(self.interface().returncode, 0)
+        header = (self.folder / "shaders/sum.comp.h").read_text()
+        self.assertIn("    Middles middles;\n    Ends ends;\n    gpu::Write sums;\n    std::array", header)
+        self.assertIn("sums.at(1), middles.nodes.at(2), ends.lengths.at(3)", header)
+
     def test_a_gap_in_push_constants_does_not_compile(self):
         self.interface("uint count; vec2 place; float factor;")
         self.assertFalse(self.compiles(push="{.count = 1, .place = glm::vec2(0), .factor = 2}"))

@@ -35,12 +35,9 @@ void ShadowPass::bindCutOut(gpu::CommandList& commands, FrameView& frame, Deform
                  .positions = mesh.positions,
                  .vertexAttributes = cutOuts.opaque.attributes,
                  .objectOf = mesh.objectOf},
-                {.objects = cutOuts.tables.objects,
-                 .media = cutOuts.tables.media,
-                 .opaques = cutOuts.opaque.materials,
-                 .attributes = cutOuts.opaque.attributes,
-                 .tangents = cutOuts.opaque.tangents,
-                 .texels = cutOuts.opaque.texels},
+                {.surfaceMaterials = surfaceMaterials(cutOuts.opaque),
+                 .objects = cutOuts.tables.objects,
+                 .media = cutOuts.tables.media},
                 {.view = view});
 }
 

@@ -23,14 +23,11 @@ void OpaquePass::makeShares(gpu::Device& device, Surfels& surfels, Clusters& clu
   gpu::CommandList commands(device, "shares of opaque clusters");
   commands.begin();
   commands.bind(shares_,
-                {.objects = tables.objects,
+                {.surfaceMaterials = surfaceMaterials(opaque),
+                 .objects = tables.objects,
                  .media = tables.media,
                  .ranges = clusters.ranges,
                  .pieces = surfels.pieces,
-                 .opaques = opaque.materials,
-                 .attributes = opaque.attributes,
-                 .tangents = opaque.tangents,
-                 .texels = opaque.texels,
                  .shares = tables.opaqueShares},
                 {.clusterCount = clusters.count, .piecesPerSurfel = surfels.piecesPerSurfel});
   commands.dispatchLinear(clusters.count);
@@ -80,14 +77,11 @@ void OpaquePass::overFragments(gpu::CommandList& commands, const Inputs& inputs,
   commands.beginPass("opaque");
   dispatchParts(commands, seen.surfaces, fragments_,
                 {.listedPlaces = listedPlaces(seen, nearest_),
+                 .surfaceMaterials = surfaceMaterials(opaque),
                  .irradiances = seen.surfaces.light,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
-                 .opaques = opaque.materials,
-                 .attributes = opaque.attributes,
-                 .tangents = opaque.tangents,
-                 .texels = opaque.texels,
                  .materials = seen.surfaces.materials},
                 {.first = 0, .site = site});
   commands.endPass();

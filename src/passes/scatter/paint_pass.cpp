@@ -25,27 +25,21 @@ void PaintPass::makeTables(gpu::Device& device, Surfels& surfels, Clusters& clus
   gpu::CommandList commands(device, "paint");
   commands.begin();
   commands.bind(surfels_,
-                {.objects = tables.objects,
+                {.surfaceMaterials = surfaceMaterials(textures),
+                 .objects = tables.objects,
                  .media = tables.media,
                  .pieces = surfels.pieces,
-                 .opaques = textures.materials,
-                 .attributes = textures.attributes,
-                 .tangents = textures.tangents,
-                 .texels = textures.texels,
                  .paintTables = paint.entries,
                  .through = paint.throughSurfels},
                 {.surfelCount = surfels.count, .piecesPerSurfel = surfels.piecesPerSurfel});
   commands.dispatchLinear(surfels.count);
   if (clusters.count > 0) {
     commands.bind(clusters_,
-                  {.objects = tables.objects,
+                  {.surfaceMaterials = surfaceMaterials(textures),
+                   .objects = tables.objects,
                    .media = tables.media,
                    .ranges = clusters.ranges,
                    .pieces = surfels.pieces,
-                   .opaques = textures.materials,
-                   .attributes = textures.attributes,
-                   .tangents = textures.tangents,
-                   .texels = textures.texels,
                    .paintTables = paint.entries,
                    .clusterPaints = paint.clusters},
                   {.clusterCount = clusters.count, .piecesPerSurfel = surfels.piecesPerSurfel});
@@ -69,13 +63,10 @@ void PaintPass::overFragments(gpu::CommandList& commands, SceneTables& tables,
   commands.beginPass("paint");
   dispatchParts(commands, seen.surfaces, fragments_,
                 {.listedPlaces = listedPlaces(seen, nearest_),
+                 .surfaceMaterials = surfaceMaterials(textures),
                  .exitances = seen.surfaces.light,
                  .objects = tables.objects,
                  .media = tables.media,
-                 .opaques = textures.materials,
-                 .attributes = textures.attributes,
-                 .tangents = textures.tangents,
-                 .texels = textures.texels,
                  .paintTables = tables.paint.entries,
                  .paint = seen.surfaces.paint},
                 {.first = 0, .carried = carried});

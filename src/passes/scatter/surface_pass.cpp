@@ -95,12 +95,9 @@ void SurfacePass::bindCutOut(gpu::CommandList& commands, const SeenSurfaces& see
                  .positions = seen.mesh.positions,
                  .vertexAttributes = cutOuts.opaque.attributes,
                  .objectOf = seen.mesh.objectOf},
-                {.objects = cutOuts.tables.objects,
-                 .media = cutOuts.tables.media,
-                 .opaques = cutOuts.opaque.materials,
-                 .attributes = cutOuts.opaque.attributes,
-                 .tangents = cutOuts.opaque.tangents,
-                 .texels = cutOuts.opaque.texels},
+                {.surfaceMaterials = surfaceMaterials(cutOuts.opaque),
+                 .objects = cutOuts.tables.objects,
+                 .media = cutOuts.tables.media},
                 {.jitter = jitter});
 }
 

@@ -47,38 +47,29 @@ vec3 fluenceOf(uint cluster) {
   return sum;
 }
 
-// Below the paint, and then what gets through it.
-vec3 leavesPaint(uint i, vec3 once, vec3 fluence, BoundaryMedium medium) {
+// From M₁ + x / 2A and sE: what is below the paint, and then what gets through it.
+vec3 leavesPaint(uint i, vec3 leaves, vec3 enters, BoundaryMedium medium) {
   ClusterPaint paint = clusterPaints[i];
-  vec3 enters = vec3(0.0);
-  if (atSurface != 0u && ranges[i].kind == bodyWithInside)
-    enters = shareAtSurface(clusters[i].start.w, medium) * entered[i].rgb;
   vec3 ofEntered = paint.atSurface.rgb / (2.0 * medium.diffusion.w);
-  vec3 bare = once + fluence / (2.0 * medium.diffusion.w) + ofEntered * enters;
+  vec3 bare = leaves + ofEntered * enters;
   BareLight before = bareLights[i];
   if (adds == 0u) before = BareLight(vec4(0.0), vec4(0.0));
   bareLights[i] = BareLight(before.exitance + vec4(bare, 0.0), before.entered + vec4(enters, 0.0));
   return leavesLayer(bare, enters, paint.leaving.rgb, paint.deep.rgb, paint.takenOff.rgb, ofEntered);
 }
 
-vec3 leavesBare(uint i, vec3 once, vec3 fluence, BoundaryMedium medium) {
-  vec3 leaves = once + fluence / (2.0 * medium.diffusion.w);
-  if (atSurface != 0u && ranges[i].kind == bodyWithInside)
-    leaves += shareAtSurface(clusters[i].start.w, medium) * entered[i].rgb;
-  return leaves;
-}
-
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount || ranges[i].kind == opaqueBody) return;
   BoundaryMedium medium = insideOf(objects[ranges[i].object]);
-  vec3 once = latest[i].rgb;
-  vec3 fluence = fluenceOf(i);
-  vec3 leaves;
+  vec3 leaves = latest[i].rgb + fluenceOf(i) / (2.0 * medium.diffusion.w);
+  vec3 enters = vec3(0.0);
+  if (atSurface != 0u && ranges[i].kind == bodyWithInside)
+    enters = shareAtSurface(clusters[i].start.w, medium) * entered[i].rgb;
   if (isPaintedCluster(i))
-    leaves = leavesPaint(i, once, fluence, medium);
+    leaves = leavesPaint(i, leaves, enters, medium);
   else
-    leaves = leavesBare(i, once, fluence, medium);
+    leaves += enters;
   leaves = max(leaves, vec3(0.0));
   latest[i] = vec4(leaves, 0.0);
   enteredBefore[i] = isDiffuse != 0u ? oneSided(clusters[i]) * entered[i] : vec4(0.0);
