@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -180,6 +181,16 @@ py::array fixedArrayOf(const std::array<double, 3>& values) {
 
 py::tuple tupleOf(const Vec3& values) {
   return py::make_tuple(values[0], values[1], values[2]);
+}
+
+Vec3 unitOf(const py::handle& values, const char* name) {
+  const auto given = tripleOf(values, name);
+  const double length = std::hypot(given[0], given[1], given[2]);
+  if (!(length > 0) || !std::isfinite(length)) {
+    throw UsageError(fmt::format("{} must have a length that is finite and above 0.", name));
+  }
+  return {static_cast<float>(given[0] / length), static_cast<float>(given[1] / length),
+          static_cast<float>(given[2] / length)};
 }
 
 }  // namespace opaline::python

@@ -17,6 +17,8 @@ namespace py = pybind11;
 /// Numbers of any shape that Python has for three, as a colour or a place.
 Vec3 vectorOf(const py::handle& values, const char* name);
 std::array<double, 3> tripleOf(const py::handle& values, const char* name);
+/// The same as a direction: a unit vector along it. Throws UsageError where it has no length.
+Vec3 unitOf(const py::handle& values, const char* name);
 
 /// An array (N, 3) of any kind of number and any strides.
 std::vector<Vec3> positionsOf(const py::handle& values, const char* name);

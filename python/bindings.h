@@ -3,8 +3,10 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "opaline/error.h"
 #include "opaline/log.h"
 #include "opaline/medium.h"
 #include "opaline/scene.h"
@@ -22,6 +24,18 @@ struct SharedScene {
   Scene whole() const;
 };
 
+/// The value, if it can be rendered. Throws UsageError.
+template <typename Value>
+Value sound(Value value) {
+  const std::string complaint = complaintAbout(value);
+  if (!complaint.empty()) throw UsageError(complaint);
+  return value;
+}
+
+/// All that shines by itself, in the order of their kinds.
+py::tuple lightsOf(const SharedScene& shared);
+void setLights(SharedScene& shared, const py::iterable& lights);
+
 /// A Medium, or the name of one.
 Medium mediumOf(const py::handle& given);
 
@@ -29,6 +43,7 @@ Medium mediumOf(const py::handle& given);
 LogCallback pythonLog();
 
 void bindMedia(py::module_& module);
+void bindLights(py::module_& module);
 void bindScenes(py::module_& module);
 void bindRendering(py::module_& module);
 void bindReferences(py::module_& module);
