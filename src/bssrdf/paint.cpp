@@ -41,9 +41,13 @@ Moments momentsOf(double eta, double thickness) {
   return moments;
 }
 
+double robinA(const Moments& moments) {
+  return (1 + moments.threeC2) / (1 - moments.twoC1);
+}
+
 PaintedBoundary boundaryOf(double thickness, const Moments& bare, const Moments& with) {
-  const double a = (1 + bare.threeC2) / (1 - bare.twoC1);
-  const double painted = (1 + with.threeC2) / (1 - with.twoC1);
+  const double a = robinA(bare);
+  const double painted = robinA(with);
   const double kappa = 2 / (1 + with.threeC2);
   PaintedBoundary boundary;
   boundary.thickness = thickness;
@@ -124,8 +128,7 @@ PaintedBoundary paintedBoundary(double eta, double thickness) {
 
 std::array<std::vector<PaintedBoundary>, 3> paints(const Medium& medium, std::size_t n) {
   const std::vector<PaintedBoundary> layers = fineTable(medium.eta);
-  const Moments bare = momentsOf(medium.eta, 0);
-  const double a = (1 + bare.threeC2) / (1 - bare.twoC1);
+  const double a = robinA(momentsOf(medium.eta, 0));
   const std::array<Profile, 3> profiles = makeProfiles(Model::BetterDipole, medium);
   std::array<std::vector<PaintedBoundary>, 3> made;
   for (std::size_t c = 0; c < 3; ++c) {

@@ -16,6 +16,7 @@
 #include "renderer/frame/light_views.h"
 #include "renderer/frame/timing.h"
 #include "renderer/frame/view_resources.h"
+#include "renderer/scene/opaque_tables.h"
 #include "renderer/validate.h"
 
 namespace opaline {
@@ -25,10 +26,6 @@ namespace {
 bool hasOpaque(const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(),
                      [](const Object& object) { return object.opaque.has_value(); });
-}
-
-bool isPainted(const Object& object) {
-  return !object.opaque && object.paint;
 }
 
 bool hasPaint(const Scene& scene) {

@@ -65,13 +65,7 @@ void addMaterial(Digest& digest, const OpaqueMaterial& material) {
                alphaCutoff, alpha, unlit] = material;
   addAll(digest, baseColor, metallic, roughness, ior, specular, specularColor, normalScale,
          occlusionStrength, emission, alphaCutoff, alpha, unlit);
-  addTexture(digest, baseColorTexture);
-  addTexture(digest, metallicRoughnessTexture);
-  addTexture(digest, specularTexture);
-  addTexture(digest, specularColorTexture);
-  addTexture(digest, normalTexture);
-  addTexture(digest, occlusionTexture);
-  addTexture(digest, emissionTexture);
+  for (const auto member : texturesOfMaterial) addTexture(digest, material.*member);
 }
 
 void addObject(Digest& digest, const Object& object) {

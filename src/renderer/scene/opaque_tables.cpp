@@ -33,7 +33,7 @@ void forEachTexture(const OpaqueMaterial& material, const Visit& visit) {
 bool readsAttributes(const Scene& scene) {
   bool any = false;
   for (const Object& object : scene.objects) {
-    const std::optional<OpaqueMaterial> material = surfaceOf(object);
+    const std::optional<OpaqueMaterial> material = surfaceMaterialOf(object);
     if (!material) continue;
     any = any || !object.mesh.colors.empty();
     forEachTexture(*material, [&](const auto& texture, TexelMeaning) { any = any || texture; });
@@ -124,8 +124,12 @@ void noteHalvings(int halvings, const std::string& device, const LogCallback& lo
 
 }  // namespace
 
-std::optional<OpaqueMaterial> surfaceOf(const Object& object) {
-  if (object.opaque || !object.paint) return object.opaque;
+bool isPainted(const Object& object) {
+  return !object.opaque && object.paint;
+}
+
+std::optional<OpaqueMaterial> surfaceMaterialOf(const Object& object) {
+  if (!isPainted(object)) return object.opaque;
   OpaqueMaterial material;
   material.name = object.paint->name;
   material.baseColor = object.paint->color;

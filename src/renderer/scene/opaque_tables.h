@@ -13,9 +13,12 @@ class Device;
 
 namespace opaline {
 
+/// Whether paint is seen of it.
+bool isPainted(const Object& object);
+
 /// What textures an object's surface has: those of its opaque material, or its paint as base
 /// colour.
-std::optional<OpaqueMaterial> surfaceOf(const Object& object);
+std::optional<OpaqueMaterial> surfaceMaterialOf(const Object& object);
 
 /// The materials of a scene, `materials` of them, with their textures, and what they read of its
 /// meshes. Notes go to `log`.

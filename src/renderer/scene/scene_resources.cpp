@@ -64,10 +64,19 @@ bool isMadeOf(const Object& object, const SceneResources& resources, std::size_t
                     same(object.medium, resources.media[medium]));
 }
 
+// 0 where it has none.
+std::uint32_t indexOfMaterial(const Object& object, const std::vector<OpaqueMaterial>& materials) {
+  const std::optional<OpaqueMaterial> material = surfaceMaterialOf(object);
+  if (!material) return 0;
+  const auto found = std::find(materials.begin(), materials.end(), *material);
+  return static_cast<std::uint32_t>(found - materials.begin());
+}
+
 void listMedia(const Scene& scene, SceneResources& resources) {
   resources.media.clear();
   resources.opaqueOfMedium.clear();
   resources.paintOfMedium.clear();
+  resources.materialOfMedium.clear();
   resources.mediumOfObject.clear();
   for (const Object& object : scene.objects) {
     std::uint32_t found = 0;
@@ -75,7 +84,8 @@ void listMedia(const Scene& scene, SceneResources& resources) {
     if (found == resources.media.size()) {
       resources.media.push_back(object.medium);
       resources.opaqueOfMedium.push_back(object.opaque);
-      resources.paintOfMedium.push_back(object.opaque ? std::nullopt : object.paint);
+      resources.paintOfMedium.push_back(isPainted(object) ? object.paint : std::nullopt);
+      resources.materialOfMedium.push_back(indexOfMaterial(object, resources.materials));
     }
     resources.mediumOfObject.push_back(found);
   }
@@ -84,7 +94,7 @@ void listMedia(const Scene& scene, SceneResources& resources) {
 std::vector<OpaqueMaterial> differentMaterials(const Scene& scene) {
   std::vector<OpaqueMaterial> materials;
   for (const Object& object : scene.objects) {
-    const std::optional<OpaqueMaterial> material = surfaceOf(object);
+    const std::optional<OpaqueMaterial> material = surfaceMaterialOf(object);
     if (material && std::find(materials.begin(), materials.end(), *material) == materials.end())
       materials.push_back(*material);
   }
@@ -275,8 +285,8 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   resources.needs = needs;
   resources.objects = static_cast<std::uint32_t>(scene.objects.size());
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
-  listMedia(scene, resources);
   resources.materials = differentMaterials(scene);
+  listMedia(scene, resources);
   resources.opaque = makeOpaqueTables(device, scene, resources.materials, log);
   measure(scene, resources);
   resources.castingTriangles = castingTriangles(scene);

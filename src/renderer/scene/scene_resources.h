@@ -64,6 +64,7 @@ struct SceneResources {
   std::vector<Medium> media;                                  ///< the different ones
   std::vector<std::optional<OpaqueMaterial>> opaqueOfMedium;  ///< that has its place among these
   std::vector<std::optional<Paint>> paintOfMedium;            ///< on those
+  std::vector<std::uint32_t> materialOfMedium;                ///< among the next, where it has one
   std::vector<OpaqueMaterial> materials;  ///< the different ones, and paints as such, in `opaque`
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<SizeOfObject> sizeOfObject;

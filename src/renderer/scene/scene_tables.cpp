@@ -15,7 +15,6 @@
 #include "passes/scatter/nearby_shares.h"
 #include "passes/shade/reflected_lights_pass.h"
 #include "passes/shade/specular_albedo.h"
-#include "renderer/scene/opaque_tables.h"
 #include "shaders/profile_packing.h"
 #include "shaders/shared/boundary.h"
 #include "shaders/shared/frame.h"
@@ -109,7 +108,7 @@ class TableBuilder {
       media_.push_back(opaque ? dataOfOpaque() : dataOf(resources.media[i]));
       const auto eta = static_cast<std::uint32_t>(
           std::find(etas_.begin(), etas_.end(), etaOf(resources, i)) - etas_.begin());
-      media_.back().tables = {eta, materialOf(resources, i),
+      media_.back().tables = {eta, resources.materialOfMedium[i],
                               painted ? addPaint(resources.media[i]) : 0,
                               eta * passes::specularAlbedoEntries};
     }
@@ -121,16 +120,6 @@ class TableBuilder {
   const std::vector<shared::PaintEntry>& paints() const { return paints_; }
 
  private:
-  // Among SceneResources::materials, where it has one.
-  static std::uint32_t materialOf(const SceneResources& resources, std::size_t medium) {
-    const Object object{.paint = resources.paintOfMedium[medium],
-                        .opaque = resources.opaqueOfMedium[medium]};
-    const std::optional<OpaqueMaterial> material = surfaceOf(object);
-    if (!material) return 0;
-    const auto& all = resources.materials;
-    return static_cast<std::uint32_t>(std::find(all.begin(), all.end(), *material) - all.begin());
-  }
-
   // Its number and 1.
   std::uint32_t addPaint(const Medium& medium) {
     const auto channels = bssrdf::paints(medium, shared::paintEntries);

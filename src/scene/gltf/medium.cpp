@@ -63,33 +63,41 @@ std::optional<Volume> volumeOf(const tinygltf::Material& material) {
   return Volume{*distance, *attenuation, *scattering};
 }
 
-/// The texture of its colours, if it has any.
-std::optional<Texture> colorsOf(const tinygltf::Material& material, GltfTextures& textures) {
+/// A texture of its colours.
+struct Colors {
+  Texture texture;
+  Rgb bright;
+};
+
+std::optional<Colors> colorsOf(const tinygltf::Material& material, GltfTextures& textures) {
   const std::optional<GltfScattering> scattering = gltfScattering(material);
   if (!scattering || !scattering->texture) return std::nullopt;
-  return textures.texture(*scattering->texture);
+  std::optional<Texture> texture = textures.texture(*scattering->texture);
+  if (!texture) return std::nullopt;
+  const Rgb bright = brightColor(*texture->pixels);
+  return Colors{std::move(*texture), bright};
 }
 
 /// On a medium that is bare where the texture has its brightest colours.
-std::optional<Paint> paintOn(const Medium& medium, std::optional<Texture> colors) {
+std::optional<Paint> paintOn(const Medium& medium, const std::optional<Colors>& colors) {
   if (!colors) return std::nullopt;
-  Paint paint{.name = medium.name};
+  Paint paint{.name = medium.name, .colorTexture = colors->texture};
   const Rgb bare = colorOf(medium);
-  const Rgb bright = brightColor(*colors->pixels);
-  for (std::size_t c = 0; c < 3; ++c)
-    paint.color[c] = bright[c] > 0 ? std::min(bare[c] / bright[c], Paint::mostColor) : 1.0F;
-  paint.colorTexture = std::move(colors);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float bright = colors->bright[c];
+    paint.color[c] = bright > 0 ? std::min(bare[c] / bright, Paint::mostColor) : 1.0F;
+  }
   return paint;
 }
 
 std::optional<Medium> fromVolume(const tinygltf::Material& material,
-                                 const std::optional<Texture>& colors) {
+                                 const std::optional<Colors>& colors) {
   const std::optional<Volume> volume = volumeOf(material);
   if (!volume) return std::nullopt;
   Medium medium;
   medium.name = cleanText(material.name);
   medium.eta = etaOf(material);
-  const Rgb bright = colors ? brightColor(*colors->pixels) : Rgb{1, 1, 1};
+  const Rgb bright = colors ? colors->bright : Rgb{1, 1, 1};
   for (std::size_t c = 0; c < 3; ++c) {
     const double reflectance =
         std::clamp(volume->scattering.color[c] * double{bright[c]}, 0.0, 1.0);
@@ -158,7 +166,7 @@ std::optional<Translucent> gltfMedium(const Input& input, const tinygltf::Model&
   for (const std::string_view name : {std::string_view(of.name), meshName, nodeName}) {
     if (!medium && !name.empty()) medium = findMedium(name);
   }
-  std::optional<Texture> colors = colorsOf(of, textures);
+  const std::optional<Colors> colors = colorsOf(of, textures);
   if (!medium) medium = fromVolume(of, colors);
   if (!medium && letsLightThrough(of)) medium = defaultMedium();
   if (!medium) return std::nullopt;
@@ -166,7 +174,7 @@ std::optional<Translucent> gltfMedium(const Input& input, const tinygltf::Model&
   if (!complaint.empty()) {
     failGltf(input, fmt::format("material '{}': {}", cleanText(of.name, 60), complaint));
   }
-  std::optional<Paint> paint = paintOn(*medium, std::move(colors));
+  std::optional<Paint> paint = paintOn(*medium, colors);
   return Translucent{std::move(*medium), std::move(paint)};
 }
 
