@@ -183,6 +183,73 @@ TEST_F(PaintedBodyTest, PaintThatIsNotThereChangesNothing) {
   });
 }
 
+/// A sheet of squares of two triangles, of which the left upper corner of each is cut into many
+/// small dark ones that make up a hundredth of its area.
+Scene speckledSheet() {
+  constexpr int squares = 24;
+  constexpr double edgeMm = 1;
+  constexpr int specks = 16;
+  constexpr float paleAt = 0.25F;
+  constexpr float darkAt = 0.75F;
+  Mesh mesh;
+  const auto add = [&](const Vector& a, const Vector& b, const Vector& c, float color) {
+    const auto first = static_cast<std::uint32_t>(mesh.positionsMm.size());
+    for (const Vector& corner : {a, b, c}) {
+      mesh.positionsMm.push_back(toVec3(corner));
+      mesh.normals.push_back({0, 0, 1});
+      mesh.textureCoordinates[0].push_back({color, 0.5F});
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  };
+  const double cut = edgeMm * std::sqrt(0.02);  // half its square is a hundredth
+  for (int y = 0; y < squares; ++y)
+    for (int x = 0; x < squares; ++x) {
+      const Vector low{(x - squares / 2) * edgeMm, (y - squares / 2) * edgeMm, 0};
+      const Vector right = low + Vector{edgeMm, 0, 0};
+      const Vector up = low + Vector{0, edgeMm, 0};
+      const Vector across = low + Vector{edgeMm, edgeMm, 0};
+      const Vector first = low + Vector{cut, 0, 0};
+      const Vector last = low + Vector{0, cut, 0};
+      add(right, across, up, paleAt);
+      add(first, right, up, paleAt);
+      add(first, up, last, paleAt);
+      for (int i = 0; i < specks; ++i) {
+        const auto at = [&](int k) {
+          const double part = static_cast<double>(k) / specks;
+          return (1 - part) * first + part * last;
+        };
+        add(low, at(i), at(i + 1), darkAt);
+      }
+    }
+  Appearance appearance{{0.75, 0.75, 0.75}, {0.1, 0.1, 0.1}, 0, 1.4};
+  Scene scene = sceneOf(mesh, mediumOf(appearance), {0, 0, 60}, 8);
+  scene.objects[0].paint =
+      Paint{"paint", pale, paintedBall(1.4, 0.1).objects[0].paint->colorTexture};
+  scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+  return scene;
+}
+
+// Surfels of many triangles let in what each lets in, by their areas: here .99 of that of the pale
+// part, though most triangles are dark.
+TEST_F(PaintedBodyTest, SmallTrianglesCountByTheirArea) {
+  RenderOptions options = smallOptions();
+  options.transport = Transport::BetterDipole;
+  options.site = Site::Fragment;
+  options.maxSurfels = 1024;
+  Scene scene = speckledSheet();
+  const auto meanIrradiance = [&] {
+    const Image image = render(scene, options, {Aov::Irradiance})[0];
+    double sum = 0;
+    const int count = forEachCovered(image, [&](std::size_t i) { sum += double{image.rgba[i]}; });
+    return sum / count;
+  };
+  const double speckled = meanIrradiance();
+  for (Vec2& at : scene.objects[0].mesh.textureCoordinates[0]) at[0] = 0.25F;
+  const double pure = meanIrradiance();
+  EXPECT_LT(speckled, pure);
+  EXPECT_GT(speckled, 0.985 * pure);
+}
+
 TEST_F(PaintedBodyTest, ThePatternRefusesIt) {
   RenderOptions options = smallOptions();
   options.sum = Sum::Pattern;

@@ -10,7 +10,14 @@
 namespace opaline::passes {
 
 BeamPass::BeamPass(gpu::Device& device)
-    : trace_(device, "points of light", rayShader<shaders::BoundaryBeams>(device)),
+    : trace_{{device,
+              "points of light",
+              rayShader<shaders::BoundaryBeams>(device),
+              {.withPaint = 0}},
+             {device,
+              "points of light",
+              rayShader<shaders::BoundaryBeams>(device),
+              {.withPaint = 1}}},
       addMirrored_(device, "mirrored light", {.addsUp = 1}),
       takeMirrored_(device, "mirrored light", {.addsUp = 0}),
       leaves_(device, "leaves of points", {.ofLeaves = 1}),
@@ -18,7 +25,8 @@ BeamPass::BeamPass(gpu::Device& device)
       acting_(device, "points that act on groups"),
       source_(device, "sources of fluence"),
       single_(device, "light that scatters once"),
-      reentry_(device, "light that enters again") {}
+      reentry_{{device, "light that enters again", {.withPaint = 0}},
+               {device, "light that enters again", {.withPaint = 1}}} {}
 
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                             Clusters& clusters) const {
@@ -57,22 +65,20 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
 void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                              bool isFirst) const {
   commands.beginPass("sources");
-  commands.bind(reentry_,
-                {.objects = inputs.tables.objects,
-                 .media = inputs.tables.media,
-                 .ranges = clusters.ranges,
-                 .clusters = clusters.clusters,
-                 .meetings = clusters.meetings,
-                 .latest = clusters.latest,
-                 .enteredBefore = clusters.enteredBefore,
-                 .arrived = clusters.arrived,
-                 .strengths = clusters.fromEverywhere.strengths,
-                 .entered = clusters.entered,
-                 .clusterPaints = inputs.tables.paint.clusters},
-                {.clusterCount = clusters.count,
-                 .raysOutwards = clusters.raysOutwards,
-                 .isFirst = isFirst,
-                 .painted = inputs.tables.paint.any});
+  commands.bind(
+      reentry_.of(inputs.tables),
+      {.objects = inputs.tables.objects,
+       .media = inputs.tables.media,
+       .ranges = clusters.ranges,
+       .clusters = clusters.clusters,
+       .meetings = clusters.meetings,
+       .latest = clusters.latest,
+       .enteredBefore = clusters.enteredBefore,
+       .arrived = clusters.arrived,
+       .strengths = clusters.fromEverywhere.strengths,
+       .entered = clusters.entered,
+       .clusterPaints = inputs.tables.paint.clusters},
+      {.clusterCount = clusters.count, .raysOutwards = clusters.raysOutwards, .isFirst = isFirst});
   commands.dispatchLinear(clusters.count);
   spread(commands, inputs, clusters, clusters.fromEverywhere, false);
   commands.endPass();
@@ -80,7 +86,7 @@ void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, C
 
 void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam,
                      Clusters& clusters, Beams& beams) const {
-  commands.bind(trace_,
+  commands.bind(trace_.of(inputs.tables),
                 {.frame = inputs.frame.data,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
@@ -101,8 +107,7 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
                  .beam = beam.index,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .nodeCount = inputs.surfels.tree.nodeCount,
-                 .mirrors = beam.mirrors,
-                 .painted = inputs.tables.paint.any});
+                 .mirrors = beam.mirrors});
   commands.dispatchLinear(clusters.count, shared::maxPoints * roundsOfWalk);
 }
 

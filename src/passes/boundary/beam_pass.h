@@ -4,6 +4,7 @@
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
+#include "passes/paint_variants.h"
 #include "passes/products.h"
 #include "shaders/boundary/beam_groups.comp.h"
 #include "shaders/boundary/beam_nodes.comp.h"
@@ -65,7 +66,7 @@ class BeamPass {
   void fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters, Beams& beams,
                 bool scattersOnce) const;
 
-  gpu::Compute<shaders::BoundaryBeams> trace_;
+  PaintVariants<shaders::BoundaryBeams> trace_;
   gpu::Compute<shaders::BoundaryMirrored> addMirrored_;
   gpu::Compute<shaders::BoundaryMirrored> takeMirrored_;
   gpu::Compute<shaders::BoundaryBeamNodes> leaves_;
@@ -73,7 +74,7 @@ class BeamPass {
   gpu::Compute<shaders::BoundaryBeamGroups> acting_;
   gpu::Compute<shaders::BoundarySource> source_;
   gpu::Compute<shaders::BoundarySingle> single_;
-  gpu::Compute<shaders::BoundaryReentry> reentry_;
+  PaintVariants<shaders::BoundaryReentry> reentry_;
 };
 
 }  // namespace opaline::passes

@@ -11,8 +11,8 @@ CarryPass::CarryPass(gpu::Device& device)
       meansOfVertices_(device, "means over clusters", {.ofVertices = 1}),
       meansOfSurfels_(device, "means over clusters", {.ofVertices = 0}),
       vertices_(device, "clusters to vertices"),
-      fragments_(device, "clusters to fragments", {.withPaint = 0}),
-      paintedFragments_(device, "clusters to fragments", {.withPaint = 1}) {}
+      fragments_{{device, "clusters to fragments", {.withPaint = 0}},
+                 {device, "clusters to fragments", {.withPaint = 1}}} {}
 
 void CarryPass::recordMeans(gpu::CommandList& commands, From from, gpu::Buffer& exitances,
                             Surfels& surfels, Clusters& clusters) const {
@@ -51,7 +51,7 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
 void CarryPass::overFragments(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
                               Clusters& clusters, const SeenSurfaces& seen) const {
   commands.beginPass("carry");
-  dispatchParts(commands, seen.surfaces, tables.paint.any ? paintedFragments_ : fragments_,
+  dispatchParts(commands, seen.surfaces, fragments_.of(tables),
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .media = tables.media,
                  .clusters = clusters.clusters,

@@ -2,6 +2,7 @@
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
+#include "passes/paint_variants.h"
 #include "passes/products.h"
 #include "shaders/boundary/carry_fragments.comp.h"
 #include "shaders/boundary/carry_vertices.comp.h"
@@ -35,8 +36,7 @@ class CarryPass {
   gpu::Compute<shaders::BoundaryMeans> meansOfVertices_;
   gpu::Compute<shaders::BoundaryMeans> meansOfSurfels_;
   gpu::Compute<shaders::BoundaryCarryVertices> vertices_;
-  gpu::Compute<shaders::BoundaryCarryFragments> fragments_;
-  gpu::Compute<shaders::BoundaryCarryFragments> paintedFragments_;
+  PaintVariants<shaders::BoundaryCarryFragments> fragments_;
 };
 
 }  // namespace opaline::passes

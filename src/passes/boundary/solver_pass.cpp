@@ -24,8 +24,9 @@ SolverPass::SolverPass(gpu::Device& device)
     : plain_(makePipelines(device, false)),
       painted_(makePipelines(device, true)),
       step_(device, "step of the solver"),
-      powerOfLastButOne_(device, "power of a bounce", {.ofLast = 0}),
-      furtherBounces_(device, "further bounces", {.ofLast = 1}) {}
+      powerOfLastButOne_(device, "power of a bounce", {.ofLast = 0, .withPaint = 0}),
+      furtherBounces_{{device, "further bounces", {.ofLast = 1, .withPaint = 0}},
+                      {device, "further bounces", {.ofLast = 1, .withPaint = 1}}} {}
 
 SolverPass::Pipelines SolverPass::makePipelines(gpu::Device& device, bool withPaint) {
   return {{device, "densities", {.withPaint = withPaint}},
@@ -85,14 +86,14 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
 void SolverPass::recordFurtherBounces(gpu::CommandList& commands, Bounce bounce,
                                       SceneTables& tables, Clusters& clusters) const {
   commands.beginPass("solve");
-  commands.bind(bounce == Bounce::Last ? furtherBounces_ : powerOfLastButOne_,
+  commands.bind(bounce == Bounce::Last ? furtherBounces_.of(tables) : powerOfLastButOne_,
                 {.clusters = clusters.clusters,
                  .latest = clusters.latest,
                  .entered = clusters.entered,
                  .powerBefore = clusters.power,
                  .exitances = clusters.exitances,
                  .bareLights = clusters.bareLights},
-                {.clusterCount = clusters.count, .painted = tables.paint.any});
+                {.clusterCount = clusters.count});
   commands.dispatchLinear(groupSize);
   commands.endPass();
 }

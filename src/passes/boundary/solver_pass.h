@@ -5,6 +5,7 @@
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
+#include "passes/paint_variants.h"
 #include "passes/products.h"
 #include "shaders/boundary/densities.comp.h"
 #include "shaders/boundary/exitance.comp.h"
@@ -68,7 +69,7 @@ class SolverPass {
   Pipelines painted_;
   gpu::Compute<shaders::BoundarySolverStep> step_;
   gpu::Compute<shaders::BoundaryFurtherBounces> powerOfLastButOne_;
-  gpu::Compute<shaders::BoundaryFurtherBounces> furtherBounces_;
+  PaintVariants<shaders::BoundaryFurtherBounces> furtherBounces_;
 };
 
 }  // namespace opaline::passes

@@ -38,7 +38,9 @@ std::vector<shared::SurfelPiece> packPieces(const surfels::SurfelDivision& made,
                       .w1 = piece.corners[1][1],
                       .v2 = piece.corners[2][0],
                       .w2 = piece.corners[2][1],
-                      .fraction = piece.fraction});
+                      .fraction = piece.fraction,
+                      .areaMm2 = piece.fraction *
+                                 static_cast<float>(surfels::areaMm2(surface, piece.triangle))});
   }
   return packed;
 }

@@ -7,7 +7,7 @@ namespace opaline::passes {
 ShadePass::ShadePass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       linear_(device, gpu::Filter::Linear),
-      shade_(device, "shade"),
+      shade_{{device, "shade", {.withPaint = 0}}, {device, "shade", {.withPaint = 1}}},
       opaque_(device, "shade opaque"),
       sum_(device, "sum of surfaces") {}
 
@@ -28,7 +28,7 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("shade");
   commands.use(surfaces.counts, gpu::Access::Indirect);
-  commands.bind(shade_,
+  commands.bind(shade_.of(inputs.tables),
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .meshExitances = inputs.exitance.vertices,
                  .light = surfaces.light,
@@ -41,8 +41,7 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
                 {.atFragments = inputs.atFragments,
                  .alpha = inputs.roughness * inputs.roughness,
                  .specular = inputs.specular,
-                 .skyIsMirrored = inputs.mirrorsSky,
-                 .painted = inputs.tables.paint.any && inputs.atFragments});
+                 .skyIsMirrored = inputs.mirrorsSky});
   commands.dispatchIndirect(surfaces.counts, 0);
   commands.endPass();
 }

@@ -5,6 +5,7 @@
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
+#include "passes/paint_variants.h"
 #include "passes/products.h"
 #include "shaders/shade/opaque.comp.h"
 #include "shaders/shade/shade.comp.h"
@@ -45,7 +46,7 @@ class ShadePass {
  private:
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
-  gpu::Compute<shaders::ShadeShade> shade_;
+  PaintVariants<shaders::ShadeShade> shade_;
   gpu::Compute<shaders::ShadeOpaque> opaque_;
   gpu::Compute<shaders::ShadeSum> sum_;
 };

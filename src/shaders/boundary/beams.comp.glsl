@@ -30,13 +30,14 @@ layout(std430, set = 0, binding = 12) buffer Peak { uint peak; };
 layout(std430, set = 0, binding = 13) writeonly buffer Entered { vec4 entered[]; };
 layout(std430, set = 0, binding = 14) readonly buffer SkyShares { vec4 skyShares[]; };
 
+layout(constant_id = 0) const uint withPaint = 0u;
+
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint beam;  // a light, or the number of lights for what comes from everywhere
   uint piecesPerSurfel;
   uint nodeCount;  // of all surfels' trees
   uint mirrors;    // 1: what the surface does not let in goes on
-  uint painted;    // 1: some bodies are
 };
 
 const float leastShare = 0.005;      // of light that is followed further
@@ -168,7 +169,7 @@ void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction
     vec3 normal = facetNormal(hit.piece);
     float cosine = abs(dot(direction, normal));
     left *= exp(-extinction * hit.distance) * reflectedInside(body, cosine);
-    if (painted != 0u) left *= throughPaint(clusterOfSurfel[hit.piece / piecesPerSurfel], body, 0.5 * cosine);
+    if (withPaint != 0u) left *= throughPaint(clusterOfSurfel[hit.piece / piecesPerSurfel], body, 0.5 * cosine);
     if (largestOf(left) < leastShare) return;
     origin += hit.distance * direction;
     direction = reflect(direction, normal);
@@ -245,6 +246,6 @@ void main() {
     }
   }
   if (mirrors != 0u) mirrored[i] = goesOn;
-  if (painted != 0u) power *= throughPaint(i, body, cosineInside);
+  if (withPaint != 0u) power *= throughPaint(i, body, cosineInside);
   strengths[i] = vec4(power, packPointCounts(pointCount[0], pointCount[1]));
 }

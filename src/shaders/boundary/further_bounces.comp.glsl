@@ -9,6 +9,7 @@
 #include "shared/paint.h"
 
 layout(constant_id = 0) const uint ofLast = 1u;  // else of the one before
+layout(constant_id = 1) const uint withPaint = 0u;
 
 layout(std430, set = 0, binding = 0) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Latest { vec4 latest[]; };
@@ -19,7 +20,6 @@ layout(std430, set = 0, binding = 5) buffer BareLights { BareLight bareLights[];
 
 layout(push_constant) uniform Push {
   uint clusterCount;
-  uint painted;  // 1: some bodies are
 };
 
 // Each bounce loses what gets out of the scene.
@@ -39,7 +39,7 @@ void main() {
     vec3 before = exitances[i].rgb;
     vec3 after = before + latest[i].rgb * kept / (1.0 - kept);
     exitances[i].rgb = after;
-    if (painted == 0u) continue;
+    if (withPaint == 0u) continue;
     vec3 more = mix(vec3(1.0), overOr0(after, before), greaterThan(before, vec3(0.0)));
     bareLights[i].exitance.rgb *= more;
     bareLights[i].entered.rgb *= more;

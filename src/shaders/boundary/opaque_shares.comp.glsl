@@ -1,5 +1,5 @@
 // What clusters of opaque bodies give back of light, and what they send out by themselves: means of
-// their materials over their pieces.
+// their materials over their pieces, by the areas of these at rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -33,15 +33,14 @@ void main() {
   OpaqueShare sum = OpaqueShare(vec4(0.0), vec4(0.0));
   uint end = range.kind == opaqueBody ? range.endSurfel * piecesPerSurfel : 0u;
   OpaqueData material = opaques[mediumAt(objects[range.object], vec3(0.0)).tables.y];
-  float count = 0.0;
+  float area = 0.0;
   for (uint k = range.firstSurfel * piecesPerSurfel; k < end; ++k) {
     SurfelPiece piece = pieces[k];
-    if (piece.fraction <= 0.0) continue;
     SeenMaterial found = materialAt(material, placeOfPiece(piece, material));
     vec3 reflected = clamp(mirrored(found.specular), 0.0, 1.0);
-    sum.share.rgb += reflected + (1.0 - reflected) * found.diffuse.rgb;
-    sum.emission.rgb += pi * found.emission.rgb;
-    count += 1.0;
+    sum.share.rgb += piece.areaMm2 * (reflected + (1.0 - reflected) * found.diffuse.rgb);
+    sum.emission.rgb += piece.areaMm2 * pi * found.emission.rgb;
+    area += piece.areaMm2;
   }
-  shares[i] = OpaqueShare(sum.share / max(count, 1.0), sum.emission / max(count, 1.0));
+  shares[i] = OpaqueShare(sum.share / max(area, 1e-30), sum.emission / max(area, 1e-30));
 }

@@ -18,11 +18,12 @@ layout(std430, set = 0, binding = 7) readonly buffer Arrived { vec4 arrived[]; }
 layout(std430, set = 0, binding = 8) buffer Strengths { vec4 strengths[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Entered { vec4 entered[]; };
 
+layout(constant_id = 0) const uint withPaint = 0u;
+
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint raysOutwards;
   uint isFirst;  // 1: light that was mirrored on arrival too
-  uint painted;  // 1: some bodies are
 };
 
 void main() {
@@ -41,6 +42,6 @@ void main() {
   if (isFirst != 0u && area > 0.0) sum += arrived[i].rgb / area;
   entered[i] = vec4(sum, 0.0);
   vec3 power = area * sum * (1.0 - shareAtSurface(cluster.start.w, medium));
-  if (painted != 0u) power *= clusterPaints[i].entering.rgb;
+  if (withPaint != 0u) power *= clusterPaints[i].entering.rgb;
   strengths[i].rgb = power;
 }

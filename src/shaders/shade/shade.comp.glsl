@@ -21,6 +21,8 @@
 // What has scattered; in w how much of what is mirrored is sky. After it, radiance by coverage.
 layout(std430, set = 0, binding = 3) buffer Light { vec4 light[]; };
 
+// Of what leaves painted bodies, what goes towards the camera, over that without paint.
+layout(constant_id = 0) const uint withPaint = 0u;
 layout(std430, set = 0, binding = 15) readonly buffer Paint { vec4 paint[]; };
 
 layout(push_constant) uniform Push {
@@ -28,7 +30,6 @@ layout(push_constant) uniform Push {
   float alpha;       // of the GGX reflection
   uint specular;
   uint skyIsMirrored;  // some of it, as `light` has it; else all or none
-  uint painted;        // 1: some bodies are, and `paint` has what of it goes towards the camera
 };
 
 // The sky is seen through the lobe already.
@@ -68,7 +69,7 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
   vec4 found = light[seen.entry];
   vec3 left = atFragments != 0u ? found.rgb : meshExitanceAt(place).rgb;
   vec3 scattered = left * (transmitted * medium.boundary.y);
-  if (painted != 0u) scattered *= paint[seen.entry].rgb;
+  if (withPaint != 0u) scattered *= paint[seen.entry].rgb;
   if (specular == 0u) return scattered;
   float sky = skyIsMirrored != 0u ? found.w : 1.0;
   return scattered + reflection(medium, place.position, normalsNearby(seen.pixel, seen.word, place),

@@ -28,7 +28,7 @@ struct SurfelPiece {
   float v2;
   float w2;
   float fraction;  // of the triangle's area
-  uint unused;
+  float areaMm2;   // at rest
 };
 
 /// Light that enters through a piece is looked up at so many of its points (lib/piece.glsl).
