@@ -114,8 +114,10 @@ def made_cheap(words):
             words = with_value(words, "--max-surfels", "4096")
         if "--aov" not in words:
             words = with_value(words, "--antialias", "1")
-        if "--frames" in words:
-            words = with_value(words, "--frames", "0:1")
+        if "--chunk" in words:
+            words = with_value(words, "--chunk", "1/1")
+    if "--frames" in words and command in ("render", "film"):
+        words = with_value(words, "--frames", "0:1")
     if "--path" in words:
         words = with_value(words, "--seconds", "0.2")
     if command == "bench":
@@ -139,7 +141,8 @@ def outputs(words):
 class Documents(ProgramTest):
     def setUp(self):
         super().setUp()
-        (self.folder / "models").mkdir()
+        for name in ("models", "frames"):
+            (self.folder / name).mkdir()
         for name in MODELS:
             self.write(name, ply(1.2 if name == "bunny_egg_b.ply" else 1.0))
         for name in ENVIRONMENTS:

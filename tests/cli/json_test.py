@@ -33,6 +33,7 @@ class Keys(ProgramTest):
         film = self.printed("render", *SCENE, "--size", "8x8", "--frames", "0:1", "-o", "f%d.png", "--quiet")
         self.assertEqual(keys(film) - keys(still), {"frames", "frame_step", "fps"})
         self.expect("render", keys(film) | keys(still))
+        self.expect("film", keys({**self.printed("film", ".", "--check"), "outputs": ["a.mp4"]}))
 
     def test_reference(self):
         view = (*SCENE, "--size", "8x8", "--aov", "exitance", "-o", "a.exr")

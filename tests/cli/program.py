@@ -10,7 +10,7 @@ import time
 import unittest
 
 PROGRAM = pathlib.Path(os.environ["OPALINE"]).resolve()
-COMMANDS = ("render", "view", "reference", "compare", "bench", "info", "media", "profile")
+COMMANDS = ("render", "film", "view", "reference", "compare", "bench", "info", "media", "profile")
 
 LONGEST_SECONDS = 300
 

@@ -9,6 +9,7 @@ using Arguments = std::vector<std::string>;
 
 // Each returns when all that was asked for is on disk or printed, and throws otherwise.
 void runRender(const Arguments& arguments);
+void runFilm(const Arguments& arguments);
 void runView(const Arguments& arguments);
 void runCompare(const Arguments& arguments);
 void runReference(const Arguments& arguments);

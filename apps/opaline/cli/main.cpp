@@ -25,6 +25,7 @@ struct Command {
 
 constexpr std::array commands{
     Command{"render", "a still as PNG or EXR, or a film; needs no window", runRender},
+    Command{"film", "a film of numbered pictures, all of which must be whole", runFilm},
 #ifdef OPALINE_WITH_VIEWER
     Command{"view", "a window to change light, medium, motion and method", runView},
 #endif

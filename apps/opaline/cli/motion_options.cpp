@@ -15,60 +15,28 @@ namespace opaline::app {
 
 namespace {
 
-constexpr int lastFrame = 999999;
 constexpr const char* noClip = "none";
 
-std::vector<std::string> splitAtColons(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(':', begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
 Deformer readDeformer(const Given& given) {
-  const std::vector<std::string> parts = splitAtColons(given.text);
+  const std::vector<std::string_view> parts = split(given.text, ':');
   Deformer deformer;
   const auto read = [&](std::string_view key, const Given& part) {
     const auto& field = options::fieldOf<Deformer>(key);
     field.set(deformer, readValue(part, field.allowed, field.like));
   };
-  read("kind", {given.option, parts[0]});
+  read("kind", {given.option, std::string(parts[0])});
   if (parts.size() != 2 && parts.size() != 3) {
     throw UsageError(fmt::format("{} {}: must be KIND:AMOUNT or KIND:AMOUNT:PERIOD, as {}:0.5:2",
                                  given.option, given.text, parts[0]));
   }
-  const std::string option = given.option + " " + parts[0];
-  if (parts.size() == 3) read("period_seconds", {option, parts[2]});
-  deformer.amount =
-      static_cast<float>(readNumber({option, parts[1]}, options::rangeOfAmount(deformer)));
+  const std::string option = fmt::format("{} {}", given.option, parts[0]);
+  if (parts.size() == 3) read("period_seconds", {option, std::string(parts[2])});
+  deformer.amount = static_cast<float>(
+      readNumber({option, std::string(parts[1])}, options::rangeOfAmount(deformer)));
   if (const std::string complaint = options::complaintAbout(deformer); !complaint.empty()) {
     throw UsageError(fmt::format("{} {}: {}", given.option, given.text, complaint));
   }
   return deformer;
-}
-
-FrameRange readFrames(const Given& given) {
-  const std::vector<std::string> ends = splitAtColons(given.text);
-  if (ends.size() != 2 && ends.size() != 3) {
-    throw UsageError(
-        fmt::format("{} {}: must be FIRST:LAST or FIRST:LAST:STEP, as 0:239 or 0:239:10",
-                    given.option, given.text));
-  }
-  FrameRange frames;
-  frames.first = readInteger({given.option, ends[0]}, 0, lastFrame);
-  frames.last = readInteger({given.option, ends[1]}, 0, lastFrame);
-  if (frames.first > frames.last) {
-    throw UsageError(
-        fmt::format("{} {}: the last frame comes before the first", given.option, given.text));
-  }
-  if (ends.size() == 3) {
-    frames.step = readInteger({given.option, ends[2]}, 1, lastFrame);
-    frames.last -= (frames.last - frames.first) % frames.step;
-  }
-  return frames;
 }
 
 int findClip(const Given& given, const Scene& scene) {
@@ -94,9 +62,9 @@ void MotionOptions::addTo(CommandLine& line, bool films) {
   if (films) {
     line.value("--frames", "A:B[:STEP]", "a film; frame n shows time n / fps",
                [this](const Given& given) { frames_ = readFrames(given); });
-    line.value("--fps", "N", "frames a second, 1 to 1000 [30]", [this](const Given& given) {
-      framesPerSecond_ = readNumber(given, {1, 1000});
-    });
+    line.value("--fps", "N", "N frames a second [30]; only part I of N of them",
+               [this](const Given& given) { framesPerSecond_ = readFramesPerSecond(given); });
+    line.value("--chunk", "I/N", "", [this](const Given& given) { chunk_ = readChunk(given); });
   }
   addField(line, options::fieldOf<options::NamedSettings>("clip"), named_);
   line.repeated("--deform", "KIND:X[:PERIOD]", "twist or bend (radians), squash, wobble; seconds",
@@ -110,12 +78,20 @@ void MotionOptions::check() const {
   if (framesPerSecond_ && !frames_) {
     throw UsageError("--fps is the speed of a film and needs --frames A:B; a still has --time");
   }
+  if (chunk_ && !frames_) {
+    throw UsageError("--chunk is a part of many frames and needs --frames A:B");
+  }
 }
 
 std::optional<FrameRange> MotionOptions::frames() const {
   std::optional<FrameRange> frames = frames_;
   if (frames && framesPerSecond_) frames->perSecond = *framesPerSecond_;
   return frames;
+}
+
+std::optional<FrameRange> MotionOptions::framesOfChunk() const {
+  const std::optional<FrameRange> all = frames();
+  return all && chunk_ ? framesOf(*chunk_, *all) : all;
 }
 
 void MotionOptions::applyTo(Scene& scene) const {

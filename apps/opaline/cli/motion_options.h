@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/command_line.h"
+#include "cli/frame_range.h"
 #include "opaline/options/picture.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
@@ -12,18 +13,7 @@
 
 namespace opaline::app {
 
-/// Which frames: the first, every step-th after it, and the last; frame n shows time n / perSecond.
-struct FrameRange {
-  int first = 0;
-  int last = 0;  ///< a whole number of steps behind the first
-  double perSecond = 30;
-  int step = 1;
-
-  std::size_t count() const { return static_cast<std::size_t>((last - first) / step) + 1; }
-  double seconds(int frame) const { return frame / perSecond; }
-};
-
-/// --time, --frames, --fps, --clip, --deform.
+/// --time, --frames, --fps, --chunk, --clip, --deform.
 class MotionOptions {
  public:
   /// Without `films` only what makes stills.
@@ -33,6 +23,9 @@ class MotionOptions {
 
   /// Nothing when one still is asked for.
   std::optional<FrameRange> frames() const;
+  /// Those of them that are to be rendered here, if any.
+  std::optional<FrameRange> framesOfChunk() const;
+  const std::optional<Chunk>& chunk() const { return chunk_; }
 
   /// Appends the deformers that were asked for.
   void applyTo(Scene& scene) const;
@@ -44,6 +37,7 @@ class MotionOptions {
   options::Chosen<options::PictureSettings> chosen_;  // the time of a still
   std::optional<FrameRange> frames_;
   std::optional<double> framesPerSecond_;
+  std::optional<Chunk> chunk_;
   options::Chosen<options::NamedSettings> named_;  // the clip
   std::vector<Deformer> deformers_;
 };

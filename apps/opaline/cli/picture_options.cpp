@@ -227,7 +227,7 @@ bool PictureOptions::isExr() const {
   return file_ ? extensionOf(*file_) == ".exr" : aov_.has_value();
 }
 
-void PictureOptions::requireNameFor(bool frames, bool resume) const {
+void PictureOptions::requireNameFor(bool frames, bool resume, bool chunk) const {
   const std::string name = file_ ? file_->string() : "";
   const bool film = file_ && extensionOf(*file_) == ".mp4";
   const bool numbered = FrameNames::parse(name).has_value();
@@ -241,6 +241,11 @@ void PictureOptions::requireNameFor(bool frames, bool resume) const {
   if (resume && !file_) {
     throw UsageError(
         "--resume continues numbered pictures and needs their name: -o frame_%04d.png");
+  }
+  if (chunk && (!file_ || film)) {
+    throw UsageError(
+        "--chunk makes some of a row of pictures and needs their name, -o frame_%04d.png; opaline "
+        "film makes a film of them");
   }
   if (film && resume) {
     throw UsageError(

@@ -86,7 +86,7 @@ class PictureOptions {
   bool asksForReflection() const { return look_.asksForReflection(); }
   bool isExr() const;
   /// Throws UsageError unless -o suits a film, or a still.
-  void requireNameFor(bool frames, bool resume) const;
+  void requireNameFor(bool frames, bool resume, bool chunk) const;
   /// The same where there is nothing but stills.
   void requireNameOfStill() const;
   /// -o, or a name after the scene's in the current folder under which nothing is replaced.

@@ -23,16 +23,6 @@ std::optional<double> toNumber(std::string_view text) {
   return value;
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 [[noreturn]] void refuse(const Given& given, const std::string& reason) {
   throw UsageError(fmt::format("{} {}: {}", given.option, given.text, reason));
 }
@@ -82,6 +72,16 @@ std::array<float, 3> toFloat(const std::array<double, 3>& triple) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
 
 double readNumber(const Given& given, const Range& range) {
   return numberIn(given, given.text, range);

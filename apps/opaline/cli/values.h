@@ -13,6 +13,9 @@ namespace opaline::app {
 
 using options::Range;
 
+/// What stands between the separators, one part more than there are of these.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
 /// A finite number in the range. Throws UsageError that names the option, the reason and the range,
 /// as all readers here do.
 double readNumber(const Given& given, const Range& range);

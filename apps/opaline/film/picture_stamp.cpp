@@ -230,4 +230,22 @@ bool isSamePicture(const std::string& stamp, const std::string& other) {
   return !digest.empty() && digest == digestOf(other);
 }
 
+bool isSameRow(const std::string& stamp, const std::string& other) {
+  const auto withoutTime = [](const std::string& text) {
+    Json json = Json::parse(text, nullptr, false);
+    if (json.is_object()) {
+      json.erase("seconds");
+      json.erase("digest");
+    }
+    return json;
+  };
+  return stamp == other || withoutTime(stamp) == withoutTime(other);
+}
+
+std::optional<double> secondsOf(const std::string& stamp) {
+  const Json json = Json::parse(stamp, nullptr, false);
+  const bool holdsIt = json.is_object() && json.contains("seconds") && json["seconds"].is_number();
+  return holdsIt ? std::optional(json["seconds"].get<double>()) : std::nullopt;
+}
+
 }  // namespace opaline::app

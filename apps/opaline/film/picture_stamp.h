@@ -33,4 +33,11 @@ std::function<std::string(int frame)> frameStamps(const PictureMakers& makers,
 /// Whether two stamps have the same digest.
 bool isSamePicture(const std::string& stamp, const std::string& other);
 
+/// Whether they come from one scene and the same options, whatever the time; as far as their
+/// readable part tells.
+bool isSameRow(const std::string& stamp, const std::string& other);
+
+/// The time that the picture shows; nothing where it is no stamp.
+std::optional<double> secondsOf(const std::string& stamp);
+
 }  // namespace opaline::app

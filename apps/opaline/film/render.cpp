@@ -70,7 +70,7 @@ struct RenderCommand {
   void check() const {
     camera.check();
     motion.check();
-    picture.requireNameFor(motion.frames().has_value(), resume);
+    picture.requireNameFor(motion.frames().has_value(), resume, motion.chunk().has_value());
     static_cast<void>(options({}));
   }
 
@@ -216,17 +216,24 @@ FilmOrder filmOrder(const RenderCommand& command, const RenderJob& job, const Fr
 }
 
 /// Each frame's file is what is written of a row.
-void requireNoInput(const RenderCommand& command, const RenderJob& job,
-                    const std::optional<FrameRange>& frames) {
+void requireNoInput(const RenderCommand& command, const RenderJob& job) {
   std::vector<Output> outputs;
   if (job.output.existing == Existing::Replace) {
-    const FrameRange range = frames.value_or(FrameRange{});
+    const FrameRange range = command.motion.frames().value_or(FrameRange{});
     for (int frame = range.first; frame <= range.last; frame += range.step) {
       outputs.push_back({"-o", fileOf(job.output.path, frame)});
     }
   }
   if (command.report) outputs.push_back({"--report", *command.report});
   requireNoInput(outputs, job.inputs);
+}
+
+/// There are more chunks than frames, and this one has none.
+Done makeNothing(const RenderJob& job, const Chunk& chunk, const LogCallback& log) {
+  log(LogLevel::Note, fmt::format("chunk {} of {} has no frames", chunk.number, chunk.count));
+  Json report = emptyReportJson(job, {});
+  for (const char* unknown : {"frames", "frame_step", "fps"}) report[unknown] = nullptr;
+  return {std::move(report)};
 }
 
 Done makeFrames(const RenderCommand& command, const RenderJob& job, const FrameRange& frames,
@@ -247,6 +254,13 @@ Done makeFrames(const RenderCommand& command, const RenderJob& job, const FrameR
   done.report["frame_step"] = frames.step;
   done.report["fps"] = frames.perSecond;
   return done;
+}
+
+Done make(const RenderCommand& command, const RenderJob& job, const LogCallback& log) {
+  if (!command.motion.frames()) return makeStill(command, job, log);
+  const std::optional<FrameRange> frames = command.motion.framesOfChunk();
+  return frames ? makeFrames(command, job, *frames, log)
+                : makeNothing(job, *command.motion.chunk(), log);
 }
 
 }  // namespace
@@ -271,9 +285,9 @@ void runRender(const Arguments& arguments) {
   if (command.report) requireWritable(*command.report);
 
   RenderJob job = prepareRender(command, std::move(output), log);
-  job.aimCamera(frames);
-  requireNoInput(command, job, frames);
-  Done done = frames ? makeFrames(command, job, *frames, log) : makeStill(command, job, log);
+  job.aimCamera(frames);  // the same in every chunk
+  requireNoInput(command, job);
+  Done done = make(command, job, log);
   done.report["exposure_stops"] =
       command.picture.isExr() ? Json() : shortJson(job.tone.exposureStops);
   const std::string report = toText(done.report);

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "cli/command_line.h"
+
+namespace opaline::app {
+
+/// Which frames: the first, every step-th after it, and the last; frame n shows time n / perSecond.
+struct FrameRange {
+  int first = 0;
+  int last = 0;  ///< a whole number of steps behind the first
+  double perSecond = 30;
+  int step = 1;
+
+  std::size_t count() const { return static_cast<std::size_t>((last - first) / step) + 1; }
+  double seconds(int frame) const { return frame / perSecond; }
+};
+
+/// One of several programs that share the frames of a film.
+struct Chunk {
+  int number = 1;  ///< in [1, count]
+  int count = 1;
+};
+
+/// The frames of a chunk: consecutive ones, as many as other chunks have, or one more. Nothing
+/// where there are fewer frames than chunks and none is left for this one.
+std::optional<FrameRange> framesOf(const Chunk& chunk, const FrameRange& all);
+
+/// FIRST:LAST or FIRST:LAST:STEP. Throws UsageError.
+FrameRange readFrames(const Given& given);
+
+/// NUMBER/COUNT. Throws UsageError.
+Chunk readChunk(const Given& given);
+
+/// Frames a second. Throws UsageError.
+double readFramesPerSecond(const Given& given);
+
+}  // namespace opaline::app
