@@ -184,7 +184,8 @@ class Documents(ProgramTest):
     def test_every_option_is_in_a_help(self):
         helps = {command: documents.options(self.succeed(command, "--help").out) | {"--help"} for command in COMMANDS}
         of_others = {"--preset", "--build", "--install", "--prefix", "--cflags", "--libs", "--static",
-                     "--system-site-packages"}  # CMake, pkg-config, venv
+                     "--system-site-packages", "--chunks", "--rounds", "--sbatch", "--ssh", "--partition",
+                     "--gres"}  # CMake, pkg-config, venv, opaline-film, sbatch
         anywhere = set().union(*helps.values()) | {"--version"} | of_others
         for page, text in documents.pages().items():
             self.assertEqual(documents.options(text) - anywhere, set(), page)
