@@ -13,7 +13,7 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan fuzz package package-check install python wheel dependencies configure
+.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan fuzz faults package package-check install python wheel dependencies configure
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -29,6 +29,7 @@ help:
 	@echo 'make format    clang-format everything'
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz      every fuzz target for 60 seconds each; SECONDS=600 lets them run longer; needs clang 14'
+	@echo 'make faults    every Vulkan call of a scene and of a frame fails once: half an hour; STRIDE=10 tries every tenth'
 	@echo 'make install   library, program, pages and Python module into PREFIX=folder'
 	@echo 'make python    the Python module, into the virtual environment at hand, or PREFIX=folder'
 	@echo 'make wheel     the Python module as a wheel in build/release/'
@@ -111,6 +112,10 @@ asan: dependencies
 
 fuzz: dependencies
 	$(PYTHON) tools/fuzz.py --seconds $(or $(SECONDS),60)
+
+faults: configure
+	cmake --build --preset release --target test_faults
+	OPALINE_FAULT_STRIDE=$(or $(STRIDE),1) $(BUILD)/bin/test_faults
 
 package: build
 	scripts/package.sh $(BUILD)

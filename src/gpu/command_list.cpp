@@ -97,8 +97,22 @@ void CommandList::begin() {
   inPass_ = false;
   rendering_ = false;
   part_ = 0;
+  imageBarrierCount_ = 0;
+  memoryBarrier_ = {};
   beginPart();
   timer_.reset();
+  if (!device_.takeAbandoned()) return;
+  constexpr VkAccessFlags2 all = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+  memoryBarrier_ = {.fromStages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                    .fromAccesses = VK_ACCESS_2_MEMORY_WRITE_BIT,
+                    .toStages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                    .toAccesses = all};
+  flushBarriers();
+}
+
+void CommandList::abandon() {
+  filling_ = false;
+  device_.noteAbandoned();
 }
 
 void CommandList::beginPart() {

@@ -68,6 +68,9 @@ class CommandList {
   void cut();
   /// Hands everything to the queue; does not wait.
   void submit();
+  /// After an exception since begin(). What resources remember of their accesses no longer holds:
+  /// buffers may be used again, images after GpuImage::forget().
+  void abandon();
   /// Blocks until the last submission has finished. Throws Error when the device is lost.
   void wait();
 

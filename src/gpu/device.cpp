@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <new>
 #include <type_traits>
 
 #include "gpu/device_choice.h"
@@ -116,7 +117,12 @@ Device::Device(const DeviceOptions& options)
   if (rayQueries) loadRayFunctions();
   vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
   setName(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<std::uint64_t>(queue_), "queue");
-  createTimeline();
+  try {
+    createTimeline();
+  } catch (...) {
+    vkDestroyDevice(device_, nullptr);
+    throw;
+  }
 }
 
 void Device::createDevice(const std::vector<std::string>& wanted, bool rayQueries) {
@@ -204,7 +210,7 @@ void Device::createTimeline() {
 }
 
 Device::~Device() {
-  vkDeviceWaitIdle(device_);
+  waitUntilIdle();
   retired_.destroyUpTo(UINT64_MAX, device_, rays_);
   vkDestroySemaphore(device_, timeline_, nullptr);
   vkDestroyDevice(device_, nullptr);
@@ -251,13 +257,30 @@ void Device::waitFor(std::uint64_t submission) {
   info.semaphoreCount = 1;
   info.pSemaphores = &timeline_;
   info.pValues = &submission;
-  check(vkWaitSemaphores(device_, &info, UINT64_MAX), "wait for the device");
+  VkResult result = VK_TIMEOUT;  // some drivers end the longest wait early
+  while (result == VK_TIMEOUT) result = vkWaitSemaphores(device_, &info, UINT64_MAX);
+  check(result, "wait for the device");
   destroyRetired();
+}
+
+// A device that has too little memory to wait is asked again: what it uses must not go before.
+void Device::waitUntilIdle() const {
+  constexpr int attempts = 100;
+  for (int i = 0; i < attempts; ++i) {
+    const VkResult result = vkDeviceWaitIdle(device_);
+    if (result != VK_ERROR_OUT_OF_HOST_MEMORY && result != VK_ERROR_OUT_OF_DEVICE_MEMORY) return;
+  }
 }
 
 void Device::retire(VkObjectType type, std::uint64_t handle, std::size_t bytes, bool lent) {
   if (handle == 0) return;
-  retired_.add(lent ? submitted_ + 1 : submitted_, type, handle, bytes);
+  try {
+    retired_.add(lent ? submitted_ + 1 : submitted_, type, handle, bytes);
+  } catch (const std::bad_alloc&) {  // destructors come here, which must not fail
+    waitUntilIdle();
+    RetiredObjects::destroy(type, handle, device_, rays_);
+    memoryBytes_ -= bytes;
+  }
   destroyRetired();
 }
 
@@ -289,7 +312,7 @@ VkDeviceMemory Device::tryAllocate(const VkMemoryRequirements& requirements,
     VkDeviceMemory memory = VK_NULL_HANDLE;
     const VkResult result = vkAllocateMemory(device_, &info, nullptr, &memory);
     if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) continue;
-    check(result, fmt::format("find memory for \"{}\"", name));
+    if (result < 0) check(result, fmt::format("find memory for \"{}\"", name));
     return memory;
   }
   return VK_NULL_HANDLE;
@@ -336,7 +359,7 @@ void Device::setName(VkObjectType type, std::uint64_t handle, const std::string&
   info.objectType = type;
   info.objectHandle = handle;
   info.pObjectName = name.c_str();
-  check(setObjectName_(device_, &info), "name an object");
+  setObjectName_(device_, &info);  // without a name it is as good
 }
 
 void Device::beginLabel(VkCommandBuffer commands, const char* name) const {

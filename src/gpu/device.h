@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/retired_objects.h"
@@ -90,6 +91,11 @@ class Device {
   /// the device is lost.
   void waitFor(std::uint64_t submission);
 
+  /// Commands were given up that had been noted as accesses of resources: the next list waits for
+  /// all work before it.
+  void noteAbandoned() { abandoned_ = true; }
+  bool takeAbandoned() { return std::exchange(abandoned_, false); }
+
   /// Destroys an object as soon as the device has finished all that was submitted up to now.
   /// `lent`: others' submissions to the queue may use it too; the next submission of this device
   /// comes after theirs.
@@ -110,8 +116,8 @@ class Device {
   /// Retires memory, as retire() does.
   void release(VkDeviceMemory memory, std::size_t bytes, bool lent = false);
 
-  /// Names an object for debuggers and validation messages; costs nothing without
-  /// VK_EXT_debug_utils.
+  /// Names an object for debuggers and validation messages, if the device has memory for the name;
+  /// costs nothing without VK_EXT_debug_utils.
   void setName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
 
   /// Debug labels around commands; costs nothing without VK_EXT_debug_utils.
@@ -130,6 +136,7 @@ class Device {
   void loadRayFunctions();
   void createTimeline();
   void retire(VkObjectType type, std::uint64_t handle, std::size_t bytes, bool lent);
+  void waitUntilIdle() const;
   void destroyRetired();
   bool exceedsLimit(std::size_t bytes) const;
   VkDeviceMemory tryAllocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags flags,
@@ -143,6 +150,7 @@ class Device {
   std::uint32_t queueFamily_ = 0;
   VkSemaphore timeline_ = VK_NULL_HANDLE;  // holds the number of the submission finished last
   std::uint64_t submitted_ = 0;
+  bool abandoned_ = false;
   RetiredObjects retired_;
   VkPhysicalDeviceProperties properties_{};
   VkPhysicalDeviceMemoryProperties memoryProperties_{};

@@ -47,6 +47,8 @@ class GpuImage {
 
   explicit operator bool() const { return image_ != VK_NULL_HANDLE; }
   VkImage handle() const { return image_; }
+  /// What is in it is not needed, whatever has been recorded for it; see CommandList::abandon.
+  void forget() { state_ = {}; }
   const ImageOptions& options() const { return options_; }
   VkExtent2D extent() const { return {options_.width, options_.height}; }
   VkImageAspectFlags aspect() const;  ///< colour or depth, from the format

@@ -14,7 +14,10 @@ Handle as(std::uint64_t handle) {
   return reinterpret_cast<Handle>(handle);
 }
 
-void destroy(VkObjectType type, std::uint64_t handle, VkDevice device, const RayFunctions& rays) {
+}  // namespace
+
+void RetiredObjects::destroy(VkObjectType type, std::uint64_t handle, VkDevice device,
+                             const RayFunctions& rays) {
   switch (type) {
     case VK_OBJECT_TYPE_BUFFER:
       return vkDestroyBuffer(device, as<VkBuffer>(handle), nullptr);
@@ -45,12 +48,10 @@ void destroy(VkObjectType type, std::uint64_t handle, VkDevice device, const Ray
   }
 }
 
-}  // namespace
-
 void RetiredObjects::add(std::uint64_t submission, VkObjectType type, std::uint64_t handle,
                          std::size_t bytes) {
-  objects_.push_back({submission, type, handle, bytes});
   ++count_;
+  objects_.push_back({submission, type, handle, bytes});
 }
 
 std::size_t RetiredObjects::destroyUpTo(std::uint64_t submission, VkDevice device,

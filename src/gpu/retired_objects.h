@@ -17,11 +17,14 @@ class RetiredObjects {
   /// How many have been added so far.
   std::uint64_t count() const { return count_; }
   /// `bytes` of memory, where the object is that. The device uses it up to the submission of that
-  /// number.
+  /// number. Throws std::bad_alloc, but counts the object.
   void add(std::uint64_t submission, VkObjectType type, std::uint64_t handle, std::size_t bytes);
   /// Destroys those that a device which has finished that submission no longer uses, in the order
   /// in which they were added. Returns how much memory that frees, bytes.
   std::size_t destroyUpTo(std::uint64_t submission, VkDevice device, const RayFunctions& rays);
+  /// Destroys one that the device no longer uses.
+  static void destroy(VkObjectType type, std::uint64_t handle, VkDevice device,
+                      const RayFunctions& rays);
 
  private:
   struct Object {

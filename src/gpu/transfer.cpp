@@ -97,7 +97,8 @@ UploadRing::UploadRing(Device& device, const std::string& name, std::size_t byte
 
 void UploadRing::nextFrame() {
   slice_ = (slice_ + 1) % submissions_.size();
-  device_.waitFor(submissions_[slice_]);
+  // A frame that was given up has not been submitted.
+  device_.waitFor(std::min(submissions_[slice_], device_.submitted()));
   submissions_[slice_] = device_.submitted() + 1;
   used_ = 0;
 }

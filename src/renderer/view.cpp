@@ -100,15 +100,12 @@ class View::Implementation {
     plan.time = edited.time();
     plan.opaque = opaque;
     plan.painted = painted;
-    prepared_ = context_.prepared.share(options_, plan, lighting, std::move(prepared_));
-    prepared_->prepare(options_, plan, order.patient, edited);
-    const SceneChanges changes = prepared_->changes(edited);
-    resources_.follow(options_, plan, prepared_->scene(), edited, changes);
-    fitToScene(prepared_->scene(), lighting, plan);
-    plan.light = prepared_->light().mustFind(options_, plan, order.reuseLight, changes, resources_);
-    plan_ = plan;
-    record(order);
-    queue_.submit();
+    try {
+      submit(plan, order);
+    } catch (...) {
+      startAnew();
+      throw;
+    }
     shown_ = order.onDevice;
   }
 
@@ -150,6 +147,27 @@ class View::Implementation {
   }
 
  private:
+  void submit(FramePlan& plan, const FrameOrder& order) {
+    EditedScene& edited = context_.edited;
+    const Lighting& lighting = edited.lighting();
+    prepared_ = context_.prepared.share(options_, plan, lighting, std::move(prepared_));
+    prepared_->prepare(options_, plan, order.patient, edited);
+    const SceneChanges changes = prepared_->changes(edited);
+    resources_.follow(options_, plan, prepared_->scene(), edited, changes);
+    fitToScene(prepared_->scene(), lighting, plan);
+    plan.light = prepared_->light().mustFind(options_, plan, order.reuseLight, changes, resources_);
+    plan_ = plan;
+    record(order);
+    queue_.submit();
+  }
+
+  // What was noted as made or lit may not have been: the next frame makes all of it.
+  void startAnew() {
+    queue_.abandon();
+    if (prepared_) prepared_->clear();
+    resources_.forget();
+  }
+
   void record(const FrameOrder& order) {
     const Scene& scene = context_.edited.scene();
     SceneResources& prepared = prepared_->scene();

@@ -35,6 +35,8 @@ class FrameQueue {
   FrameSlot& next() { return slots_[next_]; }
   /// Hands next() to the device.
   void submit();
+  /// After an exception before that: next() is to be recorded anew.
+  void abandon() { next().commands.abandon(); }
   /// Waits for the oldest and takes its pictures and times. Throws UsageError when there is none.
   gpu::CommandCounts collect(Frame& frame, FrameTimes& times);
 

@@ -45,7 +45,7 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   const bool shadows =
       whole || made_.view.shadowViews != views || before->options.shadowSize != options.shadowSize;
 
-  if (whole) made_ = {.radiance = std::move(made_.radiance)};
+  if (whole) dropAllButPicture();
   if (size || media || transport || pattern) made_.map.reset();
   if (size || shadows || surface || pattern) lit.reset();
   if (whole) made_.view = passes::FitPass::makeView(device_);
@@ -62,6 +62,17 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   if (plan.irradiance && !made_.seenIrradiance)
     made_.seenIrradiance = passes::SeenIrradiancePass::makeImage(device_, made_.radiance.extent());
   for_ = {options, changes};
+}
+
+void ViewResources::dropAllButPicture() {
+  made_ = {.radiance = std::move(made_.radiance)};
+}
+
+void ViewResources::forget() {
+  dropAllButPicture();
+  made_.radiance.forget();
+  lit.reset();
+  for_.reset();
 }
 
 // Of the environment as it was given: its suns are seen as well.

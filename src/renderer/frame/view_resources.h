@@ -23,6 +23,9 @@ class ViewResources {
   void follow(const RenderOptions& options, const FramePlan& plan, SceneResources& scene,
               const EditedScene& edited, const SceneChanges& changes);
 
+  /// After a frame that failed: nothing but the picture is kept, and that without contents.
+  void forget();
+
   FrameResources& made() { return made_; }
   const FrameResources& made() const { return made_; }
 
@@ -42,6 +45,7 @@ class ViewResources {
     RenderOptions options;
     SceneChanges changes;
   };
+  void dropAllButPicture();
   void makeBackdrop(const FramePlan& plan, const EditedScene& edited, bool anew);
   void makeImages(const RenderOptions& options, const SceneResources& scene);
   void makeRoom(const FramePlan& plan);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "environment/sky.h"
 #include "gpu/device.h"
 #include "opaline/error.h"
@@ -31,7 +33,7 @@ void EditedScene::set(gpu::Device& device, const Scene& scene) {
     merged_ = scene::mergedMesh(*scene_);
     motion_.emplace(device, *scene_, merged_);
     suns_ = findSuns(scene_->lighting.environment);
-    separateSuns();
+    addSuns(scene_->lighting, suns_, lighting_);
   } catch (...) {
     scene_.reset();  // half a scene is none
     throw;
@@ -53,11 +55,10 @@ const std::vector<DirectionalLight>& EditedScene::suns() const {
   return suns_.lights;
 }
 
-void EditedScene::separateSuns() {
-  lighting_ = scene_->lighting;
-  separate(suns_, lighting_);
-  if (const Object* ground = groundOf(*scene_))
-    hideBelow(ground->mesh.positionsMm[0][1], lighting_);
+void EditedScene::addSuns(const Lighting& given, const Suns& suns, Lighting& all) const {
+  all = given;
+  separate(suns, all);
+  if (const Object* ground = groundOf(*scene_)) hideBelow(ground->mesh.positionsMm[0][1], all);
 }
 
 Scene& EditedScene::edit() {
@@ -83,18 +84,25 @@ void EditedScene::setCamera(const Camera& camera) {
 void EditedScene::setLighting(const Lighting& lighting) {
   validate(lighting);
   Lighting& present = edit().lighting;
+  // All that can fail comes first. Environments are large and seldom change.
+  std::optional<Suns> suns;
+  if (lighting.environment != present.environment) suns = findSuns(lighting.environment);
+  nextGiven_ = lighting;
+  addSuns(lighting, suns ? *suns : suns_, next_);
   ++changes_.lights;
   if (!sameSky(lighting, present)) ++changes_.sky;
-  // Environments are large and seldom change.
-  if (lighting.environment != present.environment) suns_ = findSuns(lighting.environment);
-  present = lighting;
-  separateSuns();
+  if (suns) suns_ = *std::move(suns);
+  std::swap(lighting_, next_);
+  std::swap(present, nextGiven_);
+  nextGiven_.environment.reset();
+  next_.environment.reset();
 }
 
 void EditedScene::setMedium(std::size_t object, const Medium& medium) {
   validate(medium);
   requireObject(object, scene().objects.size());
-  edit().objects[object].medium = medium;
+  Medium given = medium;
+  edit().objects[object].medium = std::move(given);
   ++changes_.media;
 }
 

@@ -65,13 +65,17 @@ class EditedScene {
 
  private:
   Scene& edit();
-  void separateSuns();
+  /// `all`: with the suns of the environment, and without what the ground hides.
+  void addSuns(const Lighting& given, const Suns& suns, Lighting& all) const;
 
   std::uint64_t number_ = 0;
   std::uint64_t makings_ = 0;
   std::optional<Scene> scene_;
   Suns suns_;
   Lighting lighting_;
+  // Of the last change, for their memory.
+  Lighting nextGiven_;
+  Lighting next_;
   scene::MergedMesh merged_;
   std::optional<SceneMotion> motion_;
   SceneChanges changes_;

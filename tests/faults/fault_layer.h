@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <string>
+
+namespace opaline::test {
+
+/// The layer of layer/faults.h in this process.
+class FaultLayer {
+ public:
+  /// Has every instance from now on use it.
+  FaultLayer();
+
+  /// Of the calls that may return `result`, the n-th from now on does.
+  void arm(VkResult result, std::uint64_t nth) { arm_(result, nth, nullptr); }
+  void disarm() { arm_(VK_SUCCESS, 0, nullptr); }
+  /// The function that failed since then; empty if none has.
+  std::string faulted() const;
+  /// Objects that were created and not destroyed.
+  std::int64_t living() const { return living_(); }
+  std::string describeLiving() const { return describe_(); }
+
+ private:
+  void (*arm_)(std::int32_t, std::uint64_t, const char*) = nullptr;
+  const char* (*faulted_)() = nullptr;
+  std::int64_t (*living_)() = nullptr;
+  const char* (*describe_)() = nullptr;
+};
+
+FaultLayer& faultLayer();
+
+}  // namespace opaline::test

@@ -1,0 +1,431 @@
+#include "faults.h"
+
+#include <vulkan/vk_layer.h>
+
+#include <array>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <initializer_list>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace {
+
+/// What Vulkan 1.3 lets a function return, with what drivers are known to return beside it.
+enum Failures : unsigned {
+  ofMemory = 1,
+  ofDevice = 2,
+  ofInitialization = 4,
+  ofMapping = 8,
+  ofTime = 16,
+  ofSurface = 32,
+  ofAge = 64,
+};
+
+unsigned kindOf(VkResult result) {
+  switch (result) {
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+      return ofMemory;
+    case VK_ERROR_DEVICE_LOST:
+      return ofDevice;
+    case VK_ERROR_INITIALIZATION_FAILED:
+      return ofInitialization;
+    case VK_ERROR_MEMORY_MAP_FAILED:
+      return ofMapping;
+    case VK_TIMEOUT:
+      return ofTime;
+    case VK_ERROR_SURFACE_LOST_KHR:
+      return ofSurface;
+    case VK_ERROR_OUT_OF_DATE_KHR:
+      return ofAge;
+    default:
+      return 0;
+  }
+}
+
+struct Call {
+  const char* name;
+  unsigned failures;
+  PFN_vkVoidFunction next = nullptr;
+  const char* makes = nullptr;  ///< kind of object
+  std::atomic<std::int64_t>* living = nullptr;
+};
+
+class State {
+ public:
+  State() {
+    const char* order = std::getenv("OPALINE_FAULT");
+    if (order == nullptr) return;
+    int result = 0;
+    unsigned long long nth = 0;
+    std::array<char, 64> function{};
+    if (std::sscanf(order, "%d:%llu:%63s", &result, &nth, function.data()) < 2) std::abort();
+    arm(static_cast<VkResult>(result), nth, function.front() == 0 ? nullptr : function.data());
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    const char* file = std::getenv("OPALINE_FAULT_REPORT");
+    std::FILE* report = file == nullptr ? nullptr : std::fopen(file, "a");
+    if (report == nullptr) return;
+    std::fprintf(report, "%s %llu calls, left: %s\n", faulted_ == nullptr ? "none" : faulted_,
+                 static_cast<unsigned long long>(calls_), describe().c_str());
+    std::fclose(report);
+  }
+
+  void arm(VkResult result, std::uint64_t nth, const char* function) {
+    const std::lock_guard lock(mutex_);
+    result_ = result;
+    kind_ = kindOf(result);
+    nth_ = nth;
+    function_ = function == nullptr ? "" : function;
+    calls_ = 0;
+    faulted_ = nullptr;
+  }
+
+  /// Counts a call and says whether it is to fail. `lose` is called before the device is lost.
+  template <typename Lose>
+  bool fails(const Call& call, const Lose& lose) {
+    const std::lock_guard lock(mutex_);
+    if ((call.failures & kind_) == 0) return false;
+    if (!function_.empty() && function_ != call.name) return false;
+    ++calls_;
+    if (nth_ == 0 || calls_ < nth_) return false;
+    if (calls_ > nth_) return result_ == VK_ERROR_DEVICE_LOST;
+    faulted_ = call.name;
+    // What the device still does must not outlive what it uses.
+    if (result_ == VK_ERROR_DEVICE_LOST) lose();
+    return true;
+  }
+
+  VkResult result() const { return result_; }
+  std::uint64_t calls() const { return calls_; }
+  const char* faulted() const { return faulted_; }
+
+  std::atomic<std::int64_t>& living(const char* kind) {
+    const std::lock_guard lock(mutex_);
+    for (Kind& known : kinds_) {
+      if (known.name == nullptr) known.name = kind;
+      if (std::strcmp(known.name, kind) == 0) return known.living;
+    }
+    std::abort();
+  }
+  std::int64_t living() const {
+    std::int64_t sum = 0;
+    for (const Kind& kind : kinds_) sum += kind.living;
+    return sum;
+  }
+  std::string describe() const {
+    std::string text;
+    for (const Kind& kind : kinds_) {
+      if (kind.living == 0) continue;
+      if (!text.empty()) text += ", ";
+      text += std::to_string(kind.living) + " " + kind.name;
+    }
+    return text.empty() ? "nothing" : text;
+  }
+
+ private:
+  struct Kind {
+    const char* name = nullptr;
+    std::atomic<std::int64_t> living = 0;
+  };
+
+  std::mutex mutex_;
+  VkResult result_ = VK_SUCCESS;
+  unsigned kind_ = 0;
+  std::uint64_t nth_ = 0;
+  std::string function_;
+  std::uint64_t calls_ = 0;
+  const char* faulted_ = nullptr;
+  std::array<Kind, 32> kinds_;
+};
+
+State& state() {
+  static State all;
+  return all;
+}
+
+PFN_vkGetInstanceProcAddr nextOfInstance = nullptr;
+PFN_vkGetDeviceProcAddr nextOfDevice = nullptr;
+PFN_vkDestroyInstance nextDestroyInstance = nullptr;  // asked for early: later the loader answers
+PFN_vkDestroyDevice nextDestroyDevice = nullptr;      // with the first of all layers
+std::atomic<VkDevice> device = VK_NULL_HANDLE;        // the last
+
+void waitForDevice() {
+  if (device == VK_NULL_HANDLE) return;
+  const auto wait =
+      reinterpret_cast<PFN_vkDeviceWaitIdle>(nextOfDevice(device, "vkDeviceWaitIdle"));
+  wait(device);
+}
+
+/// Stands before a function that can fail.
+template <typename Function, Call& call>
+struct Failing;
+template <typename... Arguments, Call& call>
+struct Failing<VkResult(VKAPI_PTR*)(Arguments...), call> {
+  static VKAPI_ATTR VkResult VKAPI_CALL run(Arguments... arguments) {
+    if (state().fails(call, waitForDevice)) return state().result();
+    const auto next = reinterpret_cast<VkResult(VKAPI_PTR*)(Arguments...)>(call.next);
+    const VkResult result = next(arguments...);
+    if (result >= 0 && call.living != nullptr) ++*call.living;
+    return result;
+  }
+};
+
+/// Stands before a function that destroys an object.
+template <typename Function, Call& call>
+struct Destroying;
+template <typename Parent, typename Object, Call& call>
+struct Destroying<void(VKAPI_PTR*)(Parent, Object, const VkAllocationCallbacks*), call> {
+  static VKAPI_ATTR void VKAPI_CALL run(Parent parent, Object object,
+                                        const VkAllocationCallbacks* allocator) {
+    if (object != VK_NULL_HANDLE) --*call.living;
+    const auto next =
+        reinterpret_cast<void(VKAPI_PTR*)(Parent, Object, const VkAllocationCallbacks*)>(call.next);
+    next(parent, object, allocator);
+  }
+};
+
+// name, failures, kind of object that it makes
+#define OPALINE_FAILING(X)                                                                      \
+  X(vkEnumeratePhysicalDevices, ofMemory | ofInitialization, nullptr)                           \
+  X(vkEnumerateDeviceExtensionProperties, ofMemory, nullptr)                                    \
+  X(vkGetPhysicalDeviceImageFormatProperties, ofMemory, nullptr)                                \
+  X(vkGetPhysicalDeviceSurfaceSupportKHR, ofMemory | ofSurface, nullptr)                        \
+  X(vkGetPhysicalDeviceSurfaceCapabilitiesKHR, ofMemory | ofSurface, nullptr)                   \
+  X(vkGetPhysicalDeviceSurfaceFormatsKHR, ofMemory | ofSurface, nullptr)                        \
+  X(vkCreateDebugUtilsMessengerEXT, ofMemory, "VkDebugUtilsMessengerEXT")                       \
+  X(vkSetDebugUtilsObjectNameEXT, ofMemory, nullptr)                                            \
+  X(vkCreateBuffer, ofMemory, "VkBuffer")                                                       \
+  X(vkCreateBufferView, ofMemory, "VkBufferView")                                               \
+  X(vkCreateImage, ofMemory, "VkImage")                                                         \
+  X(vkCreateImageView, ofMemory, "VkImageView")                                                 \
+  X(vkAllocateMemory, ofMemory, "VkDeviceMemory")                                               \
+  X(vkBindBufferMemory, ofMemory, nullptr)                                                      \
+  X(vkBindImageMemory, ofMemory, nullptr)                                                       \
+  X(vkMapMemory, ofMemory | ofMapping, nullptr)                                                 \
+  X(vkCreateSampler, ofMemory, "VkSampler")                                                     \
+  X(vkCreateShaderModule, ofMemory, "VkShaderModule")                                           \
+  X(vkCreateDescriptorSetLayout, ofMemory, "VkDescriptorSetLayout")                             \
+  X(vkCreateDescriptorPool, ofMemory, "VkDescriptorPool")                                       \
+  X(vkAllocateDescriptorSets, ofMemory, nullptr)                                                \
+  X(vkCreatePipelineLayout, ofMemory, "VkPipelineLayout")                                       \
+  X(vkCreateComputePipelines, ofMemory, "VkPipeline")                                           \
+  X(vkCreateGraphicsPipelines, ofMemory, "VkPipeline")                                          \
+  X(vkCreateRenderPass, ofMemory, "VkRenderPass")                                               \
+  X(vkCreateFramebuffer, ofMemory, "VkFramebuffer")                                             \
+  X(vkCreateQueryPool, ofMemory, "VkQueryPool")                                                 \
+  X(vkCreateSemaphore, ofMemory, "VkSemaphore")                                                 \
+  X(vkCreateFence, ofMemory, "VkFence")                                                         \
+  X(vkCreateCommandPool, ofMemory, "VkCommandPool")                                             \
+  X(vkAllocateCommandBuffers, ofMemory, nullptr)                                                \
+  X(vkBeginCommandBuffer, ofMemory, nullptr)                                                    \
+  X(vkEndCommandBuffer, ofMemory, nullptr)                                                      \
+  X(vkQueueSubmit, ofMemory | ofDevice, nullptr)                                                \
+  X(vkQueueSubmit2, ofMemory | ofDevice, nullptr)                                               \
+  X(vkQueueWaitIdle, ofMemory | ofDevice, nullptr)                                              \
+  X(vkDeviceWaitIdle, ofMemory | ofDevice, nullptr)                                             \
+  X(vkResetFences, ofMemory, nullptr)                                                           \
+  X(vkWaitForFences, ofMemory | ofDevice | ofTime, nullptr)                                     \
+  X(vkGetFenceStatus, ofMemory | ofDevice, nullptr)                                             \
+  X(vkWaitSemaphores, ofMemory | ofDevice | ofTime, nullptr)                                    \
+  X(vkGetSemaphoreCounterValue, ofMemory | ofDevice, nullptr)                                   \
+  X(vkGetQueryPoolResults, ofMemory | ofDevice, nullptr)                                        \
+  X(vkCreateAccelerationStructureKHR, ofMemory, "VkAccelerationStructureKHR")                   \
+  X(vkCreateSwapchainKHR, ofMemory | ofDevice | ofSurface | ofInitialization, "VkSwapchainKHR") \
+  X(vkGetSwapchainImagesKHR, ofMemory, nullptr)                                                 \
+  X(vkAcquireNextImageKHR, ofMemory | ofDevice | ofSurface | ofTime | ofAge, nullptr)           \
+  X(vkQueuePresentKHR, ofMemory | ofDevice | ofSurface | ofAge, nullptr)
+
+// name, kind of object
+#define OPALINE_DESTROYING(X)                                        \
+  X(vkDestroyDebugUtilsMessengerEXT, "VkDebugUtilsMessengerEXT")     \
+  X(vkDestroyBuffer, "VkBuffer")                                     \
+  X(vkDestroyBufferView, "VkBufferView")                             \
+  X(vkDestroyImage, "VkImage")                                       \
+  X(vkDestroyImageView, "VkImageView")                               \
+  X(vkFreeMemory, "VkDeviceMemory")                                  \
+  X(vkDestroySampler, "VkSampler")                                   \
+  X(vkDestroyShaderModule, "VkShaderModule")                         \
+  X(vkDestroyDescriptorSetLayout, "VkDescriptorSetLayout")           \
+  X(vkDestroyDescriptorPool, "VkDescriptorPool")                     \
+  X(vkDestroyPipelineLayout, "VkPipelineLayout")                     \
+  X(vkDestroyPipeline, "VkPipeline")                                 \
+  X(vkDestroyRenderPass, "VkRenderPass")                             \
+  X(vkDestroyFramebuffer, "VkFramebuffer")                           \
+  X(vkDestroyQueryPool, "VkQueryPool")                               \
+  X(vkDestroySemaphore, "VkSemaphore")                               \
+  X(vkDestroyFence, "VkFence")                                       \
+  X(vkDestroyCommandPool, "VkCommandPool")                           \
+  X(vkDestroyAccelerationStructureKHR, "VkAccelerationStructureKHR") \
+  X(vkDestroySwapchainKHR, "VkSwapchainKHR")
+
+#define OPALINE_CALL(function, kinds, object) \
+  Call call_##function{.name = #function, .failures = kinds, .makes = object};
+OPALINE_FAILING(OPALINE_CALL)
+#undef OPALINE_CALL
+#define OPALINE_CALL(function, object) \
+  Call call_##function{.name = #function, .failures = 0, .makes = object};
+OPALINE_DESTROYING(OPALINE_CALL)
+#undef OPALINE_CALL
+
+Call createInstance{.name = "vkCreateInstance", .failures = ofMemory | ofInitialization};
+Call createDevice{.name = "vkCreateDevice", .failures = ofMemory | ofInitialization | ofDevice};
+
+struct Entry {
+  Call* call;
+  PFN_vkVoidFunction run;
+};
+
+#define OPALINE_ENTRY(function, kinds, object) \
+  Entry{&call_##function,                      \
+        reinterpret_cast<PFN_vkVoidFunction>(&Failing<PFN_##function, call_##function>::run)},
+#define OPALINE_END(function, object) \
+  Entry{&call_##function,             \
+        reinterpret_cast<PFN_vkVoidFunction>(&Destroying<PFN_##function, call_##function>::run)},
+const Entry entries[] = {OPALINE_FAILING(OPALINE_ENTRY) OPALINE_DESTROYING(OPALINE_END)};
+#undef OPALINE_ENTRY
+#undef OPALINE_END
+
+/// The link of the chain that the loader has left for this layer.
+template <typename Info>
+Info* linkIn(const void* chain, VkStructureType type) {
+  for (auto* info = static_cast<const VkBaseInStructure*>(chain); info != nullptr;
+       info = info->pNext) {
+    if (info->sType != type) continue;
+    auto* link = const_cast<Info*>(reinterpret_cast<const Info*>(info));
+    if (link->function == VK_LAYER_LINK_INFO) return link;
+  }
+  std::abort();
+}
+
+template <typename Find>
+void find(const Find& next) {
+  for (const Entry& entry : entries) {
+    if (const PFN_vkVoidFunction found = next(entry.call->name); found != nullptr)
+      entry.call->next = found;
+    if (entry.call->makes != nullptr) entry.call->living = &state().living(entry.call->makes);
+  }
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL makeInstance(const VkInstanceCreateInfo* info,
+                                            const VkAllocationCallbacks* allocator,
+                                            VkInstance* instance) {
+  auto* link =
+      linkIn<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+  nextOfInstance = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+  link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+  if (state().fails(createInstance, [] {})) return state().result();
+  const auto create =
+      reinterpret_cast<PFN_vkCreateInstance>(nextOfInstance(VK_NULL_HANDLE, "vkCreateInstance"));
+  const VkResult result = create(info, allocator, instance);
+  if (result < 0) return result;
+  ++state().living("VkInstance");
+  nextDestroyInstance =
+      reinterpret_cast<PFN_vkDestroyInstance>(nextOfInstance(*instance, "vkDestroyInstance"));
+  find([&](const char* name) { return nextOfInstance(*instance, name); });
+  return result;
+}
+
+VKAPI_ATTR void VKAPI_CALL destroyInstance(VkInstance instance,
+                                           const VkAllocationCallbacks* allocator) {
+  nextDestroyInstance(instance, allocator);
+  if (instance != VK_NULL_HANDLE) --state().living("VkInstance");
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL makeDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
+                                          const VkAllocationCallbacks* allocator, VkDevice* made) {
+  auto* link =
+      linkIn<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+  const PFN_vkGetInstanceProcAddr instances = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+  nextOfDevice = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
+  link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+  if (state().fails(createDevice, [] {})) return state().result();
+  const auto create =
+      reinterpret_cast<PFN_vkCreateDevice>(instances(VK_NULL_HANDLE, "vkCreateDevice"));
+  const VkResult result = create(physical, info, allocator, made);
+  if (result < 0) return result;
+  ++state().living("VkDevice");
+  device = *made;
+  nextDestroyDevice = reinterpret_cast<PFN_vkDestroyDevice>(nextOfDevice(*made, "vkDestroyDevice"));
+  find([&](const char* name) { return nextOfDevice(*made, name); });
+  return result;
+}
+
+VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice gone, const VkAllocationCallbacks* allocator) {
+  if (device == gone) device = VK_NULL_HANDLE;
+  nextDestroyDevice(gone, allocator);
+  if (gone != VK_NULL_HANDLE) --state().living("VkDevice");
+}
+
+PFN_vkVoidFunction ours(std::string_view name);
+
+}  // namespace
+
+#define OPALINE_EXPORT extern "C" __attribute__((visibility("default")))
+
+OPALINE_EXPORT VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL opalineGetDeviceProcAddr(VkDevice of,
+                                                                                 const char* name) {
+  const PFN_vkVoidFunction next = nextOfDevice(of, name);
+  const PFN_vkVoidFunction here = ours(name);
+  return here != nullptr && next != nullptr ? here : next;
+}
+
+OPALINE_EXPORT VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL
+opalineGetInstanceProcAddr(VkInstance of, const char* name) {
+  if (const PFN_vkVoidFunction here = ours(name); here != nullptr) return here;
+  return nextOfInstance == nullptr ? nullptr : nextOfInstance(of, name);
+}
+
+OPALINE_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
+vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* version) {
+  version->loaderLayerInterfaceVersion = 2;
+  version->pfnGetInstanceProcAddr = opalineGetInstanceProcAddr;
+  version->pfnGetDeviceProcAddr = opalineGetDeviceProcAddr;
+  version->pfnGetPhysicalDeviceProcAddr = nullptr;
+  return VK_SUCCESS;
+}
+
+namespace {
+
+PFN_vkVoidFunction ours(std::string_view name) {
+  const auto as = [](auto* function) { return reinterpret_cast<PFN_vkVoidFunction>(function); };
+  if (name == "vkCreateInstance") return as(makeInstance);
+  if (name == "vkDestroyInstance") return as(destroyInstance);
+  if (name == "vkCreateDevice") return as(makeDevice);
+  if (name == "vkDestroyDevice") return as(destroyDevice);
+  if (name == "vkGetInstanceProcAddr") return as(opalineGetInstanceProcAddr);
+  if (name == "vkGetDeviceProcAddr") return as(opalineGetDeviceProcAddr);
+  for (const Entry& entry : entries)
+    if (name == entry.call->name) return entry.run;
+  return nullptr;
+}
+
+}  // namespace
+
+OPALINE_EXPORT void opalineArmFault(std::int32_t result, std::uint64_t nth, const char* function) {
+  state().arm(static_cast<VkResult>(result), nth, function);
+}
+
+OPALINE_EXPORT std::uint64_t opalineCallsSinceArmed() {
+  return state().calls();
+}
+
+OPALINE_EXPORT const char* opalineFaultedFunction() {
+  return state().faulted();
+}
+
+OPALINE_EXPORT std::int64_t opalineLivingObjects() {
+  return state().living();
+}
+
+OPALINE_EXPORT const char* opalineDescribeLivingObjects() {
+  static std::string text;
+  text = state().describe();
+  return text.c_str();
+}
