@@ -26,7 +26,7 @@ Medium sound(Medium medium) {
 }
 
 Medium mediumBy(const py::object& name, const py::object& sigmaSPrime, const py::object& sigmaA,
-                const py::object& eta) {
+                const py::object& eta, const py::object& g) {
   Medium medium;
   const bool isNamed = !name.is_none();
   if (isNamed && sigmaSPrime.is_none() && sigmaA.is_none()) {
@@ -42,6 +42,7 @@ Medium mediumBy(const py::object& name, const py::object& sigmaSPrime, const py:
     medium.sigmaAPerMm = tripleOf(sigmaA, "sigma_a_per_mm");
   }
   if (!eta.is_none()) medium.eta = eta.cast<double>();
+  if (!g.is_none()) medium.g = g.cast<double>();
   return sound(medium);
 }
 
@@ -57,9 +58,9 @@ std::string textOf(const Medium& medium) {
   const auto& s = medium.sigmaSPrimePerMm;
   const auto& a = medium.sigmaAPerMm;
   return fmt::format(
-      "Medium({}sigma_s_prime_per_mm=({}, {}, {}), sigma_a_per_mm=({}, {}, {}), eta={})",
+      "Medium({}sigma_s_prime_per_mm=({}, {}, {}), sigma_a_per_mm=({}, {}, {}), eta={}, g={})",
       medium.name.empty() ? "" : fmt::format("'{}', ", medium.name), s[0], s[1], s[2], a[0], a[1],
-      a[2], medium.eta);
+      a[2], medium.eta, medium.g);
 }
 
 }  // namespace
@@ -74,11 +75,11 @@ void bindMedia(py::module_& module) {
                      R"(What a body is made of, for red, green and blue. It never changes.
 
 Medium("marble") is one of opaline.media(). Medium(sigma_s_prime_per_mm=(a, b, c), sigma_a_per_mm=(d, e, f),
-eta=1.4) is one of your own: reduced scattering in 1/mm, in (0, 1e6]; absorption in 1/mm, in [0, 1e6]; relative
-index of refraction, in [1.01, 3].)")
+eta=1.4, g=0) is one of your own: reduced scattering in 1/mm, in (0, 1e6]; absorption in 1/mm, in [0, 1e6]; relative
+index of refraction, in [1.01, 3]; mean cosine of scattering, in [-0.99, 0.99]. A named one may have another g.)")
       .def(py::init(&mediumBy), py::arg("name") = py::none(), py::kw_only(),
            py::arg("sigma_s_prime_per_mm") = py::none(), py::arg("sigma_a_per_mm") = py::none(),
-           py::arg("eta") = py::none())
+           py::arg("eta") = py::none(), py::arg("g") = py::none())
       .def_static("from_appearance", &looking, py::arg("color"), py::arg("mean_free_path_mm"),
                   py::arg("g") = 0.0, py::arg("eta") = 1.4,
                   R"(The medium that looks like this.
@@ -94,6 +95,7 @@ g: mean cosine of scattering, in [-0.99, 0.99]; eta: in [1.01, 1.6].)")
           "sigma_a_per_mm", [](const Medium& medium) { return fixedArrayOf(medium.sigmaAPerMm); },
           "Absorption, 1/mm: array (3,), float64, not writeable.")
       .def_readonly("eta", &Medium::eta, "Relative index of refraction.")
+      .def_readonly("g", &Medium::g, "Mean cosine of scattering.")
       .def("__eq__",
            [](const Medium& a, const py::object& b) {
              return py::isinstance<Medium>(b) && a == b.cast<Medium>();

@@ -96,8 +96,8 @@ py::object integral(const SharedScene& shared, int width, int height, const std:
 
 py::object path(const SharedScene& shared, int width, int height, const std::string& aov,
                 const std::optional<double>& error, const std::optional<double>& longestSeconds,
-                const std::optional<std::uint64_t>& particles, int bounces, double anisotropy,
-                std::uint64_t seed, double cellMm, int antialias, double seconds, int clip) {
+                const std::optional<std::uint64_t>& particles, int bounces, std::uint64_t seed,
+                double cellMm, int antialias, double seconds, int clip) {
   struct Made {
     Image image;
     double error = 0;
@@ -105,9 +105,6 @@ py::object path(const SharedScene& shared, int width, int height, const std::str
   };
   const Scene scene = shared.whole();
   const rf::PictureOptions picture = pictureOf(width, height, aov, antialias);
-  if (!(anisotropy >= -0.99 && anisotropy <= 0.99)) {
-    throw UsageError("anisotropy must be from -0.99 to 0.99");
-  }
   if (bounces < 0 || !(cellMm >= 0)) throw UsageError("bounces and cell_mm are not negative.");
   if ((error && !(*error > 0)) || (longestSeconds && !(*longestSeconds > 0)) ||
       (particles && *particles == 0)) {
@@ -117,7 +114,7 @@ py::object path(const SharedScene& shared, int width, int height, const std::str
     const rf::Scene posed = rf::posedScene(scene, {seconds, clip});
     const rf::Geometry geometry(posed);
     const rf::Irradiance irradiance(geometry);
-    rf::PathTracer tracer(geometry, {anisotropy, bounces, seed, cellMm});
+    rf::PathTracer tracer(geometry, {bounces, seed, cellMm});
     const rf::CameraRays rays(posed.camera, picture.width, picture.height);
     const rf::BlockError blocks(tracer, geometry, rays, picture.width, picture.height, stop);
     rf::PathLimits limits = rf::orUsual({particles, longestSeconds, error});
@@ -150,13 +147,12 @@ The interpreter's lock is released meanwhile, and Ctrl C ends it.)");
   module.def("path", &path, arg("scene"), arg("width") = 1024, arg("height") = 1024,
              arg("aov") = "radiance", py::kw_only(), arg("error") = py::none(),
              arg("longest_seconds") = py::none(), arg("particles") = py::none(),
-             arg("bounces") = 1000, arg("anisotropy") = 0.0, arg("seed") = 1, arg("cell_mm") = 0.0,
+             arg("bounces") = 1000, arg("seed") = 1, arg("cell_mm") = 0.0,
              arg("antialias") = 4, arg("seconds") = 0.0, arg("clip") = 0,
              R"(Light followed through the bodies particle by particle, on the CPU; returns a Frame.
 
 It ends at the first of: error, the relative rms error of blocks of 8x8 pixels; longest_seconds; particles of each
-channel. Without any of them at an error of 0.02. bounces: how often light may enter again; anisotropy: g of Henyey and
-Greenstein, in [-0.99, 0.99]; seed: of the random numbers; cell_mm: edge of the cells that count light, 0: by medium.
+channel. Without any of them at an error of 0.02. bounces: how often light may enter again; seed: of the random numbers; cell_mm: edge of the cells that count light, 0: by medium.
 The interpreter's lock is released meanwhile, and Ctrl C ends it.)");
 }
 

@@ -22,7 +22,7 @@
 
 /// Grows when the layout of a struct or the meaning of a call changes, so that programs that were
 /// compiled before no longer fit.
-#define OPALINE_C_ABI 1
+#define OPALINE_C_ABI 2
 
 #ifdef __cplusplus
 extern "C" {
@@ -52,6 +52,7 @@ typedef struct OpalineMedium {
   double sigmaSPrimePerMm[3];  ///< reduced scattering, mm⁻¹, in (0, 1e6]
   double sigmaAPerMm[3];       ///< absorption, mm⁻¹, in [0, 1e6]
   double eta;                  ///< relative index of refraction, in [1.01, 3]
+  double g;                    ///< mean cosine of scattering, in [-0.99, 0.99]
 } OpalineMedium;
 
 /// A medium by its name, such as "marble", in any case.

@@ -31,6 +31,7 @@ std::uint64_t PathTracer::fingerprint() const {
     print.add(body.medium.sigmaSPrimePerMm);
     print.add(body.medium.sigmaAPerMm);
     print.add(body.medium.eta);
+    print.add(body.medium.g);
   }
   const Lighting& lighting = geometry_.scene().lighting;
   print.add(lighting.directional);
@@ -48,7 +49,6 @@ std::uint64_t PathTracer::fingerprint() const {
     print.add(lighting.environment->width);
     print.add(lighting.environment->rgba);
   }
-  print.add(options_.anisotropy);
   print.add(options_.bounces);
   print.add(options_.seed);
   print.add(cells_.count());

@@ -13,13 +13,13 @@ namespace opaline::reference {
 
 namespace {
 
-std::vector<Interior> interiorsOf(const Scene& scene, int channel, double anisotropy) {
+std::vector<Interior> interiorsOf(const Scene& scene, int channel) {
   const auto c = static_cast<std::size_t>(channel);
   std::vector<Interior> interiors;
   for (const Body& body : scene.bodies) {
-    const double scattering = body.medium.sigmaSPrimePerMm[c] / (1 - anisotropy);
+    const double scattering = body.medium.sigmaSPrimePerMm[c] / (1 - body.medium.g);
     const double extinction = scattering + body.medium.sigmaAPerMm[c];
-    interiors.push_back({extinction, scattering / extinction, anisotropy, body.medium.eta,
+    interiors.push_back({extinction, scattering / extinction, body.medium.g, body.medium.eta,
                          body.painted ? std::make_shared<const Layer>(body, channel) : nullptr});
   }
   return interiors;
@@ -46,12 +46,9 @@ PathTracer::PathTracer(const Geometry& geometry, const PathOptions& options)
       cells_(geometry.scene(), options.cellMm > 0 ? options.cellMm : cellEdgeMm(geometry.scene())),
       emitters_{Emitter(geometry.scene(), 0), Emitter(geometry.scene(), 1),
                 Emitter(geometry.scene(), 2)},
-      interiors_{interiorsOf(geometry.scene(), 0, options.anisotropy),
-                 interiorsOf(geometry.scene(), 1, options.anisotropy),
-                 interiorsOf(geometry.scene(), 2, options.anisotropy)},
+      interiors_{interiorsOf(geometry.scene(), 0), interiorsOf(geometry.scene(), 1),
+                 interiorsOf(geometry.scene(), 2)},
       counts_(3 * orders * cells_.count()) {
-  if (!(std::abs(options.anisotropy) <= 0.99))
-    throw UsageError("the anisotropy must be from -0.99 to 0.99");
   if (options.bounces < 0) throw UsageError("the number of bounces must be at least 0");
 }
 

@@ -18,7 +18,6 @@
 namespace opaline::reference {
 
 struct PathOptions {
-  double anisotropy = 0;  ///< g of Henyey and Greenstein; σ_s = σ_s'/(1 − g). In [-0.99, 0.99]
   int bounces = 1000;     ///< how often light that left a body may meet one again, ≥ 0
   std::uint64_t seed = 1;
   double cellMm = 0;  ///< edge of the cells that what leaves is counted on; 0: see cellEdgeMm()

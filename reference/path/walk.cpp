@@ -17,16 +17,15 @@ Vector refracted(const Vector& direction, const Vector& normal, double eta) {
   return unitOr((1 / eta) * direction + (cosine / eta - inner) * normal, direction);
 }
 
-Vector scattered(const Vector& direction, double anisotropy, Random& random) {
+Vector scattered(const Vector& direction, double g, Random& random) {
   const double u = 2 * random() - 1;
   double cosine = u;
-  if (anisotropy != 0) {
-    const double g = anisotropy;
+  if (g != 0) {
     const double part = (1 - g * g) / (1 + g * u);
     cosine = std::clamp((1 + g * g - part * part) / (2 * g), -1.0, 1.0);
   }
   const double angle = 2 * std::numbers::pi * random();
-  if (anisotropy != 0) return around(direction, cosine, angle);
+  if (g != 0) return around(direction, cosine, angle);
   const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
   return {sine * std::cos(angle), sine * std::sin(angle), cosine};
 }

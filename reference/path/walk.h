@@ -22,7 +22,7 @@ enum class Order { Unscattered, Single, Multiple };
 struct Interior {
   double sigmaTPerMm = 0;  ///< extinction
   double albedo = 0;       ///< σ_s / σ_t
-  double anisotropy = 0;   ///< g of Henyey and Greenstein 1941
+  double g = 0;            ///< mean cosine, Henyey and Greenstein 1941
   double eta = 1;
   std::shared_ptr<const Layer> layer{};  ///< on its surface; null without
 };
@@ -93,7 +93,7 @@ Vector mirrored(const Vector& direction, const Vector& normal);
 /// a refracted direction.
 Vector refracted(const Vector& direction, const Vector& normal, double eta);
 /// A new direction by the phase function.
-Vector scattered(const Vector& direction, double anisotropy, Random& random);
+Vector scattered(const Vector& direction, double g, Random& random);
 // ---- implementation
 
 /// More scatterings than any medium needs; a body that neither absorbs nor lets light out of some
@@ -143,7 +143,7 @@ Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& 
     }
     if (random() >= interior.albedo) return Inside::Absorbed;
     ++scatterings;
-    particle.direction = scattered(particle.direction, interior.anisotropy, random);
+    particle.direction = scattered(particle.direction, interior.g, random);
   }
   return Inside::Lost;
 }

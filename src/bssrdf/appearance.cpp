@@ -38,6 +38,7 @@ Medium mediumOf(const Appearance& appearance) {
   const Fit fit = fitAt(appearance.eta);
   Medium medium;
   medium.eta = appearance.eta;
+  medium.g = appearance.g;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const double color = std::clamp(appearance.color[channel], 0.0, 1.0);
     const double sum = 1 + fit.b + fit.c * color;

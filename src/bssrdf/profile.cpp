@@ -89,6 +89,14 @@ Coefficients coefficients(const Medium& medium, int channel) {
   return result;
 }
 
+ScaledScattering scaledScattering(const Medium& medium, int channel) {
+  const Coefficients reduced = coefficients(medium, channel);
+  const double g = medium.g > 0 ? medium.g / (1 + medium.g) : medium.g;
+  const double scattering = reduced.sigmaSPrimePerMm / (1 - g);
+  const double extinction = scattering + reduced.sigmaAPerMm;
+  return {extinction, scattering / extinction, g};
+}
+
 double shortestMeanFreePathMm(const Medium& medium) {
   double shortest = coefficients(medium, 0).meanFreePathMm;
   for (int channel = 1; channel < 3; ++channel)

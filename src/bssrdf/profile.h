@@ -19,6 +19,16 @@ struct Coefficients {
 /// Channel 0, 1 or 2 of a medium. Requires σ_t' > 0.
 Coefficients coefficients(const Medium& medium, int channel);
 
+/// One channel of a medium with the forward peak of its scattering, g² of it, taken for light that goes on. Joseph, Wiscombe and
+/// Weinman 1976, the delta-Eddington approximation. What scatters backwards has no such peak, and isotropic media stay as they
+/// are.
+struct ScaledScattering {
+  double sigmaTPerMm = 0;  ///< σ_t* = σ_s'(1 + g) + σ_a
+  double albedo = 0;       ///< σ_s* / σ_t*
+  double g = 0;            ///< g* = g / (1 + g), so that σ_s*(1 - g*) = σ_s'
+};
+ScaledScattering scaledScattering(const Medium& medium, int channel);
+
 /// Of the three channels.
 double shortestMeanFreePathMm(const Medium& medium);
 

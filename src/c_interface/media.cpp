@@ -27,6 +27,7 @@ Medium mediumOf(const OpalineMedium* given) {
   std::copy_n(whole.sigmaSPrimePerMm, 3, medium.sigmaSPrimePerMm.begin());
   std::copy_n(whole.sigmaAPerMm, 3, medium.sigmaAPerMm.begin());
   medium.eta = whole.eta;
+  medium.g = whole.g;
   const std::string complaint = complaintAbout(medium);
   if (!complaint.empty()) throw UsageError(complaint);
   return medium;
@@ -37,6 +38,7 @@ void give(const Medium& medium, OpalineMedium* to) {
   std::copy_n(medium.sigmaSPrimePerMm.begin(), 3, whole.sigmaSPrimePerMm);
   std::copy_n(medium.sigmaAPerMm.begin(), 3, whole.sigmaAPerMm);
   whole.eta = medium.eta;
+  whole.g = medium.g;
   give(whole, to, "medium");
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr Range scattering{0, 1e6, "per mm", true};
 constexpr Range absorption{0, 1e6, "per mm"};
+constexpr Range meanCosine{-0.99, 0.99};
 constexpr Range power{0, 1e30};
 constexpr Range share{0, 1};
 constexpr Range period{1e-3, 1e6, "s"};
@@ -26,6 +27,7 @@ const std::vector<Field<Medium>>& fieldsOf() {
                                                "reduced scattering"),
       field<Medium, &Medium::sigmaAPerMm>("sigma_a_per_mm", {absorption}, "absorption"),
       field<Medium, &Medium::eta>("eta", {{1.01, 3}}, "index of refraction"),
+      field<Medium, &Medium::g>("g", {meanCosine}, "mean cosine of scattering"),
   };
   return table;
 }
@@ -37,7 +39,7 @@ const std::vector<Field<Appearance>>& fieldsOf() {
                                             "share of the light that entered which leaves again"),
       field<Appearance, &Appearance::meanFreePathMm>("mean_free_path_mm", {{1e-6, 1e6, "mm"}},
                                                      "of light in the medium"),
-      field<Appearance, &Appearance::g>("g", {{-0.99, 0.99}}, "mean cosine of scattering"),
+      field<Appearance, &Appearance::g>("g", {meanCosine}, "mean cosine of scattering"),
       field<Appearance, &Appearance::eta>("eta", {{1.01, 1.6}}, "index of refraction"),
   };
   return table;

@@ -99,6 +99,7 @@ struct SceneTables {
   gpu::Buffer media;    ///< shared::MediumData
   std::uint32_t mediumCount = 0;
   bool followsLight = false;     ///< to its second collision in any medium; see shared/boundary.h
+  bool scattersEvenly = true;    ///< every medium: g is 0
   bool entersAtSurface = false;  ///< diffuse light of some channel of some medium, as the diffusion
                                  ///< at the surface itself has it; see lib/boundary.glsl
   gpu::Buffer specularAlbedo;    ///< float, see MediumData::tables.w

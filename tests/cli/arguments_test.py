@@ -202,6 +202,7 @@ class Refusals(ProgramTest):
             (("--sigma-s", "1,1,1"), "--sigma-a"),
             (("--sigma-a", "1,1,1"), "--sigma-s"),
             (("--eta", "1.4"), "--sigma-s"),
+            (("--g", "0.9"), "--medium"),
             (("--medium", "skin1", "--sigma-s", "1,1,1", "--sigma-a", "1,1,1"), "exclude each other"),
             (("--sigma-s", "0,1,1", "--sigma-a", "0,1,1"), "each above 0"),
             (("--sigma-s", "0,1,1", "--sigma-a", "1,1,1"), "each above 0"),

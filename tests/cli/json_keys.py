@@ -4,7 +4,7 @@ import pathlib
 import re
 
 DOCUMENT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "json.md"
-MEDIUM = {"name", "sigma_s_per_mm", "sigma_a_per_mm", "eta", "mean_free_path_mm", "diffusion_length_mm"}
+MEDIUM = {"name", "sigma_s_per_mm", "sigma_a_per_mm", "eta", "g", "mean_free_path_mm", "diffusion_length_mm"}
 
 
 def documented(section):

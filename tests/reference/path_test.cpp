@@ -424,9 +424,12 @@ TEST(PathTest, StrongForwardScatteringMeansTheSameReducedScattering) {
   // the flux that leaves agrees to a few per cent.
   Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 8, 4), 1, 0.01, 1.3));
   scene.lighting.ambient = {1, 1, 1};
+  Scene forwardScene = scene;
+  forwardScene.bodies[0].medium.g = 0.8;
   const Geometry geometry(scene);
-  PathTracer isotropic(geometry, {.anisotropy = 0});
-  PathTracer forward(geometry, {.anisotropy = 0.8});
+  const Geometry sameGeometry(forwardScene);
+  PathTracer isotropic(geometry, {});
+  PathTracer forward(sameGeometry, {});
   isotropic.run(12000);
   forward.run(12000);
   EXPECT_NEAR(allFlux(forward) / allFlux(isotropic), 1, 0.04);

@@ -125,7 +125,6 @@ Json opaqueJson(const OpaqueMaterial& material) {
           {"textures", std::move(textures)}};
 }
 
-// Its phase function is isotropic: coefficients are reduced.
 Json translucentJson(const Medium& medium, const std::optional<Paint>& paint) {
   Json textures = Json::array();
   if (paint && paint->colorTexture) textures.push_back(textureJson({"color", paint->colorTexture}));
@@ -134,7 +133,7 @@ Json translucentJson(const Medium& medium, const std::optional<Paint>& paint) {
           {"sigma_s_prime_per_mm", rgbJson(medium.sigmaSPrimePerMm)},
           {"sigma_a_per_mm", rgbJson(medium.sigmaAPerMm)},
           {"eta", medium.eta},
-          {"g", 0},
+          {"g", medium.g},
           {"textures", std::move(textures)}};
 }
 

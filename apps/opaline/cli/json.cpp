@@ -18,6 +18,7 @@ Json mediumJson(const Medium& medium) {
           {"sigma_s_per_mm", rgbJson(medium.sigmaSPrimePerMm)},
           {"sigma_a_per_mm", rgbJson(medium.sigmaAPerMm)},
           {"eta", medium.eta},
+          {"g", medium.g},
           {"mean_free_path_mm", rgbJson(lengths.meanFreePathMm)},
           {"diffusion_length_mm", rgbJson(lengths.diffusionMm)}};
 }

@@ -33,6 +33,7 @@ void MediumOptions::addTo(CommandLine& line) {
            "reduced scattering and absorption, 1/mm");
   addField(line, options::fieldOf<Medium>("sigma_a_per_mm"), chosen_, "--sigma-a", "");
   addField(line, options::fieldOf<Medium>("eta"), chosen_);
+  addField(line, options::fieldOf<Medium>("g"), chosen_);
 }
 
 void MediumOptions::read(const Given& given) {
@@ -59,7 +60,12 @@ std::optional<Medium> MediumOptions::medium() const {
     if (chosen_.has("eta")) {
       throw UsageError("--eta belongs to --sigma-s and --sigma-a; a named medium has its own");
     }
-    return named_;
+    if (chosen_.has("g") && !named_) {
+      throw UsageError("--g needs --medium NAME, or --sigma-s and --sigma-a, beside it");
+    }
+    std::optional<Medium> medium = named_;
+    if (medium) chosen_.applyTo(*medium);
+    return medium;
   }
   if (named_) throw UsageError("--medium and --sigma-s or --sigma-a exclude each other");
   if (!absorbs) throw UsageError("--sigma-s needs --sigma-a beside it");

@@ -12,7 +12,7 @@
 
 namespace opaline::app {
 
-/// --medium of all or of single objects, or --sigma-s, --sigma-a and --eta.
+/// --medium of all or of single objects, or --sigma-s, --sigma-a and --eta; --g for either.
 class MediumOptions {
  public:
   void addTo(CommandLine& line);

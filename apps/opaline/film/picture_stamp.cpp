@@ -71,8 +71,8 @@ void addMaterial(Digest& digest, const OpaqueMaterial& material) {
 void addObject(Digest& digest, const Object& object) {
   const auto& [name, mesh, medium, paint, rig, opaque, isGround] = object;
   const auto& [positionsMm, normals, triangles, facetted, textureCoordinates, colors] = mesh;
-  const auto& [mediumName, sigmaSPrimePerMm, sigmaAPerMm, eta] = medium;
-  addAll(digest, positionsMm, normals, triangles, facetted, sigmaSPrimePerMm, sigmaAPerMm, eta,
+  const auto& [mediumName, sigmaSPrimePerMm, sigmaAPerMm, eta, g] = medium;
+  addAll(digest, positionsMm, normals, triangles, facetted, sigmaSPrimePerMm, sigmaAPerMm, eta, g,
          isGround, textureCoordinates[0], textureCoordinates[1], colors);
   addIfThere(digest, opaque,
              [&](const OpaqueMaterial& material) { addMaterial(digest, material); });
@@ -189,7 +189,8 @@ Json readable(const PictureMakers& makers) {
                      {"medium", object.medium.name},
                      {"sigma_s_per_mm", object.medium.sigmaSPrimePerMm},
                      {"sigma_a_per_mm", object.medium.sigmaAPerMm},
-                     {"eta", object.medium.eta}});
+                     {"eta", object.medium.eta},
+                     {"g", object.medium.g}});
   }
   const RenderOptions& options = makers.options;
   return {

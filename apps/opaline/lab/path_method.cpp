@@ -65,10 +65,6 @@ void PathMethod::addTo(CommandLine& line) {
   });
   value("--bounces", "N", "how often light may enter again [1000]",
         [this](const Given& given) { options_.bounces = readInteger(given, 0, 1000000); });
-  value("--anisotropy", "G", "of Henyey and Greenstein, -0.99 to 0.99 [0]",
-        [this](const Given& given) {
-          options_.anisotropy = readNumber(given, {-0.99, 0.99});
-        });
   value("--cell-mm", "X", "edge of the cells that count light [by medium]",
         [this](const Given& given) {
           options_.cellMm = readNumber(given, {1e-4, 1e6, "mm"});
@@ -84,8 +80,8 @@ void PathMethod::check(const std::filesystem::path& output,
                        const std::optional<std::filesystem::path>& report) const {
   if (any_ && !wanted_) {
     throw UsageError(
-        "--samples, --seconds, --error, --bounces, --anisotropy, --cell-mm, --seed and "
-        "--checkpoint belong to --path");
+        "--samples, --seconds, --error, --bounces, --cell-mm, --seed and --checkpoint belong to "
+        "--path");
   }
   const auto isCheckpoint = [&](const std::filesystem::path& file) {
     return checkpoint_ && checkpoint_->lexically_normal() == file.lexically_normal();
@@ -151,7 +147,6 @@ rf::Picture PathMethod::make(const rf::Geometry& geometry, const rf::Irradiance&
   report["seconds_of_tracing"] = std::chrono::duration<double>(Clock::now() - begin).count();
   report["cells"] = tracer.cells().count();
   report["bounces"] = options_.bounces;
-  report["anisotropy"] = options_.anisotropy;
   for (int c = 0; c < 3; ++c) {
     report["emitted_flux"].push_back(tracer.emittedFlux(c));
     report["lost_share"].push_back(tracer.lostShare(c));

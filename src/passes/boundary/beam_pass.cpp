@@ -24,7 +24,8 @@ BeamPass::BeamPass(gpu::Device& device)
       nodes_(device, "nodes of points", {.ofLeaves = 0}),
       acting_(device, "points that act on groups"),
       source_(device, "sources of fluence"),
-      single_(device, "light that scatters once"),
+      singleForward_(device, "light that scatters once", {.scattersEvenly = 0}),
+      singleEven_(device, "light that scatters once", {.scattersEvenly = 1}),
       reentry_{{device, "light that enters again", {.withPaint = 0}},
                {device, "light that enters again", {.withPaint = 1}}} {}
 
@@ -163,7 +164,7 @@ void BeamPass::sum(gpu::CommandList& commands, const Sum& wanted, const Inputs& 
                      .room = room});
     };
     if (wanted.scattersOnce)
-      bind(single_, clusters.latest);
+      bind(inputs.tables.scattersEvenly ? singleEven_ : singleForward_, clusters.latest);
     else
       bind(source_, clusters.sources);
     commands.dispatchLinear(invocationsOfTiles(clusters),

@@ -73,7 +73,8 @@ class BeamPass {
   gpu::Compute<shaders::BoundaryBeamNodes> nodes_;
   gpu::Compute<shaders::BoundaryBeamGroups> acting_;
   gpu::Compute<shaders::BoundarySource> source_;
-  gpu::Compute<shaders::BoundarySingle> single_;
+  gpu::Compute<shaders::BoundarySingle> singleForward_;  ///< where a medium does not scatter evenly
+  gpu::Compute<shaders::BoundarySingle> singleEven_;
   PaintVariants<shaders::BoundaryReentry> reentry_;
 };
 

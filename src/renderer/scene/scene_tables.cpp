@@ -49,7 +49,9 @@ shared::BoundaryMedium insideOfOpaque() {
   return {.diffusion = {1, 1, 1, 1},
           .sigma = {1, 1, 1, static_cast<float>(bssrdf::meanCosineInside(1))},
           .extinction = {1, 1, 1, 1},
-          .albedo = {0, 0, 0, 0}};
+          .albedo = {0, 0, 0, 0},
+          .collision = {1, 1, 1, 0},
+          .scatters = {0, 0, 0, 0}};
 }
 
 shared::MediumData dataOfOpaque() {
@@ -71,6 +73,10 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
     inside.sigma[c] = static_cast<float>(profile.sigmaTrPerMm);
     inside.extinction[c] = static_cast<float>(coefficients.sigmaTPrimePerMm);
     inside.albedo[c] = static_cast<float>(coefficients.albedo);
+    const bssrdf::ScaledScattering scaled = bssrdf::scaledScattering(medium, c);
+    inside.collision[c] = static_cast<float>(scaled.sigmaTPerMm);
+    inside.scatters[c] = static_cast<float>(scaled.albedo);
+    inside.collision.w = static_cast<float>(scaled.g);
   }
   const double eta = medium.eta;
   inside.diffusion.w = static_cast<float>((1 + bssrdf::threeC2(eta)) / (1 - bssrdf::twoC1(eta)));
@@ -80,16 +86,27 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
   return inside;
 }
 
-// Whether that holds for the albedo of any channel of any medium that light enters.
+// Whether that holds for any medium that light enters.
 template <typename Holds>
-bool anyAlbedo(const SceneResources& resources, const std::vector<shared::MediumData>& media,
+bool anyInside(const SceneResources& resources, const std::vector<shared::MediumData>& media,
                const Holds& holds) {
-  for (std::size_t i = 0; i < media.size(); ++i) {
-    const shared::vec4& albedo = media[i].inside.albedo;
-    const bool any = holds(albedo.r) || holds(albedo.g) || holds(albedo.b);
-    if (any && !resources.opaqueOfMedium[i]) return true;
-  }
+  for (std::size_t i = 0; i < media.size(); ++i)
+    if (!resources.opaqueOfMedium[i] && holds(media[i].inside)) return true;
   return false;
+}
+
+bool followsLight(const shared::BoundaryMedium& inside) {
+  const shared::vec4& albedo = inside.albedo;
+  return std::min({albedo.r, albedo.g, albedo.b}) < shared::albedoNotFollowed;
+}
+
+bool entersAtSurface(const shared::BoundaryMedium& inside) {
+  const shared::vec4& albedo = inside.albedo;
+  return std::max({albedo.r, albedo.g, albedo.b}) > shared::albedoFollowed;
+}
+
+bool scattersUnevenly(const shared::BoundaryMedium& inside) {
+  return inside.collision.w != 0;
 }
 
 // Collects the tables of all media.
@@ -222,10 +239,9 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
       gpu::makeBuffer(device, "objects", makeObjects(resources, options.transport), storage);
   tables.media = gpu::makeBuffer(device, "media", builder.media(), storage);
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
-  tables.followsLight = anyAlbedo(resources, builder.media(),
-                                  [](float albedo) { return albedo < shared::albedoNotFollowed; });
-  tables.entersAtSurface = anyAlbedo(resources, builder.media(),
-                                     [](float albedo) { return albedo > shared::albedoFollowed; });
+  tables.followsLight = anyInside(resources, builder.media(), followsLight);
+  tables.entersAtSurface = anyInside(resources, builder.media(), entersAtSurface);
+  tables.scattersEvenly = !anyInside(resources, builder.media(), scattersUnevenly);
   tables.specularAlbedo = gpu::makeBuffer(device, "specular albedo", builder.albedo(), storage);
   tables.reflectionLobes = gpu::makeBuffer(device, "lobes of the reflection",
                                            reflectionLobes(double{options.roughness}), storage);

@@ -97,6 +97,7 @@ std::optional<Medium> fromVolume(const tinygltf::Material& material,
   Medium medium;
   medium.name = cleanText(material.name);
   medium.eta = etaOf(material);
+  medium.g = volume->scattering.anisotropy;
   const Rgb bright = colors ? colors->bright : Rgb{1, 1, 1};
   for (std::size_t c = 0; c < 3; ++c) {
     const double reflectance =

@@ -17,7 +17,7 @@ inline constexpr Keys<14> root{"model",     "diagonal_mm", "medium", "media",  "
 inline constexpr Keys<2> ground{"color", "height_mm"};
 inline constexpr Keys<8> model{"file",      "diagonal_mm",    "morph_to",         "medium",
                                "transform", "translation_mm", "rotation_degrees", "scale"};
-inline constexpr Keys<4> medium{"measured", "sigma_s_per_mm", "sigma_a_per_mm", "eta"};
+inline constexpr Keys<5> medium{"measured", "sigma_s_per_mm", "sigma_a_per_mm", "eta", "g"};
 inline constexpr Keys<17> material{"kind",
                                    "medium",
                                    "color",

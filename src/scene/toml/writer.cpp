@@ -77,7 +77,7 @@ class Text {
 
 bool isSame(const Medium& a, const Medium& b) {
   return a.sigmaSPrimePerMm == b.sigmaSPrimePerMm && a.sigmaAPerMm == b.sigmaAPerMm &&
-         a.eta == b.eta;
+         a.eta == b.eta && a.g == b.g;
 }
 
 bool isKnown(const std::string& name, const Medium& medium) {

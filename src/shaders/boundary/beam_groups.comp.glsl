@@ -86,7 +86,7 @@ void main() {
   BoundaryMedium medium = insideOf(body);
   around = aroundGroup();
   sigma = scattersOnce != 0u ? 0.0 : leastOf(medium.sigma.rgb);
-  reachMm = scattersOnce != 0u ? furthestFreePaths / leastOf(medium.extinction.rgb) : 1e18;
+  reachMm = scattersOnce != 0u ? furthestFreePaths / leastOf(medium.collision.rgb) : 1e18;
   uint begin = max(body.clusters.x, firstNode);
   uint nodes = max(min(body.clusters.y, endNode), begin) - begin;
   uint i = gl_LocalInvocationIndex;

@@ -43,12 +43,12 @@ mat3 centroidsOf(BeamNode node) {
 // The squares of an offset in each pair of directions, as a node has them.
 struct Squares {
   vec3 same;    // xx, yy, zz
-  vec3 across;  // xy, xz, yz
+  vec3 across;  // xy, xz, yz; of light that scatters once, how it arrives
 };
 
 void add(inout Squares squares, float weight, vec3 offset) {
   squares.same += weight * offset * offset;
-  squares.across += weight * offset.xxy * offset.yzz;
+  if (scattersOnce == 0u) squares.across += weight * offset.xxy * offset.yzz;
 }
 
 vec3 powerOf(BeamNode node) {
@@ -107,6 +107,7 @@ void gatherLeaf(uint i) {
         add(squares, f[c], offset);
         ofChannels[c] += f[c] * dot(offset, offset);
       }
+      if (scattersOnce != 0u && medium.collision.w != 0.0) squares.across += (f.r + f.g + f.b) * arrivalAt(i, p);
     }
   }
   float all = max(power.r + power.g + power.b, 1e-30);

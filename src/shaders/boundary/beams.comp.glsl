@@ -14,6 +14,7 @@
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
 #include "lib/paint.glsl"
+#include "lib/phase.glsl"
 #include "lib/point_counts.glsl"
 #include "lib/rays.glsl"
 #include "lib/unit.glsl"
@@ -78,12 +79,25 @@ RayHit nextHit(Body body, vec3 origin, vec3 direction, float furthest) {
   return nearestExit(origin, direction, body.side, body.least, furthest, body.target);
 }
 
+// Light that scatters forwards is, to diffusion, a source that much further on, mm; in front of a surface
+// at that distance as far as free paths end before it.
+vec3 forwards(Body body, vec3 leftMm) {
+  if (body.medium.collision.w == 0.0) return vec3(0.0);
+  vec3 whole = body.medium.collision.w / body.medium.extinction.rgb;
+  return whole * (1.0 - exp(-leftMm / abs(whole)));
+}
+const float endOfForwards = 4.0;  // in free paths; less than 2 % is left
+
 // Goes on from `origin` for a path's length, mirrored where it meets the surface; what leaves there
 // is taken off the share.
-vec4 collisionAfter(Body body, vec3 origin, vec3 direction, float path, float share) {
+vec4 collisionAfter(Body body, vec3 origin, vec3 direction, float path, float share, int channel) {
+  float free = endOfForwards * body.medium.collision.w / body.medium.extinction[channel];
   for (uint k = 0u; k <= meetingsOfPath; ++k) {
-    RayHit hit = nextHit(body, origin, direction, path);
-    if (hit.piece == noPiece) return vec4(origin + path * direction, share);
+    RayHit hit = nextHit(body, origin, direction, path + max(free, 0.0));
+    if (hit.piece == noPiece || hit.distance > path) {
+      float left = hit.piece == noPiece ? abs(free) : hit.distance - path;
+      return vec4(origin + (path + forwards(body, vec3(left))[channel]) * direction, share);
+    }
     vec3 normal = facetNormal(hit.piece);
     origin += hit.distance * direction;
     path -= hit.distance;
@@ -94,29 +108,34 @@ vec4 collisionAfter(Body body, vec3 origin, vec3 direction, float path, float sh
   return vec4(origin, 0.0);
 }
 
-// The second collisions of light that collided first at `point`, the `which`-th of its cluster: all
-// around and as far as free paths go, by a lattice of low discrepancy (Roberts 2018) in the axes of
-// the cluster, so that it moves with that. Another shift for each point: what few directions miss,
-// those beside have.
-void scatterOn(Body body, uint i, Cluster cluster, BeamPoint point, uint which, uint count) {
+// The second collisions of light that arrived at `point` along `arrival` and collided there, the `which`-th of
+// its cluster: by the phase function and as far as free paths go, by a lattice of low discrepancy (Roberts
+// 2018) in the axes of the cluster, so that it moves with that. Another shift for each point: what few
+// directions miss, those beside have.
+void scatterOn(Body body, uint i, Cluster cluster, BeamPoint point, vec3 arrival, uint which, uint count) {
   const vec2 next = vec2(0.7548776662, 0.5698402910);
   const vec3 shifts = vec3(0.8191725134, 0.6710436067, 0.5497004779);
   vec3 shift = fract(float((i * maxFirstPoints + which) % 8192u) * shifts);
-  vec3 across = cross(cluster.facet.xyz, cluster.along.xyz);
+  float g = body.medium.collision.w;
+  vec3 axis = g == 0.0 ? cluster.facet.xyz : arrival;
+  vec3 along = g == 0.0 ? cluster.along.xyz
+                        : unitOr(cluster.along.xyz - dot(cluster.along.xyz, axis) * axis, cluster.facet.xyz);
+  vec3 across = cross(axis, along);
   vec3 followed = cluster.second.rgb;
   for (uint d = 0u; d < count; ++d) {
-    float z = 1.0 - 2.0 * (float(d) + shift.x) / float(count);
+    float part = (float(d) + shift.x) / float(count);
+    float z = g == 0.0 ? 1.0 - 2.0 * part : cosineOfPart(part, g);
     vec2 at = fract(shift.yz + float(d) * next);
     float angle = 2.0 * pi * at.x;
-    vec3 around = cos(angle) * cluster.along.xyz + sin(angle) * across;
-    vec3 direction = sqrt(max(1.0 - z * z, 0.0)) * around + z * cluster.facet.xyz;
+    vec3 around = cos(angle) * along + sin(angle) * across;
+    vec3 direction = sqrt(max(1.0 - z * z, 0.0)) * around + z * axis;
     float depth = -log(max(1.0 - at.y, 1e-6)) / thinnerForSecond;
-    float part = exp((thinnerForSecond - 1.0) * depth) / (thinnerForSecond * float(count));
+    float share = exp((thinnerForSecond - 1.0) * depth) / (thinnerForSecond * float(count));
     vec4 ends[3] = vec4[3](point.red, point.green, point.blue);
     for (int c = 0; c < 3; ++c)
       ends[c] = followed[c] > 0.0 && ends[c].w > 0.0
                     ? collisionAfter(body, ends[c].xyz, direction,
-                                     depth / body.medium.extinction[c], part * ends[c].w)
+                                     depth / body.medium.collision[c], share * ends[c].w, c)
                     : vec4(ends[c].xyz, 0.0);
     put(i, 1u, BeamPoint(ends[0], ends[1], ends[2]));
   }
@@ -149,9 +168,10 @@ void firstSegment(Body body, uint i, Cluster cluster, vec3 origin, vec3 directio
   vec3 collides = 1.0 - exp(-extinction * lengthMm);
   bool further = cluster.second.rgb != vec3(0.0);
   for (uint p = 0u; p < pointsOfFirstSegment; ++p) {
-    BeamPoint point = pointAt(origin, direction, lengths[p], shares[p] / all * collides);
-    put(i, 0u, point);
-    if (further) scatterOn(body, i, cluster, point, p, directionsOfPoint);
+    vec3 share = shares[p] / all * collides;
+    vec3 onward = shareOfFirst(cluster) * forwards(body, lengthMm - lengths[p]);
+    put(i, 0u, pointAt(origin, direction, lengths[p] + onward, share));
+    if (further) scatterOn(body, i, cluster, pointAt(origin, direction, lengths[p], share), direction, p, directionsOfPoint);
   }
 }
 
@@ -161,7 +181,7 @@ vec3 throughPaint(uint cluster, Body body, float cosine) {
 }
 
 void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction, RayHit hit) {
-  vec3 extinction = body.medium.extinction.rgb;
+  vec3 extinction = body.medium.collision.rgb;
   bool further = cluster.second.rgb != vec3(0.0);
   vec3 left = vec3(1.0);
   for (uint s = 1u; s <= maxReflections; ++s) {
@@ -178,10 +198,11 @@ void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction
     vec3 collides = 1.0 - exp(-extinction * lengthMm);
     for (uint p = 0u; p < pointsOfReflection; ++p) {
       vec3 lengths = -log(1.0 - twoAt[p] * collides) / extinction;
-      BeamPoint point = pointAt(origin, direction, lengths, 0.5 * left * collides);
-      put(i, 0u, point);
+      vec3 share = 0.5 * left * collides;
+      vec3 onward = shareOfFirst(cluster) * forwards(body, lengthMm - lengths);
+      put(i, 0u, pointAt(origin, direction, lengths + onward, share));
       uint which = pointsOfFirstSegment + (s - 1u) * pointsOfReflection + p;
-      if (further) scatterOn(body, i, cluster, point, which, 1u);
+      if (further) scatterOn(body, i, cluster, pointAt(origin, direction, lengths, share), direction, which, 1u);
     }
   }
 }
@@ -226,7 +247,7 @@ void main() {
   Mirrored goesOn = Mirrored(vec4(0.0), noCluster, 0u, 0u, 0u);
   float cosineInside = body.medium.sigma.w;
   if (everywhere) {
-    vec3 extinction = body.medium.extinction.rgb / cluster.facet.w;
+    vec3 extinction = body.medium.collision.rgb / cluster.facet.w;
     firstSegment(body, i, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
   } else if (power != vec3(0.0)) {
     vec3 normal = entry.normal.xyz;
@@ -238,7 +259,7 @@ void main() {
     cosineInside = -dot(direction, normal);
     RayHit hit = nextHit(body, entry.start.xyz, direction, 3e38);
     firstSegment(body, i, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
-                 body.medium.extinction.rgb);
+                 body.medium.collision.rgb);
     reflections(body, i, cluster, entry.start.xyz, direction, hit);
     if (mirrors != 0u) {
       goesOn = mirroredOf(body, entry, from, power);

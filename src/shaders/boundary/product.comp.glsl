@@ -144,7 +144,7 @@ vec3 enteredFluence(uint i) {
 // is absorbed, since c comes from the same sums as K.
 vec3 rightSideOf(uint i, vec3 sum) {
   if (ranges[i].kind != bodyWithInside) return vec3(0.0);
-  vec3 right = medium.albedo.rgb * sources[i].rgb;
+  vec3 right = medium.scatters.rgb * sources[i].rgb;
   if (atSurface != 0u) right -= sum / (4.0 * pi) + enteredFluence(i) * clusters[i].vectorArea.w;
   return right;
 }

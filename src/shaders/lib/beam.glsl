@@ -4,6 +4,7 @@
 #define OPALINE_LIB_BEAM
 #include "lib/boundary.glsl"
 #include "lib/point_counts.glsl"
+#include "lib/unit.glsl"
 
 layout(set = 0, binding = BINDING_POINTS) uniform samplerBuffer points;  // BeamPoint
 // Power that entered through each cluster; w: numbers of its points as packPointCounts has them.
@@ -26,19 +27,25 @@ vec3 squaredDistances(BeamPoint point, vec3 place) {
   return vec3(dot(red, red), dot(green, green), dot(blue, blue));
 }
 
-// Of the light that entered, what a cluster's points of first and of second collisions are given:
-// the sources of fluence.
-vec3 shareOfFirst(Cluster cluster) {
-  return 1.0 - cluster.second.rgb;
+// The direction in which light arrives at the p-th of a cluster's points of first collisions: they lie in
+// groups along a ray.
+vec3 arrivalAt(uint cluster, uint p) {
+  bool onFirst = p < pointsOfFirstSegment;
+  uint count = onFirst ? pointsOfFirstSegment : pointsOfReflection;
+  uint first = cluster * maxPoints + (onFirst ? 0u : p - (p - pointsOfFirstSegment) % pointsOfReflection);
+  BeamPoint from = readPoint(first);
+  BeamPoint to = readPoint(first + count - 1u);
+  return unitOr(to.red.xyz + to.green.xyz + to.blue.xyz - (from.red.xyz + from.green.xyz + from.blue.xyz), vec3(0.0));
 }
 
+// Of the light that entered, what a cluster's points of second collisions are given as sources of fluence.
 // Near the surface of what absorbs, diffusion has too much light. What leaves a half-space says by how
 // much: within 1 % the same for light from 0 and from 60°, for albedos down to 0.65 and η up to 1.5.
 vec3 shareOfSecond(Cluster cluster, BoundaryMedium medium) {
   vec3 dark = 1.0 - medium.albedo.rgb;
   float a = medium.diffusion.w;
   vec3 tooMuch = 1.0 + (1.0 - 0.47 / (a * a)) * dark / (1.0 + 3.6 * dark);
-  return cluster.second.rgb * medium.albedo.rgb / tooMuch;
+  return cluster.second.rgb * medium.scatters.rgb / tooMuch;
 }
 
 #endif

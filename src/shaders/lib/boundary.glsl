@@ -62,6 +62,11 @@ vec3 fluenceAtSurface(vec3 entered, float thicknessMm, BoundaryMedium medium) {
   return overIrradiance * shareAtSurface(thicknessMm, medium) * entered;
 }
 
+// Of the light that entered through a cluster, what its first collisions are given as sources of fluence.
+vec3 shareOfFirst(Cluster cluster) {
+  return 1.0 - cluster.second.rgb;
+}
+
 float leastOf(vec3 v) {
   return min(min(v.x, v.y), v.z);
 }

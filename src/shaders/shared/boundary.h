@@ -161,7 +161,7 @@ struct BeamNode {
   vec4 bluePower;
   vec4 square;  // mean square distances along xx, yy, zz, mm²; w: of what the power does not have
                 // yet
-  vec4 across;  // along xy, xz, yz
+  vec4 across;  // along xy, xz, yz; of light that scatters once, its mean direction of arrival
 };
 
 /// Most steps of the solver before it must do with what it has.

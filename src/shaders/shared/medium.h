@@ -17,6 +17,9 @@ struct BoundaryMedium {
   vec4 sigma;       // rgb: √(σ_a / D), 1/mm; w: mean cosine inside of diffuse light that entered
   vec4 extinction;  // rgb: σ_t', 1/mm; w: mean transmittance of diffuse light, F̄_t
   vec4 albedo;      // rgb: α'; w: critical cosine √(1 - 1/η²)
+  // Of single collisions, forward peaks left out (bssrdf::ScaledScattering).
+  vec4 collision;  // rgb: σ_t*, 1/mm; w: mean cosine g*
+  vec4 scatters;   // rgb: α*
 };
 
 struct MediumData {

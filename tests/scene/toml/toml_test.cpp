@@ -31,6 +31,7 @@ eta = 1.4
 [media.veined]
 measured = "Marble"
 eta = 1.6
+g = 0.7
 [objects.cube]
 medium = "soap"
 translation_mm = [0, 0, 100]

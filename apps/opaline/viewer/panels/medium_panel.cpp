@@ -49,9 +49,7 @@ const std::vector<Chip>& chips() {
 }
 
 bool isOf(const Chip& chip, const Medium& medium) {
-  return chip.medium.name == medium.name && chip.medium.eta == medium.eta &&
-         chip.medium.sigmaAPerMm == medium.sigmaAPerMm &&
-         chip.medium.sigmaSPrimePerMm == medium.sigmaSPrimePerMm;
+  return chip.medium == medium;
 }
 
 // About the control that was drawn last.
@@ -165,7 +163,11 @@ bool drawMedium(Medium& medium) {
   const bool bent = controls::slider("index of refraction", medium.eta, 1.01, 2.5, "%.3f",
                                      "Of the body relative to what surrounds it: 1.3 is water, "
                                      "1.5 glass. More keeps more light inside.");
-  const bool edited = scatters || absorbs || bent;
+  const bool forward = controls::slider("forward scattering", medium.g, -0.99, 0.99, "%.2f",
+                                        "Mean cosine of scattering, g: 0 is even, 0.9 is like skin "
+                                        "or milk. It changes what scattered a few times; the "
+                                        "coefficients above are reduced by it.");
+  const bool edited = scatters || absorbs || bent || forward;
   if (edited) medium.name = "custom";
   return chosen || edited;
 }
