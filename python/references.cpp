@@ -147,8 +147,8 @@ The interpreter's lock is released meanwhile, and Ctrl C ends it.)");
   module.def("path", &path, arg("scene"), arg("width") = 1024, arg("height") = 1024,
              arg("aov") = "radiance", py::kw_only(), arg("error") = py::none(),
              arg("longest_seconds") = py::none(), arg("particles") = py::none(),
-             arg("bounces") = 1000, arg("seed") = 1, arg("cell_mm") = 0.0,
-             arg("antialias") = 4, arg("seconds") = 0.0, arg("clip") = 0,
+             arg("bounces") = 1000, arg("seed") = 1, arg("cell_mm") = 0.0, arg("antialias") = 4,
+             arg("seconds") = 0.0, arg("clip") = 0,
              R"(Light followed through the bodies particle by particle, on the CPU; returns a Frame.
 
 It ends at the first of: error, the relative rms error of blocks of 8x8 pixels; longest_seconds; particles of each

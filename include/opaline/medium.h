@@ -14,8 +14,9 @@ struct Medium {
   std::array<double, 3> sigmaSPrimePerMm{};  ///< reduced scattering σ_s', mm⁻¹, in (0, 1e6]
   std::array<double, 3> sigmaAPerMm{};       ///< absorption σ_a, mm⁻¹, in [0, 1e6]
   double eta = 1.3;                          ///< relative index of refraction, in [1.01, 3]
-  /// Mean cosine of scattering, in [-0.99, 0.99]. The coefficients are reduced by it, so it changes only what scattered a few
-  /// times: boundary transport and path tracing follow that, half-spaces know reduced coefficients alone.
+  /// Mean cosine of scattering, in [-0.99, 0.99]. The coefficients are reduced by it, so it changes
+  /// only what scattered a few times: boundary transport and path tracing follow that, half-spaces
+  /// know reduced coefficients alone.
   double g = 0;
 
   bool operator==(const Medium&) const = default;

@@ -18,7 +18,7 @@
 namespace opaline::reference {
 
 struct PathOptions {
-  int bounces = 1000;     ///< how often light that left a body may meet one again, ≥ 0
+  int bounces = 1000;  ///< how often light that left a body may meet one again, ≥ 0
   std::uint64_t seed = 1;
   double cellMm = 0;  ///< edge of the cells that what leaves is counted on; 0: see cellEdgeMm()
 };

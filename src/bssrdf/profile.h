@@ -19,9 +19,9 @@ struct Coefficients {
 /// Channel 0, 1 or 2 of a medium. Requires σ_t' > 0.
 Coefficients coefficients(const Medium& medium, int channel);
 
-/// One channel of a medium with the forward peak of its scattering, g² of it, taken for light that goes on. Joseph, Wiscombe and
-/// Weinman 1976, the delta-Eddington approximation. What scatters backwards has no such peak, and isotropic media stay as they
-/// are.
+/// One channel of a medium with the forward peak of its scattering, g² of it, taken for light that
+/// goes on. Joseph, Wiscombe and Weinman 1976, the delta-Eddington approximation. What scatters
+/// backwards has no such peak, and isotropic media stay as they are.
 struct ScaledScattering {
   double sigmaTPerMm = 0;  ///< σ_t* = σ_s'(1 + g) + σ_a
   double albedo = 0;       ///< σ_s* / σ_t*

@@ -54,7 +54,8 @@ long double writtenOut(const Profile& p, long double r) {
   return p.albedo * (p.cPhi * fluence + p.cE * flux);
 }
 
-// Joseph, Wiscombe and Weinman 1976, Eqs. 4 to 6: f = g², g' = g / (1 + g), and all that is left of scattering.
+// Joseph, Wiscombe and Weinman 1976, Eqs. 4 to 6: f = g², g' = g / (1 + g), and all that is left of
+// scattering.
 TEST(ScaledScatteringTest, TakesTheForwardPeakAway) {
   for (const double g : {0.0, 0.3, 0.9, 0.99}) {
     Medium medium{"", {0.74, 2, 1e-3}, {0.032, 0, 10}, 1.3};
@@ -63,7 +64,8 @@ TEST(ScaledScatteringTest, TakesTheForwardPeakAway) {
       const auto i = static_cast<std::size_t>(c);
       const ScaledScattering scaled = scaledScattering(medium, c);
       const double scattering = medium.sigmaSPrimePerMm[i] / (1 - g) * (1 - g * g);
-      EXPECT_NEAR(scaled.sigmaTPerMm, scattering + medium.sigmaAPerMm[i], 1e-12 * scaled.sigmaTPerMm);
+      EXPECT_NEAR(scaled.sigmaTPerMm, scattering + medium.sigmaAPerMm[i],
+                  1e-12 * scaled.sigmaTPerMm);
       EXPECT_NEAR(scaled.albedo * scaled.sigmaTPerMm, scattering, 1e-12 * scattering);
       EXPECT_NEAR(scaled.g, (g - g * g) / (1 - g * g), 1e-12);
     }
