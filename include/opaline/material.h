@@ -84,6 +84,26 @@ struct Paint {
   bool operator==(const Paint&) const = default;
 };
 
+/// The surface of a translucent body, as rough and as uneven as it is: both shape what it mirrors,
+/// and normals also where light enters. A texture multiplies the number beside it.
+struct TranslucentSurface {
+  /// Of the reflection, in [0, 1]; none: RenderOptions::roughness, or 1 beside a texture.
+  std::optional<float> roughness;
+  std::optional<Texture> metallicRoughnessTexture;  ///< g: roughness, linear; the rest is not read
+  std::optional<Texture> normalTexture;             ///< tangent space, green up, linear
+  float normalScale = 1;                            ///< of its x and y
+
+  bool operator==(const TranslucentSurface&) const = default;
+};
+
+/// All textures that such a surface may have.
+inline constexpr std::array<std::optional<Texture> TranslucentSurface::*, 2>
+    texturesOfTranslucentSurface{&TranslucentSurface::metallicRoughnessTexture,
+                                 &TranslucentSurface::normalTexture};
+
+/// Why the surface cannot be rendered, as a sentence; empty if it can.
+OPALINE_API std::string complaintAbout(const TranslucentSurface& surface);
+
 /// Why the paint cannot be rendered, as a sentence; empty if it can.
 OPALINE_API std::string complaintAbout(const Paint& paint);
 

@@ -69,6 +69,9 @@ class OPALINE_API Renderer {
   /// The suns of the scene's environment, brightest first: lights beside its own, taken out of it.
   const std::vector<DirectionalLight>& suns() const;
   void setMedium(std::size_t object, const Medium& medium);
+  /// What is opaque stays so, and so does what is translucent: UsageError. Other numbers remake
+  /// tables; other textures are packed anew.
+  void setMaterial(std::size_t object, const Material& material);
   void setDeformers(const std::vector<Deformer>& deformers);
 
   /// Sets the positions of the object's vertices from the next submitted frame on, instead of its

@@ -37,11 +37,25 @@ struct Object {
   std::string name;
   Mesh mesh;  ///< in the rest pose
   Medium medium;
-  std::optional<Paint> paint;            ///< if set, `medium` is what lies below it
-  std::optional<Rig> rig;                ///< none: only the scene's deformers move it
+  std::optional<Paint> paint;                 ///< if set, `medium` is what lies below it
+  std::optional<TranslucentSurface> surface;  ///< of a translucent body; none: as the mesh has it
+  std::optional<Rig> rig;                     ///< none: only the scene's deformers move it
   std::optional<OpaqueMaterial> opaque;  ///< if set, light does not enter and `medium` is not used
   bool isGround = false;  ///< stands still, casts no shadow of its own, and counts for no size
 };
+
+/// What an object is made of.
+struct Material {
+  Medium medium;
+  std::optional<Paint> paint;
+  std::optional<TranslucentSurface> surface;
+  std::optional<OpaqueMaterial> opaque;
+
+  bool operator==(const Material&) const = default;
+};
+
+OPALINE_API Material materialOf(const Object& object);
+OPALINE_API void giveMaterial(const Material& material, Object& object);
 
 /// Light from infinitely far away.
 struct DirectionalLight {

@@ -43,8 +43,17 @@ struct MaterialSource {
   bool isOpaque = false;
   std::optional<std::string> medium;  ///< of a translucent one its name, else its appearance
   options::Chosen<Appearance> appearance;
+  options::Chosen<TranslucentSurface> surface;  ///< of a translucent one
   options::Chosen<OpaqueMaterial> opaque;
   std::map<std::string, std::filesystem::path> textures;  ///< by key
+};
+
+/// What a scene file says of an object's own material, whatever that is: other numbers.
+struct MaterialNumbers {
+  options::Chosen<OpaqueMaterial> opaque;       ///< of an opaque one
+  options::Chosen<TranslucentSurface> surface;  ///< of a translucent one
+
+  bool operator==(const MaterialNumbers&) const = default;
 };
 
 /// The files a scene was made of and what was done to them. Paths are absolute.
@@ -54,6 +63,7 @@ struct SceneSource {
   std::map<std::string, Placement> placements;  ///< by the object's name; others stand as they are
   std::map<std::string, MaterialSource> materials;
   std::map<std::string, std::string> materialOfObject;  ///< by the object's name, where one is said
+  std::map<std::string, MaterialNumbers> numbersOfObject;  ///< by the object's name
   std::optional<EnvironmentFile> environment;
 };
 
@@ -96,6 +106,7 @@ struct SceneDescription {
   struct ObjectMedium {
     std::string object;
     Medium medium;
+    bool isPainted = false;  ///< with what the object's own material has as colours
   };
 
   SceneSource source;

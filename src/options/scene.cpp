@@ -16,6 +16,7 @@ constexpr Range absorption{0, 1e6, "per mm"};
 constexpr Range meanCosine{-0.99, 0.99};
 constexpr Range power{0, 1e30};
 constexpr Range share{0, 1};
+constexpr Range slope{-1000, 1000};
 constexpr Range period{1e-3, 1e6, "s"};
 
 }  // namespace
@@ -65,6 +66,19 @@ const std::vector<Field<OpaqueMaterial>>& fieldsOf() {
       field<OpaqueMaterial, &OpaqueMaterial::specular>("specular", {{0, 1}},
                                                        "strength of the reflection"),
       field<OpaqueMaterial, &OpaqueMaterial::emission>("emission", {power}, "radiance of its own"),
+      field<OpaqueMaterial, &OpaqueMaterial::normalScale>("normal_scale", {slope},
+                                                          "of its normal texture"),
+  };
+  return table;
+}
+
+template <>
+const std::vector<Field<TranslucentSurface>>& fieldsOf() {
+  static const std::vector<Field<TranslucentSurface>> table{
+      field<TranslucentSurface, &TranslucentSurface::roughness>("roughness", {{0, 1}},
+                                                                "of its reflection"),
+      field<TranslucentSurface, &TranslucentSurface::normalScale>("normal_scale", {slope},
+                                                                  "of its normal texture"),
   };
   return table;
 }
@@ -265,11 +279,17 @@ std::string complaintAbout(const OpaqueMaterial& material) {
   for (const float part : {material.occlusionStrength, material.alphaCutoff, material.alpha})
     if (!isWithin(part, 0, 1))
       return "occlusion strength, alpha and its cutoff: must be from 0 to 1";
-  if (!std::isfinite(material.normalScale)) return "the scale of the normal texture is not finite";
   for (const auto member : texturesOfMaterial)
     if (const std::optional<Texture>& texture = material.*member; texture)
       if (std::string complaint = complaintAbout(*texture); !complaint.empty()) return complaint;
   return options::complaintAboutFields(material);
+}
+
+std::string complaintAbout(const TranslucentSurface& surface) {
+  for (const auto member : texturesOfTranslucentSurface)
+    if (const std::optional<Texture>& texture = surface.*member; texture)
+      if (std::string complaint = complaintAbout(*texture); !complaint.empty()) return complaint;
+  return options::complaintAboutFields(surface);
 }
 
 std::string complaintAbout(const Paint& paint) {

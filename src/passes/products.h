@@ -85,6 +85,13 @@ struct PaintTables {
   gpu::Buffer clusters;        ///< shared::ClusterPaint
 };
 
+/// What the shaders know of translucent bodies whose surface has a roughness or normals of its own.
+struct OwnSurfaces {
+  bool any = false;
+  bool anyNormals = false;
+  gpu::Buffer tilts;  ///< vec4 a piece: its normal as lib/tilted_normal.glsl has it
+};
+
 struct SceneTables;
 
 /// What tells where surfaces have holes.
@@ -107,6 +114,7 @@ struct SceneTables {
   gpu::Buffer opaqueShares;      ///< shared::OpaqueShare a cluster, where something is opaque
   gpu::Buffer opaqueExitances;   ///< vec4 a cluster of an opaque body: of all light
   PaintTables paint;
+  OwnSurfaces surfaces;
   std::vector<double> etas;  ///< the different ones, see MediumData::tables.x
 };
 
@@ -116,7 +124,7 @@ struct Sky {
   gpu::GpuImage radiance;    ///< by direction, a cube with levels for rays that stand for more
   gpu::GpuImage irradiance;  ///< that enters by normal, one cube for each of SceneTables::etas
   gpu::GpuImage reflected;   ///< radiance as the surface's lobe sees it, a cube
-  gpu::GpuImage glossy;      ///< as lobes of opaque surfaces see it, a level for each roughness
+  gpu::GpuImage glossy;      ///< as lobes of any roughness see it, a level for each
 };
 
 /// What a picture shows where no surface is.
@@ -151,6 +159,7 @@ struct FittedTree {
 struct Surfels {
   gpu::Buffer pieces;                 ///< shared::SurfelPiece
   std::uint32_t piecesPerSurfel = 1;  ///< that follow each other
+  gpu::Buffer triangleOfPiece;        ///< uint, where normal textures want to know
   gpu::Buffer sources;                ///< shared::Source, sourcesPerSurfel of each
   gpu::Buffer normals;                ///< vec4 a surfel, unit
   gpu::Buffer skyShares;              ///< vec4 a surfel: of the sky's irradiance, what enters
@@ -246,7 +255,7 @@ struct Solver {
 
 /// What else is kept of surfaces that the camera sees.
 struct KeptOfSeen {
-  bool materials = false;  ///< of opaque ones
+  bool materials = false;  ///< of opaque ones, and of translucent surfaces of their own
   bool paint = false;      ///< of painted ones
 
   bool operator==(const KeptOfSeen&) const = default;
@@ -262,7 +271,8 @@ struct VisibleSurfaces {
   gpu::Buffer list;        ///< surfaces; those of a pixel follow each other
   gpu::Buffer counts;      ///< shared::SeenCount, of all and of parts
   gpu::Buffer light;       ///< vec4 for each on the list: its exitance, then its radiance
-  gpu::Buffer materials;   ///< shared::SeenMaterial for each, of opaque surfaces
+  gpu::Buffer materials;   ///< shared::SeenMaterial for each, of opaque surfaces and such as have
+                           ///< their own
   gpu::Buffer paint;  ///< vec4 for each: what has entered at the surface of painted bodies, then
                       ///< of what leaves the part that goes towards the camera, over that without
   KeptOfSeen kept;    ///< there is room for these

@@ -84,6 +84,10 @@ void Renderer::setMedium(std::size_t object, const Medium& medium) {
   context_->edited.setMedium(object, medium);
 }
 
+void Renderer::setMaterial(std::size_t object, const Material& material) {
+  context_->edited.setMaterial(object, material);
+}
+
 void Renderer::setDeformers(const std::vector<Deformer>& deformers) {
   context_->edited.setDeformers(deformers);
 }

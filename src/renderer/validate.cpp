@@ -19,7 +19,7 @@ bool finite(const T& values) {
 }
 
 template <typename Surface>
-void validate(const std::string& name, const Surface& material) {
+void requireSound(const std::string& name, const Surface& material) {
   const std::string complaint = complaintAbout(material);
   if (!complaint.empty()) throw Error(fmt::format("object '{}': {}", name, complaint));
 }
@@ -81,6 +81,15 @@ void validate(const Medium& medium) {
   if (!complaint.empty()) throw Error(fmt::format("medium '{}': {}", medium.name, complaint));
 }
 
+void validate(const std::string& object, const Material& material) {
+  if (material.opaque)
+    requireSound(object, *material.opaque);
+  else
+    validate(material.medium);
+  if (material.paint) requireSound(object, *material.paint);
+  if (material.surface) requireSound(object, *material.surface);
+}
+
 void validate(const Lighting& lighting) {
   if (std::string complaint = complaintAbout(lighting); !complaint.empty()) throw Error(complaint);
 }
@@ -94,11 +103,7 @@ void validate(const Scene& scene) {
   std::size_t triangles = 0;
   for (const Object& object : scene.objects) {
     validateMesh(object);
-    if (object.opaque)
-      validate(object.name, *object.opaque);
-    else
-      validate(object.medium);
-    if (object.paint) validate(object.name, *object.paint);
+    validate(object.name, materialOf(object));
     if (object.isGround && (&object != &scene.objects.back() || !object.opaque || object.rig))
       throw Error("a ground must be opaque, have no rig and come after all other objects");
     triangles += object.mesh.triangles.size();

@@ -25,6 +25,8 @@ void validate(const SceneTime& time);
 void validate(const Camera& camera);
 void validate(const Lighting& lighting);
 void validate(const Medium& medium);
+/// Of an object of that name.
+void validate(const std::string& object, const Material& material);
 void validate(const std::vector<Deformer>& deformers);
 
 /// Throws UsageError for an object that a scene with so many does not have.

@@ -32,6 +32,25 @@ bool hasPaint(const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(), isPainted);
 }
 
+bool hasOwnSurfaces(const Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(), hasOwnSurface);
+}
+
+void requireKnownToPattern(const Scene& scene) {
+  if (hasOpaque(scene))
+    throw UsageError(
+        "the pattern lights no opaque bodies and no ground; the sums tree and all do, and "
+        "LoadOptions::medium makes bodies translucent");
+  if (hasPaint(scene))
+    throw UsageError("the pattern knows no paint, and a body is painted; the sums tree and all do");
+  if (std::any_of(scene.objects.begin(), scene.objects.end(), hasOwnNormals))
+    throw UsageError(
+        "the pattern knows no normal textures, and a body has one; the sums tree and all do");
+  if (!scene.lighting.areas.empty())
+    throw UsageError(
+        "the pattern has no surfels that area lights could shine on; the sums tree and all have");
+}
+
 shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& camera, int shadowSize,
                                 int samples) {
   shared::FrameData frame{};
@@ -83,23 +102,12 @@ class View::Implementation {
     EditedScene& edited = context_.edited;
     edited.beginFrame();
     if (std::exchange(scene_, edited.number()) != edited.number()) times_.clear();
-    const Lighting& lighting = edited.lighting();
-    if (options_.sum == Sum::Pattern && !lighting.areas.empty())
-      throw UsageError(
-          "the pattern has no surfels that area lights could shine on; the sums tree and all have");
-    const bool opaque = hasOpaque(edited.scene());
-    if (options_.sum == Sum::Pattern && opaque)
-      throw UsageError(
-          "the pattern lights no opaque bodies and no ground; the sums tree and all do, and "
-          "LoadOptions::medium makes bodies translucent");
-    const bool painted = hasPaint(edited.scene());
-    if (options_.sum == Sum::Pattern && painted)
-      throw UsageError(
-          "the pattern knows no paint, and a body is painted; the sums tree and all do");
+    if (options_.sum == Sum::Pattern) requireKnownToPattern(edited.scene());
     FramePlan plan = planFor(options_, order.aovs, order.onDevice);
     plan.time = edited.time();
-    plan.opaque = opaque;
-    plan.painted = painted;
+    plan.opaque = hasOpaque(edited.scene());
+    plan.painted = hasPaint(edited.scene());
+    plan.ownSurfaces = hasOwnSurfaces(edited.scene());
     try {
       submit(plan, order);
     } catch (...) {

@@ -84,9 +84,7 @@ void makeTranslucent(const Medium& medium, Object& object, std::vector<NotShown>
   if (object.opaque && !object.mesh.colors.empty())
     addNotShown(notShown, "vertex colours", object.name);
   if (object.paint) addNotShown(notShown, "colour textures of media", object.name);
-  object.paint.reset();
-  object.opaque.reset();
-  object.medium = medium;
+  putMedium(medium, object);
 }
 
 Mesh meshOf(RawObject& object) {
@@ -218,6 +216,7 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
                              .mesh = meshOf(object),
                              .medium = std::move(object.medium),
                              .paint = std::move(object.paint),
+                             .surface = std::move(object.surface),
                              .rig = std::move(object.rig),
                              .opaque = std::move(object.opaque)});
   }

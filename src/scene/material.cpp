@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "opaline/scene.h"
 #include "opaline/tone.h"
 
 namespace opaline {
@@ -38,6 +39,16 @@ bool isMetal(const OpaqueMaterial& material) {
   return mean * double{material.metallic} > 0.5;
 }
 
+std::optional<TranslucentSurface> surfaceFrom(const OpaqueMaterial& material) {
+  if (!material.metallicRoughnessTexture && !material.normalTexture) return std::nullopt;
+  TranslucentSurface surface;
+  if (material.metallicRoughnessTexture) surface.roughness = material.roughness;
+  surface.metallicRoughnessTexture = material.metallicRoughnessTexture;
+  surface.normalTexture = material.normalTexture;
+  surface.normalScale = material.normalScale;
+  return surface;
+}
+
 Rgb brightColor(const TexturePixels& pixels) {
   constexpr std::size_t brightest = 20;  // one in so many
   Rgb bright{};
@@ -52,6 +63,17 @@ Rgb brightColor(const TexturePixels& pixels) {
 }
 
 }  // namespace scene
+
+Material materialOf(const Object& object) {
+  return {object.medium, object.paint, object.surface, object.opaque};
+}
+
+void giveMaterial(const Material& material, Object& object) {
+  object.medium = material.medium;
+  object.paint = material.paint;
+  object.surface = material.surface;
+  object.opaque = material.opaque;
+}
 
 OpaqueMaterial mattMaterial(const Rgb& color) {
   OpaqueMaterial material;

@@ -52,8 +52,6 @@ HiddenParts partsOf(const OpaqueMaterial& material) {
   return {.baseColor = material.baseColor != Rgb{1, 1, 1},
           .baseColorTexture = material.baseColorTexture.has_value(),
           .metal = material.metallic > 0,
-          .metallicRoughnessTexture = material.metallicRoughnessTexture.has_value(),
-          .normalTexture = material.normalTexture.has_value(),
           .occlusionTexture = material.occlusionTexture.has_value(),
           .emission = material.emission != Rgb{0, 0, 0},
           .alphaMask = material.alphaCutoff > 0};
@@ -66,8 +64,6 @@ void addNotShown(std::vector<NotShown>& to, const HiddenParts& parts, std::strin
   add(parts.baseColor, "base colours");
   add(parts.baseColorTexture, "base-colour textures");
   add(parts.metal, "metals");
-  add(parts.metallicRoughnessTexture, "metallic-roughness textures");
-  add(parts.normalTexture, "normal textures");
   add(parts.occlusionTexture, "occlusion textures");
   add(parts.emission, "emission");
   add(parts.alphaMask, "alpha masks");

@@ -16,8 +16,6 @@ struct HiddenParts {
   bool baseColor = false;
   bool baseColorTexture = false;
   bool metal = false;
-  bool metallicRoughnessTexture = false;
-  bool normalTexture = false;
   bool occlusionTexture = false;
   bool emission = false;
   bool alphaMask = false;

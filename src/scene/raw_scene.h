@@ -40,7 +40,8 @@ struct RawObject {
   /// As in Object; until alignRig() its vertices are the file's, which `mesh.provenance` names, and
   /// a normal may be zero.
   std::optional<Rig> rig;
-  std::optional<Paint> paint;  ///< these two as in Object
+  std::optional<Paint> paint;  ///< these as in Object
+  std::optional<TranslucentSurface> surface;
   std::optional<OpaqueMaterial> opaque;
   VertexAttributes attributes;  ///< of the file's vertices until alignAttributes()
 };

@@ -28,6 +28,9 @@ void takeLighting(Renderer& renderer, const Scene& scene) {
 void takeMedium(Renderer& renderer, const Scene& scene) {
   renderer.setMedium(0, scene.objects[0].medium);
 }
+void takeMaterial(Renderer& renderer, const Scene& scene) {
+  renderer.setMaterial(0, materialOf(scene.objects[0]));
+}
 void takeDeformers(Renderer& renderer, const Scene& scene) {
   renderer.setDeformers(scene.deformers);
 }
@@ -74,6 +77,13 @@ const std::vector<Edit>& edits() {
          s.objects[0].medium.eta = 1.5;
        },
        takeMedium},
+      {"roughness", [](Scene& s) { s.objects[0].surface = TranslucentSurface{.roughness = 0.6F}; },
+       takeMaterial},
+      {"paint",
+       [](Scene& s) {
+         s.objects[0].paint = Paint{"paint", {0.4F, 0.2F, 0.1F}, {}};
+       },
+       takeMaterial},
       {"deformer", [](Scene& s) { s.deformers[0].amount = -1; }, takeDeformers},
       {"another deformer",
        [](Scene& s) {
@@ -233,6 +243,11 @@ TEST_F(EditErrorsTest, RefusedEditsChangeNothing) {
   EXPECT_THROW(renderer().setMedium(0, medium), Error);
   EXPECT_THROW(renderer().setMedium(1, scene.objects[0].medium), UsageError);
   EXPECT_THROW(renderer().setDeformers(std::vector<Deformer>(9)), UsageError);
+  Material material = materialOf(scene.objects[0]);
+  material.surface = TranslucentSurface{.roughness = 2.0F};
+  EXPECT_THROW(renderer().setMaterial(0, material), Error);
+  material.opaque = mattMaterial({1, 1, 1});
+  EXPECT_THROW(renderer().setMaterial(0, material), UsageError);
   expectSame(render(options, asked()), before);
 }
 

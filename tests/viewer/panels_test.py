@@ -11,7 +11,7 @@ class Panels(WindowTest):
         """In one window, one after the other, as they stand after each other."""
         self.window = self.view("--builtin", "teapot", "--medium", "gummy-red", *CORNERS, "--size", "760x600")
         for part in (self.handles, self.camera, self.keys, self.divider, self.method, self.time, self.motion, self.quick, self.playback,
-                     self.poke, self.show, self.film, self.typing, self.medium, self.light, self.many_lights):
+                     self.poke, self.show, self.film, self.typing, self.medium, self.material, self.light, self.many_lights):
             with self.subTest(part.__name__):
                 part()
         self.window.close()
@@ -33,6 +33,16 @@ class Panels(WindowTest):
         before = window.picture()
         window.drag((size[0] - 30, size[1]), (size[0] - 70, size[1]))
         self.assertGreater(before.difference(window.picture()), .5, "a small body is another")
+
+    def material(self):
+        """Of the translucent teapot: by appearance, and its reflection."""
+        window = self.window
+        window.only("Material")
+        for control in ("mean free path, red", "roughness"):
+            place = window.place(f"Material/{control}")
+            before = window.picture()
+            window.drag((place[0] - 20, place[1]), (place[0] + 50, place[1]))
+            self.assertGreater(before.difference(window.picture()), .05, control)
 
     def light(self):
         window = self.window

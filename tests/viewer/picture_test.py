@@ -3,7 +3,7 @@
 import unittest
 
 from driver import BACKGROUND, COARSE, CORNERS, Shot, WindowTest
-from images import read_png
+from images import read_png, write_png
 from program import CUBE_OBJ
 
 
@@ -84,6 +84,35 @@ class Picture(WindowTest):
         again = self.view("cube.toml", "--size", "760x700")
         self.same(again.picture().part(top=40), shown)
         again.close()
+
+    def test_an_edited_material_is_drawn_and_saved(self):
+        """An opaque object with a texture: seen at once, undone, repeated, and drawn the same by `render`."""
+        (self.folder / "tile.obj").write_text(
+            "mtllib tile.mtl\nusemtl glaze\nvt .5 .5\n" + CUBE_OBJ.replace("//", "/1/"), encoding="utf-8")
+        (self.folder / "tile.mtl").write_text("newmtl glaze\nKd .2 .5 .3\nmap_Kd tile.png\n", encoding="utf-8")
+        (self.folder / "tile.png").write_bytes(write_png([[(200, 160, 120, 255)] * 4] * 4))
+        window = self.view("tile.obj", *CORNERS, "--size", "700x620")
+        window.key("h")
+        window.only("Material")
+        self.assertIn("Material/base color texture", window.state()["controls"])
+        before = window.picture()
+        roughness = window.place("Material/roughness")
+        window.drag((roughness[0] + 40, roughness[1]), (roughness[0] - 50, roughness[1]))
+        metallic = window.place("Material/metallic")
+        window.drag((metallic[0] - 50, metallic[1]), (metallic[0] + 30, metallic[1]))
+        edited = window.picture()
+        self.assertGreater(before.difference(edited), .3)
+        window.key("ctrl+z")
+        window.key("ctrl+z")
+        self.same(window.picture().part(top=40), before.part(top=40))
+        window.key("ctrl+shift+z")
+        window.key("ctrl+shift+z")
+        self.same(window.picture().part(top=40), edited.part(top=40))
+        window.only("Save")
+        window.save_as("scene")
+        window.wait_for(lambda: window.state()["message"] == "saved tile.toml", "not saved")
+        self.same(edited.part(top=40), self.rendered(window, "tile.toml").part(top=40))
+        window.close()
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/json.h"
+#include "cli/material_textures.h"
 #include "cli/medium_options.h"
 #include "cli/output.h"
 #include "cli/paths.h"
@@ -86,25 +87,6 @@ Json objectsJson(const Scene& scene) {
   return objects;
 }
 
-struct NamedTexture {
-  const char* use;
-  const std::optional<Texture>& texture;
-};
-
-std::vector<NamedTexture> texturesOf(const OpaqueMaterial& material) {
-  std::vector<NamedTexture> there;
-  for (const NamedTexture& one :
-       {NamedTexture{"base color", material.baseColorTexture},
-        NamedTexture{"metallic-roughness", material.metallicRoughnessTexture},
-        NamedTexture{"specular", material.specularTexture},
-        NamedTexture{"specular color", material.specularColorTexture},
-        NamedTexture{"normal", material.normalTexture},
-        NamedTexture{"occlusion", material.occlusionTexture},
-        NamedTexture{"emission", material.emissionTexture}})
-    if (one.texture) there.push_back(one);
-  return there;
-}
-
 Json textureJson(const NamedTexture& named) {
   const TexturePixels& pixels = *named.texture->pixels;
   return {{"use", named.use},
@@ -113,9 +95,10 @@ Json textureJson(const NamedTexture& named) {
           {"height", pixels.height}};
 }
 
-Json opaqueJson(const OpaqueMaterial& material) {
+Json opaqueJson(const Object& object) {
+  const OpaqueMaterial& material = *object.opaque;
   Json textures = Json::array();
-  for (const NamedTexture& named : texturesOf(material)) textures.push_back(textureJson(named));
+  for (const NamedTexture& named : texturesOf(object)) textures.push_back(textureJson(named));
   return {{"name", material.name},
           {"kind", "opaque"},
           {"base_color", material.baseColor},
@@ -125,35 +108,48 @@ Json opaqueJson(const OpaqueMaterial& material) {
           {"textures", std::move(textures)}};
 }
 
-Json translucentJson(const Medium& medium, const std::optional<Paint>& paint) {
+Json translucentJson(const Object& object) {
+  const Medium& medium = object.medium;
   Json textures = Json::array();
-  if (paint && paint->colorTexture) textures.push_back(textureJson({"color", paint->colorTexture}));
+  for (const NamedTexture& named : texturesOf(object)) textures.push_back(textureJson(named));
+  const bool saysRoughness = object.surface && object.surface->roughness;
   return {{"name", medium.name},
           {"kind", "translucent"},
           {"sigma_s_prime_per_mm", rgbJson(medium.sigmaSPrimePerMm)},
           {"sigma_a_per_mm", rgbJson(medium.sigmaAPerMm)},
           {"eta", medium.eta},
           {"g", medium.g},
+          {"roughness", saysRoughness ? Json(*object.surface->roughness) : Json()},
           {"textures", std::move(textures)}};
 }
 
 Json materialsJson(const Scene& scene) {
   Json materials = Json::array();
   for (const Object& object : scene.objects) {
-    Json material =
-        object.opaque ? opaqueJson(*object.opaque) : translucentJson(object.medium, object.paint);
+    Json material = object.opaque ? opaqueJson(object) : translucentJson(object);
     if (std::find(materials.begin(), materials.end(), material) == materials.end())
       materials.push_back(std::move(material));
   }
   return materials;
 }
 
-std::string opaqueText(const OpaqueMaterial& material) {
+std::string opaqueText(const Object& object) {
   std::string text = "opaque";
-  if (!material.name.empty()) text += fmt::format(" ({})", material.name);
-  for (const auto& [use, texture] : texturesOf(material))
+  if (!object.opaque->name.empty()) text += fmt::format(" ({})", object.opaque->name);
+  for (const auto& [use, texture] : texturesOf(object))
     text += fmt::format(", {} {}x{}", use, texture->pixels->width, texture->pixels->height);
   return text;
+}
+
+std::string texturesText(const Object& object) {
+  const std::vector<NamedTexture> textures = texturesOf(object);
+  if (textures.empty()) return {};
+  std::string text = fmt::format("object {} has textures:", object.name);
+  const char* separator = " ";
+  for (const auto& [use, texture] : textures)
+    text += fmt::format("{}{} {}x{}", std::exchange(separator, ", "), use, texture->pixels->width,
+                        texture->pixels->height);
+  return text + "\n";
 }
 
 Json clipsJson(const Scene& scene) {
@@ -267,7 +263,7 @@ std::string sceneText(const Scene& scene, const Json& facts) {
     const std::array<double, 3> size = sizeMm(object);
     if (object.opaque) {
       text += fmt::format("object {}: {}, {}\n", object.name, lengthsText(size, " x ", 4),
-                          opaqueText(*object.opaque));
+                          opaqueText(object));
       continue;
     }
     const MediumLengths lengths = lengthsOf(object.medium);
@@ -275,11 +271,7 @@ std::string sceneText(const Scene& scene, const Json& facts) {
                         object.name, lengthsText(size, " x ", 4), object.medium.name,
                         lengthsText(lengths.meanFreePathMm, " ", 3),
                         lengthsText(lengths.diffusionMm, " ", 3));
-    if (object.paint && object.paint->colorTexture) {
-      const TexturePixels& pixels = *object.paint->colorTexture->pixels;
-      text += fmt::format("object {} is painted: color {}x{}\n", object.name, pixels.width,
-                          pixels.height);
-    }
+    text += texturesText(object);
     const auto open = facts["objects"][i]["triangles_without_inside"].get<std::size_t>();
     if (open > 0)
       text += fmt::format(

@@ -69,7 +69,7 @@ void addMaterial(Digest& digest, const OpaqueMaterial& material) {
 }
 
 void addObject(Digest& digest, const Object& object) {
-  const auto& [name, mesh, medium, paint, rig, opaque, isGround] = object;
+  const auto& [name, mesh, medium, paint, surface, rig, opaque, isGround] = object;
   const auto& [positionsMm, normals, triangles, facetted, textureCoordinates, colors] = mesh;
   const auto& [mediumName, sigmaSPrimePerMm, sigmaAPerMm, eta, g] = medium;
   addAll(digest, positionsMm, normals, triangles, facetted, sigmaSPrimePerMm, sigmaAPerMm, eta, g,
@@ -80,6 +80,13 @@ void addObject(Digest& digest, const Object& object) {
     const auto& [paintName, color, colorTexture] = given;
     addAll(digest, color);
     addTexture(digest, colorTexture);
+  });
+  addIfThere(digest, surface, [&](const TranslucentSurface& given) {
+    const auto& [roughness, metallicRoughnessTexture, normalTexture, normalScale] = given;
+    addIfThere(digest, roughness, [&](float number) { digest.add(number); });
+    addTexture(digest, metallicRoughnessTexture);
+    addTexture(digest, normalTexture);
+    addAll(digest, normalScale);
   });
   addIfThere(digest, rig, [&](const Rig& given) { addRig(digest, given); });
 }

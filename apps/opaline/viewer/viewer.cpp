@@ -258,7 +258,7 @@ void Viewer::drawPicture() {
 void Viewer::takeBackEdit(std::string_view error) {
   say(error, true);
   session_.edits = {};
-  session_.edits.medium.assign(session_.scene.objects.size(), false);
+  session_.edits.material.assign(session_.scene.objects.size(), false);
   if (undo_.isSound() && isStateOf(undo_.present(), session_)) return;
   reaching_ = undo_.takeBack();
   session_.edits.camera = reaching_;

@@ -19,6 +19,8 @@ OPALINE_API const std::vector<Field<Camera>>& fieldsOf();
 template <>
 OPALINE_API const std::vector<Field<OpaqueMaterial>>& fieldsOf();
 template <>
+OPALINE_API const std::vector<Field<TranslucentSurface>>& fieldsOf();
+template <>
 OPALINE_API const std::vector<Field<Appearance>>& fieldsOf();
 template <>
 OPALINE_API const std::vector<Field<Ground>>& fieldsOf();

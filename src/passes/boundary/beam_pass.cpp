@@ -67,7 +67,7 @@ void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, C
                              bool isFirst) const {
   commands.beginPass("sources");
   commands.bind(
-      reentry_.of(inputs.tables),
+      reentry_.of(inputs.tables.paint.any),
       {.objects = inputs.tables.objects,
        .media = inputs.tables.media,
        .ranges = clusters.ranges,
@@ -87,7 +87,7 @@ void BeamPass::recordReentry(gpu::CommandList& commands, const Inputs& inputs, C
 
 void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam,
                      Clusters& clusters, Beams& beams) const {
-  commands.bind(trace_.of(inputs.tables),
+  commands.bind(trace_.of(inputs.tables.paint.any),
                 {.frame = inputs.frame.data,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,

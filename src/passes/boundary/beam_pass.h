@@ -4,8 +4,8 @@
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
-#include "passes/paint_variants.h"
 #include "passes/products.h"
+#include "passes/variants.h"
 #include "shaders/boundary/beam_groups.comp.h"
 #include "shaders/boundary/beam_nodes.comp.h"
 #include "shaders/boundary/beams.comp.h"
@@ -66,7 +66,7 @@ class BeamPass {
   void fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters, Beams& beams,
                 bool scattersOnce) const;
 
-  PaintVariants<shaders::BoundaryBeams> trace_;
+  Variants<shaders::BoundaryBeams> trace_;
   gpu::Compute<shaders::BoundaryMirrored> addMirrored_;
   gpu::Compute<shaders::BoundaryMirrored> takeMirrored_;
   gpu::Compute<shaders::BoundaryBeamNodes> leaves_;
@@ -75,7 +75,7 @@ class BeamPass {
   gpu::Compute<shaders::BoundarySource> source_;
   gpu::Compute<shaders::BoundarySingle> singleForward_;  ///< where a medium does not scatter evenly
   gpu::Compute<shaders::BoundarySingle> singleEven_;
-  PaintVariants<shaders::BoundaryReentry> reentry_;
+  Variants<shaders::BoundaryReentry> reentry_;
 };
 
 }  // namespace opaline::passes

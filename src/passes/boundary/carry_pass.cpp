@@ -51,7 +51,7 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
 void CarryPass::overFragments(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
                               Clusters& clusters, const SeenSurfaces& seen) const {
   commands.beginPass("carry");
-  dispatchParts(commands, seen.surfaces, fragments_.of(tables),
+  dispatchParts(commands, seen.surfaces, fragments_.of(tables.paint.any),
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .media = tables.media,
                  .clusters = clusters.clusters,

@@ -2,8 +2,8 @@
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
-#include "passes/paint_variants.h"
 #include "passes/products.h"
+#include "passes/variants.h"
 #include "shaders/boundary/carry_fragments.comp.h"
 #include "shaders/boundary/carry_vertices.comp.h"
 #include "shaders/boundary/means.comp.h"
@@ -36,7 +36,7 @@ class CarryPass {
   gpu::Compute<shaders::BoundaryMeans> meansOfVertices_;
   gpu::Compute<shaders::BoundaryMeans> meansOfSurfels_;
   gpu::Compute<shaders::BoundaryCarryVertices> vertices_;
-  PaintVariants<shaders::BoundaryCarryFragments> fragments_;
+  Variants<shaders::BoundaryCarryFragments> fragments_;
 };
 
 }  // namespace opaline::passes

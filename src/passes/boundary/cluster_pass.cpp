@@ -127,8 +127,10 @@ Beams makeBeams(gpu::Device& device, const char* points, const char* strengths,
 
 ClusterPass::ClusterPass(gpu::Device& device)
     : linear_(device, gpu::Filter::Linear),
-      gather_(device, "clusters", {.withAreaLights = 0}),
-      gatherOfAreaLights_(device, "clusters", {.withAreaLights = 1}),
+      gather_{{device, "clusters", {.withAreaLights = 0, .withNormals = 0}},
+              {device, "clusters", {.withAreaLights = 0, .withNormals = 1}}},
+      gatherOfAreaLights_{{device, "clusters", {.withAreaLights = 1, .withNormals = 0}},
+                          {device, "clusters", {.withAreaLights = 1, .withNormals = 1}}},
       nodes_(device, "nodes of clusters"),
       enclose_(device, "solid angles of clusters"),
       survey_(device, "rays of clusters", rayShader<shaders::BoundarySurvey>(device)) {}
@@ -206,7 +208,8 @@ void ClusterPass::record(gpu::CommandList& commands, const Inputs& inputs, bool 
 
 void ClusterPass::gather(gpu::CommandList& commands, const Inputs& inputs,
                          Clusters& clusters) const {
-  commands.bind(inputs.areaLights ? gatherOfAreaLights_ : gather_,
+  const bool hasNormals = inputs.tables.surfaces.anyNormals;
+  commands.bind((inputs.areaLights ? gatherOfAreaLights_ : gather_).of(hasNormals),
                 {.frame = inputs.frame.data,
                  .positions = inputs.mesh.positions,
                  .normals = inputs.mesh.normals,
@@ -218,7 +221,8 @@ void ClusterPass::gather(gpu::CommandList& commands, const Inputs& inputs,
                  .ranges = clusters.ranges,
                  .clusters = clusters.clusters,
                  .nodes = clusters.nodes,
-                 .entries = clusters.entries},
+                 .entries = clusters.entries,
+                 .tilts = inputs.tables.surfaces.tilts},
                 {.clusterCount = clusters.count,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .pieceCount = inputs.surfels.count * inputs.surfels.piecesPerSurfel});

@@ -5,6 +5,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "passes/variants.h"
 #include "shaders/boundary/cluster_nodes.comp.h"
 #include "shaders/boundary/clusters.comp.h"
 #include "shaders/boundary/enclose.comp.h"
@@ -57,8 +58,8 @@ class ClusterPass {
               Clusters& clusters) const;
 
   gpu::Sampler linear_;
-  gpu::Compute<shaders::BoundaryClusters> gather_;
-  gpu::Compute<shaders::BoundaryClusters> gatherOfAreaLights_;
+  Variants<shaders::BoundaryClusters> gather_;  ///< these two by normal textures
+  Variants<shaders::BoundaryClusters> gatherOfAreaLights_;
   gpu::Compute<shaders::BoundaryClusterNodes> nodes_;
   gpu::Compute<shaders::BoundaryEnclose> enclose_;
   gpu::Compute<shaders::BoundarySurvey> survey_;

@@ -86,7 +86,7 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
 void SolverPass::recordFurtherBounces(gpu::CommandList& commands, Bounce bounce,
                                       SceneTables& tables, Clusters& clusters) const {
   commands.beginPass("solve");
-  commands.bind(bounce == Bounce::Last ? furtherBounces_.of(tables) : powerOfLastButOne_,
+  commands.bind(bounce == Bounce::Last ? furtherBounces_.of(tables.paint.any) : powerOfLastButOne_,
                 {.clusters = clusters.clusters,
                  .latest = clusters.latest,
                  .entered = clusters.entered,

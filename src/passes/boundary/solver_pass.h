@@ -5,8 +5,8 @@
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
-#include "passes/paint_variants.h"
 #include "passes/products.h"
+#include "passes/variants.h"
 #include "shaders/boundary/densities.comp.h"
 #include "shaders/boundary/exitance.comp.h"
 #include "shaders/boundary/further_bounces.comp.h"
@@ -69,7 +69,7 @@ class SolverPass {
   Pipelines painted_;
   gpu::Compute<shaders::BoundarySolverStep> step_;
   gpu::Compute<shaders::BoundaryFurtherBounces> powerOfLastButOne_;
-  PaintVariants<shaders::BoundaryFurtherBounces> furtherBounces_;
+  Variants<shaders::BoundaryFurtherBounces> furtherBounces_;
 };
 
 }  // namespace opaline::passes

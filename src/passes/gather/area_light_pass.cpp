@@ -14,7 +14,8 @@ constexpr std::uint32_t usualRays = 16;
 
 AreaLightPass::AreaLightPass(gpu::Device& device)
     : shadows_(device, "soft shadows", rayShader<shaders::GatherSoftShadows>(device)),
-      add_(device, "area lights") {}
+      add_{{device, "area lights", {.withNormals = 0}},
+           {device, "area lights", {.withNormals = 1}}} {}
 
 void AreaLightPass::record(gpu::CommandList& commands, const Inputs& inputs,
                            Surfels& surfels) const {
@@ -37,7 +38,7 @@ void AreaLightPass::record(gpu::CommandList& commands, const Inputs& inputs,
                    .light = light});
     commands.dispatchLinear(pieces, usualRays * roundsOfWalk);
   }
-  commands.bind(add_,
+  commands.bind(add_.of(inputs.tables.surfaces.anyNormals),
                 {.frame = inputs.frame.data,
                  .positions = inputs.mesh.positions,
                  .normals = inputs.mesh.normals,
@@ -45,7 +46,8 @@ void AreaLightPass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,
                  .visibilities = surfels.visibilities,
-                 .sources = surfels.sources},
+                 .sources = surfels.sources,
+                 .tilts = inputs.tables.surfaces.tilts},
                 {.surfelCount = surfels.count, .piecesPerSurfel = surfels.piecesPerSurfel});
   commands.dispatchLinear(surfels.count);
   commands.endPass();

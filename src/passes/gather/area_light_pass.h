@@ -5,6 +5,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "passes/variants.h"
 #include "shaders/gather/area_lights.comp.h"
 #include "shaders/gather/soft_shadows.comp.h"
 
@@ -32,7 +33,7 @@ class AreaLightPass {
 
  private:
   gpu::Compute<shaders::GatherSoftShadows> shadows_;
-  gpu::Compute<shaders::GatherAreaLights> add_;
+  Variants<shaders::GatherAreaLights> add_;
 };
 
 }  // namespace opaline::passes

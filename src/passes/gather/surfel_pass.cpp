@@ -45,6 +45,13 @@ std::vector<shared::SurfelPiece> packPieces(const surfels::SurfelDivision& made,
   return packed;
 }
 
+std::vector<std::uint32_t> trianglesOf(const surfels::SurfelDivision& made) {
+  std::vector<std::uint32_t> triangles;
+  triangles.reserve(made.pieces.size());
+  for (const surfels::Piece& piece : made.pieces) triangles.push_back(piece.triangle);
+  return triangles;
+}
+
 std::vector<std::uint32_t> objectsOf(const surfels::SurfelDivision& made,
                                      const core::RestSurface& surface) {
   std::vector<std::uint32_t> objects(made.count());
@@ -64,17 +71,20 @@ std::vector<std::uint32_t> inOrder(std::uint32_t count) {
 SurfelPass::SurfelPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       linear_(device, gpu::Filter::Linear),
-      gather_(device, "surfels"),
+      gather_{{device, "surfels", {.withNormals = 0}}, {device, "surfels", {.withNormals = 1}}},
       leaves_(device, "leaves of the tree"),
       nodes_(device, "nodes of the tree") {}
 
 Surfels SurfelPass::makeSurfels(gpu::Device& device, const surfels::SurfelDivision& made,
-                                const core::RestSurface& surface) {
+                                const core::RestSurface& surface, bool keepsTriangles) {
   Surfels surfels;
   surfels.count = made.count();
   surfels.piecesPerSurfel = made.piecesPerSurfel;
   surfels.pieces =
       gpu::makeBuffer(device, "pieces of surfels", packPieces(made, surface), surfelBuffer);
+  if (keepsTriangles)
+    surfels.triangleOfPiece =
+        gpu::makeBuffer(device, "triangles of pieces", trianglesOf(made), surfelBuffer);
   surfels.tree = makeFittedTree(device, made.tree);
   surfels.vertexOrder =
       gpu::makeBuffer(device, "order of vertices", made.vertexOrder, surfelBuffer);
@@ -104,7 +114,7 @@ void SurfelPass::makeRoomForLights(gpu::Device& device, std::uint32_t lights, Su
 
 void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfels& surfels) const {
   commands.beginPass("gather");
-  commands.bind(gather_,
+  commands.bind(gather_.of(inputs.tables.surfaces.anyNormals),
                 {.frame = inputs.frame.data,
                  .positions = inputs.mesh.positions,
                  .normals = inputs.mesh.normals,
@@ -117,7 +127,8 @@ void SurfelPass::gather(gpu::CommandList& commands, const Inputs& inputs, Surfel
                  .surfelNormals = surfels.normals,
                  .places = surfels.places,
                  .visibilities = surfels.visibilities,
-                 .skyShares = surfels.skyShares},
+                 .skyShares = surfels.skyShares,
+                 .tilts = inputs.tables.surfaces.tilts},
                 {.surfelCount = surfels.count,
                  .piecesPerSurfel = surfels.piecesPerSurfel,
                  .keepsVisibility = inputs.keepsVisibility,

@@ -5,6 +5,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "passes/variants.h"
 #include "shaders/gather/surfels.comp.h"
 #include "shaders/gather/tree_leaves.comp.h"
 #include "shaders/gather/tree_nodes.comp.h"
@@ -22,9 +23,9 @@ class SurfelPass {
  public:
   explicit SurfelPass(gpu::Device& device);
 
-  /// For set-up, not for frames.
+  /// `keepsTriangles`: Surfels::triangleOfPiece. For set-up, not for frames.
   static Surfels makeSurfels(gpu::Device& device, const surfels::SurfelDivision& made,
-                             const core::RestSurface& surface);
+                             const core::RestSurface& surface, bool keepsTriangles = false);
 
   /// For the visibility of so many. For set-up, not for frames.
   static void makeRoomForLights(gpu::Device& device, std::uint32_t lights, Surfels& surfels);
@@ -45,7 +46,7 @@ class SurfelPass {
  private:
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
-  gpu::Compute<shaders::GatherSurfels> gather_;
+  Variants<shaders::GatherSurfels> gather_;
   gpu::Compute<shaders::GatherTreeLeaves> leaves_;
   gpu::Compute<shaders::GatherTreeNodes> nodes_;
 };

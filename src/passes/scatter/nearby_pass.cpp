@@ -18,7 +18,12 @@ NearbyPass::PerTransport NearbyPass::makePipelines(gpu::Device& device,
                                                    ScatterTransport transport) {
   const auto make = [&](std::uint32_t withPaint) -> Pipelines {
     return {{device, "nearby over vertices", {.transport = transport, .withPaint = withPaint}},
-            {device, "nearby over fragments", {.transport = transport, .withPaint = withPaint}}};
+            {{device,
+              "nearby over fragments",
+              {.transport = transport, .withPaint = withPaint, .withNormals = 0}},
+             {device,
+              "nearby over fragments",
+              {.transport = transport, .withPaint = withPaint, .withNormals = 1}}}};
   };
   return {make(0), make(1)};
 }
@@ -51,8 +56,10 @@ void NearbyPass::overFragments(gpu::CommandList& commands, ScatterTransport tran
                                ScatterSite site, const Inputs& inputs,
                                const SeenSurfaces& seen) const {
   commands.beginPass("nearby");
-  dispatchParts(commands, seen.surfaces, pipelines(transport, inputs.tables).fragments,
+  dispatchParts(commands, seen.surfaces,
+                pipelines(transport, inputs.tables).fragments.of(inputs.tables.surfaces.anyNormals),
                 {.listedPlaces = listedPlaces(seen, nearest_),
+                 .surfaceMaterials = surfaceMaterials(inputs.textures),
                  .exitances = seen.surfaces.light,
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,

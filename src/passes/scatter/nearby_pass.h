@@ -3,6 +3,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "passes/variants.h"
 #include "shaders/scatter/nearby.comp.h"
 #include "shaders/scatter/nearby_vertices.comp.h"
 
@@ -24,6 +25,7 @@ class NearbyPass {
     ShadowMaps& shadows;
     Sky& sky;
     Surfels& surfels;
+    OpaqueTables& textures;
   };
   void overPlaces(gpu::CommandList& commands, ScatterTransport transport, ScatterSite site,
                   const Inputs& inputs, const Places& places) const;
@@ -33,7 +35,7 @@ class NearbyPass {
  private:
   struct Pipelines {
     gpu::Compute<shaders::ScatterNearbyVertices> vertices;
-    gpu::Compute<shaders::ScatterNearby> fragments;
+    Variants<shaders::ScatterNearby> fragments;  ///< by normal textures
   };
   /// Where nothing is painted the shaders have no code for it.
   struct PerTransport {

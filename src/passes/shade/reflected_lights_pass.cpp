@@ -8,12 +8,19 @@ namespace opaline::passes {
 
 ReflectedLightsPass::ReflectedLightsPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
-      pipeline_(device, "reflected lights", rayShader<shaders::ShadeReflectedLights>(device)) {}
+      pipelines_{{device,
+                  "reflected lights",
+                  rayShader<shaders::ShadeReflectedLights>(device),
+                  {.withOwnSurfaces = 0}},
+                 {device,
+                  "reflected lights",
+                  rayShader<shaders::ShadeReflectedLights>(device),
+                  {.withOwnSurfaces = 1}}} {}
 
 void ReflectedLightsPass::record(gpu::CommandList& commands, const Inputs& inputs,
                                  const SeenSurfaces& seen) const {
   commands.beginPass("reflected lights");
-  dispatchParts(commands, seen.surfaces, pipeline_,
+  dispatchParts(commands, seen.surfaces, pipelines_.of(inputs.tables.surfaces.any),
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .objects = inputs.tables.objects,
                  .media = inputs.tables.media,

@@ -3,6 +3,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "passes/variants.h"
 #include "shaders/shade/reflected_lights.comp.h"
 
 namespace opaline::gpu {
@@ -31,7 +32,7 @@ class ReflectedLightsPass {
 
  private:
   gpu::Sampler nearest_;
-  gpu::Compute<shaders::ShadeReflectedLights> pipeline_;
+  Variants<shaders::ShadeReflectedLights> pipelines_;
 };
 
 }  // namespace opaline::passes

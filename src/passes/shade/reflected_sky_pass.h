@@ -5,6 +5,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "passes/variants.h"
 #include "shaders/shade/reflected_sky.comp.h"
 #include "shaders/shade/sky_blocks.comp.h"
 
@@ -35,8 +36,8 @@ class ReflectedSkyPass {
 
  private:
   gpu::Sampler nearest_;
-  gpu::Compute<shaders::ShadeSkyBlocks> blocks_;
-  gpu::Compute<shaders::ShadeReflectedSky> pixels_;
+  Variants<shaders::ShadeSkyBlocks> blocks_;
+  Variants<shaders::ShadeReflectedSky> pixels_;
 };
 
 }  // namespace opaline::passes

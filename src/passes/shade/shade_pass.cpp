@@ -7,7 +7,10 @@ namespace opaline::passes {
 ShadePass::ShadePass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
       linear_(device, gpu::Filter::Linear),
-      shade_{{device, "shade", {.withPaint = 0}}, {device, "shade", {.withPaint = 1}}},
+      shade_{{device, "shade", {.withPaint = 0, .withOwnSurfaces = 0}},
+             {device, "shade", {.withPaint = 1, .withOwnSurfaces = 0}}},
+      shadeOwnSurfaces_{{device, "shade", {.withPaint = 0, .withOwnSurfaces = 1}},
+                        {device, "shade", {.withPaint = 1, .withOwnSurfaces = 1}}},
       opaque_(device, "shade opaque"),
       sum_(device, "sum of surfaces") {}
 
@@ -28,20 +31,24 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("shade");
   commands.use(surfaces.counts, gpu::Access::Indirect);
-  commands.bind(shade_.of(inputs.tables),
-                {.listedPlaces = listedPlaces(seen, nearest_),
-                 .meshExitances = inputs.exitance.vertices,
-                 .light = surfaces.light,
-                 .objects = inputs.tables.objects,
-                 .media = inputs.tables.media,
-                 .shadowMaps = {inputs.shadows.depth, nearest_},
-                 .skyReflection = {inputs.sky.reflected, linear_},
-                 .specularAlbedo = inputs.tables.specularAlbedo,
-                 .paint = surfaces.paint},
-                {.atFragments = inputs.atFragments,
-                 .alpha = inputs.roughness * inputs.roughness,
-                 .specular = inputs.specular,
-                 .skyIsMirrored = inputs.mirrorsSky});
+  const auto& shade = inputs.tables.surfaces.any ? shadeOwnSurfaces_ : shade_;
+  commands.bind(
+      shade.of(inputs.tables.paint.any),
+      {.listedPlaces = listedPlaces(seen, nearest_),
+       .meshExitances = inputs.exitance.vertices,
+       .light = surfaces.light,
+       .objects = inputs.tables.objects,
+       .media = inputs.tables.media,
+       .shadowMaps = {inputs.shadows.depth, nearest_},
+       .skyReflection = {inputs.sky.reflected, linear_},
+       .specularAlbedo = inputs.tables.specularAlbedo,
+       .paint = surfaces.paint,
+       .materials = surfaces.materials,
+       .glossySky = {inputs.sky.glossy ? inputs.sky.glossy : inputs.sky.reflected, linear_}},
+      {.atFragments = inputs.atFragments,
+       .alpha = inputs.roughness * inputs.roughness,
+       .specular = inputs.specular,
+       .skyIsMirrored = inputs.mirrorsSky});
   commands.dispatchIndirect(surfaces.counts, 0);
   commands.endPass();
 }

@@ -5,8 +5,8 @@
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
-#include "passes/paint_variants.h"
 #include "passes/products.h"
+#include "passes/variants.h"
 #include "shaders/shade/opaque.comp.h"
 #include "shaders/shade/shade.comp.h"
 #include "shaders/shade/sum.comp.h"
@@ -46,7 +46,8 @@ class ShadePass {
  private:
   gpu::Sampler nearest_;
   gpu::Sampler linear_;
-  PaintVariants<shaders::ShadeShade> shade_;
+  Variants<shaders::ShadeShade> shade_;  ///< these two by paint
+  Variants<shaders::ShadeShade> shadeOwnSurfaces_;
   gpu::Compute<shaders::ShadeOpaque> opaque_;
   gpu::Compute<shaders::ShadeSum> sum_;
 };

@@ -66,12 +66,12 @@ SkyPass::SkyPass(gpu::Device& device)
       reflected_(device, "reflection of the sky") {}
 
 Sky SkyPass::makeSky(gpu::Device& device, const Lighting& lighting, float roughness,
-                     const std::vector<double>& etas, bool opaque) const {
+                     const std::vector<double>& etas, bool glossy) const {
   Sky sky;
   sky.parts = partsOfSky(lighting);
   sky.radiance = makeRadianceCube(device, sky.parts);
   sky.reflected = reflectedOf(device, lighting, {roughness}, skyFaceSize);
-  if (opaque) sky.glossy = reflectedOf(device, lighting, glossyRoughnesses(), mirrorFaceSize);
+  if (glossy) sky.glossy = reflectedOf(device, lighting, glossyRoughnesses(), mirrorFaceSize);
   takeEtas(device, etas, sky);
   return sky;
 }

@@ -18,10 +18,10 @@ class SkyPass {
  public:
   explicit SkyPass(gpu::Device& device);
 
-  /// For surfaces of that roughness and these indices of refraction, and, where `opaque`, for
-  /// opaque ones of any roughness.
+  /// For surfaces of that roughness and these indices of refraction, and, where `glossy`, for
+  /// such as have any roughness.
   Sky makeSky(gpu::Device& device, const Lighting& lighting, float roughness,
-              const std::vector<double>& etas, bool opaque) const;
+              const std::vector<double>& etas, bool glossy) const;
   /// Takes up other indices of refraction, without another look at the environment.
   static void takeEtas(gpu::Device& device, const std::vector<double>& etas, Sky& sky);
 

@@ -191,20 +191,20 @@ struct FrameContext {
     sumOver(
         surfels, Sum::Tree,
         {order().transport, passes::ScatterSite::Vertices, plan.tolerance, wantsEstimate(scene)},
-        scene.surfels);
+        scene);
     passes.carry.recordMeans(commands, From::Surfels, surfels.exitances, scene.surfels,
                              scene.clusters);
   }
 
   void sumOver(const passes::Places& places, Sum sum, const passes::SurfelSumPass::Order& how,
-               passes::Surfels& surfels) const {
-    const passes::SurfelSumPass::OverPlaces over{resources.tables, surfels, places};
+               SceneResources& scene) const {
+    const passes::SurfelSumPass::OverPlaces over{resources.tables, scene.surfels, places};
     if (sum == Sum::Tree)
       passes.sum.treeOverPlaces(commands, how, over);
     else
       passes.sum.allOverPlaces(commands, how, over);
-    if (surfels.coarse)
-      passes.nearby.overPlaces(commands, how.transport, how.site, nearbyInputs(surfels), places);
+    if (scene.surfels.coarse)
+      passes.nearby.overPlaces(commands, how.transport, how.site, nearbyInputs(scene), places);
   }
 
   // Everything where the site is the vertices; else what is always summed there.
@@ -220,7 +220,7 @@ struct FrameContext {
     passes::SurfelSumPass::Order how = order();
     how.estimate = !plan.sumsAtVertices || wantsEstimate(scene);
     if (plan.sum == Sum::Tree || plan.site != Site::Fragment)
-      sumOver(vertices, plan.sum, how, scene.surfels);
+      sumOver(vertices, plan.sum, how, scene);
     if (carriesOpaque()) passes.opaque.overVertices(commands, ofOpaque(), order().site, vertices);
     if (!carries()) return;
     if (boundary()) meansOverClusters(scene);
@@ -242,12 +242,13 @@ struct FrameContext {
     else
       passes.sum.allOverFragments(commands, order(), over);
     if (surfels.coarse)
-      passes.nearby.overFragments(commands, order().transport, order().site, nearbyInputs(surfels),
+      passes.nearby.overFragments(commands, order().transport, order().site, nearbyInputs(scene),
                                   seen());
   }
 
-  passes::NearbyPass::Inputs nearbyInputs(passes::Surfels& surfels) const {
-    return {resources.view, resources.tables, resources.shadows, resources.sky, surfels};
+  passes::NearbyPass::Inputs nearbyInputs(SceneResources& scene) const {
+    return {resources.view, resources.tables, resources.shadows,
+            resources.sky,  scene.surfels,    scene.opaque};
   }
 
   void findSurfels(SceneResources& scene) const {
@@ -291,6 +292,8 @@ struct FrameContext {
   }
 
   void shade(std::uint32_t firstRow, SceneResources& scene) const {
+    if (plan.ownSurfaces)
+      passes.ownSurfaces.record(commands, resources.tables, scene.opaque, plan.roughness, seen());
     if (plan.mirrorsSky)
       passes.reflectedSky.record(commands,
                                  {resources.tables, scene.surfels, scene.rays,
@@ -362,6 +365,7 @@ Passes::Passes(gpu::Device& device)
       solver(device),
       carry(device),
       sky(device),
+      ownSurfaces(device),
       mirroredScene(device),
       reflectedSky(device),
       reflectedLights(device),

@@ -27,6 +27,7 @@
 #include "passes/shade/backdrop_pass.h"
 #include "passes/shade/centres_pass.h"
 #include "passes/shade/mirrored_scene_pass.h"
+#include "passes/shade/own_surface_pass.h"
 #include "passes/shade/reflected_lights_pass.h"
 #include "passes/shade/reflected_sky_pass.h"
 #include "passes/shade/seen_irradiance_pass.h"
@@ -61,6 +62,7 @@ struct Passes {
   passes::SolverPass solver;
   passes::CarryPass carry;
   passes::SkyPass sky;
+  passes::OwnSurfacePass ownSurfaces;
   passes::MirroredScenePass mirroredScene;
   passes::ReflectedSkyPass reflectedSky;
   passes::ReflectedLightsPass reflectedLights;

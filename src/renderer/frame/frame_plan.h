@@ -29,6 +29,8 @@ struct FramePlan {
   bool seenSurfels = false;      ///< find the surfels at the pixels' centres, not for Sum::Pattern
   bool opaque = false;           ///< some bodies are; the view says so
   bool painted = false;          ///< some bodies are; the view says so
+  bool ownSurfaces = false;      ///< some translucent bodies have a roughness or normals of their
+                                 ///< own; the view says so
   bool irradiance = false;       ///< leave that of the pixels' centres; wants seenSurfels but for
                                  ///< Sum::Pattern
   int treeLevel = 0;             ///< of the nodes that hold them

@@ -12,18 +12,19 @@ namespace opaline {
 void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene,
                 const RenderOptions& options, FrameResources& resources) {
   resources.tables = makeSceneTables(device, scene, options);
-  if (scene.opaque.materials && scene.clusters.ranges)
+  if (!scene.materials.empty() && scene.clusters.ranges)
     passes.opaque.makeShares(device, scene.surfels, scene.clusters, scene.opaque, resources.tables);
   passes.paint.makeTables(device, scene.surfels, scene.clusters, scene.opaque, resources.tables);
+  passes.ownSurfaces.makeTilts(device, scene.surfels, scene.opaque, resources.tables);
   // A sky that is there was made for other indices of refraction.
   if (resources.sky.reflected)
     passes::SkyPass::takeEtas(device, resources.tables.etas, resources.sky);
 }
 
 void makeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
-             const RenderOptions& options, bool hasOpaque, FrameResources& resources) {
+             const RenderOptions& options, bool glossy, FrameResources& resources) {
   resources.sky =
-      passes.sky.makeSky(device, lighting, options.roughness, resources.tables.etas, hasOpaque);
+      passes.sky.makeSky(device, lighting, options.roughness, resources.tables.etas, glossy);
 }
 
 void makeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,

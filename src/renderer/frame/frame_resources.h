@@ -35,11 +35,12 @@ struct FrameResources {
 
 /// What depends on media, transport and roughness.
 void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene,
-                const RenderOptions& options, bool hasOpaque, FrameResources& resources);
+                const RenderOptions& options, FrameResources& resources);
 
-/// Makes the sky of these tables, which looks at every pixel of the environment.
+/// Makes the sky of these tables, which looks at every pixel of the environment. `glossy`: for
+/// surfaces of any roughness too.
 void makeSky(gpu::Device& device, const Passes& passes, const Lighting& lighting,
-             const RenderOptions& options, FrameResources& resources);
+             const RenderOptions& options, bool glossy, FrameResources& resources);
 
 /// What depends on how many lights there are of which kind.
 void makeShadows(gpu::Device& device, const Lighting& lighting, const RenderOptions& options,

@@ -39,8 +39,8 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   const bool media = whole || before->changes.media != changes.media;
   const bool pattern = whole || !samePattern(before->options.pattern, options.pattern) ||
                        before->options.dsmSize != options.dsmSize;
-  const bool sky =
-      surface || before->changes.sky != changes.sky || (plan.opaque && !made_.sky.glossy);
+  const bool glossy = plan.opaque || plan.ownSurfaces;
+  const bool sky = surface || before->changes.sky != changes.sky || (glossy && !made_.sky.glossy);
   const std::uint32_t views = shadowViewCount(lighting);
   const bool shadows =
       whole || made_.view.shadowViews != views || before->options.shadowSize != options.shadowSize;
@@ -50,7 +50,7 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   if (size || shadows || surface || pattern) lit.reset();
   if (whole) made_.view = passes::FitPass::makeView(device_);
   if (media || transport || surface) makeTables(device_, passes_, scene, options, made_);
-  if (sky) makeSky(device_, passes_, lighting, options, plan.opaque, made_);
+  if (sky) makeSky(device_, passes_, lighting, options, glossy, made_);
   const bool behind = sky || before->options.environmentBehind != options.environmentBehind;
   makeBackdrop(plan, edited, behind);
   if (size) makeImages(options, scene);
@@ -108,8 +108,9 @@ void ViewResources::makeRoom(const FramePlan& plan) {
   const VkExtent2D extent = made_.radiance.extent();
   const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
   passes::VisibleSurfaces& surfaces = made_.surfaces;
-  const passes::KeptOfSeen kept{.materials = surfaces.kept.materials || plan.opaque,
-                                .paint = surfaces.kept.paint || plan.painted};
+  const passes::KeptOfSeen kept{
+      .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces,
+      .paint = surfaces.kept.paint || plan.painted};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     surfaces = {};  // before memory for the next is taken
     surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, kept);

@@ -106,6 +106,17 @@ void EditedScene::setMedium(std::size_t object, const Medium& medium) {
   ++changes_.media;
 }
 
+void EditedScene::setMaterial(std::size_t object, const Material& material) {
+  requireObject(object, scene().objects.size());
+  const Object& present = scene().objects[object];
+  if (present.opaque.has_value() != material.opaque.has_value())
+    throw UsageError(fmt::format("object '{}' is {} and stays so: setScene() takes another",
+                                 present.name, present.opaque ? "opaque" : "translucent"));
+  validate(present.name, material);
+  giveMaterial(material, edit().objects[object]);
+  ++changes_.media;
+}
+
 void EditedScene::setDeformers(const std::vector<Deformer>& deformers) {
   validate(deformers);
   edit().deformers = deformers;

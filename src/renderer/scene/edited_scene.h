@@ -44,6 +44,7 @@ class EditedScene {
   void setCamera(const Camera& camera);
   void setLighting(const Lighting& lighting);
   void setMedium(std::size_t object, const Medium& medium);
+  void setMaterial(std::size_t object, const Material& material);
   void setDeformers(const std::vector<Deformer>& deformers);
   template <typename Positions>
   void replacePositions(std::size_t object, const Positions& positions) {

@@ -84,12 +84,18 @@ std::vector<shared::VertexAttributes> attributesOf(const Scene& scene) {
   return all;
 }
 
+std::optional<Texture> normalTextureOf(const Object& object) {
+  const std::optional<OpaqueMaterial> material = surfaceMaterialOf(object);
+  return material ? material->normalTexture : std::nullopt;
+}
+
 void appendTangents(const Object& object, std::vector<shared::CornerTangents>& to) {
-  if (!object.opaque || !object.opaque->normalTexture) {
+  const std::optional<Texture> texture = normalTextureOf(object);
+  if (!texture) {
     to.resize(to.size() + object.mesh.triangles.size());
     return;
   }
-  const auto set = static_cast<std::size_t>(object.opaque->normalTexture->coordinates);
+  const auto set = static_cast<std::size_t>(texture->coordinates);
   for (const scene::TriangleTangents& of : scene::tangentsOf(object.mesh, set)) {
     const auto& [a, b, c] = of.corners;
     to.push_back({{a[0], a[1], b[0], b[1]}, {c[0], c[1], of.side, 0}});
@@ -99,7 +105,7 @@ void appendTangents(const Object& object, std::vector<shared::CornerTangents>& t
 std::vector<shared::CornerTangents> tangentsOf(const Scene& scene) {
   std::vector<shared::CornerTangents> all;
   const bool any = std::any_of(scene.objects.begin(), scene.objects.end(),
-                               [](const Object& o) { return o.opaque && o.opaque->normalTexture; });
+                               [](const Object& o) { return normalTextureOf(o).has_value(); });
   if (!any) return all;
   for (const Object& object : scene.objects) appendTangents(object, all);
   return all;
@@ -122,42 +128,72 @@ void noteHalvings(int halvings, const std::string& device, const LogCallback& lo
                   1 << halvings, device));
 }
 
+gpu::Buffer materialsBuffer(gpu::Device& device, const std::vector<OpaqueMaterial>& materials,
+                            bool readsAttributes, TexturePacker& packer) {
+  std::vector<shared::OpaqueData> data;
+  data.reserve(materials.size());
+  for (const OpaqueMaterial& material : materials)
+    data.push_back(dataOf(material, readsAttributes, packer));
+  return gpu::makeBuffer(device, "opaque materials", data, storage);
+}
+
 }  // namespace
 
 bool isPainted(const Object& object) {
   return !object.opaque && object.paint;
 }
 
+bool hasOwnSurface(const Object& object) {
+  return !object.opaque && object.surface;
+}
+
+bool hasOwnNormals(const Object& object) {
+  return hasOwnSurface(object) && object.surface->normalTexture;
+}
+
 std::optional<OpaqueMaterial> surfaceMaterialOf(const Object& object) {
-  if (!isPainted(object)) return object.opaque;
+  if (!isPainted(object) && !hasOwnSurface(object)) return object.opaque;
   OpaqueMaterial material;
-  material.name = object.paint->name;
-  material.baseColor = object.paint->color;
-  material.baseColorTexture = object.paint->colorTexture;
+  material.roughness = -1;
+  if (isPainted(object)) {
+    material.name = object.paint->name;
+    material.baseColor = object.paint->color;
+    material.baseColorTexture = object.paint->colorTexture;
+  }
+  if (hasOwnSurface(object)) {
+    const TranslucentSurface& surface = *object.surface;
+    material.roughness =
+        surface.roughness.value_or(surface.metallicRoughnessTexture ? 1.0F : -1.0F);
+    material.metallicRoughnessTexture = surface.metallicRoughnessTexture;
+    material.normalTexture = surface.normalTexture;
+    material.normalScale = surface.normalScale;
+  }
   return material;
 }
 
 passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
                                       const std::vector<OpaqueMaterial>& materials,
+                                      std::optional<TexturePacker>& packer,
                                       const LogCallback& log) {
+  packer.reset();
   passes::OpaqueTables tables;
+  // What is bound all the same.
   if (materials.empty()) {
-    tables.gloss = gpu::makeBuffer(device, "gloss", std::vector<float>{}, storage);
-    tables.lobes = gpu::makeBuffer(device, "lobes of gloss", std::vector<float>{}, storage);
+    for (gpu::Buffer* buffer : {&tables.materials, &tables.texels, &tables.attributes,
+                                &tables.tangents, &tables.gloss, &tables.lobes})
+      *buffer = gpu::makeBuffer(device, "no materials", std::vector<float>{}, storage);
     return tables;
   }
-  TexturePacker packer(device.limits().maxStorageBufferRange / sizeof(TexturePacker::Texel));
+  packer.emplace(device.limits().maxStorageBufferRange / sizeof(TexturePacker::Texel));
   for (const OpaqueMaterial& material : materials)
     forEachTexture(material, [&](const auto& texture, TexelMeaning meaning) {
-      packer.announce(texture, meaning);
+      packer->announce(texture, meaning);
     });
-  noteHalvings(packer.halvings(), device.info().name, log);
+  noteHalvings(packer->halvings(), device.info().name, log);
   const bool reads = readsAttributes(scene);
-  std::vector<shared::OpaqueData> data;
-  data.reserve(materials.size());
-  for (const OpaqueMaterial& material : materials) data.push_back(dataOf(material, reads, packer));
-  tables.materials = gpu::makeBuffer(device, "opaque materials", data, storage);
-  tables.texels = gpu::makeBuffer(device, "texels", packer.texels(), storage);
+  tables.materials = materialsBuffer(device, materials, reads, *packer);
+  tables.texels = gpu::makeBuffer(device, "texels", packer->texels(), storage);
+  packer->forgetTexels();
   tables.attributes = gpu::makeBuffer(
       device, "attributes of vertices",
       reads ? attributesOf(scene) : std::vector<shared::VertexAttributes>{}, storage);
@@ -165,6 +201,20 @@ passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
   tables.gloss = gpu::makeBuffer(device, "gloss", passes::glossTable(), storage);
   tables.lobes = gpu::makeBuffer(device, "lobes of gloss", glossLobes(), storage);
   return tables;
+}
+
+bool retakeMaterials(gpu::Device& device, const Scene& scene,
+                     const std::vector<OpaqueMaterial>& materials,
+                     std::optional<TexturePacker>& packer, passes::OpaqueTables& tables) {
+  if (!packer || materials.empty()) return false;
+  bool knows = true;
+  for (const OpaqueMaterial& material : materials)
+    forEachTexture(material, [&](const auto& texture, TexelMeaning meaning) {
+      knows = knows && (!texture || packer->knows(*texture->pixels, meaning));
+    });
+  if (!knows) return false;
+  tables.materials = materialsBuffer(device, materials, readsAttributes(scene), *packer);
+  return true;
 }
 
 }  // namespace opaline

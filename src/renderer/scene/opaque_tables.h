@@ -6,6 +6,7 @@
 #include "opaline/log.h"
 #include "opaline/scene.h"
 #include "passes/products.h"
+#include "renderer/scene/texture_packer.h"
 
 namespace opaline::gpu {
 class Device;
@@ -16,14 +17,24 @@ namespace opaline {
 /// Whether paint is seen of it.
 bool isPainted(const Object& object);
 
+/// Whether it is translucent and has a roughness or normals of its own; or normals.
+bool hasOwnSurface(const Object& object);
+bool hasOwnNormals(const Object& object);
+
 /// What textures an object's surface has: those of its opaque material, or its paint as base
-/// colour.
+/// colour and those of its own surface.
 std::optional<OpaqueMaterial> surfaceMaterialOf(const Object& object);
 
 /// The materials of a scene, `materials` of them, with their textures, and what they read of its
-/// meshes. Notes go to `log`.
+/// meshes. Notes go to `log`. Leaves in `packer` where the textures lie.
 passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
                                       const std::vector<OpaqueMaterial>& materials,
-                                      const LogCallback& log);
+                                      std::optional<TexturePacker>& packer, const LogCallback& log);
+
+/// Others of the same number or not, as long as `packer` knows all their textures: else false, and
+/// nothing is done.
+bool retakeMaterials(gpu::Device& device, const Scene& scene,
+                     const std::vector<OpaqueMaterial>& materials,
+                     std::optional<TexturePacker>& packer, passes::OpaqueTables& tables);
 
 }  // namespace opaline

@@ -72,7 +72,7 @@ void PreparedScene::make(EditedScene& scene, const SceneNeeds& needs, Site site)
 
 void PreparedScene::followMedia(EditedScene& scene, bool patient) {
   if (media_ != scene.changes().media) {
-    takeMedia(scene.scene(), *resources_);
+    takeMedia(device_, scene.scene(), *resources_);
     orderDivision(scene);
   }
   media_ = scene.changes().media;

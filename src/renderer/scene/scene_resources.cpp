@@ -54,13 +54,14 @@ SizeOfObject sizeOf(const Mesh& mesh) {
 
 bool same(const Medium& a, const Medium& b) {
   return a.sigmaSPrimePerMm == b.sigmaSPrimePerMm && a.sigmaAPerMm == b.sigmaAPerMm &&
-         a.eta == b.eta;
+         a.eta == b.eta && a.g == b.g;
 }
 
 bool isMadeOf(const Object& object, const SceneResources& resources, std::size_t medium) {
   const std::optional<OpaqueMaterial>& opaque = resources.opaqueOfMedium[medium];
   if (object.opaque != opaque) return false;
   return opaque || (object.paint == resources.paintOfMedium[medium] &&
+                    object.surface == resources.surfaceOfMedium[medium] &&
                     same(object.medium, resources.media[medium]));
 }
 
@@ -76,6 +77,7 @@ void listMedia(const Scene& scene, SceneResources& resources) {
   resources.media.clear();
   resources.opaqueOfMedium.clear();
   resources.paintOfMedium.clear();
+  resources.surfaceOfMedium.clear();
   resources.materialOfMedium.clear();
   resources.mediumOfObject.clear();
   for (const Object& object : scene.objects) {
@@ -85,6 +87,7 @@ void listMedia(const Scene& scene, SceneResources& resources) {
       resources.media.push_back(object.medium);
       resources.opaqueOfMedium.push_back(object.opaque);
       resources.paintOfMedium.push_back(isPainted(object) ? object.paint : std::nullopt);
+      resources.surfaceOfMedium.push_back(hasOwnSurface(object) ? object.surface : std::nullopt);
       resources.materialOfMedium.push_back(indexOfMaterial(object, resources.materials));
     }
     resources.mediumOfObject.push_back(found);
@@ -115,6 +118,8 @@ void measure(const Scene& scene, SceneResources& resources) {
 
 // Neighbours in one range.
 void findHoles(const Scene& scene, passes::DeformedMesh& mesh) {
+  mesh.cutOut.clear();
+  mesh.whole.clear();
   std::uint32_t first = 0;
   for (const Object& object : scene.objects) {
     const auto count = static_cast<std::uint32_t>(3 * object.mesh.triangles.size());
@@ -207,6 +212,11 @@ void findInsides(const Scene& scene, SceneResources& resources, const LogCallbac
   noteOpen(openInParts, true, log);
 }
 
+bool hasNormals(const SceneResources& resources) {
+  return std::any_of(resources.surfaceOfMedium.begin(), resources.surfaceOfMedium.end(),
+                     [](const auto& own) { return own && own->normalTexture; });
+}
+
 void takeClusters(gpu::Device& device, const core::RestSurface& surface, const Division& division,
                   SceneResources& resources) {
   const surfels::ClusterDivision& made = *division.clusters;
@@ -229,7 +239,9 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
 constexpr double longestByArea = 3;
 
 bool wantsVertices(const SceneResources& resources, std::size_t object) {
-  if (resources.isOpaque(object) || resources.isPainted(object)) return false;
+  // What is painted or has normals of its own shows its detail at the fragments alone.
+  if (resources.isOpaque(object) || resources.isPainted(object) || resources.hasOwnNormals(object))
+    return false;
   const SizeOfObject& size = resources.sizeOfObject[object];
   const double freePathMm =
       bssrdf::shortestMeanFreePathMm(resources.media[resources.mediumOfObject[object]]);
@@ -273,6 +285,11 @@ bool SceneResources::isOpaque(std::size_t object) const {
   return opaqueOfMedium[mediumOfObject[object]].has_value();
 }
 
+bool SceneResources::hasOwnNormals(std::size_t object) const {
+  const std::optional<TranslucentSurface>& surface = surfaceOfMedium[mediumOfObject[object]];
+  return surface && surface->normalTexture;
+}
+
 bool SceneResources::isPainted(std::size_t object) const {
   return paintOfMedium[mediumOfObject[object]].has_value();
 }
@@ -287,7 +304,7 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
   resources.materials = differentMaterials(scene);
   listMedia(scene, resources);
-  resources.opaque = makeOpaqueTables(device, scene, resources.materials, log);
+  resources.opaque = makeOpaqueTables(device, scene, resources.materials, resources.textures, log);
   measure(scene, resources);
   resources.castingTriangles = castingTriangles(scene);
   if (needs.maxSurfels)
@@ -302,8 +319,19 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   return resources;
 }
 
-void takeMedia(const Scene& scene, SceneResources& resources) {
+void takeMedia(gpu::Device& device, const Scene& scene, SceneResources& resources) {
+  std::vector<OpaqueMaterial> materials = differentMaterials(scene);
+  const bool same = materials == resources.materials;
+  resources.materials = std::move(materials);
   listMedia(scene, resources);
+  if (!same) {
+    if (!retakeMaterials(device, scene, resources.materials, resources.textures, resources.opaque))
+      resources.opaque =
+          makeOpaqueTables(device, scene, resources.materials, resources.textures, {});
+    findHoles(scene, resources.mesh);
+  }
+  // Normals that come later want to know of which triangles the surfels are.
+  if (hasNormals(resources) && !resources.surfels.triangleOfPiece) resources.divided = {};
   if (resources.needs.maxSurfels) noteSpacing(resources);
 }
 
@@ -334,7 +362,7 @@ void takeDivision(gpu::Device& device, const Division& division, SceneResources&
     object.root = made.tree.rootOfObject[i];
     object.endNode = made.tree.rootOfObject[i + 1];
   }
-  resources.surfels = passes::SurfelPass::makeSurfels(device, made, surface);
+  resources.surfels = passes::SurfelPass::makeSurfels(device, made, surface, hasNormals(resources));
   noteSpacing(resources);
   if (division.clusters) takeClusters(device, surface, division, resources);
   if (division.clusters || resources.needs.rays)

@@ -10,6 +10,7 @@
 #include "passes/boundary/cluster_pass.h"
 #include "passes/products.h"
 #include "renderer/scene/division.h"
+#include "renderer/scene/texture_packer.h"
 #include "scene/mesh/merged_mesh.h"
 
 namespace opaline::gpu {
@@ -64,8 +65,11 @@ struct SceneResources {
   std::vector<Medium> media;                                  ///< the different ones
   std::vector<std::optional<OpaqueMaterial>> opaqueOfMedium;  ///< that has its place among these
   std::vector<std::optional<Paint>> paintOfMedium;            ///< on those
-  std::vector<std::uint32_t> materialOfMedium;                ///< among the next, where it has one
-  std::vector<OpaqueMaterial> materials;  ///< the different ones, and paints as such, in `opaque`
+  std::vector<std::optional<TranslucentSurface>> surfaceOfMedium;  ///< of translucent ones
+  std::vector<std::uint32_t> materialOfMedium;  ///< among the next, where it has one
+  std::vector<OpaqueMaterial> materials;  ///< the different ones, and paints and surfaces of media
+                                          ///< as such, in `opaque`
+  std::optional<TexturePacker> textures;  ///< of these
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<SizeOfObject> sizeOfObject;
   passes::BodyKinds kinds;               ///< these two where clusters are needed
@@ -77,6 +81,7 @@ struct SceneResources {
   bool hasInside() const;
   bool isOpaque(std::size_t object) const;
   bool isPainted(std::size_t object) const;
+  bool hasOwnNormals(std::size_t object) const;
 };
 
 /// `merged` is of the scene and outlives the resources. Notes go to `log`.
@@ -84,8 +89,8 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
                                   const scene::MergedMesh& merged, const SceneNeeds& needs,
                                   const LogCallback& log = {});
 
-/// Takes up what the scene's media have become; the surface stays divided as it is.
-void takeMedia(const Scene& scene, SceneResources& resources);
+/// Takes up what the scene's media and materials have become; the surface stays divided as it is.
+void takeMedia(gpu::Device& device, const Scene& scene, SceneResources& resources);
 
 /// How finely the surface should be divided for them.
 DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,

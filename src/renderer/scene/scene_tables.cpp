@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "bssrdf/fresnel.h"
@@ -20,6 +21,7 @@
 #include "shaders/shared/frame.h"
 #include "shaders/shared/medium.h"
 #include "shaders/shared/nearby.h"
+#include "shaders/shared/opaque.h"
 #include "shaders/shared/paint.h"
 
 namespace opaline {
@@ -125,6 +127,10 @@ class TableBuilder {
       media_.push_back(opaque ? dataOfOpaque() : dataOf(resources.media[i]));
       const auto eta = static_cast<std::uint32_t>(
           std::find(etas_.begin(), etas_.end(), etaOf(resources, i)) - etas_.begin());
+      const auto& surface = resources.surfaceOfMedium[i];
+      if (surface) media_.back().surface = {1, albedoByRoughness(etas_[eta]), 0, 0};
+      hasOwnSurfaces_ = hasOwnSurfaces_ || surface;
+      hasOwnNormals_ = hasOwnNormals_ || (surface && surface->normalTexture);
       media_.back().tables = {eta, resources.materialOfMedium[i],
                               painted ? addPaint(resources.media[i]) : 0,
                               eta * passes::specularAlbedoEntries};
@@ -135,8 +141,23 @@ class TableBuilder {
   const std::vector<shared::MediumData>& media() const { return media_; }
   const std::vector<float>& albedo() const { return albedo_; }
   const std::vector<shared::PaintEntry>& paints() const { return paints_; }
+  bool hasOwnSurfaces() const { return hasOwnSurfaces_; }
+  bool hasOwnNormals() const { return hasOwnNormals_; }
 
  private:
+  // The first entry, for the roughnesses that surfaces of their own may have.
+  std::uint32_t albedoByRoughness(double eta) {
+    const auto known = albedoOfEta_.find(eta);
+    if (known != albedoOfEta_.end()) return known->second;
+    const auto first = static_cast<std::uint32_t>(albedo_.size());
+    for (std::uint32_t row = 0; row < shared::albedoRows; ++row) {
+      const std::vector<float> entries =
+          passes::specularAlbedo(eta, (row + 0.5) / shared::albedoRows);
+      albedo_.insert(albedo_.end(), entries.begin(), entries.end());
+    }
+    return albedoOfEta_.emplace(eta, first).first->second;
+  }
+
   // Its number and 1.
   std::uint32_t addPaint(const Medium& medium) {
     const auto channels = bssrdf::paints(medium, shared::paintEntries);
@@ -167,14 +188,18 @@ class TableBuilder {
             .boundary = {static_cast<float>(medium.eta),
                          static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
                          static_cast<float>(lobes.plain), static_cast<float>(1 / lobes.stretch)},
-            .tables = {}};
+            .tables = {},
+            .surface = {}};
   }
 
   const RenderOptions& options_;
   std::vector<double> etas_;
   std::vector<shared::MediumData> media_;
   std::vector<float> albedo_;
+  std::map<double, std::uint32_t> albedoOfEta_;
   std::vector<shared::PaintEntry> paints_;
+  bool hasOwnSurfaces_ = false;
+  bool hasOwnNormals_ = false;
 };
 
 // Exitance that nothing visible depends on, as a part of that of the body's mean irradiance.
@@ -247,6 +272,8 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
                                            reflectionLobes(double{options.roughness}), storage);
   tables.paint.any = !builder.paints().empty();
   tables.paint.entries = gpu::makeBuffer(device, "paints", builder.paints(), storage);
+  tables.surfaces.any = builder.hasOwnSurfaces();
+  tables.surfaces.anyNormals = builder.hasOwnNormals();
   tables.etas = builder.etas();
   return tables;
 }

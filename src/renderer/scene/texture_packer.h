@@ -33,6 +33,12 @@ class TexturePacker {
   /// Only what has been announced.
   shared::TextureData add(const std::optional<Texture>& texture, TexelMeaning meaning);
 
+  bool knows(const TexturePixels& pixels, TexelMeaning meaning) {
+    return find(pixels, meaning) != nullptr;
+  }
+  /// Once they are on the device: what is known is where they lie.
+  void forgetTexels() { texels_ = {}; }
+
   struct Texel {
     std::uint32_t redGreen;
     std::uint32_t blueAlpha;

@@ -100,6 +100,9 @@ bool dropTexturesWithout(const VertexAttributes& attributes, GltfSurface& surfac
   if (surface.opaque)
     for (const auto member : texturesOfMaterial)
       any = dropWithout(attributes, *surface.opaque.*member) || any;
+  if (std::optional<TranslucentSurface>& own = surface.translucent.surface; own)
+    for (const auto member : texturesOfTranslucentSurface)
+      any = dropWithout(attributes, *own.*member) || any;
   std::optional<Paint>& paint = surface.translucent.paint;
   return (paint && dropWithout(attributes, paint->colorTexture)) || any;
 }
@@ -135,12 +138,14 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
     auto object = std::find_if(begin, to.scene.objects.end(), [&](const RawObject& known) {
       return known.opaque == surface.opaque && known.rig.has_value() == baked.rig.has_value() &&
              (known.opaque || (sameMedium(known.medium, surface.translucent.medium) &&
-                               known.paint == surface.translucent.paint));
+                               known.paint == surface.translucent.paint &&
+                               known.surface == surface.translucent.surface));
     });
     if (object == to.scene.objects.end()) {
       to.scene.objects.push_back({.name = name,
                                   .medium = surface.translucent.medium,
                                   .paint = surface.translucent.paint,
+                                  .surface = surface.translucent.surface,
                                   .opaque = surface.opaque});
       object = to.scene.objects.end() - 1;
     }

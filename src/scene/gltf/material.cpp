@@ -79,6 +79,17 @@ OpaqueMaterial GltfMaterials::read(const tinygltf::Material& of) {
   return material;
 }
 
+std::optional<TranslucentSurface> GltfMaterials::readSurface(const tinygltf::Material& of) {
+  OpaqueMaterial all = read(of);
+  // Only what is said: by default everything would be rough.
+  const bool saysRoughness = of.values.contains("roughnessFactor");
+  std::optional<TranslucentSurface> surface = scene::surfaceFrom(all);
+  if (!saysRoughness) return surface;
+  if (!surface) surface.emplace();
+  surface->roughness = all.roughness;
+  return surface;
+}
+
 std::set<int> GltfMaterials::opaque() const {
   std::set<int> materials;
   for (const auto& [index, material] : opaque_) materials.insert(index);
@@ -87,8 +98,11 @@ std::set<int> GltfMaterials::opaque() const {
 
 GltfSurface GltfMaterials::surface(int material, std::string_view meshName,
                                    std::string_view nodeName) {
-  if (auto translucent = gltfMedium(input_, model_, material, meshName, nodeName, textures_))
+  if (auto translucent = gltfMedium(input_, model_, material, meshName, nodeName, textures_)) {
+    if (material >= 0)
+      translucent->surface = readSurface(model_.materials[static_cast<std::size_t>(material)]);
     return {std::move(*translucent), std::nullopt};
+  }
   if (material < 0) return {{defaultMedium(), std::nullopt}, std::nullopt};
   auto known = opaque_.find(material);
   if (known == opaque_.end()) {

@@ -32,6 +32,7 @@ class GltfMaterials {
 
  private:
   OpaqueMaterial read(const tinygltf::Material& of);
+  std::optional<TranslucentSurface> readSurface(const tinygltf::Material& of);
 
   const Input& input_;
   const tinygltf::Model& model_;

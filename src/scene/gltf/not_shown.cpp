@@ -45,8 +45,6 @@ HiddenParts partsOf(const tinygltf::Material& material) {
   return {.baseColor = !isWhite(pbr.baseColorFactor),
           .baseColorTexture = pbr.baseColorTexture.index >= 0,
           .metal = pbr.metallicFactor > 0,
-          .metallicRoughnessTexture = pbr.metallicRoughnessTexture.index >= 0,
-          .normalTexture = material.normalTexture.index >= 0,
           .occlusionTexture = material.occlusionTexture.index >= 0,
           .emission = material.emissiveTexture.index >= 0 || !isBlack(material.emissiveFactor),
           .alphaMask = material.alphaMode == "MASK"};

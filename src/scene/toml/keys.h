@@ -18,7 +18,7 @@ inline constexpr Keys<2> ground{"color", "height_mm"};
 inline constexpr Keys<8> model{"file",      "diagonal_mm",    "morph_to",         "medium",
                                "transform", "translation_mm", "rotation_degrees", "scale"};
 inline constexpr Keys<5> medium{"measured", "sigma_s_per_mm", "sigma_a_per_mm", "eta", "g"};
-inline constexpr Keys<17> material{"kind",
+inline constexpr Keys<18> material{"kind",
                                    "medium",
                                    "color",
                                    "color_texture",
@@ -32,11 +32,14 @@ inline constexpr Keys<17> material{"kind",
                                    "metallic_roughness_texture",
                                    "specular",
                                    "normal_texture",
+                                   "normal_scale",
                                    "occlusion_texture",
                                    "emission",
                                    "emission_texture"};
-inline constexpr Keys<6> object{"medium",         "material",         "transform",
-                                "translation_mm", "rotation_degrees", "scale"};
+inline constexpr Keys<13> object{
+    "medium",   "material",     "transform", "translation_mm", "rotation_degrees",
+    "scale",    "base_color",   "metallic",  "roughness",      "specular",
+    "emission", "normal_scale", "paint"};
 inline constexpr Keys<3> deform{"kind", "amount", "period_seconds"};
 inline constexpr Keys<3> directional{"type", "direction_to_light", "irradiance"};
 inline constexpr Keys<3> point{"type", "position_mm", "intensity"};

@@ -139,9 +139,7 @@ void setMedium(const TomlTable& table, RawScene& model, const Assembly& from) {
   const Medium found = mediumNamed(table, "medium", *medium, from);
   for (RawObject& object : model.objects) {
     if (object.opaque && isMetal(*object.opaque)) continue;
-    object.medium = found;
-    object.paint.reset();
-    object.opaque.reset();
+    putMedium(found, object);
   }
 }
 
@@ -242,6 +240,21 @@ void noteWithoutCoordinates(const std::pair<std::string, TomlMaterial>& material
                    object.name, cleanText(material.first, 60)));
 }
 
+/// Other numbers than its material has.
+void readNumbers(const TomlTable& table, RawObject& object, MaterialNumbers& numbers) {
+  if (object.opaque) {
+    numbers.opaque = chosenIn<OpaqueMaterial>(table);
+    return numbers.opaque.applyTo(*object.opaque);
+  }
+  for (const auto& field : options::fieldsOf<OpaqueMaterial>())
+    if (options::findField<TranslucentSurface>(field.key) == nullptr && table.has(field.key))
+      table.fail(field.key, "is for opaque objects, and this one is translucent");
+  numbers.surface = chosenIn<TranslucentSurface>(table);
+  if (numbers.surface.empty()) return;
+  if (!object.surface) object.surface.emplace();
+  numbers.surface.applyTo(*object.surface);
+}
+
 void readObjects(const TomlTable& root, Assembly& to) {
   const auto objects = root.table("objects");
   if (!objects) return;
@@ -255,6 +268,10 @@ void readObjects(const TomlTable& root, Assembly& to) {
                                  nearest(name, names).value_or("")));
     }
     const auto medium = table.text("medium");
+    const auto paint = table.value("paint", {}, options::Value(false));
+    const bool keepsPaint = paint && std::get<bool>(*paint);
+    if (keepsPaint && !medium)
+      table.fail("paint", "says what stays on a 'medium', and there is none");
     const std::optional<Placement> placement = readPlacement(table);
     if (placement) to.source.placements.emplace(name, *placement);
     const auto material = materialNamed(table, to);
@@ -266,12 +283,16 @@ void readObjects(const TomlTable& root, Assembly& to) {
         object.opaque = material->second.opaque;
         object.medium = material->second.translucent.medium;
         object.paint = material->second.translucent.paint;
+        object.surface = material->second.translucent.surface;
       }
       if (medium) {
-        object.medium = mediumNamed(table, "medium", *medium, to);
-        object.paint.reset();
-        object.opaque.reset();
+        std::optional<Paint> kept = keepsPaint ? object.paint : std::nullopt;
+        putMedium(mediumNamed(table, "medium", *medium, to), object);
+        object.paint = std::move(kept);
       }
+      MaterialNumbers numbers;
+      readNumbers(table, object, numbers);
+      if (numbers != MaterialNumbers{}) to.source.numbersOfObject[name] = numbers;
       if (placement) place(object, *placement, table);
     }
   }

@@ -1,5 +1,6 @@
 #include "scene/toml/materials.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/texture_file.h"
@@ -26,6 +27,15 @@ constexpr std::array<TextureOfKey, 5> texturesOfOpaque{
      {"normal_texture", &OpaqueMaterial::normalTexture},
      {"occlusion_texture", &OpaqueMaterial::occlusionTexture},
      {"emission_texture", &OpaqueMaterial::emissionTexture}}};
+
+struct TextureOfSurface {
+  const char* key;
+  std::optional<Texture> TranslucentSurface::*texture;
+};
+
+constexpr std::array<TextureOfSurface, 2> texturesOfSurface{
+    {{"metallic_roughness_texture", &TranslucentSurface::metallicRoughnessTexture},
+     {"normal_texture", &TranslucentSurface::normalTexture}}};
 
 constexpr std::array<std::string_view, 5> keysOfTranslucent{"medium", "color", "color_texture",
                                                             "mean_free_path_mm", "g"};
@@ -92,8 +102,13 @@ class MaterialReader {
 
   void readTranslucent(const std::string& name) {
     for (const auto& field : options::fieldsOf<OpaqueMaterial>())
-      refuse(table_, field.key, "opaque");
-    for (const auto& [key, member] : texturesOfOpaque) refuse(table_, key, "opaque");
+      if (options::findField<TranslucentSurface>(field.key) == nullptr)
+        refuse(table_, field.key, "opaque");
+    for (const auto& [key, member] : texturesOfOpaque)
+      if (std::none_of(texturesOfSurface.begin(), texturesOfSurface.end(),
+                       [&](const auto& own) { return std::string_view(own.key) == key; }))
+        refuse(table_, key, "opaque");
+    readSurface();
     if (const auto medium = table_.text("medium")) {
       for (const char* key : {"color", "color_texture", "mean_free_path_mm", "g", "eta"})
         if (table_.has(key)) table_.fail(key, "cannot stand beside 'medium', which has its own");
@@ -119,6 +134,15 @@ class MaterialReader {
     }
     made_.translucent.medium = mediumOf(appearance);
     made_.translucent.medium.name = cleanText(name);
+  }
+
+  // Either kind may say how rough and uneven it is.
+  void readSurface() {
+    made_.source.surface = chosenIn<TranslucentSurface>(table_);
+    TranslucentSurface surface;
+    made_.source.surface.applyTo(surface);
+    for (const auto& [key, member] : texturesOfSurface) surface.*member = texture(key);
+    if (surface != TranslucentSurface{}) made_.translucent.surface = std::move(surface);
   }
 
   const TomlTable& table_;

@@ -90,10 +90,10 @@ class MediaNames {
  public:
   explicit MediaNames(const SceneDescription& scene) {
     // The tables' own keep their names, whoever else is called so.
-    for (const auto& [object, medium] : scene.media) {
+    for (const auto& [object, medium, isPainted] : scene.media) {
       if (isKnown(medium.name, medium)) names_.emplace(medium.name, medium);
     }
-    for (const auto& [object, medium] : scene.media) {
+    for (const auto& [object, medium, isPainted] : scene.media) {
       const std::string complaint = complaintAbout(medium);
       if (!complaint.empty()) {
         throw Error(fmt::format("the medium of object '{}': {}", cleanText(object), complaint));
@@ -168,7 +168,7 @@ void addModels(const std::vector<ModelSource>& models, const fs::path& file, Tex
 std::map<std::string, std::string> mediaOfObjects(const SceneDescription& scene,
                                                   const MediaNames& names) {
   std::map<std::string, std::string> media;
-  for (const auto& [object, medium] : scene.media) {
+  for (const auto& [object, medium, isPainted] : scene.media) {
     const auto [entry, isFirst] = media.try_emplace(object, names.nameOf(medium));
     if (isFirst || entry->second == names.nameOf(medium)) continue;
     throw Error(
@@ -185,6 +185,7 @@ void addMaterials(const SceneDescription& scene, const fs::path& file, Text& to)
     to.text("kind", material.isOpaque ? "opaque" : "translucent");
     if (material.medium) to.text("medium", *material.medium);
     to.fields(material.appearance);
+    to.fields(material.surface);
     to.fields(material.opaque);
     for (const auto& [key, texture] : material.textures) to.text(key, written(texture, file));
   }
@@ -204,16 +205,26 @@ void addObjects(const SceneDescription& scene, Text& to) {
     to.fields(options::chosenIn(medium));
   }
   std::set<std::string> said;
+  std::set<std::string> painted;
+  for (const auto& [object, medium, isPainted] : scene.media)
+    if (isPainted) painted.insert(object);
   if (!alike)
     for (const auto& [object, medium] : media) said.insert(object);
   for (const auto& [object, placement] : scene.source.placements) said.insert(object);
   for (const auto& [object, material] : scene.source.materialOfObject) said.insert(object);
+  for (const auto& [object, numbers] : scene.source.numbersOfObject) said.insert(object);
   for (const std::string& object : said) {
     to.header(fmt::format("[objects.{}]", toml_text::key(object, "the object")));
     if (const auto medium = media.find(object); !alike && medium != media.end())
       to.text("medium", medium->second);
+    if (painted.contains(object)) to.raw("paint", "true");
     const auto material = scene.source.materialOfObject.find(object);
     if (material != scene.source.materialOfObject.end()) to.text("material", material->second);
+    const auto numbers = scene.source.numbersOfObject.find(object);
+    if (numbers != scene.source.numbersOfObject.end()) {
+      to.fields(numbers->second.opaque);
+      to.fields(numbers->second.surface);
+    }
     const auto placement = scene.source.placements.find(object);
     if (placement != scene.source.placements.end()) addPlacement(placement->second, to);
   }
@@ -374,7 +385,8 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
     if (!named) description.source.materialOfObject.erase(object.name);
     description.mediaOfAll = description.mediaOfAll && !named && !object.opaque;
     if (named || object.opaque) continue;
-    description.media.push_back({object.name, object.medium});
+    description.mediaOfAll = description.mediaOfAll && !object.paint;
+    description.media.push_back({object.name, object.medium, object.paint.has_value()});
   }
   description.directional = lighting.directional;
   description.points = lighting.points;

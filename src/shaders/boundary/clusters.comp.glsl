@@ -19,6 +19,11 @@
 // every light.
 layout(constant_id = 0) const uint withAreaLights = 1u;
 
+// Some bodies have normal textures.
+layout(constant_id = 1) const uint withNormals = 0u;
+#define BINDING_TILTS 12
+#include "lib/tilted_normal.glsl"
+
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Pieces { SurfelPiece pieces[]; };
@@ -43,6 +48,8 @@ struct PieceShape {
   float area;
   mat3 itsNormals;  // at the triangle's corners
   mat3x2 places;    // of the piece's corners, see lib/piece.glsl
+  vec3 along;       // edges of the triangle
+  vec3 across;
 };
 
 PieceShape shapeOf(SurfelPiece piece) {
@@ -56,6 +63,8 @@ PieceShape shapeOf(SurfelPiece piece) {
   vec4 a = normals[piece.a];
   shape.vectorArea = a.w * 0.5 * piece.fraction * cross(along, across);
   shape.area = length(shape.vectorArea);
+  shape.along = along;
+  shape.across = across;
   shape.itsNormals = mat3(a.xyz, normals[piece.b].xyz, normals[piece.c].xyz);
   return shape;
 }
@@ -79,15 +88,21 @@ vec3 enteringThrough(uint piece, PieceShape shape, ObjectData body, uint light) 
   vec3 sum = vec3(0.0);
   vec3 facet = unitOr(shape.vectorArea, vec3(0.0, 1.0, 0.0));
   vec3 middle = middleOf(shape);
+  float even = 1.0;
+  if (withNormals != 0u) {
+    if (light != everywhere) even = evenness(piece);
+    facet = tiltedNormal(piece, shape.along, shape.across, facet);
+  }
   for (uint i = 0u; i < pointsPerPiece; ++i) {
     vec2 at = pointOf(shape.places, i);
     vec3 normal = unitOr(shape.itsNormals * vec3(1.0 - at.x - at.y, at), facet);
+    if (withNormals != 0u) normal = tiltedNormal(piece, shape.along, shape.across, normal);
     vec3 place = 0.5 * (middle + shape.corners[i]);
     MediumData medium = mediumAt(body, place);
     sum += light == everywhere ? skyIrradianceAt(normal, medium)
                                : enteringAt(place, facet, medium, light, piece, i);
   }
-  return sum / float(pointsPerPiece);
+  return withNormals != 0u ? even * sum / float(pointsPerPiece) : sum / float(pointsPerPiece);
 }
 
 Entry entryOf(uint first, uint end, Cluster cluster, float area, ObjectData body, uint light) {

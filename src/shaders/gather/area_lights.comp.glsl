@@ -19,6 +19,11 @@ layout(std430, set = 0, binding = 7) buffer Sources { Source sources[]; };
 
 #include "lib/piece_place.glsl"
 
+// Some bodies have normal textures.
+layout(constant_id = 0) const uint withNormals = 0u;
+#define BINDING_TILTS 8
+#include "lib/tilted_normal.glsl"
+
 layout(push_constant) uniform Push {
   uint surfelCount;
   uint piecesPerSurfel;
@@ -41,6 +46,7 @@ vec3 irradianceOn(uint piece, uint point) {
   vec2 at = point == middlePoint ? middleOf(place.corners) : pointOf(place.corners, point);
   vec3 position = positionAt(place, at);
   vec3 normal = normalAt(place, at);
+  if (withNormals != 0u) normal = tiltedNormal(piece, place.along, place.across, normal);
   MediumData medium = mediumAt(objects[pieces[piece].object], position);
   vec3 sum = vec3(0.0);
   for (uint light = firstAreaLight(); light < allLightsAt(position); ++light) {
@@ -50,7 +56,7 @@ vec3 irradianceOn(uint piece, uint point) {
     if (point == middlePoint) visible /= float(pointsPerPiece);
     if (visible > 0.0) sum += visible * areaEntering(light, position, normal, medium);
   }
-  return sum;
+  return withNormals != 0u ? evenness(piece) * sum : sum;
 }
 
 // The one that surfels.comp asks.

@@ -26,6 +26,11 @@ layout(std430, set = 0, binding = 12) writeonly buffer SkyShares { vec4 skyShare
 
 #include "lib/piece_place.glsl"
 
+// Some bodies have normal textures.
+layout(constant_id = 0) const uint withNormals = 0u;
+#define BINDING_TILTS 13
+#include "lib/tilted_normal.glsl"
+
 layout(push_constant) uniform Push {
   uint surfelCount;
   uint piecesPerSurfel;
@@ -41,6 +46,12 @@ void keep(float visible, uint light, uint piece, uint point) {
   uint index = visibilityIndex(light, piece, surfelCount * piecesPerSurfel);
   uint before = point == 0u ? 0u : visibilities[index];
   visibilities[index] = before | packVisibility(visible, point);
+}
+
+// As a texture may have it.
+vec3 normalOf(uint piece, PiecePlace place, vec2 at) {
+  vec3 normal = normalAt(place, at);
+  return withNormals == 0u ? normal : tiltedNormal(piece, place.along, place.across, normal);
 }
 
 // Of a light on the side of a piece that its triangle's corners go around.
@@ -62,7 +73,7 @@ void keepVisibility(uint piece) {
 vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
   vec2 at = pointOf(place.corners, point);
   vec3 position = positionAt(place, at);
-  vec3 normal = normalAt(place, at);
+  vec3 normal = normalOf(piece, place, at);
   vec3 outside = outsideOf(facetOf(place), normal);
   MediumData medium = mediumAt(objects[pieces[piece].object], position);
   vec3 sum = vec3(0.0);
@@ -77,14 +88,19 @@ vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
     if (keepsVisibility != 0u) keep(visible, k, piece, point);
     sum += light.irradiance * (part * visible);
   }
+  if (withNormals != 0u) sum *= evenness(piece);
   if (takesSky != 0u) sum += skyIrradianceAt(normal, medium);
   return sum;
 }
 
-vec3 irradianceOn(PiecePlace place, vec2 at, uint object) {
+vec3 irradianceOn(uint piece, PiecePlace place, vec2 at) {
   vec3 position = positionAt(place, at);
-  vec3 normal = normalAt(place, at);
-  MediumData medium = mediumAt(objects[object], position);
+  vec3 normal = normalOf(piece, place, at);
+  MediumData medium = mediumAt(objects[pieces[piece].object], position);
+  if (withNormals != 0u) {
+    vec3 lights = evenness(piece) * lightsIrradiance(position, normal, outsideOf(facetOf(place), normal), medium);
+    return takesSky != 0u ? lights + skyIrradianceAt(normal, medium) : lights;
+  }
   return takesSky != 0u ? irradianceAt(position, normal, facetOf(place), medium)
                         : lightsIrradiance(position, normal, outsideOf(facetOf(place), normal), medium);
 }
@@ -104,7 +120,7 @@ void gatherPiece(uint surfel) {
     put(sourcesPerSurfel * surfel + i, positionAt(place, pointOf(place.corners, i)),
         place.area / float(sourcesPerSurfel), irradianceAndVisibility(surfel, place, i));
   }
-  surfelNormals[surfel] = vec4(normalAt(place, middle), 0.0);
+  surfelNormals[surfel] = vec4(normalOf(surfel, place, middle), 0.0);
   places[surfel] = vec4(positionAt(place, somewhereOn(place, surfel)), 0.0);
 }
 
@@ -127,7 +143,7 @@ void gatherPieces(uint surfel) {
       vec2 middle = middleOf(place.corners);
       area += place.area;
       byArea += place.area * positionAt(place, middle);
-      direction += place.area * normalAt(place, middle);
+      direction += place.area * normalOf(surfel * piecesPerSurfel + k, place, middle);
       if (place.area > largestOfAll) {
         largestOfAll = place.area;
         middleOfAll = positionAt(place, middle);
@@ -139,9 +155,9 @@ void gatherPieces(uint surfel) {
     }
     vec3 irradiance = vec3(0.0);
     if (largestArea > 0.0) {
-      SurfelPiece piece = pieces[surfel * piecesPerSurfel + largest];
-      PiecePlace place = placeOf(piece);
-      irradiance = irradianceOn(place, middleOf(place.corners), piece.object);
+      uint piece = surfel * piecesPerSurfel + largest;
+      PiecePlace place = placeOf(pieces[piece]);
+      irradiance = irradianceOn(piece, place, middleOf(place.corners));
     }
     put(sourcesPerSurfel * surfel + i, area > 0.0 ? byArea / area : somewhere, area, irradiance);
   }

@@ -12,6 +12,11 @@ MediumData mediumAt(ObjectData body, vec3 place) {
   return media[body.table.x];
 }
 
+// Whether its surface has a roughness or normals of its own, of material tables.y.
+bool hasOwnSurface(MediumData medium) {
+  return medium.surface.x != 0u;
+}
+
 // What light that diffuses through the whole of a body meets there.
 BoundaryMedium insideOf(ObjectData body) {
   return media[body.table.x].inside;

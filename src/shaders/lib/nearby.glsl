@@ -102,9 +102,16 @@ const uint placesOfRing = 6u;
 // So far off the tangent plane, over the distance, that no curved surface casts its own shadow.
 const float ringLift = 0.1;
 
+// By which light falls on the disc and the rings around a place.
+struct LitNormals {
+  vec3 disc;
+  vec3 inner;
+  vec3 outer;
+};
+
 // Mean irradiance by lights on a ring around a place, with the first of its places turned by some
-// of their angles.
-vec3 ringIrradiance(vec3 position, vec3 normal, float radius, float turned, MediumData medium) {
+// of their angles. `lit` is the normal that it falls on.
+vec3 ringIrradiance(vec3 position, vec3 normal, vec3 lit, float radius, float turned, MediumData medium) {
   vec3 along = normalize(abs(normal.x) < 0.7 ? vec3(0.0, normal.z, -normal.y)
                                              : vec3(-normal.z, 0.0, normal.x));
   vec3 across = cross(normal, along);
@@ -113,27 +120,31 @@ vec3 ringIrradiance(vec3 position, vec3 normal, float radius, float turned, Medi
     float angle = 2.0 * pi * (float(i) + turned) / float(placesOfRing);
     vec3 place =
         position + radius * (cos(angle) * along + sin(angle) * across + ringLift * normal);
-    sum += lightsIrradiance(place, normal, normal, medium);
+    sum += lightsIrradiance(place, lit, normal, medium);
   }
   return sum / float(placesOfRing);
 }
 
 // The exitance by what lies within the reach, and evaluations of the profile.
-vec4 nearbyExitance(vec3 position, vec3 normal, ObjectData body) {
+vec4 nearbyExitance(vec3 position, vec3 normal, LitNormals lit, ObjectData body) {
   MediumData medium = mediumAt(body, position);
   float reach = body.darkest.w;
-  vec3 here = lightsIrradiance(position, normal, normal, medium);
-  vec3 inner = ringIrradiance(position, normal, innerRingAt * reach, 0.0, medium);
-  vec3 outer = ringIrradiance(position, normal, outerRingAt * reach, 0.5, medium);
+  vec3 here = lightsIrradiance(position, lit.disc, normal, medium);
+  vec3 inner = ringIrradiance(position, normal, lit.inner, innerRingAt * reach, 0.0, medium);
+  vec3 outer = ringIrradiance(position, normal, lit.outer, outerRingAt * reach, 0.5, medium);
   Neighbours found = neighboursOf(position, normal, body);
   here *= found.through;
   inner *= found.through;
   outer *= found.through;
   vec3 ambient = found.through * found.sky * skyIrradianceAt(normal, medium);
+  // What the sky gives the disc over what it gives the whole.
+  vec3 more = vec3(0.0);
+  if (lit.disc != normal)
+    more = found.through * found.sky * (skyIrradianceAt(lit.disc, medium) - skyIrradianceAt(normal, medium));
   // Of area lights, what neighbours have gathered is known.
   if (frame.counts.w > firstAreaLight())
     ambient += max(found.gathered - ambient - (here + inner + outer) / 3.0, 0.0);
-  vec3 lacking = body.nearbyDisc.rgb * (ambient + here) +
+  vec3 lacking = body.nearbyDisc.rgb * (ambient + more + here) +
                  found.present * (body.nearbyInner.rgb * (ambient + inner) +
                                   body.nearbyOuter.rgb * (ambient + outer));
   // Sources lie irregularly, which in even light must not show.

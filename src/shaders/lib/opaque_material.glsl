@@ -44,18 +44,37 @@ vec4 baseColorAt(OpaqueData material, MaterialPlace place) {
   return clamp(material.baseColor * place.color * textureAt(material.baseColorTexture, place, vec4(1.0)), 0.0, 1.0);
 }
 
+// Of the reflection, by what its texture tells.
+float alphaOf(OpaqueData material, float told) {
+  float roughness = clamp(material.surface.y * told, 0.02, 1.0);
+  return roughness * roughness;
+}
+
+float alphaAt(OpaqueData material, MaterialPlace place) {
+  return alphaOf(material, textureAt(material.metallicRoughnessTexture, place, vec4(1.0)).g);
+}
+
+// Of a surface whose normals differ within a pixel.
+float widenedAlpha(float alpha, float widened) {
+  return min(sqrt(alpha * alpha + widened), 1.0);
+}
+
+// In tangent space, the mean over the pixel.
+vec3 toldNormal(OpaqueData material, MaterialPlace place) {
+  return textureAt(material.normalTexture, place, vec4(0.0, 0.0, 1.0, 0.0)).xyz;
+}
+
 // glTF 2.0, section 3.9 and appendix B, with KHR_materials_specular. The normal is not set.
 SeenMaterial materialAt(OpaqueData material, MaterialPlace place) {
   vec3 base = baseColorAt(material, place).rgb;
   vec4 found = textureAt(material.metallicRoughnessTexture, place, vec4(1.0));
   float metallic = clamp(material.surface.x * found.b, 0.0, 1.0);
-  float roughness = clamp(material.surface.y * found.g, 0.02, 1.0);
   float strength = material.surface.w * textureAt(material.specularTexture, place, vec4(1.0)).a;
   vec3 tint = material.specularColor.rgb * textureAt(material.specularColorTexture, place, vec4(1.0)).rgb;
   vec3 dielectric = min(material.surface.z * tint, vec3(1.0)) * strength;
   float occlusion = textureAt(material.occlusionTexture, place, vec4(1.0)).r;
   SeenMaterial result;
-  result.diffuse = vec4((1.0 - metallic) * base, roughness * roughness);
+  result.diffuse = vec4((1.0 - metallic) * base, alphaOf(material, found.g));
   result.specular = vec4(mix(dielectric, base, metallic), mix(strength, 1.0, metallic));
   result.normal = vec4(0.0, 0.0, 0.0, mix(1.0, occlusion, material.rest.x));
   result.emission = vec4(material.emission.rgb * textureAt(material.emissionTexture, place, vec4(1.0)).rgb,
@@ -75,7 +94,7 @@ vec3 mappedNormal(OpaqueData material, MaterialPlace place, uint triangle, vec3 
                   vec3 toThird, vec3 normal, out float widened) {
   widened = 0.0;
   if (!isThere(material.normalTexture)) return normal;
-  vec3 told = textureAt(material.normalTexture, place, vec4(0.0, 0.0, 1.0, 0.0)).xyz;
+  vec3 told = toldNormal(material, place);
   float size = clamp(length(told), 1e-3, 1.0);
   widened = max(2.0 * (1.0 - size) / size - 2e-3, 0.0);
   told.xy *= material.specularColor.w;

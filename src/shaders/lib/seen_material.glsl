@@ -19,4 +19,29 @@ MaterialPlace materialPlaceSeen(Seen seen, MeshPlace place, OpaqueData material)
                          clamp(down, -furthestOverPixel, furthestOverPixel));
 }
 
+// The normal there as the texture tells it, on the side that is seen.
+struct SeenNormal {
+  vec3 normal;
+  float widened;  // see mappedNormal
+};
+
+SeenNormal mappedNormalAt(Seen seen, MeshPlace place, OpaqueData material, MaterialPlace read) {
+  vec3 first = meshPositions[place.vertices.x].xyz;
+  vec3 toSecond = meshPositions[place.vertices.y].xyz - first;
+  vec3 toThird = meshPositions[place.vertices.z].xyz - first;
+  SeenNormal mapped;
+  mapped.normal = place.side * mappedNormal(material, read, triangleOf(seen.word), place.weights, toSecond, toThird,
+                                            place.side * place.normal, mapped.widened);
+  return mapped;
+}
+
+// What it turns away from the eye would be black.
+SeenNormal mappedNormalSeen(Seen seen, MeshPlace place, OpaqueData material, MaterialPlace read) {
+  SeenNormal mapped = mappedNormalAt(seen, place, material, read);
+  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
+  float facing = dot(mapped.normal, toCamera);
+  if (facing < 0.01) mapped.normal = normalize(mapped.normal + (0.01 - facing) * toCamera);
+  return mapped;
+}
+
 #endif

@@ -9,8 +9,7 @@ layout(push_constant) uniform Push {
   uint first;      // of the list, or of the picture's rows
   uint nodeCount;  // of all surfels' trees
   uint piecesPerSurfel;
-  uint rays;       // of one sample
-  uint raysInAll;  // of all samples
+  uint samples;  // of a pixel
   float alpha;
 };
 
@@ -22,9 +21,22 @@ const uint rayMeets = 0u;
 const uint rayIsFree = 1u;
 const uint noRay = 2u;  // it would enter the surface
 
+// What mirrors: how rough it is, and which way it faces.
+struct Mirror {
+  float alpha;
+  vec3 normal;
+};
+
+// Of one sample: a mirror needs one, as antialiasing softens its edges; a wide lobe a few.
+uint raysOfSample(Mirror mirror) {
+  const float raysOfAlpha = 16.0;
+  return uint(clamp(floor(raysOfAlpha * mirror.alpha + 0.5), 1.0, 8.0));
+}
+
 // The i-th ray of the lobe at a place.
-uint reflectedRay(uint i, MeshPlace place) {
-  vec3 direction = reflectedDirection(i, raysInAll, alpha, place.normal, place);
+uint reflectedRay(uint i, MeshPlace place, Mirror mirror) {
+  uint raysInAll = raysOfSample(mirror) * samples;
+  vec3 direction = reflectedDirection(i, raysInAll, mirror.alpha, mirror.normal, place);
   if (direction == vec3(0.0)) return noRay;
   float start = startAbove(place.position);
   bool meets = occluded(place.position + start * place.facet, direction, start, 3e38,

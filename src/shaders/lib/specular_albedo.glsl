@@ -2,16 +2,28 @@
 #ifndef OPALINE_LIB_SPECULAR_ALBEDO
 #define OPALINE_LIB_SPECULAR_ALBEDO
 #include "shared/medium.h"
+#include "shared/opaque.h"
 
 layout(std430, set = 0, binding = 8) readonly buffer SpecularAlbedo { float specularAlbedo[]; };
 
 const uint albedoEntries = 64u;
 
-float reflectedAlbedo(MediumData medium, float cosine) {
+float albedoFrom(uint row, float cosine) {
   float place = cosine * float(albedoEntries) - 0.5;
   float lower = clamp(floor(place), 0.0, float(albedoEntries - 2u));
-  uint first = medium.tables.w + uint(lower);
+  uint first = row + uint(lower);
   return mix(specularAlbedo[first], specularAlbedo[first + 1u], clamp(place - lower, 0.0, 1.0));
+}
+
+float reflectedAlbedo(MediumData medium, float cosine) {
+  return albedoFrom(medium.tables.w, cosine);
+}
+
+// Of a surface of its own roughness² = alpha.
+float reflectedAlbedo(MediumData medium, float alpha, float cosine) {
+  float place = clamp(sqrt(alpha) * float(albedoRows) - 0.5, 0.0, float(albedoRows) - 1.001);
+  uint row = medium.surface.y + uint(place) * albedoEntries;
+  return mix(albedoFrom(row, cosine), albedoFrom(row + albedoEntries, cosine), fract(place));
 }
 
 #endif

@@ -14,8 +14,13 @@
 #define MESH_BINDING 11
 #define BINDING_SEEN_LIST 15
 #include "lib/irradiance.glsl"
-#include "lib/nearby.glsl"
+#define BINDING_OPAQUES 19
+#define BINDING_TEXELS 22
+#include "lib/nearby_normals.glsl"
 #include "lib/seen_list.glsl"
+
+// Some bodies have normal textures.
+layout(constant_id = 2) const uint withNormals = 0u;
 
 layout(std430, set = 0, binding = 2) buffer Exitances { vec4 exitances[]; };
 
@@ -30,6 +35,8 @@ void main() {
   ObjectData body = objects[place.object];
   if (seen.there && body.darkest.w != 0.0 && isSummedAtFragments(body, site)) {
     vec3 outwards = place.side * place.normal;
-    exitances[seen.entry] += nearbyExitance(place.position, outwards, body);
+    LitNormals lit = LitNormals(outwards, outwards, outwards);
+    if (withNormals != 0u) lit = litNormalsAt(seen, place, body);
+    exitances[seen.entry] += nearbyExitance(place.position, outwards, lit, body);
   }
 }

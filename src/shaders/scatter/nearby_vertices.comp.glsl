@@ -33,5 +33,5 @@ void main() {
   ObjectData body = objects[objectOf[vertex]];
   if (body.darkest.w == 0.0 || isSummedAtFragments(body, site)) return;
   vec3 normal = unitOr(normals[vertex].xyz, vec3(0.0, 1.0, 0.0));
-  exitances[vertex] += nearbyExitance(positions[vertex].xyz, normal, body);
+  exitances[vertex] += nearbyExitance(positions[vertex].xyz, normal, LitNormals(normal, normal, normal), body);
 }

@@ -26,19 +26,9 @@ layout(push_constant) uniform Push {
 SeenMaterial materialSeen(Seen seen, MeshPlace place, OpaqueData material) {
   MaterialPlace read = materialPlaceSeen(seen, place, material);
   SeenMaterial result = materialAt(material, read);
-  vec3 first = meshPositions[place.vertices.x].xyz;
-  vec3 toSecond = meshPositions[place.vertices.y].xyz - first;
-  vec3 toThird = meshPositions[place.vertices.z].xyz - first;
-  float widened;
-  vec3 normal = place.side * mappedNormal(material, read, triangleOf(seen.word), place.weights, toSecond,
-                                          toThird, place.side * place.normal, widened);
-  // What it turns away from the eye would be black.
-  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
-  float facing = dot(normal, toCamera);
-  if (facing < 0.01) normal = normalize(normal + (0.01 - facing) * toCamera);
-  result.normal.xyz = normal;
-  float alpha = result.diffuse.w;
-  result.diffuse.w = min(sqrt(alpha * alpha + widened), 1.0);
+  SeenNormal mapped = mappedNormalSeen(seen, place, material, read);
+  result.normal.xyz = mapped.normal;
+  result.diffuse.w = widenedAlpha(result.diffuse.w, mapped.widened);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "lib/bodies.glsl"
 #include "lib/frame.glsl"
 #include "lib/gloss.glsl"
+#include "lib/glossy_sky.glsl"
 #include "lib/pi.glsl"
 #include "lib/reflection.glsl"
 #include "lib/seen_list.glsl"
@@ -34,16 +35,12 @@ vec3 fresnelOf(SeenMaterial material, float cosine) {
 // The sky is seen through the lobe already.
 const float leastMirrored = 0.5;
 
-vec3 skyFrom(vec3 direction, float alpha) {
-  return textureLod(glossySky, vec4(direction, 0.0), sqrt(alpha) * float(glossySkyLevels - 1u)).rgb;
-}
-
 vec3 mirroredSky(NormalsNearby normals, uint samples, vec3 toCamera, float alpha) {
-  if (normals.turned < leastMirrored * alpha) return skyFrom(reflect(-toCamera, normals.middle), alpha);
+  if (normals.turned < leastMirrored * alpha) return glossySkyFrom(glossySky, reflect(-toCamera, normals.middle), alpha);
   vec3 sum = vec3(0.0);
   uint seeing = seeingOf(samples);
   for (uint rest = seeing; rest != 0u; rest &= rest - 1u)
-    sum += skyFrom(reflect(-toCamera, normalAt(normals, samples, findLSB(rest))), alpha);
+    sum += glossySkyFrom(glossySky, reflect(-toCamera, normalAt(normals, samples, findLSB(rest))), alpha);
   return sum / float(bitCount(seeing));
 }
 

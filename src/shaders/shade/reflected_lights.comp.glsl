@@ -137,11 +137,21 @@ struct Mirror {
   vec3 albedo;
 };
 
+// Some translucent surfaces have a roughness or normals of their own.
+layout(constant_id = 0) const uint withOwnSurfaces = 0u;
+
 Mirror mirrorOf(Seen seen, MeshPlace place, vec3 toCamera) {
   ObjectData body = objects[place.object];
-  SeenMaterial material = materials[isOpaque(body) ? seen.entry : 0u];
-  vec3 normal = isOpaque(body) ? material.normal.xyz : place.normal;
+  bool known = withOwnSurfaces != 0u || isOpaque(body);
+  SeenMaterial material = materials[known ? seen.entry : 0u];
+  vec3 normal = known ? material.normal.xyz : place.normal;
   float cosine = clamp(dot(normal, toCamera), 1e-3, 1.0);
+  if (withOwnSurfaces != 0u && !isOpaque(body)) {
+    MediumData medium = mediumAt(body, place.position);
+    if (hasOwnSurface(medium))
+      return Mirror(normal, glossLobeOf(material.diffuse.w, cosine),
+                    vec3(reflectedAlbedo(medium, material.diffuse.w, cosine)));
+  }
   if (!isOpaque(body))
     return Mirror(normal, lobeAt(cosine), vec3(reflectedAlbedo(mediumAt(body, place.position), cosine)));
   vec2 parts = glossOf(material, cosine);

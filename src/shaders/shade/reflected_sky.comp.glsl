@@ -12,21 +12,28 @@
 #include "lib/frame.glsl"
 #include "lib/seen_list.glsl"
 #include "lib/sky_rays.glsl"
+#include "shared/opaque.h"
 
 layout(std430, set = 0, binding = 7) buffer Light { vec4 light[]; };  // the share in w
 layout(set = 0, binding = 8) uniform usampler2D skyBlocks;  // of 2×2 pixels
 
+// Some translucent surfaces have a roughness or normals of their own.
+layout(constant_id = 0) const uint withOwnSurfaces = 0u;
+layout(std430, set = 0, binding = 13) readonly buffer Materials { SeenMaterial materials[]; };
+
 // The widest go first: where those agree, so do the others within the lobe.
-float shareOfSky(MeshPlace place, uint samples) {
+float shareOfSky(MeshPlace place, Mirror mirror, uint seeing) {
   uint sent = 0u;
   uint free = 0u;
+  uint rays = raysOfSample(mirror);
+  uint raysInAll = rays * samples;
   uint enough = max(raysInAll / 4u, 2u);
   for (uint left = raysInAll; left > 0u; --left) {
     bool agreed = free == 0u || free == sent;
-    if (samples == everySample && raysInAll - left == enough && agreed) break;
+    if (seeing == everySample && raysInAll - left == enough && agreed) break;
     uint i = left - 1u;
-    if ((samples >> i / rays & 1u) == 0u) continue;
-    uint ray = reflectedRay(i, place);
+    if ((seeing >> i / rays & 1u) == 0u) continue;
+    uint ray = reflectedRay(i, place, mirror);
     if (ray == noRay) continue;
     ++sent;
     free += ray;
@@ -50,5 +57,8 @@ void main() {
   barrier();
   if (i >= waitingCount) return;
   seen = seenOfEntry(waiting[i]);
-  light[seen.entry].w = shareOfSky(seenPlace(seen.pixel, seen.word), samplesOf(seen.word));
+  MeshPlace place = seenPlace(seen.pixel, seen.word);
+  Mirror mirror = Mirror(alpha, place.normal);
+  if (withOwnSurfaces != 0u) mirror = Mirror(materials[seen.entry].diffuse.w, materials[seen.entry].normal.xyz);
+  light[seen.entry].w = shareOfSky(place, mirror, samplesOf(seen.word));
 }

@@ -13,6 +13,7 @@
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/material.glsl"
+#include "lib/glossy_sky.glsl"
 #include "lib/reflection.glsl"
 #include "lib/seen_list.glsl"
 #include "lib/sky.glsl"
@@ -25,6 +26,11 @@ layout(std430, set = 0, binding = 3) buffer Light { vec4 light[]; };
 layout(constant_id = 0) const uint withPaint = 0u;
 layout(std430, set = 0, binding = 15) readonly buffer Paint { vec4 paint[]; };
 
+// Some translucent surfaces have a roughness or normals of their own.
+layout(constant_id = 1) const uint withOwnSurfaces = 0u;
+layout(std430, set = 0, binding = 16) readonly buffer Materials { SeenMaterial materials[]; };
+layout(set = 0, binding = 17) uniform samplerCubeArray glossySky;
+
 layout(push_constant) uniform Push {
   uint atFragments;  // what has scattered stands in `light`, else at the vertices
   float alpha;       // of the GGX reflection
@@ -35,36 +41,58 @@ layout(push_constant) uniform Push {
 // The sky is seen through the lobe already.
 const float leastMirrored = 0.5;
 
-vec3 mirroredSky(NormalsNearby normals, uint samples, vec3 toCamera) {
-  if (normals.turned < leastMirrored * alpha) return skyReflectedFrom(reflect(-toCamera, normals.middle));
+// What mirrors: as the picture has it or, `own`, as the surface itself has it.
+struct Mirror {
+  bool own;
+  float alpha;
+};
+
+vec3 skyFrom(vec3 direction, Mirror mirror) {
+  return withOwnSurfaces != 0u && mirror.own ? glossySkyFrom(glossySky, direction, mirror.alpha)
+                                             : skyReflectedFrom(direction);
+}
+
+vec3 mirroredSky(NormalsNearby normals, uint samples, vec3 toCamera, Mirror mirror) {
+  if (normals.turned < leastMirrored * mirror.alpha) return skyFrom(reflect(-toCamera, normals.middle), mirror);
   vec3 sum = vec3(0.0);
   uint seeing = seeingOf(samples);
   for (uint rest = seeing; rest != 0u; rest &= rest - 1u)
-    sum += skyReflectedFrom(reflect(-toCamera, normalAt(normals, samples, findLSB(rest))));
+    sum += skyFrom(reflect(-toCamera, normalAt(normals, samples, findLSB(rest))), mirror);
   return sum / float(bitCount(seeing));
 }
 
 // `own` is radiance of the surface here, for which that of the scene is taken where it is mirrored.
-vec3 reflection(MediumData medium, vec3 position, NormalsNearby normals, uint samples, vec3 toCamera,
-                float sky, vec3 own) {
+vec3 reflection(MediumData medium, vec3 position, vec3 outside, NormalsNearby normals, uint samples,
+                vec3 toCamera, float sky, vec3 own, Mirror mirror) {
   float eta = medium.boundary.x;
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < lightsAt(position); ++i) {
     IncidentLight light = incidentLight(i, position);
     if (dot(normals.middle, light.direction) <= 0.0) continue;
+    if (withOwnSurfaces != 0u && dot(outside, light.direction) <= 0.0) continue;
     vec3 middle = halfway(normals.middle, light.direction, toCamera);
-    float value = lobeOfSamples(alpha, normals, samples, light.direction, toCamera) *
+    float value = lobeOfSamples(mirror.alpha, normals, samples, light.direction, toCamera) *
                   fresnelReflectance(eta, clamp(dot(light.direction, middle), 0.0, 1.0));
-    if (value > 1e-6) sum += light.irradiance * (value * visibilityOf(light, position, normals.middle));
+    if (value > 1e-6) sum += light.irradiance * (value * visibilityOf(light, position, outside));
   }
-  vec3 around = mix(own, mirroredSky(normals, samples, toCamera), sky);
-  return sum + around * reflectedAlbedo(medium, max(dot(normals.middle, toCamera), 1e-3));
+  vec3 around = mix(own, mirroredSky(normals, samples, toCamera, mirror), sky);
+  float cosine = max(dot(normals.middle, toCamera), 1e-3);
+  if (withOwnSurfaces != 0u && mirror.own) return sum + around * reflectedAlbedo(medium, mirror.alpha, cosine);
+  return sum + around * reflectedAlbedo(medium, cosine);
 }
 
 vec3 radianceOf(Seen seen, MeshPlace place) {
   MediumData medium = mediumAt(objects[place.object], place.position);
   vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
-  float cosine = clamp(dot(place.normal, toCamera), 1e-3, 1.0);
+  vec3 normal = place.normal;
+  Mirror mirror = Mirror(false, alpha);
+  vec3 lifted = place.position;
+  if (withOwnSurfaces != 0u && hasOwnSurface(medium)) {
+    normal = materials[seen.entry].normal.xyz;
+    mirror = Mirror(true, materials[seen.entry].diffuse.w);
+    lifted = liftedPlace(place);
+  }
+  float cosine = clamp(dot(normal, toCamera), 1e-3, 1.0);
   float transmitted = 1.0 - fresnelReflectance(medium.boundary.x, cosine);
   vec4 found = light[seen.entry];
   vec3 left = atFragments != 0u ? found.rgb : meshExitanceAt(place).rgb;
@@ -72,8 +100,10 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
   if (withPaint != 0u) scattered *= paint[seen.entry].rgb;
   if (specular == 0u) return scattered;
   float sky = skyIsMirrored != 0u ? found.w : 1.0;
-  return scattered + reflection(medium, place.position, normalsNearby(seen.pixel, seen.word, place),
-                                samplesOf(seen.word), toCamera, sky, left / pi);
+  NormalsNearby normals = normalsNearby(seen.pixel, seen.word, place);
+  normals.middle = normal;
+  return scattered + reflection(medium, lifted, place.normal, normals, samplesOf(seen.word), toCamera, sky,
+                                left / pi, mirror);
 }
 
 void main() {

@@ -3,17 +3,21 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
-#define MESH_BINDING 6
+#define MESH_BINDING 7
 #define BINDING_OBJECTS 2
 #define BINDING_PIECE_CORNERS 3
 #define BINDING_RAYS 4
-#include "lib/bodies.glsl"
+#define BINDING_MEDIA 6
+#include "lib/material.glsl"
 #include "lib/frame.glsl"
 #include "lib/seen.glsl"
 #include "lib/sky_rays.glsl"
 #include "lib/tile.glsl"
 
 layout(set = 0, binding = 5, r32ui) writeonly uniform uimage2D skyBlocks;
+
+// Some translucent surfaces have a roughness or normals of their own, and are not smooth.
+layout(constant_id = 0) const uint withOwnSurfaces = 0u;
 
 // Between two corners' normals: what turns further may mirror other things between them.
 const float leastCosine = 0.97;
@@ -30,9 +34,10 @@ uint rayOfBlock(ivec2 corner) {
   MeshPlace first = seenPlace(corner, seenWord(corner, 0u));
   MeshPlace last = seenPlace(corner + 1, seenWord(corner + 1, 0u));
   if (first.object != last.object || dot(first.normal, last.normal) < leastCosine) return noRay;
-  uint widest = raysInAll - 1u;
-  uint ray = reflectedRay(widest, first);
-  return ray == reflectedRay(max(widest, 1u) - 1u, last) ? ray : noRay;
+  if (withOwnSurfaces != 0u && hasOwnSurface(mediumAt(objects[first.object], first.position))) return noRay;
+  uint widest = raysOfSample(Mirror(alpha, first.normal)) * samples - 1u;
+  uint ray = reflectedRay(widest, first, Mirror(alpha, first.normal));
+  return ray == reflectedRay(max(widest, 1u) - 1u, last, Mirror(alpha, last.normal)) ? ray : noRay;
 }
 
 void main() {

@@ -30,6 +30,8 @@ struct MediumData {
   uvec4 tables;  // x: cube of the sky's irradiance; y: of opaque materials (shared/opaque.h), which
                  // it is; z: its paint and 1, 0 without; w: first entry of the specular
                  // albedo
+  uvec4 surface;  // x: 1 where its surface has a roughness or normals of its own, as its material
+                  // says; y: first entry of the specular albedo for the roughnesses of such
 };
 
 #ifdef __cplusplus

@@ -32,7 +32,8 @@ struct TextureData {
 struct OpaqueData {
   vec4 baseColor;      // rgb; w: alpha
   vec4 emission;       // rgb; w: alpha cutoff
-  vec4 surface;        // metallic; roughness; F₀ of the index of refraction; specular
+  vec4 surface;        // metallic; roughness, or below 0 the picture's; F₀ of the index of
+                       // refraction; specular
   vec4 specularColor;  // rgb; w: scale of the normal texture
   vec4 rest;           // x: occlusion strength; y: 1 where it is unlit; z: 1 where vertices have
                        // attributes
@@ -58,7 +59,8 @@ struct CornerTangents {
   vec4 last;   // of corner 2, xy; z: side of the bitangent
 };
 
-/// What an opaque surface is made of where a pixel sees it.
+/// What an opaque surface is made of where a pixel sees it. Of translucent ones only roughness and
+/// normal are set.
 struct SeenMaterial {
   vec4 diffuse;   // rgb: share of light given back diffusely, less what is mirrored; w: roughness²
   vec4 specular;  // rgb: F₀; w: F₉₀
@@ -67,6 +69,9 @@ struct SeenMaterial {
   vec4 around;  // rgb: mean radiance of what the lobe mirrors of the scene; w: share of it that is
                 // sky
 };
+
+/// Roughnesses of the tables of what translucent surfaces mirror: (i + ½) over so many.
+OPALINE_OPAQUE_CONSTANT albedoRows = 16u;
 
 /// Rays of what an opaque surface mirrors, at most.
 OPALINE_OPAQUE_CONSTANT mostMirroredRays = 16u;

@@ -16,7 +16,7 @@ Session litCube() {
   session.options.maxSurfels = 1024;
   session.options.shadowSize = 64;
   session.aov = Aov::Exitance;
-  session.edits.medium.assign(1, false);
+  session.edits.material.assign(1, false);
   return session;
 }
 

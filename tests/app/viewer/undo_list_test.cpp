@@ -13,14 +13,14 @@ Session sessionWithTwoObjects() {
   session.scene.objects[0].medium = {"one", {1, 2, 3}, {0.1, 0.2, 0.3}, 1.3};
   session.scene.objects[1].medium = {"two", {4, 5, 6}, {0.4, 0.5, 0.6}, 1.4};
   session.scene.lighting.directional.resize(1);
-  session.edits.medium.assign(2, false);
+  session.edits.material.assign(2, false);
   return session;
 }
 
 /// The session one step back, with what that changed.
 Edits undone(UndoList& list, Session& session) {
   session.edits = {};
-  session.edits.medium.assign(session.scene.objects.size(), false);
+  session.edits.material.assign(session.scene.objects.size(), false);
   list.undo();
   restore(list.present(), session);
   return session.edits;
@@ -35,13 +35,28 @@ TEST(UndoList, AMediumComesBackAndNoOtherIsTouched) {
   list.add(editStateOf(session));
   const Edits edits = undone(list, session);
   EXPECT_EQ(session.scene.objects[1].medium.sigmaAPerMm[2], 0.6);
-  EXPECT_EQ(edits.medium, (std::vector<bool>{false, true}));
+  EXPECT_EQ(edits.material, (std::vector<bool>{false, true}));
   EXPECT_FALSE(edits.lighting);
   EXPECT_FALSE(edits.deformers);
   EXPECT_FALSE(edits.camera);
   list.redo();
   restore(list.present(), session);
   EXPECT_EQ(session.scene.objects[1].medium.sigmaAPerMm[2], 7);
+}
+
+// A scene file would say it of the object.
+TEST(UndoList, WhatIsSavedOfAMaterialComesBackWithIt) {
+  Session session = sessionWithTwoObjects();
+  UndoList list;
+  list.begin(editStateOf(session));
+  session.scene.objects[0].surface = TranslucentSurface{.roughness = 0.5F};
+  session.source.numbersOfObject["a"].surface =
+      options::chosenIn(*session.scene.objects[0].surface);
+  list.add(editStateOf(session));
+  const Edits edits = undone(list, session);
+  EXPECT_EQ(edits.material, (std::vector<bool>{true, false}));
+  EXPECT_FALSE(session.scene.objects[0].surface);
+  EXPECT_TRUE(session.source.numbersOfObject.empty());
 }
 
 TEST(UndoList, WhatWasUndoneIsForgottenByTheNextEdit) {
@@ -103,6 +118,10 @@ TEST(EditState, EveryKindOfEditIsSeenAndUndone) {
   const Edit all[] = {
       [](Session& s) { s.scene.objects[0].medium.eta = 1.5; },
       [](Session& s) { s.scene.objects[0].medium.name = "custom"; },
+      [](Session& s) { s.scene.objects[0].surface = TranslucentSurface{.roughness = 0.5F}; },
+      [](Session& s) {
+        s.scene.objects[1].opaque = mattMaterial({1, 0, 0});
+      },
       [](Session& s) { s.scene.lighting.directional[0].irradiance[0] = 9; },
       [](Session& s) { s.scene.lighting.directional.clear(); },
       [](Session& s) { s.scene.lighting.points.emplace_back(); },

@@ -113,6 +113,38 @@ TEST_F(GltfMaterial, ATextureOfColoursIsPaintOnTheirBrightest) {
   EXPECT_GT(bare[1], bare[2]);
 }
 
+// Of a medium the file's own maps are kept, and of roughness what is said: by default all is rough.
+TEST_F(GltfMaterial, RoughnessAndNormalsOfAMediumAreItsSurface) {
+  writePng(folder / "map.png", {1, 1, {128, 64, 255, 255}});
+  const auto surface = [&](const std::string& pbr, const LoadOptions& options = {},
+                           const char* name = "jade") {
+    Parts file = parts(std::string(R"({"name":")") + name + R"(",)" + pbr +
+                       R"(}],"textures":[{"source":0}],"images":[{"uri":"map.png"}],"extras":[{})");
+    file.meshes = test::changed(file.meshes, R"("COLOR_0":0)", R"("TEXCOORD_0":2)");
+    file.accessors += R"(,{"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})";
+    const Scene scene = loadBytes(test::glb(file.json(), test::tetrahedronBytes()), options);
+    EXPECT_FALSE(scene.objects[0].opaque);
+    EXPECT_TRUE(scene.notShown.empty());
+    return scene.objects[0].surface;
+  };
+  const std::string dielectric = R"("pbrMetallicRoughness":{"metallicFactor":0)";
+  EXPECT_FALSE(surface(dielectric + "}"));
+  const auto said = surface(dielectric + R"(,"roughnessFactor":0.75})");
+  ASSERT_TRUE(said);
+  EXPECT_EQ(said->roughness, 0.75F);
+  EXPECT_FALSE(said->normalTexture);
+  const std::string maps = dielectric + R"(,"metallicRoughnessTexture":{"index":0}},)"
+                                        R"("normalTexture":{"index":0,"scale":0.5})";
+  LoadOptions marble;
+  marble.medium = Medium{"marble", {1, 1, 1}, {0.1, 0.1, 0.1}, 1.3};
+  for (const auto& mapped : {surface(maps), surface(maps, marble, "plaster")}) {
+    ASSERT_TRUE(mapped && mapped->metallicRoughnessTexture && mapped->normalTexture);
+    EXPECT_EQ(mapped->roughness, 1.0F);
+    EXPECT_EQ(mapped->normalScale, 0.5F);
+    EXPECT_EQ(mapped->normalTexture->pixels->rgba[1], 64 * 257);
+  }
+}
+
 TEST_F(GltfMaterial, OfAMediumByOptionAllButMetal) {
   for (const bool metal : {false, true}) {
     const Parts file =

@@ -305,9 +305,12 @@ eta = 1.5
 kind = "translucent"
 color_texture = "../../grey.png"
 mean_free_path_mm = [1, 2, 4]
+roughness = 0.5
+normal_texture = "../../grey.png"
 )"
                            "[objects.plain]\nmaterial = \"brass\"\n[objects.\"" +
-                               escaped(names[1]) + "\"]\nmaterial = \"jelly\"\n");
+                               escaped(names[1]) + "\"]\nmaterial = \"jelly\"\n[objects.\"" +
+                               escaped(names[2]) + "\"]\nmaterial = \"cheese\"\n");
   const LoadedScene first = back();
   const Scene& scene = first.scene;
   ASSERT_TRUE(scene.objects[0].opaque);
@@ -316,11 +319,20 @@ mean_free_path_mm = [1, 2, 4]
   EXPECT_EQ(scene.objects[0].opaque->baseColorTexture->pixels->rgba[0], 188 * 257);
   const Appearance jelly{{0.9, 0.5, 0.1}, {2, 2, 2}, 0, 1.5};
   EXPECT_EQ(scene.objects[1].medium.sigmaAPerMm, mediumOf(jelly).sigmaAPerMm);
+  EXPECT_FALSE(scene.objects[1].surface);
+  ASSERT_TRUE(scene.objects[2].surface && scene.objects[2].surface->normalTexture);
+  EXPECT_EQ(scene.objects[2].surface->roughness, 0.5F);
   written(first);
   const LoadedScene second = back();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = second.scene.objects[i];
     EXPECT_EQ(object.medium, scene.objects[i].medium);
+    ASSERT_EQ(object.surface.has_value(), scene.objects[i].surface.has_value());
+    if (object.surface) {
+      EXPECT_EQ(object.surface->roughness, scene.objects[i].surface->roughness);
+      EXPECT_EQ(object.surface->normalTexture->pixels->rgba,
+                scene.objects[i].surface->normalTexture->pixels->rgba);
+    }
     ASSERT_EQ(object.opaque.has_value(), scene.objects[i].opaque.has_value());
     if (object.opaque) {
       EXPECT_EQ(object.opaque->baseColor, scene.objects[i].opaque->baseColor);

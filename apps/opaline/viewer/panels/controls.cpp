@@ -192,19 +192,31 @@ bool typed(const char* name, int& value, int low, int high, const char* about) {
   return changed;
 }
 
-bool light(const char* name, Rgb& value, const char* about) {
+namespace {
+
+bool editColor(const char* name, Rgb& value, ImGuiColorEditFlags flags, float most,
+               const char* about) {
   const std::string label = leaveRoomFor(name);
-  constexpr ImGuiColorEditFlags flags =
-      ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoOptions;
+  flags |= ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoOptions;
   const bool changed = ImGui::ColorEdit3(label.c_str(), value.data(), flags);
   note(name);
   tip(about);
   if (changed) {
     for (float& channel : value) {
-      channel = std::isfinite(channel) ? std::clamp(channel, 0.0F, 1e6F) : 0;
+      channel = std::isfinite(channel) ? std::clamp(channel, 0.0F, most) : 0;
     }
   }
   return changed;
+}
+
+}  // namespace
+
+bool light(const char* name, Rgb& value, const char* about) {
+  return editColor(name, value, ImGuiColorEditFlags_HDR, 1e6F, about);
+}
+
+bool color(const char* name, Rgb& value, const char* about) {
+  return editColor(name, value, 0, 1, about);
 }
 
 bool choice(const char* name, int& chosen, const std::vector<std::string>& names,

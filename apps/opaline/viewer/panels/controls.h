@@ -70,6 +70,8 @@ bool integer(const char* name, int& value, int low, int high, const char* about)
 bool typed(const char* name, int& value, int low, int high, const char* about);
 /// Light: hue and strength apart, any strength.
 bool light(const char* name, Rgb& value, const char* about);
+/// A color whose channels are shares, 0 to 1.
+bool color(const char* name, Rgb& value, const char* about);
 /// A name out of some.
 bool choice(const char* name, int& chosen, const std::vector<std::string>& names,
             const char* about);

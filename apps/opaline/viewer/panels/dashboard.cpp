@@ -93,6 +93,7 @@ void Dashboard::drawPanels(Session& session, const TruthView& truth, const Timin
     ImGui::PopID();
   };
   apart([&] { drawMediumPanel(session); });
+  apart([&] { drawMaterialPanel(session); });
   apart([&] { drawLightPanel(session); });
   apart([&] { drawMethodPanel(session); });
   apart([&] { drawMotionPanel(session); });

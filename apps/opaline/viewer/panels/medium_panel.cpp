@@ -127,28 +127,6 @@ void showLengths(const Medium& medium) {
   ImGui::EndTable();
 }
 
-void showTexture(const std::optional<Texture>& texture) {
-  if (texture)
-    controls::text(fmt::format("{}, {}x{}", texture->pixels->name, texture->pixels->width,
-                               texture->pixels->height));
-}
-
-// Of the file's own making.
-void showMaterial(const OpaqueMaterial& material) {
-  controls::text(material.name.empty() ? "opaque" : material.name + ", opaque");
-  const auto& [red, green, blue] = material.baseColor;
-  controls::text(fmt::format("base color {:.2f} {:.2f} {:.2f}", red, green, blue));
-  controls::text(
-      fmt::format("metallic {:.2f}, roughness {:.2f}", material.metallic, material.roughness));
-  for (const auto member : texturesOfMaterial) showTexture(material.*member);
-}
-
-void showPaint(const Paint& paint) {
-  const auto& [red, green, blue] = paint.color;
-  controls::text(fmt::format("painted {:.2f} {:.2f} {:.2f}", red, green, blue));
-  showTexture(paint.colorTexture);
-}
-
 bool drawMedium(Medium& medium) {
   controls::text(medium.name);
   const bool chosen = drawChips(medium);
@@ -174,23 +152,24 @@ bool drawMedium(Medium& medium) {
 
 }  // namespace
 
-void drawMediumPanel(Session& session) {
-  if (!controls::section("Medium", true) || session.scene.objects.empty()) return;
+void chooseObject(Session& session) {
   std::vector<std::string> names;
   for (const Object& object : session.scene.objects)
     if (!object.isGround) names.push_back(object.name);
-  if (names.size() > 1) {
-    auto index = static_cast<int>(session.object);
-    if (controls::choice("object", index, names, "The object whose medium this panel shows.")) {
-      session.object = static_cast<std::size_t>(index);
-    }
-  }
+  if (names.size() < 2) return;
+  auto index = static_cast<int>(session.object);
+  if (controls::choice("object", index, names, "The object that this panel shows."))
+    session.object = static_cast<std::size_t>(index);
+}
+
+void drawMediumPanel(Session& session) {
+  if (!controls::section("Medium", true) || session.scene.objects.empty()) return;
+  chooseObject(session);
   Object& object = session.scene.objects[session.object];
   if (object.opaque)
-    showMaterial(*object.opaque);
+    controls::text("opaque: see Material");
   else if (drawMedium(object.medium))
-    session.edits.medium[session.object] = true;
-  if (!object.opaque && object.paint) showPaint(*object.paint);
+    session.edits.material[session.object] = true;
   drawBodySize(session);
   if (!object.opaque) showLengths(object.medium);
 }

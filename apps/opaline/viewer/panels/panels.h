@@ -10,7 +10,11 @@ namespace opaline::app::viewer {
 // What can be seen and changed beside the picture, one section each. They draw with Dear ImGui's
 // functions, change the session and note in its edits what they changed.
 
+/// For panels of one object: which it is, where there are several.
+void chooseObject(Session& session);
+
 void drawMediumPanel(Session& session);
+void drawMaterialPanel(Session& session);
 void drawLightPanel(Session& session);
 void drawMethodPanel(Session& session);
 void drawMotionPanel(Session& session);

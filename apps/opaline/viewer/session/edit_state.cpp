@@ -48,14 +48,14 @@ auto viewOf(OfSession& s) {
                   s.surfelIndex, s.treeLevel, s.film, s.pictureSize, s.time.clip);
 }
 
-bool sameMedium(const EditState& state, const Session& session, std::size_t object) {
-  return state.media[object] == session.scene.objects[object].medium;
+bool sameMaterial(const EditState& state, const Session& session, std::size_t object) {
+  return state.materials[object] == materialOf(session.scene.objects[object]);
 }
 
-bool sameMedia(const EditState& state, const Session& session) {
-  if (state.media.size() != session.scene.objects.size()) return false;
-  for (std::size_t i = 0; i < state.media.size(); ++i) {
-    if (!sameMedium(state, session, i)) return false;
+bool sameMaterials(const EditState& state, const Session& session) {
+  if (state.materials.size() != session.scene.objects.size()) return false;
+  for (std::size_t i = 0; i < state.materials.size(); ++i) {
+    if (!sameMaterial(state, session, i)) return false;
   }
   return true;
 }
@@ -74,7 +74,8 @@ void restoreEnvironment(const EditState& state, Session& session) {
 
 EditState editStateOf(const Session& session) {
   EditState state;
-  for (const Object& object : session.scene.objects) state.media.push_back(object.medium);
+  for (const Object& object : session.scene.objects) state.materials.push_back(materialOf(object));
+  state.numbers = session.source.numbersOfObject;
   state.lighting = session.scene.lighting;
   // A turned one is made again where it is wanted: hundreds of them would fill the memory.
   state.lighting.environment.reset();
@@ -89,7 +90,7 @@ EditState editStateOf(const Session& session) {
 }
 
 bool isStateOf(const EditState& state, const Session& session) {
-  return hasSizeOf(state, session) && sameMedia(state, session) &&
+  return hasSizeOf(state, session) && sameMaterials(state, session) &&
          sameLights(state.lighting, session.scene.lighting) && sameEnvironment(state, session) &&
          state.deformers == session.scene.deformers && sameLook(state, session) &&
          viewOfState(state) == viewOf(session);
@@ -101,12 +102,13 @@ bool hasSizeOf(const EditState& state, const Session& session) {
 
 void restore(const EditState& state, Session& session) {
   Edits& edits = session.edits;
-  const std::size_t objects = std::min(state.media.size(), session.scene.objects.size());
+  const std::size_t objects = std::min(state.materials.size(), session.scene.objects.size());
   for (std::size_t i = 0; i < objects; ++i) {
-    if (sameMedium(state, session, i)) continue;
-    session.scene.objects[i].medium = state.media[i];
-    edits.medium[i] = true;
+    if (sameMaterial(state, session, i)) continue;
+    giveMaterial(state.materials[i], session.scene.objects[i]);
+    edits.material[i] = true;
   }
+  session.source.numbersOfObject = state.numbers;
   Lighting& lighting = session.scene.lighting;
   const bool lights = !sameLights(state.lighting, lighting);
   if (lights) {

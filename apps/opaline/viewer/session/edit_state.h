@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "viewer/session/session.h"
@@ -12,8 +14,9 @@ namespace opaline::app::viewer {
 /// Everything of a session that is edited, and nothing of how one looks at it: not where the camera
 /// stands, nor the time that is shown.
 struct EditState {
-  std::vector<Medium> media;  ///< by object
-  Lighting lighting;          ///< but for the environment
+  std::vector<Material> materials;                 ///< by object
+  std::map<std::string, MaterialNumbers> numbers;  ///< as in SceneSource
+  Lighting lighting;                               ///< but for the environment
   std::optional<EnvironmentFile> environmentFile;
   std::shared_ptr<const Image> environment;  ///< as the file has it, not turned
   std::vector<Deformer> deformers;

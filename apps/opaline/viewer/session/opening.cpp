@@ -15,7 +15,7 @@ namespace {
 // All of it has to be drawn for the first time.
 Edits newScene(const Scene& scene) {
   Edits edits;
-  edits.medium.assign(scene.objects.size(), false);
+  edits.material.assign(scene.objects.size(), false);
   edits.picture = true;
   return edits;
 }

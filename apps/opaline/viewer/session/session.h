@@ -26,11 +26,11 @@ struct Edits {
   bool camera = false;
   bool lighting = false;
   bool deformers = false;
-  bool picture = false;      ///< options, time: whatever needs a new picture and nothing else
-  std::vector<bool> medium;  ///< by object
+  bool picture = false;        ///< options, time: whatever needs a new picture and nothing else
+  std::vector<bool> material;  ///< by object
 
   bool any() const {
-    for (const bool edited : medium) {
+    for (const bool edited : material) {
       if (edited) return true;
     }
     return camera || lighting || deformers || picture;
@@ -111,7 +111,7 @@ struct Session {
 
   std::optional<RenderReport> report;  ///< of the last picture
 
-  std::size_t object = 0;  ///< whose medium is edited
+  std::size_t object = 0;  ///< whose medium and material are edited
   int light = -1;          ///< that is selected, in the order of viewer/session/light_list.h
   Edits edits;
 };

@@ -49,12 +49,12 @@ Edits Stage::handOver(Session& session) {
   if (session.edits.camera) renderer_.setCamera(scene.camera);
   if (session.edits.lighting) renderer_.setLighting(scene.lighting);
   if (session.edits.deformers) renderer_.setDeformers(scene.deformers);
-  for (std::size_t i = 0; i < session.edits.medium.size(); ++i) {
-    if (session.edits.medium[i]) renderer_.setMedium(i, scene.objects[i].medium);
+  for (std::size_t i = 0; i < session.edits.material.size(); ++i) {
+    if (session.edits.material[i]) renderer_.setMaterial(i, materialOf(scene.objects[i]));
   }
   session.suns = renderer_.suns();
   Edits handedOver = std::exchange(session.edits, {});
-  session.edits.medium.assign(scene.objects.size(), false);
+  session.edits.material.assign(scene.objects.size(), false);
   return handedOver;
 }
 
@@ -89,11 +89,11 @@ void Stage::submit(View& view, Aov variable) {
   waiting_.push_back({&view, variable});
 }
 
-// A medium that changes asks for another division itself.
+// A material that changes asks for another division itself.
 View& Stage::viewFor(const RenderOptions& options, const Edits& edits) {
-  const bool mediumChanges =
-      std::any_of(edits.medium.begin(), edits.medium.end(), [](bool changes) { return changes; });
-  if (!coarse_ || mediumChanges) {
+  const bool materialChanges = std::any_of(edits.material.begin(), edits.material.end(),
+                                           [](bool changes) { return changes; });
+  if (!coarse_ || materialChanges) {
     view_.setOptions(coarse_ ? coarser(options) : options);
     return view_;
   }

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "opaline/scene.h"
+
+namespace opaline::app {
+
+/// A texture and what it is for.
+struct NamedTexture {
+  const char* use;
+  const Texture* texture;  ///< of the object
+};
+
+/// All that an object's material has, of an opaque one, of a paint and of a translucent surface.
+std::vector<NamedTexture> texturesOf(const Object& object);
+
+}  // namespace opaline::app
