@@ -59,7 +59,7 @@ class TranslucentSurfaceTest : public RendererTest {
     medium.sigmaSPrimePerMm.fill(5);
     medium.sigmaAPerMm.fill(0.05);
     Scene scene = sceneOf(sheet({0, 0, 0}, {halfEdgeMm, 0, 0}, {0, halfEdgeMm, 0}, cells), medium,
-                          {0, 0, 1000}, 0.6F * halfEdgeMm);
+                          {0, 0, 500}, 0.6F * halfEdgeMm);
     Mesh& mesh = scene.objects[0].mesh;
     for (const Vec3& place : mesh.positionsMm)
       mesh.textureCoordinates[0].push_back(
