@@ -214,7 +214,7 @@ class Window:
 
     def only(self, section):
         """That section open and no other."""
-        for name in ("Medium", "Light", "Method", "Motion", "Truth", "View", "Time", "Save"):
+        for name in ("Medium", "Material", "Light", "Method", "Motion", "Truth", "View", "Time", "Save"):
             controls = self.state()["controls"]
             is_open = any(known.startswith(name + "/") for known in controls)
             if is_open != (name == section):

@@ -104,14 +104,14 @@ class Picture(WindowTest):
         self.assertGreater(before.difference(edited), .3)
         window.key("ctrl+z")
         window.key("ctrl+z")
-        self.same(window.picture().part(top=40), before.part(top=40))
+        self.assertLessEqual(window.picture().part(top=40).worst(before.part(top=40)), 1)
         window.key("ctrl+shift+z")
         window.key("ctrl+shift+z")
-        self.same(window.picture().part(top=40), edited.part(top=40))
+        self.assertLessEqual(window.picture().part(top=40).worst(edited.part(top=40)), 1)
         window.only("Save")
         window.save_as("scene")
         window.wait_for(lambda: window.state()["message"] == "saved tile.toml", "not saved")
-        self.same(edited.part(top=40), self.rendered(window, "tile.toml").part(top=40))
+        self.assertLessEqual(edited.part(top=40).worst(self.rendered(window, "tile.toml").part(top=40)), 1)
         window.close()
 
 
