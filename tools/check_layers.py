@@ -41,7 +41,7 @@ ALLOWED = {
     "src/builtin": ("opaline", "core"),
     "src/surfels": (*PLAIN, "core"),
     "src/soft_body": (*PLAIN, "core"),
-    "src/gpu": (*PLAIN, "core"),
+    "src/gpu": (*PLAIN, "opaline/vulkan.h", "core"),
     "src/shaders": ("bssrdf", "gpu/binding.h"),  # as the headers made from them do
     "src/shaders/shared": (),  # GLSL reads these too
     "src/passes": ("opaline", "core", "surfels", "soft_body", "bssrdf", "environment", "gpu", "shaders",

@@ -18,7 +18,7 @@ LIBRARY = ("include/", "src/", "reference/")
 STRING = re.compile(r'"(?:[^"\\]|\\.)*"')
 OPTION = re.compile(r"(?<![\w-])--[a-z]")
 # Frames and edits wait for submissions by their number; only the device waits for all, as it goes.
-WAIT_IDLE = re.compile(r"vk(?:Device|Queue)WaitIdle")
+WAIT_IDLE = re.compile(r"vk(?:Device|Queue)WaitIdle\(")
 WAITS_IDLE = "src/gpu/device.cpp"
 # Data from outside keeps the words of its source.
 EXEMPT = ("LICENSE",)

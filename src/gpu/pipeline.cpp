@@ -45,11 +45,11 @@ class ShaderModule {
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     info.codeSize = code.size_bytes();
     info.pCode = code.data();
-    check(vkCreateShaderModule(device.handle(), &info, nullptr, &module_),
+    check(device.vk().vkCreateShaderModule(device.handle(), &info, nullptr, &module_),
           fmt::format("load a shader of \"{}\"", name));
     device.setName(VK_OBJECT_TYPE_SHADER_MODULE, reinterpret_cast<std::uint64_t>(module_), name);
   }
-  ~ShaderModule() { vkDestroyShaderModule(device_.handle(), module_, nullptr); }
+  ~ShaderModule() { device_.vk().vkDestroyShaderModule(device_.handle(), module_, nullptr); }
   ShaderModule(const ShaderModule&) = delete;
   ShaderModule& operator=(const ShaderModule&) = delete;
 
@@ -111,7 +111,8 @@ VkPipeline createCompute(const Device& device, const std::string& name, const Sh
   info.flags = VK_PIPELINE_CREATE_DISPATCH_BASE_BIT;  // see CommandList::dispatchLinear
   VkPipeline pipeline = VK_NULL_HANDLE;
   requireHostRoom(roomToCompile, fmt::format("create the pipeline \"{}\"", name));
-  check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+  check(device.vk().vkCreateComputePipelines(device.handle(), device.pipelineCacheHandle(), 1,
+                                             &info, nullptr, &pipeline),
         fmt::format("create the pipeline \"{}\"", name));
   return pipeline;
 }
@@ -177,7 +178,8 @@ VkPipeline createGraphics(const Device& device, const std::string& name, const S
   info.layout = layout;
   VkPipeline pipeline = VK_NULL_HANDLE;
   requireHostRoom(roomToCompile, fmt::format("create the pipeline \"{}\"", name));
-  check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+  check(device.vk().vkCreateGraphicsPipelines(device.handle(), device.pipelineCacheHandle(), 1,
+                                              &info, nullptr, &pipeline),
         fmt::format("create the pipeline \"{}\"", name));
   return pipeline;
 }
@@ -291,8 +293,9 @@ void Pipeline::createLayout(const std::string& name, std::span<const Shader> sha
   setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
   setInfo.bindingCount = static_cast<std::uint32_t>(slots.size());
   setInfo.pBindings = slots.data();
-  check(vkCreateDescriptorSetLayout(device_->handle(), &setInfo, nullptr, &setLayout_),
-        fmt::format("create the bindings of \"{}\"", name));
+  check(
+      device_->vk().vkCreateDescriptorSetLayout(device_->handle(), &setInfo, nullptr, &setLayout_),
+      fmt::format("create the bindings of \"{}\"", name));
   device_->setName(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT,
                    reinterpret_cast<std::uint64_t>(setLayout_), name);
 
@@ -303,7 +306,7 @@ void Pipeline::createLayout(const std::string& name, std::span<const Shader> sha
   info.pSetLayouts = &setLayout_;
   info.pushConstantRangeCount = pushConstantBytes_ > 0 ? 1 : 0;
   info.pPushConstantRanges = &range;
-  check(vkCreatePipelineLayout(device_->handle(), &info, nullptr, &layout_),
+  check(device_->vk().vkCreatePipelineLayout(device_->handle(), &info, nullptr, &layout_),
         fmt::format("create the layout of \"{}\"", name));
   device_->setName(VK_OBJECT_TYPE_PIPELINE_LAYOUT, reinterpret_cast<std::uint64_t>(layout_), name);
 }
