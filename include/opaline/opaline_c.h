@@ -28,6 +28,8 @@
 extern "C" {
 #endif
 
+struct OpalineGivenVulkan;
+
 typedef enum OpalineStatus {
   OpalineOk = 0,
   OpalineFailed = 1,    ///< bad input, a file that cannot be read or written, a failed device
@@ -187,6 +189,10 @@ OPALINE_API OpalineStatus opalineSetAmbientLight(OpalineScene* scene, const floa
 /// A latitude-longitude picture, .exr or .hdr, times `intensity`, turned about +y.
 OPALINE_API OpalineStatus opalineSetEnvironment(OpalineScene* scene, const char* file,
                                                 float intensity, double rotationDegrees);
+/// The same from memory: 4 · width · height floats, linear R G B and one that is not read, copied.
+OPALINE_API OpalineStatus opalineSetEnvironmentPixels(OpalineScene* scene, const float* rgba,
+                                                      int32_t width, int32_t height,
+                                                      float intensity, double rotationDegrees);
 
 /* --------------------------------------------------------------------------------- rendering */
 
@@ -215,7 +221,10 @@ typedef struct OpalineRendererOptions {
       rayQueries;    ///< 1 or 0: with or without; -1: where the device has them and is no software
   OpalineLog log;    ///< may be NULL
   void* logContext;  ///< for the log
-  float memoryLimitMegabytes;  ///< of the device, in [64, 1e7]; 0: what the device has
+  float memoryLimitMegabytes;              ///< of the device, in [64, 1e7]; 0: what the device has
+  const struct OpalineGivenVulkan* given;  ///< a device of the caller's, see below; NULL: its own
+  const void* pipelineCache;               ///< what opalinePipelineCache gave in an earlier run
+  size_t pipelineCacheBytes;               ///< 0 without one
 } OpalineRendererOptions;
 
 OPALINE_API OpalineStatus opalineDefaultRendererOptions(OpalineRendererOptions* options);
@@ -225,6 +234,14 @@ OPALINE_API OpalineStatus opalineCreateRenderer(const OpalineRendererOptions* op
                                                 OpalineRenderer** renderer);
 /// Its views are destroyed before it.
 OPALINE_API void opalineDestroyRenderer(OpalineRenderer* renderer);
+
+/// Bytes of the device's memory that the renderer and its views take now.
+OPALINE_API OpalineStatus opalineMemoryInUse(const OpalineRenderer* renderer, uint64_t* bytes);
+
+/// Copies the pipelines that were compiled so far to `data`, which has room for `*bytes`, and says
+/// in `*bytes` how many they are; only that if `data` is NULL.
+OPALINE_API OpalineStatus opalinePipelineCache(const OpalineRenderer* renderer, void* data,
+                                               size_t* bytes);
 
 /// Takes what it needs of the scene, which may be changed or destroyed afterwards.
 OPALINE_API OpalineStatus opalineSetScene(OpalineRenderer* renderer, const OpalineScene* scene);
@@ -308,6 +325,17 @@ OPALINE_API OpalineStatus opalineSetViewOptions(OpalineView* view,
 /// NULL: the scene's again.
 OPALINE_API OpalineStatus opalineSetViewCamera(OpalineView* view, const OpalineCamera* camera);
 
+/// A camera as programs have it that draw by themselves; see CameraMatrices in opaline/view.h.
+typedef struct OpalineCameraMatrices {
+  size_t size;            ///< sizeof(OpalineCameraMatrices)
+  float worldToView[16];  ///< from millimetres, one column after the other
+  float viewToClip[16];   ///< to Vulkan's clip space
+  float jitterPixels[2];  ///< to the right and down, if viewToClip does not have it yet
+} OpalineCameraMatrices;
+
+OPALINE_API OpalineStatus opalineSetViewMatrices(OpalineView* view,
+                                                 const OpalineCameraMatrices* matrices);
+
 /// Where a variable of a frame goes: linear R G B A, rows from top to bottom, A is coverage.
 typedef struct OpalineTarget {
   size_t size;  ///< sizeof(OpalineTarget)
@@ -328,6 +356,138 @@ OPALINE_API OpalineStatus opalineSubmit(OpalineView* view, const OpalineAov* aov
 /// `milliseconds`, of the device, may be NULL.
 OPALINE_API OpalineStatus opalineCollect(OpalineView* view, const OpalineTarget* targets,
                                          size_t targetCount, double* milliseconds);
+
+/* ------------------------------------------------------------------- the caller's Vulkan device */
+
+// There if <vulkan/vulkan.h> was included before. What the parts mean, and the rules for layouts,
+// stages, lifetimes and threads, stand beside the same parts in opaline/vulkan.h.
+#ifdef VULKAN_CORE_H_
+
+/// What the library needs of a device; see VulkanNeeds. All of it lives as long as the process.
+typedef struct OpalineVulkanNeeds {
+  size_t size;  ///< sizeof(OpalineVulkanNeeds)
+  uint32_t apiVersion;
+  const char* const* requiredExtensions;
+  size_t requiredExtensionCount;
+  const char* const* optionalExtensions;
+  size_t optionalExtensionCount;
+  const VkPhysicalDeviceFeatures2* requiredFeatures;
+  const VkPhysicalDeviceFeatures2* optionalFeatures;
+} OpalineVulkanNeeds;
+
+OPALINE_API OpalineStatus opalineVulkanNeeds(OpalineVulkanNeeds* needs);
+
+/// Why the library cannot use the device, cut off where it has no room; empty if it can.
+OPALINE_API OpalineStatus opalineWhatIsMissing(VkInstance instance, VkPhysicalDevice physicalDevice,
+                                               char* sentence, size_t sentenceBytes);
+
+/// A device for OpalineRendererOptions; see GivenVulkan.
+typedef struct OpalineGivenVulkan {
+  size_t size;  ///< sizeof(OpalineGivenVulkan)
+  VkInstance instance;
+  VkPhysicalDevice physicalDevice;
+  VkDevice device;
+  uint32_t queueFamily;
+  VkQueue queue;
+  PFN_vkGetInstanceProcAddr getInstanceProcAddr;  ///< NULL: the loader that the library links
+  const char* const* enabledExtensions;
+  size_t enabledExtensionCount;
+  const VkPhysicalDeviceFeatures2* enabledFeatures;
+  void (*lockQueue)(void* context);    ///< NULL where nobody else uses the queue
+  void (*unlockQueue)(void* context);  ///< the same
+  void* lockContext;                   ///< for both
+} OpalineGivenVulkan;
+
+/// See DevicePositions.
+typedef struct OpalineDevicePositions {
+  size_t size;  ///< sizeof(OpalineDevicePositions)
+  VkBuffer buffer;
+  VkDeviceSize offsetBytes;
+  uint32_t strideBytes;  ///< 0: 12
+} OpalineDevicePositions;
+
+OPALINE_API OpalineStatus opalineSetDevicePositions(OpalineRenderer* renderer, size_t object,
+                                                    const OpalineDevicePositions* positions);
+
+/// A value of a timeline semaphore.
+typedef struct OpalineTimelinePoint {
+  size_t size;  ///< sizeof(OpalineTimelinePoint)
+  VkSemaphore semaphore;
+  uint64_t value;
+} OpalineTimelinePoint;
+
+/// See DeviceTarget.
+typedef struct OpalineDeviceTarget {
+  size_t size;  ///< sizeof(OpalineDeviceTarget)
+  VkImage image;
+  VkImageView view;
+  VkFormat format;
+  VkImageLayout layout;
+} OpalineDeviceTarget;
+
+/// See Composition.
+typedef struct OpalineComposition {
+  size_t size;  ///< sizeof(OpalineComposition)
+  const OpalineDeviceTarget* color;
+  const OpalineDeviceTarget* depth;  ///< may be NULL
+  float radianceScale;
+} OpalineComposition;
+
+/// See DeviceExitance.
+typedef struct OpalineDeviceExitance {
+  size_t size;  ///< sizeof(OpalineDeviceExitance)
+  size_t object;
+  VkBuffer buffer;
+  VkDeviceSize offsetBytes;
+} OpalineDeviceExitance;
+
+/// A frame on the caller's device; see FrameSubmission, FrameRecording and FrameOrder.
+typedef struct OpalineDeviceFrame {
+  size_t size;                        ///< sizeof(OpalineDeviceFrame)
+  const OpalineTimelinePoint* waits;  ///< none for a recorded frame
+  size_t waitCount;
+  const OpalineTimelinePoint* signals;  ///< of a recorded frame one: what its submission signals
+  size_t signalCount;
+  VkCommandBuffer commands;        ///< of a recorded frame
+  const OpalineComposition* over;  ///< may be NULL
+  const OpalineDeviceExitance* exitances;
+  size_t exitanceCount;
+  int32_t onDevice;        ///< 1: leave the radiance, for opalineViewPicture()
+  int32_t exitance;        ///< 1: leave the exitance of vertices, for opalineViewExitance()
+  const OpalineAov* aovs;  ///< for opalineCollect()
+  size_t aovCount;
+} OpalineDeviceFrame;
+
+/// Makes all that such a frame needs, so that opalineRecordFrame() submits nothing.
+OPALINE_API OpalineStatus opalinePrepareFrame(OpalineView* view, const OpalineDeviceFrame* frame);
+OPALINE_API OpalineStatus opalineSubmitFrame(OpalineView* view, const OpalineDeviceFrame* frame);
+OPALINE_API OpalineStatus opalineRecordFrame(OpalineView* view, const OpalineDeviceFrame* frame);
+
+/// See DeviceImage.
+typedef struct OpalineDeviceImage {
+  size_t size;  ///< sizeof(OpalineDeviceImage)
+  VkImage image;
+  VkImageView view;
+  VkFormat format;
+  VkImageLayout layout;
+  uint32_t width;
+  uint32_t height;
+} OpalineDeviceImage;
+
+OPALINE_API OpalineStatus opalineViewPicture(const OpalineView* view, OpalineDeviceImage* picture);
+
+/// See DeviceBuffer.
+typedef struct OpalineDeviceBuffer {
+  size_t size;  ///< sizeof(OpalineDeviceBuffer)
+  VkBuffer buffer;
+  VkDeviceSize offsetBytes;
+  VkDeviceSize bytes;
+} OpalineDeviceBuffer;
+
+OPALINE_API OpalineStatus opalineViewExitance(const OpalineView* view, size_t object,
+                                              OpalineDeviceBuffer* exitance);
+
+#endif  // VULKAN_CORE_H_
 
 /* ---------------------------------------------------------------------------------- pictures */
 

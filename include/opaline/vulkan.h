@@ -2,6 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -92,6 +93,74 @@ struct DeviceImage {
   VkFormat format = VK_FORMAT_UNDEFINED;
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
   VkExtent2D extent{};
+};
+
+/// Exitance of an object's vertices in their order, R G B and the number of evaluations, four
+/// floats each. Of opaque bodies it is the irradiance. Any shader, copy or vertex input of later
+/// work on the renderer's queue may read it without a barrier; the view's next frame waits for
+/// that. It lives until another scene or size is set, or the view goes away, which waits for work
+/// that uses it and was submitted before.
+struct DeviceBuffer {
+  VkBuffer buffer = VK_NULL_HANDLE;
+  VkDeviceSize offsetBytes = 0;
+  VkDeviceSize bytes = 0;  ///< 16 a vertex
+};
+
+/// An image of the caller's that is drawn into, as large as the view, with one sample a pixel.
+/// It is in the layout `layout` before and afterwards: VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL, the one
+/// for colour or depth, or VK_IMAGE_LAYOUT_GENERAL. What was drawn into it as an attachment, by
+/// earlier commands on the queue, is waited for. Other uses before need a barrier to these stages,
+/// and uses afterwards one from them: colour attachment output, early and late fragment tests.
+struct DeviceTarget {
+  VkImage image = VK_NULL_HANDLE;
+  VkImageView view = VK_NULL_HANDLE;
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  VkImageLayout layout = VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL;
+};
+
+/// Lays the picture over what the caller has drawn with the same CameraMatrices. Edges of bodies
+/// are blended with it, so draw what is opaque first. A pixel has the depth of the nearest surface
+/// that it sees, in the sense of viewToClip, reversed or not; lights and sky are behind everything.
+struct Composition {
+  DeviceTarget color;
+  DeviceTarget depth;       ///< tested and written; without an image the picture lies on top
+  float radianceScale = 1;  ///< the colour is the radiance times this, linear
+};
+
+/// Where the exitance of an object's vertices is copied to, as DeviceBuffer has it. The buffer has
+/// the usage VK_BUFFER_USAGE_TRANSFER_DST_BIT. Earlier reads of it are over, by a semaphore or a
+/// barrier to transfer; later ones need a barrier from it.
+struct DeviceExitance {
+  std::size_t object = 0;
+  VkBuffer buffer = VK_NULL_HANDLE;
+  VkDeviceSize offsetBytes = 0;  ///< multiple of 4
+};
+
+/// What a frame leaves in the caller's memory. Only read during the call. Exitance needs
+/// RenderOptions::site Site::Vertex.
+struct DeviceOutputs {
+  const Composition* over = nullptr;
+  std::span<const DeviceExitance> exitances;
+};
+
+/// A frame that the library submits. At most 16 points each; waits and signals are for all stages.
+struct FrameSubmission {
+  std::span<const TimelinePoint> waits;
+  std::span<const TimelinePoint> signals;
+  DeviceOutputs outputs;
+};
+
+/// A frame that the caller submits, once, to the renderer's queue, before it makes another frame or
+/// a step of a soft body with this renderer; others may submit in between.
+struct FrameRecording {
+  /// Primary, begun, outside of rendering and of other queries of its pools; what was bound in it
+  /// is not bound afterwards.
+  VkCommandBuffer commands = VK_NULL_HANDLE;
+  /// Reached when the submission has finished. The library waits for it before it uses memory of
+  /// the frame again, and gives up after a minute. The semaphore lives until the renderer goes, or
+  /// View::collect has returned this frame or a later one.
+  TimelinePoint finished;
+  DeviceOutputs outputs;
 };
 
 }  // namespace opaline

@@ -57,6 +57,7 @@ Buffer::Buffer(Device& device, const BufferOptions& options) : Buffer() {
   checkSize(device, options);
   device_ = &device;
   bytes_ = options.bytes;
+  lent_ = options.lent;
 
   VkBufferCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
@@ -120,9 +121,9 @@ Buffer Buffer::borrowed(VkBuffer buffer, std::size_t bytes) {
 
 Buffer::~Buffer() {
   if (device_ == nullptr) return;
-  device_->retire(VK_OBJECT_TYPE_BUFFER_VIEW, texelView_);
-  device_->retire(VK_OBJECT_TYPE_BUFFER, buffer_);
-  device_->release(memory_, allocatedBytes_);
+  device_->retire(VK_OBJECT_TYPE_BUFFER_VIEW, texelView_, lent_);
+  device_->retire(VK_OBJECT_TYPE_BUFFER, buffer_, lent_);
+  device_->release(memory_, allocatedBytes_, lent_);
 }
 
 Buffer::Buffer(Buffer&& other) noexcept {
@@ -142,6 +143,7 @@ void Buffer::swap(Buffer& other) noexcept {
   std::swap(memory_, other.memory_);
   std::swap(bytes_, other.bytes_);
   std::swap(allocatedBytes_, other.allocatedBytes_);
+  std::swap(lent_, other.lent_);
   std::swap(mapped_, other.mapped_);
   std::swap(state_, other.state_);
 }

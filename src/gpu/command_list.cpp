@@ -240,6 +240,7 @@ void CommandList::order(Buffer& buffer, AccessScope scope) {
 }
 
 void CommandList::order(GpuImage& image, const AccessScope& scope) {
+  if (image.isBorrowed()) parts_[part_].borrows = true;
   const auto barrier = advance(image.state_, scope);
   if (!barrier) return;
   assert(imageBarrierCount_ < imageBarriers_.size());
@@ -342,10 +343,17 @@ void CommandList::pushBytes(const void* data, std::uint32_t bytes) {
                  std::span(static_cast<const std::byte*>(data), bytes));
 }
 
+// Borrowed ones stay in the layout that their owner has them in.
+AccessScope CommandList::scopeOfTarget(const GpuImage& image, Access access) {
+  AccessScope scope = scopeOf(access);
+  if (image.isBorrowed()) scope.layout = image.state_.layout;
+  return scope;
+}
+
 tape::Target CommandList::attachment(const ColorTarget& target) {
   GpuImage& image = *target.image;
   assert(target.clear || image.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
-  const AccessScope scope = scopeOf(Access::ColorWrite);
+  const AccessScope scope = scopeOfTarget(image, Access::ColorWrite);
   order(image, scope);
   return {image.layerView(target.layer), scope.layout, target.clear, true,
           bitsOf(target.clearValue)};
@@ -355,7 +363,8 @@ tape::Target CommandList::attachment(const DepthTarget& target) {
   GpuImage& image = *target.image;
   assert(target.clear || image.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
   assert(target.write || !target.clear);
-  const AccessScope scope = scopeOf(target.write ? Access::DepthWrite : Access::DepthTest);
+  const AccessScope scope =
+      scopeOfTarget(image, target.write ? Access::DepthWrite : Access::DepthTest);
   order(image, scope);
   return {image.layerView(target.layer), scope.layout, target.clear, target.write,
           bitsOf({target.clearValue, 0, 0, 0})};

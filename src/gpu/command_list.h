@@ -200,6 +200,7 @@ class CommandList {
     if constexpr (!std::is_empty_v<T>) pushBytes(&constants, static_cast<std::uint32_t>(sizeof(T)));
   }
   bool boundIsCurrent() const;
+  static AccessScope scopeOfTarget(const GpuImage& image, Access access);
   tape::Target attachment(const ColorTarget& target);
   tape::Target attachment(const DepthTarget& target);
 

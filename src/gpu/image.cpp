@@ -190,6 +190,20 @@ VkImageView GpuImage::createView(VkImageViewType type, const VkImageSubresourceR
   return view;
 }
 
+GpuImage GpuImage::borrowed(const BorrowedTarget& target) {
+  GpuImage result;
+  result.options_.width = target.extent.width;
+  result.options_.height = target.extent.height;
+  result.options_.format = target.format;
+  result.image_ = target.image;
+  result.view_ = target.view;
+  const AccessScope before =
+      scopeOf(isDepth(target.format) ? Access::DepthWrite : Access::ColorWrite);
+  result.state_ = {
+      .layout = target.layout, .writeStages = before.stages, .writeAccesses = before.accesses};
+  return result;
+}
+
 GpuImage::~GpuImage() {
   if (device_ == nullptr) return;
   const auto retire = [&](VkObjectType type, auto handle) {
@@ -230,6 +244,7 @@ VkImageAspectFlags GpuImage::aspect() const {
 
 VkImageView GpuImage::layerView(std::uint32_t layer, std::uint32_t mipLevel) const {
   assert(layer < options_.layers && mipLevel < options_.mipLevels);
+  if (isBorrowed()) return view_;
   return layerViews_.at(layer + std::size_t{options_.layers} * mipLevel);
 }
 

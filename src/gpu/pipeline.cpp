@@ -82,19 +82,38 @@ VkPipelineRasterizationStateCreateInfo rasterizationOf(CullMode cull) {
   return info;
 }
 
+VkCompareOp compareOf(DepthMode mode) {
+  switch (mode) {
+    case DepthMode::TestEqual:
+      return VK_COMPARE_OP_EQUAL;
+    case DepthMode::Test:
+    case DepthMode::WriteOrEqual:
+      return VK_COMPARE_OP_GREATER_OR_EQUAL;
+    case DepthMode::WriteOrEqualOrdinary:
+      return VK_COMPARE_OP_LESS_OR_EQUAL;
+    case DepthMode::Off:
+    case DepthMode::Write:
+      break;
+  }
+  return VK_COMPARE_OP_GREATER;
+}
+
 VkPipelineDepthStencilStateCreateInfo depthOf(DepthMode mode) {
   VkPipelineDepthStencilStateCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
   info.depthTestEnable = mode != DepthMode::Off ? VK_TRUE : VK_FALSE;
-  info.depthWriteEnable = mode == DepthMode::Write ? VK_TRUE : VK_FALSE;
-  info.depthCompareOp = mode == DepthMode::TestEqual ? VK_COMPARE_OP_EQUAL
-                        : mode == DepthMode::Test    ? VK_COMPARE_OP_GREATER_OR_EQUAL
-                                                     : VK_COMPARE_OP_GREATER;
+  const bool writes = mode == DepthMode::Write || mode == DepthMode::WriteOrEqual ||
+                      mode == DepthMode::WriteOrEqualOrdinary;
+  info.depthWriteEnable = writes ? VK_TRUE : VK_FALSE;
+  info.depthCompareOp = compareOf(mode);
   return info;
 }
 
-VkPipelineColorBlendAttachmentState withoutBlending() {
+VkPipelineColorBlendAttachmentState blendOf(Blend mode) {
   VkPipelineColorBlendAttachmentState blend{};
+  blend.blendEnable = mode == Blend::Over ? VK_TRUE : VK_FALSE;
+  blend.srcColorBlendFactor = blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  blend.dstColorBlendFactor = blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
   blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                          VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   return blend;
@@ -151,7 +170,7 @@ VkPipeline createGraphics(const Device& device, const std::string& name, const S
   samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
   const VkPipelineDepthStencilStateCreateInfo depth = depthOf(options.depth);
   std::array<VkPipelineColorBlendAttachmentState, maxColors> blends;
-  blends.fill(withoutBlending());
+  blends.fill(blendOf(options.blend));
   VkPipelineColorBlendStateCreateInfo blending{};
   blending.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
   blending.attachmentCount = colors;

@@ -8,6 +8,7 @@
 #include <new>
 #include <vector>
 
+#include "caller.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "opaline/soft_body.h"
@@ -183,6 +184,29 @@ TEST(AllocationTest, SoftBodiesAllocateNothing) {
   };
   EXPECT_EQ(allocationsOfSteadyFrames(renderer, tinyOptions(), {}, pull), 0U);
   EXPECT_TRUE(body.moves());
+}
+
+// Nor for frames that others submit, where they lay exitance into buffers of theirs or not.
+TEST(AllocationTest, RecordedFramesAllocateNothing) {
+  Renderer renderer;
+  renderer.setScene(moving());
+  RenderOptions options = tinyOptions();
+  options.site = Site::Vertex;
+  View view(renderer, options);
+  bench::Caller caller(renderer);
+  const FrameOrder order{.aovs = {}, .onDevice = true, .exitance = true};
+  allocations = 0;
+  for (int i = 0; i < warmUp + steady; ++i) {
+    renderer.setTime({.seconds = 0.1 * i});
+    const FrameRecording recording = caller.begin();
+    counting = i >= warmUp;
+    view.record(recording, order);
+    counting = false;
+    caller.submit(recording);
+  }
+  Frame frame;
+  for (int i = 0; i < View::framesInFlight; ++i) view.collect(frame);
+  EXPECT_EQ(allocations, 0U);
 }
 
 TEST(AllocationTest, TheCounterCounts) {

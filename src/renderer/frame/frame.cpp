@@ -394,8 +394,9 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
     context.scatterAtVertices(scene);
   }
 
-  if (plan.samples > 0) context.makePicture(scene);
+  // What the picture's pixels see stays, for whoever composes it with something else.
   if (plan.centre) context.lookAtCentres(scene);
+  if (plan.samples > 0) context.makePicture(scene);
 }
 
 }  // namespace opaline

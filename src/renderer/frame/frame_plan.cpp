@@ -37,7 +37,8 @@ Site chooseSite(const FramePlan& plan, const SceneResources& scene) {
 
 }  // namespace
 
-FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture) {
+FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture,
+                  bool exitance) {
   const auto asked = [&](Aov aov) {
     return std::find(aovs.begin(), aovs.end(), aov) != aovs.end();
   };
@@ -48,7 +49,7 @@ FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bo
       .tolerance = options.tolerance,
       .bounces = options.bounces,
       .ambientOcclusion = options.ambientOcclusion,
-      .scatter = picture || std::any_of(aovs.begin(), aovs.end(), needsScattering),
+      .scatter = picture || exitance || std::any_of(aovs.begin(), aovs.end(), needsScattering),
       .map = needsMap(options, aovs),
       .samples = picture || asked(Aov::Radiance) ? options.antialias : 0,
       .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),

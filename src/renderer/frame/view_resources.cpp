@@ -99,7 +99,8 @@ void ViewResources::makeImages(const RenderOptions& options, const SceneResource
   made_.exitance.vertices = gpu::Buffer(
       device_, {.name = "exitance of vertices",
                 .bytes = std::max<std::size_t>(scene.mesh.vertexCount, 1) * sizeof(shared::vec4),
-                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                .lent = true});
   if (!fits) made_.radiance = passes::ShadePass::makeRadiance(device_, width, height);
 }
 

@@ -26,6 +26,7 @@ class SceneMotion {
   void record(gpu::CommandList& commands, const passes::DeformPass& pass, const SceneTime& time,
               passes::DeformedMesh& mesh);
 
+  const std::vector<ObjectRange>& ranges() const { return ranges_; }
   GivenPositions& given() { return given_; }
   passes::Motion& tables() { return motion_; }
 

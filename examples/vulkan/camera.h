@@ -1,0 +1,10 @@
+#pragma once
+
+#include <opaline/opaline.h>
+
+/// The engine's camera: looks from `eye` at `target`, y up, reversed depth without a far plane.
+struct Camera {
+  opaline::CameraMatrices matrices;
+  opaline::Matrix worldToClip;  ///< both, for shaders
+};
+Camera lookAt(const opaline::Vec3& eye, const opaline::Vec3& target, float focal, float nearMm);
