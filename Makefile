@@ -62,6 +62,7 @@ demo: build
 check:
 	$(PYTHON) tools/check_names.py
 	$(PYTHON) tools/check_layers.py
+	$(PYTHON) tools/check_documented.py
 	$(PYTHON) tools/check_links.py
 	$(PYTHON) tools/check_format.py
 	$(PYTHON) -m unittest discover -q -s tests/tools -p '*_test.py'

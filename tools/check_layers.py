@@ -71,7 +71,7 @@ APART = ("src/passes",)
 # Headers of others -> the folders that may include them. What is not named here is free.
 THIRD_PARTY = {
     "vulkan": ("include/opaline/vulkan.h", "src/c_interface/vulkan.cpp", "src/gpu", "src/passes", "src/paper", "src/renderer", "tests",
-               "apps/opaline/viewer"),
+               "apps/opaline/viewer", "examples/vulkan"),
     "glm": ("src/shaders", "src/passes", "src/paper", "src/renderer", "src/gpu", "tests", "bench", "apps/opaline/viewer"),
     "embree3": ("reference", "tests", "bench"),
     "tbb": ("reference", "tests", "bench"),

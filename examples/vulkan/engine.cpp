@@ -11,13 +11,13 @@ void check(VkResult result, const char* attempt) {
 }
 
 constexpr std::uint32_t floorVertex[] = {
-#include "shaders/floor.vert.inc"
+#include "compiled/floor.vert.inc"
 };
 constexpr std::uint32_t floorFragment[] = {
-#include "shaders/floor.frag.inc"
+#include "compiled/floor.frag.inc"
 };
 constexpr std::uint32_t waveCode[] = {
-#include "shaders/wave.comp.inc"
+#include "compiled/wave.comp.inc"
 };
 
 constexpr VkFormat colorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;

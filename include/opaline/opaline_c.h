@@ -30,6 +30,7 @@ extern "C" {
 
 struct OpalineGivenVulkan;
 
+/// What a call came to.
 typedef enum OpalineStatus {
   OpalineOk = 0,
   OpalineFailed = 1,    ///< bad input, a file that cannot be read or written, a failed device
@@ -75,6 +76,7 @@ OPALINE_API OpalineStatus opalineMediumOfAppearance(const double color[3],
 /// Objects, lights and a camera, as plain data in the host's memory.
 typedef struct OpalineScene OpalineScene;
 
+/// How a scene is read.
 typedef struct OpalineLoadOptions {
   size_t size;                  ///< sizeof(OpalineLoadOptions)
   float diagonalMm;             ///< that the scene is scaled to; 0: as the file says
@@ -95,6 +97,7 @@ OPALINE_API OpalineStatus opalineCreateBear(const OpalineLoadOptions* options,
 OPALINE_API OpalineStatus opalineCreateTeapot(const OpalineLoadOptions* options,
                                               OpalineScene** scene);
 
+/// Renderers that have it set keep what they took of it.
 OPALINE_API void opalineDestroyScene(OpalineScene* scene);
 
 /// A body to be added to a scene. What it points to is copied.
@@ -117,6 +120,7 @@ OPALINE_API OpalineStatus opalineAddObject(OpalineScene* scene, const OpalineObj
 /// An opaque plane under all that the scene has, which gives back this share of light.
 OPALINE_API OpalineStatus opalineAddGround(OpalineScene* scene, const float color[3]);
 
+/// What is known of an object.
 typedef struct OpalineObjectFacts {
   size_t size;       ///< sizeof(OpalineObjectFacts)
   const char* name;  ///< lives until the scene changes
@@ -124,6 +128,7 @@ typedef struct OpalineObjectFacts {
   size_t triangleCount;
 } OpalineObjectFacts;
 
+/// How many objects a scene has, and what is known of each.
 OPALINE_API OpalineStatus opalineObjectCount(const OpalineScene* scene, size_t* count);
 OPALINE_API OpalineStatus opalineObjectFacts(const OpalineScene* scene, size_t object,
                                              OpalineObjectFacts* facts);
@@ -132,6 +137,7 @@ OPALINE_API OpalineStatus opalineObjectFacts(const OpalineScene* scene, size_t o
 OPALINE_API OpalineStatus opalineObjectPositions(const OpalineScene* scene, size_t object,
                                                  float* positionsMm, size_t vertexCount);
 
+/// What an object is made of. Setting it makes an opaque one translucent.
 OPALINE_API OpalineStatus opalineObjectMedium(const OpalineScene* scene, size_t object,
                                               OpalineMedium* medium);
 OPALINE_API OpalineStatus opalineSetObjectMedium(OpalineScene* scene, size_t object,
@@ -164,6 +170,8 @@ OPALINE_API OpalineStatus opalineClearLights(OpalineScene* scene);
 /// A key light from behind at the side, a weak fill and weak ambient light, instead of all others.
 OPALINE_API OpalineStatus opalineUseDefaultLights(OpalineScene* scene);
 
+/// Lights without size; a spot shines fully inside of the inner angle and not beyond the outer one,
+/// both from its axis.
 OPALINE_API OpalineStatus opalineAddDirectionalLight(OpalineScene* scene,
                                                      const float directionToLight[3],
                                                      const float irradiance[3]);
@@ -199,6 +207,7 @@ OPALINE_API OpalineStatus opalineSetEnvironmentPixels(OpalineScene* scene, const
 /// A device with one scene at a time.
 typedef struct OpalineRenderer OpalineRenderer;
 
+/// How much a message matters.
 typedef enum OpalineLogLevel {
   OpalineDebug = 0,
   OpalineNote = 1,
@@ -213,6 +222,7 @@ OPALINE_API OpalineStatus opalineDeviceCount(size_t* count);
 /// The name of one, cut off where it has no room.
 OPALINE_API OpalineStatus opalineDeviceName(size_t device, char* name, size_t nameBytes);
 
+/// Which device a renderer uses, and how.
 typedef struct OpalineRendererOptions {
   size_t size;         ///< sizeof(OpalineRendererOptions)
   const char* device;  ///< index or part of a name; NULL: the best there is
@@ -227,6 +237,7 @@ typedef struct OpalineRendererOptions {
   size_t pipelineCacheBytes;               ///< 0 without one
 } OpalineRendererOptions;
 
+/// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineDefaultRendererOptions(OpalineRendererOptions* options);
 
 /// `options` may be NULL.
@@ -262,14 +273,17 @@ OPALINE_API OpalineStatus opalineSetPositions(OpalineRenderer* renderer, size_t 
 /// Undoes opalineSetPositions.
 OPALINE_API OpalineStatus opalineRestorePositions(OpalineRenderer* renderer, size_t object);
 
+/// How light travels in bodies; see Transport in opaline/render_options.h.
 typedef enum OpalineTransport {
   OpalineTransportDipole = 0,
   OpalineTransportBetterDipole = 1,
   OpalineTransportBoundary = 2
 } OpalineTransport;
 
+/// The sources of the sum; see Sum there.
 typedef enum OpalineSum { OpalineSumPattern = 0, OpalineSumTree = 1, OpalineSumAll = 2 } OpalineSum;
 
+/// Where the sum is evaluated; see Site there.
 typedef enum OpalineSite {
   OpalineSiteAuto = 0,
   OpalineSiteVertex = 1,
@@ -309,6 +323,7 @@ typedef struct OpalineRenderOptions {
   int32_t environmentBehind;  ///< 1 or 0
 } OpalineRenderOptions;
 
+/// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineDefaultRenderOptions(OpalineRenderOptions* options);
 
 /// A picture that is made again and again. It keeps its images, so that frames allocate nothing.
@@ -320,6 +335,7 @@ OPALINE_API OpalineStatus opalineCreateView(OpalineRenderer* renderer,
                                             OpalineView** view);
 OPALINE_API void opalineDestroyView(OpalineView* view);
 
+/// From the next frame on. Another size makes new images.
 OPALINE_API OpalineStatus opalineSetViewOptions(OpalineView* view,
                                                 const OpalineRenderOptions* options);
 /// NULL: the scene's again.
@@ -333,6 +349,7 @@ typedef struct OpalineCameraMatrices {
   float jitterPixels[2];  ///< to the right and down, if viewToClip does not have it yet
 } OpalineCameraMatrices;
 
+/// Instead of a camera, until opalineSetViewCamera().
 OPALINE_API OpalineStatus opalineSetViewMatrices(OpalineView* view,
                                                  const OpalineCameraMatrices* matrices);
 
@@ -375,6 +392,7 @@ typedef struct OpalineVulkanNeeds {
   const VkPhysicalDeviceFeatures2* optionalFeatures;
 } OpalineVulkanNeeds;
 
+/// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineVulkanNeeds(OpalineVulkanNeeds* needs);
 
 /// Why the library cannot use the device, cut off where it has no room; empty if it can.
@@ -406,6 +424,7 @@ typedef struct OpalineDevicePositions {
   uint32_t strideBytes;  ///< 0: 12
 } OpalineDevicePositions;
 
+/// As opalineSetPositions(), from a buffer that every frame reads again.
 OPALINE_API OpalineStatus opalineSetDevicePositions(OpalineRenderer* renderer, size_t object,
                                                     const OpalineDevicePositions* positions);
 
@@ -474,6 +493,7 @@ typedef struct OpalineDeviceImage {
   uint32_t height;
 } OpalineDeviceImage;
 
+/// Of the last frame that was to leave it.
 OPALINE_API OpalineStatus opalineViewPicture(const OpalineView* view, OpalineDeviceImage* picture);
 
 /// See DeviceBuffer.
@@ -484,6 +504,7 @@ typedef struct OpalineDeviceBuffer {
   VkDeviceSize bytes;
 } OpalineDeviceBuffer;
 
+/// Of the last frame that was to leave it.
 OPALINE_API OpalineStatus opalineViewExitance(const OpalineView* view, size_t object,
                                               OpalineDeviceBuffer* exitance);
 
@@ -491,6 +512,7 @@ OPALINE_API OpalineStatus opalineViewExitance(const OpalineView* view, size_t ob
 
 /* ---------------------------------------------------------------------------------- pictures */
 
+/// How radiance becomes colour.
 typedef struct OpalineTone {
   size_t size;              ///< sizeof(OpalineTone)
   float exposureStops;      ///< in [-32, 32]
@@ -498,6 +520,7 @@ typedef struct OpalineTone {
   const float* background;  ///< three floats, linear; NULL: alpha is coverage
 } OpalineTone;
 
+/// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineDefaultTone(OpalineTone* tone);
 
 /// The exposure that suits a scene's light, in stops.
@@ -530,6 +553,7 @@ typedef struct OpalineDifference {
   double psnrDb;
 } OpalineDifference;
 
+/// Both of 4 · width · height floats.
 OPALINE_API OpalineStatus opalineCompare(const float* rgbaOfA, const float* rgbaOfB, int32_t width,
                                          int32_t height, OpalineDifference* difference);
 

@@ -242,6 +242,7 @@ struct Ground {
   bool operator==(const Ground&) const = default;
 };
 
+/// Why it cannot be rendered; empty if it can.
 OPALINE_API std::string complaintAbout(const Ground& ground);
 
 /// The ground as an object, which becomes a part of the scene by being added to its objects.

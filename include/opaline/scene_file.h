@@ -35,6 +35,7 @@ struct ModelSource {
   std::optional<std::filesystem::path> morphTo;
   std::optional<Placement> placement;  ///< of all of it, its lights and camera too
 
+  /// Whether it names a model that the library carries.
   bool isBuiltIn() const { return file.string().starts_with("builtin:"); }
 };
 
@@ -65,6 +66,7 @@ struct SceneFileSettings {
   bool operator==(const SceneFileSettings&) const = default;
 };
 
+/// A scene as a file has it, and what the file says beside.
 struct LoadedScene {
   Scene scene;
   SceneFileSettings settings;
