@@ -266,7 +266,9 @@ struct VisibleSurfaces {
   gpu::Buffer paint;  ///< vec4 for each: what has entered at the surface of painted bodies, then
                       ///< of what leaves the part that goes towards the camera, over that without
   KeptOfSeen kept;    ///< there is room for these
-  gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: whether all mirror the sky, or none, or unknown
+  gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: how much of what they mirror is sky, or unknown
+  gpu::Buffer askedOfSky;   ///< surfaces in blocks of which that is unknown, as entries of the list
+  gpu::Buffer askedCounts;  ///< shared::SeenCount, of all of those and of parts
   std::uint32_t rowsOfBand = 0;
   std::uint32_t parts = 0;  ///< of the list, at most
 };

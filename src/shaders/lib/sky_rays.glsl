@@ -22,9 +22,9 @@ const uint rayMeets = 0u;
 const uint rayIsFree = 1u;
 const uint noRay = 2u;  // it would enter the surface
 
-// The i-th ray of the lobe at a place.
-uint reflectedRay(uint i, MeshPlace place) {
-  vec3 direction = reflectedDirection(i, raysInAll, alpha, place.normal, place);
+// The i-th of `count` rays of the lobe at a place.
+uint reflectedRay(uint i, uint count, MeshPlace place) {
+  vec3 direction = reflectedDirection(i, count, alpha, place.normal, place);
   if (direction == vec3(0.0)) return noRay;
   float start = startAbove(place.position);
   bool meets = occluded(place.position + start * place.facet, direction, start, 3e38,
