@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "deform/deformed_vertices.h"
@@ -29,6 +30,19 @@ deform::DeformedVertices meshAt(const opaline::Scene& scene, std::size_t object,
   return mesh;
 }
 
+namespace {
+
+// It stands still, and a hair lower than it says: what stands on it has a surface of its own there,
+// which rays must meet first.
+void placeGround(const opaline::Scene& scene, const Object& ground, Body& body) {
+  const double hair = std::ldexp(double{diagonalMm(scene)}, -19);
+  for (const Vec3& p : ground.mesh.positionsMm)
+    body.positionsMm.push_back(toVector(p) - Vector{0, hair, 0});
+  for (const Vec3& n : ground.mesh.normals) body.normals.push_back(toVector(n));
+}
+
+}  // namespace
+
 Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
                  const PositionsByObject& positionsMm) {
   for (const auto& [object, positions] : positionsMm) {
@@ -43,17 +57,25 @@ Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
   Scene result;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    if (object.opaque)
-      throw UsageError(
-          fmt::format("'{}' is opaque, and a reference knows translucent bodies only: "
-                      "leave it out, or give it a medium",
-                      object.name));
-    deform::DeformedVertices mesh = meshAt(scene, i, pose, time.seconds, positionsMm);
-    result.bodies.push_back({std::move(mesh.positionsMm), std::move(mesh.normals),
-                             object.mesh.triangles, object.medium});
-    if (object.paint)
-      result.bodies.back().painted = {*object.paint, object.mesh.textureCoordinates,
-                                      object.mesh.colors};
+    Body& body = result.bodies.emplace_back();
+    if (object.isGround) {
+      placeGround(scene, object, body);
+    } else {
+      deform::DeformedVertices mesh = meshAt(scene, i, pose, time.seconds, positionsMm);
+      body.positionsMm = std::move(mesh.positionsMm);
+      body.normals = std::move(mesh.normals);
+    }
+    body.triangles = object.mesh.triangles;
+    body.medium = object.medium;
+    body.opaque = object.opaque;
+    if (!object.opaque) body.paint = object.paint;
+    body.isGround = object.isGround;
+    if (!body.opaque && !body.paint) continue;
+    body.textureCoordinates = object.mesh.textureCoordinates;
+    body.colors = object.mesh.colors;
+    if (body.opaque && body.opaque->normalTexture)
+      body.tangents = scene::tangentsOf(
+          object.mesh, static_cast<std::size_t>(body.opaque->normalTexture->coordinates));
   }
   result.lighting = scene.lighting;
   result.camera = scene.camera;

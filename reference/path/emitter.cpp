@@ -4,25 +4,41 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
-#include "environment/lat_long.h"
 #include "lights/area.h"
+#include "reference/opaque_surface.h"
 
 namespace opaline::reference {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
+
+// How far a ground is lit, in radii of what stands on it. What lies beyond fills a 250th of what a
+// wall of half that height sees of the ground.
+constexpr double litGround = 8;
+
+/// The brightest that a surface can be by itself.
+double mostEmitted(const OpaqueMaterial& material, std::size_t channel) {
+  return double{material.unlit ? material.baseColor[channel] : material.emission[channel]};
+}
 
 }  // namespace
 
-Emitter::Emitter(const Scene& scene, int channel) {
-  const Box box = boxOf(scene);
-  centre_ = box.centre();
-  for (const Body& body : scene.bodies)
+Emitter::Emitter(const Geometry& geometry, int channel)
+    : geometry_(geometry), channel_(static_cast<std::size_t>(channel)) {
+  const Scene& scene = geometry.scene();
+  centre_ = geometry.box().centre();
+  bool hasGround = false;
+  for (const Body& body : scene.bodies) {
+    hasGround = hasGround || body.isGround;
+    if (body.isGround) continue;
     for (const Vector& p : body.positionsMm) radiusMm_ = std::max(radiusMm_, length(p - centre_));
-  radiusMm_ *= 1 + 1e-6;
-  const auto c = static_cast<std::size_t>(channel);
+  }
+  if (radiusMm_ == 0) radiusMm_ = 0.5 * geometry.box().diagonalMm();
+  radiusMm_ *= hasGround ? litGround : 1 + 1e-6;
+  const std::size_t c = channel_;
   const double disc = pi * radiusMm_ * radiusMm_;
   for (const DirectionalLight& light : scene.lighting.directional)
     add({Kind::Directional, unitOr(toVector(light.directionToLight), {0, 0, 1})},
@@ -42,7 +58,13 @@ Emitter::Emitter(const Scene& scene, int channel) {
   areas_ = scene.lighting.areas;
   for (std::size_t i = 0; i < areas_.size(); ++i) addArea(i, c);
   add({Kind::Ambient}, double{scene.lighting.ambient[c]} * pi * 4 * disc);
-  if (scene.lighting.environment) addEnvironment(*scene.lighting.environment, channel);
+  if (scene.lighting.environment) {
+    Colour own{};
+    own[c] = 1;
+    environment_.emplace(*scene.lighting.environment, own);
+    add({Kind::Environment}, environment_->sum() * disc);
+  }
+  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) addSurface(i);
 }
 
 void Emitter::add(Source source, double flux) {
@@ -70,20 +92,20 @@ double Emitter::cosineOfScene(const Vector& position) const {
   return distance > radiusMm_ ? std::sqrt(1 - ratio * ratio) : -1;
 }
 
-void Emitter::addEnvironment(const Image& image, int channel) {
-  environmentWidth_ = image.width;
-  environmentHeight_ = image.height;
-  double sum = 0;
-  for (int y = 0; y < image.height; ++y) {
-    const double top = std::cos(pi * y / image.height);
-    const double bottom = std::cos(pi * (y + 1) / image.height);
-    const double solidAngle = 2 * pi / image.width * (top - bottom);
-    for (int x = 0; x < image.width; ++x) {
-      sum += std::max(double{image.pixel(x, y)[channel]}, 0.0) * solidAngle;
-      pixelsSoFar_.push_back(sum);
-    }
+void Emitter::addSurface(std::uint32_t body) {
+  const Body& of = geometry_.scene().bodies[body];
+  if (!of.opaque || !(mostEmitted(*of.opaque, channel_) > 0)) return;
+  Surface surface{body, {}};
+  double area = 0;
+  for (const Triangle& t : of.triangles) {
+    const Vector& a = of.positionsMm[t[0]];
+    area += 0.5 * length(cross(of.positionsMm[t[1]] - a, of.positionsMm[t[2]] - a));
+    surface.areasSoFarMm2.push_back(area);
   }
-  add({Kind::Environment}, sum * pi * radiusMm_ * radiusMm_);
+  Source source{Kind::Surface};
+  source.area = surfaces_.size();
+  surfaces_.push_back(std::move(surface));
+  add(source, mostEmitted(*of.opaque, channel_) * 2 * pi * area);
 }
 
 Flight Emitter::throughDisc(const Vector& toLight, Random& random) const {
@@ -130,18 +152,22 @@ Flight Emitter::fromAround(Random& random) const {
   return {centre_ + radiusMm_ * outward, around(-outward, cosine, 2 * pi * random())};
 }
 
-Vector Emitter::environmentDirection(Random& random) const {
-  const double wanted = random() * pixelsSoFar_.back();
-  const auto found = std::upper_bound(pixelsSoFar_.begin(), pixelsSoFar_.end(), wanted);
-  const auto index = static_cast<int>(std::min<std::ptrdiff_t>(
-      found - pixelsSoFar_.begin(), static_cast<std::ptrdiff_t>(pixelsSoFar_.size()) - 1));
-  const int x = index % environmentWidth_;
-  const int y = index / environmentWidth_;
-  // Uniform in solid angle within the pixel: in the cosine of the polar angle.
-  const double top = std::cos(pi * y / environmentHeight_);
-  const double bottom = std::cos(pi * (y + 1) / environmentHeight_);
-  const double v = std::acos(std::clamp(top + (bottom - top) * random(), -1.0, 1.0)) / pi;
-  return toVector(latLongDirection((x + random()) / environmentWidth_, v));
+Flight Emitter::fromSurface(const Surface& surface, Random& random) const {
+  const Body& body = geometry_.scene().bodies[surface.body];
+  const std::vector<double>& soFar = surface.areasSoFarMm2;
+  const auto found = std::upper_bound(soFar.begin(), soFar.end() - 1, random() * soFar.back());
+  const double root = std::sqrt(random());
+  const double along = random();
+  const SurfacePoint point =
+      geometry_.pointOn(surface.body, static_cast<std::uint32_t>(found - soFar.begin()),
+                        {1 - root, root * (1 - along), root * along});
+  const double emitted = opaqueSurfaceAt(body, point).emission[channel_];
+  if (random() * mostEmitted(*body.opaque, channel_) >= emitted ||
+      isCutOut(body, point.triangle, point.weights))
+    return nowhere();
+  const Vector side = random() < 0.5 ? point.facetNormal : -point.facetNormal;
+  const double cosine = std::sqrt(random());
+  return {point.position, around(side, cosine, 2 * pi * random()), point};
 }
 
 Flight Emitter::emit(Random& random) const {
@@ -157,10 +183,12 @@ Flight Emitter::emit(Random& random) const {
       return fromArea(*source, random);
     case Kind::Ambient:
       return fromAround(random);
+    case Kind::Surface:
+      return fromSurface(surfaces_[source->area], random);
     case Kind::Environment:
       break;
   }
-  return throughDisc(environmentDirection(random), random);
+  return throughDisc(environment_->direction(random), random);
 }
 
 }  // namespace opaline::reference

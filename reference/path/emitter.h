@@ -1,20 +1,25 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lights/spot.h"
 #include "reference/geometry.h"
+#include "reference/path/sky_pixels.h"
 #include "reference/path/walk.h"
 
 namespace opaline::reference {
 
-/// All lights of a scene in one channel, as a source of particles of equal flux. Directional lights
-/// and the environment shine on a disc that hides the ball around the scene, point lights into the
-/// cone that holds it, spot and area lights into that part of it which they shine on, constant
-/// ambient light through its whole surface.
+/// All that shines in one channel of a scene, as a source of particles of equal flux. Directional
+/// lights and the environment shine on a disc that hides the ball around the scene, point lights
+/// into the cone that holds it, spot and area lights into that part of it which they shine on,
+/// constant ambient light through its whole surface. Where the scene has a ground, the ball holds
+/// what of it gives noticeable light to the rest. Emission starts at the surface, to both sides.
 class Emitter {
  public:
-  Emitter(const Scene& scene, int channel);
+  /// The geometry must live as long.
+  Emitter(const Geometry& geometry, int channel);
 
   /// Flux of all particles together.
   double flux() const { return flux_; }
@@ -22,7 +27,7 @@ class Emitter {
   Flight emit(Random& random) const;
 
  private:
-  enum class Kind { Directional, Point, Area, Ambient, Environment };
+  enum class Kind { Directional, Point, Area, Ambient, Environment, Surface };
   struct Source {
     Kind kind = Kind::Directional;
     Vector place{};        ///< direction to the light, or its position
@@ -30,30 +35,37 @@ class Emitter {
     double fluxSoFar = 0;  ///< of this and all before
     Vector axis{};         ///< where a spot light shines to
     SpotFalloff falloff{};
-    std::size_t area = 0;  ///< which area light
+    std::size_t area = 0;  ///< which area light, or surface
+  };
+
+  /// The triangles of a body that shines.
+  struct Surface {
+    std::uint32_t body = 0;
+    std::vector<double> areasSoFarMm2;
   };
 
   void add(Source source, double flux);
   void addArea(std::size_t index, std::size_t channel);
   /// The cone from there that holds the scene.
   double cosineOfScene(const Vector& position) const;
-  void addEnvironment(const Image& image, int channel);
+  void addSurface(std::uint32_t body);
   Flight throughDisc(const Vector& toLight, Random& random) const;
   Flight fromPoint(const Source& source, Random& random) const;
   Flight fromArea(const Source& source, Random& random) const;
   /// Starts behind the scene and leaves it.
   Flight nowhere() const;
   Flight fromAround(Random& random) const;
-  Vector environmentDirection(Random& random) const;
+  Flight fromSurface(const Surface& surface, Random& random) const;
 
+  const Geometry& geometry_;
+  std::size_t channel_;
   Vector centre_{};
   double radiusMm_ = 0;
   double flux_ = 0;
   std::vector<Source> sources_;
   std::vector<AreaLight> areas_;
-  std::vector<double> pixelsSoFar_;  ///< of the environment: integral of radiance up to each pixel
-  int environmentWidth_ = 0;
-  int environmentHeight_ = 0;
+  std::vector<Surface> surfaces_;
+  std::optional<SkyPixels> environment_;
 };
 
 }  // namespace opaline::reference
