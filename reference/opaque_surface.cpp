@@ -60,6 +60,12 @@ OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point) {
   return surface;
 }
 
+double mattShare(const OpaqueSurface& surface, std::size_t channel) {
+  // Mean over the hemisphere of the reflectance by Schlick 1994.
+  const double mirrored = std::lerp(surface.mirrored[channel], surface.grazing, 1.0 / 21);
+  return mirrored + (1 - mirrored) * surface.diffuse[channel];
+}
+
 Vector opaqueNormalAt(const Body& body, const SurfacePoint& point) {
   const Vector& normal = point.shadingNormal;
   const std::optional<Texture>& texture = body.opaque->normalTexture;

@@ -20,6 +20,9 @@ struct OpaqueSurface {
 /// The body must be opaque.
 OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point);
 
+/// All that it gives back of light from everywhere in one channel, as if it were matt.
+double mattShare(const OpaqueSurface& surface, std::size_t channel);
+
 /// The normal that the body's normal texture tells; without one, the interpolated normal.
 Vector opaqueNormalAt(const Body& body, const SurfacePoint& point);
 

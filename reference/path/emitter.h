@@ -6,6 +6,7 @@
 
 #include "lights/spot.h"
 #include "reference/geometry.h"
+#include "reference/path/far_ground.h"
 #include "reference/path/sky_pixels.h"
 #include "reference/path/walk.h"
 
@@ -14,8 +15,9 @@ namespace opaline::reference {
 /// All that shines in one channel of a scene, as a source of particles of equal flux. Directional
 /// lights and the environment shine on a disc that hides the ball around the scene, point lights
 /// into the cone that holds it, spot and area lights into that part of it which they shine on,
-/// constant ambient light through its whole surface. Where the scene has a ground, the ball holds
-/// what of it gives noticeable light to the rest. Emission starts at the surface, to both sides.
+/// constant ambient light through its whole surface. Where the scene has a ground, the ball is some
+/// times larger, and light of the ground beyond comes through the surface of the smaller one.
+/// Emission starts at the surface, to both sides.
 class Emitter {
  public:
   /// The geometry must live as long.
@@ -27,12 +29,13 @@ class Emitter {
   Flight emit(Random& random) const;
 
  private:
-  enum class Kind { Directional, Point, Area, Ambient, Environment, Surface };
+  enum class Kind { Directional, Point, Area, Ambient, Environment, Surface, Ground };
   struct Source {
     Kind kind = Kind::Directional;
     Vector place{};        ///< direction to the light, or its position
     double cosine = -1;    ///< of the cone around the direction to the scene
     double fluxSoFar = 0;  ///< of this and all before
+    bool lightsFarGround = false;
     Vector axis{};         ///< where a spot light shines to
     SpotFalloff falloff{};
     std::size_t area = 0;  ///< which area light, or surface
@@ -47,20 +50,24 @@ class Emitter {
   void add(Source source, double flux);
   void addArea(std::size_t index, std::size_t channel);
   /// The cone from there that holds the scene.
-  double cosineOfScene(const Vector& position) const;
+  double cosineOfScene(const Vector& position, double reachMm = 0) const;
   void addSurface(std::uint32_t body);
   Flight throughDisc(const Vector& toLight, Random& random) const;
   Flight fromPoint(const Source& source, Random& random) const;
   Flight fromArea(const Source& source, Random& random) const;
   /// Starts behind the scene and leaves it.
   Flight nowhere() const;
-  Flight fromAround(Random& random) const;
+  Flight fromAround(double radiusMm, Random& random) const;
+  Flight fromGround(Random& random) const;
+  Flight startedBy(const Source& source, Random& random) const;
   Flight fromSurface(const Surface& surface, Random& random) const;
 
   const Geometry& geometry_;
   std::size_t channel_;
   Vector centre_{};
   double radiusMm_ = 0;
+  double radiusOfBodiesMm_ = 0;
+  std::optional<FarGround> farGround_;
   double flux_ = 0;
   std::vector<Source> sources_;
   std::vector<AreaLight> areas_;

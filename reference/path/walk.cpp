@@ -48,11 +48,7 @@ void Walk::reflect(const Particle& particle, Random& random,
 
 bool Walk::reflectMatt(Particle& particle, Random& random) const {
   const Body& body = geometry_.scene().bodies[particle.surface.body];
-  const OpaqueSurface surface = opaqueSurfaceAt(body, particle.surface);
-  // Mean over the hemisphere of Schlick's reflectance.
-  const double mirrored = std::lerp(surface.mirrored[channel_], surface.grazing, 1.0 / 21);
-  const double share = mirrored + (1 - mirrored) * surface.diffuse[channel_];
-  if (random() >= share) return false;
+  if (random() >= mattShare(opaqueSurfaceAt(body, particle.surface), channel_)) return false;
   const Vector& facet = particle.surface.facetNormal;
   const Vector normal = dot(facet, particle.direction) > 0 ? -facet : facet;
   const double cosine = std::sqrt(random());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,6 +33,8 @@ struct Flight {
   Vector origin{};
   Vector direction{};  ///< unit
   std::optional<SurfacePoint> from{};  ///< if it starts on a surface
+  /// What is met first beyond that is left to other particles.
+  double reachMm = std::numeric_limits<double>::infinity();
 };
 
 /// How the way of a particle ended.
@@ -69,6 +72,7 @@ class Walk {
     SurfacePoint surface;  ///< that it comes from
     bool fromSurface = false;
     int met = 0;  ///< bodies
+    double reachMm = std::numeric_limits<double>::infinity();  ///< until the first is met
   };
 
   /// One particle, until it ends or becomes several.
@@ -173,7 +177,8 @@ End Walk::followOne(Particle particle, Random& random, const Leave& leave,
                     std::vector<Particle>& others) const {
   while (true) {
     const std::optional<Geometry::Hit> hit = next(particle);
-    if (!hit) return End::Away;
+    if (!hit || hit->distanceMm > particle.reachMm) return End::Away;
+    particle.reachMm = std::numeric_limits<double>::infinity();
     if (particle.met++ > bounces_) return End::Dropped;
     particle.surface = hit->point;
     particle.position = hit->point.position;
@@ -201,7 +206,7 @@ End Walk::followOne(Particle particle, Random& random, const Leave& leave,
 
 template <typename Leave>
 End Walk::follow(const Flight& flight, Random& random, const Leave& leave) const {
-  Particle first{flight.origin, flight.direction, {}, false};
+  Particle first{flight.origin, flight.direction, {}, false, 0, flight.reachMm};
   if (flight.from) {
     first.surface = *flight.from;
     first.fromSurface = true;

@@ -246,7 +246,30 @@ TEST(OpaqueTruthTest, TheIntegralKnowsDirectLight) {
   EXPECT_GT(shaded, 0);
 }
 
-// A ground counts for no size, and is lit far enough around what stands on it.
+// A ball on an endless ground under light from straight above. Of what leaves a place of the ground
+// at a distance d from its middle, (R/d)³ meets it; that is lit from R√2 on: ρ√2 of the light that
+// meets it from above, without the light that goes on from one to the other.
+TEST(OpaqueTruthTest, AnEndlessGroundLightsABall) {
+  const Medium white{"white", {1, 1, 1}, {0, 0, 0}, 1.01};
+  Scene scene = test::sceneOfBodies({test::bodyOf(test::sphere({0, 5, 0}, 5, 4), white)});
+  scene.lighting.directional = {{{0, 1, 0}, {1, 1, 1}}};
+  const auto leftOf = [&] {
+    Eye eye(scene, 1);
+    eye.tracer().run(400'000);
+    double left = 0;
+    for (const Order order : {Order::Unscattered, Order::Single, Order::Multiple})
+      left += eye.tracer().leftFlux(0, order);
+    return left;
+  };
+  EXPECT_NEAR(leftOf() / (pi * 25), 1, 0.01);
+  Body ground = test::bodyOf(test::sheet({0, -0.001F, 0}, {0, 0, 9000}, {9000, 0, 0}, 1));
+  ground.opaque = mattMaterial({0.5F, 0.5F, 0.5F});
+  ground.isGround = true;
+  scene.bodies.push_back(ground);
+  EXPECT_NEAR(leftOf() / (pi * 25), 1 + 0.5 * std::sqrt(2.0), 0.03);
+}
+
+// A ground counts for no size.
 TEST(OpaqueTruthTest, AGroundCountsForNoSize) {
   Scene scene = test::sceneOfBodies({test::bodyOf(test::sphere({0, 0, 0}, 5, 3))});
   const double alone = boxOf(scene).diagonalMm();
