@@ -59,9 +59,8 @@ double ggxHidden(double alpha, double cosine) {
 Vector visibleFacet(double alpha, const Vector& toEye, double u1, double u2) {
   const Vector stretched = unitOr({alpha * toEye[0], alpha * toEye[1], toEye[2]}, {0, 0, 1});
   const double across = std::hypot(stretched[0], stretched[1]);
-  const Vector t1 = across > 0
-                        ? Vector{-stretched[1] / across, stretched[0] / across, 0}
-                        : Vector{1, 0, 0};
+  const Vector t1 =
+      across > 0 ? Vector{-stretched[1] / across, stretched[0] / across, 0} : Vector{1, 0, 0};
   const Vector t2 = cross(stretched, t1);
   const double radius = std::sqrt(u1);
   const double angle = 2 * pi * u2;
@@ -77,9 +76,7 @@ MirroredShares mirroredShares(double alpha, double cosine) {
   static const std::vector<MirroredShares> table = tabulated();
   const double row = std::clamp(std::sqrt(alpha) * (rows - 1), 0.0, rows - 1.001);
   const double column = std::clamp(cosine * columns - 0.5, 0.0, columns - 1.001);
-  const auto at = [&](int i, int j) {
-    return table[static_cast<std::size_t>(i * columns + j)];
-  };
+  const auto at = [&](int i, int j) { return table[static_cast<std::size_t>(i * columns + j)]; };
   const int i = static_cast<int>(row);
   const int j = static_cast<int>(column);
   const auto mean = [&](double MirroredShares::*part) {

@@ -70,9 +70,9 @@ Irradiance::Irradiance(const Geometry& geometry, Sky sky) : geometry_(geometry),
   areas_ = lighting.areas;
   const SkyParts parts = partsOfSky(lighting);
   const std::vector<Body>& bodies = geometry.scene().bodies;
-  const bool shadowed = sky == Sky::Shadowed ||
-                        std::any_of(bodies.begin(), bodies.end(),
-                                    [](const Body& body) { return body.opaque.has_value(); });
+  const bool shadowed =
+      sky == Sky::Shadowed || std::any_of(bodies.begin(), bodies.end(),
+                                          [](const Body& body) { return body.opaque.has_value(); });
   for (int i = 0; shadowed && !skyIsDark(lighting) && i < skyRays; ++i) {
     const Vec3 direction = latticeDirection(i, skyRays);
     skyRays_.push_back(
@@ -83,9 +83,8 @@ Irradiance::Irradiance(const Geometry& geometry, Sky sky) : geometry_(geometry),
     auto found = std::find_if(ambients_.begin(), ambients_.end(),
                               [&](const Ambient& ambient) { return ambient.eta == eta; });
     if (found == ambients_.end())
-      found = ambients_.insert(
-          found, {eta, SkyTable(eta > 0 ? SkyIrradiance::entering(parts, eta)
-                                        : SkyIrradiance::arriving(parts))});
+      found = ambients_.insert(found, {eta, SkyTable(eta > 0 ? SkyIrradiance::entering(parts, eta)
+                                                             : SkyIrradiance::arriving(parts))});
     ambientOf_.push_back(static_cast<std::size_t>(found - ambients_.begin()));
   }
 }

@@ -38,19 +38,15 @@ OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point) {
     return surface;
   }
   const auto& shine = material.metallicRoughnessTexture;
-  const double metallic =
-      std::clamp(double{material.metallic} * number(shine, blue), 0.0, 1.0);
-  const double roughness =
-      std::clamp(double{material.roughness} * number(shine, green), 0.02, 1.0);
+  const double metallic = std::clamp(double{material.metallic} * number(shine, blue), 0.0, 1.0);
+  const double roughness = std::clamp(double{material.roughness} * number(shine, green), 0.02, 1.0);
   const double strength = double{material.specular} * number(material.specularTexture, alpha);
-  const Colour tint =
-      colorAt(body, point, material.specularColor, material.specularColorTexture);
+  const Colour tint = colorAt(body, point, material.specularColor, material.specularColorTexture);
   const double ior{material.ior};
   const double headOn = std::pow((ior - 1) / (ior + 1), 2);
   for (std::size_t c = 0; c < 3; ++c) {
     surface.diffuse[c] = (1 - metallic) * base[c];
-    surface.mirrored[c] =
-        std::lerp(std::min(headOn * tint[c], 1.0) * strength, base[c], metallic);
+    surface.mirrored[c] = std::lerp(std::min(headOn * tint[c], 1.0) * strength, base[c], metallic);
   }
   surface.grazing = std::lerp(strength, 1.0, metallic);
   surface.alpha = roughness * roughness;

@@ -36,7 +36,7 @@ struct PictureOptions {
   int antialias = 4;               ///< samples a pixel of Aov::Radiance: 1, 2, 4 or 8
   bool environmentBehind = false;  ///< of Aov::Radiance, where no surface is
   std::optional<Region> region;
-  int every = 1;  ///< only columns and rows whose number is a multiple of this
+  int every = 1;          ///< only columns and rows whose number is a multiple of this
   int pathsOfPixel = 64;  ///< of path tracing, from the eye to opaque bodies, in [1, 1e6]
   EyePathOptions eye;
 };

@@ -29,8 +29,8 @@ IntegralTruth integralTruth(const Geometry& geometry, const Irradiance& irradian
 namespace {
 
 // By many paths, from a sequence of random numbers for each look.
-Exitance seenByPaths(const EyePaths& paths, const Scene& scene, const OpaqueLook& look,
-                     int number, std::uint64_t seed) {
+Exitance seenByPaths(const EyePaths& paths, const Scene& scene, const OpaqueLook& look, int number,
+                     std::uint64_t seed) {
   constexpr std::uint64_t apartFromParticles = 0x5EED0FE7E;
   Random random(seed + apartFromParticles, look.number);
   Colour sum{};
@@ -65,12 +65,12 @@ Picture pathTruth(const PathTracer& tracer, const Geometry& geometry, const Irra
   const int number =
       (picture.pathsOfPixel + picture.antialias - 1) / std::max(picture.antialias, 1);
   const int ofLook = picture.aov == Aov::Radiance ? number : picture.pathsOfPixel;
-  const LeavingLight light{
-      [&](const SurfacePoint& point) { return tracer.exitance(point); },
-      exitFactors(geometry.scene(), Transport::BetterDipole),
-      [&](const OpaqueLook& look) {
-        return seenByPaths(paths, geometry.scene(), look, ofLook, tracer.options().seed);
-      }};
+  const LeavingLight light{[&](const SurfacePoint& point) { return tracer.exitance(point); },
+                           exitFactors(geometry.scene(), Transport::BetterDipole),
+                           [&](const OpaqueLook& look) {
+                             return seenByPaths(paths, geometry.scene(), look, ofLook,
+                                                tracer.options().seed);
+                           }};
   return makePicture(geometry, irradiance, light, picture, progress);
 }
 

@@ -148,8 +148,7 @@ Flight Emitter::fromArea(const Source& source, Random& random) const {
   const AreaLight& light = areas_[source.area];
   const double x = random();
   const AreaPoint place = pointOn(light, x, random());
-  const double cosineOfCone =
-      source.cosine > -1 ? cosineOfScene(place.positionMm) : source.cosine;
+  const double cosineOfCone = source.cosine > -1 ? cosineOfScene(place.positionMm) : source.cosine;
   const double cosine = 1 - random() * (1 - cosineOfCone);
   const Vector direction =
       around(unitOr(centre_ - place.positionMm, {0, 0, 1}), cosine, 2 * pi * random());
@@ -221,8 +220,7 @@ Flight Emitter::emit(Random& random) const {
                                    [&](const Source& known) { return wanted < known.fluxSoFar; });
   Flight flight = startedBy(*source, random);
   if (source->lightsFarGround && farGround_)
-    flight.reachMm =
-        (1 - 1e-6) * farGround_->distanceAlong(flight.origin, flight.direction);
+    flight.reachMm = (1 - 1e-6) * farGround_->distanceAlong(flight.origin, flight.direction);
   return flight;
 }
 

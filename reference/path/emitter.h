@@ -36,7 +36,7 @@ class Emitter {
     double cosine = -1;    ///< of the cone around the direction to the scene
     double fluxSoFar = 0;  ///< of this and all before
     bool lightsFarGround = false;
-    Vector axis{};         ///< where a spot light shines to
+    Vector axis{};  ///< where a spot light shines to
     SpotFalloff falloff{};
     std::size_t area = 0;  ///< which area light, or surface
   };

@@ -110,12 +110,10 @@ Colour EyePaths::follow(Vertex vertex, Random& random) const {
     if (largest(share) <= 0) return sum;
     const auto hit = geometry_.closestHit(vertex.point, direction);
     const double free = hit ? hit->distanceMm : std::numeric_limits<double>::infinity();
-    lights_.forEachAlong(vertex.point.position, direction, free,
-                         [&](const LightAlong& light) {
-                           sum += (light.isSky ? vertex.occlusion : 1) *
-                                  balanced(density, light.density) *
-                                  product(share, light.radiance);
-                         });
+    lights_.forEachAlong(vertex.point.position, direction, free, [&](const LightAlong& light) {
+      sum += (light.isSky ? vertex.occlusion : 1) * balanced(density, light.density) *
+             product(share, light.radiance);
+    });
     if (!hit || bounce >= tracer_.options().bounces) return sum;
     share = vertex.occlusion * share;
     // Dark paths end by chance.
@@ -133,7 +131,9 @@ Colour EyePaths::radiance(const SurfacePoint& point, const Vector& toEye, Random
 Colour EyePaths::irradiance(const SurfacePoint& point, const Vector& toEye, Random& random) const {
   const Body& body = geometry_.scene().bodies[point.body];
   const Sides sides = sidesOf(body, point, toEye);
-  const Vertex vertex{point, Reflection(whiteSurface(), sides.normal, sides.outside, toEye), {},
+  const Vertex vertex{point,
+                      Reflection(whiteSurface(), sides.normal, sides.outside, toEye),
+                      {},
                       opaqueSurfaceAt(body, point).occlusion};
   return pi * follow(vertex, random);
 }

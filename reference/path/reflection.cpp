@@ -119,8 +119,8 @@ double Reflection::density(const Vector& toLight) const {
   double density = matt_ * light[2] / pi;
   if (matt_ >= 1) return density;
   const Vector half = unitOr(light + eye_, {0, 0, 1});
-  density += (1 - matt_) * ggxDensity(alpha_, half[2]) /
-             (4 * eye_[2] * (1 + ggxHidden(alpha_, eye_[2])));
+  density +=
+      (1 - matt_) * ggxDensity(alpha_, half[2]) / (4 * eye_[2] * (1 + ggxHidden(alpha_, eye_[2])));
   return density;
 }
 

@@ -39,8 +39,8 @@ class Reflection {
   Vector eye_{};  ///< in the surface's frame
   double eta_ = 0;
   double alpha_ = 1;
-  double matt_ = 0;    ///< share of directions that are chosen for diffuse light
-  Colour diffuse_{};   ///< over π
+  double matt_ = 0;   ///< share of directions that are chosen for diffuse light
+  Colour diffuse_{};  ///< over π
   Colour headOn_{};
   double grazing_ = 0;
   Colour sentOn_{1, 1, 1};
@@ -86,10 +86,9 @@ void reflectParticle(const OpaqueSurface& surface, std::size_t channel, const Ve
   if (surface.grazing <= 0 && surface.mirrored[channel] <= 0) return;
   const MirroredCandidate candidate = mirroredCandidate(surface.alpha, light, random);
   if (candidate.seen <= 0) return;
-  const double share =
-      candidate.seen *
-      schlick(surface.mirrored[channel], surface.grazing, candidate.cosineHalf) *
-      evenMirrored(surface, candidate.direction[2]).sentOn[channel];
+  const double share = candidate.seen *
+                       schlick(surface.mirrored[channel], surface.grazing, candidate.cosineHalf) *
+                       evenMirrored(surface, candidate.direction[2]).sentOn[channel];
   for (double left = share + random(); left >= 1; left -= 1) send(candidate.direction);
 }
 

@@ -32,8 +32,7 @@ Vector scattered(const Vector& direction, double g, Random& random) {
   return {sine * std::cos(angle), sine * std::sin(angle), cosine};
 }
 
-void Walk::reflect(const Particle& particle, Random& random,
-                   std::vector<Particle>& others) const {
+void Walk::reflect(const Particle& particle, Random& random, std::vector<Particle>& others) const {
   const Body& body = geometry_.scene().bodies[particle.surface.body];
   const OpaqueSurface surface = opaqueSurfaceAt(body, particle.surface);
   const Vector toLight = -particle.direction;

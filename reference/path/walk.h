@@ -31,7 +31,7 @@ struct Interior {
 /// Light on its way through space outside all bodies.
 struct Flight {
   Vector origin{};
-  Vector direction{};  ///< unit
+  Vector direction{};                  ///< unit
   std::optional<SurfacePoint> from{};  ///< if it starts on a surface
   /// What is met first beyond that is left to other particles.
   double reachMm = std::numeric_limits<double>::infinity();
@@ -71,7 +71,7 @@ class Walk {
     Vector direction{};
     SurfacePoint surface;  ///< that it comes from
     bool fromSurface = false;
-    int met = 0;  ///< bodies
+    int met = 0;                                               ///< bodies
     double reachMm = std::numeric_limits<double>::infinity();  ///< until the first is met
   };
 

@@ -82,7 +82,8 @@ double ggxByTheBook(double alpha, double half, double in, double out) {
 }
 
 TEST(OpaqueTruthTest, LambertAndGgxUnderADirectionalLight) {
-  Scene scene = test::sceneOfBodies({opaqueBody(square({0, 0, 0}, 10), mattMaterial({0.8F, 0.5F, 0}))});
+  Scene scene =
+      test::sceneOfBodies({opaqueBody(square({0, 0, 0}, 10), mattMaterial({0.8F, 0.5F, 0}))});
   scene.lighting.directional = {{{0.6F, 0, 0.8F}, {3, 3, 3}}};
   const Colour matt = Eye(scene).radianceFrom({0, 0, 40}, {1, 1, 0}, 1);
   EXPECT_NEAR(matt[0], 0.8 * 0.8 * 3 / pi, 1e-6);
@@ -95,9 +96,8 @@ TEST(OpaqueTruthTest, LambertAndGgxUnderADirectionalLight) {
   scene.bodies[0].opaque = metal;
   const Vector out = unitOr({-0.6, 0.1, 0.8}, {});
   const Vector half = unitOr(out + Vector{0.6, 0, 0.8}, {});
-  const double expected =
-      ggxByTheBook(0.09, half[2], 0.8, out[2]) * 0.8 * 3 *
-      (0.5 + 0.5 * std::pow(1 - dot(half, out), 5));
+  const double expected = ggxByTheBook(0.09, half[2], 0.8, out[2]) * 0.8 * 3 *
+                          (0.5 + 0.5 * std::pow(1 - dot(half, out), 5));
   EXPECT_NEAR(Eye(scene).radianceFrom(40.0 * out, {0, 0, 0}, 1)[1] / expected, 1, 0.01);
 }
 
@@ -120,8 +120,8 @@ TEST(OpaqueTruthTest, WhiteFurnace) {
 
 // Inside a luminous matt ball all is L + ρL + ρ²L + …
 TEST(OpaqueTruthTest, LightGoesRoundInAHollowBall) {
-  Scene scene = test::sceneOfBodies(
-      {opaqueBody(test::sphere({0, 0, 0}, 5, 4), luminous(0.5, 0.7))});
+  Scene scene =
+      test::sceneOfBodies({opaqueBody(test::sphere({0, 0, 0}, 5, 4), luminous(0.5, 0.7))});
   EXPECT_NEAR(Eye(scene).radianceFrom({1, 0, 1}, {5, 1, 0}, 20000)[1], 0.5 / 0.3, 0.02);
   EXPECT_NEAR(Eye(scene, 1).radianceFrom({1, 0, 1}, {5, 1, 0}, 1000)[1], 0.5 * 1.7, 1e-3);
 }
@@ -220,8 +220,9 @@ TEST(OpaqueTruthTest, ALampFoundByRaysAndBySamplesIsOne) {
 
 // By the exact integral opaque bodies show the light of lights and sky, and cast shadows on media.
 TEST(OpaqueTruthTest, TheIntegralKnowsDirectLight) {
-  Scene scene = test::sceneOfBodies({test::bodyOf(test::sphere({0, 0, 0}, 5, 4)),
-                                     opaqueBody(square({0, 0, -6}, 50), mattMaterial({0.5F, 0.5F, 0.5F}))});
+  Scene scene =
+      test::sceneOfBodies({test::bodyOf(test::sphere({0, 0, 0}, 5, 4)),
+                           opaqueBody(square({0, 0, -6}, 50), mattMaterial({0.5F, 0.5F, 0.5F}))});
   scene.lighting.directional = {{{0, 0, 1}, {2, 2, 2}}};
   scene.camera.positionMm = {0, 60, 60};
   const Geometry geometry(scene);
@@ -229,7 +230,8 @@ TEST(OpaqueTruthTest, TheIntegralKnowsDirectLight) {
   PictureOptions options;
   options.width = options.height = edge;
   options.aov = Aov::Exitance;
-  const Image lit = integralTruth(geometry, irradiance, {.tolerance = 0.01}, options, {}).picture.image;
+  const Image lit =
+      integralTruth(geometry, irradiance, {.tolerance = 0.01}, options, {}).picture.image;
   options.aov = Aov::Object;
   const Image objects = integralTruth(geometry, irradiance, {}, options, {}).picture.image;
   int floor = 0;
@@ -238,8 +240,10 @@ TEST(OpaqueTruthTest, TheIntegralKnowsDirectLight) {
     for (int x = 0; x < edge; ++x) {
       if (objects.pixel(x, y)[3] == 0 || objects.pixel(x, y)[0] != 1) continue;
       const double found{lit.pixel(x, y)[1]};
-      if (found == 0) ++shaded;
-      else EXPECT_NEAR(found, 1, 1e-6);
+      if (found == 0)
+        ++shaded;
+      else
+        EXPECT_NEAR(found, 1, 1e-6);
       ++floor;
     }
   EXPECT_GT(floor, 50);
@@ -279,7 +283,8 @@ TEST(OpaqueTruthTest, AGroundCountsForNoSize) {
 }
 
 TEST(OpaqueTruthTest, EqualPicturesOnAnyNumberOfThreads) {
-  Scene scene = test::sceneOfBodies({opaqueBody(test::sphere({0, 0, 0}, 5, 2), luminous(0.1, 0.5))});
+  Scene scene =
+      test::sceneOfBodies({opaqueBody(test::sphere({0, 0, 0}, 5, 2), luminous(0.1, 0.5))});
   scene.lighting.ambient = {1, 1, 1};
   const Geometry geometry(scene);
   const Irradiance irradiance(geometry);
