@@ -226,7 +226,8 @@ struct Clusters {
   gpu::Buffer skyShares;      ///< vec4 a cluster: of the sky's irradiance, what enters
   gpu::Buffer entered;        ///< vec4 a cluster: irradiance of the diffuse light that entered last
   gpu::Buffer enteredBefore;  ///< the same of light before that, where it is mirrored to one side
-  gpu::Buffer power;          ///< vec4: of all diffuse light of the last bounce but one
+  gpu::Buffer power;          ///< vec4: of all diffuse light of the last bounce but one, then what
+                              ///< further bounces add to the last
   gpu::Buffer latest;         ///< vec4 a cluster: exitance of the light that entered last
   gpu::Buffer exitances;      ///< vec4 a cluster: of all light; of an opaque body the irradiance
                               ///< that surfaces do not find for themselves

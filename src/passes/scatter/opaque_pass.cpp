@@ -1,5 +1,7 @@
 #include "passes/scatter/opaque_pass.h"
 
+#include <cstdint>
+
 #include "gpu/device.h"
 #include "passes/mechanics.h"
 #include "passes/seen_parts.h"
@@ -48,8 +50,9 @@ void OpaquePass::overClusters(gpu::CommandList& commands, const Inputs& inputs, 
                  .entered = clusters.entered,
                  .latest = clusters.latest,
                  .enteredBefore = clusters.enteredBefore,
-                 .irradiances = clusters.exitances},
-                {.clusterCount = clusters.count, .again = from == From::Clusters});
+                 .irradiances = clusters.exitances,
+                 .stillToCome = clusters.power},
+                {.clusterCount = clusters.count, .from = static_cast<std::uint32_t>(from)});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
 }

@@ -30,8 +30,9 @@ class OpaquePass {
   void makeShares(gpu::Device& device, Surfels& surfels, Clusters& clusters, OpaqueTables& opaque,
                   SceneTables& tables) const;
 
-  /// What clusters find: of lights and the sky, or of what other clusters send.
-  enum class From { Lights, Clusters };
+  /// What clusters find: of lights and the sky, of what other clusters send, or of bounces that are
+  /// not followed. As boundary/opaque.comp has it.
+  enum class From { Lights, Clusters, FurtherBounces };
   void overClusters(gpu::CommandList& commands, const Inputs& inputs, From from,
                     Clusters& clusters) const;
   /// Where the site is the vertices; none elsewhere.

@@ -166,10 +166,12 @@ struct FrameContext {
       using From = passes::OpaquePass::From;
       giveBack(again ? From::Clusters : From::Lights, scene);
       using Bounce = passes::SolverPass::Bounce;
-      if (plan.bounces > 1 && bounce > 0 && bounce + 1 >= plan.bounces)
-        passes.solver.recordFurtherBounces(
-            commands, bounce == plan.bounces ? Bounce::Last : Bounce::LastButOne, resources.tables,
-            clusters);
+      if (plan.bounces > 1 && bounce > 0 && bounce + 1 >= plan.bounces) {
+        const bool isLast = bounce == plan.bounces;
+        passes.solver.recordFurtherBounces(commands, isLast ? Bounce::Last : Bounce::LastButOne,
+                                           resources.tables, clusters);
+        if (isLast) giveBack(From::FurtherBounces, scene);
+      }
     }
   }
 
