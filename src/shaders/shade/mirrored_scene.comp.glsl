@@ -1,5 +1,5 @@
 // What opaque surfaces mirror of the scene towards the camera: rays of the GGX lobe, and the light of
-// the clusters that they meet.
+// the clusters that they meet. Where there are few rays, it is interpolated between clusters.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -8,7 +8,10 @@
 #define BINDING_OBJECTS 4
 #define BINDING_PIECE_CORNERS 5
 #define BINDING_RAYS 6
+#define BINDING_CLUSTER_NODES 15
 #include "lib/bodies.glsl"
+#include "lib/cluster_node.glsl"
+#include "lib/cluster_weight.glsl"
 #include "lib/frame.glsl"
 #include "lib/rays.glsl"
 #include "lib/reflected_rays.glsl"
@@ -20,6 +23,8 @@ layout(std430, set = 0, binding = 8) readonly buffer ClusterOfSurfel { uint clus
 layout(std430, set = 0, binding = 13) readonly buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = 14) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
 
+layout(std430, set = 0, binding = 16) readonly buffer Clusters { Cluster clusters[]; };
+
 layout(push_constant) uniform Push {
   uint first;
   uint nodeCount;  // of all surfels' trees
@@ -30,10 +35,44 @@ uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
 }
 
-vec3 radianceAt(uint piece) {
+vec3 exitanceOf(uint cluster, bool opaque) {
+  return opaque ? opaqueExitances[cluster].rgb : exitances[cluster].rgb;
+}
+
+// At a place of a body, by the clusters around; at least by its own.
+vec3 exitanceAt(vec3 place, vec3 normal, ObjectData body, uint own) {
+  bool opaque = isOpaque(body);
+  vec3 sum = vec3(0.0);
+  float all = 0.0;
+  uint node = body.clusters.x;
+  while (node < body.clusters.y) {
+    vec4 centroidLink = centroidLinkOf(node);
+    uint link = floatBitsToUint(centroidLink.w);
+    float reach = spreadOf(node).z;
+    vec3 offset = centroidLink.xyz - place;
+    float squared = dot(offset, offset);
+    bool opened = squared < reach * reach;
+    if (opened && isLeaf(link)) {
+      uint i = firstSurfelOf(link);
+      float weight = weightOfCluster(squared, reach, edgeOf(clusters[i]), dot(normal, clusters[i].normal.xyz));
+      sum += weight * exitanceOf(i, opaque);
+      all += weight;
+    }
+    node = opened ? node + 1u : afterNode(node, link);
+  }
+  return all > 0.0 ? sum / all : exitanceOf(own, opaque);
+}
+
+// As many rays see patches of clusters as their mean.
+const uint raysThatSmooth = 7u;
+
+vec3 radianceAt(vec3 place, uint piece, vec3 direction, uint rays) {
   uint cluster = clusterOfSurfel[piece / piecesPerSurfel];
-  bool opaque = isOpaque(objects[objectOfPiece(piece)]);
-  return (opaque ? opaqueExitances[cluster].rgb : exitances[cluster].rgb) / pi;
+  ObjectData body = objects[objectOfPiece(piece)];
+  if (rays >= raysThatSmooth || body.clusters.z == 0u) return exitanceOf(cluster, isOpaque(body)) / pi;
+  vec3 facet = facetNormal(piece);
+  vec3 normal = dot(facet, direction) > 0.0 ? -facet : facet;
+  return exitanceAt(place, normal, body, cluster) / pi;
 }
 
 // As many as the lobe is wide.
@@ -54,9 +93,11 @@ vec4 mirrored(MeshPlace place, SeenMaterial material) {
     vec3 direction = reflectedDirection(left - 1u, count, alpha, material.normal.xyz, place);
     if (direction == vec3(0.0)) continue;
     sent += 1.0;
-    RayHit hit = nearestHit(place.position + start * place.facet, direction, start, 3e38,
-                            RayTarget(0u, nodeCount, everyObject));
-    sum += hit.piece == noPiece ? vec4(0.0, 0.0, 0.0, 1.0) : vec4(radianceAt(hit.piece), 0.0);
+    vec3 origin = place.position + start * place.facet;
+    RayHit hit = nearestHit(origin, direction, start, 3e38, RayTarget(0u, nodeCount, everyObject));
+    sum += hit.piece == noPiece
+               ? vec4(0.0, 0.0, 0.0, 1.0)
+               : vec4(radianceAt(origin + hit.distance * direction, hit.piece, direction, count), 0.0);
   }
   return sent > 0.0 ? sum / sent : vec4(0.0, 0.0, 0.0, 1.0);
 }
