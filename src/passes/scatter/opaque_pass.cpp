@@ -11,6 +11,7 @@ namespace opaline::passes {
 
 OpaquePass::OpaquePass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
+      cutPieces_(device, "holes of opaque bodies"),
       shares_(device, "shares of opaque clusters"),
       clusters_(device, "opaque clusters"),
       vertices_(device, "opaque vertices"),
@@ -33,6 +34,21 @@ void OpaquePass::makeShares(gpu::Device& device, Surfels& surfels, Clusters& clu
                  .shares = tables.opaqueShares},
                 {.clusterCount = clusters.count, .piecesPerSurfel = surfels.piecesPerSurfel});
   commands.dispatchLinear(clusters.count);
+  commands.submit();
+}
+
+void OpaquePass::cutOut(gpu::Device& device, Surfels& surfels, OpaqueTables& opaque,
+                        SceneTables& tables) const {
+  const std::uint32_t pieces = surfels.count * surfels.piecesPerSurfel;
+  gpu::CommandList commands(device, "holes of opaque bodies");
+  commands.begin();
+  commands.bind(cutPieces_,
+                {.surfaceMaterials = surfaceMaterials(opaque),
+                 .objects = tables.objects,
+                 .media = tables.media,
+                 .pieces = surfels.pieces},
+                {.pieceCount = pieces});
+  commands.dispatchLinear(pieces);
   commands.submit();
 }
 

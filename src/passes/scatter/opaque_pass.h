@@ -3,6 +3,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/boundary/cut_pieces.comp.h"
 #include "shaders/boundary/opaque.comp.h"
 #include "shaders/boundary/opaque_shares.comp.h"
 #include "shaders/scatter/opaque_fragments.comp.h"
@@ -26,6 +27,9 @@ class OpaquePass {
     ShadowMaps& shadows;
   };
 
+  /// Takes pieces away where opaque bodies have holes. For set-up.
+  void cutOut(gpu::Device& device, Surfels& surfels, OpaqueTables& opaque,
+              SceneTables& tables) const;
   /// SceneTables::opaqueShares, once the rest of the tables is there. For set-up.
   void makeShares(gpu::Device& device, Surfels& surfels, Clusters& clusters, OpaqueTables& opaque,
                   SceneTables& tables) const;
@@ -44,6 +48,7 @@ class OpaquePass {
 
  private:
   gpu::Sampler nearest_;
+  gpu::Compute<shaders::BoundaryCutPieces> cutPieces_;
   gpu::Compute<shaders::BoundaryOpaqueShares> shares_;
   gpu::Compute<shaders::BoundaryOpaque> clusters_;
   gpu::Compute<shaders::ScatterOpaqueVertices> vertices_;

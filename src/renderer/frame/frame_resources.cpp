@@ -12,6 +12,8 @@ namespace opaline {
 void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene,
                 const RenderOptions& options, FrameResources& resources) {
   resources.tables = makeSceneTables(device, scene, options);
+  if (scene.opaque.materials && scene.surfels.pieces)
+    passes.opaque.cutOut(device, scene.surfels, scene.opaque, resources.tables);
   if (scene.opaque.materials && scene.clusters.ranges)
     passes.opaque.makeShares(device, scene.surfels, scene.clusters, scene.opaque, resources.tables);
   passes.paint.makeTables(device, scene.surfels, scene.clusters, scene.opaque, resources.tables);
