@@ -47,6 +47,8 @@ struct Object {
 struct DirectionalLight {
   Vec3 directionToLight{0, 0, 1};  ///< unit
   Rgb irradiance{1, 1, 1};         ///< on a surface that faces the light, in [0, 1e30]
+  /// Of the disc that surfaces mirror, in [0, 10]; the sun's is 0.27. Shadows are of its middle.
+  float angularRadiusDegrees = 0;
 
   bool operator==(const DirectionalLight&) const = default;
 };

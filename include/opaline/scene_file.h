@@ -93,6 +93,9 @@ OPALINE_API SceneSource sourceOf(const std::filesystem::path& model, const LoadO
 /// whether or not they are read: what must not be written over. Of numbered meshes none.
 OPALINE_API std::vector<std::filesystem::path> filesOf(const SceneSource& source);
 
+/// The colour of the scene's ground and its y; none without one.
+OPALINE_API std::optional<Ground> describeGround(const Scene& scene);
+
 /// Everything that a .toml scene can say.
 struct SceneDescription {
   struct ObjectMedium {

@@ -45,6 +45,7 @@ Emitter::Emitter(const Geometry& geometry, int channel)
   for (const DirectionalLight& light : scene.lighting.directional)
     add({.kind = Kind::Directional,
          .place = unitOr(toVector(light.directionToLight), {0, 0, 1}),
+         .cosine = std::cos(double{light.angularRadiusDegrees} * pi / 180),
          .lightsFarGround = true},
         double{light.irradiance[c]} * disc);
   for (const PointLight& light : scene.lighting.points) {
@@ -135,6 +136,12 @@ Flight Emitter::throughDisc(const Vector& toLight, Random& random) const {
           -toLight};
 }
 
+Vector Emitter::fromCone(const Source& source, Random& random) {
+  if (source.cosine >= 1) return source.place;
+  const double cosine = 1 - random() * (1 - source.cosine);
+  return around(source.place, cosine, 2 * pi * random());
+}
+
 Flight Emitter::fromPoint(const Source& source, Random& random) const {
   const double cosine = 1 - random() * (1 - source.cosine);
   const double angle = 2 * pi * random();
@@ -197,7 +204,7 @@ Flight Emitter::fromGround(Random& random) const {
 Flight Emitter::startedBy(const Source& source, Random& random) const {
   switch (source.kind) {
     case Kind::Directional:
-      return throughDisc(source.place, random);
+      return throughDisc(fromCone(source, random), random);
     case Kind::Point:
       return fromPoint(source, random);
     case Kind::Area:

@@ -33,7 +33,7 @@ class Emitter {
   struct Source {
     Kind kind = Kind::Directional;
     Vector place{};        ///< direction to the light, or its position
-    double cosine = -1;    ///< of the cone around the direction to the scene
+    double cosine = -1;    ///< of the cone to the scene, or of the disc that is seen
     double fluxSoFar = 0;  ///< of this and all before
     bool lightsFarGround = false;
     Vector axis{};  ///< where a spot light shines to
@@ -53,6 +53,7 @@ class Emitter {
   double cosineOfScene(const Vector& position, double reachMm = 0) const;
   void addSurface(std::uint32_t body);
   Flight throughDisc(const Vector& toLight, Random& random) const;
+  static Vector fromCone(const Source& source, Random& random);
   Flight fromPoint(const Source& source, Random& random) const;
   Flight fromArea(const Source& source, Random& random) const;
   /// Starts behind the scene and leaves it.

@@ -93,6 +93,8 @@ const std::vector<Field<DirectionalLight>>& fieldsOf() {
   static const std::vector<Field<DirectionalLight>> table{
       field<DirectionalLight, &DirectionalLight::irradiance>("irradiance", {power},
                                                              "on a surface that faces it"),
+      field<DirectionalLight, &DirectionalLight::angularRadiusDegrees>(
+          "angular_radius_degrees", {{0, 10, "degrees"}}, "of the disc that surfaces mirror"),
   };
   return table;
 }

@@ -128,8 +128,8 @@ void addShape(Digest& digest, const TubeLight& light) {
 void addLighting(Digest& digest, const Lighting& lighting) {
   const auto& [directional, points, spots, areas, ambient, environment] = lighting;
   addEach(digest, directional, [&](const DirectionalLight& light) {
-    const auto& [directionToLight, irradiance] = light;
-    addAll(digest, directionToLight, irradiance);
+    const auto& [directionToLight, irradiance, angularRadiusDegrees] = light;
+    addAll(digest, directionToLight, irradiance, angularRadiusDegrees);
   });
   addEach(digest, points, [&](const PointLight& light) {
     const auto& [positionMm, intensity] = light;

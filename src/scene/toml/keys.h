@@ -38,7 +38,8 @@ inline constexpr Keys<17> material{"kind",
 inline constexpr Keys<6> object{"medium",         "material",         "transform",
                                 "translation_mm", "rotation_degrees", "scale"};
 inline constexpr Keys<3> deform{"kind", "amount", "period_seconds"};
-inline constexpr Keys<3> directional{"type", "direction_to_light", "irradiance"};
+inline constexpr Keys<4> directional{"type", "direction_to_light", "irradiance",
+                                     "angular_radius_degrees"};
 inline constexpr Keys<3> point{"type", "position_mm", "intensity"};
 inline constexpr Keys<6> spot{"type",      "position_mm",   "direction",
                               "intensity", "inner_degrees", "outer_degrees"};

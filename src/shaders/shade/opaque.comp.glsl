@@ -53,10 +53,11 @@ vec3 mirroredLights(SeenMaterial material, vec3 position, vec3 outside, NormalsN
   for (uint i = 0u; i < lightsAt(position); ++i) {
     IncidentLight incident = incidentLight(i, position);
     if (dot(normals.middle, incident.direction) <= 0.0 || dot(outside, incident.direction) <= 0.0) continue;
-    float value = lobeOfSamples(material.diffuse.w, normals, samples, incident.direction, toCamera);
+    float cosine = dot(incident.direction, halfway(normals.middle, incident.direction, toCamera));
+    float alpha = widenedBy(i, material.diffuse.w, cosine);
+    float value = lobeOfSamples(alpha, normals, samples, incident.direction, toCamera);
     if (value <= 1e-6) continue;
-    vec3 middle = halfway(normals.middle, incident.direction, toCamera);
-    sum += fresnelOf(material, dot(incident.direction, middle)) * incident.irradiance *
+    sum += fresnelOf(material, cosine) * incident.irradiance *
            (value * visibilityOf(incident, position, outside));
   }
   return sum;

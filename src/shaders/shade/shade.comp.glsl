@@ -53,8 +53,9 @@ vec3 reflection(MediumData medium, vec3 position, NormalsNearby normals, uint sa
     IncidentLight light = incidentLight(i, position);
     if (dot(normals.middle, light.direction) <= 0.0) continue;
     vec3 middle = halfway(normals.middle, light.direction, toCamera);
-    float value = lobeOfSamples(alpha, normals, samples, light.direction, toCamera) *
-                  fresnelReflectance(eta, clamp(dot(light.direction, middle), 0.0, 1.0));
+    float cosine = clamp(dot(light.direction, middle), 0.0, 1.0);
+    float value = lobeOfSamples(widenedBy(i, alpha, cosine), normals, samples, light.direction, toCamera) *
+                  fresnelReflectance(eta, cosine);
     if (value > 1e-6) sum += light.irradiance * (value * visibilityOf(light, position, normals.middle));
   }
   vec3 around = mix(own, mirroredSky(normals, samples, toCamera), sky);

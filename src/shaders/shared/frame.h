@@ -36,7 +36,7 @@ OPALINE_CONSTANT tubeShape = 3;
 /// One light that casts shadows.
 struct LightData {
   vec4 place;  // xyz: direction to the light, unit (directional), or its position in mm (point),
-               // or its middle (area)
+               // or its middle (area); w: of a directional light, what it adds to α² of a highlight
   vec4 power;  // rgb: irradiance (directional), intensity (point) or radiance (area);
                // w: 1 where an area light has two sides
   vec4 depth;  // depth d of its shadow map in mm: x + y·d (directional), x / (y + d) (point);

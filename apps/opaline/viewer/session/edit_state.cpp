@@ -53,7 +53,8 @@ bool sameMedium(const EditState& state, const Session& session, std::size_t obje
 }
 
 bool sameMedia(const EditState& state, const Session& session) {
-  if (state.media.size() != session.scene.objects.size()) return false;
+  const std::size_t ground = groundOf(session.scene) != nullptr ? 1 : 0;
+  if (state.media.size() + ground != session.scene.objects.size()) return false;
   for (std::size_t i = 0; i < state.media.size(); ++i) {
     if (!sameMedium(state, session, i)) return false;
   }
@@ -74,7 +75,9 @@ void restoreEnvironment(const EditState& state, Session& session) {
 
 EditState editStateOf(const Session& session) {
   EditState state;
-  for (const Object& object : session.scene.objects) state.media.push_back(object.medium);
+  for (const Object& object : session.scene.objects)
+    if (!object.isGround) state.media.push_back(object.medium);
+  state.ground = describeGround(session.scene);
   state.lighting = session.scene.lighting;
   // A turned one is made again where it is wanted: hundreds of them would fill the memory.
   state.lighting.environment.reset();
@@ -91,6 +94,7 @@ EditState editStateOf(const Session& session) {
 bool isStateOf(const EditState& state, const Session& session) {
   return hasSizeOf(state, session) && sameMedia(state, session) &&
          sameLights(state.lighting, session.scene.lighting) && sameEnvironment(state, session) &&
+         state.ground == describeGround(session.scene) &&
          state.deformers == session.scene.deformers && sameLook(state, session) &&
          viewOfState(state) == viewOf(session);
 }
@@ -107,6 +111,7 @@ void restore(const EditState& state, Session& session) {
     session.scene.objects[i].medium = state.media[i];
     edits.medium[i] = true;
   }
+  if (state.ground != describeGround(session.scene)) setGround(state.ground, session);
   Lighting& lighting = session.scene.lighting;
   const bool lights = !sameLights(state.lighting, lighting);
   if (lights) {
