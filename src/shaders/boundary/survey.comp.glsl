@@ -78,8 +78,16 @@ float cosineInside(float eta, float cosine) {
   return sqrt(1.0 - (1.0 - cosine * cosine) / (eta * eta));
 }
 
-// Which part of the sky's irradiance enters the cluster, and in w its mean cosine inside.
-vec4 lookAround(uint i, Cluster cluster, ClusterRange range) {
+const float clustersTogether = 8.0;
+
+// What a cluster sees of the sky.
+struct SkySeen {
+  vec3 share;   // of its irradiance
+  float light;  // of all rays, were they free
+  float slant;  // mean cosine inside
+};
+
+SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
   ObjectData own = objects[range.object];
   uint first = range.firstSurfel * piecesPerSurfel;
   uint count = range.endSurfel * piecesPerSurfel - first;
@@ -99,8 +107,10 @@ vec4 lookAround(uint i, Cluster cluster, ClusterRange range) {
     float eta = mediumAt(own, place.middle).boundary.x;
     float outside = dot(direction, place.normal);
     float entering = transmittedInto(eta, outside);
-    // As dense as the cosine, so that each has its part of the irradiance.
-    vec3 radiance = entering * skyRadianceFrom(direction, pi / (float(raysOutwards) * max(outside, 0.05)));
+    // As dense as the cosine, so that each has its part of the irradiance. Surfels use the rays of several clusters
+    // around them, so each stands for less than it would alone.
+    float solidAngle = pi / (clustersTogether * float(raysOutwards) * max(outside, 0.05));
+    vec3 radiance = entering * skyRadianceFrom(direction, solidAngle);
     RayHit hit = nearestHit(place.middle, direction, least, 3e38, scene);
     all += radiance;
     Meeting meeting = Meeting(noCluster, 0.0, 0.0);
@@ -122,8 +132,8 @@ vec4 lookAround(uint i, Cluster cluster, ClusterRange range) {
   float sum = free.r + free.g + free.b;
   float mean = insideOf(own).sigma.w;
   // Where it is dark in a channel, whatever the others do is right.
-  return vec4(mix(vec3(freeRays / float(raysOutwards)), overOr0(free, all), greaterThan(all, vec3(1e-30))),
-              sum > 1e-30 ? slant / sum : mean);
+  return SkySeen(mix(vec3(freeRays / float(raysOutwards)), overOr0(free, all), greaterThan(all, vec3(1e-30))),
+                 all.r + all.g + all.b, sum > 1e-30 ? slant / sum : mean);
 }
 
 void main() {
@@ -136,10 +146,11 @@ void main() {
                                rayStartOf(cluster), 3e38,
                                RayTarget(body.tree.x, body.tree.y, range.object));
   float thickness = through.piece == noPiece ? 1e18 : through.distance;
-  vec4 sky = raysOutwards > 0u ? lookAround(i, cluster, range) : vec4(vec3(1.0), insideOf(body).sigma.w);
-  skyShares[i] = sky;
+  SkySeen sky = raysOutwards > 0u ? lookAround(i, cluster, range)
+                                  : SkySeen(vec3(1.0), 0.0, insideOf(body).sigma.w);
+  skyShares[i] = vec4(sky.share, sky.light);
   clusters[i].start.w = thickness;
-  clusters[i].facet.w = sky.w;
+  clusters[i].facet.w = sky.slant;
   clusters[i].second = vec4(
       shareOfSecond(insideOf(body), sqrt(cluster.centroidArea.w)),
       range.kind != openBody ? 1.0 : 0.0);
