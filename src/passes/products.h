@@ -247,7 +247,7 @@ struct Solver {
 
 /// What else is kept of surfaces that the camera sees.
 struct KeptOfSeen {
-  bool materials = false;  ///< of opaque ones
+  bool materials = false;  ///< of opaque ones, or what translucent ones mirror of bodies
   bool paint = false;      ///< of painted ones
 
   bool operator==(const KeptOfSeen&) const = default;

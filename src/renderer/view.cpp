@@ -194,6 +194,7 @@ class View::Implementation {
     plan.time = edited.time();
     plan.opaque = opaque;
     plan.painted = painted;
+    plan.mirrorsBodies = mirrorsBodies(plan, edited.scene());
     return plan;
   }
 

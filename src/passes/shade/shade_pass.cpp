@@ -37,11 +37,13 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
                  .skyReflection = {inputs.sky.reflected, linear_},
                  .specularAlbedo = inputs.tables.specularAlbedo,
-                 .paint = surfaces.paint},
+                 .paint = surfaces.paint,
+                 .materials = surfaces.materials},
                 {.atFragments = inputs.atFragments,
                  .alpha = inputs.roughness * inputs.roughness,
                  .specular = inputs.specular,
-                 .skyIsMirrored = inputs.mirrorsSky});
+                 .skyIsMirrored = inputs.mirrorsSky,
+                 .bodiesAreMirrored = inputs.mirrorsBodies});
   commands.endPass();
 }
 

@@ -285,13 +285,6 @@ struct FrameContext {
       passes.paint.overFragments(commands, resources.tables, scene.opaque, carries(), seen());
   }
 
-  void shadeOpaque(const passes::ShadePass::Inputs& inputs, SceneResources& scene) const {
-    if (plan.specular)
-      passes.mirroredScene.record(
-          commands, {resources.tables, scene.surfels, scene.rays, scene.clusters}, seen());
-    passes.shade.recordOpaque(commands, inputs, scene.opaque, seen());
-  }
-
   void shade(std::uint32_t firstRow, SceneResources& scene) const {
     if (plan.mirrorsSky)
       passes.reflectedSky.record(commands,
@@ -300,9 +293,14 @@ struct FrameContext {
                                  firstRow, seen());
     const passes::ShadePass::Inputs inputs{resources.tables, resources.shadows, resources.exitance,
                                            resources.sky,    plan.roughness,    atFragments(),
-                                           plan.specular,    plan.mirrorsSky};
+                                           plan.specular,    plan.mirrorsSky,   plan.mirrorsBodies};
+    if (plan.specular && (carriesOpaque() || plan.mirrorsBodies))
+      passes.mirroredScene.record(commands,
+                                  {resources.tables, scene.surfels, scene.rays, scene.clusters,
+                                   plan.mirrorsBodies, boundary(), plan.roughness},
+                                  seen());
     passes.shade.record(commands, inputs, seen());
-    if (carriesOpaque()) shadeOpaque(inputs, scene);
+    if (carriesOpaque()) passes.shade.recordOpaque(commands, inputs, scene.opaque, seen());
     if (plan.specular && plan.areaLights > 0)
       passes.reflectedLights.record(
           commands, {resources.tables, scene.surfels, scene.rays, scene.opaque}, seen());

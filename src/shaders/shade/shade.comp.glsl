@@ -17,6 +17,7 @@
 #include "lib/seen_list.glsl"
 #include "lib/sky.glsl"
 #include "lib/specular_albedo.glsl"
+#include "shared/opaque.h"
 
 // What has scattered; in w how much of what is mirrored is sky. After it, radiance by coverage.
 layout(std430, set = 0, binding = 3) buffer Light { vec4 light[]; };
@@ -25,11 +26,14 @@ layout(std430, set = 0, binding = 3) buffer Light { vec4 light[]; };
 layout(constant_id = 0) const uint withPaint = 0u;
 layout(std430, set = 0, binding = 15) readonly buffer Paint { vec4 paint[]; };
 
+layout(std430, set = 0, binding = 16) readonly buffer Materials { SeenMaterial materials[]; };
+
 layout(push_constant) uniform Push {
   uint atFragments;  // what has scattered stands in `light`, else at the vertices
   float alpha;       // of the GGX reflection
   uint specular;
   uint skyIsMirrored;  // some of it, as `light` has it; else all or none
+  uint bodiesAreMirrored;  // `materials` has what is mirrored of them, where that is known
 };
 
 // The sky is seen through the lobe already.
@@ -44,9 +48,9 @@ vec3 mirroredSky(NormalsNearby normals, uint samples, vec3 toCamera) {
   return sum / float(bitCount(seeing));
 }
 
-// `own` is radiance of the surface here, for which that of the scene is taken where it is mirrored.
+// `bodies` is radiance of the scene where it is mirrored; where that is not known, of the surface here.
 vec3 reflection(MediumData medium, vec3 position, NormalsNearby normals, uint samples, vec3 toCamera,
-                float sky, vec3 own) {
+                float sky, vec3 bodies) {
   float eta = medium.boundary.x;
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < lightsAt(position); ++i) {
@@ -58,7 +62,7 @@ vec3 reflection(MediumData medium, vec3 position, NormalsNearby normals, uint sa
                   fresnelReflectance(eta, cosine);
     if (value > 1e-6) sum += light.irradiance * (value * visibilityOf(light, position, normals.middle));
   }
-  vec3 around = mix(own, mirroredSky(normals, samples, toCamera), sky);
+  vec3 around = mix(bodies, mirroredSky(normals, samples, toCamera), sky);
   return sum + around * reflectedAlbedo(medium, max(dot(normals.middle, toCamera), 1e-3));
 }
 
@@ -73,8 +77,10 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
   if (withPaint != 0u) scattered *= paint[seen.entry].rgb;
   if (specular == 0u) return scattered;
   float sky = skyIsMirrored != 0u ? found.w : 1.0;
+  vec3 bodies = left / pi;
+  if (bodiesAreMirrored != 0u && materials[seen.entry].around.w > 0.0) bodies = materials[seen.entry].around.rgb;
   return scattered + reflection(medium, place.position, normalsNearby(seen.pixel, seen.word, place),
-                                samplesOf(seen.word), toCamera, sky, left / pi);
+                                samplesOf(seen.word), toCamera, sky, bodies);
 }
 
 void main() {
