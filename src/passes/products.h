@@ -114,6 +114,7 @@ struct SceneTables {
 struct Sky {
   SkyParts parts;
   gpu::GpuImage radiance;    ///< by direction, a cube with levels for rays that stand for more
+  gpu::Buffer bright;        ///< shared::BrightSky
   gpu::GpuImage irradiance;  ///< that enters by normal, one cube for each of SceneTables::etas
   gpu::GpuImage reflected;   ///< radiance as the surface's lobe sees it, a cube
   gpu::GpuImage glossy;      ///< as lobes of opaque surfaces see it, a level for each roughness

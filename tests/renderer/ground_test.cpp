@@ -135,9 +135,8 @@ TEST_F(GroundTest, ATranslucentBallMirrorsIt) {
     ++seen;
   });
   ASSERT_GT(seen, 100);
-  printf("mirror rms %.4f mean %.4f largest %.4f of %d\n", errors.rms(), errors.mean(),
          errors.largest(), seen);
-  EXPECT_LT(errors.rms(), 0.02);
+         EXPECT_LT(errors.rms(), 0.02);
 }
 
 // Of a sphere that stands wholly above a surface element a part (R/r)² cos θ of its sky is hidden.

@@ -18,9 +18,11 @@
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 5) buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 6) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
-layout(std430, set = 0, binding = 7) writeonly buffer Meetings { Meeting meetings[]; };
+layout(std430, set = 0, binding = 7) buffer Meetings { Meeting meetings[]; };
 
 layout(std430, set = 0, binding = 9) writeonly buffer SkyShares { vec4 skyShares[]; };
+
+layout(std430, set = 0, binding = 10) readonly buffer Bright { BrightSky brightSky; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -80,6 +82,27 @@ float cosineInside(float eta, float cosine) {
 
 const float clustersTogether = 8.0;
 
+// Half of the rays go to bright parts of the sky, where it has some, and the others are as dense as the cosine. Each
+// counts as by the balance heuristic (Veach and Guibas 1995).
+uint raysToBright() {
+  return brightSky.light.y > 0.0 ? raysOutwards / 2u : 0u;
+}
+
+// Always the same for a cluster, so that nothing jumps while it moves. Those below its horizon are not sent.
+vec3 brightDirection(uint k, uint count, float shift) {
+  return brightSky.towards[min(uint((float(k) + shift) / float(count) * float(brightDirections)), brightDirections - 1u)].xyz;
+}
+
+// Of all rays of a cluster, per solid angle.
+float densityOfRays(vec3 direction, float cosine) {
+  uint bright = raysToBright();
+  float density = float(raysOutwards - bright) / pi * max(cosine, 0.05);
+  if (bright == 0u) return density;
+  vec3 radiance = skyRadianceFrom(direction, 0.0);
+  float above = max(radiance.r + radiance.g + radiance.b - brightSky.light.x, 0.0);
+  return density + float(bright) * above / brightSky.light.y;
+}
+
 // What a cluster sees of the sky.
 struct SkySeen {
   vec3 share;   // of its irradiance
@@ -94,45 +117,58 @@ SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
   float least = rayStartOf(cluster);
   float side = cluster.along.w;
   RayTarget scene = RayTarget(0u, nodeCount, everyObject);
+  uint toBright = raysToBright();
+  uint aboutNormal = raysOutwards - toBright;
   vec3 free = vec3(0.0);
   vec3 all = vec3(0.0);
   float slant = 0.0;
-  float freeRays = 0.0;
+  float freeEven = 0.0;  // of even light
+  float allEven = 0.0;
   for (uint k = 0u; k < raysOutwards; ++k) {
-    // From all over the cluster.
-    PieceFrame place = frameOf(first + (2u * k + 1u) * count / (2u * raysOutwards), side);
+    meetings[i * raysOutwards + k] = Meeting(noCluster, 0.0, 0.0);
+    bool isAboutNormal = k < aboutNormal;
+    uint kind = isAboutNormal ? aboutNormal : toBright;  // how many of it there are
+    uint which = isAboutNormal ? k : k - aboutNormal;
+    // Each kind from all over the cluster.
+    PieceFrame place = frameOf(first + (2u * which + 1u) * count / (2u * kind), side);
     if (place.normal == vec3(0.0)) place = PieceFrame(cluster.start.xyz, cluster.facet.xyz, cluster.along.xyz);
     // Turned in steps that do not go along with those over the cluster.
-    vec3 direction = cosineDirection((k * 7u) % raysOutwards, raysOutwards, shiftOf(i), place.normal, place.along);
+    vec3 direction = isAboutNormal
+                         ? cosineDirection((which * 7u) % kind, kind, shiftOf(i), place.normal, place.along)
+                         : brightDirection((which * 7u) % kind, kind, shiftOf(i).x);
     float eta = mediumAt(own, place.middle).boundary.x;
     float outside = dot(direction, place.normal);
-    float entering = transmittedInto(eta, outside);
-    // As dense as the cosine, so that each has its part of the irradiance. Surfels use the rays of several clusters
-    // around them, so each stands for less than it would alone.
-    float solidAngle = pi / (clustersTogether * float(raysOutwards) * max(outside, 0.05));
-    vec3 radiance = entering * skyRadianceFrom(direction, solidAngle);
+    if (outside <= 0.0) continue;
+    float density = densityOfRays(direction, outside);
+    float entering = transmittedInto(eta, outside) * outside / density;
+    // Surfels use the rays of several clusters around them, so each stands for less than it would alone.
+    vec3 radiance = entering * skyRadianceFrom(direction, 1.0 / (clustersTogether * density));
     RayHit hit = nearestHit(place.middle, direction, least, 3e38, scene);
     all += radiance;
-    Meeting meeting = Meeting(noCluster, 0.0, 0.0);
+    allEven += entering;
     if (hit.piece == noPiece) {
       free += radiance;
       slant += dot(radiance, vec3(cosineInside(eta, outside)));
-      freeRays += 1.0;
+      freeEven += entering;
     } else {
       vec3 met = place.middle + hit.distance * direction;
       MediumData other = mediumAt(objects[objectOfPiece(hit.piece)], met);
       uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
       float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
       if (cosine > 0.0)
-        meeting = Meeting(cluster, entering / (other.inside.extinction.w * float(raysOutwards)),
-                          transmittedInto(other.boundary.x, cosine));
+        meetings[i * raysOutwards + k] = Meeting(cluster, entering / (other.inside.extinction.w * pi),
+                                                 transmittedInto(other.boundary.x, cosine));
     }
-    meetings[i * raysOutwards + k] = meeting;
   }
+  // So that what enters of even light is all of it, from wherever it comes.
+  float whole = pi * insideOf(own).extinction.w / max(allEven, 1e-30);
+  if (toBright > 0u)
+    for (uint k = 0u; k < raysOutwards; ++k) meetings[i * raysOutwards + k].share *= whole;
   float sum = free.r + free.g + free.b;
   float mean = insideOf(own).sigma.w;
+  float evenShare = allEven > 0.0 ? freeEven / allEven : 0.0;
   // Where it is dark in a channel, whatever the others do is right.
-  return SkySeen(mix(vec3(freeRays / float(raysOutwards)), overOr0(free, all), greaterThan(all, vec3(1e-30))),
+  return SkySeen(mix(vec3(evenShare), overOr0(free, all), greaterThan(all, vec3(1e-30))),
                  all.r + all.g + all.b, sum > 1e-30 ? slant / sum : mean);
 }
 
