@@ -27,7 +27,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
 
 }  // namespace
 
-Camera lookAt(const Vec3& eye, const Vec3& target, float focal, float nearMm) {
+Camera lookAt(const Vec3& eye, const Vec3& target, float focal, float aspect, float nearMm) {
   const Vec3 forward = unit({target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]});
   const Vec3 right = unit(cross(forward, {0, 1, 0}));
   const Vec3 down = cross(forward, right);
@@ -40,7 +40,8 @@ Camera lookAt(const Vec3& eye, const Vec3& target, float focal, float nearMm) {
   }
   view[15] = 1;
   Matrix& clip = camera.matrices.viewToClip;
-  clip[0] = clip[5] = focal;
+  clip[0] = focal / aspect;
+  clip[5] = focal;
   clip[11] = 1;       // w: the distance along the axis
   clip[14] = nearMm;  // z over w: 1 at the near plane, 0 at infinity
   camera.worldToClip = product(clip, view);

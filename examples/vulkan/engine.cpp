@@ -321,7 +321,8 @@ void Engine::makeWave() {
 }
 
 void Engine::makeFloor() {
-  const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(opaline::Matrix)};
+  const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0,
+                                 sizeof(opaline::Matrix) + sizeof(float)};
   VkPipelineLayoutCreateInfo layout{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
   layout.pushConstantRangeCount = 1;
   layout.pPushConstantRanges = &push;
@@ -407,7 +408,7 @@ void Engine::wave(VkCommandBuffer commands, VkBuffer rest, VkBuffer positions,
 }
 
 void Engine::drawFloor(VkCommandBuffer commands, const Image& color, const Image& depth,
-                       VkExtent2D extent, const Camera& camera) {
+                       VkExtent2D extent, const Camera& camera, float heightMm) {
   for (const Image& image : {color, depth})
     barrier(commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL);
   VkRenderingAttachmentInfo targets[2]{};
@@ -415,9 +416,10 @@ void Engine::drawFloor(VkCommandBuffer commands, const Image& color, const Image
     targets[i].sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
     targets[i].imageView = i == 0 ? color.view : depth.view;
     targets[i].imageLayout = VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL;
-    targets[i].loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;  // black, and depth 0: as far as can be
+    targets[i].loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;  // depth to 0, which is as far as can be
     targets[i].storeOp = VK_ATTACHMENT_STORE_OP_STORE;
   }
+  targets[0].clearValue.color = {{0.02F, 0.025F, 0.035F, 1}};
   VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
   info.renderArea.extent = extent;
   info.layerCount = 1;
@@ -432,6 +434,8 @@ void Engine::drawFloor(VkCommandBuffer commands, const Image& color, const Image
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, floor_);
   vkCmdPushConstants(commands, floorLayout_, VK_SHADER_STAGE_VERTEX_BIT, 0,
                      sizeof camera.worldToClip, camera.worldToClip.data());
+  vkCmdPushConstants(commands, floorLayout_, VK_SHADER_STAGE_VERTEX_BIT, sizeof camera.worldToClip,
+                     sizeof heightMm, &heightMm);
   vkCmdDraw(commands, 4, 1, 0, 0);
   vkCmdEndRendering(commands);
 }

@@ -56,9 +56,9 @@ class Engine {
   /// Records the wave of the vertices from `rest` to `positions`.
   void wave(VkCommandBuffer commands, VkBuffer rest, VkBuffer positions, std::uint32_t vertices,
             float seconds);
-  /// Clears colour and depth and draws the floor.
+  /// Clears colour and depth and draws the floor at that height.
   void drawFloor(VkCommandBuffer commands, const Image& color, const Image& depth,
-                 VkExtent2D extent, const Camera& camera);
+                 VkExtent2D extent, const Camera& camera, float heightMm);
   /// Copies colour to a buffer.
   void copy(VkCommandBuffer commands, const Image& color, VkExtent2D extent, VkBuffer to);
 

@@ -83,6 +83,9 @@ void run(int frames, const char* file, Engine& engine) {
   const std::vector<opaline::Vec3>& rest = scene.objects[0].mesh.positionsMm;
   const std::size_t bytes = sizeof(opaline::Vec3) * rest.size();
   const auto vertices = static_cast<std::uint32_t>(rest.size());
+  const opaline::Vec3 middle = opaline::middleOf(opaline::boundsOf(scene));
+  const float lowest = opaline::boundsOf(scene).minMm[1];
+  constexpr float aspect = static_cast<float>(extent.width) / static_cast<float>(extent.height);
 
   // The engine's own.
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
@@ -142,7 +145,9 @@ void run(int frames, const char* file, Engine& engine) {
         .depth = {depth.image, depth.view, depth.format},
     };
     for (int frame = 0; frame < frames; ++frame) {
-      const Camera camera = lookAt({30 * std::sin(0.02F * frame), 22, 75}, {0, -2, 0}, 2.2F, 1);
+      const Camera camera =
+          lookAt({middle[0] + 30 * std::sin(0.02F * frame), middle[1] + 20, middle[2] + 75}, middle,
+                 3, aspect, 1);
       view.setCamera(camera.matrices);
       renderer.replacePositions(
           0, opaline::DevicePositions{.buffer = positions[frame % inFlight].buffer});
@@ -150,7 +155,7 @@ void run(int frames, const char* file, Engine& engine) {
       if (!progress.await(progress.simulated, frame + 1)) break;
       engine.waitFor(after(rendering, frame - inFlight + 1));
       const VkCommandBuffer commands = engine.begin(ofDrawing[frame % inFlight]);
-      engine.drawFloor(commands, color, depth, extent, camera);
+      engine.drawFloor(commands, color, depth, extent, camera, lowest);
       view.record({.commands = commands,
                    .finished = after(rendering, frame + 1),
                    .outputs = {.over = &over}},
