@@ -67,6 +67,8 @@ bool canQueryRays(const GivenVulkan& given) {
 }  // namespace
 
 std::vector<DeviceInfo> Device::list() {
+  // Where drivers do not fit they are passed over, as if there were none.
+  requireHostRoom(roomToOpenDevice, "list the devices");
   try {
     const Instance instance;
     return describeAll(loadInstanceFunctions(vkGetInstanceProcAddr, instance.handle()),

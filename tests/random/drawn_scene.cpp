@@ -118,6 +118,7 @@ Vec3 Dice::direction() {
 
 Medium drawMedium(Dice& dice, float sizeMm) {
   Medium medium{.name = "drawn", .eta = static_cast<double>(dice.between(1.01F, 2))};
+  if (dice.chance(.3F)) medium.g = static_cast<double>(dice.between(-.9F, .9F));
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const double perMm =
         static_cast<double>(dice.betweenLog(.3F, 1000)) / static_cast<double>(sizeMm);

@@ -164,6 +164,7 @@ int run(std::uint64_t frames, std::uint32_t seed) {
       if (i % step == 0) {
         soak.compare();
         ++compared;
+        fmt::print(stderr, "{} of {} frames, {:.0f} MB\n", i, frames, residentMegabytes());
       }
     } catch (const std::exception& error) {
       fmt::print("frame {} of seed {}: {}\n", i, seed, error.what());
