@@ -241,6 +241,7 @@ class View::Implementation {
   // What was noted as made or lit may not have been: the next frame makes all of it.
   void startAnew() {
     queue_.abandon();
+    context_.edited.motion().abandon();
     if (prepared_) prepared_->clear();
     resources_.forget();
   }

@@ -163,8 +163,8 @@ void check(std::uint32_t seed) {
   matte.environmentBehind = false;
   if (options.transport == Transport::Boundary) {
     const Image lit = picture(even, matte);
-    std::fprintf(stderr, "seed %u mean %.4f largest %.4f\n", seed, mean(lit), largest(lit));
     EXPECT_LE(mean(lit), 1.01F) << "gains energy";
+    // Single places are off by some per cent where bodies are divided coarsely.
     EXPECT_LE(largest(lit), 1.1F) << "gains energy in a place";
   }
   EXPECT_EQ(picture(drawn.scene, options).rgba, image.rgba) << "the same again";

@@ -27,6 +27,9 @@ class SceneMotion {
               passes::DeformedMesh& mesh);
 
   const std::vector<ObjectRange>& ranges() const { return ranges_; }
+  /// A frame has been given up.
+  void abandon() { given_.abandon(); }
+
   GivenPositions& given() { return given_; }
   passes::Motion& tables() { return motion_; }
 
