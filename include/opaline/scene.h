@@ -143,12 +143,19 @@ struct Lighting {
   std::shared_ptr<const Image> environment;
 };
 
-/// A pinhole camera.
+/// A pinhole camera, or an orthographic one.
 struct Camera {
   Vec3 positionMm{};
   Vec3 targetMm{};
   Vec3 up{0, 1, 0};
   float verticalFovDegrees = 30;  ///< in [1, 170]
+  /// Moves what is seen without turning the camera, as the lens of a view camera does: in widths of
+  /// the picture to the right and in heights up, each in [-1000, 1000].
+  float shiftX = 0;
+  float shiftY = 0;
+  /// If set, lines of sight are parallel and the picture is so high, mm, in (0, 1e6]; the field of
+  /// view is not used.
+  std::optional<float> orthographicHeightMm;
 };
 
 /// Why the lights, or the camera, cannot be rendered, as a sentence; empty if they can.

@@ -41,7 +41,8 @@ shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& came
                                 int samples) {
   shared::FrameData frame{};
   frame.worldToClip = camera.worldToClip;
-  frame.cameraPosition = {camera.position, 1};
+  frame.cameraPosition =
+      camera.isParallel ? glm::vec4(-camera.axis, 0) : glm::vec4(camera.position, 1);
   frame.cameraAxis = {camera.axis, 0};
   fillLights(lighting, static_cast<std::uint32_t>(shadowSize), frame);
   fillSamples(samples, frame);

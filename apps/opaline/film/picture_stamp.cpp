@@ -156,8 +156,10 @@ void addScene(Digest& digest, const Scene& scene) {
                notShown] = scene;
   addEach(digest, objects, [&](const Object& object) { addObject(digest, object); });
   addLighting(digest, lighting);
-  const auto& [positionMm, targetMm, up, verticalFovDegrees] = camera;
-  addAll(digest, positionMm, targetMm, up, verticalFovDegrees);
+  const auto& [positionMm, targetMm, up, verticalFovDegrees, shiftX, shiftY, orthographicHeightMm] =
+      camera;
+  addAll(digest, positionMm, targetMm, up, verticalFovDegrees, shiftX, shiftY);
+  addIfThere(digest, orthographicHeightMm, [&](float heightMm) { digest.add(heightMm); });
   addMotion(digest, scene);
 }
 

@@ -51,6 +51,8 @@ inline constexpr Keys<5> sphere{"type", "center_mm", "radius_mm", "radiance", "v
 inline constexpr Keys<6> tube{"type", "from_mm", "to_mm", "radius_mm", "radiance", "visible"};
 inline constexpr Keys<2> ambient{"type", "radiance"};
 inline constexpr Keys<3> environment{"file", "intensity", "rotation_degrees"};
-inline constexpr Keys<5> camera{"direction", "position_mm", "target_mm", "up", "fov_degrees"};
+inline constexpr Keys<8> camera{"direction", "position_mm",           "target_mm",
+                                "up",        "fov_degrees",           "shift_x",
+                                "shift_y",   "orthographic_height_mm"};
 
 }  // namespace opaline::scene::keys

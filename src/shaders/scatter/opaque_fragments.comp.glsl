@@ -33,7 +33,7 @@ SeenMaterial materialSeen(Seen seen, MeshPlace place, OpaqueData material) {
   vec3 normal = place.side * mappedNormal(material, read, triangleOf(seen.word), place.weights, toSecond,
                                           toThird, place.side * place.normal, widened);
   // What it turns away from the eye would be black.
-  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
+  vec3 toCamera = normalize(toCameraFrom(place.position));
   float facing = dot(normal, toCamera);
   if (facing < 0.01) normal = normalize(normal + (0.01 - facing) * toCamera);
   result.normal.xyz = normal;

@@ -69,7 +69,7 @@ vec3 radianceOf(Seen seen, MeshPlace place, SeenMaterial material) {
   vec3 irradiance = atFragments != 0u ? light[seen.entry].rgb : meshExitanceAt(place).rgb;
   vec3 diffuse = material.diffuse.rgb / pi * irradiance;
   if (specular == 0u) return emitted + diffuse;
-  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
+  vec3 toCamera = normalize(toCameraFrom(place.position));
   uint samples = samplesOf(seen.word);
   NormalsNearby normals = normalsNearby(seen.pixel, seen.word, place);
   normals.middle = material.normal.xyz;

@@ -68,7 +68,7 @@ vec3 reflection(MediumData medium, vec3 position, NormalsNearby normals, uint sa
 
 vec3 radianceOf(Seen seen, MeshPlace place) {
   MediumData medium = mediumAt(objects[place.object], place.position);
-  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
+  vec3 toCamera = normalize(toCameraFrom(place.position));
   float cosine = clamp(dot(place.normal, toCamera), 1e-3, 1.0);
   float transmitted = 1.0 - fresnelReflectance(medium.boundary.x, cosine);
   vec4 found = light[seen.entry];

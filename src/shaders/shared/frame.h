@@ -52,7 +52,7 @@ struct LightData {
 
 struct FrameData {
   mat4 worldToClip;
-  vec4 cameraPosition;  // xyz mm
+  vec4 cameraPosition;  // xyz mm, w 1; of an orthographic camera the direction to it, w 0
   vec4 cameraAxis;      // xyz unit, towards the scene; w: 1 where what lies nearer is seen too
   uvec4 counts;         // x: lights with shadow maps, which come first; y: size of these;
                         // z: antialiasing samples; w: all lights
