@@ -43,6 +43,7 @@ Medium mediumOf(const py::handle& given);
 LogCallback pythonLog();
 
 void bindMedia(py::module_& module);
+void bindMaterials(py::module_& module);
 void bindLights(py::module_& module);
 void bindScenes(py::module_& module);
 void bindRendering(py::module_& module);
