@@ -13,7 +13,7 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan fuzz faults properties soak package package-check install python wheel dependencies configure
+.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan fuzz faults properties soak package package-check install python wheel blender dependencies configure
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -35,6 +35,7 @@ help:
 	@echo 'make install   library, program, pages and Python module into PREFIX=folder'
 	@echo 'make python    the Python module, into the virtual environment at hand, or PREFIX=folder'
 	@echo 'make wheel     the Python module as a wheel in build/release/'
+	@echo 'make blender   the add-on for Blender as a zip in build/release/'
 	@echo 'make package   a tar.gz of the program that runs on other x86-64 Linux machines'
 	@echo 'make package-check  the library alone, shared: builds it, installs it, uses it from another project'
 
@@ -144,6 +145,9 @@ install: configure
 
 wheel: configure
 	cmake --build --preset release --target opaline_wheel
+
+blender: configure
+	cmake --build --preset release --target opaline_blender
 
 # pip refuses to change a system's own Python: use a virtual environment with NumPy, or PREFIX.
 python: wheel
