@@ -25,8 +25,14 @@ def mean_free_paths_mm(medium):
     return 1 / (medium.sigma_s_prime_per_mm + medium.sigma_a_per_mm)
 
 
+def _tag(self, context):
+    """So that the viewport follows: Blender itself takes no notice of properties that add-ons define."""
+    del context
+    self.id_data.update_tag()
+
+
 class OpalineMaterial(bpy.types.PropertyGroup):
-    medium_item: bpy.props.EnumProperty(name="Medium", items=_media, description="What the body is made of")
+    medium_item: bpy.props.EnumProperty(name="Medium", items=_media, update=_tag, description="What the body is made of")
 
     @property
     def medium(self):
@@ -38,7 +44,7 @@ class OpalineScene(bpy.types.PropertyGroup):
     samples: bpy.props.EnumProperty(
         name="Samples", description="Samples a pixel of a render", default="4",
         items=[(number, number, "") for number in ("1", "2", "4", "8")])
-    bounces: bpy.props.IntProperty(name="Bounces", default=2, min=0, max=8,
+    bounces: bpy.props.IntProperty(name="Bounces", default=2, min=0, max=8, update=_tag,
                                    description="How often light that has left may enter again")
 
 
