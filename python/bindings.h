@@ -39,6 +39,9 @@ void setLights(SharedScene& shared, const py::iterable& lights);
 /// A Medium, or the name of one.
 Medium mediumOf(const py::handle& given);
 
+/// Of "observed" or "khr".
+ColorModel colorModelOf(const std::string& name);
+
 /// Messages go to Python's logger "opaline". May be called with the interpreter's lock or without.
 LogCallback pythonLog();
 

@@ -113,8 +113,10 @@ std::vector<std::shared_ptr<Object>> objectsOf(const py::iterable& given) {
 }
 
 LoadOptions loadOptionsOf(const py::object& medium, std::optional<float> diagonalMm,
-                          std::optional<std::filesystem::path> morphTo) {
+                          std::optional<std::filesystem::path> morphTo,
+                          const std::optional<std::string>& colorModel = {}) {
   LoadOptions options;
+  if (colorModel) options.colorModel = colorModelOf(*colorModel);
   options.diagonalMm = diagonalMm;
   options.morphTo = std::move(morphTo);
   if (!medium.is_none()) options.medium = mediumOf(medium);
@@ -338,16 +340,19 @@ void bindScenes(py::module_& module) {
   module.def(
       "load",
       [](const std::filesystem::path& file, const py::object& medium,
-         std::optional<float> diagonalMm, std::optional<std::filesystem::path> morphTo) {
-        const LoadOptions options = loadOptionsOf(medium, diagonalMm, std::move(morphTo));
+         std::optional<float> diagonalMm, std::optional<std::filesystem::path> morphTo,
+         const std::optional<std::string>& colorModel) {
+        const LoadOptions options =
+            loadOptionsOf(medium, diagonalMm, std::move(morphTo), colorModel);
         return sceneBy([&] { return loadScene(file, options); });
       },
       arg("file"), arg("medium") = py::none(), arg("diagonal_mm") = py::none(),
-      arg("morph_to") = py::none(),
+      arg("morph_to") = py::none(), arg("color_model") = py::none(),
       R"(Reads a .glb, .gltf, .obj, .ply or .toml file and repairs its meshes.
 
 medium: a Medium or its name, of everything that is no metal; diagonal_mm: length that the diagonal of the box around the
-scene is scaled to; morph_to: a file with a mesh of the same topology that the scene turns into.)");
+scene is scaled to; morph_to: a file with a mesh of the same topology that the scene turns into; color_model: what colors of media
+in the file mean, "observed" or "khr".)");
   module.def(
       "bear",
       [](const py::object& medium, std::optional<float> diagonalMm) {

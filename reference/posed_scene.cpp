@@ -7,12 +7,13 @@
 
 #include "deform/deformed_vertices.h"
 #include "opaline/error.h"
+#include "scene/changes.h"
 #include "scene/mesh/normals.h"
 
 namespace opaline::reference {
 
 deform::DeformedVertices meshAt(const opaline::Scene& scene, std::size_t object,
-                                const deform::Pose& pose, double seconds,
+                                const scene::Pose& pose, double seconds,
                                 const PositionsByObject& positionsMm) {
   const Bounds box = boundsOf(scene);
   const auto given = positionsMm.find(object);
@@ -52,8 +53,8 @@ Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
           fmt::format("the {} positions given do not fit object {}", positions.size(), object));
     }
   }
-  deform::Pose pose = deform::makePose(scene);
-  deform::poseAt(scene, time.clip, time.seconds, pose);
+  scene::Pose pose = scene::makePose(scene);
+  scene::poseAt(scene, time.clip, time.seconds, pose);
   Scene result;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
@@ -66,8 +67,8 @@ Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
       body.normals = std::move(mesh.normals);
     }
     body.triangles = object.mesh.triangles;
-    body.medium = object.medium;
-    body.opaque = object.opaque;
+    body.medium = scene::mediumAt(scene, i, time);
+    body.opaque = scene::opaqueAt(scene, i, time);
     if (!object.opaque) body.paint = object.paint;
     body.isGround = object.isGround;
     if (!body.opaque && !body.paint) continue;
@@ -78,7 +79,9 @@ Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
           object.mesh, static_cast<std::size_t>(body.opaque->normalTexture->coordinates));
   }
   result.lighting = scene.lighting;
+  scene::takeLightsAt(scene, time, result.lighting);
   result.camera = scene.camera;
+  scene::takeCameraAt(scene, time, result.camera);
   return result;
 }
 

@@ -15,9 +15,9 @@ PLAIN = ("opaline/error.h", "opaline/file.h", "opaline/image.h", "opaline/image_
 NOT_YET_PUBLIC = (
     "bssrdf/profile.h",
     "core/digest.h", "core/measures.h", "core/numbered_name.h",
-    "deform/deformed_vertices.h", "deform/pose.h",
+    "deform/deformed_vertices.h",
     "paper/atlas/atlas.h", "paper/atlas/draw.h",
-    "scene/framing.h", "scene/mesh/insides.h", "scene/mesh/merged_mesh.h", "scene/not_shown.h", "scene/placed_lights.h",
+    "scene/framing.h", "scene/mesh/insides.h", "scene/mesh/merged_mesh.h", "scene/not_shown.h", "scene/placed_lights.h", "scene/pose.h",
     "scene/repair/topology.h", "scene/vector_math.h",
 )
 APP = ("opaline", "reference", *NOT_YET_PUBLIC)
@@ -52,8 +52,8 @@ ALLOWED = {
     "src/renderer": ("opaline", "core", "bssrdf", "lights", "scene", "environment", "deform", "surfels",
                      "soft_body", "gpu", "passes", "paper/technique.h", "shaders"),
     "src/c_interface": ("opaline",),
-    "reference": ("opaline", "core", "bssrdf", "deform", "lights", "environment", "scene/mesh/normals.h",
-                  "scene/mesh/tangents.h"),
+    "reference": ("opaline", "core", "bssrdf", "deform", "lights", "environment", "scene/changes.h", "scene/mesh/normals.h",
+                  "scene/mesh/tangents.h", "scene/pose.h"),
     "apps/opaline/cli": APP,
     "apps/opaline/film": (*APP, "apps/opaline/cli"),
     "apps/opaline/lab": (*APP, "apps/opaline/cli", "apps/opaline/film"),

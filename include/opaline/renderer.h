@@ -81,8 +81,9 @@ class OPALINE_API Renderer {
   /// Edits of the scene, from the next submitted frame on. They remake only what depends on the
   /// change: nothing for a time, a camera, deformers, and for a light that moves or changes its
   /// power; tables for ambient light; the division into surfels for a medium; and never the mesh.
-  /// An environment counts as changed if it is another object. They throw Error or UsageError as
-  /// setScene() does.
+  /// An environment counts as changed if it is another object. Lights, a camera and media that
+  /// differ from those of the scene as it was set no longer follow its clips. They throw Error or
+  /// UsageError as setScene() does.
   void setTime(const SceneTime& time);
   void setCamera(const Camera& camera);
   void setLighting(const Lighting& lighting);

@@ -170,6 +170,27 @@ OPALINE_API std::string complaintAbout(const AreaLight& light);
 OPALINE_API std::string complaintAbout(const Lighting& lighting);
 OPALINE_API std::string complaintAbout(const Camera& camera);
 
+/// What one thing of a scene is like at some times of a clip. In between numbers are interpolated
+/// linearly, before the first and after the last they are constant.
+template <typename T>
+struct Keys {
+  std::uint32_t index = 0;     ///< among the scene's things of that kind
+  std::vector<float> seconds;  ///< ascending
+  std::vector<T> values;       ///< one each
+};
+
+/// What a clip changes beside nodes. A thing is in one list once.
+struct ClipChanges {
+  std::vector<Keys<DirectionalLight>> directional;
+  std::vector<Keys<PointLight>> points;
+  std::vector<Keys<SpotLight>> spots;
+  std::vector<Keys<Camera>> cameras;  ///< of the scene's one
+  /// Of opaque objects. Names, pictures of textures and `unlit` stay as the object has them.
+  std::vector<Keys<OpaqueMaterial>> surfaces;
+  /// Of translucent objects without paint. The index of refraction stays.
+  std::vector<Keys<Medium>> media;
+};
+
 /// A kind of repair by a loader, and how often it was made.
 struct Repair {
   std::string what;
@@ -195,7 +216,8 @@ struct Scene {
   bool cameraChosen = false;
   std::vector<Node> nodes;  ///< parents before children
   std::vector<Clip> clips;
-  std::vector<Deformer> deformers;  ///< applied in this order, after the rigs
+  std::vector<ClipChanges> changes;  ///< of the clips, in their order; those of the last may lack
+  std::vector<Deformer> deformers;   ///< applied in this order, after the rigs
   std::vector<Repair> repairs;
   std::vector<NotShown> notShown;
 };
@@ -226,6 +248,8 @@ struct LoadOptions {
   std::optional<float> diagonalMm;    ///< scale the bounding-box diagonal to this length, mm, > 0
   std::optional<Medium> medium;       ///< of every object that is no metal, whatever the file says
   std::vector<MediumOfObject> media;  ///< of some objects, whatever else is said of them
+  std::optional<ColorModel> colorModel;  ///< of media that files give by colour; none: as a .toml
+                                         ///< scene says, else ColorModel::Observed
   /// A model of the same topology that the scene's only object turns into and back, in a clip
   /// "morph" of 4 s; not for built-in scenes.
   std::optional<std::filesystem::path> morphTo;
@@ -270,6 +294,10 @@ OPALINE_API void removeGround(Scene& scene);
 /// high.
 OPALINE_API Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre = {0, 0, 1},
                                  float verticalFovDegrees = 30);
+
+/// Lights, or a camera, that somebody puts in the place of the scene's follow no clip.
+OPALINE_API void stopLights(Scene& scene);
+OPALINE_API void stopCamera(Scene& scene);
 
 /// The default lights: a key light from behind at the side, a weak fill and weak ambient light.
 OPALINE_API Lighting defaultLighting();

@@ -56,6 +56,7 @@ struct SceneSource {
   std::map<std::string, MaterialSource> materials;
   std::map<std::string, std::string> materialOfObject;  ///< by the object's name, where one is said
   std::optional<EnvironmentFile> environment;
+  std::optional<ColorModel> colorModel;  ///< as in LoadOptions
 };
 
 /// What a .toml scene says beyond the scene itself: its [render] table.

@@ -33,6 +33,12 @@ const std::vector<Field<Medium>>& fieldsOf() {
 }
 
 template <>
+const std::vector<std::string_view>& namesOf<ColorModel>() {
+  static const std::vector<std::string_view> names{"observed", "khr"};
+  return names;
+}
+
+template <>
 const std::vector<Field<Appearance>>& fieldsOf() {
   static const std::vector<Field<Appearance>> table{
       field<Appearance, &Appearance::color>("color", {share},
@@ -41,6 +47,7 @@ const std::vector<Field<Appearance>>& fieldsOf() {
                                                      "of light in the medium"),
       field<Appearance, &Appearance::g>("g", {meanCosine}, "mean cosine of scattering"),
       field<Appearance, &Appearance::eta>("eta", {{1.01, 1.6}}, "index of refraction"),
+      field<Appearance, &Appearance::colorModel>("color_model", {}, "what the color means"),
   };
   return table;
 }
@@ -50,6 +57,8 @@ const std::vector<Field<LoadOptions>>& fieldsOf() {
   static const std::vector<Field<LoadOptions>> table{
       field<LoadOptions, &LoadOptions::diagonalMm>("diagonal_mm", {{1e-6, 1e9, "mm"}},
                                                    "of the bounding box"),
+      field<LoadOptions, &LoadOptions::colorModel>(
+          "color_model", {}, "what colors of media in files mean", "observed"),
   };
   return table;
 }
@@ -273,8 +282,8 @@ std::string complaintAbout(const OpaqueMaterial& material) {
     if (!isWithin(part, 0, 1))
       return "occlusion strength, alpha and its cutoff: must be from 0 to 1";
   if (!std::isfinite(material.normalScale)) return "the scale of the normal texture is not finite";
-  for (const auto member : texturesOfMaterial)
-    if (const std::optional<Texture>& texture = material.*member; texture)
+  for (const TextureOfMaterial& of : texturesOfMaterial)
+    if (const std::optional<Texture>& texture = material.*of.texture; texture)
       if (std::string complaint = complaintAbout(*texture); !complaint.empty()) return complaint;
   return options::complaintAboutFields(material);
 }

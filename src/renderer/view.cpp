@@ -251,7 +251,7 @@ class View::Implementation {
     const Scene& scene = context_.edited.scene();
     SceneResources& prepared = prepared_->scene();
     FrameResources& resources = resources_.made();
-    const GivenCamera given = cameraOf(scene);
+    const GivenCamera given = givenCamera();
     const CameraView& camera = given.view;
     frameData_.nextFrame();
     shared::FrameData data =
@@ -275,11 +275,11 @@ class View::Implementation {
                     {prepared.mesh, resources, context_.edited.motion().ranges(), given.depth});
   }
 
-  GivenCamera cameraOf(const Scene& scene) const {
+  GivenCamera givenCamera() const {
     if (matrices_) return makeGivenCamera(*matrices_, options_.width, options_.height);
-    return {makeCameraView(camera_.value_or(scene.camera), static_cast<float>(options_.width) /
-                                                               static_cast<float>(options_.height)),
-            {}};
+    const Camera& camera = camera_ ? *camera_ : context_.edited.camera();
+    const float aspect = static_cast<float>(options_.width) / static_cast<float>(options_.height);
+    return {makeCameraView(camera, aspect), {}};
   }
 
   RendererContext& context_;

@@ -91,6 +91,34 @@ Scene moving() {
   return scene;
 }
 
+/// The same beside an opaque body, with everything that a clip can change beside nodes.
+Scene changing() {
+  Scene scene = moving();
+  Object plate;
+  plate.name = "plate";
+  plate.mesh = sphere({0, -12, 0}, 4, 2);
+  plate.opaque = mattMaterial({0.5F, 0.5F, 0.5F});
+  scene.objects.push_back(plate);
+  OpaqueMaterial red = *plate.opaque;
+  red.baseColor = {0.8F, 0.1F, 0.1F};
+  Medium dense = scene.objects[0].medium;
+  for (double& sigma : dense.sigmaAPerMm) sigma *= 3;
+  Camera near = scene.camera;
+  near.positionMm[2] *= 0.9F;
+  const Lighting& lighting = scene.lighting;
+  ClipChanges& changes = scene.changes.emplace_back();
+  const auto twice = [](const auto& first, const auto& second) {
+    return std::vector{first, second};
+  };
+  changes.directional = {
+      {0, {0, 2}, twice(lighting.directional[0], DirectionalLight{{0, 0, 1}, {2, 1, 1}})}};
+  changes.points = {{0, {0, 2}, twice(lighting.points[0], PointLight{{0, 20, 0}, {50, 0, 0}})}};
+  changes.cameras = {{0, {0, 2}, twice(scene.camera, near)}};
+  changes.surfaces = {{1, {0, 2}, twice(*plate.opaque, red)}};
+  changes.media = {{0, {0, 2}, twice(scene.objects[0].medium, dense)}};
+  return scene;
+}
+
 RenderOptions tinyOptions() {
   RenderOptions options;
   options.width = options.height = 32;
@@ -118,6 +146,16 @@ std::size_t allocationsOfSteadyFrames(Renderer& renderer, const RenderOptions& o
   }
   view.collect(frame);
   return allocations;
+}
+
+TEST(AllocationTest, ClipsThatChangeLightsAndMaterialsAllocateNothing) {
+  Renderer renderer;
+  renderer.setScene(changing());
+  RenderOptions options = tinyOptions();
+  for (const Transport transport : {Transport::Dipole, Transport::Boundary}) {
+    options.transport = transport;
+    EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {}, [] {}), 0U);
+  }
 }
 
 TEST(AllocationTest, SteadyFramesAllocateNothing) {

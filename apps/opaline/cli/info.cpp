@@ -87,36 +87,15 @@ Json objectsJson(const Scene& scene) {
   return objects;
 }
 
-struct NamedTexture {
-  const char* use;
-  const std::optional<Texture>& texture;
-};
-
-std::vector<NamedTexture> texturesOf(const OpaqueMaterial& material) {
-  std::vector<NamedTexture> there;
-  for (const NamedTexture& one :
-       {NamedTexture{"base color", material.baseColorTexture},
-        NamedTexture{"metallic-roughness", material.metallicRoughnessTexture},
-        NamedTexture{"specular", material.specularTexture},
-        NamedTexture{"specular color", material.specularColorTexture},
-        NamedTexture{"normal", material.normalTexture},
-        NamedTexture{"occlusion", material.occlusionTexture},
-        NamedTexture{"emission", material.emissionTexture}})
-    if (one.texture) there.push_back(one);
-  return there;
-}
-
-Json textureJson(const NamedTexture& named) {
-  const TexturePixels& pixels = *named.texture->pixels;
-  return {{"use", named.use},
-          {"name", pixels.name},
-          {"width", pixels.width},
-          {"height", pixels.height}};
+Json textureJson(std::string_view use, const TexturePixels& pixels) {
+  return {{"use", use}, {"name", pixels.name}, {"width", pixels.width}, {"height", pixels.height}};
 }
 
 Json opaqueJson(const OpaqueMaterial& material) {
   Json textures = Json::array();
-  for (const NamedTexture& named : texturesOf(material)) textures.push_back(textureJson(named));
+  for (const TextureOfMaterial& of : texturesOfMaterial)
+    if (const auto& texture = material.*of.texture)
+      textures.push_back(textureJson(of.use, *texture->pixels));
   return {{"name", material.name},
           {"kind", "opaque"},
           {"base_color", material.baseColor},
@@ -128,7 +107,8 @@ Json opaqueJson(const OpaqueMaterial& material) {
 
 Json translucentJson(const Medium& medium, const std::optional<Paint>& paint) {
   Json textures = Json::array();
-  if (paint && paint->colorTexture) textures.push_back(textureJson({"color", paint->colorTexture}));
+  if (paint && paint->colorTexture)
+    textures.push_back(textureJson("color", *paint->colorTexture->pixels));
   return {{"name", medium.name},
           {"kind", "translucent"},
           {"sigma_s_prime_per_mm", rgbJson(medium.sigmaSPrimePerMm)},
@@ -152,8 +132,9 @@ Json materialsJson(const Scene& scene) {
 std::string opaqueText(const OpaqueMaterial& material) {
   std::string text = "opaque";
   if (!material.name.empty()) text += fmt::format(" ({})", material.name);
-  for (const auto& [use, texture] : texturesOf(material))
-    text += fmt::format(", {} {}x{}", use, texture->pixels->width, texture->pixels->height);
+  for (const TextureOfMaterial& of : texturesOfMaterial)
+    if (const auto& texture = material.*of.texture)
+      text += fmt::format(", {} {}x{}", of.use, texture->pixels->width, texture->pixels->height);
   return text;
 }
 

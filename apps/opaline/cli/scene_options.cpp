@@ -198,12 +198,14 @@ void SceneOptions::addTo(CommandLine& line) {
                    readNumber(given, options::fieldOf<LoadOptions>("diagonal_mm").allowed.range));
              });
   medium_.addTo(line);
-  line.value("--morph-to", "FILE", "mesh that SCENE turns into: clip \"morph\"",
+  line.value("--morph-to", "FILE", "mesh it turns into; media by observed or khr",
              [this](const Given& given) { morphTo_ = given.text; });
+  addField(line, options::fieldOf<LoadOptions>("color_model"), chosen_, {}, "");
 }
 
 bool SceneOptions::any() const {
-  return !files_.empty() || builtIn_ || diagonalMm_ || morphTo_ || medium_.any();
+  return !files_.empty() || builtIn_ || diagonalMm_ || morphTo_ || medium_.any() ||
+         !chosen_.empty();
 }
 
 std::string SceneOptions::name() const {
@@ -228,6 +230,7 @@ LoadedScene SceneOptions::load(const LogCallback& log) const {
   options.media = medium_.ofObjects();
   options.morphTo = morphTo_;
   options.log = log;
+  chosen_.applyTo(options);
   if (files_.empty()) {
     const bool teapot = builtIn_ == "teapot";
     return {teapot ? builtInTeapot(options) : builtInBear(options),
@@ -301,6 +304,7 @@ void LightOptions::applyTo(LoadedScene& loaded) const {
       loaded.source.environment = EnvironmentFile{std::filesystem::absolute(*environment_)};
     }
     loaded.scene.lighting = lightingFor(loaded.scene);
+    stopLights(loaded.scene);
   }
   std::optional<EnvironmentFile>& environment = loaded.source.environment;
   if (!environment && !turned_.empty()) {
@@ -350,6 +354,7 @@ void CameraOptions::check() const {
 
 void CameraOptions::applyTo(Scene& scene) const {
   check();
+  if (any()) stopCamera(scene);
   Camera& camera = scene.camera;
   const double distanceMm = scene::distanceToTargetMm(camera);
   const Vec3 middle = middleOf(boundsOf(scene));

@@ -25,6 +25,13 @@ void OpaquePass::makeShares(gpu::Device& device, Surfels& surfels, Clusters& clu
       makeRoom<shared::vec4>(device, "exitance of opaque clusters", clusters.count);
   gpu::CommandList commands(device, "shares of opaque clusters");
   commands.begin();
+  recordShares(commands, surfels, clusters, opaque, tables);
+  commands.submit();
+}
+
+void OpaquePass::recordShares(gpu::CommandList& commands, Surfels& surfels, Clusters& clusters,
+                              OpaqueTables& opaque, SceneTables& tables) const {
+  commands.beginPass("opaque");
   commands.bind(shares_,
                 {.surfaceMaterials = surfaceMaterials(opaque),
                  .objects = tables.objects,
@@ -34,7 +41,7 @@ void OpaquePass::makeShares(gpu::Device& device, Surfels& surfels, Clusters& clu
                  .shares = tables.opaqueShares},
                 {.clusterCount = clusters.count, .piecesPerSurfel = surfels.piecesPerSurfel});
   commands.dispatchLinear(clusters.count);
-  commands.submit();
+  commands.endPass();
 }
 
 void OpaquePass::cutOut(gpu::Device& device, Surfels& surfels, OpaqueTables& opaque,

@@ -33,6 +33,9 @@ class OpaquePass {
   /// SceneTables::opaqueShares, once the rest of the tables is there. For set-up.
   void makeShares(gpu::Device& device, Surfels& surfels, Clusters& clusters, OpaqueTables& opaque,
                   SceneTables& tables) const;
+  /// The same again in a frame, where materials have changed.
+  void recordShares(gpu::CommandList& commands, Surfels& surfels, Clusters& clusters,
+                    OpaqueTables& opaque, SceneTables& tables) const;
 
   /// What clusters find: of lights and the sky, of what other clusters send, or of bounces that are
   /// not followed. As boundary/opaque.comp has it.

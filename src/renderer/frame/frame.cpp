@@ -61,6 +61,14 @@ struct FrameContext {
     motion.record(commands, passes.deform, plan.time, mesh);
   }
 
+  void changeMaterials(SceneResources& scene) const {
+    if (!resources.materials) return;
+    resources.materials->record(commands, plan.time, scene.opaque, resources.tables);
+    if (resources.materials->changesOpaque() && resources.tables.opaqueShares)
+      passes.opaque.recordShares(commands, scene.surfels, scene.clusters, scene.opaque,
+                                 resources.tables);
+  }
+
   void fit(const FrameUpload& upload) const {
     passes.fit.record(commands, upload.buffer, upload.offset, mesh, resources.view);
   }
@@ -381,6 +389,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   assert(!plan.irradiance || plan.centre);
   assert(plan.samples == 0 || plan.scatter);
   const FrameContext context{commands, passes, plan, scene.mesh, resources};
+  if (plan.light) context.changeMaterials(scene);
   if (plan.light) context.deform(motion);
   context.fit(upload);
   if (plan.light) context.gather(scene);

@@ -49,7 +49,8 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   if (size || media || transport || pattern) made_.map.reset();
   if (size || shadows || surface || pattern) lit.reset();
   if (whole) made_.view = passes::FitPass::makeView(device_);
-  if (media || transport || surface) makeTables(device_, passes_, scene, options, made_);
+  if (media || transport || surface)
+    makeTables(device_, passes_, scene, options, edited.scene(), made_);
   if (sky) makeSky(device_, passes_, lighting, options, plan.opaque, made_);
   const bool behind = sky || before->options.environmentBehind != options.environmentBehind;
   makeBackdrop(plan, edited, behind);

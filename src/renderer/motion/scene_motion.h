@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "deform/pose.h"
 #include "gpu/command_list.h"
 #include "gpu/transfer.h"
 #include "opaline/scene.h"
@@ -11,6 +10,7 @@
 #include "passes/products.h"
 #include "renderer/motion/given_positions.h"
 #include "renderer/motion/motion_tables.h"
+#include "scene/pose.h"
 #include "shaders/shared/deform.h"
 
 namespace opaline {
@@ -42,7 +42,7 @@ class SceneMotion {
   std::vector<ObjectRange> ranges_;
   passes::Motion motion_;
   GivenPositions given_;
-  deform::Pose pose_;
+  scene::Pose pose_;
   std::vector<scene::Matrix4> joints_;  // of one object
   std::vector<bool> restMirrors_;       // by object
   bool hasHeight_ = false;              // else there is nothing to twist or bend

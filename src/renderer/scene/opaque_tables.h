@@ -6,6 +6,7 @@
 #include "opaline/log.h"
 #include "opaline/scene.h"
 #include "passes/products.h"
+#include "shaders/shared/opaque.h"
 
 namespace opaline::gpu {
 class Device;
@@ -20,10 +21,14 @@ bool isPainted(const Object& object);
 /// colour.
 std::optional<OpaqueMaterial> surfaceMaterialOf(const Object& object);
 
+/// Sets the numbers of a material that clips may change. Allocates nothing.
+void setNumbers(const OpaqueMaterial& material, shared::OpaqueData& data);
+
 /// The materials of a scene, `materials` of them, with their textures, and what they read of its
-/// meshes. Notes go to `log`.
+/// meshes. Notes go to `log`, what the table of materials was made of to `onHost`.
 passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
                                       const std::vector<OpaqueMaterial>& materials,
-                                      const LogCallback& log);
+                                      const LogCallback& log,
+                                      std::vector<shared::OpaqueData>& onHost);
 
 }  // namespace opaline

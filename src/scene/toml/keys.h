@@ -11,17 +11,18 @@ namespace opaline::scene::keys {
 template <std::size_t count>
 using Keys = std::array<std::string_view, count>;
 
-inline constexpr Keys<14> root{"model",     "diagonal_mm", "medium", "media",  "objects",
-                               "materials", "lights",      "models", "camera", "environment",
-                               "render",    "morph_to",    "deform", "ground"};
+inline constexpr Keys<15> root{"model",       "diagonal_mm", "medium",   "media",  "objects",
+                               "color_model", "materials",   "lights",   "models", "camera",
+                               "environment", "render",      "morph_to", "deform", "ground"};
 inline constexpr Keys<2> ground{"color", "height_mm"};
 inline constexpr Keys<8> model{"file",      "diagonal_mm",    "morph_to",         "medium",
                                "transform", "translation_mm", "rotation_degrees", "scale"};
 inline constexpr Keys<5> medium{"measured", "sigma_s_per_mm", "sigma_a_per_mm", "eta", "g"};
-inline constexpr Keys<17> material{"kind",
+inline constexpr Keys<20> material{"kind",
                                    "medium",
                                    "color",
                                    "color_texture",
+                                   "color_model",
                                    "mean_free_path_mm",
                                    "g",
                                    "eta",
@@ -31,6 +32,8 @@ inline constexpr Keys<17> material{"kind",
                                    "roughness",
                                    "metallic_roughness_texture",
                                    "specular",
+                                   "specular_texture",
+                                   "specular_color_texture",
                                    "normal_texture",
                                    "occlusion_texture",
                                    "emission",

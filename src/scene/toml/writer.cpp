@@ -401,6 +401,8 @@ std::filesystem::path writeScene(const Target& target, const SceneDescription& d
   scene::Text text;
   const std::vector<ModelSource>& models = description.source.models;
   if (!scene::needTables(models)) scene::addModel(models.front(), "model", file, text);
+  if (description.source.colorModel)
+    text.text("color_model", options::nameOf(*description.source.colorModel));
   scene::addObjects(description, text);
   scene::addMaterials(description, file, text);
   if (scene::needTables(models)) scene::addModels(models, file, text);

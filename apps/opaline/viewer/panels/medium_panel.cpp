@@ -127,9 +127,9 @@ void showLengths(const Medium& medium) {
   ImGui::EndTable();
 }
 
-void showTexture(const std::optional<Texture>& texture) {
+void showTexture(std::string_view use, const std::optional<Texture>& texture) {
   if (texture)
-    controls::text(fmt::format("{}, {}x{}", texture->pixels->name, texture->pixels->width,
+    controls::text(fmt::format("{}: {}, {}x{}", use, texture->pixels->name, texture->pixels->width,
                                texture->pixels->height));
 }
 
@@ -140,13 +140,13 @@ void showMaterial(const OpaqueMaterial& material) {
   controls::text(fmt::format("base color {:.2f} {:.2f} {:.2f}", red, green, blue));
   controls::text(
       fmt::format("metallic {:.2f}, roughness {:.2f}", material.metallic, material.roughness));
-  for (const auto member : texturesOfMaterial) showTexture(material.*member);
+  for (const TextureOfMaterial& of : texturesOfMaterial) showTexture(of.use, material.*of.texture);
 }
 
 void showPaint(const Paint& paint) {
   const auto& [red, green, blue] = paint.color;
   controls::text(fmt::format("painted {:.2f} {:.2f} {:.2f}", red, green, blue));
-  showTexture(paint.colorTexture);
+  showTexture("color", paint.colorTexture);
 }
 
 bool drawMedium(Medium& medium) {

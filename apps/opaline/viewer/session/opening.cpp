@@ -71,6 +71,7 @@ Session resized(const Session& edited, Loader::Result result) {
   if (made.object >= scene.objects.size()) made.object = 0;
   const float factor = made.diagonalMm / edited.diagonalMm;
   scene::scaleLights(double{factor}, scene.lighting);
+  scene::scaleChanges(double{factor}, scene.changes);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     scene.camera.positionMm[axis] *= factor;
     scene.camera.targetMm[axis] *= factor;
