@@ -13,7 +13,7 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan fuzz faults package package-check install python wheel dependencies configure
+.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan fuzz faults properties soak package package-check install python wheel blender dependencies configure
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -29,10 +29,13 @@ help:
 	@echo 'make format    clang-format everything'
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz      every fuzz target for 60 seconds each; SECONDS=600 lets them run longer; needs clang 14'
-	@echo 'make faults    every Vulkan call of a scene and of a frame fails once: half an hour; STRIDE=10 tries every tenth'
+	@echo 'make faults    every Vulkan call and allocation of a scene and of a frame fails once: an hour; STRIDE=10 tries every tenth'
+	@echo 'make properties  what holds of every scene, of a thousand drawn at random; SCENES=100 SEED=7 draws others'
+	@echo 'make soak      a million small frames with random edits; FRAMES=10000 SEED=2 makes others'
 	@echo 'make install   library, program, pages and Python module into PREFIX=folder'
 	@echo 'make python    the Python module, into the virtual environment at hand, or PREFIX=folder'
 	@echo 'make wheel     the Python module as a wheel in build/release/'
+	@echo 'make blender   the add-on for Blender as a zip in build/release/'
 	@echo 'make package   a tar.gz of the program that runs on other x86-64 Linux machines'
 	@echo 'make package-check  the library alone, shared: builds it, installs it, uses it from another project'
 
@@ -62,6 +65,7 @@ demo: build
 check:
 	$(PYTHON) tools/check_names.py
 	$(PYTHON) tools/check_layers.py
+	$(PYTHON) tools/check_documented.py
 	$(PYTHON) tools/check_links.py
 	$(PYTHON) tools/check_format.py
 	$(PYTHON) -m unittest discover -q -s tests/tools -p '*_test.py'
@@ -114,8 +118,17 @@ fuzz: dependencies
 	$(PYTHON) tools/fuzz.py --seconds $(or $(SECONDS),60)
 
 faults: configure
-	cmake --build --preset release --target test_faults
+	cmake --build --preset release --target test_faults test_allocation_faults
 	OPALINE_FAULT_STRIDE=$(or $(STRIDE),1) $(BUILD)/bin/test_faults
+	OPALINE_FAULT_STRIDE=$(or $(STRIDE),1) $(BUILD)/bin/test_allocation_faults
+
+properties: configure
+	cmake --build --preset release --target test_properties
+	OPALINE_SCENES=$(or $(SCENES),1000) OPALINE_SEED=$(or $(SEED),1) $(BUILD)/bin/test_properties
+
+soak: configure
+	cmake --build --preset release --target opaline_soak
+	$(BUILD)/bin/opaline_soak $(or $(FRAMES),1000000) $(or $(SEED),1)
 
 package: build
 	scripts/package.sh $(BUILD)
@@ -132,6 +145,9 @@ install: configure
 
 wheel: configure
 	cmake --build --preset release --target opaline_wheel
+
+blender: configure
+	cmake --build --preset release --target opaline_blender
 
 # pip refuses to change a system's own Python: use a virtual environment with NumPy, or PREFIX.
 python: wheel

@@ -103,7 +103,8 @@ function(opaline_install)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/OpalineConfig.cmake.in ${made}/OpalineConfig.cmake
     INSTALL_DESTINATION ${package})
   write_basic_package_version_file(${made}/OpalineConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-  install(FILES ${made}/OpalineConfig.cmake ${made}/OpalineConfigVersion.cmake DESTINATION ${package} COMPONENT library)
+  install(FILES ${made}/OpalineConfig.cmake ${made}/OpalineConfigVersion.cmake
+    ${PROJECT_SOURCE_DIR}/cmake/FindWebP.cmake DESTINATION ${package} COMPONENT library)
 
   file(RELATIVE_PATH OPALINE_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/opaline.pc.in ${made}/opaline.pc @ONLY)

@@ -104,6 +104,21 @@ std::vector<Vec3> positionsOf(const py::handle& values, const char* name) {
   return positions;
 }
 
+std::vector<Vec2> placesOf(const py::handle& values, const char* name) {
+  const py::array array = numbersOf(values, name);
+  if (array.ndim() != 2 || array.shape(1) != 2) {
+    throw UsageError(
+        fmt::format("{} has the shape {}; it must be (N, 2).", name, shapeText(array)));
+  }
+  const auto numbers = castOf<Floats>(array, name);
+  const auto at = numbers.unchecked<2>();
+  std::vector<Vec2> places(static_cast<std::size_t>(at.shape(0)));
+  for (py::ssize_t i = 0; i < at.shape(0); ++i) {
+    places[static_cast<std::size_t>(i)] = {at(i, 0), at(i, 1)};
+  }
+  return places;
+}
+
 std::vector<Triangle> trianglesOf(const py::handle& values, const char* name) {
   const py::array rows = rowsOf(values, name);
   if (rows.size() > 0 && rows.dtype().kind() == 'f') {

@@ -23,6 +23,9 @@ Vec3 unitOf(const py::handle& values, const char* name);
 /// An array (N, 3) of any kind of number and any strides.
 std::vector<Vec3> positionsOf(const py::handle& values, const char* name);
 
+/// An array (N, 2).
+std::vector<Vec2> placesOf(const py::handle& values, const char* name);
+
 /// An array (M, 3) of whole numbers.
 std::vector<Triangle> trianglesOf(const py::handle& values, const char* name);
 

@@ -39,10 +39,14 @@ void setLights(SharedScene& shared, const py::iterable& lights);
 /// A Medium, or the name of one.
 Medium mediumOf(const py::handle& given);
 
+/// Of "observed" or "khr".
+ColorModel colorModelOf(const std::string& name);
+
 /// Messages go to Python's logger "opaline". May be called with the interpreter's lock or without.
 LogCallback pythonLog();
 
 void bindMedia(py::module_& module);
+void bindMaterials(py::module_& module);
 void bindLights(py::module_& module);
 void bindScenes(py::module_& module);
 void bindRendering(py::module_& module);

@@ -27,12 +27,15 @@ void bindLights(py::module_& module) {
   py::class_<DirectionalLight>(module, "DirectionalLight",
                                R"(Light from infinitely far away. It never changes.
 
-direction_to_light: of any length above 0; irradiance: linear RGB on a surface that faces it, in [0, 1e30].)")
-      .def(py::init([](const py::object& direction, const py::object& irradiance) {
+direction_to_light: of any length above 0; irradiance: linear RGB on a surface that faces it, in [0, 1e30];
+angular_radius_degrees: of the disc that surfaces mirror, in [0, 10].)")
+      .def(py::init([](const py::object& direction, const py::object& irradiance, float radius) {
              return sound(DirectionalLight{unitOf(direction, "direction_to_light"),
-                                           vectorOf(irradiance, "irradiance")});
+                                           vectorOf(irradiance, "irradiance"), radius});
            }),
-           arg("direction_to_light"), arg("irradiance") = white)
+           arg("direction_to_light"), arg("irradiance") = white, arg("angular_radius_degrees") = 0)
+      .def_readonly("angular_radius_degrees", &DirectionalLight::angularRadiusDegrees,
+                    "Of the disc that surfaces mirror.")
       .def_property_readonly(
           "direction_to_light",
           [](const DirectionalLight& of) { return tupleOf(of.directionToLight); }, "Unit vector.")

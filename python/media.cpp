@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "opaline/error.h"
+#include "opaline/options/scene.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 
@@ -46,9 +48,11 @@ Medium mediumBy(const py::object& name, const py::object& sigmaSPrime, const py:
   return sound(medium);
 }
 
-Medium looking(const py::object& color, const py::object& meanFreePathMm, double g, double eta) {
+Medium looking(const py::object& color, const py::object& meanFreePathMm, double g, double eta,
+               const std::string& colorModel) {
   const Appearance appearance{tripleOf(color, "color"),
-                              tripleOf(meanFreePathMm, "mean_free_path_mm"), g, eta};
+                              tripleOf(meanFreePathMm, "mean_free_path_mm"), g, eta,
+                              colorModelOf(colorModel)};
   const std::string complaint = complaintAbout(appearance);
   if (!complaint.empty()) throw UsageError(complaint);
   return opaline::mediumOf(appearance);
@@ -64,6 +68,13 @@ std::string textOf(const Medium& medium) {
 }
 
 }  // namespace
+
+ColorModel colorModelOf(const std::string& name) {
+  const auto& names = options::namesOf<ColorModel>();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw UsageError(fmt::format("color_model '{}' is none of {}", name, fmt::join(names, ", ")));
+  return options::named<ColorModel>(name);
+}
 
 Medium mediumOf(const py::handle& given) {
   if (py::isinstance<py::str>(given)) return named(given.cast<std::string>());
@@ -81,11 +92,12 @@ index of refraction, in [1.01, 3]; mean cosine of scattering, in [-0.99, 0.99]. 
            py::arg("sigma_s_prime_per_mm") = py::none(), py::arg("sigma_a_per_mm") = py::none(),
            py::arg("eta") = py::none(), py::arg("g") = py::none())
       .def_static("from_appearance", &looking, py::arg("color"), py::arg("mean_free_path_mm"),
-                  py::arg("g") = 0.0, py::arg("eta") = 1.4,
+                  py::arg("g") = 0.0, py::arg("eta") = 1.4, py::arg("color_model") = "observed",
                   R"(The medium that looks like this.
 
 color: of a thick body in even light, three numbers in [0, 1]; mean_free_path_mm: three numbers in [1e-6, 1e6];
-g: mean cosine of scattering, in [-0.99, 0.99]; eta: in [1.01, 1.6].)")
+g: mean cosine of scattering, in [-0.99, 0.99]; eta: in [1.01, 1.6]; color_model: "observed", or "khr" where the color is
+the albedo of KHR_materials_volume_scatter.)")
       .def_readonly("name", &Medium::name, "Its name, or an empty text.")
       .def_property_readonly(
           "sigma_s_prime_per_mm",

@@ -48,6 +48,7 @@ PYBIND11_MODULE(_opaline, module) {
   using namespace opaline::python;
   bindErrors(module);
   bindMedia(module);
+  bindMaterials(module);
   bindScenes(module);
   bindRendering(module);
   bindReferences(module);

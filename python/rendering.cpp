@@ -54,7 +54,7 @@ class PythonRenderer {
   }
 
   py::object render(int width, int height, const py::object& names,
-                    const std::optional<Camera>& camera, bool environmentBehind,
+                    const std::optional<Camera>& camera, bool environmentBehind, bool reuseLight,
                     const py::kwargs& keywords) {
     RenderOptions options;
     options.width = width;
@@ -63,6 +63,7 @@ class PythonRenderer {
     applyKeywords(keywords, options);
     FrameOrder order;
     order.aovs = aovsOf(names);
+    order.reuseLight = reuseLight;
     RenderResult result;
     change([&] {
       if (!view_) {
@@ -177,7 +178,8 @@ void bindRendering(py::module_& module) {
 
 width, height: pixels, in [1, 16384]; aovs: a variable or several of radiance, exitance, irradiance, position, normal,
 depth, evaluations, object, surfels; camera: a Camera instead of the scene's; environment_behind: environment and ambient
-light fill what no surface covers. Other options and their defaults:
+light fill what no surface covers; reuse_light: if only the camera changed since the last picture, its light is kept, and
+the picture is the same, sooner. Other options and their defaults:
 
 )" + keywordHelp() + R"(
 The interpreter's lock is released meanwhile. Ctrl C is heeded when the frame is done.)";
@@ -195,7 +197,8 @@ memory, in [64, 1e7]. Notes and warnings go to the logger
            arg("ray_queries") = py::none(), arg("memory_limit_mb") = py::none())
       .def("render", &PythonRenderer::render, kept.c_str(), arg("width") = 1024,
            arg("height") = 1024, arg("aovs") = "radiance", py::kw_only(),
-           arg("camera") = py::none(), arg("environment_behind") = false)
+           arg("camera") = py::none(), arg("environment_behind") = false,
+           arg("reuse_light") = false)
       .def("set_scene", &PythonRenderer::setScene, arg("scene"), "Another scene, at time 0.")
       .def("set_positions", &PythonRenderer::setPositions, arg("object"), arg("positions_mm"),
            R"(Where the vertices of an object are from the next frame on.

@@ -35,9 +35,43 @@ Scene SharedScene::whole() const {
 
 namespace {
 
+void requireOneEach(std::size_t count, std::size_t vertices, const char* name) {
+  if (count != vertices) {
+    throw UsageError(
+        fmt::format("{} has {} rows, but there are {} vertices.", name, count, vertices));
+  }
+}
+
+void setNormals(Mesh& mesh, const py::object& given) {
+  std::vector<Vec3> normals = positionsOf(given, "normals");
+  requireOneEach(normals.size(), mesh.positionsMm.size(), "normals");
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const auto& [x, y, z] = normals[i];
+    const float length = std::hypot(x, y, z);
+    // What has no direction keeps the normal that its triangles give it.
+    if (length > 0 && std::isfinite(length)) {
+      mesh.normals[i] = {x / length, y / length, z / length};
+    }
+  }
+}
+
+void setTextureCoordinates(Mesh& mesh, const py::object& given) {
+  std::vector<Vec2> places = placesOf(given, "texture_coordinates");
+  requireOneEach(places.size(), mesh.positionsMm.size(), "texture_coordinates");
+  for (const Vec2& place : places) {
+    if (!std::isfinite(place[0]) || !std::isfinite(place[1])) {
+      throw UsageError("texture_coordinates holds what is not finite.");
+    }
+  }
+  mesh.textureCoordinates[0] = std::move(places);
+}
+
 std::shared_ptr<Object> makeObject(const py::object& positions, const py::object& triangles,
                                    const py::object& medium, const std::string& name,
-                                   const py::object& opaqueColor) {
+                                   const py::object& opaqueColor,
+                                   const std::optional<OpaqueMaterial>& material,
+                                   const std::optional<Paint>& paint, const py::object& normals,
+                                   const py::object& textureCoordinates) {
   py::object vertices = positions;
   py::object faces = triangles;
   if (faces.is_none()) {
@@ -56,6 +90,11 @@ std::shared_ptr<Object> makeObject(const py::object& positions, const py::object
   if (!opaqueColor.is_none()) {
     object->opaque = sound(mattMaterial(vectorOf(opaqueColor, "opaque_color")));
   }
+  if (material) object->opaque = material;
+  if (object->opaque && paint) throw UsageError("paint is for bodies that light enters.");
+  object->paint = paint;
+  if (!normals.is_none()) setNormals(object->mesh, normals);
+  if (!textureCoordinates.is_none()) setTextureCoordinates(object->mesh, textureCoordinates);
   return object;
 }
 
@@ -66,15 +105,18 @@ std::vector<std::shared_ptr<Object>> objectsOf(const py::iterable& given) {
       objects.push_back(each.cast<std::shared_ptr<Object>>());
     } else {
       objects.push_back(makeObject(py::reinterpret_borrow<py::object>(each), py::none(),
-                                   py::str("marble"), "", py::none()));
+                                   py::str("marble"), "", py::none(), {}, {}, py::none(),
+                                   py::none()));
     }
   }
   return objects;
 }
 
 LoadOptions loadOptionsOf(const py::object& medium, std::optional<float> diagonalMm,
-                          std::optional<std::filesystem::path> morphTo) {
+                          std::optional<std::filesystem::path> morphTo,
+                          const std::optional<std::string>& colorModel = {}) {
   LoadOptions options;
+  if (colorModel) options.colorModel = colorModelOf(*colorModel);
   options.diagonalMm = diagonalMm;
   options.morphTo = std::move(morphTo);
   if (!medium.is_none()) options.medium = mediumOf(medium);
@@ -121,10 +163,14 @@ void bindObjects(py::module_& module) {
 Object(positions_mm, triangles, medium="wax"): positions are an array (N, 3) of any kind of number, triangles an array
 (M, 3) of whole numbers, counter-clockwise seen from outside. Object(mesh, medium="wax") takes anything with .vertices
 and .faces. medium is a Medium or the name of one. With opaque_color, linear RGB in [0, 1], it is a matt surface that lets
-no light in. A closed mesh has an inside; in an open one light scatters as in a half-space.)")
+no light in; material, an OpaqueMaterial, says more of it. paint, a Paint, colours a body that light enters. normals (N, 3)
+and texture_coordinates (N, 2) are of the vertices; without normals the surface is smooth. A closed mesh has an inside; in
+an open one light scatters as in a half-space.)")
       .def(py::init(&makeObject), arg("positions_mm"), arg("triangles") = py::none(),
            arg("medium") = "marble", arg("name") = "", py::kw_only(),
-           arg("opaque_color") = py::none())
+           arg("opaque_color") = py::none(), arg("material") = py::none(),
+           arg("paint") = py::none(), arg("normals") = py::none(),
+           arg("texture_coordinates") = py::none())
       .def_readwrite("name", &Object::name, "Its name, or an empty text.")
       .def_property(
           "medium", [](const Object& object) { return object.medium; },
@@ -150,23 +196,31 @@ no light in. A closed mesh has an inside; in an open one light scatters as in a 
         return fmt::format("<opaline.Object '{}': {} vertices, {} triangles>", object.name,
                            object.mesh.positionsMm.size(), object.mesh.triangles.size());
       });
-  py::class_<Camera>(module, "Camera", R"(A pinhole camera. It never changes.
+  py::class_<Camera>(module, "Camera",
+                     R"(A pinhole camera, or an orthographic one. It never changes.
 
-position_mm, target_mm: where it stands and what it looks at; vertical_fov_degrees: in [1, 170].)")
+position_mm, target_mm: where it stands and what it looks at; vertical_fov_degrees: in [1, 170]; shift_x, shift_y: move
+what is seen without turning the camera, in widths of the picture to the right and in heights up;
+orthographic_height_mm: if given, lines of sight are parallel and the picture is so high.)")
       .def(py::init([](const py::object& position, const py::object& target, const py::object& up,
-                       float fov) {
+                       float fov, float shiftX, float shiftY, std::optional<float> heightMm) {
              return sound(Camera{vectorOf(position, "position_mm"), vectorOf(target, "target_mm"),
-                                 vectorOf(up, "up"), fov});
+                                 vectorOf(up, "up"), fov, shiftX, shiftY, heightMm});
            }),
            arg("position_mm"), arg("target_mm") = py::make_tuple(0, 0, 0),
-           arg("up") = py::make_tuple(0, 1, 0), arg("vertical_fov_degrees") = 30.F)
+           arg("up") = py::make_tuple(0, 1, 0), arg("vertical_fov_degrees") = 30.F, py::kw_only(),
+           arg("shift_x") = 0.F, arg("shift_y") = 0.F, arg("orthographic_height_mm") = py::none())
       .def_property_readonly(
           "position_mm", [](const Camera& of) { return tupleOf(of.positionMm); }, "mm.")
       .def_property_readonly(
           "target_mm", [](const Camera& of) { return tupleOf(of.targetMm); }, "mm.")
       .def_property_readonly(
           "up", [](const Camera& of) { return tupleOf(of.up); }, "What is up in the picture.")
-      .def_readonly("vertical_fov_degrees", &Camera::verticalFovDegrees, "In [1, 170].");
+      .def_readonly("vertical_fov_degrees", &Camera::verticalFovDegrees, "In [1, 170].")
+      .def_readonly("shift_x", &Camera::shiftX, "Of what is seen, widths to the right.")
+      .def_readonly("shift_y", &Camera::shiftY, "Of what is seen, heights up.")
+      .def_readonly("orthographic_height_mm", &Camera::orthographicHeightMm,
+                    "Height of an orthographic picture, mm; None of a pinhole camera.");
 }
 
 void bindScene(py::module_& module) {
@@ -286,16 +340,19 @@ void bindScenes(py::module_& module) {
   module.def(
       "load",
       [](const std::filesystem::path& file, const py::object& medium,
-         std::optional<float> diagonalMm, std::optional<std::filesystem::path> morphTo) {
-        const LoadOptions options = loadOptionsOf(medium, diagonalMm, std::move(morphTo));
+         std::optional<float> diagonalMm, std::optional<std::filesystem::path> morphTo,
+         const std::optional<std::string>& colorModel) {
+        const LoadOptions options =
+            loadOptionsOf(medium, diagonalMm, std::move(morphTo), colorModel);
         return sceneBy([&] { return loadScene(file, options); });
       },
       arg("file"), arg("medium") = py::none(), arg("diagonal_mm") = py::none(),
-      arg("morph_to") = py::none(),
+      arg("morph_to") = py::none(), arg("color_model") = py::none(),
       R"(Reads a .glb, .gltf, .obj, .ply or .toml file and repairs its meshes.
 
 medium: a Medium or its name, of everything that is no metal; diagonal_mm: length that the diagonal of the box around the
-scene is scaled to; morph_to: a file with a mesh of the same topology that the scene turns into.)");
+scene is scaled to; morph_to: a file with a mesh of the same topology that the scene turns into; color_model: what colors of media
+in the file mean, "observed" or "khr".)");
   module.def(
       "bear",
       [](const py::object& medium, std::optional<float> diagonalMm) {

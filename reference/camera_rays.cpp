@@ -17,19 +17,27 @@ Vector usableUp(const Vector& wanted, const Vector& axis) {
 }  // namespace
 
 CameraRays::CameraRays(const Camera& camera, int width, int height)
-    : origin_(toVector(camera.positionMm)), width_(width), height_(height) {
+    : origin_(toVector(camera.positionMm)),
+      shiftX_(camera.shiftX),
+      shiftY_(camera.shiftY),
+      isParallel_(camera.orthographicHeightMm.has_value()),
+      width_(width),
+      height_(height) {
   axis_ = unitOr(toVector(camera.targetMm) - origin_, {0, 0, -1});
   const Vector right = unitOr(cross(axis_, usableUp(toVector(camera.up), axis_)), {1, 0, 0});
   const double halfHeight =
-      std::tan(0.5 * double{camera.verticalFovDegrees} * std::numbers::pi / 180);
+      isParallel_ ? 0.5 * double{*camera.orthographicHeightMm}
+                  : std::tan(0.5 * double{camera.verticalFovDegrees} * std::numbers::pi / 180);
   right_ = (halfHeight * width / height) * right;
   down_ = -halfHeight * cross(right, axis_);
 }
 
 Ray CameraRays::through(int x, int y, const std::array<double, 2>& offset) const {
-  const double across = 2 * (x + 0.5 + offset[0]) / width_ - 1;
-  const double below = 2 * (y + 0.5 + offset[1]) / height_ - 1;
-  return {origin_, unitOr(axis_ + across * right_ + below * down_, axis_)};
+  const double across = 2 * ((x + 0.5 + offset[0]) / width_ + shiftX_) - 1;
+  const double below = 2 * ((y + 0.5 + offset[1]) / height_ - shiftY_) - 1;
+  const Vector aside = across * right_ + below * down_;
+  if (isParallel_) return {origin_ + aside, axis_};
+  return {origin_, unitOr(axis_ + aside, axis_)};
 }
 
 double CameraRays::depthMm(const Vector& point) const {

@@ -13,7 +13,7 @@ struct Ray {
   Vector direction{};  ///< unit
 };
 
-/// The rays of a pinhole camera through the pixels of a picture; row 0 is the uppermost.
+/// The rays of a camera through the pixels of a picture; row 0 is the uppermost.
 class CameraRays {
  public:
   CameraRays(const Camera& camera, int width, int height);
@@ -27,8 +27,11 @@ class CameraRays {
  private:
   Vector origin_;
   Vector axis_;
-  Vector right_;  ///< from the picture's centre to the middle of its right edge, at distance 1
-  Vector down_;   ///< likewise to its lower edge
+  Vector right_;  ///< half the picture's width, at distance 1 of a pinhole camera
+  Vector down_;   ///< half its height
+  double shiftX_;
+  double shiftY_;
+  bool isParallel_;
   int width_;
   int height_;
 };

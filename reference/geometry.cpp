@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "opaline/error.h"
+#include "reference/opaque_surface.h"
 
 namespace opaline::reference {
 
@@ -18,21 +19,33 @@ constexpr std::uint32_t none = RTC_INVALID_GEOMETRY_ID;
 /// What a ray leaves out. Embree passes the context on to the filter.
 struct Query {
   RTCIntersectContext context;  // first: the filter is handed its address
+  const Scene* scene = nullptr;
   std::uint32_t body = none;
   std::uint32_t triangle = none;
 };
 
-void leaveOutOwnTriangle(const RTCFilterFunctionNArguments* arguments) {
-  const auto* query = reinterpret_cast<const Query*>(arguments->context);
-  const std::uint32_t body = RTCHitN_geomID(arguments->hit, arguments->N, 0);
-  const std::uint32_t triangle = RTCHitN_primID(arguments->hit, arguments->N, 0);
-  if (body == query->body && triangle == query->triangle) arguments->valid[0] = 0;
+bool hasHoles(const Body& body) {
+  return body.opaque && body.opaque->alphaCutoff > 0;
 }
 
-Query queryFrom(std::uint32_t body, std::uint32_t triangle) {
+// The triangle that a ray starts on, and holes.
+void leaveOut(const RTCFilterFunctionNArguments* arguments) {
+  const auto* query = reinterpret_cast<const Query*>(arguments->context);
+  const std::uint32_t index = RTCHitN_geomID(arguments->hit, arguments->N, 0);
+  const std::uint32_t triangle = RTCHitN_primID(arguments->hit, arguments->N, 0);
+  const Body& body = query->scene->bodies[index];
+  const double u{RTCHitN_u(arguments->hit, arguments->N, 0)};
+  const double v{RTCHitN_v(arguments->hit, arguments->N, 0)};
+  if ((index == query->body && triangle == query->triangle) ||
+      (hasHoles(body) && isCutOut(body, triangle, {1 - u - v, u, v})))
+    arguments->valid[0] = 0;
+}
+
+Query queryFrom(const Scene& scene, std::uint32_t body, std::uint32_t triangle) {
   Query query{};
   rtcInitIntersectContext(&query.context);
-  query.context.filter = leaveOutOwnTriangle;
+  query.context.filter = leaveOut;
+  query.scene = &scene;
   query.body = body;
   query.triangle = triangle;
   return query;
@@ -173,7 +186,7 @@ Geometry::Hit refined(const Geometry& geometry, std::uint32_t body, std::uint32_
 std::optional<Geometry::Hit> Geometry::closestBut(std::uint32_t body, std::uint32_t triangle,
                                                   const Vector& origin,
                                                   const Vector& direction) const {
-  Query query = queryFrom(body, triangle);
+  Query query = queryFrom(scene_, body, triangle);
   RTCRayHit ray{};
   ray.ray = rayOf(origin - box_.centre(), direction, std::numeric_limits<double>::infinity());
   ray.hit.geomID = none;
@@ -194,7 +207,7 @@ std::optional<Geometry::Hit> Geometry::closestHit(const SurfacePoint& from,
 
 bool Geometry::occluded(const SurfacePoint& from, const Vector& direction,
                         double distanceMm) const {
-  Query query = queryFrom(from.body, from.triangle);
+  Query query = queryFrom(scene_, from.body, from.triangle);
   RTCRay ray = rayOf(startOf(from, direction) - box_.centre(), direction, distanceMm);
   rtcOccluded1(device_->scene, &query.context, &ray);
   return ray.tfar < 0;

@@ -212,7 +212,11 @@ Integral::Integral(const Geometry& geometry, const Irradiance& irradiance,
   }
   const Scene& scene = geometry.scene();
   for (std::uint32_t body = 0; body < scene.bodies.size(); ++body) {
-    if (scene.bodies[body].painted)
+    if (scene.bodies[body].opaque) {
+      bodies_.emplace_back();
+      continue;
+    }
+    if (scene.bodies[body].paint)
       throw UsageError("the integral knows no paint, and a body is painted; path tracing does");
     const auto profiles =
         bssrdf::makeProfiles(modelOf(options.transport), scene.bodies[body].medium);
@@ -229,20 +233,21 @@ Integral::Integral(const Geometry& geometry, const Irradiance& irradiance,
       negligible[c] =
           1e-12 * tree.node(0).moments.channels[c].flux / area * profiles[c].totalReflectance();
     }
-    bodies_.push_back({kernels, depth, negligible, std::move(tree)});
+    bodies_.push_back(BodySources{kernels, depth, negligible, std::move(tree)});
   }
 }
 
 Exitance Integral::at(const SurfacePoint& point) const {
-  const BodySources& body = bodies_[point.body];
-  if (body.tree.isEmpty()) return {};
-  return Summation(body.tree, body.kernels, body.depthMm, point.position)
-      .sum(0.5 * tolerance_, body.negligible);
+  const std::optional<BodySources>& body = bodies_[point.body];
+  if (!body || body->tree.isEmpty()) return {};
+  return Summation(body->tree, body->kernels, body->depthMm, point.position)
+      .sum(0.5 * tolerance_, body->negligible);
 }
 
 std::size_t Integral::patchCount() const {
   std::size_t count = 0;
-  for (const BodySources& body : bodies_) count += body.tree.patchCount();
+  for (const auto& body : bodies_)
+    if (body) count += body->tree.patchCount();
   return count;
 }
 

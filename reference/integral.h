@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "opaline/renderer.h"
@@ -25,9 +26,9 @@ class Integral {
   /// Finds E all over the surface. Throws UsageError for options out of range, and Stopped.
   Integral(const Geometry& geometry, const Irradiance& irradiance, const IntegralOptions& options);
 
-  /// B at a point of the surface. May be called from several threads at once. The error is a bound
-  /// of what the summation leaves out, plus an estimate of what E's interpolation and the borders
-  /// of shadows do.
+  /// B at a point of a medium's surface. May be called from several threads at once. The error is a
+  /// bound of what the summation leaves out, plus an estimate of what E's interpolation and the
+  /// borders of shadows do.
   Exitance at(const SurfacePoint& point) const;
 
   /// Of all bodies.
@@ -41,7 +42,7 @@ class Integral {
     SourceTree tree;
   };
 
-  std::vector<BodySources> bodies_;
+  std::vector<std::optional<BodySources>> bodies_;  ///< none of opaque ones
   double tolerance_;
 };
 

@@ -38,6 +38,11 @@ Arriving arrivingFrom(const Light& light, const Vector& position) {
   return {direction, distance, light.falloff(-dot(direction, light.axis)) / squared};
 }
 
+/// Part of a light's irradiance of what faces it; 0 for the index of refraction of what is opaque.
+double entering(double eta, double cosine) {
+  return eta > 0 ? cosine * (1 - bssrdf::fresnelReflectance(eta, cosine)) : cosine;
+}
+
 /// A lattice of low discrepancy over the light (Roberts 2018).
 constexpr int placesOnLight = 256;
 
@@ -48,7 +53,7 @@ AreaPoint placeOnLight(const AreaLight& light, int i) {
 
 }  // namespace
 
-Irradiance::Irradiance(const Geometry& geometry, Sky sky) : geometry_(geometry) {
+Irradiance::Irradiance(const Geometry& geometry, Sky sky) : geometry_(geometry), sky_(sky) {
   Lighting lighting = geometry.scene().lighting;
   separate(findSuns(lighting.environment), lighting);
   for (const DirectionalLight& light : lighting.directional) {
@@ -64,17 +69,22 @@ Irradiance::Irradiance(const Geometry& geometry, Sky sky) : geometry_(geometry) 
   }
   areas_ = lighting.areas;
   const SkyParts parts = partsOfSky(lighting);
-  for (int i = 0; sky == Sky::Shadowed && !skyIsDark(lighting) && i < skyRays; ++i) {
+  const std::vector<Body>& bodies = geometry.scene().bodies;
+  const bool shadowed =
+      sky == Sky::Shadowed || std::any_of(bodies.begin(), bodies.end(),
+                                          [](const Body& body) { return body.opaque.has_value(); });
+  for (int i = 0; shadowed && !skyIsDark(lighting) && i < skyRays; ++i) {
     const Vec3 direction = latticeDirection(i, skyRays);
     skyRays_.push_back(
         {unitOr(toVector(direction), {0, 0, 1}), toColour(parts.radianceAt(direction))});
   }
-  for (const Body& body : geometry.scene().bodies) {
-    const double eta = body.medium.eta;
+  for (const Body& body : bodies) {
+    const double eta = body.opaque ? 0 : body.medium.eta;
     auto found = std::find_if(ambients_.begin(), ambients_.end(),
                               [&](const Ambient& ambient) { return ambient.eta == eta; });
     if (found == ambients_.end())
-      found = ambients_.insert(found, {eta, SkyTable(SkyIrradiance::entering(parts, eta))});
+      found = ambients_.insert(found, {eta, SkyTable(eta > 0 ? SkyIrradiance::entering(parts, eta)
+                                                             : SkyIrradiance::arriving(parts))});
     ambientOf_.push_back(static_cast<std::size_t>(found - ambients_.begin()));
   }
 }
@@ -83,19 +93,19 @@ Irradiance::Irradiance(const Geometry& geometry, Sky sky) : geometry_(geometry) 
 Colour Irradiance::skyAt(const SurfacePoint& point, const Vector& outside) const {
   const Ambient& ambient = ambients_[ambientOf_[point.body]];
   Colour sky = ambient.sky.at(point.shadingNormal);
-  if (skyRays_.empty()) return sky;
+  if (skyRays_.empty() || (sky_ == Sky::Unshadowed && ambient.eta > 0)) return sky;
   Colour free{};
   Colour all{};
   for (const SkyRay& ray : skyRays_) {
     const double cosine = std::min(dot(point.shadingNormal, ray.direction), 1.0);
     if (cosine <= 0) continue;
-    const double entering = cosine * (1 - bssrdf::fresnelReflectance(ambient.eta, cosine));
+    const double part = entering(ambient.eta, cosine);
     const bool hidden =
         dot(outside, ray.direction) <= 0 ||
         geometry_.occluded(point, ray.direction, std::numeric_limits<double>::infinity());
     for (std::size_t c = 0; c < 3; ++c) {
-      all[c] += entering * ray.radiance[c];
-      if (!hidden) free[c] += entering * ray.radiance[c];
+      all[c] += part * ray.radiance[c];
+      if (!hidden) free[c] += part * ray.radiance[c];
     }
   }
   for (std::size_t c = 0; c < 3; ++c) sky[c] *= all[c] > 0 ? free[c] / all[c] : 0;
@@ -114,13 +124,11 @@ Colour Irradiance::operator()(const SurfacePoint& point) const {
     // What lies behind its own facet is in the body's shadow.
     if (cosine <= 0 || dot(outside, arriving.direction) <= 0 || arriving.falloff <= 0) continue;
     if (geometry_.occluded(point, arriving.direction, arriving.distanceMm)) continue;
-    const double entering =
-        cosine * (1 - bssrdf::fresnelReflectance(ambient.eta, cosine)) * arriving.falloff;
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += light.power[c] * entering;
+    const double part = entering(ambient.eta, cosine) * arriving.falloff;
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += light.power[c] * part;
   }
   for (const AreaLight& light : areas_) {
-    const Colour entering = fromArea(light, point, outside, ambient.eta);
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += entering[c];
+    sum += fromArea(light, point, outside, ambient.eta);
   }
   return sum;
 }
@@ -139,7 +147,7 @@ Colour Irradiance::fromArea(const AreaLight& light, const SurfacePoint& point,
     const double cosine = std::min(dot(point.shadingNormal, direction), 1.0);
     if (facing <= 0 || cosine <= 0 || dot(outside, direction) <= 0) continue;
     if (geometry_.occluded(point, direction, distance)) continue;
-    sum += facing * cosine * (1 - bssrdf::fresnelReflectance(eta, cosine)) / squared;
+    sum += facing * entering(eta, cosine) / squared;
   }
   const Colour radiance = toColour(radianceOf(light));
   const double part = sum * areaMm2(light) / placesOnLight;

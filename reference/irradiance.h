@@ -12,7 +12,8 @@ namespace opaline::reference {
 
 /// Irradiance that enters the surface (physics of Gong et al. 2008, Eq. 7 and 9): directional,
 /// point, spot and area lights with exact Fresnel transmittance and exact shadows; ambient light
-/// and environment unshadowed, or where that is asked for shadowed as by many lights all around.
+/// and environment unshadowed, or where that is asked for shadowed as by many lights all around. Of
+/// opaque bodies all that arrives, always shadowed.
 class Irradiance {
  public:
   enum class Sky : std::uint8_t { Unshadowed, Shadowed };
@@ -34,7 +35,7 @@ class Irradiance {
     SpotFalloff falloff{};
   };
   struct Ambient {
-    double eta = 0;
+    double eta = 0;  ///< 0: all that arrives
     SkyTable sky;
   };
 
@@ -51,7 +52,8 @@ class Irradiance {
   Colour skyAt(const SurfacePoint& point, const Vector& outside) const;
 
   const Geometry& geometry_;
-  std::vector<SkyRay> skyRays_;  ///< where the sky is shadowed
+  Sky sky_;
+  std::vector<SkyRay> skyRays_;  ///< for where the sky is shadowed
   std::vector<Light> lights_;
   std::vector<AreaLight> areas_;
   std::vector<Ambient> ambients_;       ///< one for each index of refraction

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <limits>
 #include <mutex>
+#include <numbers>
 
 #include "bssrdf/fresnel.h"
 #include "environment/lat_long.h"
 #include "lights/area.h"
 #include "opaline/error.h"
 #include "reference/camera_rays.h"
+#include "reference/opaque_surface.h"
 #include "reference/transport.h"
 
 namespace opaline::reference {
@@ -19,6 +21,7 @@ namespace opaline::reference {
 namespace {
 
 constexpr int mostPixels = 16384;
+constexpr int mostPaths = 1'000'000;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <typename T>
@@ -65,6 +68,7 @@ class Painter {
         light_(light),
         aov_(options.aov),
         environmentBehind_(options.environmentBehind),
+        pictureWidth_(static_cast<std::uint64_t>(options.width)),
         rays_(geometry.scene().camera, options.width, options.height),
         offsets_(antialiasingOffsets(aov_ == Aov::Radiance ? options.antialias : 1)) {}
 
@@ -82,7 +86,11 @@ class Painter {
       }
       if (!hit) continue;
       ++sum.hits;
-      const Exitance seen = look(hit->point, ray);
+      const std::uint64_t number =
+          offsets_.size() * (static_cast<std::uint64_t>(place.y) * pictureWidth_ +
+                             static_cast<std::uint64_t>(place.x)) +
+          static_cast<std::uint64_t>(&offset - offsets_.data());
+      const Exitance seen = look(hit->point, ray, number);
       sum.value += seen.value;
       sum.error += seen.error;
     }
@@ -92,7 +100,13 @@ class Painter {
   std::size_t samples() const { return offsets_.size(); }
 
  private:
-  Exitance look(const SurfacePoint& point, const Ray& ray) const {
+  bool isOpaque(const SurfacePoint& point) const {
+    return geometry_.scene().bodies[point.body].opaque.has_value();
+  }
+
+  Exitance look(const SurfacePoint& point, const Ray& ray, std::uint64_t number) const {
+    if (showsExitance(aov_) && isOpaque(point))
+      return light_.opaque({point, -ray.direction, aov_ == Aov::Radiance, number});
     switch (aov_) {
       case Aov::Exitance:
         return light_.exitance(point);
@@ -154,6 +168,7 @@ class Painter {
   const LeavingLight& light_;
   Aov aov_;
   bool environmentBehind_;
+  std::uint64_t pictureWidth_;
   CameraRays rays_;
   std::span<const std::array<double, 2>> offsets_;
 };
@@ -181,6 +196,7 @@ void requireSound(const PictureOptions& options) {
   requireWithin("the width", options.width, 1, mostPixels);
   requireWithin("the height", options.height, 1, mostPixels);
   requireWithin("every", options.every, 1, mostPixels);
+  requireWithin("the number of paths of a pixel", options.pathsOfPixel, 1, mostPaths);
   if (options.aov >= Aov::DsmPosition) {
     throw UsageError("the reference has no diffusion source map to show");
   }
@@ -204,6 +220,23 @@ std::vector<double> exitFactors(const Scene& scene, Transport transport) {
     factors.push_back(bssrdf::exitFactor(modelOf(transport), body.medium.eta));
   }
   return factors;
+}
+
+Exitance directLightOf(const Scene& scene, const Irradiance& irradiance, const OpaqueLook& look) {
+  const Body& body = scene.bodies[look.point.body];
+  const OpaqueSurface surface = opaqueSurfaceAt(body, look.point);
+  if (look.radiance && surface.unlit) return {surface.emission, {}};
+  SurfacePoint seen = look.point;
+  const double side = dot(seen.facetNormal, look.toEye) < 0 ? -1 : 1;
+  seen.shadingNormal = side * opaqueNormalAt(body, look.point);
+  seen.facetNormal = side * seen.facetNormal;
+  const Colour arrives = irradiance(seen);
+  Exitance given;
+  for (std::size_t c = 0; c < 3; ++c) {
+    given.value[c] = surface.diffuse[c] * arrives[c];
+    if (look.radiance) given.value[c] = given.value[c] / std::numbers::pi + surface.emission[c];
+  }
+  return given;
 }
 
 bool showsExitance(Aov aov) {

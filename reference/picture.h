@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -21,6 +22,12 @@ struct Region {
   int height = 0;
 };
 
+/// Of paths from the eye to opaque bodies.
+struct EyePathOptions {
+  bool specular = true;     ///< whether what is seen shows what it mirrors
+  double roughness = 0.25;  ///< of the surface of media, as it mirrors light to other bodies
+};
+
 /// Which pixels of which variable; those left out are not covered.
 struct PictureOptions {
   int width = 1024;                ///< pixels, in [1, 16384]
@@ -29,20 +36,36 @@ struct PictureOptions {
   int antialias = 4;               ///< samples a pixel of Aov::Radiance: 1, 2, 4 or 8
   bool environmentBehind = false;  ///< of Aov::Radiance, where no surface is
   std::optional<Region> region;
-  int every = 1;  ///< only columns and rows whose number is a multiple of this
+  int every = 1;          ///< only columns and rows whose number is a multiple of this
+  int pathsOfPixel = 64;  ///< of path tracing, from the eye to opaque bodies, in [1, 1e6]
+  EyePathOptions eye;
 };
 
 /// Throws UsageError for options out of range.
 void requireSound(const PictureOptions& options);
 
-/// What leaves the surface, by whatever way light got there. `exitance` is called from several
+/// A look at a point of an opaque body.
+struct OpaqueLook {
+  const SurfacePoint& point;
+  Vector toEye;
+  bool radiance;         ///< else exitance: of what arrives, the share that is given back diffusely
+  std::uint64_t number;  ///< of this look among all of a picture
+};
+
+/// What leaves the surface, by whatever way light got there. The functions are called from several
 /// threads at once.
 struct LeavingLight {
+  /// Of a medium.
   std::function<Exitance(const SurfacePoint& point)> exitance;
   /// Per body: radiance per exitance without the Fresnel transmittance towards the camera, 1/π for
   /// Eq. 5 of Gong et al. 2008.
   std::vector<double> exitFactor;
+  /// Of an opaque body, its mean and one standard error.
+  std::function<Exitance(const OpaqueLook& look)> opaque;
 };
+
+/// What opaque bodies give back of the light of lights and sky alone, but for reflections.
+Exitance directLightOf(const Scene& scene, const Irradiance& irradiance, const OpaqueLook& look);
 
 /// 1/π for the classic dipole; with the energy-conserving exit of d'Eon 2012, 1/(π F̄_t).
 std::vector<double> exitFactors(const Scene& scene, Transport transport);

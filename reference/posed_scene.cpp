@@ -2,16 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "deform/deformed_vertices.h"
 #include "opaline/error.h"
+#include "scene/changes.h"
 #include "scene/mesh/normals.h"
 
 namespace opaline::reference {
 
 deform::DeformedVertices meshAt(const opaline::Scene& scene, std::size_t object,
-                                const deform::Pose& pose, double seconds,
+                                const scene::Pose& pose, double seconds,
                                 const PositionsByObject& positionsMm) {
   const Bounds box = boundsOf(scene);
   const auto given = positionsMm.find(object);
@@ -29,6 +31,19 @@ deform::DeformedVertices meshAt(const opaline::Scene& scene, std::size_t object,
   return mesh;
 }
 
+namespace {
+
+// It stands still, and a hair lower than it says: what stands on it has a surface of its own there,
+// which rays must meet first.
+void placeGround(const opaline::Scene& scene, const Object& ground, Body& body) {
+  const double hair = std::ldexp(double{diagonalMm(scene)}, -19);
+  for (const Vec3& p : ground.mesh.positionsMm)
+    body.positionsMm.push_back(toVector(p) - Vector{0, hair, 0});
+  for (const Vec3& n : ground.mesh.normals) body.normals.push_back(toVector(n));
+}
+
+}  // namespace
+
 Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
                  const PositionsByObject& positionsMm) {
   for (const auto& [object, positions] : positionsMm) {
@@ -38,25 +53,35 @@ Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
           fmt::format("the {} positions given do not fit object {}", positions.size(), object));
     }
   }
-  deform::Pose pose = deform::makePose(scene);
-  deform::poseAt(scene, time.clip, time.seconds, pose);
+  scene::Pose pose = scene::makePose(scene);
+  scene::poseAt(scene, time.clip, time.seconds, pose);
   Scene result;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    if (object.opaque)
-      throw UsageError(
-          fmt::format("'{}' is opaque, and a reference knows translucent bodies only: "
-                      "leave it out, or give it a medium",
-                      object.name));
-    deform::DeformedVertices mesh = meshAt(scene, i, pose, time.seconds, positionsMm);
-    result.bodies.push_back({std::move(mesh.positionsMm), std::move(mesh.normals),
-                             object.mesh.triangles, object.medium});
-    if (object.paint)
-      result.bodies.back().painted = {*object.paint, object.mesh.textureCoordinates,
-                                      object.mesh.colors};
+    Body& body = result.bodies.emplace_back();
+    if (object.isGround) {
+      placeGround(scene, object, body);
+    } else {
+      deform::DeformedVertices mesh = meshAt(scene, i, pose, time.seconds, positionsMm);
+      body.positionsMm = std::move(mesh.positionsMm);
+      body.normals = std::move(mesh.normals);
+    }
+    body.triangles = object.mesh.triangles;
+    body.medium = scene::mediumAt(scene, i, time);
+    body.opaque = scene::opaqueAt(scene, i, time);
+    if (!object.opaque) body.paint = object.paint;
+    body.isGround = object.isGround;
+    if (!body.opaque && !body.paint) continue;
+    body.textureCoordinates = object.mesh.textureCoordinates;
+    body.colors = object.mesh.colors;
+    if (body.opaque && body.opaque->normalTexture)
+      body.tangents = scene::tangentsOf(
+          object.mesh, static_cast<std::size_t>(body.opaque->normalTexture->coordinates));
   }
   result.lighting = scene.lighting;
+  scene::takeLightsAt(scene, time, result.lighting);
   result.camera = scene.camera;
+  scene::takeCameraAt(scene, time, result.camera);
   return result;
 }
 

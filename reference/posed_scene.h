@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "deform/deformed_vertices.h"
-#include "deform/pose.h"
 #include "opaline/scene.h"
 #include "reference/scene.h"
+#include "scene/pose.h"
 
 namespace opaline::reference {
 
@@ -16,7 +16,7 @@ using PositionsByObject = std::map<std::size_t, std::vector<Vec3>>;
 
 /// An object as it is in that pose at that time, under the scene's deformers.
 deform::DeformedVertices meshAt(const opaline::Scene& scene, std::size_t object,
-                                const deform::Pose& pose, double seconds,
+                                const scene::Pose& pose, double seconds,
                                 const PositionsByObject& positionsMm);
 
 /// The scene as it is at that time of a clip (-1: none). The scene's deformers apply to given

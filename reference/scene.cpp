@@ -41,6 +41,11 @@ void requireSound(const Body& body, std::size_t index) {
       }
     }
   }
+  if (body.opaque) {
+    const std::string complaint = complaintAbout(*body.opaque);
+    if (!complaint.empty()) throw Error(complaint);
+    return;
+  }
   const Medium& medium = body.medium;
   for (std::size_t c = 0; c < 3; ++c) {
     const double s = medium.sigmaSPrimePerMm[c];
@@ -103,9 +108,12 @@ void requireSound(const Camera& camera) {
 
 Box boxOf(const Scene& scene) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
+  const bool onlyGround = std::all_of(scene.bodies.begin(), scene.bodies.end(),
+                                      [](const Body& body) { return body.isGround; });
   Box box{{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}};
   bool any = false;
   for (const Body& body : scene.bodies) {
+    if (body.isGround && !onlyGround) continue;
     for (const Vector& p : body.positionsMm) {
       any = true;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -115,6 +123,11 @@ Box boxOf(const Scene& scene) {
     }
   }
   return any ? box : Box{};
+}
+
+bool hasMedia(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const Body& body) { return !body.opaque; });
 }
 
 void requireSound(const Scene& scene) {

@@ -7,6 +7,7 @@
 #include "opaline/medium.h"
 #include "opaline/scene.h"
 #include "reference/vector.h"
+#include "scene/mesh/tangents.h"
 
 namespace opaline::reference {
 
@@ -16,14 +17,13 @@ struct Body {
   std::vector<Vector> normals;      ///< unit, one per position
   std::vector<Triangle> triangles;  ///< counter-clockwise seen from outside
   Medium medium;
-  /// Paint, and what it reads of the vertices, as opaline::Mesh has it. Path tracing knows it, the
-  /// integral does not.
-  struct Painted {
-    Paint paint;
-    std::array<std::vector<Vec2>, 2> textureCoordinates;
-    std::vector<std::array<float, 4>> colors;
-  };
-  std::optional<Painted> painted{};
+  std::optional<Paint> paint{};            ///< path tracing knows it, the integral does not
+  std::optional<OpaqueMaterial> opaque{};  ///< if set, light does not enter: `medium` is not used
+  bool isGround = false;                   ///< counts for no size
+  // What textures read of the vertices, as opaline::Mesh has it.
+  std::array<std::vector<Vec2>, 2> textureCoordinates{};
+  std::vector<std::array<float, 4>> colors{};
+  std::vector<scene::TriangleTangents> tangents{};  ///< where the material has a normal texture
 };
 
 /// All that a picture depends on. Nothing refers to the scene it was made from.
@@ -33,7 +33,7 @@ struct Scene {
   Camera camera;
 };
 
-/// The smallest box around all vertices.
+/// The smallest box around all vertices but those of a ground, unless that is all there is.
 struct Box {
   Vector minMm{};
   Vector maxMm{};
@@ -42,6 +42,9 @@ struct Box {
   double diagonalMm() const { return length(maxMm - minMm); }
 };
 Box boxOf(const Scene& scene);
+
+/// Whether light enters any body.
+bool hasMedia(const Scene& scene);
 
 /// Throws Error for what makes no sense: no surface, more than 100 million triangles, a place, a
 /// light or a coefficient that is not finite or out of range, an index without its vertex.

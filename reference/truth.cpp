@@ -1,7 +1,11 @@
 #include "reference/truth.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+
+#include "reference/opaque_surface.h"
+#include "reference/path/eye_paths.h"
 
 namespace opaline::reference {
 
@@ -14,16 +18,59 @@ IntegralTruth integralTruth(const Geometry& geometry, const Irradiance& irradian
                             const PictureProgress& progress) {
   std::optional<Integral> exact;
   if (showsExitance(picture.aov)) exact.emplace(geometry, irradiance, integral);
-  const LeavingLight light{[&](const SurfacePoint& point) { return exact->at(point); },
-                           exitFactors(geometry.scene(), integral.transport)};
+  const LeavingLight light{
+      [&](const SurfacePoint& point) { return exact->at(point); },
+      exitFactors(geometry.scene(), integral.transport),
+      [&](const OpaqueLook& look) { return directLightOf(geometry.scene(), irradiance, look); }};
   return {makePicture(geometry, irradiance, light, picture, progress),
           exact ? exact->patchCount() : 0};
 }
 
+namespace {
+
+// By many paths, from a sequence of random numbers for each look.
+Exitance seenByPaths(const EyePaths& paths, const Scene& scene, const OpaqueLook& look, int number,
+                     std::uint64_t seed) {
+  constexpr std::uint64_t apartFromParticles = 0x5EED0FE7E;
+  Random random(seed + apartFromParticles, look.number);
+  Colour sum{};
+  Colour squares{};
+  for (int i = 0; i < number; ++i) {
+    const Colour found = look.radiance ? paths.radiance(look.point, look.toEye, random)
+                                       : paths.irradiance(look.point, look.toEye, random);
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum[c] += found[c];
+      squares[c] += found[c] * found[c];
+    }
+  }
+  const Colour diffuse = look.radiance
+                             ? Colour{1, 1, 1}
+                             : opaqueSurfaceAt(scene.bodies[look.point.body], look.point).diffuse;
+  Exitance seen;
+  const auto count = static_cast<double>(number);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double mean = sum[c] / count;
+    const double variance = std::max(squares[c] / count - mean * mean, 0.0) / count;
+    seen.value[c] = diffuse[c] * mean;
+    seen.error[c] = diffuse[c] * std::sqrt(variance);
+  }
+  return seen;
+}
+
+}  // namespace
+
 Picture pathTruth(const PathTracer& tracer, const Geometry& geometry, const Irradiance& irradiance,
                   const PictureOptions& picture, const PictureProgress& progress) {
+  const EyePaths paths(geometry, tracer, picture.eye);
+  const int number =
+      (picture.pathsOfPixel + picture.antialias - 1) / std::max(picture.antialias, 1);
+  const int ofLook = picture.aov == Aov::Radiance ? number : picture.pathsOfPixel;
   const LeavingLight light{[&](const SurfacePoint& point) { return tracer.exitance(point); },
-                           exitFactors(geometry.scene(), Transport::BetterDipole)};
+                           exitFactors(geometry.scene(), Transport::BetterDipole),
+                           [&](const OpaqueLook& look) {
+                             return seenByPaths(paths, geometry.scene(), look, ofLook,
+                                                tracer.options().seed);
+                           }};
   return makePicture(geometry, irradiance, light, picture, progress);
 }
 

@@ -9,7 +9,7 @@ apt_packages=(
   libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers glslc libglfw3-dev libimgui-dev libfontconfig-dev
   libeigen3-dev libglm-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev libtinyobjloader-dev
   libtomlplusplus-dev nlohmann-json3-dev
-  libopenexr-dev libstb-dev libfmt-dev libcli11-dev libembree-dev libtbb-dev libgtest-dev libgmock-dev ffmpeg
+  libopenexr-dev libstb-dev libwebp-dev libfmt-dev libcli11-dev libembree-dev libtbb-dev libgtest-dev libgmock-dev ffmpeg
   pybind11-dev python3-dev python3-numpy
   xvfb xauth xdotool imagemagick x11-utils
 )
@@ -20,7 +20,7 @@ dnf_packages=(
   gcc-c++ cmake ninja-build make git python3
   vulkan-headers vulkan-loader-devel mesa-vulkan-drivers vulkan-validation-layers glslc glfw-devel imgui-devel fontconfig-devel
   eigen3-devel glm-devel tinygltf-devel meshoptimizer-devel draco-devel tinyobjloader-devel tomlplusplus-devel json-devel
-  openexr-devel stb-devel fmt-devel cli11-devel embree3-devel tbb-devel gtest-devel gmock-devel clang-tools-extra ffmpeg-free
+  openexr-devel stb-devel libwebp-devel fmt-devel cli11-devel embree3-devel tbb-devel gtest-devel gmock-devel clang-tools-extra ffmpeg-free
   pybind11-devel python3-devel python3-numpy
   xorg-x11-server-Xvfb xauth xdotool xprop ImageMagick
 )
@@ -81,7 +81,7 @@ on_unknown_system() {
   cat >&2 <<END
 install-dependencies: this system has neither apt nor dnf. Opaline needs a C++20 compiler, CMake 3.22,
 Ninja, git, Python 3, glslc, a Vulkan 1.3 driver with loader and validation layers, and the headers of
-Vulkan, GLFW, Dear ImGui, fontconfig, Eigen, glm, tinygltf, meshoptimizer, Draco, tinyobjloader, toml++, nlohmann-json, OpenEXR, stb, fmt, CLI11, Embree 3, TBB, pybind11, GoogleTest; NumPy.
+Vulkan, GLFW, Dear ImGui, fontconfig, Eigen, glm, tinygltf, meshoptimizer, Draco, tinyobjloader, toml++, nlohmann-json, OpenEXR, stb, libwebp, fmt, CLI11, Embree 3, TBB, pybind11, GoogleTest; NumPy.
 END
   if [ "${#missing[@]}" -gt 0 ]; then
     echo "install-dependencies: not found here: ${missing[*]}" >&2

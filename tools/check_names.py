@@ -9,7 +9,7 @@ from repository import ROOT, SOURCE_FOLDERS, finish, read_text, tracked_files
 
 SNAKE_CASE = re.compile(r"^[a-z0-9_]+(\.[a-z0-9_]+)*$")
 # Names that others prescribe, or that are typed at a prompt.
-OTHER_NAMES = re.compile(r"^(CMakeLists\.txt|Opaline\w+\.cmake(\.in)?|README\.md|[a-z0-9-]+\.sh)$")
+OTHER_NAMES = re.compile(r"^(CMakeLists\.txt|(Opaline|Find)\w+\.cmake(\.in)?|README\.md|[a-z0-9-]+\.sh)$")
 TEXT = (".h", ".cpp", ".glsl", ".py", ".sh", ".cmake", ".txt", ".toml", ".json", ".md", "Makefile")
 MACHINE_PATH = re.compile(r"(?<![\w.~-])/(?:work|home|root|farm|tmp|Users)(?:/|\b(?=[\"'\s]))")
 LATER = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX)\b")
@@ -18,7 +18,7 @@ LIBRARY = ("include/", "src/", "reference/")
 STRING = re.compile(r'"(?:[^"\\]|\\.)*"')
 OPTION = re.compile(r"(?<![\w-])--[a-z]")
 # Frames and edits wait for submissions by their number; only the device waits for all, as it goes.
-WAIT_IDLE = re.compile(r"vk(?:Device|Queue)WaitIdle")
+WAIT_IDLE = re.compile(r"vk(?:Device|Queue)WaitIdle\(")
 WAITS_IDLE = "src/gpu/device.cpp"
 # Data from outside keeps the words of its source.
 EXEMPT = ("LICENSE",)

@@ -33,6 +33,7 @@ OPALINE_API Selection commonPixels(const Image& a, const Image& b);
 /// Pixels that the mask covers and where its largest channel is above 0.5.
 OPALINE_API Selection maskedPixels(const Image& mask);
 
+/// How many pixels are in it.
 OPALINE_API std::size_t countOf(const Selection& selection);
 
 /// Errors of A against B. What is relative is over the mean of |B|; where that is 0, it is 0 if all
@@ -45,6 +46,7 @@ struct ErrorFigures {
   double psnrDb = 0;  ///< 10 log10(peak²/MSE), infinite for equal images
 };
 
+/// Of one image against another, over the pixels that are selected.
 struct Figures {
   std::size_t coveredPixels = 0;
   ErrorFigures all;  ///< over the values of all three channels
@@ -69,6 +71,7 @@ struct BlockFigures {
   std::array<double, 3> channelRelRmse{};
 };
 
+/// The same of means over blocks of pixels; none where no block is covered.
 OPALINE_API std::optional<BlockFigures> blockFiguresOver(const Image& a, const Image& b,
                                                          const Selection& selection,
                                                          int edgePixels);
@@ -80,6 +83,7 @@ OPALINE_API Plane relativeErrors(const Image& a, const Image& b, const Selection
 OPALINE_API Plane relativeBlockErrors(const Image& a, const Image& b, const Selection& selection,
                                       int edgePixels);
 
+/// Of the pixels that are selected.
 OPALINE_API double meanOver(const Plane& plane, const Selection& selection);
 
 /// Of an image's first channel, over the pixels it covers; 0 where it covers none.

@@ -61,6 +61,7 @@ class OPALINE_API WholeFile {
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
+  /// Where to write until then.
   const std::filesystem::path& temporary() const;
   /// Returns where the file is. Throws Error, naming the target.
   std::filesystem::path keep();

@@ -21,10 +21,12 @@ struct Image {
         rgba(std::size_t{4} * static_cast<std::size_t>(widthPixels) *
              static_cast<std::size_t>(heightPixels)) {}
 
+  /// The four numbers of a pixel; row 0 is at the top.
   float* pixel(int x, int y) {
     return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                       static_cast<std::size_t>(x))];
   }
+  /// The four numbers of a pixel; row 0 is at the top.
   const float* pixel(int x, int y) const {
     return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                       static_cast<std::size_t>(x))];

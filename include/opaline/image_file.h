@@ -24,6 +24,7 @@ OPALINE_API std::filesystem::path writeExr(const Target& target, const Image& im
 /// The note of a .png or .exr file; nothing where there is none, or no such file.
 OPALINE_API std::optional<std::string> readImageNote(const std::filesystem::path& file);
 
+/// What becomes of negative numbers in a file that is read.
 enum class Negatives { BecomeZero, Stay };
 
 /// .exr or .hdr (Radiance RGBE), at most 16384 × 16384 and finite.

@@ -5,6 +5,7 @@
 
 namespace opaline {
 
+/// How much a message matters.
 enum class LogLevel { Debug, Note, Warning };
 
 /// Receives all messages of the library; the library itself prints nothing. A message is one

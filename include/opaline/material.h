@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "opaline/export.h"
 #include "opaline/image.h"
@@ -57,12 +58,29 @@ struct OpaqueMaterial {
   bool operator==(const OpaqueMaterial&) const = default;
 };
 
-/// All textures that a material may have.
-inline constexpr std::array<std::optional<Texture> OpaqueMaterial::*, 7> texturesOfMaterial{
-    &OpaqueMaterial::baseColorTexture, &OpaqueMaterial::metallicRoughnessTexture,
-    &OpaqueMaterial::specularTexture,  &OpaqueMaterial::specularColorTexture,
-    &OpaqueMaterial::normalTexture,    &OpaqueMaterial::occlusionTexture,
-    &OpaqueMaterial::emissionTexture};
+/// What the numbers of a texture are.
+enum class TexelMeaning {
+  Color,   ///< sRGB, alpha linear
+  Number,  ///< linear
+  Normal   ///< a unit vector, each from -1 to 1
+};
+
+/// A texture that a material may have.
+struct TextureOfMaterial {
+  std::string_view use;  ///< "base color"
+  std::optional<Texture> OpaqueMaterial::*texture;
+  TexelMeaning meaning;
+};
+
+/// All of them.
+inline constexpr std::array<TextureOfMaterial, 7> texturesOfMaterial{
+    {{"base color", &OpaqueMaterial::baseColorTexture, TexelMeaning::Color},
+     {"metallic-roughness", &OpaqueMaterial::metallicRoughnessTexture, TexelMeaning::Number},
+     {"specular", &OpaqueMaterial::specularTexture, TexelMeaning::Number},
+     {"specular color", &OpaqueMaterial::specularColorTexture, TexelMeaning::Color},
+     {"normal", &OpaqueMaterial::normalTexture, TexelMeaning::Normal},
+     {"occlusion", &OpaqueMaterial::occlusionTexture, TexelMeaning::Number},
+     {"emission", &OpaqueMaterial::emissionTexture, TexelMeaning::Color}}};
 
 /// Why the material cannot be rendered, as a sentence; empty if it can.
 OPALINE_API std::string complaintAbout(const OpaqueMaterial& material);

@@ -16,6 +16,7 @@ struct MeasuredMedium {
   std::array<double, 3> diffuseReflectance;  ///< its last column
 };
 
+/// The rows of the table, in its order.
 OPALINE_API std::span<const MeasuredMedium> measuredMedia();
 
 /// Media that look nice and were never measured.

@@ -25,13 +25,21 @@ struct Medium {
 /// Why the medium cannot be rendered, as a sentence; empty if it can.
 OPALINE_API std::string complaintAbout(const Medium& medium);
 
+/// What the colour of an Appearance means.
+enum class ColorModel {
+  Observed,  ///< as OpenPBR's subsurface_color: the share of the light that entered which leaves
+             ///< again, of a thick body in even light
+  Khr,       ///< the multiple-scattering albedo of KHR_materials_volume_scatter, whose formula
+             ///< (Kulla and Conty 2017) knows no reflection inside: bodies are seen darker
+};
+
 /// A medium by what is seen of it.
 struct Appearance {
-  /// Share of the light that entered which leaves again, of a thick body in even light, in [0, 1].
-  std::array<double, 3> color{0.8, 0.8, 0.8};
+  std::array<double, 3> color{0.8, 0.8, 0.8};     ///< as colorModel says, in [0, 1]
   std::array<double, 3> meanFreePathMm{1, 1, 1};  ///< 1/σ_t, in [1e-6, 1e6]
   double g = 0;                                   ///< mean cosine of scattering, in [-0.99, 0.99]
   double eta = 1.4;                               ///< in [1.01, 1.6]
+  ColorModel colorModel = ColorModel::Observed;
 
   bool operator==(const Appearance&) const = default;
 };
@@ -39,8 +47,8 @@ struct Appearance {
 /// Why no medium looks like that, as a sentence; empty if one does.
 OPALINE_API std::string complaintAbout(const Appearance& appearance);
 
-/// The medium that looks like that, by a fit to diffusion with Fresnel's boundary whose colours are
-/// right within 0.003.
+/// The medium that looks like that. Observed colours are inverted by a fit to diffusion with
+/// Fresnel's boundary, which is right within 0.003.
 OPALINE_API Medium mediumOf(const Appearance& appearance);
 
 /// The other way: the colour that a thick body of the medium has in even light, by the same fit,

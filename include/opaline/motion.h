@@ -68,11 +68,13 @@ struct MorphTarget {
   std::vector<Vec3> normals;  ///< empty: computed from the moved triangles
 };
 
+/// A node that moves a rig, and what it does to a vertex at rest.
 struct Joint {
   std::uint32_t node = 0;
   Affine inverseBind;
 };
 
+/// How much a joint moves a vertex.
 struct Influence {
   std::uint32_t joint = 0;  ///< index into Rig::joints
   float weight = 0;
@@ -101,6 +103,7 @@ enum class DeformerKind {
            ///< that with cos, s(h) = h²(3 − 2h) clamped to [0,1]; the foot stands still
 };
 
+/// A deformation of the whole scene that comes and goes with time.
 struct Deformer {
   DeformerKind kind = DeformerKind::Twist;
   float amount = 0;  ///< Twist [-100, 100], Bend [-6.28, 6.28], Wobble [-1, 1], Squash [-3, 0.9],

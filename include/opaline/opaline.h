@@ -15,6 +15,7 @@
 #include "opaline/media.h"
 #include "opaline/medium.h"
 #include "opaline/mesh.h"
+#include "opaline/moment.h"
 #include "opaline/motion.h"
 #include "opaline/options/field.h"
 #include "opaline/options/picture.h"

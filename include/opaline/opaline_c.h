@@ -28,6 +28,9 @@
 extern "C" {
 #endif
 
+struct OpalineGivenVulkan;
+
+/// What a call came to.
 typedef enum OpalineStatus {
   OpalineOk = 0,
   OpalineFailed = 1,    ///< bad input, a file that cannot be read or written, a failed device
@@ -73,6 +76,7 @@ OPALINE_API OpalineStatus opalineMediumOfAppearance(const double color[3],
 /// Objects, lights and a camera, as plain data in the host's memory.
 typedef struct OpalineScene OpalineScene;
 
+/// How a scene is read.
 typedef struct OpalineLoadOptions {
   size_t size;                  ///< sizeof(OpalineLoadOptions)
   float diagonalMm;             ///< that the scene is scaled to; 0: as the file says
@@ -93,6 +97,7 @@ OPALINE_API OpalineStatus opalineCreateBear(const OpalineLoadOptions* options,
 OPALINE_API OpalineStatus opalineCreateTeapot(const OpalineLoadOptions* options,
                                               OpalineScene** scene);
 
+/// Renderers that have it set keep what they took of it.
 OPALINE_API void opalineDestroyScene(OpalineScene* scene);
 
 /// A body to be added to a scene. What it points to is copied.
@@ -115,6 +120,7 @@ OPALINE_API OpalineStatus opalineAddObject(OpalineScene* scene, const OpalineObj
 /// An opaque plane under all that the scene has, which gives back this share of light.
 OPALINE_API OpalineStatus opalineAddGround(OpalineScene* scene, const float color[3]);
 
+/// What is known of an object.
 typedef struct OpalineObjectFacts {
   size_t size;       ///< sizeof(OpalineObjectFacts)
   const char* name;  ///< lives until the scene changes
@@ -122,6 +128,7 @@ typedef struct OpalineObjectFacts {
   size_t triangleCount;
 } OpalineObjectFacts;
 
+/// How many objects a scene has, and what is known of each.
 OPALINE_API OpalineStatus opalineObjectCount(const OpalineScene* scene, size_t* count);
 OPALINE_API OpalineStatus opalineObjectFacts(const OpalineScene* scene, size_t object,
                                              OpalineObjectFacts* facts);
@@ -130,6 +137,7 @@ OPALINE_API OpalineStatus opalineObjectFacts(const OpalineScene* scene, size_t o
 OPALINE_API OpalineStatus opalineObjectPositions(const OpalineScene* scene, size_t object,
                                                  float* positionsMm, size_t vertexCount);
 
+/// What an object is made of. Setting it makes an opaque one translucent.
 OPALINE_API OpalineStatus opalineObjectMedium(const OpalineScene* scene, size_t object,
                                               OpalineMedium* medium);
 OPALINE_API OpalineStatus opalineSetObjectMedium(OpalineScene* scene, size_t object,
@@ -162,6 +170,8 @@ OPALINE_API OpalineStatus opalineClearLights(OpalineScene* scene);
 /// A key light from behind at the side, a weak fill and weak ambient light, instead of all others.
 OPALINE_API OpalineStatus opalineUseDefaultLights(OpalineScene* scene);
 
+/// Lights without size; a spot shines fully inside of the inner angle and not beyond the outer one,
+/// both from its axis.
 OPALINE_API OpalineStatus opalineAddDirectionalLight(OpalineScene* scene,
                                                      const float directionToLight[3],
                                                      const float irradiance[3]);
@@ -187,12 +197,17 @@ OPALINE_API OpalineStatus opalineSetAmbientLight(OpalineScene* scene, const floa
 /// A latitude-longitude picture, .exr or .hdr, times `intensity`, turned about +y.
 OPALINE_API OpalineStatus opalineSetEnvironment(OpalineScene* scene, const char* file,
                                                 float intensity, double rotationDegrees);
+/// The same from memory: 4 · width · height floats, linear R G B and one that is not read, copied.
+OPALINE_API OpalineStatus opalineSetEnvironmentPixels(OpalineScene* scene, const float* rgba,
+                                                      int32_t width, int32_t height,
+                                                      float intensity, double rotationDegrees);
 
 /* --------------------------------------------------------------------------------- rendering */
 
 /// A device with one scene at a time.
 typedef struct OpalineRenderer OpalineRenderer;
 
+/// How much a message matters.
 typedef enum OpalineLogLevel {
   OpalineDebug = 0,
   OpalineNote = 1,
@@ -207,6 +222,7 @@ OPALINE_API OpalineStatus opalineDeviceCount(size_t* count);
 /// The name of one, cut off where it has no room.
 OPALINE_API OpalineStatus opalineDeviceName(size_t device, char* name, size_t nameBytes);
 
+/// Which device a renderer uses, and how.
 typedef struct OpalineRendererOptions {
   size_t size;         ///< sizeof(OpalineRendererOptions)
   const char* device;  ///< index or part of a name; NULL: the best there is
@@ -215,9 +231,13 @@ typedef struct OpalineRendererOptions {
       rayQueries;    ///< 1 or 0: with or without; -1: where the device has them and is no software
   OpalineLog log;    ///< may be NULL
   void* logContext;  ///< for the log
-  float memoryLimitMegabytes;  ///< of the device, in [64, 1e7]; 0: what the device has
+  float memoryLimitMegabytes;              ///< of the device, in [64, 1e7]; 0: what the device has
+  const struct OpalineGivenVulkan* given;  ///< a device of the caller's, see below; NULL: its own
+  const void* pipelineCache;               ///< what opalinePipelineCache gave in an earlier run
+  size_t pipelineCacheBytes;               ///< 0 without one
 } OpalineRendererOptions;
 
+/// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineDefaultRendererOptions(OpalineRendererOptions* options);
 
 /// `options` may be NULL.
@@ -225,6 +245,14 @@ OPALINE_API OpalineStatus opalineCreateRenderer(const OpalineRendererOptions* op
                                                 OpalineRenderer** renderer);
 /// Its views are destroyed before it.
 OPALINE_API void opalineDestroyRenderer(OpalineRenderer* renderer);
+
+/// Bytes of the device's memory that the renderer and its views take now.
+OPALINE_API OpalineStatus opalineMemoryInUse(const OpalineRenderer* renderer, uint64_t* bytes);
+
+/// Copies the pipelines that were compiled so far to `data`, which has room for `*bytes`, and says
+/// in `*bytes` how many they are; only that if `data` is NULL.
+OPALINE_API OpalineStatus opalinePipelineCache(const OpalineRenderer* renderer, void* data,
+                                               size_t* bytes);
 
 /// Takes what it needs of the scene, which may be changed or destroyed afterwards.
 OPALINE_API OpalineStatus opalineSetScene(OpalineRenderer* renderer, const OpalineScene* scene);
@@ -245,14 +273,17 @@ OPALINE_API OpalineStatus opalineSetPositions(OpalineRenderer* renderer, size_t 
 /// Undoes opalineSetPositions.
 OPALINE_API OpalineStatus opalineRestorePositions(OpalineRenderer* renderer, size_t object);
 
+/// How light travels in bodies; see Transport in opaline/render_options.h.
 typedef enum OpalineTransport {
   OpalineTransportDipole = 0,
   OpalineTransportBetterDipole = 1,
   OpalineTransportBoundary = 2
 } OpalineTransport;
 
+/// The sources of the sum; see Sum there.
 typedef enum OpalineSum { OpalineSumPattern = 0, OpalineSumTree = 1, OpalineSumAll = 2 } OpalineSum;
 
+/// Where the sum is evaluated; see Site there.
 typedef enum OpalineSite {
   OpalineSiteAuto = 0,
   OpalineSiteVertex = 1,
@@ -292,6 +323,7 @@ typedef struct OpalineRenderOptions {
   int32_t environmentBehind;  ///< 1 or 0
 } OpalineRenderOptions;
 
+/// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineDefaultRenderOptions(OpalineRenderOptions* options);
 
 /// A picture that is made again and again. It keeps its images, so that frames allocate nothing.
@@ -303,10 +335,23 @@ OPALINE_API OpalineStatus opalineCreateView(OpalineRenderer* renderer,
                                             OpalineView** view);
 OPALINE_API void opalineDestroyView(OpalineView* view);
 
+/// From the next frame on. Another size makes new images.
 OPALINE_API OpalineStatus opalineSetViewOptions(OpalineView* view,
                                                 const OpalineRenderOptions* options);
 /// NULL: the scene's again.
 OPALINE_API OpalineStatus opalineSetViewCamera(OpalineView* view, const OpalineCamera* camera);
+
+/// A camera as programs have it that draw by themselves; see CameraMatrices in opaline/view.h.
+typedef struct OpalineCameraMatrices {
+  size_t size;            ///< sizeof(OpalineCameraMatrices)
+  float worldToView[16];  ///< from millimetres, one column after the other
+  float viewToClip[16];   ///< to Vulkan's clip space
+  float jitterPixels[2];  ///< to the right and down, if viewToClip does not have it yet
+} OpalineCameraMatrices;
+
+/// Instead of a camera, until opalineSetViewCamera().
+OPALINE_API OpalineStatus opalineSetViewMatrices(OpalineView* view,
+                                                 const OpalineCameraMatrices* matrices);
 
 /// Where a variable of a frame goes: linear R G B A, rows from top to bottom, A is coverage.
 typedef struct OpalineTarget {
@@ -329,8 +374,145 @@ OPALINE_API OpalineStatus opalineSubmit(OpalineView* view, const OpalineAov* aov
 OPALINE_API OpalineStatus opalineCollect(OpalineView* view, const OpalineTarget* targets,
                                          size_t targetCount, double* milliseconds);
 
+/* ------------------------------------------------------------------- the caller's Vulkan device */
+
+// There if <vulkan/vulkan.h> was included before. What the parts mean, and the rules for layouts,
+// stages, lifetimes and threads, stand beside the same parts in opaline/vulkan.h.
+#ifdef VULKAN_CORE_H_
+
+/// What the library needs of a device; see VulkanNeeds. All of it lives as long as the process.
+typedef struct OpalineVulkanNeeds {
+  size_t size;  ///< sizeof(OpalineVulkanNeeds)
+  uint32_t apiVersion;
+  const char* const* requiredExtensions;
+  size_t requiredExtensionCount;
+  const char* const* optionalExtensions;
+  size_t optionalExtensionCount;
+  const VkPhysicalDeviceFeatures2* requiredFeatures;
+  const VkPhysicalDeviceFeatures2* optionalFeatures;
+} OpalineVulkanNeeds;
+
+/// Fills a struct whose size has been set.
+OPALINE_API OpalineStatus opalineVulkanNeeds(OpalineVulkanNeeds* needs);
+
+/// Why the library cannot use the device, cut off where it has no room; empty if it can.
+OPALINE_API OpalineStatus opalineWhatIsMissing(VkInstance instance, VkPhysicalDevice physicalDevice,
+                                               char* sentence, size_t sentenceBytes);
+
+/// A device for OpalineRendererOptions; see GivenVulkan.
+typedef struct OpalineGivenVulkan {
+  size_t size;  ///< sizeof(OpalineGivenVulkan)
+  VkInstance instance;
+  VkPhysicalDevice physicalDevice;
+  VkDevice device;
+  uint32_t queueFamily;
+  VkQueue queue;
+  PFN_vkGetInstanceProcAddr getInstanceProcAddr;  ///< NULL: the loader that the library links
+  const char* const* enabledExtensions;
+  size_t enabledExtensionCount;
+  const VkPhysicalDeviceFeatures2* enabledFeatures;
+  void (*lockQueue)(void* context);    ///< NULL where nobody else uses the queue
+  void (*unlockQueue)(void* context);  ///< the same
+  void* lockContext;                   ///< for both
+} OpalineGivenVulkan;
+
+/// See DevicePositions.
+typedef struct OpalineDevicePositions {
+  size_t size;  ///< sizeof(OpalineDevicePositions)
+  VkBuffer buffer;
+  VkDeviceSize offsetBytes;
+  uint32_t strideBytes;  ///< 0: 12
+} OpalineDevicePositions;
+
+/// As opalineSetPositions(), from a buffer that every frame reads again.
+OPALINE_API OpalineStatus opalineSetDevicePositions(OpalineRenderer* renderer, size_t object,
+                                                    const OpalineDevicePositions* positions);
+
+/// A value of a timeline semaphore.
+typedef struct OpalineTimelinePoint {
+  size_t size;  ///< sizeof(OpalineTimelinePoint)
+  VkSemaphore semaphore;
+  uint64_t value;
+} OpalineTimelinePoint;
+
+/// See DeviceTarget.
+typedef struct OpalineDeviceTarget {
+  size_t size;  ///< sizeof(OpalineDeviceTarget)
+  VkImage image;
+  VkImageView view;
+  VkFormat format;
+  VkImageLayout layout;
+} OpalineDeviceTarget;
+
+/// See Composition.
+typedef struct OpalineComposition {
+  size_t size;  ///< sizeof(OpalineComposition)
+  const OpalineDeviceTarget* color;
+  const OpalineDeviceTarget* depth;  ///< may be NULL
+  float radianceScale;
+} OpalineComposition;
+
+/// See DeviceExitance.
+typedef struct OpalineDeviceExitance {
+  size_t size;  ///< sizeof(OpalineDeviceExitance)
+  size_t object;
+  VkBuffer buffer;
+  VkDeviceSize offsetBytes;
+} OpalineDeviceExitance;
+
+/// A frame on the caller's device; see FrameSubmission, FrameRecording and FrameOrder.
+typedef struct OpalineDeviceFrame {
+  size_t size;                        ///< sizeof(OpalineDeviceFrame)
+  const OpalineTimelinePoint* waits;  ///< none for a recorded frame
+  size_t waitCount;
+  const OpalineTimelinePoint* signals;  ///< of a recorded frame one: what its submission signals
+  size_t signalCount;
+  VkCommandBuffer commands;        ///< of a recorded frame
+  const OpalineComposition* over;  ///< may be NULL
+  const OpalineDeviceExitance* exitances;
+  size_t exitanceCount;
+  int32_t onDevice;        ///< 1: leave the radiance, for opalineViewPicture()
+  int32_t exitance;        ///< 1: leave the exitance of vertices, for opalineViewExitance()
+  const OpalineAov* aovs;  ///< for opalineCollect()
+  size_t aovCount;
+} OpalineDeviceFrame;
+
+/// Makes all that such a frame needs, so that opalineRecordFrame() submits nothing.
+OPALINE_API OpalineStatus opalinePrepareFrame(OpalineView* view, const OpalineDeviceFrame* frame);
+OPALINE_API OpalineStatus opalineSubmitFrame(OpalineView* view, const OpalineDeviceFrame* frame);
+OPALINE_API OpalineStatus opalineRecordFrame(OpalineView* view, const OpalineDeviceFrame* frame);
+
+/// See DeviceImage.
+typedef struct OpalineDeviceImage {
+  size_t size;  ///< sizeof(OpalineDeviceImage)
+  VkImage image;
+  VkImageView view;
+  VkFormat format;
+  VkImageLayout layout;
+  uint32_t width;
+  uint32_t height;
+} OpalineDeviceImage;
+
+/// Of the last frame that was to leave it.
+OPALINE_API OpalineStatus opalineViewPicture(const OpalineView* view, OpalineDeviceImage* picture);
+
+/// See DeviceBuffer.
+typedef struct OpalineDeviceBuffer {
+  size_t size;  ///< sizeof(OpalineDeviceBuffer)
+  VkBuffer buffer;
+  VkDeviceSize offsetBytes;
+  VkDeviceSize bytes;
+} OpalineDeviceBuffer;
+
+/// Of the last frame that was to leave it.
+OPALINE_API OpalineStatus opalineViewExitance(const OpalineView* view, size_t object,
+                                              OpalineDeviceBuffer* exitance);
+
+#endif  // VULKAN_CORE_H_
+
 /* ---------------------------------------------------------------------------------- pictures */
 
+/// How radiance becomes colour.
 typedef struct OpalineTone {
   size_t size;              ///< sizeof(OpalineTone)
   float exposureStops;      ///< in [-32, 32]
@@ -338,6 +520,7 @@ typedef struct OpalineTone {
   const float* background;  ///< three floats, linear; NULL: alpha is coverage
 } OpalineTone;
 
+/// Fills a struct whose size has been set.
 OPALINE_API OpalineStatus opalineDefaultTone(OpalineTone* tone);
 
 /// The exposure that suits a scene's light, in stops.
@@ -370,6 +553,7 @@ typedef struct OpalineDifference {
   double psnrDb;
 } OpalineDifference;
 
+/// Both of 4 · width · height floats.
 OPALINE_API OpalineStatus opalineCompare(const float* rgbaOfA, const float* rgbaOfB, int32_t width,
                                          int32_t height, OpalineDifference* difference);
 

@@ -16,11 +16,25 @@
 
 namespace opaline {
 
-// For callers who work with the renderer's Vulkan device; see opaline/vulkan.h.
+// For callers who work with the renderer's Vulkan device, or give it one; see opaline/vulkan.h.
 struct DevicePositions;
+struct GivenVulkan;
 struct VulkanDevice;
 
 class RendererContext;
+
+/// A device of the caller's, or none. Holds a copy of what it is made from.
+class OPALINE_API Given {
+ public:
+  Given();
+  Given(const GivenVulkan& given);  // NOLINT: so that `options.given = mine` does
+  Given(const GivenVulkan* given);  // NOLINT: null: none
+  /// Null without one.
+  const GivenVulkan* get() const { return given_.get(); }
+
+ private:
+  std::shared_ptr<const GivenVulkan> given_;
+};
 
 /// Which device to use.
 struct RendererOptions {
@@ -35,6 +49,12 @@ struct RendererOptions {
   std::optional<bool> rayQueries;
   /// MB (10⁶ bytes) of the device's memory, in [64, 1e7]; none: what the device has.
   std::optional<float> memoryLimit;
+  /// A device of the caller's instead of one that the renderer opens, see opaline/vulkan.h. Then
+  /// `device`, `validation` and the extensions stay empty.
+  Given given;
+  /// What Renderer::pipelineCache returned in an earlier run; spares the driver most compilations.
+  /// Anything else, and what other devices or drivers left, is as good as nothing.
+  std::vector<std::byte> pipelineCache;
 };
 
 /// All Vulkan devices of this machine, in the order of their index; empty when there is none.
@@ -61,8 +81,9 @@ class OPALINE_API Renderer {
   /// Edits of the scene, from the next submitted frame on. They remake only what depends on the
   /// change: nothing for a time, a camera, deformers, and for a light that moves or changes its
   /// power; tables for ambient light; the division into surfels for a medium; and never the mesh.
-  /// An environment counts as changed if it is another object. They throw Error or UsageError as
-  /// setScene() does.
+  /// An environment counts as changed if it is another object. Lights, a camera and media that
+  /// differ from those of the scene as it was set no longer follow its clips. They throw Error or
+  /// UsageError as setScene() does.
   void setTime(const SceneTime& time);
   void setCamera(const Camera& camera);
   void setLighting(const Lighting& lighting);
@@ -87,6 +108,13 @@ class OPALINE_API Renderer {
 
   /// The Vulkan objects of this renderer.
   VulkanDevice vulkanDevice() const;
+
+  /// The pipelines that were compiled so far, for RendererOptions::pipelineCache of a later run.
+  /// Throws Error when there is no memory for them.
+  std::vector<std::byte> pipelineCache() const;
+
+  /// Bytes of the device's memory that this renderer and its views take now.
+  std::size_t memoryBytes() const;
 
   /// Messages of the validation layer so far; 0 without validation.
   std::size_t validationMessages() const;

@@ -61,6 +61,8 @@ OPALINE_API void giveMaterial(const Material& material, Object& object);
 struct DirectionalLight {
   Vec3 directionToLight{0, 0, 1};  ///< unit
   Rgb irradiance{1, 1, 1};         ///< on a surface that faces the light, in [0, 1e30]
+  /// Of the disc that surfaces mirror, in [0, 10]; the sun's is 0.27. Shadows are of its middle.
+  float angularRadiusDegrees = 0;
 
   bool operator==(const DirectionalLight&) const = default;
 };
@@ -155,12 +157,19 @@ struct Lighting {
   std::shared_ptr<const Image> environment;
 };
 
-/// A pinhole camera.
+/// A pinhole camera, or an orthographic one.
 struct Camera {
   Vec3 positionMm{};
   Vec3 targetMm{};
   Vec3 up{0, 1, 0};
   float verticalFovDegrees = 30;  ///< in [1, 170]
+  /// Moves what is seen without turning the camera, as the lens of a view camera does: in widths of
+  /// the picture to the right and in heights up, each in [-1000, 1000].
+  float shiftX = 0;
+  float shiftY = 0;
+  /// If set, lines of sight are parallel and the picture is so high, mm, in (0, 1e6]; the field of
+  /// view is not used.
+  std::optional<float> orthographicHeightMm;
 };
 
 /// Why the lights, or the camera, cannot be rendered, as a sentence; empty if they can.
@@ -174,6 +183,27 @@ OPALINE_API std::string complaintAbout(const TubeLight& light);
 OPALINE_API std::string complaintAbout(const AreaLight& light);
 OPALINE_API std::string complaintAbout(const Lighting& lighting);
 OPALINE_API std::string complaintAbout(const Camera& camera);
+
+/// What one thing of a scene is like at some times of a clip. In between numbers are interpolated
+/// linearly, before the first and after the last they are constant.
+template <typename T>
+struct Keys {
+  std::uint32_t index = 0;     ///< among the scene's things of that kind
+  std::vector<float> seconds;  ///< ascending
+  std::vector<T> values;       ///< one each
+};
+
+/// What a clip changes beside nodes. A thing is in one list once.
+struct ClipChanges {
+  std::vector<Keys<DirectionalLight>> directional;
+  std::vector<Keys<PointLight>> points;
+  std::vector<Keys<SpotLight>> spots;
+  std::vector<Keys<Camera>> cameras;  ///< of the scene's one
+  /// Of opaque objects. Names, pictures of textures and `unlit` stay as the object has them.
+  std::vector<Keys<OpaqueMaterial>> surfaces;
+  /// Of translucent objects without paint. The index of refraction stays.
+  std::vector<Keys<Medium>> media;
+};
 
 /// A kind of repair by a loader, and how often it was made.
 struct Repair {
@@ -200,7 +230,8 @@ struct Scene {
   bool cameraChosen = false;
   std::vector<Node> nodes;  ///< parents before children
   std::vector<Clip> clips;
-  std::vector<Deformer> deformers;  ///< applied in this order, after the rigs
+  std::vector<ClipChanges> changes;  ///< of the clips, in their order; those of the last may lack
+  std::vector<Deformer> deformers;   ///< applied in this order, after the rigs
   std::vector<Repair> repairs;
   std::vector<NotShown> notShown;
 };
@@ -231,6 +262,8 @@ struct LoadOptions {
   std::optional<float> diagonalMm;    ///< scale the bounding-box diagonal to this length, mm, > 0
   std::optional<Medium> medium;       ///< of every object that is no metal, whatever the file says
   std::vector<MediumOfObject> media;  ///< of some objects, whatever else is said of them
+  std::optional<ColorModel> colorModel;  ///< of media that files give by colour; none: as a .toml
+                                         ///< scene says, else ColorModel::Observed
   /// A model of the same topology that the scene's only object turns into and back, in a clip
   /// "morph" of 4 s; not for built-in scenes.
   std::optional<std::filesystem::path> morphTo;
@@ -256,6 +289,7 @@ struct Ground {
   bool operator==(const Ground&) const = default;
 };
 
+/// Why it cannot be rendered; empty if it can.
 OPALINE_API std::string complaintAbout(const Ground& ground);
 
 /// The ground as an object, which becomes a part of the scene by being added to its objects.
@@ -274,6 +308,10 @@ OPALINE_API void removeGround(Scene& scene);
 /// high.
 OPALINE_API Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre = {0, 0, 1},
                                  float verticalFovDegrees = 30);
+
+/// Lights, or a camera, that somebody puts in the place of the scene's follow no clip.
+OPALINE_API void stopLights(Scene& scene);
+OPALINE_API void stopCamera(Scene& scene);
 
 /// The default lights: a key light from behind at the side, a weak fill and weak ambient light.
 OPALINE_API Lighting defaultLighting();

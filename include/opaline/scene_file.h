@@ -35,6 +35,7 @@ struct ModelSource {
   std::optional<std::filesystem::path> morphTo;
   std::optional<Placement> placement;  ///< of all of it, its lights and camera too
 
+  /// Whether it names a model that the library carries.
   bool isBuiltIn() const { return file.string().starts_with("builtin:"); }
 };
 
@@ -65,6 +66,7 @@ struct SceneSource {
   std::map<std::string, std::string> materialOfObject;  ///< by the object's name, where one is said
   std::map<std::string, MaterialNumbers> numbersOfObject;  ///< by the object's name
   std::optional<EnvironmentFile> environment;
+  std::optional<ColorModel> colorModel;  ///< as in LoadOptions
 };
 
 /// What a .toml scene says beyond the scene itself: its [render] table.
@@ -75,6 +77,7 @@ struct SceneFileSettings {
   bool operator==(const SceneFileSettings&) const = default;
 };
 
+/// A scene as a file has it, and what the file says beside.
 struct LoadedScene {
   Scene scene;
   SceneFileSettings settings;
@@ -100,6 +103,9 @@ OPALINE_API SceneSource sourceOf(const std::filesystem::path& model, const LoadO
 /// Every file that a scene was made of, and those that its model names, textures among them,
 /// whether or not they are read: what must not be written over. Of numbered meshes none.
 OPALINE_API std::vector<std::filesystem::path> filesOf(const SceneSource& source);
+
+/// The colour of the scene's ground and its y; none without one.
+OPALINE_API std::optional<Ground> describeGround(const Scene& scene);
 
 /// Everything that a .toml scene can say.
 struct SceneDescription {

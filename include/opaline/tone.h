@@ -8,11 +8,13 @@
 
 namespace opaline {
 
+/// From radiance to what a display can show.
 enum class ToneCurve {
   None,     ///< clip at 1
   Neutral,  ///< Khronos PBR Neutral (Khronos Group 2024)
 };
 
+/// How radiance becomes colour.
 struct ToneOptions {
   float exposureStops = 0;  ///< radiance is multiplied by 2^exposureStops, in [-32, 32]
   ToneCurve curve = ToneCurve::Neutral;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,7 +16,11 @@
 namespace opaline {
 
 class Renderer;
-struct DeviceImage;  // see opaline/vulkan.h
+// See opaline/vulkan.h.
+struct DeviceBuffer;
+struct DeviceImage;
+struct FrameRecording;
+struct FrameSubmission;
 
 /// GPU time of one pass.
 struct PassTime {
@@ -79,10 +84,25 @@ struct Frame {
 struct FrameOrder {
   std::vector<Aov> aovs{Aov::Radiance};  ///< brought to the host
   bool onDevice = false;  ///< leave the radiance on the device as well, as View::picture
+  bool exitance = false;  ///< leave the exitance of vertices on the device, as View::exitance
   bool patient = true;    ///< wait until the surface is divided again for changed media; otherwise
                           ///< use the old division while another thread makes the new one
   bool reuseLight = false;  ///< if only the camera changed since the view's last frame, reuse its
                             ///< light: the same picture, sooner
+};
+
+/// A matrix, one column after the other, that is multiplied with columns.
+using Matrix = std::array<float, 16>;
+
+/// A camera as programs have it that draw by themselves: any perspective, with the projection's
+/// middle wherever it likes.
+struct CameraMatrices {
+  Matrix worldToView{};  ///< from millimetres
+  /// To Vulkan's clip space: x to the right and y down of -w to w, z of 0 to w. Depth may be
+  /// reversed, with or without a far plane.
+  Matrix viewToClip{};
+  Vec2
+      jitterPixels{};  ///< by which the picture is moved right and down, if viewToClip does not yet
 };
 
 /// A picture of a renderer's scene that is made again and again: its size, its method and where it
@@ -112,6 +132,9 @@ class OPALINE_API View {
   /// sees nothing.
   void setCamera(const std::optional<Camera>& camera);
 
+  /// The same by matrices. Throws UsageError for what is no perspective.
+  void setCamera(const CameraMatrices& matrices);
+
   /// Renders one frame and waits for it. Throws UsageError for a variable that the method does not
   /// have, and while frames wait to be collected; Error when no scene is set or the device fails.
   RenderResult render(const FrameOrder& order = {});
@@ -120,16 +143,34 @@ class OPALINE_API View {
   static constexpr int framesInFlight = 2;
 
   /// Submits one frame and returns while the device renders it. Throws as render() does, and
-  /// UsageError when framesInFlight frames wait to be collected. If only camera, time, lights or
-  /// positions have changed, it allocates nothing.
+  /// UsageError when framesInFlight frames with pictures for the host wait to be collected. If only
+  /// camera, time, lights or positions have changed, it allocates nothing.
   void submit(const FrameOrder& order = {});
 
-  /// Waits for the oldest submitted frame and returns it. Throws UsageError when there is none.
+  /// The same after others' work and before it, and with outputs of theirs; see opaline/vulkan.h.
+  void submit(const FrameSubmission& submission, const FrameOrder& order = {});
+
+  /// Makes all that the next frame needs, which submits work to the queue. record() calls it too.
+  /// While no option, medium or scene changes, there is nothing to do. Throws as render() does.
+  void prepare(const FrameOrder& order = {});
+
+  /// Records one frame into a command buffer of the caller's, who submits it; see opaline/vulkan.h.
+  /// After prepare() nothing is submitted here. Waits until the frame before last of this view has
+  /// finished. Throws as submit() does; then reset the command buffer.
+  void record(const FrameRecording& recording, const FrameOrder& order = {});
+
+  /// Waits for the oldest frame that was submitted or recorded and returns it. Frames that bring
+  /// nothing to the host need not be collected: they are forgotten when others take their place.
+  /// Throws UsageError when there is none.
   void collect(Frame& frame);
 
   /// The radiance of the frame submitted last, if it was to leave it on the device. Throws
   /// UsageError if it was not.
   DeviceImage picture() const;
+
+  /// Of an object, what the frame submitted or recorded last has left, if it was to leave it.
+  /// Throws UsageError if it was not, or for an object that there is not.
+  DeviceBuffer exitance(std::size_t object) const;
 
   /// How the frames of this scene were made that were collected since the last render(), and its
   /// own. Throws UsageError before the first.

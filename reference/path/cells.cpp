@@ -76,6 +76,7 @@ Cells::Cells(const Scene& scene, double edgeMm) {
   for (const Body& body : scene.bodies) {
     std::vector<Division>& divisions = divisions_.emplace_back();
     for (const Triangle& t : body.triangles) {
+      if (body.opaque) break;
       const Vector& a = body.positionsMm[t[0]];
       const Vector ab = body.positionsMm[t[1]] - a;
       const Vector ac = body.positionsMm[t[2]] - a;

@@ -7,9 +7,9 @@
 
 namespace opaline::reference {
 
-/// Pieces of the surface on which what leaves is counted. Triangles larger than a cell are halved
-/// into equal parts; parts that lie in one cube of that edge and look the same way, by the axis
-/// that their normal is nearest to, count as one.
+/// Pieces of the surface of media, on which what leaves is counted. Triangles larger than a cell
+/// are halved into equal parts; parts that lie in one cube of that edge and look the same way, by
+/// the axis that their normal is nearest to, count as one.
 class Cells {
  public:
   Cells(const Scene& scene, double edgeMm);

@@ -53,10 +53,17 @@ class LineTransform {
   std::vector<double> borders_;
 };
 
+Box boxOfMedia(const Scene& scene) {
+  Scene media;
+  for (const Body& body : scene.bodies)
+    if (!body.opaque) media.bodies.push_back({body.positionsMm, {}, {}, {}});
+  return boxOf(media);
+}
+
 }  // namespace
 
 DistanceBound::DistanceBound(const Scene& scene) {
-  const Box box = boxOf(scene);
+  const Box box = boxOfMedia(scene);
   const Vector extent = box.maxMm - box.minMm;
   const double edge = std::max({extent[0], extent[1], extent[2], 1e-12}) / voxelsAlong;
   voxelsPerMm_ = 1 / edge;
@@ -73,13 +80,27 @@ DistanceBound::DistanceBound(const Scene& scene) {
     Vector a, b, c;
   };
   std::vector<Piece> pieces;
+  // Opaque bodies may reach further than the grid.
+  const auto isOutside = [&](const Piece& piece) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [least, most] = std::minmax({piece.a[axis], piece.b[axis], piece.c[axis]});
+      if ((most - originMm_[axis]) * voxelsPerMm_ < 0 ||
+          (least - originMm_[axis]) * voxelsPerMm_ > static_cast<double>(size_[axis]))
+        return true;
+    }
+    return false;
+  };
+  const auto voxelAt = [&](double placeMm, std::size_t axis, double slack) {
+    return static_cast<std::size_t>(std::clamp((placeMm - originMm_[axis]) * voxelsPerMm_ + slack,
+                                               0.0, static_cast<double>(size_[axis] - 1)));
+  };
   const auto mark = [&](const Piece& piece) {
     std::array<std::size_t, 3> low{};
     std::array<std::size_t, 3> high{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto [least, most] = std::minmax({piece.a[axis], piece.b[axis], piece.c[axis]});
-      low[axis] = static_cast<std::size_t>((least - originMm_[axis]) * voxelsPerMm_ - 1e-6);
-      high[axis] = static_cast<std::size_t>((most - originMm_[axis]) * voxelsPerMm_ + 1e-6);
+      low[axis] = voxelAt(least, axis, -1e-6);
+      high[axis] = voxelAt(most, axis, 1e-6);
     }
     for (std::size_t x = low[0]; x <= high[0]; ++x)
       for (std::size_t y = low[1]; y <= high[1]; ++y)
@@ -92,6 +113,7 @@ DistanceBound::DistanceBound(const Scene& scene) {
       while (!pieces.empty()) {
         const Piece piece = pieces.back();
         pieces.pop_back();
+        if (isOutside(piece)) continue;
         const double longest = std::max(
             {length(piece.b - piece.a), length(piece.c - piece.b), length(piece.a - piece.c)});
         if (longest <= 2 * edge) {

@@ -8,9 +8,9 @@
 
 namespace opaline::reference {
 
-/// A lower bound of the distance from any point to the surface, mm, read off a grid: where a step
-/// is shorter, no ray need be cast. Exact distance transform of the voxels that triangles touch
-/// (Felzenszwalb and Huttenlocher 2012), less what a voxel hides.
+/// A lower bound of the distance from any point inside a medium to a surface, mm, read off a grid:
+/// where a step is shorter, no ray need be cast. Exact distance transform of the voxels that
+/// triangles touch (Felzenszwalb and Huttenlocher 2012), less what a voxel hides.
 class DistanceBound {
  public:
   explicit DistanceBound(const Scene& scene);

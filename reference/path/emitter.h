@@ -1,20 +1,27 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lights/spot.h"
 #include "reference/geometry.h"
+#include "reference/path/far_ground.h"
+#include "reference/path/sky_pixels.h"
 #include "reference/path/walk.h"
 
 namespace opaline::reference {
 
-/// All lights of a scene in one channel, as a source of particles of equal flux. Directional lights
-/// and the environment shine on a disc that hides the ball around the scene, point lights into the
-/// cone that holds it, spot and area lights into that part of it which they shine on, constant
-/// ambient light through its whole surface.
+/// All that shines in one channel of a scene, as a source of particles of equal flux. Directional
+/// lights and the environment shine on a disc that hides the ball around the scene, point lights
+/// into the cone that holds it, spot and area lights into that part of it which they shine on,
+/// constant ambient light through its whole surface. Where the scene has a ground, the ball is some
+/// times larger, and light of the ground beyond comes through the surface of the smaller one.
+/// Emission starts at the surface, to both sides.
 class Emitter {
  public:
-  Emitter(const Scene& scene, int channel);
+  /// The geometry must live as long.
+  Emitter(const Geometry& geometry, int channel);
 
   /// Flux of all particles together.
   double flux() const { return flux_; }
@@ -22,38 +29,51 @@ class Emitter {
   Flight emit(Random& random) const;
 
  private:
-  enum class Kind { Directional, Point, Area, Ambient, Environment };
+  enum class Kind { Directional, Point, Area, Ambient, Environment, Surface, Ground };
   struct Source {
     Kind kind = Kind::Directional;
     Vector place{};        ///< direction to the light, or its position
-    double cosine = -1;    ///< of the cone around the direction to the scene
+    double cosine = -1;    ///< of the cone to the scene, or of the disc that is seen
     double fluxSoFar = 0;  ///< of this and all before
-    Vector axis{};         ///< where a spot light shines to
+    bool lightsFarGround = false;
+    Vector axis{};  ///< where a spot light shines to
     SpotFalloff falloff{};
-    std::size_t area = 0;  ///< which area light
+    std::size_t area = 0;  ///< which area light, or surface
+  };
+
+  /// The triangles of a body that shines.
+  struct Surface {
+    std::uint32_t body = 0;
+    std::vector<double> areasSoFarMm2;
   };
 
   void add(Source source, double flux);
   void addArea(std::size_t index, std::size_t channel);
   /// The cone from there that holds the scene.
-  double cosineOfScene(const Vector& position) const;
-  void addEnvironment(const Image& image, int channel);
+  double cosineOfScene(const Vector& position, double reachMm = 0) const;
+  void addSurface(std::uint32_t body);
   Flight throughDisc(const Vector& toLight, Random& random) const;
+  static Vector fromCone(const Source& source, Random& random);
   Flight fromPoint(const Source& source, Random& random) const;
   Flight fromArea(const Source& source, Random& random) const;
   /// Starts behind the scene and leaves it.
   Flight nowhere() const;
-  Flight fromAround(Random& random) const;
-  Vector environmentDirection(Random& random) const;
+  Flight fromAround(double radiusMm, Random& random) const;
+  Flight fromGround(Random& random) const;
+  Flight startedBy(const Source& source, Random& random) const;
+  Flight fromSurface(const Surface& surface, Random& random) const;
 
+  const Geometry& geometry_;
+  std::size_t channel_;
   Vector centre_{};
   double radiusMm_ = 0;
+  double radiusOfBodiesMm_ = 0;
+  std::optional<FarGround> farGround_;
   double flux_ = 0;
   std::vector<Source> sources_;
   std::vector<AreaLight> areas_;
-  std::vector<double> pixelsSoFar_;  ///< of the environment: integral of radiance up to each pixel
-  int environmentWidth_ = 0;
-  int environmentHeight_ = 0;
+  std::vector<Surface> surfaces_;
+  std::optional<SkyPixels> environment_;
 };
 
 }  // namespace opaline::reference

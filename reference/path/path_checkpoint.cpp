@@ -21,6 +21,25 @@ struct Header {
   std::array<std::uint64_t, 3> lost{};
 };
 
+void add(const OpaqueMaterial& material, core::Digest& print) {
+  print.add(material.baseColor);
+  print.add(material.metallic);
+  print.add(material.roughness);
+  print.add(material.ior);
+  print.add(material.specular);
+  print.add(material.specularColor);
+  print.add(material.emission);
+  print.add(material.alphaCutoff);
+  print.add(material.alpha);
+  print.add(material.unlit);
+  for (const auto member : texturesOfMaterial) {
+    print.add((material.*member).has_value());
+    if (!(material.*member)) continue;
+    print.add((material.*member)->transform);
+    print.add((material.*member)->pixels->rgba);
+  }
+}
+
 }  // namespace
 
 std::uint64_t PathTracer::fingerprint() const {
@@ -28,6 +47,10 @@ std::uint64_t PathTracer::fingerprint() const {
   for (const Body& body : geometry_.scene().bodies) {
     print.add(body.positionsMm);
     print.add(body.triangles);
+    if (body.opaque) {
+      add(*body.opaque, print);
+      continue;
+    }
     print.add(body.medium.sigmaSPrimePerMm);
     print.add(body.medium.sigmaAPerMm);
     print.add(body.medium.eta);

@@ -26,7 +26,7 @@ BlockError::Block BlockError::blockAt(int left, int top, int right, int bottom,
     for (int x = left; x < right; ++x) {
       const Ray ray = rays.through(x, y);
       const auto hit = geometry.closestHit(ray.origin, ray.direction);
-      if (!hit) continue;
+      if (!hit || geometry.scene().bodies[hit->point.body].opaque) continue;
       const std::size_t cell = tracer.cells().at(hit->point);
       const auto known = std::find_if(shares.begin(), shares.end(),
                                       [&](const Share& share) { return share.cell == cell; });

@@ -22,7 +22,7 @@ struct PathLimits {
 };
 
 /// Standard error of a picture of exitance: rms over its blocks of 8×8 pixels, relative to the mean
-/// block on the object, all channels together.
+/// block that shows media, all channels together. Opaque surfaces are not counted on.
 class BlockError {
  public:
   /// Throws Stopped.
@@ -42,7 +42,7 @@ class BlockError {
                        const Geometry& geometry, const CameraRays& rays);
 
   const PathTracer& tracer_;
-  std::vector<Block> blocks_;  ///< that show some of the object
+  std::vector<Block> blocks_;  ///< that show some of a medium
 };
 
 /// Called after every batch.

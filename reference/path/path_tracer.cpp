@@ -17,10 +17,14 @@ std::vector<Interior> interiorsOf(const Scene& scene, int channel) {
   const auto c = static_cast<std::size_t>(channel);
   std::vector<Interior> interiors;
   for (const Body& body : scene.bodies) {
+    if (body.opaque) {
+      interiors.emplace_back();
+      continue;
+    }
     const double scattering = body.medium.sigmaSPrimePerMm[c] / (1 - body.medium.g);
     const double extinction = scattering + body.medium.sigmaAPerMm[c];
     interiors.push_back({extinction, scattering / extinction, body.medium.g, body.medium.eta,
-                         body.painted ? std::make_shared<const Layer>(body, channel) : nullptr});
+                         body.paint ? std::make_shared<const Layer>(body, channel) : nullptr});
   }
   return interiors;
 }
@@ -30,7 +34,7 @@ std::vector<Interior> interiorsOf(const Scene& scene, int channel) {
 double cellEdgeMm(const Scene& scene) {
   double shortest = 1e300;
   for (const Body& body : scene.bodies)
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < 3 && !body.opaque; ++c) {
       const double s = body.medium.sigmaSPrimePerMm[c];
       const double a = body.medium.sigmaAPerMm[c];
       shortest = std::min(shortest, 1 / std::sqrt(std::max(3 * a * (a + s), 1e-300)));
@@ -44,8 +48,7 @@ PathTracer::PathTracer(const Geometry& geometry, const PathOptions& options)
       options_(options),
       bound_(geometry.scene()),
       cells_(geometry.scene(), options.cellMm > 0 ? options.cellMm : cellEdgeMm(geometry.scene())),
-      emitters_{Emitter(geometry.scene(), 0), Emitter(geometry.scene(), 1),
-                Emitter(geometry.scene(), 2)},
+      emitters_{Emitter(geometry, 0), Emitter(geometry, 1), Emitter(geometry, 2)},
       interiors_{interiorsOf(geometry.scene(), 0), interiorsOf(geometry.scene(), 1),
                  interiorsOf(geometry.scene(), 2)},
       counts_(3 * orders * cells_.count()) {
@@ -54,7 +57,7 @@ PathTracer::PathTracer(const Geometry& geometry, const PathOptions& options)
 
 void PathTracer::follow(std::size_t channel, std::uint64_t particle) {
   Random random(options_.seed * 3 + channel, particle);
-  const Walk walk(geometry_, bound_, interiors_[channel], options_.bounces);
+  const Walk walk(geometry_, bound_, interiors_[channel], options_.bounces, channel);
   const Flight flight = emitters_[channel].emit(random);
   const End end = walk.follow(flight, random, [&](const SurfacePoint& point, Order order) {
     counts_[slot(channel, order, cells_.at(point))].fetch_add(1, std::memory_order_relaxed);

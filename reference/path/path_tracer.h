@@ -27,8 +27,9 @@ struct PathOptions {
 /// its diagonal.
 double cellEdgeMm(const Scene& scene);
 
-/// Volumetric light transport by particles from the lights: each is followed through the bodies
-/// until it is absorbed or gone, and counted where it leaves. Counts are whole numbers of particles
+/// Volumetric light transport by particles from the lights: each is followed through the bodies,
+/// and from one to another, until it is absorbed or gone, and counted where it leaves one that it
+/// had entered. Counts are whole numbers of particles
 /// of equal flux, so that the result depends on the seed and the number of particles, not on
 /// threads. Nothing is biased but by the size of the cells.
 class PathTracer {
@@ -39,9 +40,10 @@ class PathTracer {
   /// Follows that many more particles of each channel that shines.
   void run(std::uint64_t particles);
 
-  /// Whether any light does; where none does there is nothing to follow.
+  /// Whether any light does, on a body that it enters; else there is nothing to follow.
   bool shines() const {
-    return std::any_of(emitters_.begin(), emitters_.end(),
+    return hasMedia(geometry_.scene()) &&
+           std::any_of(emitters_.begin(), emitters_.end(),
                        [](const Emitter& emitter) { return emitter.flux() > 0; });
   }
 
@@ -65,6 +67,7 @@ class PathTracer {
   std::uint64_t particles() const { return particles_; }
 
   const Cells& cells() const { return cells_; }
+  const PathOptions& options() const { return options_; }
 
  private:
   static constexpr std::size_t orders = 3;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/path/reflection.h"
+
 namespace opaline::reference {
 
 Vector mirrored(const Vector& direction, const Vector& normal) {
@@ -28,6 +30,29 @@ Vector scattered(const Vector& direction, double g, Random& random) {
   if (g != 0) return around(direction, cosine, angle);
   const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
   return {sine * std::cos(angle), sine * std::sin(angle), cosine};
+}
+
+void Walk::reflect(const Particle& particle, Random& random, std::vector<Particle>& others) const {
+  const Body& body = geometry_.scene().bodies[particle.surface.body];
+  const OpaqueSurface surface = opaqueSurfaceAt(body, particle.surface);
+  const Vector toLight = -particle.direction;
+  const Vector& facet = particle.surface.facetNormal;
+  const Vector normal = dot(facet, toLight) < 0 ? -facet : facet;
+  reflectParticle(surface, channel_, normal, toLight, random, [&](const Vector& direction) {
+    Particle next = particle;
+    next.direction = direction;
+    others.push_back(next);
+  });
+}
+
+bool Walk::reflectMatt(Particle& particle, Random& random) const {
+  const Body& body = geometry_.scene().bodies[particle.surface.body];
+  if (random() >= mattShare(opaqueSurfaceAt(body, particle.surface), channel_)) return false;
+  const Vector& facet = particle.surface.facetNormal;
+  const Vector normal = dot(facet, particle.direction) > 0 ? -facet : facet;
+  const double cosine = std::sqrt(random());
+  particle.direction = around(normal, cosine, 2 * std::numbers::pi * random());
+  return true;
 }
 
 }  // namespace opaline::reference

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,7 +19,7 @@ namespace opaline::reference {
 /// How often light scattered since it last entered a body.
 enum class Order { Unscattered, Single, Multiple };
 
-/// What one channel of a body does to light.
+/// What one channel of a body does to light inside. Opaque bodies have none.
 struct Interior {
   double sigmaTPerMm = 0;  ///< extinction
   double albedo = 0;       ///< σ_s / σ_t
@@ -30,7 +31,10 @@ struct Interior {
 /// Light on its way through space outside all bodies.
 struct Flight {
   Vector origin{};
-  Vector direction{};  ///< unit
+  Vector direction{};                  ///< unit
+  std::optional<SurfacePoint> from{};  ///< if it starts on a surface
+  /// What is met first beyond that is left to other particles.
+  double reachMm = std::numeric_limits<double>::infinity();
 };
 
 /// How the way of a particle ended.
@@ -49,8 +53,12 @@ class Walk {
   /// `interiors` of one channel, one a body. `bounces`: how often light that has left a body, or
   /// was reflected by one, may meet a body again.
   Walk(const Geometry& geometry, const DistanceBound& bound, const std::vector<Interior>& interiors,
-       int bounces)
-      : geometry_(geometry), bound_(bound), interiors_(interiors), bounces_(bounces) {}
+       int bounces, std::size_t channel = 0)
+      : geometry_(geometry),
+        bound_(bound),
+        interiors_(interiors),
+        bounces_(bounces),
+        channel_(channel) {}
 
   /// Calls `leave(point, order)` for every time the particle leaves a body.
   template <typename Leave>
@@ -63,7 +71,18 @@ class Walk {
     Vector direction{};
     SurfacePoint surface;  ///< that it comes from
     bool fromSurface = false;
+    int met = 0;                                               ///< bodies
+    double reachMm = std::numeric_limits<double>::infinity();  ///< until the first is met
   };
+
+  /// One particle, until it ends or becomes several.
+  template <typename Leave>
+  End followOne(Particle particle, Random& random, const Leave& leave,
+                std::vector<Particle>& others) const;
+  /// Of light that an opaque surface is met by, what goes on.
+  void reflect(const Particle& particle, Random& random, std::vector<Particle>& others) const;
+  /// The same inside a body, where the surface counts as matt.
+  bool reflectMatt(Particle& particle, Random& random) const;
 
   enum class Inside { Left, Absorbed, Lost };
   template <typename Leave>
@@ -85,6 +104,7 @@ class Walk {
   const DistanceBound& bound_;
   const std::vector<Interior>& interiors_;
   int bounces_;
+  std::size_t channel_;
 };
 
 /// Mirrored at a plane.
@@ -118,6 +138,10 @@ Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& 
         particle.surface = hit->point;
         particle.position = hit->point.position;
         particle.fromSurface = true;
+        if (geometry_.scene().bodies[hit->point.body].opaque) {
+          if (!reflectMatt(particle, random)) return Inside::Absorbed;
+          continue;
+        }
         // Another body has no boundary of ours, and where parts of one overlap, the outermost has.
         if (hit->point.body != body) continue;
         if (cosine <= 0) ++depth;
@@ -149,16 +173,20 @@ Walk::Inside Walk::passThrough(Particle& particle, Random& random, const Leave& 
 }
 
 template <typename Leave>
-End Walk::follow(const Flight& flight, Random& random, const Leave& leave) const {
-  Particle particle{flight.origin, flight.direction, {}, false};
-  int met = 0;
+End Walk::followOne(Particle particle, Random& random, const Leave& leave,
+                    std::vector<Particle>& others) const {
   while (true) {
     const std::optional<Geometry::Hit> hit = next(particle);
-    if (!hit) return End::Away;
-    if (met++ > bounces_) return End::Dropped;
+    if (!hit || hit->distanceMm > particle.reachMm) return End::Away;
+    particle.reachMm = std::numeric_limits<double>::infinity();
+    if (particle.met++ > bounces_) return End::Dropped;
     particle.surface = hit->point;
     particle.position = hit->point.position;
     particle.fromSurface = true;
+    if (geometry_.scene().bodies[hit->point.body].opaque) {
+      reflect(particle, random, others);
+      return End::Absorbed;
+    }
     const double cosine = -dot(particle.direction, hit->point.facetNormal);
     if (cosine <= 0) return End::Lost;  // the back of an open surface
     const double eta = interiors_[hit->point.body].eta;
@@ -174,6 +202,24 @@ End Walk::follow(const Flight& flight, Random& random, const Leave& leave) const
     if (inside == Inside::Absorbed) return End::Absorbed;
     if (inside == Inside::Lost) return End::Lost;
   }
+}
+
+template <typename Leave>
+End Walk::follow(const Flight& flight, Random& random, const Leave& leave) const {
+  Particle first{flight.origin, flight.direction, {}, false, 0, flight.reachMm};
+  if (flight.from) {
+    first.surface = *flight.from;
+    first.fromSurface = true;
+  }
+  std::vector<Particle> others;
+  End end = followOne(first, random, leave, others);
+  while (!others.empty()) {
+    const Particle particle = others.back();
+    others.pop_back();
+    const End its = followOne(particle, random, leave, others);
+    if (end != End::Lost) end = its;
+  }
+  return end;
 }
 
 }  // namespace opaline::reference

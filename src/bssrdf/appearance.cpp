@@ -32,6 +32,19 @@ Fit fitAt(double eta) {
   return {eta, std::lerp(low.b, high.b, part), std::lerp(low.c, high.c, part)};
 }
 
+/// s = √(1 - α'), of which with g the albedo follows.
+double observed(double color, const Fit& fit) {
+  const double sum = 1 + fit.b + fit.c * color;
+  return (sum - std::sqrt(sum * sum - 4 * fit.b * (1 - color))) / (2 * fit.b);
+}
+
+/// The same by the formula of KHR_materials_volume_scatter, after Kulla and Conty 2017.
+double khr(double color) {
+  const double s =
+      4.09712 + 4.20863 * color - std::sqrt(9.59217 + 41.6808 * color + 17.7126 * color * color);
+  return std::clamp(s, 0.0, 1.0);
+}
+
 }  // namespace
 
 Medium mediumOf(const Appearance& appearance) {
@@ -41,9 +54,10 @@ Medium mediumOf(const Appearance& appearance) {
   medium.g = appearance.g;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const double color = std::clamp(appearance.color[channel], 0.0, 1.0);
-    const double sum = 1 + fit.b + fit.c * color;
-    const double s = (sum - std::sqrt(sum * sum - 4 * fit.b * (1 - color))) / (2 * fit.b);
-    const double albedo = (1 - s * s) / (1 - appearance.g * s * s);
+    const double s = appearance.colorModel == ColorModel::Khr ? khr(color) : observed(color, fit);
+    // What scatters nothing would be no medium.
+    constexpr double leastAlbedo = 1e-4;
+    const double albedo = std::max((1 - s * s) / (1 - appearance.g * s * s), leastAlbedo);
     const double extinctionPerMm = 1 / appearance.meanFreePathMm[channel];
     medium.sigmaSPrimePerMm[channel] = (1 - appearance.g) * albedo * extinctionPerMm;
     medium.sigmaAPerMm[channel] = (1 - albedo) * extinctionPerMm;

@@ -11,6 +11,18 @@ namespace opaline::c {
 
 namespace {
 
+void requireEnvironment(float intensity, double rotationDegrees) {
+  constexpr float brightest = 1e6F;
+  constexpr double mostDegrees = 1e6;
+  if (!(intensity >= 0 && intensity <= brightest)) {
+    throw UsageError(fmt::format("intensity {}: must be from 0 to 1e6", intensity));
+  }
+  if (!(std::abs(rotationDegrees) <= mostDegrees)) {
+    throw UsageError(
+        fmt::format("rotationDegrees {}: must be from -1e6 to 1e6 degrees", rotationDegrees));
+  }
+}
+
 Lighting& lightingOf(OpalineScene* scene) {
   return required(scene, "scene").scene.lighting;
 }
@@ -123,17 +135,25 @@ OpalineStatus opalineSetAmbientLight(OpalineScene* scene, const float radiance[3
 OpalineStatus opalineSetEnvironment(OpalineScene* scene, const char* file, float intensity,
                                     double rotationDegrees) {
   return guarded([&] {
-    constexpr float brightest = 1e6F;
-    constexpr double mostDegrees = 1e6;
-    if (!(intensity >= 0 && intensity <= brightest)) {
-      throw UsageError(fmt::format("intensity {}: must be from 0 to 1e6", intensity));
-    }
-    if (!(std::abs(rotationDegrees) <= mostDegrees)) {
-      throw UsageError(
-          fmt::format("rotationDegrees {}: must be from -1e6 to 1e6 degrees", rotationDegrees));
-    }
+    c::requireEnvironment(intensity, rotationDegrees);
     c::lightingOf(scene).environment =
         readEnvironment({&required(file, "file"), intensity, rotationDegrees});
+  });
+}
+
+OpalineStatus opalineSetEnvironmentPixels(OpalineScene* scene, const float* rgba, int32_t width,
+                                          int32_t height, float intensity, double rotationDegrees) {
+  return guarded([&] {
+    c::requireEnvironment(intensity, rotationDegrees);
+    Image image = c::imageOf(rgba, width, height, "rgba");
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+      image.rgba[i] = i % 4 == 3 ? 1.0F : intensity * image.rgba[i];
+      if (!(image.rgba[i] >= 0 && std::isfinite(image.rgba[i])))
+        throw UsageError(fmt::format(
+            "The radiance of pixel {} is negative, or not finite with this intensity.", i / 4));
+    }
+    c::lightingOf(scene).environment =
+        std::make_shared<const Image>(turned(image, rotationDegrees));
   });
 }
 

@@ -16,18 +16,6 @@ namespace opaline::c {
 
 namespace {
 
-Image imageOf(const float* rgba, int width, int height, const char* name) {
-  constexpr int largest = 16384;
-  required(rgba, name);
-  if (width < 1 || height < 1 || width > largest || height > largest) {
-    throw UsageError(fmt::format("A picture of {}x{}: must be from 1 to {} pixels each.", width,
-                                 height, largest));
-  }
-  Image image(width, height);
-  std::copy_n(rgba, image.rgba.size(), image.rgba.begin());
-  return image;
-}
-
 OpalineTone defaultTone() {
   return {0, 0, 1, nullptr};
 }
@@ -43,6 +31,18 @@ ToneOptions toneOf(const OpalineTone* given) {
 }
 
 }  // namespace
+
+Image imageOf(const float* rgba, int width, int height, const char* name) {
+  constexpr int largest = 16384;
+  required(rgba, name);
+  if (width < 1 || height < 1 || width > largest || height > largest) {
+    throw UsageError(fmt::format("A picture of {}x{}: must be from 1 to {} pixels each.", width,
+                                 height, largest));
+  }
+  Image image(width, height);
+  std::copy_n(rgba, image.rgba.size(), image.rgba.begin());
+  return image;
+}
 }  // namespace opaline::c
 
 using namespace opaline;

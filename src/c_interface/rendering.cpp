@@ -4,21 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "c_interface/handles.h"
 #include "c_interface/status.h"
 #include "c_interface/values.h"
 #include "opaline/renderer.h"
-#include "opaline/view.h"
-
-struct OpalineRenderer {
-  opaline::Renderer renderer;
-};
-
-struct OpalineView {
-  opaline::View view;
-  opaline::Frame frame;  ///< kept, so that collecting allocates nothing
-  int width = 0;
-  int height = 0;
-};
 
 namespace opaline::c {
 
@@ -41,10 +30,6 @@ Choice choiceOf(Given given, Given last, const char* name) {
   return static_cast<Choice>(number);
 }
 
-Aov aovOf(OpalineAov given) {
-  return choiceOf<Aov>(given, OpalineAovSurfels, "variable");
-}
-
 OpalineRendererOptions defaultRendererOptions() {
   OpalineRendererOptions options{};
   options.rayQueries = -1;
@@ -59,6 +44,12 @@ RendererOptions rendererOptionsOf(const OpalineRendererOptions* given) {
   options.validation = whole.validation != 0;
   if (whole.rayQueries >= 0) options.rayQueries = whole.rayQueries != 0;
   if (whole.memoryLimitMegabytes != 0) options.memoryLimit = whole.memoryLimitMegabytes;
+  if (whole.given) options.given = givenOf(*whole.given);
+  if (whole.pipelineCacheBytes > 0) {
+    const auto* bytes = static_cast<const std::byte*>(whole.pipelineCache);
+    required(bytes, "pipelineCache");
+    options.pipelineCache.assign(bytes, bytes + whole.pipelineCacheBytes);
+  }
   if (whole.log) {
     options.log = [log = whole.log, context = whole.logContext](LogLevel level,
                                                                 std::string_view message) {
@@ -152,6 +143,18 @@ FrameOrder orderOf(std::vector<Aov> aovs) {
 }
 
 }  // namespace
+
+Aov aovOf(OpalineAov given) {
+  return choiceOf<Aov>(given, OpalineAovSurfels, "variable");
+}
+
+std::vector<Aov> aovsOf(const OpalineAov* aovs, std::size_t count) {
+  if (count > 0) required(aovs, "aovs");
+  std::vector<Aov> wanted;
+  for (std::size_t i = 0; i < count; ++i) wanted.push_back(aovOf(aovs[i]));
+  return wanted;
+}
+
 }  // namespace opaline::c
 
 using namespace opaline;
@@ -267,6 +270,36 @@ OpalineStatus opalineSetViewCamera(OpalineView* view, const OpalineCamera* camer
   });
 }
 
+OpalineStatus opalineSetViewMatrices(OpalineView* view, const OpalineCameraMatrices* matrices) {
+  return guarded([&] {
+    const OpalineCameraMatrices whole = c::wholeOf(matrices, {}, "matrices");
+    CameraMatrices given;
+    std::copy_n(whole.worldToView, 16, given.worldToView.begin());
+    std::copy_n(whole.viewToClip, 16, given.viewToClip.begin());
+    given.jitterPixels = {whole.jitterPixels[0], whole.jitterPixels[1]};
+    required(view, "view").view.setCamera(given);
+  });
+}
+
+OpalineStatus opalineMemoryInUse(const OpalineRenderer* renderer, uint64_t* bytes) {
+  return guarded(
+      [&] { required(bytes, "bytes") = required(renderer, "renderer").renderer.memoryBytes(); });
+}
+
+OpalineStatus opalinePipelineCache(const OpalineRenderer* renderer, void* data, size_t* bytes) {
+  return guarded([&] {
+    required(bytes, "bytes");
+    const std::vector<std::byte> cache = required(renderer, "renderer").renderer.pipelineCache();
+    const size_t room = data ? *bytes : 0;
+    *bytes = cache.size();
+    if (!data) return;
+    if (room < cache.size())
+      throw UsageError(fmt::format("There is room for {} bytes; the pipeline cache has {}.", room,
+                                   cache.size()));
+    std::memcpy(data, cache.data(), cache.size());
+  });
+}
+
 OpalineStatus opalineRender(OpalineView* view, const OpalineTarget* targets, size_t targetCount) {
   return guarded([&] {
     required(view, "view");
@@ -283,10 +316,7 @@ OpalineStatus opalineRender(OpalineView* view, const OpalineTarget* targets, siz
 OpalineStatus opalineSubmit(OpalineView* view, const OpalineAov* aovs, size_t aovCount) {
   return guarded([&] {
     required(view, "view");
-    if (aovCount > 0) required(aovs, "aovs");
-    std::vector<Aov> wanted;
-    for (std::size_t i = 0; i < aovCount; ++i) wanted.push_back(c::aovOf(aovs[i]));
-    view->view.submit(c::orderOf(std::move(wanted)));
+    view->view.submit(c::orderOf(c::aovsOf(aovs, aovCount)));
   });
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "opaline/error.h"
+#include "opaline/image.h"
 #include "opaline/medium.h"
 #include "opaline/opaline_c.h"
 #include "opaline/scene.h"
@@ -24,6 +25,8 @@ T& required(T* pointer, const char* name) {
 /// specialization here, so that what was compiled before still fits.
 template <typename T>
 constexpr std::size_t firstSize = sizeof(T);
+template <>
+inline constexpr std::size_t firstSize<OpalineRendererOptions> = 48;
 
 template <typename T>
 void requireSize(const T& structure, const char* name) {
@@ -62,6 +65,9 @@ void give(const Medium& medium, OpalineMedium* to);
 
 Camera cameraOf(const OpalineCamera* given);
 void give(const Camera& camera, OpalineCamera* to);
+
+/// Of 4 · width · height floats.
+Image imageOf(const float* rgba, int width, int height, const char* name);
 
 /// Of an array of floats with a stride in bytes; 0: packed.
 std::vector<Vec3> positionsOf(const float* positionsMm, std::size_t count, std::size_t strideBytes);

@@ -11,8 +11,11 @@ namespace opaline::core {
 /// Pixels of one texture, at most: 8192 × 8192.
 inline constexpr std::size_t mostTexturePixels = std::size_t{1} << 26U;
 
-/// A PNG or JPEG picture as it is stored. Throws Error, naming the file, for anything else, for
-/// pictures that end early, and, before memory is taken, for those that claim more pixels than
+/// Throws Error for a picture that has more of them, or no sensible size.
+void requireTextureSize(const std::filesystem::path& file, int width, int height);
+
+/// A PNG, JPEG or WebP picture as it is stored. Throws Error, naming the file, for anything else,
+/// for pictures that end early, and, before memory is taken, for those that claim more pixels than
 /// mostTexturePixels or than their bytes can hold.
 TexturePixels readTexture(const std::filesystem::path& file, std::span<const std::byte> bytes);
 

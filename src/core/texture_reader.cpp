@@ -12,6 +12,7 @@
 #include "core/hdr_readers.h"
 #include "core/stb_memory.h"
 #include "core/texture_file.h"
+#include "core/webp_reader.h"
 
 namespace opaline::core {
 
@@ -34,7 +35,7 @@ constexpr std::string_view jpegStart = "\xff\xd8\xff"sv;
 std::size_t mostPixels(const std::filesystem::path& file, std::span<const std::byte> bytes) {
   if (startsWith(bytes, "\x89PNG\r\n\x1a\n"sv)) return mostOfPngByte * bytes.size();
   if (startsWith(bytes, jpegStart)) return mostOfJpegByte * bytes.size();
-  failToReadImage(file, bytes.empty() ? "it is empty" : "it is neither PNG nor JPEG");
+  failToReadImage(file, bytes.empty() ? "it is empty" : "it is neither PNG nor JPEG nor WebP");
 }
 
 /// The tables of Huffman codes in a JPEG file (ITU T.81, annex B), as stb_image comes to them. It
@@ -132,7 +133,16 @@ class JpegTables {
 
 }  // namespace
 
+void requireTextureSize(const std::filesystem::path& file, int width, int height) {
+  requireImageSize(file, width, height);
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (pixels > mostTexturePixels)
+    failToReadImage(file, fmt::format("it has {}x{} pixels; a texture may have {} million", width,
+                                      height, mostTexturePixels >> 20U));
+}
+
 TexturePixels readTexture(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+  if (isWebp(bytes)) return readWebp(file, bytes);
   constexpr std::size_t mostBytes = std::size_t{1} << 30U;
   const std::size_t most = mostPixels(file, bytes);
   if (bytes.size() > mostBytes) failToReadImage(file, "it is longer than a gigabyte");
@@ -152,9 +162,7 @@ TexturePixels readTexture(const std::filesystem::path& file, std::span<const std
   const std::size_t pixels =
       static_cast<std::size_t>(texture.width) * static_cast<std::size_t>(texture.height);
   if (pixels > most) failToReadImage(file, "its header claims more pixels than the file can hold");
-  if (pixels > mostTexturePixels)
-    failToReadImage(file, fmt::format("it has {}x{} pixels; a texture may have {} million",
-                                      texture.width, texture.height, mostTexturePixels >> 20U));
+  requireTextureSize(file, texture.width, texture.height);
   constexpr std::size_t decoderBytesOfPixel = 32;
   const StbMemoryLimit limit(decoderBytesOfPixel * pixels + 2 * bytes.size() + (1U << 20U));
   const std::unique_ptr<stbi_us, decltype(&stbi_image_free)> decoded(

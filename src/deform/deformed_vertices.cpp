@@ -13,6 +13,7 @@ namespace {
 
 using scene::Double3;
 using scene::Matrix4;
+using scene::Pose;
 using scene::operator*;
 using scene::operator+;
 using scene::toDouble;
@@ -100,7 +101,7 @@ bool mirrorsAt(const Rig& rig, const Pose& pose) {
 /// -1 where the pose mirrors what the rest pose does not, or the other way round.
 double sideOf(const Scene& scene, const Object& object, const Pose& pose) {
   if (!object.rig) return 1;
-  return mirrorsAt(*object.rig, pose) == mirrorsAt(*object.rig, makePose(scene)) ? 1 : -1;
+  return mirrorsAt(*object.rig, pose) == mirrorsAt(*object.rig, scene::makePose(scene)) ? 1 : -1;
 }
 
 void smooth(const Mesh& rest, double side, DeformedVertices& mesh) {
@@ -153,7 +154,7 @@ DeformedVertices deformedVertices(const Scene& scene, std::size_t object, const 
 
 DeformedVertices deformedVertices(const Scene& scene, std::size_t object, int clip,
                                   double seconds) {
-  Pose pose = makePose(scene);
+  Pose pose = scene::makePose(scene);
   poseAt(scene, clip, seconds, pose);
   return deformedVertices(scene, object, pose, boundsOf(scene), seconds);
 }

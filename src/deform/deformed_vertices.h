@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "deform/pose.h"
 #include "opaline/scene.h"
+#include "scene/pose.h"
 #include "scene/vector_math.h"
 
 namespace opaline::deform {
@@ -21,7 +21,7 @@ bool normalsFromTriangles(const Object& object);
 
 /// The positions alone, which is less work.
 std::vector<scene::Double3> deformedPositions(const Scene& scene, std::size_t object,
-                                              const Pose& pose, const Bounds& restBox,
+                                              const scene::Pose& pose, const Bounds& restBox,
                                               double seconds);
 
 /// Of a body whose vertices somebody put there before the deformers act.
@@ -32,7 +32,7 @@ std::vector<scene::Double3> deformedPositions(const std::vector<Deformer>& defor
 /// Morphs, skins, then applies the scene's deformers. Normals follow by cofactors; where they
 /// cannot, they are those of the triangles at their final places: each triangle's own for a
 /// facetted mesh, otherwise smooth, weighted by angle.
-DeformedVertices deformedVertices(const Scene& scene, std::size_t object, const Pose& pose,
+DeformedVertices deformedVertices(const Scene& scene, std::size_t object, const scene::Pose& pose,
                                   const Bounds& restBox, double seconds);
 
 /// The same at a time of a clip (-1: none).

@@ -201,6 +201,7 @@ DirectionalLight lightOf(const Spot& sun) {
     light.directionToLight[i] = static_cast<float>(sun.towards[i]);
     light.irradiance[i] = static_cast<float>(sun.irradiance[i]);
   }
+  light.angularRadiusDegrees = static_cast<float>(sun.radius * 180 / pi);
   return light;
 }
 

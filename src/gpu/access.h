@@ -18,6 +18,7 @@ enum class Access {
   Uniform,       ///< uniform buffer
   Index,         ///< index buffer
   Indirect,      ///< says how large dispatches are
+  Lent,          ///< buffer that others read: shaders, copies, or as attributes of vertices
   TransferRead,
   TransferWrite,
   RayBuild,  ///< acceleration structure built or refitted, or what building it needs

@@ -57,27 +57,28 @@ Buffer::Buffer(Device& device, const BufferOptions& options) : Buffer() {
   checkSize(device, options);
   device_ = &device;
   bytes_ = options.bytes;
+  lent_ = options.lent;
 
   VkBufferCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
   info.size = options.bytes;
   info.usage = options.usage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
-  check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_),
+  check(device.vk().vkCreateBuffer(device.handle(), &info, nullptr, &buffer_),
         fmt::format("create the buffer \"{}\"", options.name));
   device.setName(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(buffer_), options.name);
 
   VkMemoryRequirements requirements{};
-  vkGetBufferMemoryRequirements(device.handle(), buffer_, &requirements);
+  device.vk().vkGetBufferMemoryRequirements(device.handle(), buffer_, &requirements);
   const MemoryKind kind = kindOf(options.memory);
   const bool addressed = (options.usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) != 0;
   memory_ = device.allocate(requirements, kind.wanted, kind.preferred, options.name, addressed);
   allocatedBytes_ = requirements.size;
-  check(vkBindBufferMemory(device.handle(), buffer_, memory_, 0),
+  check(device.vk().vkBindBufferMemory(device.handle(), buffer_, memory_, 0),
         fmt::format("give memory to the buffer \"{}\"", options.name));
   if (options.memory != Memory::Device) {
     void* mapped = nullptr;
-    check(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped),
+    check(device.vk().vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped),
           fmt::format("map the buffer \"{}\"", options.name));
     mapped_ = static_cast<std::byte*>(mapped);
   }
@@ -98,7 +99,7 @@ void Buffer::makeTexelView(const std::string& name) {
   info.buffer = buffer_;
   info.format = VK_FORMAT_R32G32B32A32_SFLOAT;
   info.range = bytes_ / texelBytes * texelBytes;
-  check(vkCreateBufferView(device_->handle(), &info, nullptr, &texelView_),
+  check(device_->vk().vkCreateBufferView(device_->handle(), &info, nullptr, &texelView_),
         fmt::format("make texels of the buffer \"{}\"", name));
   device_->setName(VK_OBJECT_TYPE_BUFFER_VIEW, reinterpret_cast<std::uint64_t>(texelView_), name);
 }
@@ -107,7 +108,7 @@ VkDeviceAddress Buffer::address() const {
   VkBufferDeviceAddressInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
   info.buffer = buffer_;
-  return vkGetBufferDeviceAddress(device_->handle(), &info);
+  return device_->vk().vkGetBufferDeviceAddress(device_->handle(), &info);
 }
 
 Buffer Buffer::borrowed(VkBuffer buffer, std::size_t bytes) {
@@ -120,9 +121,9 @@ Buffer Buffer::borrowed(VkBuffer buffer, std::size_t bytes) {
 
 Buffer::~Buffer() {
   if (device_ == nullptr) return;
-  device_->retire(VK_OBJECT_TYPE_BUFFER_VIEW, texelView_);
-  device_->retire(VK_OBJECT_TYPE_BUFFER, buffer_);
-  device_->release(memory_, allocatedBytes_);
+  device_->retire(VK_OBJECT_TYPE_BUFFER_VIEW, texelView_, lent_);
+  device_->retire(VK_OBJECT_TYPE_BUFFER, buffer_, lent_);
+  device_->release(memory_, allocatedBytes_, lent_);
 }
 
 Buffer::Buffer(Buffer&& other) noexcept {
@@ -142,6 +143,7 @@ void Buffer::swap(Buffer& other) noexcept {
   std::swap(memory_, other.memory_);
   std::swap(bytes_, other.bytes_);
   std::swap(allocatedBytes_, other.allocatedBytes_);
+  std::swap(lent_, other.lent_);
   std::swap(mapped_, other.mapped_);
   std::swap(state_, other.state_);
 }

@@ -24,6 +24,7 @@ struct BufferOptions {
   VkBufferUsageFlags usage = 0;  ///< copying from and to it is always possible; as a texel buffer
                                  ///< it holds texels of four floats
   Memory memory = Memory::Device;
+  bool lent = false;  ///< others submit work to the queue that uses it
 };
 
 /// A buffer with memory of its own, unless it is borrowed. Movable.
@@ -65,6 +66,7 @@ class Buffer {
   VkDeviceMemory memory_ = VK_NULL_HANDLE;
   std::size_t bytes_ = 0;
   std::size_t allocatedBytes_ = 0;
+  bool lent_ = false;
   std::byte* mapped_ = nullptr;
   AccessState state_;
 };

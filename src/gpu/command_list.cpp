@@ -64,26 +64,29 @@ CommandList::CommandList(Device& device, std::string name, std::uint32_t maxPass
   poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
   poolInfo.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
   poolInfo.queueFamilyIndex = device.queueFamily();
-  VkResult result = vkCreateCommandPool(device.handle(), &poolInfo, nullptr, &pool_);
+  VkResult result = device.vk().vkCreateCommandPool(device.handle(), &poolInfo, nullptr, &pool_);
   std::array<VkCommandBuffer, maxParts> buffers{};
-  if (result >= 0) {
-    VkCommandBufferAllocateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-    info.commandPool = pool_;
-    info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-    info.commandBufferCount = maxParts;
-    result = vkAllocateCommandBuffers(device.handle(), &info, buffers.data());
-  }
+  if (result >= 0) result = allocate(VK_COMMAND_BUFFER_LEVEL_PRIMARY, buffers);
   if (result < 0) {
-    vkDestroyCommandPool(device.handle(), pool_, nullptr);
+    device.vk().vkDestroyCommandPool(device.handle(), pool_, nullptr);
     check(result, fmt::format("create the command list \"{}\"", name_));
   }
   device.setName(VK_OBJECT_TYPE_COMMAND_POOL, reinterpret_cast<std::uint64_t>(pool_), name_);
-  for (std::size_t i = 0; i < maxParts; ++i) {
-    parts_[i].buffer = buffers[i];
-    device.setName(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<std::uint64_t>(buffers[i]),
-                   name_);
-  }
+  for (std::size_t i = 0; i < maxParts; ++i) parts_[i].submitted.buffer = buffers[i];
+}
+
+VkResult CommandList::allocate(VkCommandBufferLevel level, std::span<VkCommandBuffer> buffers) {
+  VkCommandBufferAllocateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+  info.commandPool = pool_;
+  info.level = level;
+  info.commandBufferCount = static_cast<std::uint32_t>(buffers.size());
+  const VkResult result =
+      device_.vk().vkAllocateCommandBuffers(device_.handle(), &info, buffers.data());
+  if (result < 0) return result;
+  for (const VkCommandBuffer buffer : buffers)
+    device_.setName(VK_OBJECT_TYPE_COMMAND_BUFFER, reinterpret_cast<std::uint64_t>(buffer), name_);
+  return result;
 }
 
 CommandList::~CommandList() {
@@ -128,34 +131,72 @@ void CommandList::cut() {
   beginPart();
 }
 
-void CommandList::submit() {
+void CommandList::finishFilling() {
   assert(filling_ && !inPass_ && !rendering_);
   filling_ = false;
-  std::array<VkCommandBuffer, maxParts> buffers{};
-  for (std::size_t i = 0; i <= part_; ++i) {
-    Part& part = parts_[i];
-    // Equal handles mean equal objects only where none has gone since.
-    const bool same =
-        part.keeps && part.retired == device_.retired() && part.recorded == part.wanted;
-    if (!same) record(part);
-    buffers[i] = part.buffer;
-  }
-  submission_ = device_.submit(std::span(buffers).first(part_ + 1));
 }
 
-void CommandList::record(Part& part) {
-  part.keeps = false;
+void CommandList::submit(std::span<const SemaphoreValue> waits,
+                         std::span<const SemaphoreValue> signals) {
+  finishFilling();
+  std::array<VkCommandBuffer, maxParts> buffers{};
+  for (std::size_t i = 0; i <= part_; ++i) {
+    Recording& recording = parts_[i].submitted;
+    if (!isRecorded(recording, parts_[i])) record(parts_[i], recording, 0);
+    buffers[i] = recording.buffer;
+  }
+  submission_ = device_.submit(std::span(buffers).first(part_ + 1), waits, signals);
+}
+
+// Equal handles mean equal objects only where none has gone since.
+bool CommandList::isRecorded(const Recording& recording, const Part& part) const {
+  return recording.keeps && recording.retired == device_.retired() &&
+         recording.recorded == part.wanted;
+}
+
+void CommandList::record(const Part& part, Recording& recording, VkCommandBufferUsageFlags usage) {
+  recording.keeps = false;
+  VkCommandBufferInheritanceInfo inherited{};
+  inherited.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_INHERITANCE_INFO;
   VkCommandBufferBeginInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-  check(vkBeginCommandBuffer(part.buffer, &info), "begin a command list");
-  part.wanted.record(device_, part.buffer);
+  info.flags = usage;
+  info.pInheritanceInfo = &inherited;  // of secondary ones
+  check(device_.vk().vkBeginCommandBuffer(recording.buffer, &info), "begin a command list");
+  part.wanted.record(device_, recording.buffer);
   // Its name only where it fails: frames allocate nothing.
-  const VkResult recorded = vkEndCommandBuffer(part.buffer);
+  const VkResult recorded = device_.vk().vkEndCommandBuffer(recording.buffer);
   if (recorded < 0) check(recorded, fmt::format("record \"{}\"", name_));
-  part.recorded = part.wanted;
-  part.retired = device_.retired();
-  part.keeps = !part.borrows;
+  recording.recorded = part.wanted;
+  recording.retired = device_.retired();
+  recording.keeps = !part.borrows;
   ++counts_.recordings;
+}
+
+void CommandList::recordInto(VkCommandBuffer commands, const SemaphoreValue& done) {
+  finishFilling();
+  for (std::size_t i = 0; i <= part_; ++i) executeIn(commands, parts_[i]);
+  submission_ = device_.expect(done);
+}
+
+// What comes again a second time is kept from then on; what comes once is recorded once.
+void CommandList::executeIn(VkCommandBuffer commands, Part& part) {
+  Recording& recording = part.executed;
+  if (!isRecorded(recording, part)) {
+    recording.keeps = false;
+    const bool again = !part.borrows && recording.recorded == part.wanted;
+    if (!again) {
+      part.wanted.record(device_, commands);
+      recording.recorded = part.wanted;
+      ++counts_.recordings;
+      return;
+    }
+    if (recording.buffer == VK_NULL_HANDLE)
+      check(allocate(VK_COMMAND_BUFFER_LEVEL_SECONDARY, {&recording.buffer, 1}),
+            "extend a command list");
+    record(part, recording, 0);
+  }
+  device_.vk().vkCmdExecuteCommands(commands, 1, &recording.buffer);
 }
 
 void CommandList::wait() {
@@ -199,6 +240,7 @@ void CommandList::order(Buffer& buffer, AccessScope scope) {
 }
 
 void CommandList::order(GpuImage& image, const AccessScope& scope) {
+  if (image.isBorrowed()) parts_[part_].borrows = true;
   const auto barrier = advance(image.state_, scope);
   if (!barrier) return;
   assert(imageBarrierCount_ < imageBarriers_.size());
@@ -301,10 +343,17 @@ void CommandList::pushBytes(const void* data, std::uint32_t bytes) {
                  std::span(static_cast<const std::byte*>(data), bytes));
 }
 
+// Borrowed ones stay in the layout that their owner has them in.
+AccessScope CommandList::scopeOfTarget(const GpuImage& image, Access access) {
+  AccessScope scope = scopeOf(access);
+  if (image.isBorrowed()) scope.layout = image.state_.layout;
+  return scope;
+}
+
 tape::Target CommandList::attachment(const ColorTarget& target) {
   GpuImage& image = *target.image;
   assert(target.clear || image.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
-  const AccessScope scope = scopeOf(Access::ColorWrite);
+  const AccessScope scope = scopeOfTarget(image, Access::ColorWrite);
   order(image, scope);
   return {image.layerView(target.layer), scope.layout, target.clear, true,
           bitsOf(target.clearValue)};
@@ -314,7 +363,8 @@ tape::Target CommandList::attachment(const DepthTarget& target) {
   GpuImage& image = *target.image;
   assert(target.clear || image.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
   assert(target.write || !target.clear);
-  const AccessScope scope = scopeOf(target.write ? Access::DepthWrite : Access::DepthTest);
+  const AccessScope scope =
+      scopeOfTarget(image, target.write ? Access::DepthWrite : Access::DepthTest);
   order(image, scope);
   return {image.layerView(target.layer), scope.layout, target.clear, target.write,
           bitsOf({target.clearValue, 0, 0, 0})};

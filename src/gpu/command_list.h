@@ -66,8 +66,12 @@ class CommandList {
   /// Between passes: ends a part, so that what changes from frame to frame stands apart from what
   /// stays. Nothing is bound any more.
   void cut();
-  /// Hands everything to the queue; does not wait.
-  void submit();
+  /// Hands everything to the queue, after `waits` and before `signals`; does not wait.
+  void submit(std::span<const SemaphoreValue> waits = {},
+              std::span<const SemaphoreValue> signals = {});
+  /// Records everything into a primary command buffer of someone else's, who submits it to the same
+  /// queue before anything that is filled later. `done` is reached when it has finished.
+  void recordInto(VkCommandBuffer commands, const SemaphoreValue& done);
   /// After an exception since begin(). What resources remember of their accesses no longer holds:
   /// buffers may be used again, images after GpuImage::forget().
   void abandon();
@@ -163,17 +167,25 @@ class CommandList {
   static constexpr std::size_t maxParts = Device::mostBuffers;
 
   /// A command buffer, and what it holds.
-  struct Part {
+  struct Recording {
     VkCommandBuffer buffer = VK_NULL_HANDLE;
     CommandTape recorded;
     std::uint64_t retired = 0;  // by the device until it was recorded
+    bool keeps = false;         // what is recorded may be submitted again
+  };
+  struct Part {
     CommandTape wanted;
     bool borrows = false;  // others may put another object in a borrowed one's place
-    bool keeps = false;    // what is recorded may be submitted again
+    Recording submitted;
+    Recording executed;  // by command buffers of others: a secondary one, made when first needed
   };
   CommandTape& commands() { return parts_[part_].wanted; }
   void beginPart();
-  void record(Part& part);
+  void finishFilling();
+  bool isRecorded(const Recording& recording, const Part& part) const;
+  void record(const Part& part, Recording& recording, VkCommandBufferUsageFlags usage);
+  void executeIn(VkCommandBuffer commands, Part& part);
+  VkResult allocate(VkCommandBufferLevel level, std::span<VkCommandBuffer> buffers);
 
   void order(Buffer& buffer, AccessScope scope);
   void order(GpuImage& image, const AccessScope& scope);
@@ -188,6 +200,7 @@ class CommandList {
     if constexpr (!std::is_empty_v<T>) pushBytes(&constants, static_cast<std::uint32_t>(sizeof(T)));
   }
   bool boundIsCurrent() const;
+  static AccessScope scopeOfTarget(const GpuImage& image, Access access);
   tape::Target attachment(const ColorTarget& target);
   tape::Target attachment(const DepthTarget& target);
 

@@ -54,6 +54,7 @@ class Recorder {
   Recorder(const Device& device, VkCommandBuffer to, const ImageBarrier* imageBarriers,
            const Resource* resources, const std::byte* constants, const Target* targets)
       : device_(device),
+        vk_(device.vk()),
         to_(to),
         imageBarriers_(imageBarriers),
         resources_(resources),
@@ -75,10 +76,12 @@ class Recorder {
     info.pMemoryBarriers = &memory;
     info.imageMemoryBarrierCount = barriers.images;
     info.pImageMemoryBarriers = images.data();
-    vkCmdPipelineBarrier2(to_, &info);
+    vk_.vkCmdPipelineBarrier2(to_, &info);
   }
 
-  void operator()(const BindPipeline& bind) { vkCmdBindPipeline(to_, bind.point, bind.pipeline); }
+  void operator()(const BindPipeline& bind) {
+    vk_.vkCmdBindPipeline(to_, bind.point, bind.pipeline);
+  }
 
   void operator()(const BindResources& bind) {
     constexpr std::size_t most = CommandTape::maxResources;
@@ -104,21 +107,21 @@ class Recorder {
       writes[i].pImageInfo = &images[i];
       writes[i].pTexelBufferView = &resource.texels;
     }
-    device_.pushDescriptorSet()(to_, bind.point, bind.layout, 0, bind.resources, writes.data());
+    vk_.vkCmdPushDescriptorSetKHR(to_, bind.point, bind.layout, 0, bind.resources, writes.data());
   }
 
   void operator()(const PushConstants& push) {
-    vkCmdPushConstants(to_, push.layout, push.stages, 0, push.bytes, constants_);
+    vk_.vkCmdPushConstants(to_, push.layout, push.stages, 0, push.bytes, constants_);
     constants_ += push.bytes;
   }
 
   void operator()(const Dispatch& dispatch) {
-    vkCmdDispatchBase(to_, 0, dispatch.firstRow, 0, dispatch.groupsX, dispatch.groupsY,
-                      dispatch.groupsZ);
+    vk_.vkCmdDispatchBase(to_, 0, dispatch.firstRow, 0, dispatch.groupsX, dispatch.groupsY,
+                          dispatch.groupsZ);
   }
 
   void operator()(const DispatchIndirect& dispatch) {
-    vkCmdDispatchIndirect(to_, dispatch.groups, dispatch.offset);
+    vk_.vkCmdDispatchIndirect(to_, dispatch.groups, dispatch.offset);
   }
 
   void operator()(const BeginRendering& begin) {
@@ -134,25 +137,25 @@ class Recorder {
     info.colorAttachmentCount = begin.colors;
     info.pColorAttachments = colors.data();
     info.pDepthAttachment = begin.depth ? &depth : nullptr;
-    vkCmdBeginRendering(to_, &info);
+    vk_.vkCmdBeginRendering(to_, &info);
     const VkViewport viewport{
         0.0F, 0.0F, static_cast<float>(begin.width), static_cast<float>(begin.height), 0.0F, 1.0F};
-    vkCmdSetViewport(to_, 0, 1, &viewport);
-    vkCmdSetScissor(to_, 0, 1, &area);
+    vk_.vkCmdSetViewport(to_, 0, 1, &viewport);
+    vk_.vkCmdSetScissor(to_, 0, 1, &area);
   }
 
-  void operator()(const EndRendering&) { vkCmdEndRendering(to_); }
+  void operator()(const EndRendering&) { vk_.vkCmdEndRendering(to_); }
 
-  void operator()(const Draw& draw) { vkCmdDraw(to_, draw.vertices, 1, draw.firstVertex, 0); }
+  void operator()(const Draw& draw) { vk_.vkCmdDraw(to_, draw.vertices, 1, draw.firstVertex, 0); }
 
   void operator()(const DrawIndexed& draw) {
-    vkCmdBindIndexBuffer(to_, draw.indices, 0, VK_INDEX_TYPE_UINT32);
-    vkCmdDrawIndexed(to_, draw.count, 1, draw.firstIndex, 0, 0);
+    vk_.vkCmdBindIndexBuffer(to_, draw.indices, 0, VK_INDEX_TYPE_UINT32);
+    vk_.vkCmdDrawIndexed(to_, draw.count, 1, draw.firstIndex, 0, 0);
   }
 
   void operator()(const CopyBuffer& copy) {
     const VkBufferCopy region{copy.fromOffset, copy.toOffset, copy.bytes};
-    vkCmdCopyBuffer(to_, copy.from, copy.to, 1, &region);
+    vk_.vkCmdCopyBuffer(to_, copy.from, copy.to, 1, &region);
   }
 
   void operator()(const CopyImage& copy) {
@@ -161,20 +164,20 @@ class Recorder {
     region.imageSubresource = {copy.aspect, copy.level, copy.layer, 1};
     region.imageExtent = {copy.width, copy.height, 1};
     if (copy.toImage)
-      vkCmdCopyBufferToImage(to_, copy.buffer, copy.image, copy.layout, 1, &region);
+      vk_.vkCmdCopyBufferToImage(to_, copy.buffer, copy.image, copy.layout, 1, &region);
     else
-      vkCmdCopyImageToBuffer(to_, copy.image, copy.layout, copy.buffer, 1, &region);
+      vk_.vkCmdCopyImageToBuffer(to_, copy.image, copy.layout, copy.buffer, 1, &region);
   }
 
   void operator()(const FillBuffer& fill) {
-    vkCmdFillBuffer(to_, fill.buffer, 0, VK_WHOLE_SIZE, fill.value);
+    vk_.vkCmdFillBuffer(to_, fill.buffer, 0, VK_WHOLE_SIZE, fill.value);
   }
 
   void operator()(const ClearImage& clear) {
     const VkClearColorValue nothing{};
     const VkImageSubresourceRange whole{VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0,
                                         VK_REMAINING_ARRAY_LAYERS};
-    vkCmdClearColorImage(to_, clear.image, clear.layout, &nothing, 1, &whole);
+    vk_.vkCmdClearColorImage(to_, clear.image, clear.layout, &nothing, 1, &whole);
   }
 
   void operator()(const BuildStructure& build) {
@@ -186,11 +189,11 @@ class Recorder {
   }
 
   void operator()(const ResetQueries& reset) {
-    vkCmdResetQueryPool(to_, reset.pool, reset.first, reset.count);
+    vk_.vkCmdResetQueryPool(to_, reset.pool, reset.first, reset.count);
   }
 
   void operator()(const WriteTimestamp& write) {
-    vkCmdWriteTimestamp2(to_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, write.pool, write.query);
+    vk_.vkCmdWriteTimestamp2(to_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, write.pool, write.query);
   }
 
   void operator()(const BeginLabel& label) { device_.beginLabel(to_, label.name); }
@@ -198,6 +201,7 @@ class Recorder {
 
  private:
   const Device& device_;
+  const DeviceFunctions& vk_;
   VkCommandBuffer to_;
   // What comes next.
   const ImageBarrier* imageBarriers_;

@@ -17,27 +17,6 @@ namespace opaline::gpu {
 
 namespace {
 
-std::vector<DeviceInfo> describeAll(const std::vector<VkPhysicalDevice>& devices) {
-  std::vector<DeviceInfo> infos;
-  infos.reserve(devices.size());
-  for (const VkPhysicalDevice device : devices) {
-    infos.push_back(describe(device, static_cast<std::uint32_t>(infos.size())));
-  }
-  return infos;
-}
-
-// A software device has no hardware for rays: compute shaders, which know what they are looking
-// for, are faster there.
-bool usesRayQueries(const DeviceInfo& info, std::optional<bool> wanted) {
-  if (wanted == true && !info.rayQueries) {
-    throw UsageError(
-        fmt::format("the Vulkan device {} has no ray queries (VK_KHR_ray_query); update its driver "
-                    "or leave rays to compute shaders",
-                    info.name));
-  }
-  return wanted.value_or(info.rayQueries && info.type != DeviceType::Software);
-}
-
 /// Kinds of memory that only special features or attachments may use.
 constexpr VkMemoryPropertyFlags specialMemory =
     VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT | VK_MEMORY_PROPERTY_PROTECTED_BIT |
@@ -50,6 +29,32 @@ Error outOfMemory(const std::string& name, std::size_t bytes, const std::string&
                   "or another device",
                   name, static_cast<double>(bytes) / 1e6, device));
 }
+
+VkSemaphoreSubmitInfo submitInfoOf(const SemaphoreValue& point) {
+  VkSemaphoreSubmitInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
+  info.semaphore = point.semaphore;
+  info.value = point.value;
+  info.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  return info;
+}
+
+// Held while the queue is used, where its owner shares it with others.
+class QueueLock {
+ public:
+  QueueLock(const std::function<void()>& lock, const std::function<void()>& unlock)
+      : unlock_(unlock) {
+    if (lock) lock();
+  }
+  ~QueueLock() {
+    if (unlock_) unlock_();
+  }
+  QueueLock(const QueueLock&) = delete;
+  QueueLock& operator=(const QueueLock&) = delete;
+
+ private:
+  const std::function<void()>& unlock_;
+};
 
 Error beyondLimit(const std::string& name, std::size_t bytes, std::size_t taken,
                   std::size_t limit) {
@@ -77,197 +82,69 @@ const char* toString(DeviceType type) {
   return "";
 }
 
-std::vector<DeviceInfo> Device::list() {
-  try {
-    return describeAll(Instance().physicalDevices());
-  } catch (const Error& error) {
-    if (std::string(error.what()) == noDeviceMessage) return {};
-    throw;
-  }
-}
-
-Device::Device(const DeviceOptions& options)
-    : instance_(
-          std::make_unique<Instance>(options.validation, options.log, options.instanceExtensions)),
-      mostMemoryBytes_(options.mostMemoryBytes) {
-  const std::vector<VkPhysicalDevice> devices = instance_->physicalDevices();
-  const std::vector<DeviceInfo> infos = describeAll(devices);
-  const std::size_t chosen = choose(infos, options.selector);
-  info_ = infos[chosen];
-  physical_ = devices[chosen];
-  queueFamily_ = findQueueFamily(physical_).value();
-
-  VkPhysicalDeviceMaintenance4Properties buffers{};
-  buffers.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES;
-  VkPhysicalDeviceMaintenance3Properties maintenance{};
-  maintenance.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES;
-  maintenance.pNext = &buffers;
-  VkPhysicalDeviceProperties2 properties{};
-  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-  properties.pNext = &maintenance;
-  vkGetPhysicalDeviceProperties2(physical_, &properties);
-  properties_ = properties.properties;
-  largestBufferBytes_ = buffers.maxBufferSize;
-  largestAllocationBytes_ = maintenance.maxMemoryAllocationSize;
-  vkGetPhysicalDeviceMemoryProperties(physical_, &memoryProperties_);
-
-  const bool rayQueries = usesRayQueries(info_, options.rayQueries);
-  createDevice(options.deviceExtensions, rayQueries);
-  loadFunctions();
-  if (rayQueries) loadRayFunctions();
-  vkGetDeviceQueue(device_, queueFamily_, 0, &queue_);
-  setName(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<std::uint64_t>(queue_), "queue");
-  try {
-    createTimeline();
-  } catch (...) {
-    vkDestroyDevice(device_, nullptr);
-    throw;
-  }
-}
-
-void Device::createDevice(const std::vector<std::string>& wanted, bool rayQueries) {
-  Features features;
-  if (rayQueries) {
-    features.chainRayQueries();
-    features.addresses.bufferDeviceAddress = VK_TRUE;
-    features.structures.accelerationStructure = VK_TRUE;
-    features.rayQueries.rayQuery = VK_TRUE;
-  }
-  features.base.features.imageCubeArray = VK_TRUE;
-  features.base.features.independentBlend = VK_TRUE;
-  features.vulkan13.dynamicRendering = VK_TRUE;
-  features.vulkan13.synchronization2 = VK_TRUE;
-  features.timeline.timelineSemaphore = VK_TRUE;
-  // What glslc's SPIR-V 1.6 asks for: work-group sizes by specialization constant, and `discard`.
-  features.vulkan13.maintenance4 = VK_TRUE;
-  features.vulkan13.shaderDemoteToHelperInvocation = VK_TRUE;
-  features.vulkan13.shaderTerminateInvocation = VK_TRUE;
-
-  const float priority = 1.0F;
-  VkDeviceQueueCreateInfo queue{};
-  queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-  queue.queueFamilyIndex = queueFamily_;
-  queue.queueCount = 1;
-  queue.pQueuePriorities = &priority;
-  std::vector<const char*> extensions{VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
-  if (rayQueries) extensions.insert(extensions.end(), rayExtensions.begin(), rayExtensions.end());
-  for (const std::string& name : wanted) extensions.push_back(name.c_str());
-  VkDeviceCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
-  info.pNext = &features.base;
-  info.queueCreateInfoCount = 1;
-  info.pQueueCreateInfos = &queue;
-  info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
-  info.ppEnabledExtensionNames = extensions.data();
-  requireHostRoom(roomToOpenDevice, fmt::format("open the device {}", info_.name));
-  check(vkCreateDevice(physical_, &info, nullptr, &device_),
-        fmt::format("open the device {}", info_.name));
-}
-
-void Device::loadFunctions() {
-  pushDescriptorSet_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
-      vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
-  assert(pushDescriptorSet_ != nullptr);
-  if (!instance_->hasDebugUtils()) return;
-  const VkInstance instance = instance_->handle();
-  setObjectName_ = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
-      vkGetInstanceProcAddr(instance, "vkSetDebugUtilsObjectNameEXT"));
-  beginLabel_ = reinterpret_cast<PFN_vkCmdBeginDebugUtilsLabelEXT>(
-      vkGetInstanceProcAddr(instance, "vkCmdBeginDebugUtilsLabelEXT"));
-  endLabel_ = reinterpret_cast<PFN_vkCmdEndDebugUtilsLabelEXT>(
-      vkGetInstanceProcAddr(instance, "vkCmdEndDebugUtilsLabelEXT"));
-}
-
-void Device::loadRayFunctions() {
-  const auto load = [&](auto& function, const char* name) {
-    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
-        vkGetDeviceProcAddr(device_, name));
-    assert(function != nullptr);
-  };
-  load(rays_.create, "vkCreateAccelerationStructureKHR");
-  load(rays_.destroy, "vkDestroyAccelerationStructureKHR");
-  load(rays_.buildSizes, "vkGetAccelerationStructureBuildSizesKHR");
-  load(rays_.address, "vkGetAccelerationStructureDeviceAddressKHR");
-  load(rays_.build, "vkCmdBuildAccelerationStructuresKHR");
-  VkPhysicalDeviceAccelerationStructurePropertiesKHR structures{};
-  structures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR;
-  VkPhysicalDeviceProperties2 properties{};
-  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-  properties.pNext = &structures;
-  vkGetPhysicalDeviceProperties2(physical_, &properties);
-  rays_.scratchAlignment = structures.minAccelerationStructureScratchOffsetAlignment;
-}
-
-void Device::createTimeline() {
-  VkSemaphoreTypeCreateInfo type{};
-  type.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO;
-  type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
-  VkSemaphoreCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
-  info.pNext = &type;
-  check(vkCreateSemaphore(device_, &info, nullptr, &timeline_), "create a timeline");
-  setName(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<std::uint64_t>(timeline_), "timeline");
+void Device::destroyObjects() {
+  retired_.destroyUpTo(UINT64_MAX, device_, vk_, rays_);
+  vk_.vkDestroyPipelineCache(device_, pipelineCache_, nullptr);
+  vk_.vkDestroySemaphore(device_, timeline_, nullptr);
+  if (ownInstance_) vk_.vkDestroyDevice(device_, nullptr);
 }
 
 Device::~Device() {
   waitUntilIdle();
-  retired_.destroyUpTo(UINT64_MAX, device_, rays_);
-  vkDestroySemaphore(device_, timeline_, nullptr);
-  vkDestroyDevice(device_, nullptr);
-}
-
-VkInstance Device::instance() const {
-  return instance_->handle();
+  destroyObjects();
 }
 
 std::size_t Device::validationMessages() const {
-  return instance_->messages();
+  return ownInstance_ ? ownInstance_->messages() : 0;
 }
 
-std::uint64_t Device::submit(std::span<const VkCommandBuffer> commands) {
+std::uint64_t Device::submit(std::span<const VkCommandBuffer> commands,
+                             std::span<const SemaphoreValue> waits,
+                             std::span<const SemaphoreValue> signals) {
   assert(commands.size() <= mostBuffers);
+  assert(waits.size() <= mostSemaphores && signals.size() <= mostSemaphores);
   destroyRetired();
   std::array<VkCommandBufferSubmitInfo, mostBuffers> buffers{};
   for (std::size_t i = 0; i < commands.size(); ++i) {
     buffers[i].sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
     buffers[i].commandBuffer = commands[i];
   }
-  VkSemaphoreSubmitInfo done{};
-  done.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
-  done.semaphore = timeline_;
-  done.value = submitted_ + 1;
-  done.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+  std::array<VkSemaphoreSubmitInfo, mostSemaphores> waited{};
+  for (std::size_t i = 0; i < waits.size(); ++i) waited[i] = submitInfoOf(waits[i]);
+  std::array<VkSemaphoreSubmitInfo, mostSemaphores + 1> signaled{};
+  for (std::size_t i = 0; i < signals.size(); ++i) signaled[i] = submitInfoOf(signals[i]);
+  const SemaphoreValue done{timeline_, timelineValue_ + 1};
+  signaled[signals.size()] = submitInfoOf(done);
   VkSubmitInfo2 info{};
   info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
+  info.waitSemaphoreInfoCount = static_cast<std::uint32_t>(waits.size());
+  info.pWaitSemaphoreInfos = waited.data();
   info.commandBufferInfoCount = static_cast<std::uint32_t>(commands.size());
   info.pCommandBufferInfos = buffers.data();
-  info.signalSemaphoreInfoCount = 1;
-  info.pSignalSemaphoreInfos = &done;
+  info.signalSemaphoreInfoCount = static_cast<std::uint32_t>(signals.size() + 1);
+  info.pSignalSemaphoreInfos = signaled.data();
   // What is drawn is compiled again there, for the state that it meets.
   if (info_.type == DeviceType::Software)
     requireHostRoom(roomToCompile, "submit work to the device");
-  check(vkQueueSubmit2(queue_, 1, &info, VK_NULL_HANDLE), "submit work to the device");
-  return ++submitted_;
+  submissions_.makeRoom();
+  const QueueLock lock(lockQueue_, unlockQueue_);
+  check(vk_.vkQueueSubmit2(queue_, 1, &info, VK_NULL_HANDLE), "submit work to the device");
+  timelineValue_ = done.value;
+  return submissions_.add(done, Submissions::By::Device);
 }
 
 void Device::waitFor(std::uint64_t submission) {
-  assert(submission <= submitted_);
-  VkSemaphoreWaitInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO;
-  info.semaphoreCount = 1;
-  info.pSemaphores = &timeline_;
-  info.pValues = &submission;
-  VkResult result = VK_TIMEOUT;  // some drivers end the longest wait early
-  while (result == VK_TIMEOUT) result = vkWaitSemaphores(device_, &info, UINT64_MAX);
-  check(result, "wait for the device");
+  submissions_.waitFor(submission, vk_, device_);
   destroyRetired();
 }
 
-// A device that has too little memory to wait is asked again: what it uses must not go before.
-void Device::waitUntilIdle() const {
+// A device that has too little memory to wait is asked again: what it uses must not go before. Of a
+// given device only what is ours is waited for: others may work with it, and with its queues.
+void Device::waitUntilIdle() {
   constexpr int attempts = 100;
   for (int i = 0; i < attempts; ++i) {
-    const VkResult result = vkDeviceWaitIdle(device_);
+    const VkResult result = ownInstance_ ? vk_.vkDeviceWaitIdle(device_)
+                                         : submissions_.tryWaitFor(submitted(), vk_, device_);
     if (result != VK_ERROR_OUT_OF_HOST_MEMORY && result != VK_ERROR_OUT_OF_DEVICE_MEMORY) return;
   }
 }
@@ -275,10 +152,10 @@ void Device::waitUntilIdle() const {
 void Device::retire(VkObjectType type, std::uint64_t handle, std::size_t bytes, bool lent) {
   if (handle == 0) return;
   try {
-    retired_.add(lent ? submitted_ + 1 : submitted_, type, handle, bytes);
+    retired_.add(lent ? submitted() + 1 : submitted(), type, handle, bytes);
   } catch (const std::bad_alloc&) {  // destructors come here, which must not fail
     waitUntilIdle();
-    RetiredObjects::destroy(type, handle, device_, rays_);
+    RetiredObjects::destroy(type, handle, device_, vk_, rays_);
     memoryBytes_ -= bytes;
   }
   destroyRetired();
@@ -286,10 +163,7 @@ void Device::retire(VkObjectType type, std::uint64_t handle, std::size_t bytes, 
 
 void Device::destroyRetired() {
   if (retired_.empty()) return;
-  std::uint64_t finished = 0;
-  // A lost device cannot say; what it used goes with it.
-  if (vkGetSemaphoreCounterValue(device_, timeline_, &finished) < 0) return;
-  memoryBytes_ -= retired_.destroyUpTo(finished, device_, rays_);
+  memoryBytes_ -= retired_.destroyUpTo(submissions_.finished(vk_, device_), device_, vk_, rays_);
 }
 
 VkDeviceMemory Device::tryAllocate(const VkMemoryRequirements& requirements,
@@ -310,7 +184,7 @@ VkDeviceMemory Device::tryAllocate(const VkMemoryRequirements& requirements,
     info.allocationSize = requirements.size;
     info.memoryTypeIndex = i;
     VkDeviceMemory memory = VK_NULL_HANDLE;
-    const VkResult result = vkAllocateMemory(device_, &info, nullptr, &memory);
+    const VkResult result = vk_.vkAllocateMemory(device_, &info, nullptr, &memory);
     if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) continue;
     if (result < 0) check(result, fmt::format("find memory for \"{}\"", name));
     return memory;
@@ -336,7 +210,7 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& requirements,
   destroyRetired();
   VkDeviceMemory memory = tryBoth();
   if (memory == VK_NULL_HANDLE && !retired_.empty()) {
-    waitFor(submitted_);
+    waitFor(submitted());
     memory = tryBoth();
   }
   if (memory == VK_NULL_HANDLE && exceedsLimit(requirements.size))

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,7 +13,10 @@
 #include <vector>
 
 #include "gpu/retired_objects.h"
+#include "gpu/submissions.h"
+#include "gpu/vulkan_functions.h"
 #include "opaline/log.h"
+#include "opaline/vulkan.h"
 
 namespace opaline::gpu {
 
@@ -40,6 +44,8 @@ struct DeviceOptions {
   std::vector<std::string> deviceExtensions;    ///< the same of the device
   std::optional<bool> rayQueries;               ///< use them; empty: where they are hardware's
   std::optional<std::size_t> mostMemoryBytes;   ///< that buffers and images may take together
+  const GivenVulkan* given = nullptr;           ///< work on that device instead of opening one
+  std::span<const std::byte> pipelineCache;     ///< as Device::pipelineCache() returned it
 };
 
 /// For AccelerationStructure: what the device has for it.
@@ -52,13 +58,14 @@ struct RayFunctions {
   VkDeviceSize scratchAlignment = 0;
 };
 
-/// One Vulkan 1.3 device with one queue that does graphics, compute and transfer. Numbers what is
-/// handed to the queue, from 1 on, and counts the memory that buffers and images take.
+/// One Vulkan 1.3 device with one queue that does graphics, compute and transfer, its own or given.
+/// Numbers what is handed to the queue, from 1 on, and counts the memory that buffers and images
+/// take.
 class Device {
  public:
   /// Discrete, integrated, virtual, then software. Throws Error when there is no Vulkan device that
-  /// can do what is needed, UsageError when the selector names none of those there are or ray
-  /// queries are wanted of a device without.
+  /// can do what is needed, UsageError when the selector names none of those there are, ray queries
+  /// are wanted of a device without, or a given device was made without something needed.
   explicit Device(const DeviceOptions& options = {});
   ~Device();
   Device(const Device&) = delete;
@@ -68,7 +75,7 @@ class Device {
   static std::vector<DeviceInfo> list();
 
   const DeviceInfo& info() const { return info_; }
-  VkInstance instance() const;
+  VkInstance instance() const { return instance_; }
   VkDevice handle() const { return device_; }
   VkPhysicalDevice physical() const { return physical_; }
   VkQueue queue() const { return queue_; }
@@ -78,15 +85,25 @@ class Device {
   std::size_t largestBufferBytes() const { return largestBufferBytes_; }
 
   std::size_t peakMemoryBytes() const { return peakMemoryBytes_; }
+  /// Of what has not been destroyed.
+  std::size_t memoryBytes() const { return memoryBytes_; }
   /// Warnings and errors of the validation layer so far.
   std::size_t validationMessages() const;
 
-  /// Hands commands to the queue, one buffer after the other. Returns the number of this
-  /// submission.
-  static constexpr std::size_t mostBuffers = 2;
-  std::uint64_t submit(std::span<const VkCommandBuffer> commands);
+  /// Hands commands to the queue, one buffer after the other, under its lock. Returns the number of
+  /// this submission. `waits` come before all of them, `signals` after.
+  static constexpr std::size_t mostBuffers = 4;
+  static constexpr std::size_t mostSemaphores = 16;
+  std::uint64_t submit(std::span<const VkCommandBuffer> commands,
+                       std::span<const SemaphoreValue> waits = {},
+                       std::span<const SemaphoreValue> signals = {});
+  /// Numbers what others will submit, as if it had been now. `done` is reached when it has
+  /// finished.
+  std::uint64_t expect(const SemaphoreValue& done) {
+    return submissions_.add(done, Submissions::By::Others);
+  }
   /// The number of the last submission.
-  std::uint64_t submitted() const { return submitted_; }
+  std::uint64_t submitted() const { return submissions_.last(); }
   /// Blocks until the device has finished a submission, and with it all before. Throws Error when
   /// the device is lost.
   void waitFor(std::uint64_t submission);
@@ -124,33 +141,52 @@ class Device {
   void beginLabel(VkCommandBuffer commands, const char* name) const;
   void endLabel(VkCommandBuffer commands) const;
 
-  PFN_vkCmdPushDescriptorSetKHR pushDescriptorSet() const { return pushDescriptorSet_; }
+  /// Vulkan's functions of this device and of its instance.
+  const DeviceFunctions& vk() const { return vk_; }
+  const InstanceFunctions& instanceFunctions() const { return ofInstance_; }
+
+  /// For Pipeline, whose compilations it keeps.
+  VkPipelineCache pipelineCacheHandle() const { return pipelineCache_; }
+  /// What spares later runs on the same device and driver most compilations.
+  std::vector<std::byte> pipelineCache() const;
 
   /// Whether shaders may send rays through acceleration structures.
   bool hasRayQueries() const { return rays_.build != nullptr; }
   const RayFunctions& rays() const { return rays_; }
 
  private:
+  void openOwn(const DeviceOptions& options);
+  void takeGiven(const DeviceOptions& options);
+  void readProperties();
   void createDevice(const std::vector<std::string>& wanted, bool rayQueries);
-  void loadFunctions();
+  void loadFunctions(PFN_vkGetInstanceProcAddr load, bool rayQueries);
   void loadRayFunctions();
   void createTimeline();
+  void createPipelineCache(std::span<const std::byte> data);
+  void destroyObjects();
   void retire(VkObjectType type, std::uint64_t handle, std::size_t bytes, bool lent);
-  void waitUntilIdle() const;
+  void waitUntilIdle();
   void destroyRetired();
   bool exceedsLimit(std::size_t bytes) const;
   VkDeviceMemory tryAllocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags flags,
                              const std::string& name, bool addressed);
 
-  std::unique_ptr<Instance> instance_;
+  std::unique_ptr<Instance> ownInstance_;  // none where the device was given
+  std::function<void()> lockQueue_;
+  std::function<void()> unlockQueue_;
+  VkInstance instance_ = VK_NULL_HANDLE;
+  InstanceFunctions ofInstance_;
+  DeviceFunctions vk_;
   DeviceInfo info_;
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
   std::uint32_t queueFamily_ = 0;
-  VkSemaphore timeline_ = VK_NULL_HANDLE;  // holds the number of the submission finished last
-  std::uint64_t submitted_ = 0;
+  VkSemaphore timeline_ = VK_NULL_HANDLE;  // counts the submissions of this device
+  std::uint64_t timelineValue_ = 0;        // once all of them have finished
+  Submissions submissions_;
   bool abandoned_ = false;
+  VkPipelineCache pipelineCache_ = VK_NULL_HANDLE;
   RetiredObjects retired_;
   VkPhysicalDeviceProperties properties_{};
   VkPhysicalDeviceMemoryProperties memoryProperties_{};
@@ -159,7 +195,6 @@ class Device {
   std::size_t memoryBytes_ = 0;
   std::size_t peakMemoryBytes_ = 0;
   std::optional<std::size_t> mostMemoryBytes_;
-  PFN_vkCmdPushDescriptorSetKHR pushDescriptorSet_ = nullptr;
   PFN_vkSetDebugUtilsObjectNameEXT setObjectName_ = nullptr;
   PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel_ = nullptr;
   PFN_vkCmdEndDebugUtilsLabelEXT endLabel_ = nullptr;

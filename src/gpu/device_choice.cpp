@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstring>
+#include <span>
 
 #include "gpu/instance.h"
+#include "gpu/vulkan_functions.h"
+#include "gpu/vulkan_needs.h"
 #include "gpu/vulkan_result.h"
 #include "opaline/error.h"
+#include "opaline/vulkan.h"
 
 namespace opaline::gpu {
 
@@ -27,50 +30,64 @@ DeviceType typeOf(VkPhysicalDeviceType type) {
   }
 }
 
-std::vector<VkExtensionProperties> extensionsOf(VkPhysicalDevice physical) {
-  std::uint32_t count = 0;
-  check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr),
-        "list a device's extensions");
-  std::vector<VkExtensionProperties> extensions(count);
-  check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data()),
-        "list a device's extensions");
-  return extensions;
-}
+/// A physical device, and the functions that tell of it.
+struct Asked {
+  const InstanceFunctions& vk;
+  VkPhysicalDevice physical;
 
-bool hasExtension(const std::vector<VkExtensionProperties>& extensions, const char* name) {
-  return std::any_of(extensions.begin(), extensions.end(), [&](const auto& extension) {
-    return std::strcmp(extension.extensionName, name) == 0;
-  });
-}
+  std::vector<VkExtensionProperties> extensions() const {
+    std::uint32_t count = 0;
+    check(vk.vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr),
+          "list a device's extensions");
+    std::vector<VkExtensionProperties> extensions(count);
+    check(vk.vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data()),
+          "list a device's extensions");
+    return extensions;
+  }
 
-bool canQueryRays(VkPhysicalDevice physical) {
-  const std::vector<VkExtensionProperties> extensions = extensionsOf(physical);
-  if (!std::all_of(rayExtensions.begin(), rayExtensions.end(),
-                   [&](const char* name) { return hasExtension(extensions, name); }))
-    return false;
-  Features there;
-  there.chainRayQueries();
-  vkGetPhysicalDeviceFeatures2(physical, &there.base);
-  return there.addresses.bufferDeviceAddress == VK_TRUE &&
-         there.structures.accelerationStructure == VK_TRUE && there.rayQueries.rayQuery == VK_TRUE;
-}
+  std::string lackOfExtensions(std::span<const char* const> wanted) const {
+    const std::vector<VkExtensionProperties> there = extensions();
+    std::vector<const char*> names;
+    names.reserve(there.size());
+    for (const VkExtensionProperties& extension : there) names.push_back(extension.extensionName);
+    return extensionsOff(wanted, names);
+  }
 
-bool hasSubgroupArithmetic(VkPhysicalDevice physical) {
-  VkPhysicalDeviceSubgroupProperties subgroup{};
-  subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
-  VkPhysicalDeviceProperties2 properties{};
-  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-  properties.pNext = &subgroup;
-  vkGetPhysicalDeviceProperties2(physical, &properties);
-  return (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) != 0 &&
-         (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0;
-}
+  std::string lackOfFeatures(FeatureUse use) const {
+    Features there;
+    if (use == FeatureUse::RayQueries) there.chainRayQueries();
+    vk.vkGetPhysicalDeviceFeatures2(physical, &there.base);
+    return featuresOff(use, there.base);
+  }
 
-VkFormatFeatureFlags featuresOf(VkPhysicalDevice physical, VkFormat format) {
-  VkFormatProperties properties{};
-  vkGetPhysicalDeviceFormatProperties(physical, format, &properties);
-  return properties.optimalTilingFeatures;
-}
+  bool canQueryRays() const {
+    return lackOfExtensions(rayExtensions).empty() &&
+           lackOfFeatures(FeatureUse::RayQueries).empty();
+  }
+
+  bool hasSubgroupArithmetic() const {
+    VkPhysicalDeviceSubgroupProperties subgroup{};
+    subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &subgroup;
+    vk.vkGetPhysicalDeviceProperties2(physical, &properties);
+    return (subgroup.supportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) != 0 &&
+           (subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0;
+  }
+
+  VkFormatFeatureFlags featuresOf(VkFormat format) const {
+    VkFormatProperties properties{};
+    vk.vkGetPhysicalDeviceFormatProperties(physical, format, &properties);
+    return properties.optimalTilingFeatures;
+  }
+
+  VkPhysicalDeviceProperties properties() const {
+    VkPhysicalDeviceProperties properties{};
+    vk.vkGetPhysicalDeviceProperties(physical, &properties);
+    return properties;
+  }
+};
 
 /// Of the formats and uses that Vulkan leaves open to devices.
 struct FormatNeed {
@@ -87,37 +104,20 @@ constexpr FormatNeed formatNeeds[] = {
      "depth maps of 32-bit floats"},
 };
 
-std::string joined(const std::string& list, const std::string& more) {
-  return list.empty() || more.empty() ? list + more : list + ", " + more;
-}
-
-std::string whatIsMissing(VkPhysicalDevice physical, std::uint32_t apiVersion) {
-  if (apiVersion < VK_API_VERSION_1_3) {
-    return fmt::format("Vulkan 1.3 (it has {}.{})", VK_API_VERSION_MAJOR(apiVersion),
-                       VK_API_VERSION_MINOR(apiVersion));
+std::string lackOf(const Asked& device) {
+  const VkPhysicalDeviceProperties properties = device.properties();
+  if (properties.apiVersion < neededVersion) {
+    return fmt::format("Vulkan {}.{} (it has {}.{})", VK_API_VERSION_MAJOR(neededVersion),
+                       VK_API_VERSION_MINOR(neededVersion),
+                       VK_API_VERSION_MAJOR(properties.apiVersion),
+                       VK_API_VERSION_MINOR(properties.apiVersion));
   }
-  std::string missing;
-  const auto need = [&](bool there, const char* name) {
-    if (there) return;
-    missing = joined(missing, name);
-  };
-  Features there;
-  vkGetPhysicalDeviceFeatures2(physical, &there.base);
-  need(there.base.features.imageCubeArray == VK_TRUE, "imageCubeArray");
-  need(there.base.features.independentBlend == VK_TRUE, "independentBlend");
-  need(there.vulkan13.dynamicRendering == VK_TRUE, "dynamicRendering");
-  need(there.vulkan13.synchronization2 == VK_TRUE, "synchronization2");
-  need(there.timeline.timelineSemaphore == VK_TRUE, "timelineSemaphore");
-  need(there.vulkan13.maintenance4 == VK_TRUE, "maintenance4");
-  need(there.vulkan13.shaderDemoteToHelperInvocation == VK_TRUE, "shaderDemoteToHelperInvocation");
-  need(there.vulkan13.shaderTerminateInvocation == VK_TRUE, "shaderTerminateInvocation");
-  need(hasSubgroupArithmetic(physical), "subgroup arithmetic in compute");
-  need(hasExtension(extensionsOf(physical), VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME),
-       VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
-  need(findQueueFamily(physical).has_value(), "a queue for graphics and compute");
-  VkPhysicalDeviceProperties properties{};
-  vkGetPhysicalDeviceProperties(physical, &properties);
-  const auto formats = [&](VkFormat format) { return featuresOf(physical, format); };
+  std::string missing = device.lackOfFeatures(FeatureUse::Always);
+  if (!device.hasSubgroupArithmetic()) missing = joined(missing, "subgroup arithmetic in compute");
+  missing = joined(missing, device.lackOfExtensions(neededExtensions));
+  if (!findQueueFamily(device.vk, device.physical))
+    missing = joined(missing, "a queue for graphics and compute");
+  const auto formats = [&](VkFormat format) { return device.featuresOf(format); };
   return joined(joined(missing, lackOfRoom(properties.limits)), lackOfFormats(formats));
 }
 
@@ -152,23 +152,6 @@ std::string namesOf(const std::vector<DeviceInfo>& devices) {
 
 }  // namespace
 
-Features::Features() {
-  base.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-  base.pNext = &vulkan13;
-  vulkan13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-  vulkan13.pNext = &timeline;
-  timeline.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_TIMELINE_SEMAPHORE_FEATURES;
-}
-
-void Features::chainRayQueries() {
-  timeline.pNext = &addresses;
-  addresses.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES;
-  addresses.pNext = &structures;
-  structures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR;
-  structures.pNext = &rayQueries;
-  rayQueries.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR;
-}
-
 std::string lackOfRoom(const VkPhysicalDeviceLimits& limits) {
   const std::uint32_t buffers = limits.maxPerStageDescriptorStorageBuffers;
   if (buffers >= storageBuffersOfStage) return {};
@@ -183,27 +166,34 @@ std::string lackOfFormats(const std::function<VkFormatFeatureFlags(VkFormat)>& f
   return lack;
 }
 
-std::optional<std::uint32_t> findQueueFamily(VkPhysicalDevice physical) {
+bool isQueueFamilyFit(const InstanceFunctions& vk, VkPhysicalDevice physical,
+                      std::uint32_t family) {
   std::uint32_t count = 0;
-  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+  vk.vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
-  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+  vk.vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
   constexpr VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if ((families[i].queueFlags & needed) == needed) return i;
-  }
+  return family < count && (families[family].queueFlags & needed) == needed;
+}
+
+std::optional<std::uint32_t> findQueueFamily(const InstanceFunctions& vk,
+                                             VkPhysicalDevice physical) {
+  std::uint32_t count = 0;
+  vk.vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (isQueueFamilyFit(vk, physical, i)) return i;
   return std::nullopt;
 }
 
-DeviceInfo describe(VkPhysicalDevice physical, std::uint32_t index) {
-  VkPhysicalDeviceProperties properties{};
-  vkGetPhysicalDeviceProperties(physical, &properties);
+DeviceInfo describe(const InstanceFunctions& vk, VkPhysicalDevice physical, std::uint32_t index) {
+  const Asked device{vk, physical};
+  const VkPhysicalDeviceProperties properties = device.properties();
   DeviceInfo info;
   info.index = index;
   info.name = properties.deviceName;
   info.type = typeOf(properties.deviceType);
-  info.missing = whatIsMissing(physical, properties.apiVersion);
-  info.rayQueries = info.missing.empty() && canQueryRays(physical);
+  info.missing = lackOf(device);
+  info.rayQueries = info.missing.empty() && device.canQueryRays();
   info.driver = fmt::format("version {}", properties.driverVersion);
   if (properties.apiVersion >= VK_API_VERSION_1_2) {
     VkPhysicalDeviceDriverProperties driver{};
@@ -211,10 +201,17 @@ DeviceInfo describe(VkPhysicalDevice physical, std::uint32_t index) {
     VkPhysicalDeviceProperties2 all{};
     all.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
     all.pNext = &driver;
-    vkGetPhysicalDeviceProperties2(physical, &all);
+    vk.vkGetPhysicalDeviceProperties2(physical, &all);
     info.driver = fmt::format("{} {}", driver.driverName, driver.driverInfo);
   }
   return info;
+}
+
+std::string unfitMessage(const DeviceInfo& device) {
+  return fmt::format(
+      "the Vulkan device {} cannot be used, because it lacks {}; update its driver or choose "
+      "another device",
+      device.name, device.missing);
 }
 
 std::size_t choose(const std::vector<DeviceInfo>& devices, const std::string& selector) {
@@ -232,13 +229,18 @@ std::size_t choose(const std::vector<DeviceInfo>& devices, const std::string& se
         fmt::format("no Vulkan device fits \"{}\"; there are: {}", selector, namesOf(devices)));
   }
   const DeviceInfo& device = devices[*chosen];
-  if (!device.missing.empty()) {
-    throw Error(fmt::format(
-        "the Vulkan device {} cannot be used, because it lacks {}; update its driver or choose "
-        "another device",
-        device.name, device.missing));
-  }
+  if (!device.missing.empty()) throw Error(unfitMessage(device));
   return *chosen;
 }
 
 }  // namespace opaline::gpu
+
+namespace opaline {
+
+std::string whatIsMissing(VkInstance instance, VkPhysicalDevice physicalDevice) {
+  const gpu::InstanceFunctions vk = gpu::loadInstanceFunctions(vkGetInstanceProcAddr, instance);
+  const gpu::DeviceInfo info = gpu::describe(vk, physicalDevice, 0);
+  return info.missing.empty() ? std::string() : gpu::unfitMessage(info);
+}
+
+}  // namespace opaline

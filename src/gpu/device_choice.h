@@ -2,7 +2,6 @@
 
 #include <vulkan/vulkan.h>
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -13,8 +12,13 @@
 
 namespace opaline::gpu {
 
+struct InstanceFunctions;
+
 /// Name, driver and type of a device, and what it lacks.
-DeviceInfo describe(VkPhysicalDevice physical, std::uint32_t index);
+DeviceInfo describe(const InstanceFunctions& vk, VkPhysicalDevice physical, std::uint32_t index);
+
+/// What is said of a device that lacks something.
+std::string unfitMessage(const DeviceInfo& device);
 
 /// Most storage buffers of a pass; Pipeline asserts it of each.
 constexpr std::uint32_t storageBuffersOfStage = 12;
@@ -25,33 +29,12 @@ std::string lackOfRoom(const VkPhysicalDeviceLimits& limits);
 std::string lackOfFormats(const std::function<VkFormatFeatureFlags(VkFormat)>& featuresOf);
 
 /// A queue family that does graphics and compute (and so transfer).
-std::optional<std::uint32_t> findQueueFamily(VkPhysicalDevice physical);
+std::optional<std::uint32_t> findQueueFamily(const InstanceFunctions& vk,
+                                             VkPhysicalDevice physical);
+bool isQueueFamilyFit(const InstanceFunctions& vk, VkPhysicalDevice physical, std::uint32_t family);
 
 /// The device that `selector` asks for (see DeviceOptions). Throws Error when there is none or it
 /// lacks something, UsageError when the selector fits none.
 std::size_t choose(const std::vector<DeviceInfo>& devices, const std::string& selector);
-
-/// Extensions of the device that ray queries need.
-constexpr std::array<const char*, 3> rayExtensions{VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
-                                                   VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
-                                                   VK_KHR_RAY_QUERY_EXTENSION_NAME};
-
-/// The features that Opaline turns on, chained for vkCreateDevice. Not movable: it points at
-/// itself.
-struct Features {
-  Features();
-  Features(const Features&) = delete;
-  Features& operator=(const Features&) = delete;
-
-  /// Adds those of ray queries, which not every device has.
-  void chainRayQueries();
-
-  VkPhysicalDeviceFeatures2 base{};
-  VkPhysicalDeviceVulkan13Features vulkan13{};
-  VkPhysicalDeviceTimelineSemaphoreFeatures timeline{};
-  VkPhysicalDeviceBufferDeviceAddressFeatures addresses{};
-  VkPhysicalDeviceAccelerationStructureFeaturesKHR structures{};
-  VkPhysicalDeviceRayQueryFeaturesKHR rayQueries{};
-};
 
 }  // namespace opaline::gpu

@@ -69,7 +69,7 @@ void checkSize(const Device& device, const VkImageCreateInfo& info, const ImageO
                             options.name, options.layers, device.info().name, layers));
   }
   VkImageFormatProperties able{};
-  const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
+  const VkResult result = device.instanceFunctions().vkGetPhysicalDeviceImageFormatProperties(
       device.physical(), info.format, info.imageType, info.tiling, info.usage, info.flags, &able);
   if (result == VK_ERROR_FORMAT_NOT_SUPPORTED) {
     throw Error(fmt::format(
@@ -144,14 +144,14 @@ GpuImage::GpuImage(Device& device, const ImageOptions& options) : GpuImage() {
 void GpuImage::create() {
   const VkImageCreateInfo info = infoOf(options_);
   checkSize(*device_, info, options_);
-  check(vkCreateImage(device_->handle(), &info, nullptr, &image_),
+  check(device_->vk().vkCreateImage(device_->handle(), &info, nullptr, &image_),
         fmt::format("create the image \"{}\"", options_.name));
   device_->setName(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(image_), options_.name);
   VkMemoryRequirements requirements{};
-  vkGetImageMemoryRequirements(device_->handle(), image_, &requirements);
+  device_->vk().vkGetImageMemoryRequirements(device_->handle(), image_, &requirements);
   memory_ = device_->allocate(requirements, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, options_.name);
   allocatedBytes_ = requirements.size;
-  check(vkBindImageMemory(device_->handle(), image_, memory_, 0),
+  check(device_->vk().vkBindImageMemory(device_->handle(), image_, memory_, 0),
         fmt::format("give memory to the image \"{}\"", options_.name));
 }
 
@@ -184,10 +184,24 @@ VkImageView GpuImage::createView(VkImageViewType type, const VkImageSubresourceR
   info.format = options_.format;
   info.subresourceRange = range;
   VkImageView view = VK_NULL_HANDLE;
-  check(vkCreateImageView(device_->handle(), &info, nullptr, &view),
+  check(device_->vk().vkCreateImageView(device_->handle(), &info, nullptr, &view),
         fmt::format("create a view of the image \"{}\"", options_.name));
   device_->setName(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<std::uint64_t>(view), options_.name);
   return view;
+}
+
+GpuImage GpuImage::borrowed(const BorrowedTarget& target) {
+  GpuImage result;
+  result.options_.width = target.extent.width;
+  result.options_.height = target.extent.height;
+  result.options_.format = target.format;
+  result.image_ = target.image;
+  result.view_ = target.view;
+  const AccessScope before =
+      scopeOf(isDepth(target.format) ? Access::DepthWrite : Access::ColorWrite);
+  result.state_ = {
+      .layout = target.layout, .writeStages = before.stages, .writeAccesses = before.accesses};
+  return result;
 }
 
 GpuImage::~GpuImage() {
@@ -230,6 +244,7 @@ VkImageAspectFlags GpuImage::aspect() const {
 
 VkImageView GpuImage::layerView(std::uint32_t layer, std::uint32_t mipLevel) const {
   assert(layer < options_.layers && mipLevel < options_.mipLevels);
+  if (isBorrowed()) return view_;
   return layerViews_.at(layer + std::size_t{options_.layers} * mipLevel);
 }
 
@@ -252,7 +267,8 @@ Sampler::Sampler(Device& device, Filter filter, Wrap wrapU, Wrap wrapV) : device
   info.addressModeV = mode(wrapV);
   info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   info.maxLod = VK_LOD_CLAMP_NONE;
-  check(vkCreateSampler(device.handle(), &info, nullptr, &sampler_), "create a sampler");
+  check(device.vk().vkCreateSampler(device.handle(), &info, nullptr, &sampler_),
+        "create a sampler");
   device.setName(VK_OBJECT_TYPE_SAMPLER, reinterpret_cast<std::uint64_t>(sampler_),
                  linear ? "linear sampler" : "nearest sampler");
 }

@@ -34,10 +34,21 @@ struct ImageOptions {
   bool lent = false;  ///< others submit work to the queue that uses it
 };
 
-/// An image with memory of its own and views of it. Movable.
+/// A target of someone else's, who has drawn into it as attachment before, if at all.
+struct BorrowedTarget {
+  VkImage image = VK_NULL_HANDLE;
+  VkImageView view = VK_NULL_HANDLE;
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  ///< kept; any that attachments may have
+  VkExtent2D extent{};
+};
+
+/// An image with memory of its own and views of it, unless it is borrowed. Movable.
 class GpuImage {
  public:
   GpuImage() = default;
+  /// To be drawn into, and nothing else.
+  static GpuImage borrowed(const BorrowedTarget& target);
   GpuImage(Device& device, const ImageOptions& options);
   ~GpuImage();
   GpuImage(GpuImage&& other) noexcept;
@@ -49,6 +60,7 @@ class GpuImage {
   VkImage handle() const { return image_; }
   /// What is in it is not needed, whatever has been recorded for it; see CommandList::abandon.
   void forget() { state_ = {}; }
+  bool isBorrowed() const { return device_ == nullptr; }
   const ImageOptions& options() const { return options_; }
   VkExtent2D extent() const { return {options_.width, options_.height}; }
   VkImageAspectFlags aspect() const;  ///< colour or depth, from the format

@@ -87,8 +87,9 @@ void Instance::create(bool validation, const std::vector<std::string>& wanted) {
         "the Vulkan validation layer is not installed; install the package "
         "vulkan-validationlayers, or do without validation");
   }
-  debugUtils_ = hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, nullptr) ||
-                (validation && hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, validationLayer));
+  const bool debugUtils =
+      hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, nullptr) ||
+      (validation && hasExtension(VK_EXT_DEBUG_UTILS_EXTENSION_NAME, validationLayer));
 
   VkApplicationInfo application{};
   application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
@@ -97,7 +98,7 @@ void Instance::create(bool validation, const std::vector<std::string>& wanted) {
   application.apiVersion = VK_API_VERSION_1_3;
 
   std::vector<const char*> extensions;
-  if (debugUtils_) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+  if (debugUtils) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   for (const std::string& name : wanted) extensions.push_back(name.c_str());
   const VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo(this);
   VkInstanceCreateInfo info{};

@@ -24,7 +24,6 @@ class Instance {
 
   VkInstance handle() const { return instance_; }
   std::vector<VkPhysicalDevice> physicalDevices() const;
-  bool hasDebugUtils() const { return debugUtils_; }
 
   /// Warnings and errors of the validation layer so far.
   std::size_t messages() const { return messages_; }
@@ -37,7 +36,6 @@ class Instance {
   LogCallback log_;
   VkInstance instance_ = VK_NULL_HANDLE;
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
-  bool debugUtils_ = false;
   std::atomic<std::size_t> messages_ = 0;
 };
 

@@ -16,9 +16,11 @@ namespace {
 
 std::uint32_t timestampBits(const Device& device) {
   std::uint32_t count = 0;
-  vkGetPhysicalDeviceQueueFamilyProperties(device.physical(), &count, nullptr);
+  device.instanceFunctions().vkGetPhysicalDeviceQueueFamilyProperties(device.physical(), &count,
+                                                                      nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
-  vkGetPhysicalDeviceQueueFamilyProperties(device.physical(), &count, families.data());
+  device.instanceFunctions().vkGetPhysicalDeviceQueueFamilyProperties(device.physical(), &count,
+                                                                      families.data());
   return families.at(device.queueFamily()).timestampValidBits;
 }
 
@@ -37,7 +39,8 @@ PassTimer::PassTimer(Device& device, const std::string& name, std::uint32_t maxP
   info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
   info.queryCount = 2 * maxPasses;
-  check(vkCreateQueryPool(device.handle(), &info, nullptr, &pool_), "create timestamps");
+  check(device.vk().vkCreateQueryPool(device.handle(), &info, nullptr, &pool_),
+        "create timestamps");
   device.setName(VK_OBJECT_TYPE_QUERY_POOL, reinterpret_cast<std::uint64_t>(pool_), name);
 }
 
@@ -77,11 +80,11 @@ void PassTimer::collect() {
   frameMilliseconds_ = 0;
   named_ = 0;
   if (pool_ != VK_NULL_HANDLE && queries > 0) {
-    check(
-        vkGetQueryPoolResults(device_.handle(), pool_, 0, 2 * count_,
-                              queries * sizeof(std::uint64_t), ticks_.data(), sizeof(std::uint64_t),
-                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-        "read the timestamps");
+    check(device_.vk().vkGetQueryPoolResults(device_.handle(), pool_, 0, 2 * count_,
+                                             queries * sizeof(std::uint64_t), ticks_.data(),
+                                             sizeof(std::uint64_t),
+                                             VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+          "read the timestamps");
   }
   for (std::size_t i = 0; i < count_; ++i) {
     add(names_[i], millisecondsBetween(ticks_[2 * i], ticks_[2 * i + 1]));

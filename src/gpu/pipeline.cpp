@@ -45,11 +45,11 @@ class ShaderModule {
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     info.codeSize = code.size_bytes();
     info.pCode = code.data();
-    check(vkCreateShaderModule(device.handle(), &info, nullptr, &module_),
+    check(device.vk().vkCreateShaderModule(device.handle(), &info, nullptr, &module_),
           fmt::format("load a shader of \"{}\"", name));
     device.setName(VK_OBJECT_TYPE_SHADER_MODULE, reinterpret_cast<std::uint64_t>(module_), name);
   }
-  ~ShaderModule() { vkDestroyShaderModule(device_.handle(), module_, nullptr); }
+  ~ShaderModule() { device_.vk().vkDestroyShaderModule(device_.handle(), module_, nullptr); }
   ShaderModule(const ShaderModule&) = delete;
   ShaderModule& operator=(const ShaderModule&) = delete;
 
@@ -82,19 +82,38 @@ VkPipelineRasterizationStateCreateInfo rasterizationOf(CullMode cull) {
   return info;
 }
 
+VkCompareOp compareOf(DepthMode mode) {
+  switch (mode) {
+    case DepthMode::TestEqual:
+      return VK_COMPARE_OP_EQUAL;
+    case DepthMode::Test:
+    case DepthMode::WriteOrEqual:
+      return VK_COMPARE_OP_GREATER_OR_EQUAL;
+    case DepthMode::WriteOrEqualOrdinary:
+      return VK_COMPARE_OP_LESS_OR_EQUAL;
+    case DepthMode::Off:
+    case DepthMode::Write:
+      break;
+  }
+  return VK_COMPARE_OP_GREATER;
+}
+
 VkPipelineDepthStencilStateCreateInfo depthOf(DepthMode mode) {
   VkPipelineDepthStencilStateCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
   info.depthTestEnable = mode != DepthMode::Off ? VK_TRUE : VK_FALSE;
-  info.depthWriteEnable = mode == DepthMode::Write ? VK_TRUE : VK_FALSE;
-  info.depthCompareOp = mode == DepthMode::TestEqual ? VK_COMPARE_OP_EQUAL
-                        : mode == DepthMode::Test    ? VK_COMPARE_OP_GREATER_OR_EQUAL
-                                                     : VK_COMPARE_OP_GREATER;
+  const bool writes = mode == DepthMode::Write || mode == DepthMode::WriteOrEqual ||
+                      mode == DepthMode::WriteOrEqualOrdinary;
+  info.depthWriteEnable = writes ? VK_TRUE : VK_FALSE;
+  info.depthCompareOp = compareOf(mode);
   return info;
 }
 
-VkPipelineColorBlendAttachmentState withoutBlending() {
+VkPipelineColorBlendAttachmentState blendOf(Blend mode) {
   VkPipelineColorBlendAttachmentState blend{};
+  blend.blendEnable = mode == Blend::Over ? VK_TRUE : VK_FALSE;
+  blend.srcColorBlendFactor = blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  blend.dstColorBlendFactor = blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
   blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                          VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   return blend;
@@ -111,7 +130,8 @@ VkPipeline createCompute(const Device& device, const std::string& name, const Sh
   info.flags = VK_PIPELINE_CREATE_DISPATCH_BASE_BIT;  // see CommandList::dispatchLinear
   VkPipeline pipeline = VK_NULL_HANDLE;
   requireHostRoom(roomToCompile, fmt::format("create the pipeline \"{}\"", name));
-  check(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+  check(device.vk().vkCreateComputePipelines(device.handle(), device.pipelineCacheHandle(), 1,
+                                             &info, nullptr, &pipeline),
         fmt::format("create the pipeline \"{}\"", name));
   return pipeline;
 }
@@ -150,7 +170,7 @@ VkPipeline createGraphics(const Device& device, const std::string& name, const S
   samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
   const VkPipelineDepthStencilStateCreateInfo depth = depthOf(options.depth);
   std::array<VkPipelineColorBlendAttachmentState, maxColors> blends;
-  blends.fill(withoutBlending());
+  blends.fill(blendOf(options.blend));
   VkPipelineColorBlendStateCreateInfo blending{};
   blending.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
   blending.attachmentCount = colors;
@@ -177,7 +197,8 @@ VkPipeline createGraphics(const Device& device, const std::string& name, const S
   info.layout = layout;
   VkPipeline pipeline = VK_NULL_HANDLE;
   requireHostRoom(roomToCompile, fmt::format("create the pipeline \"{}\"", name));
-  check(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+  check(device.vk().vkCreateGraphicsPipelines(device.handle(), device.pipelineCacheHandle(), 1,
+                                              &info, nullptr, &pipeline),
         fmt::format("create the pipeline \"{}\"", name));
   return pipeline;
 }
@@ -291,8 +312,9 @@ void Pipeline::createLayout(const std::string& name, std::span<const Shader> sha
   setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
   setInfo.bindingCount = static_cast<std::uint32_t>(slots.size());
   setInfo.pBindings = slots.data();
-  check(vkCreateDescriptorSetLayout(device_->handle(), &setInfo, nullptr, &setLayout_),
-        fmt::format("create the bindings of \"{}\"", name));
+  check(
+      device_->vk().vkCreateDescriptorSetLayout(device_->handle(), &setInfo, nullptr, &setLayout_),
+      fmt::format("create the bindings of \"{}\"", name));
   device_->setName(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT,
                    reinterpret_cast<std::uint64_t>(setLayout_), name);
 
@@ -303,7 +325,7 @@ void Pipeline::createLayout(const std::string& name, std::span<const Shader> sha
   info.pSetLayouts = &setLayout_;
   info.pushConstantRangeCount = pushConstantBytes_ > 0 ? 1 : 0;
   info.pPushConstantRanges = &range;
-  check(vkCreatePipelineLayout(device_->handle(), &info, nullptr, &layout_),
+  check(device_->vk().vkCreatePipelineLayout(device_->handle(), &info, nullptr, &layout_),
         fmt::format("create the layout of \"{}\"", name));
   device_->setName(VK_OBJECT_TYPE_PIPELINE_LAYOUT, reinterpret_cast<std::uint64_t>(layout_), name);
 }

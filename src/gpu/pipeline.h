@@ -23,13 +23,25 @@ VkDescriptorType descriptorTypeOf(BindingType type);
 constexpr std::size_t maxColors = 8;
 
 enum class CullMode { None, Front, Back };
-enum class DepthMode { Off, Write, TestEqual, Test };
+enum class DepthMode {
+  Off,
+  Write,
+  TestEqual,
+  Test,
+  WriteOrEqual,          ///< what is as near passes too
+  WriteOrEqualOrdinary,  ///< the same where depth is not reversed
+};
+enum class Blend {
+  Off,
+  Over,  ///< colours have been multiplied with their alpha
+};
 
 struct GraphicsOptions {
   std::vector<VkFormat> colorFormats;
   VkFormat depthFormat = VK_FORMAT_UNDEFINED;
   DepthMode depth = DepthMode::Off;  ///< reversed depth: Write passes what is nearer
-  CullMode cull = CullMode::None;    ///< front is counter-clockwise as seen
+  Blend blend = Blend::Off;
+  CullMode cull = CullMode::None;  ///< front is counter-clockwise as seen
 };
 
 /// A pipeline without vertex input (vertices are pulled from storage buffers), with dynamic

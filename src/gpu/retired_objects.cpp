@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "gpu/device.h"
+#include "gpu/vulkan_functions.h"
 
 namespace opaline::gpu {
 
@@ -17,30 +18,30 @@ Handle as(std::uint64_t handle) {
 }  // namespace
 
 void RetiredObjects::destroy(VkObjectType type, std::uint64_t handle, VkDevice device,
-                             const RayFunctions& rays) {
+                             const DeviceFunctions& vk, const RayFunctions& rays) {
   switch (type) {
     case VK_OBJECT_TYPE_BUFFER:
-      return vkDestroyBuffer(device, as<VkBuffer>(handle), nullptr);
+      return vk.vkDestroyBuffer(device, as<VkBuffer>(handle), nullptr);
     case VK_OBJECT_TYPE_BUFFER_VIEW:
-      return vkDestroyBufferView(device, as<VkBufferView>(handle), nullptr);
+      return vk.vkDestroyBufferView(device, as<VkBufferView>(handle), nullptr);
     case VK_OBJECT_TYPE_IMAGE:
-      return vkDestroyImage(device, as<VkImage>(handle), nullptr);
+      return vk.vkDestroyImage(device, as<VkImage>(handle), nullptr);
     case VK_OBJECT_TYPE_IMAGE_VIEW:
-      return vkDestroyImageView(device, as<VkImageView>(handle), nullptr);
+      return vk.vkDestroyImageView(device, as<VkImageView>(handle), nullptr);
     case VK_OBJECT_TYPE_SAMPLER:
-      return vkDestroySampler(device, as<VkSampler>(handle), nullptr);
+      return vk.vkDestroySampler(device, as<VkSampler>(handle), nullptr);
     case VK_OBJECT_TYPE_DEVICE_MEMORY:
-      return vkFreeMemory(device, as<VkDeviceMemory>(handle), nullptr);
+      return vk.vkFreeMemory(device, as<VkDeviceMemory>(handle), nullptr);
     case VK_OBJECT_TYPE_PIPELINE:
-      return vkDestroyPipeline(device, as<VkPipeline>(handle), nullptr);
+      return vk.vkDestroyPipeline(device, as<VkPipeline>(handle), nullptr);
     case VK_OBJECT_TYPE_PIPELINE_LAYOUT:
-      return vkDestroyPipelineLayout(device, as<VkPipelineLayout>(handle), nullptr);
+      return vk.vkDestroyPipelineLayout(device, as<VkPipelineLayout>(handle), nullptr);
     case VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT:
-      return vkDestroyDescriptorSetLayout(device, as<VkDescriptorSetLayout>(handle), nullptr);
+      return vk.vkDestroyDescriptorSetLayout(device, as<VkDescriptorSetLayout>(handle), nullptr);
     case VK_OBJECT_TYPE_COMMAND_POOL:
-      return vkDestroyCommandPool(device, as<VkCommandPool>(handle), nullptr);
+      return vk.vkDestroyCommandPool(device, as<VkCommandPool>(handle), nullptr);
     case VK_OBJECT_TYPE_QUERY_POOL:
-      return vkDestroyQueryPool(device, as<VkQueryPool>(handle), nullptr);
+      return vk.vkDestroyQueryPool(device, as<VkQueryPool>(handle), nullptr);
     case VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR:
       return rays.destroy(device, as<VkAccelerationStructureKHR>(handle), nullptr);
     default:
@@ -55,11 +56,11 @@ void RetiredObjects::add(std::uint64_t submission, VkObjectType type, std::uint6
 }
 
 std::size_t RetiredObjects::destroyUpTo(std::uint64_t submission, VkDevice device,
-                                        const RayFunctions& rays) {
+                                        const DeviceFunctions& vk, const RayFunctions& rays) {
   std::size_t freed = 0;
   const auto isDone = [&](const Object& object) {
     if (object.submission > submission) return false;
-    destroy(object.type, object.handle, device, rays);
+    destroy(object.type, object.handle, device, vk, rays);
     freed += object.bytes;
     return true;
   };

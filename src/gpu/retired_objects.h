@@ -8,6 +8,7 @@
 
 namespace opaline::gpu {
 
+struct DeviceFunctions;
 struct RayFunctions;
 
 /// Objects that nobody will use again, but that a device may still be working with.
@@ -21,10 +22,11 @@ class RetiredObjects {
   void add(std::uint64_t submission, VkObjectType type, std::uint64_t handle, std::size_t bytes);
   /// Destroys those that a device which has finished that submission no longer uses, in the order
   /// in which they were added. Returns how much memory that frees, bytes.
-  std::size_t destroyUpTo(std::uint64_t submission, VkDevice device, const RayFunctions& rays);
+  std::size_t destroyUpTo(std::uint64_t submission, VkDevice device, const DeviceFunctions& vk,
+                          const RayFunctions& rays);
   /// Destroys one that the device no longer uses.
   static void destroy(VkObjectType type, std::uint64_t handle, VkDevice device,
-                      const RayFunctions& rays);
+                      const DeviceFunctions& vk, const RayFunctions& rays);
 
  private:
   struct Object {

@@ -73,6 +73,25 @@ AreaPoint pointOf(const TubeLight& light, double x, double y) {
   return {from + x * along + double{light.radiusMm} * normal, normal};
 }
 
+Double3 normalOf(const RectangleLight& light, const Double3& /*place*/) {
+  return unit(cross(toDouble(light.uMm), toDouble(light.vMm)));
+}
+
+Double3 normalOf(const DiscLight& light, const Double3& /*place*/) {
+  return unit(toDouble(light.normal));
+}
+
+Double3 normalOf(const SphereLight& light, const Double3& place) {
+  return unit(place - toDouble(light.centreMm));
+}
+
+Double3 normalOf(const TubeLight& light, const Double3& place) {
+  const Double3 from = toDouble(light.fromMm);
+  const Double3 along = unit(toDouble(light.toMm) - from);
+  const Double3 offset = place - from;
+  return unit(offset - dot(offset, along) * along);
+}
+
 Double3 centreOf(const TubeLight& light) {
   return 0.5 * (toDouble(light.fromMm) + toDouble(light.toMm));
 }
@@ -195,6 +214,10 @@ double areaMm2(const AreaLight& light) {
 
 AreaPoint pointOn(const AreaLight& light, double x, double y) {
   return std::visit([&](const auto& shape) { return pointOf(shape, x, y); }, light);
+}
+
+std::array<double, 3> normalAt(const AreaLight& light, const std::array<double, 3>& placeMm) {
+  return std::visit([&](const auto& shape) { return normalOf(shape, placeMm); }, light);
 }
 
 std::array<double, 3> middleOf(const AreaLight& light) {

@@ -31,6 +31,9 @@ double areaMm2(const AreaLight& light);
 /// The place for two numbers in [0, 1]: even numbers make even places.
 AreaPoint pointOn(const AreaLight& light, double x, double y);
 
+/// The unit normal to the side that shines, at a place of the light.
+std::array<double, 3> normalAt(const AreaLight& light, const std::array<double, 3>& placeMm);
+
 /// The middle of the light, and how far any of it is from there.
 std::array<double, 3> middleOf(const AreaLight& light);
 double reachMm(const AreaLight& light);

@@ -34,6 +34,12 @@ const std::vector<Field<Medium>>& fieldsOf() {
 }
 
 template <>
+const std::vector<std::string_view>& namesOf<ColorModel>() {
+  static const std::vector<std::string_view> names{"observed", "khr"};
+  return names;
+}
+
+template <>
 const std::vector<Field<Appearance>>& fieldsOf() {
   static const std::vector<Field<Appearance>> table{
       field<Appearance, &Appearance::color>("color", {share},
@@ -42,6 +48,7 @@ const std::vector<Field<Appearance>>& fieldsOf() {
                                                      "of light in the medium"),
       field<Appearance, &Appearance::g>("g", {meanCosine}, "mean cosine of scattering"),
       field<Appearance, &Appearance::eta>("eta", {{1.01, 1.6}}, "index of refraction"),
+      field<Appearance, &Appearance::colorModel>("color_model", {}, "what the color means"),
   };
   return table;
 }
@@ -51,6 +58,8 @@ const std::vector<Field<LoadOptions>>& fieldsOf() {
   static const std::vector<Field<LoadOptions>> table{
       field<LoadOptions, &LoadOptions::diagonalMm>("diagonal_mm", {{1e-6, 1e9, "mm"}},
                                                    "of the bounding box"),
+      field<LoadOptions, &LoadOptions::colorModel>(
+          "color_model", {}, "what colors of media in files mean", "observed"),
   };
   return table;
 }
@@ -98,6 +107,11 @@ const std::vector<Field<Camera>>& fieldsOf() {
   static const std::vector<Field<Camera>> table{
       field<Camera, &Camera::verticalFovDegrees>("fov_degrees", {{1, 170, "degrees"}},
                                                  "vertical field of view"),
+      field<Camera, &Camera::shiftX>("shift_x", {{-1000, 1000, "widths"}}, "of what is seen"),
+      field<Camera, &Camera::shiftY>("shift_y", {{-1000, 1000, "heights"}}, "of what is seen"),
+      field<Camera, &Camera::orthographicHeightMm>("orthographic_height_mm", {lengthAboveZero},
+                                                   "of what is seen by parallel lines of sight",
+                                                   "none"),
   };
   return table;
 }
@@ -107,6 +121,8 @@ const std::vector<Field<DirectionalLight>>& fieldsOf() {
   static const std::vector<Field<DirectionalLight>> table{
       field<DirectionalLight, &DirectionalLight::irradiance>("irradiance", {power},
                                                              "on a surface that faces it"),
+      field<DirectionalLight, &DirectionalLight::angularRadiusDegrees>(
+          "angular_radius_degrees", {{0, 10, "degrees"}}, "of the disc that surfaces mirror"),
   };
   return table;
 }
@@ -279,8 +295,8 @@ std::string complaintAbout(const OpaqueMaterial& material) {
   for (const float part : {material.occlusionStrength, material.alphaCutoff, material.alpha})
     if (!isWithin(part, 0, 1))
       return "occlusion strength, alpha and its cutoff: must be from 0 to 1";
-  for (const auto member : texturesOfMaterial)
-    if (const std::optional<Texture>& texture = material.*member; texture)
+  for (const TextureOfMaterial& of : texturesOfMaterial)
+    if (const std::optional<Texture>& texture = material.*of.texture; texture)
       if (std::string complaint = complaintAbout(*texture); !complaint.empty()) return complaint;
   return options::complaintAboutFields(material);
 }

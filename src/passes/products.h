@@ -122,6 +122,7 @@ struct SceneTables {
 struct Sky {
   SkyParts parts;
   gpu::GpuImage radiance;    ///< by direction, a cube with levels for rays that stand for more
+  gpu::Buffer bright;        ///< shared::BrightSky
   gpu::GpuImage irradiance;  ///< that enters by normal, one cube for each of SceneTables::etas
   gpu::GpuImage reflected;   ///< radiance as the surface's lobe sees it, a cube
   gpu::GpuImage glossy;      ///< as lobes of any roughness see it, a level for each
@@ -235,7 +236,8 @@ struct Clusters {
   gpu::Buffer skyShares;      ///< vec4 a cluster: of the sky's irradiance, what enters
   gpu::Buffer entered;        ///< vec4 a cluster: irradiance of the diffuse light that entered last
   gpu::Buffer enteredBefore;  ///< the same of light before that, where it is mirrored to one side
-  gpu::Buffer power;          ///< vec4: of all diffuse light of the last bounce but one
+  gpu::Buffer power;          ///< vec4: of all diffuse light of the last bounce but one, then what
+                              ///< further bounces add to the last
   gpu::Buffer latest;         ///< vec4 a cluster: exitance of the light that entered last
   gpu::Buffer exitances;      ///< vec4 a cluster: of all light; of an opaque body the irradiance
                               ///< that surfaces do not find for themselves
@@ -255,7 +257,8 @@ struct Solver {
 
 /// What else is kept of surfaces that the camera sees.
 struct KeptOfSeen {
-  bool materials = false;  ///< of opaque ones, and of translucent surfaces of their own
+  bool materials = false;  ///< of opaque ones, of translucent surfaces of their own, or what
+                           ///< translucent ones mirror of bodies
   bool paint = false;      ///< of painted ones
 
   bool operator==(const KeptOfSeen&) const = default;
@@ -276,7 +279,9 @@ struct VisibleSurfaces {
   gpu::Buffer paint;  ///< vec4 for each: what has entered at the surface of painted bodies, then
                       ///< of what leaves the part that goes towards the camera, over that without
   KeptOfSeen kept;    ///< there is room for these
-  gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: whether all mirror the sky, or none, or unknown
+  gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: how much of what they mirror is sky, or unknown
+  gpu::Buffer askedOfSky;   ///< surfaces in blocks of which that is unknown, as entries of the list
+  gpu::Buffer askedCounts;  ///< shared::SeenCount, of all of those and of parts
   std::uint32_t rowsOfBand = 0;
   std::uint32_t parts = 0;  ///< of the list, at most
 };

@@ -9,19 +9,36 @@
 
 namespace opaline::passes {
 
-/// Dispatches a shader that takes long (lib/seen_list.glsl) for one part of the list of surfaces
-/// after the other, whose beginning it sets in the push constants.
+/// Dispatches a shader over a list of surfaces (lib/seen_list.glsl) by its counts, all at once.
+template <typename S>
+void dispatchWhole(gpu::CommandList& commands, gpu::Buffer& counts, const gpu::Compute<S>& pipeline,
+                   const typename S::Bindings& bindings, const typename S::Push& push = {}) {
+  commands.use(counts, gpu::Access::Indirect);
+  commands.bind(pipeline, bindings, push);
+  commands.dispatchIndirect(counts, 0);
+}
+
+/// Dispatches a shader that takes long for one part of such a list after the other, whose beginning
+/// it sets in the push constants.
+template <typename S>
+void dispatchParts(gpu::CommandList& commands, gpu::Buffer& counts, std::uint32_t parts,
+                   const gpu::Compute<S>& pipeline, const typename S::Bindings& bindings,
+                   typename S::Push push) {
+  commands.use(counts, gpu::Access::Indirect);
+  commands.bind(pipeline, bindings, push);
+  for (std::uint32_t part = 0; part < parts; ++part) {
+    push.first = part * shared::seenOfPart;
+    commands.push(pipeline, push);
+    commands.dispatchIndirect(counts, (1 + part) * sizeof(shared::SeenCount));
+  }
+}
+
+/// The same for all surfaces.
 template <typename S>
 void dispatchParts(gpu::CommandList& commands, VisibleSurfaces& surfaces,
                    const gpu::Compute<S>& pipeline, const typename S::Bindings& bindings,
-                   typename S::Push push) {
-  commands.use(surfaces.counts, gpu::Access::Indirect);
-  commands.bind(pipeline, bindings, push);
-  for (std::uint32_t part = 0; part < surfaces.parts; ++part) {
-    push.first = part * shared::seenOfPart;
-    commands.push(pipeline, push);
-    commands.dispatchIndirect(surfaces.counts, (1 + part) * sizeof(shared::SeenCount));
-  }
+                   const typename S::Push& push) {
+  dispatchParts(commands, surfaces.counts, surfaces.parts, pipeline, bindings, push);
 }
 
 }  // namespace opaline::passes

@@ -29,7 +29,9 @@ RendererContext::RendererContext(const RendererOptions& options)
               .instanceExtensions = options.instanceExtensions,
               .deviceExtensions = options.deviceExtensions,
               .rayQueries = options.rayQueries,
-              .mostMemoryBytes = mostMemoryBytes(options)}),
+              .mostMemoryBytes = mostMemoryBytes(options),
+              .given = options.given.get(),
+              .pipelineCache = options.pipelineCache}),
       passes(device),
       prepared(device, passes, options.log) {}
 
@@ -41,6 +43,12 @@ std::vector<DeviceDescription> listDevices() {
   std::vector<DeviceDescription> devices;
   for (const gpu::DeviceInfo& info : gpu::Device::list()) devices.push_back(describe(info));
   return devices;
+}
+
+Given::Given() = default;
+Given::Given(const GivenVulkan& given) : given_(std::make_shared<const GivenVulkan>(given)) {}
+Given::Given(const GivenVulkan* given) {
+  if (given != nullptr) *this = Given(*given);
 }
 
 Renderer::Renderer(const RendererOptions& options)
@@ -108,6 +116,14 @@ VulkanDevice Renderer::vulkanDevice() const {
   const gpu::Device& device = context_->device;
   return {device.instance(), device.physical(), device.handle(), device.queueFamily(),
           device.queue()};
+}
+
+std::vector<std::byte> Renderer::pipelineCache() const {
+  return context_->device.pipelineCache();
+}
+
+std::size_t Renderer::memoryBytes() const {
+  return context_->device.memoryBytes();
 }
 
 std::size_t Renderer::validationMessages() const {

@@ -105,6 +105,44 @@ void validateRig(const Scene& scene, const Object& object, const Rig& rig) {
   validateSkin(scene, object, rig);
 }
 
+template <typename T>
+void validateKeys(const Scene& scene, const Keys<T>& keys, std::size_t count,
+                  std::string_view what) {
+  if (keys.index >= count)
+    refuse(scene, fmt::format("a clip changes {} {}, which does not exist", what, keys.index));
+  if (keys.seconds.empty() || keys.values.size() != keys.seconds.size() ||
+      !allFinite(keys.seconds) || !std::is_sorted(keys.seconds.begin(), keys.seconds.end()))
+    refuse(scene, fmt::format("a clip changes {} {} at times that are not finite and ascending, or "
+                              "not as many as values",
+                              what, keys.index));
+  for (const T& value : keys.values)
+    if (const std::string complaint = complaintAbout(value); !complaint.empty())
+      refuse(scene, fmt::format("a clip changes {} {}: {}", what, keys.index, complaint));
+}
+
+void validateChanges(const Scene& scene, const ClipChanges& changes) {
+  const auto validate = [&](const auto& all, std::size_t count, std::string_view what) {
+    for (const auto& keys : all) validateKeys(scene, keys, count, what);
+  };
+  validate(changes.directional, scene.lighting.directional.size(), "directional light");
+  validate(changes.points, scene.lighting.points.size(), "point light");
+  validate(changes.spots, scene.lighting.spots.size(), "spot light");
+  validate(changes.cameras, 1, "camera");
+  validate(changes.surfaces, scene.objects.size(), "object");
+  validate(changes.media, scene.objects.size(), "object");
+  for (const Keys<OpaqueMaterial>& keys : changes.surfaces)
+    if (!scene.objects[keys.index].opaque)
+      refuse(scene, fmt::format("a clip changes the surface of object '{}', which is not opaque",
+                                scene.objects[keys.index].name));
+  for (const Keys<Medium>& keys : changes.media) {
+    const Object& object = scene.objects[keys.index];
+    if (object.opaque || object.paint)
+      refuse(scene, fmt::format("a clip changes the medium of object '{}', which is opaque or "
+                                "painted",
+                                object.name));
+  }
+}
+
 }  // namespace
 
 void validateMotion(const Scene& scene) {
@@ -114,6 +152,10 @@ void validateMotion(const Scene& scene) {
       refuse(scene, fmt::format("clip '{}' is {} s long", clip.name, clip.seconds));
     for (const Track& track : clip.tracks) validateTrack(scene, clip, track);
   }
+  if (scene.changes.size() > scene.clips.size())
+    refuse(scene, fmt::format("there are changes of {} clips, but {} clips", scene.changes.size(),
+                              scene.clips.size()));
+  for (const ClipChanges& changes : scene.changes) validateChanges(scene, changes);
   for (const Object& object : scene.objects)
     if (object.rig) validateRig(scene, object, *object.rig);
   validate(scene.deformers);

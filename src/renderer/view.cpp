@@ -1,6 +1,9 @@
 #include "opaline/view.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "gpu/command_list.h"
@@ -10,9 +13,11 @@
 #include "opaline/vulkan.h"
 #include "renderer/context.h"
 #include "renderer/frame/camera_view.h"
+#include "renderer/frame/device_outputs.h"
 #include "renderer/frame/frame.h"
 #include "renderer/frame/frame_plan.h"
 #include "renderer/frame/frame_queue.h"
+#include "renderer/frame/given_camera.h"
 #include "renderer/frame/light_views.h"
 #include "renderer/frame/timing.h"
 #include "renderer/frame/view_resources.h"
@@ -55,12 +60,29 @@ shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& came
                                 int samples) {
   shared::FrameData frame{};
   frame.worldToClip = camera.worldToClip;
-  frame.cameraPosition = {camera.position, 1};
+  frame.cameraPosition =
+      camera.isParallel ? glm::vec4(-camera.axis, 0) : glm::vec4(camera.position, 1);
   frame.cameraAxis = {camera.axis, 0};
   fillLights(lighting, static_cast<std::uint32_t>(shadowSize), frame);
   fillSamples(samples, frame);
   return frame;
 }
+
+// Points on timelines as the device takes them.
+class PointsOf {
+ public:
+  PointsOf(std::span<const TimelinePoint> given, const char* name) : count_(given.size()) {
+    if (count_ > points_.size())
+      throw UsageError(
+          fmt::format("{} has {} points; there may be {}", name, count_, points_.size()));
+    for (std::size_t i = 0; i < count_; ++i) points_[i] = {given[i].semaphore, given[i].value};
+  }
+  std::span<const gpu::SemaphoreValue> points() const { return std::span(points_).first(count_); }
+
+ private:
+  std::array<gpu::SemaphoreValue, gpu::Device::mostSemaphores> points_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -70,6 +92,7 @@ class View::Implementation {
       : context_(context),
         queue_(context.device),
         frameData_(context.device, "frame data", sizeof(shared::FrameData), framesInFlight, 0),
+        outputs_(context.device),
         resources_(context.device, context.passes) {
     setOptions(options);
   }
@@ -83,6 +106,12 @@ class View::Implementation {
   void setCamera(const std::optional<Camera>& camera) {
     if (camera) validate(*camera);
     camera_ = camera;
+    matrices_.reset();
+  }
+
+  void setCamera(const CameraMatrices& matrices) {
+    makeGivenCamera(matrices, options_.width, options_.height);  // or refuses it
+    matrices_ = matrices;
   }
 
   RenderResult render(const FrameOrder& order) {
@@ -90,36 +119,41 @@ class View::Implementation {
       throw UsageError("frames wait to be collected; collect them before calling render");
     times_.clear();
     Frame frame;
-    submit(order);
+    submit({}, order);
     collect(frame);
     return {std::move(frame.images), report()};
   }
 
-  void submit(const FrameOrder& order) {
-    validate(options_, order.aovs);
-    queue_.requireRoom();
-    shown_ = false;
-    EditedScene& edited = context_.edited;
-    edited.beginFrame();
-    if (std::exchange(scene_, edited.number()) != edited.number()) times_.clear();
-    if (options_.sum == Sum::Pattern) requireKnownToPattern(edited.scene());
-    FramePlan plan = planFor(options_, order.aovs, order.onDevice);
-    plan.time = edited.time();
-    plan.opaque = hasOpaque(edited.scene());
-    plan.painted = hasPaint(edited.scene());
-    plan.ownSurfaces = hasOwnSurfaces(edited.scene());
-    try {
-      submit(plan, order);
-    } catch (...) {
-      startAnew();
-      throw;
-    }
-    shown_ = order.onDevice;
+  void submit(const FrameSubmission& submission, const FrameOrder& order) {
+    const PointsOf waits(submission.waits, "FrameSubmission::waits");
+    const PointsOf signals(submission.signals, "FrameSubmission::signals");
+    make(order, submission.outputs, [&] { queue_.submit(waits.points(), signals.points()); });
+  }
+
+  void record(const FrameRecording& recording, const FrameOrder& order) {
+    if (recording.commands == VK_NULL_HANDLE || recording.finished.semaphore == VK_NULL_HANDLE)
+      throw UsageError("FrameRecording needs commands and the point at which they have finished");
+    make(order, recording.outputs, [&] {
+      queue_.recordInto(recording.commands,
+                        {recording.finished.semaphore, recording.finished.value});
+    });
+  }
+
+  void prepare(const FrameOrder& order) {
+    FramePlan plan = planOf(order, {});
+    orAnew([&] { follow(plan, order); });
   }
 
   void collect(Frame& frame) {
     counts_ = queue_.collect(frame, times_);
     solutions_ = frame.solutions;
+  }
+
+  DeviceBuffer exitance(std::size_t object) const {
+    if (!exitanceShown_)
+      throw UsageError("the last frame did not leave the exitance of vertices on the device");
+    const ExitanceRange range = exitanceRange(context_.edited.motion().ranges(), object);
+    return {resources_.made().exitance.vertices.handle(), range.offset, range.bytes};
   }
 
   DeviceImage picture() const {
@@ -155,7 +189,44 @@ class View::Implementation {
   }
 
  private:
-  void submit(FramePlan& plan, const FrameOrder& order) {
+  FramePlan planOf(const FrameOrder& order, const DeviceOutputs& outputs) {
+    validate(options_, order.aovs);
+    validate(outputs, options_, matrices_.has_value());
+    if (order.exitance && options_.site != Site::Vertex)
+      throw UsageError("FrameOrder::exitance needs RenderOptions::site Site::Vertex");
+    EditedScene& edited = context_.edited;
+    edited.beginFrame();
+    if (options_.sum == Sum::Pattern) requireKnownToPattern(edited.scene());
+    FramePlan plan = planFor(options_, order.aovs, order.onDevice || outputs.over != nullptr,
+                             order.exitance || !outputs.exitances.empty());
+    plan.time = edited.time();
+    plan.opaque = hasOpaque(edited.scene());
+    plan.painted = hasPaint(edited.scene());
+    plan.ownSurfaces = hasOwnSurfaces(edited.scene());
+    plan.mirrorsBodies = mirrorsBodies(plan, edited.scene());
+    return plan;
+  }
+
+  // A frame, which `hand` hands on.
+  template <typename Hand>
+  void make(const FrameOrder& order, const DeviceOutputs& outputs, const Hand& hand) {
+    FramePlan plan = planOf(order, outputs);
+    queue_.requireRoom();
+    shown_ = exitanceShown_ = false;
+    if (std::exchange(scene_, context_.edited.number()) != context_.edited.number()) times_.clear();
+    orAnew([&] {
+      const SceneChanges changes = follow(plan, order);
+      plan.light =
+          prepared_->light().mustFind(options_, plan, order.reuseLight, changes, resources_);
+      plan_ = plan;
+      fill(order, outputs);
+      hand();
+    });
+    shown_ = order.onDevice;
+    exitanceShown_ = order.exitance;
+  }
+
+  SceneChanges follow(FramePlan& plan, const FrameOrder& order) {
     EditedScene& edited = context_.edited;
     const Lighting& lighting = edited.lighting();
     prepared_ = context_.prepared.share(options_, plan, lighting, std::move(prepared_));
@@ -163,26 +234,33 @@ class View::Implementation {
     const SceneChanges changes = prepared_->changes(edited);
     resources_.follow(options_, plan, prepared_->scene(), edited, changes);
     fitToScene(prepared_->scene(), lighting, plan);
-    plan.light = prepared_->light().mustFind(options_, plan, order.reuseLight, changes, resources_);
-    plan_ = plan;
-    record(order);
-    queue_.submit();
+    return changes;
+  }
+
+  template <typename Work>
+  void orAnew(const Work& work) {
+    try {
+      work();
+    } catch (...) {
+      startAnew();
+      throw;
+    }
   }
 
   // What was noted as made or lit may not have been: the next frame makes all of it.
   void startAnew() {
     queue_.abandon();
+    context_.edited.motion().abandon();
     if (prepared_) prepared_->clear();
     resources_.forget();
   }
 
-  void record(const FrameOrder& order) {
+  void fill(const FrameOrder& order, const DeviceOutputs& outputs) {
     const Scene& scene = context_.edited.scene();
     SceneResources& prepared = prepared_->scene();
     FrameResources& resources = resources_.made();
-    const CameraView camera =
-        makeCameraView(camera_.value_or(scene.camera),
-                       static_cast<float>(options_.width) / static_cast<float>(options_.height));
+    const GivenCamera given = givenCamera();
+    const CameraView& camera = given.view;
     frameData_.nextFrame();
     shared::FrameData data =
         makeFrameData(context_.edited.lighting(), camera, options_.shadowSize, plan_.samples);
@@ -192,6 +270,7 @@ class View::Implementation {
 
     FrameSlot& slot = queue_.next();
     slot.provisional = prepared_->isProvisional();
+    slot.toHost = !order.aovs.empty();
     slot.readback.prepare(context_.device, order.aovs, camera, resources);
     slot.commands.begin();
     recordFrame(slot.commands, context_.passes, plan_, upload, context_.edited.motion(), prepared,
@@ -199,18 +278,31 @@ class View::Implementation {
     slot.readback.record(slot.commands, resources);
     slot.readback.recordSolutions(slot.commands, solves ? plan_.bounces + 1 : 0, prepared.solver);
     if (order.onDevice) slot.commands.use(resources.radiance, gpu::Access::Sampled);
+    if (order.exitance) slot.commands.use(resources.exitance.vertices, gpu::Access::Lent);
+    outputs_.record(slot.commands, outputs,
+                    {prepared.mesh, resources, context_.edited.motion().ranges(), given.depth});
+  }
+
+  GivenCamera givenCamera() const {
+    if (matrices_) return makeGivenCamera(*matrices_, options_.width, options_.height);
+    const Camera& camera = camera_ ? *camera_ : context_.edited.camera();
+    const float aspect = static_cast<float>(options_.width) / static_cast<float>(options_.height);
+    return {makeCameraView(camera, aspect), {}};
   }
 
   RendererContext& context_;
   RenderOptions options_;
-  std::optional<Camera> camera_;  // none: the scene's
+  std::optional<Camera> camera_;            // none: the scene's
+  std::optional<CameraMatrices> matrices_;  // instead of a camera
   FrameQueue queue_;
   gpu::UploadRing frameData_;
+  OutputRecorder outputs_;
   std::shared_ptr<PreparedScene> prepared_;  // none before the first frame
   ViewResources resources_;
-  bool shown_ = false;       // the last frame's picture was left for others to sample
-  std::uint64_t scene_ = 0;  // number of the scene that was rendered last
-  FramePlan plan_;           // of the frame submitted last
+  bool exitanceShown_ = false;  // the last frame's exitance was left for others to read
+  bool shown_ = false;          // the last frame's picture was left for others to sample
+  std::uint64_t scene_ = 0;     // number of the scene that was rendered last
+  FramePlan plan_;              // of the frame submitted last
   FrameTimes times_;
   gpu::CommandCounts counts_;        // of the last frame
   std::vector<Solution> solutions_;  // of the frame collected last
@@ -238,8 +330,28 @@ RenderResult View::render(const FrameOrder& order) {
   return implementation_->render(order);
 }
 
+void View::setCamera(const CameraMatrices& matrices) {
+  implementation_->setCamera(matrices);
+}
+
 void View::submit(const FrameOrder& order) {
-  implementation_->submit(order);
+  implementation_->submit({}, order);
+}
+
+void View::submit(const FrameSubmission& submission, const FrameOrder& order) {
+  implementation_->submit(submission, order);
+}
+
+void View::prepare(const FrameOrder& order) {
+  implementation_->prepare(order);
+}
+
+void View::record(const FrameRecording& recording, const FrameOrder& order) {
+  implementation_->record(recording, order);
+}
+
+DeviceBuffer View::exitance(std::size_t object) const {
+  return implementation_->exitance(object);
 }
 
 void View::collect(Frame& frame) {

@@ -8,6 +8,7 @@
 #include "opaline/error.h"
 #include "opaline/media.h"
 #include "opaline/options/scene.h"
+#include "scene/changes.h"
 #include "scene/formats.h"
 #include "scene/material.h"
 #include "scene/matrix.h"
@@ -79,7 +80,10 @@ void noteLostFaces(const std::vector<Repair>& repairs, const RawObject& object,
                         nameIn(name, object), lost));
 }
 
-void makeTranslucent(const Medium& medium, Object& object, std::vector<NotShown>& notShown) {
+void makeTranslucent(const Medium& medium, std::size_t index, Scene& scene) {
+  Object& object = scene.objects[index];
+  std::vector<NotShown>& notShown = scene.notShown;
+  forgetMaterial(scene.changes, index);
   if (object.opaque) addNotShown(notShown, partsOf(*object.opaque), object.opaque->name);
   if (object.opaque && !object.mesh.colors.empty())
     addNotShown(notShown, "vertex colours", object.name);
@@ -124,6 +128,7 @@ void scaleBy(RawScene& raw, double factor, const std::string& file) {
     if (object.rig) finite = scaleRig(*object.rig, factor) && finite;
   }
   finite = scaleLights(factor, raw.lighting) && finite;
+  finite = scaleChanges(factor, raw.changes) && finite;
   if (raw.camera) {
     scalePoint(raw.camera->positionMm, factor);
     scalePoint(raw.camera->targetMm, factor);
@@ -185,9 +190,10 @@ void requireSensible(const LoadOptions& options) {
 }
 
 void setMedia(const LoadOptions& options, Scene& scene) {
-  for (Object& object : scene.objects) {
-    const bool metal = object.opaque && isMetal(*object.opaque);
-    if (options.medium && !metal) makeTranslucent(*options.medium, object, scene.notShown);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const auto& opaque = scene.objects[i].opaque;
+    const bool metal = opaque && isMetal(*opaque);
+    if (options.medium && !metal) makeTranslucent(*options.medium, i, scene);
   }
   std::vector<std::string_view> names;
   for (const Object& object : scene.objects) names.emplace_back(object.name);
@@ -196,8 +202,8 @@ void setMedia(const LoadOptions& options, Scene& scene) {
       throw UsageError(fmt::format("there is no object '{}'; the nearest is '{}'",
                                    cleanText(name, 100), nearest(name, names).value_or("")));
     }
-    for (Object& object : scene.objects) {
-      if (object.name == name) makeTranslucent(medium, object, scene.notShown);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      if (scene.objects[i].name == name) makeTranslucent(medium, i, scene);
     }
   }
 }
@@ -205,8 +211,14 @@ void setMedia(const LoadOptions& options, Scene& scene) {
 Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repair> repairs,
                const LoadOptions& options) {
   if (options.diagonalMm) {
-    scaleBy(raw, double{*options.diagonalMm} / diagonalOf(boundsOf(raw)),
-            cleanText(file.string(), 1000));
+    const std::string name = cleanText(file.string(), 1000);
+    const double factor = double{*options.diagonalMm} / diagonalOf(boundsOf(raw));
+    if (raw.hasMediaPerMetre && !options.medium && std::abs(factor - 1) > 0.01)
+      note(options.log,
+           fmt::format("{}: its media keep their mean free paths in mm at {:.3g} times "
+                       "its size, so that it looks {} translucent",
+                       name, factor, factor < 1 ? "more" : "less"));
+    scaleBy(raw, factor, name);
   }
   Scene scene;
   scene.name = cleanText(file.stem().string());
@@ -222,6 +234,7 @@ Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repa
   }
   scene.nodes = std::move(raw.nodes);
   scene.clips = std::move(raw.clips);
+  scene.changes = std::move(raw.changes);
   scene.deformers = std::move(raw.deformers);
   scene.notShown = std::move(raw.notShown);
   setMedia(options, scene);

@@ -45,16 +45,40 @@ void append(std::vector<T>& to, std::vector<T>&& added) {
   to.insert(to.end(), std::make_move_iterator(added.begin()), std::make_move_iterator(added.end()));
 }
 
-void joinClips(std::vector<Clip>& clips, std::vector<Clip>&& added) {
-  for (Clip& clip : added) {
-    const auto same = std::find_if(clips.begin(), clips.end(),
+template <typename T>
+void joinKeys(std::vector<Keys<T>>& to, std::vector<Keys<T>>&& added, std::size_t first) {
+  for (Keys<T>& keys : added) keys.index += static_cast<std::uint32_t>(first);
+  append(to, std::move(added));
+}
+
+/// Of a model whose objects and lights are to follow those of the scene.
+void joinChanges(const RawScene& scene, ClipChanges& to, ClipChanges&& added) {
+  const Lighting& lighting = scene.lighting;
+  joinKeys(to.directional, std::move(added.directional), lighting.directional.size());
+  joinKeys(to.points, std::move(added.points), lighting.points.size());
+  joinKeys(to.spots, std::move(added.spots), lighting.spots.size());
+  joinKeys(to.surfaces, std::move(added.surfaces), scene.objects.size());
+  joinKeys(to.media, std::move(added.media), scene.objects.size());
+  if (!scene.camera) append(to.cameras, std::move(added.cameras));
+}
+
+/// Before anything else of the model, so that it is known where that goes.
+void joinClips(RawScene& scene, RawScene& model) {
+  scene.changes.resize(scene.clips.size());
+  model.changes.resize(model.clips.size());
+  for (std::size_t c = 0; c < model.clips.size(); ++c) {
+    Clip& clip = model.clips[c];
+    const auto same = std::find_if(scene.clips.begin(), scene.clips.end(),
                                    [&](const Clip& other) { return other.name == clip.name; });
-    if (same == clips.end()) {
-      clips.push_back(std::move(clip));
-      continue;
+    const auto at = static_cast<std::size_t>(same - scene.clips.begin());
+    if (same == scene.clips.end()) {
+      scene.clips.push_back(std::move(clip));
+      scene.changes.emplace_back();
+    } else {
+      same->seconds = std::max(same->seconds, clip.seconds);
+      append(same->tracks, std::move(clip.tracks));
     }
-    same->seconds = std::max(same->seconds, clip.seconds);
-    append(same->tracks, std::move(clip.tracks));
+    joinChanges(scene, scene.changes[at], std::move(model.changes[c]));
   }
 }
 
@@ -73,15 +97,16 @@ void joinLights(RawScene& scene, RawScene& model) {
 void join(RawScene& scene, RawScene&& model) {
   giveOwnNames(model, scene);
   moveNodes(model, static_cast<std::uint32_t>(scene.nodes.size()));
+  joinClips(scene, model);
   append(scene.objects, std::move(model.objects));
   append(scene.nodes, std::move(model.nodes));
-  joinClips(scene.clips, std::move(model.clips));
   joinLights(scene, model);
   if (!scene.camera) {
     scene.camera = model.camera;
     scene.cameraChosen = model.cameraChosen;
   }
   addNotShown(scene.notShown, model.notShown);
+  scene.hasMediaPerMetre = scene.hasMediaPerMetre || model.hasMediaPerMetre;
   scene.mmPerUnit = 1.0;
 }
 

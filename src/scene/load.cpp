@@ -59,6 +59,10 @@ RawScene readByName(const Input& input) {
                           cleanText(input.file.string(), 1000)));
 }
 
+ModelOptions modelOptionsOf(const LoadOptions& options) {
+  return {.colorModel = options.colorModel.value_or(ColorModel::Observed)};
+}
+
 }  // namespace
 
 void note(const LogCallback& log, std::string_view message) {
@@ -70,11 +74,11 @@ Medium defaultMedium() {
 }
 
 RawScene loadModel(const std::filesystem::path& file, const LogCallback& log,
-                   bool wantsCoordinates) {
+                   const ModelOptions& options) {
   const std::vector<std::byte> bytes = readFile(file, longestFileBytes);
   const std::string name = cleanText(file.string(), 1000);
   if (bytes.empty()) throw Error(fmt::format("{}: the file is empty", name));
-  RawScene scene = readByName({file, bytes, log, wantsCoordinates});
+  RawScene scene = readByName({file, bytes, log, options});
   if (!scene.notShown.empty()) {
     note(log, fmt::format("{}: not shown: {}", name, textOf(scene.notShown)));
   }
@@ -93,6 +97,7 @@ LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
   }
   scene::RawScene all;
   SceneSource source;
+  source.colorModel = options.colorModel;
   std::vector<Repair> repairs;
   std::vector<double> diagonalsMm;
   for (const std::filesystem::path& file : files) {
@@ -104,8 +109,9 @@ LoadedScene loadSceneFiles(const std::vector<std::filesystem::path>& files,
     if (MeshSequence::isPattern(file)) {
       throw UsageError(fmt::format("{}: numbered meshes must be a scene's only model", name));
     }
-    scene::RawScene model = scene::inMillimetres(scene::loadModel(file, options.log), file,
-                                                 !options.diagonalMm, options.log, repairs);
+    scene::RawScene model =
+        scene::inMillimetres(scene::loadModel(file, options.log, scene::modelOptionsOf(options)),
+                             file, !options.diagonalMm, options.log, repairs);
     diagonalsMm.push_back(scene::diagonalOf(scene::boundsOf(model)));
     source.models.push_back({file, {}, {}, {}});
     scene::join(all, std::move(model));
@@ -132,7 +138,7 @@ Scene loadScene(const std::filesystem::path& file, const LoadOptions& options) {
       return std::move(loaded.scene);
     }
     scene::requireSensible(options);
-    scene::RawScene raw = scene::loadModel(file, options.log);
+    scene::RawScene raw = scene::loadModel(file, options.log, scene::modelOptionsOf(options));
     if (options.morphTo) scene::addMorph(raw, file, *options.morphTo, options.log);
     std::vector<Repair> repairs;
     raw = scene::inMillimetres(std::move(raw), file, !options.diagonalMm, options.log, repairs);

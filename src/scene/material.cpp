@@ -1,8 +1,13 @@
 #include "scene/material.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "opaline/scene.h"
@@ -49,6 +54,10 @@ std::optional<TranslucentSurface> surfaceFrom(const OpaqueMaterial& material) {
   return surface;
 }
 
+namespace {
+
+/// Of a picture of sRGB colours, linear: in each channel as bright as all but the brightest
+/// twentieth. That of a medium below a paint, which can only be darker.
 Rgb brightColor(const TexturePixels& pixels) {
   constexpr std::size_t brightest = 20;  // one in so many
   Rgb bright{};
@@ -60,6 +69,60 @@ Rgb brightColor(const TexturePixels& pixels) {
     bright[c] = decodeSrgb(*at);
   }
   return bright;
+}
+
+/// The picture in the colours that bodies of its albedos are seen in.
+std::shared_ptr<const TexturePixels> asSeen(const TexturePixels& pixels,
+                                            const Appearance& appearance) {
+  constexpr std::size_t shades = 65536;
+  std::array<std::vector<int>, 3> seen;
+  for (std::vector<int>& of : seen) of.assign(shades, -1);
+  TexturePixels result = pixels;
+  for (std::size_t i = 0; i < result.rgba.size(); ++i) {
+    const std::size_t c = i % 4;
+    if (c == 3) continue;
+    const std::uint16_t shade = result.rgba[i];
+    int& known = seen[c][shade];
+    if (known < 0) {
+      Appearance one = appearance;
+      const double albedo = double{decodeSrgb(static_cast<float>(shade) / 65535.0F)};
+      one.color.fill(std::min(albedo * appearance.color[c], 1.0));
+      known = static_cast<int>(std::lround(65535 * encodeSrgb(colorOf(mediumOf(one))[c])));
+    }
+    result.rgba[i] = static_cast<std::uint16_t>(known);
+  }
+  return std::make_shared<const TexturePixels>(std::move(result));
+}
+
+}  // namespace
+
+Translucent bodyOf(const Appearance& appearance, std::optional<Texture> colors) {
+  if (!colors) return {mediumOf(appearance), std::nullopt};
+  if (appearance.colorModel == ColorModel::Khr) {
+    colors->pixels = asSeen(*colors->pixels, appearance);
+    Appearance seen = appearance;
+    seen.colorModel = ColorModel::Observed;
+    seen.color = {1, 1, 1};
+    return bodyOf(seen, std::move(colors));
+  }
+  const Rgb bright = brightColor(*colors->pixels);
+  Appearance below = appearance;
+  Paint paint;
+  for (std::size_t c = 0; c < 3; ++c) {
+    paint.color[c] = static_cast<float>(appearance.color[c]);
+    below.color[c] *= double{bright[c]};
+  }
+  paint.colorTexture = std::move(colors);
+  return {mediumOf(below), std::move(paint)};
+}
+
+Paint paintOn(const Medium& medium, Texture colors) {
+  const Rgb bare = colorOf(medium);
+  const Rgb bright = brightColor(*colors.pixels);
+  Paint paint{.name = medium.name, .colorTexture = std::move(colors)};
+  for (std::size_t c = 0; c < 3; ++c)
+    paint.color[c] = bright[c] > 0 ? std::min(bare[c] / bright[c], Paint::mostColor) : 1.0F;
+  return paint;
 }
 
 }  // namespace scene

@@ -30,8 +30,12 @@ void putMedium(const Medium& medium, AnyObject& object) {
   object.medium = medium;
 }
 
-/// Of a picture of sRGB colours, linear: in each channel as bright as all but the brightest
-/// twentieth. That of a medium below a paint, which can only be darker.
-Rgb brightColor(const TexturePixels& pixels);
+/// A body that looks like that, or as a texture of colours says, which the colour then multiplies:
+/// it is the paint on a medium of the texture's brightest colours, in each channel all but the
+/// brightest twentieth.
+Translucent bodyOf(const Appearance& appearance, std::optional<Texture> colors);
+
+/// The texture as paint on a medium that is bare where the texture has its brightest colours.
+Paint paintOn(const Medium& medium, Texture colors);
 
 }  // namespace opaline::scene

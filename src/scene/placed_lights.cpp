@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "scene/vector_math.h"
@@ -14,6 +15,29 @@ namespace {
 bool scaleLight(double factor, Rgb& light) {
   for (float& channel : light) channel = static_cast<float>(double{channel} * factor);
   return std::all_of(light.begin(), light.end(), [](float x) { return std::isfinite(x); });
+}
+
+/// Changes all lights that clips make as if they were those of a scene, and all cameras.
+template <typename ChangeLights, typename ChangeCamera>
+bool changeAll(std::vector<ClipChanges>& changes, const ChangeLights& changeLights,
+               const ChangeCamera& changeCamera) {
+  bool finite = true;
+  const auto change = [&](auto& all, auto Lighting::*lights) {
+    for (auto& keys : all) {
+      Lighting moment;
+      std::swap(moment.*lights, keys.values);
+      finite = changeLights(moment) && finite;
+      std::swap(moment.*lights, keys.values);
+    }
+  };
+  for (ClipChanges& of : changes) {
+    change(of.directional, &Lighting::directional);
+    change(of.points, &Lighting::points);
+    change(of.spots, &Lighting::spots);
+    for (Keys<Camera>& keys : of.cameras)
+      for (Camera& camera : keys.values) finite = changeCamera(camera) && finite;
+  }
+  return finite;
 }
 
 }  // namespace
@@ -69,6 +93,26 @@ bool scaleLights(double factor, Lighting& lighting) {
         },
         area);
   return finite;
+}
+
+bool placeCamera(const Matrix4& matrix, Camera& camera) {
+  camera.positionMm = toFloat(matrix.point(toDouble(camera.positionMm)));
+  camera.targetMm = toFloat(matrix.point(toDouble(camera.targetMm)));
+  camera.up = toFloat(unit(matrix.direction(toDouble(camera.up))));
+  return isFinite(camera.positionMm) && isFinite(camera.targetMm);
+}
+
+bool scaleChanges(double factor, std::vector<ClipChanges>& changes) {
+  const Matrix4 scale = matrixFromParts({0, 0, 0}, {0, 0, 0, 1}, {factor, factor, factor});
+  return changeAll(
+      changes, [&](Lighting& lighting) { return scaleLights(factor, lighting); },
+      [&](Camera& camera) { return placeCamera(scale, camera); });
+}
+
+bool placeChanges(const Matrix4& matrix, std::vector<ClipChanges>& changes) {
+  return changeAll(
+      changes, [&](Lighting& lighting) { return placeLights(matrix, lighting); },
+      [&](Camera& camera) { return placeCamera(matrix, camera); });
 }
 
 }  // namespace opaline::scene

@@ -14,4 +14,11 @@ bool scaleLights(double factor, Lighting& lighting);
 /// intensities grow with its area.
 [[nodiscard]] bool placeLights(const Matrix4& matrix, Lighting& lighting);
 
+/// The same of a camera, false where it leaves the range of a float.
+[[nodiscard]] bool placeCamera(const Matrix4& matrix, Camera& camera);
+
+/// The same of what clips make of lights and cameras.
+bool scaleChanges(double factor, std::vector<ClipChanges>& changes);
+[[nodiscard]] bool placeChanges(const Matrix4& matrix, std::vector<ClipChanges>& changes);
+
 }  // namespace opaline::scene

@@ -55,8 +55,10 @@ struct RawScene {
   bool cameraChosen = false;  ///< as in Scene
   std::vector<Node> nodes;
   std::vector<Clip> clips;
+  std::vector<ClipChanges> changes;  ///< as in Scene
   std::vector<Deformer> deformers;
   std::vector<NotShown> notShown;
+  bool hasMediaPerMetre = false;    ///< whose mean free paths the file says
   std::optional<double> mmPerUnit;  ///< unknown for formats without a unit
 };
 

@@ -43,6 +43,7 @@ namespace opaline {
 SceneSource sourceOf(const std::filesystem::path& model, const LoadOptions& options) {
   SceneSource source;
   source.models.push_back({model, options.diagonalMm, options.morphTo, {}});
+  source.colorModel = options.colorModel;
   return scene::withAbsolutePaths(std::move(source));
 }
 

@@ -26,11 +26,11 @@ def layouts():
     prints = ['std::printf("abi %d\\n", OPALINE_C_ABI);']
     for name, members in re.findall(r"typedef struct (\w+) \{(.*?)\} \w+;", text, re.DOTALL):
         prints.append(f'std::printf("{name} %zu\\n", sizeof({name}));')
-        for member in re.findall(r"(\w+)(?:\[\d+\])?;", members):
+        for member in re.findall(r"(\w+)\)?(?:\[\d+\]|\(void\* context\))?;", members):
             prints.append(f'std::printf("{name}.{member} %zu %zu\\n", offsetof({name}, {member}), sizeof({name}::{member}));')
     for name, values in re.findall(r"typedef enum (\w+) \{(.*?)\} \w+;", text, re.DOTALL):
         prints += [f'std::printf("{name}.{value} %d\\n", static_cast<int>({value}));' for value in re.findall(r"(\w+) =", values)]
-    program = ("#include <opaline/opaline_c.h>\n#include <cstddef>\n#include <cstdio>\nint main() {\n" + "\n".join(prints)
+    program = ("#include <vulkan/vulkan.h>\n#include <opaline/opaline_c.h>\n#include <cstddef>\n#include <cstdio>\nint main() {\n" + "\n".join(prints)
                + "\n}\n")
     with tempfile.TemporaryDirectory() as folder:
         source = pathlib.Path(folder, "layouts.cpp")
@@ -52,9 +52,10 @@ class Layouts(unittest.TestCase):
         self.assertEqual({first for _, first in structs}, {"size_t size;"})
 
     def test_is_c(self):
-        for standard in ("c11", "c17"):
+        for standard, before in (("c11", b""), ("c17", b""), ("c11", b"#include <vulkan/vulkan.h>\n")):
             subprocess.run([os.environ.get("CC", "cc"), f"-std={standard}", "-pedantic", "-Wall", "-Wextra", "-Werror",
-                            *(f"-I{path}" for path in INCLUDE), "-fsyntax-only", "-x", "c", "-"], input=b"#include <opaline/opaline_c.h>\n", check=True)
+                            *(f"-I{path}" for path in INCLUDE), "-fsyntax-only", "-x", "c", "-"], input=before + b"#include <opaline/opaline_c.h>\n",
+                           check=True)
 
 
 if __name__ == "__main__":

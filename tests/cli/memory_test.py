@@ -27,6 +27,12 @@ class Memory(ProgramTest):
                 (self.folder / "a.png").unlink(missing_ok=True)
         self.assertEqual(self.under(resource.RLIMIT_AS, 8000).status, 0)
 
+    def test_a_scene_is_told_of_without_room_for_drivers(self):
+        run = self.succeed("info", "--builtin", "teapot", preexec_fn=lambda: resource.setrlimit(
+            resource.RLIMIT_AS, (bytes_of(200),) * 2))
+        self.assertIn("closed", run.out)
+        self.assertIn("list the devices", run.err)
+
     def test_a_limit_of_our_own(self):
         self.refused(1, *STILL, "--memory-limit", 100, says="MB")
         huge = ("8192x8192" if word == "48x32" else word for word in STILL)

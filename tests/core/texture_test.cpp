@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stb_image_write.h>
+#include <webp/encode.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 
 #include "core/temporary_folder.h"
 #include "core/texture_file.h"
+#include "opaline/error.h"
 
 namespace opaline {
 namespace {
@@ -26,6 +28,43 @@ Bytes png(int width, int height, int channels, const std::vector<std::uint8_t>& 
   Bytes bytes;
   stbi_write_png_to_func(append, &bytes, width, height, channels, pixels.data(), width * channels);
   return bytes;
+}
+
+Bytes webp(int width, int height, const std::vector<std::uint8_t>& rgba) {
+  std::uint8_t* encoded = nullptr;
+  const std::size_t size = WebPEncodeLosslessRGBA(rgba.data(), width, height, 4 * width, &encoded);
+  const auto* begin = reinterpret_cast<const std::byte*>(encoded);
+  const Bytes bytes(begin, begin + size);
+  WebPFree(encoded);
+  return bytes;
+}
+
+TEST(Texture, WebpIsReadAsItIsStored) {
+  const auto texture = core::readTexture("a.webp", webp(2, 1, {0, 128, 255, 64, 1, 2, 3, 255}));
+  EXPECT_EQ(texture.width, 2);
+  EXPECT_EQ(texture.height, 1);
+  const std::vector<std::uint16_t> expected{0,   128 * 257, 65535,   64 * 257,
+                                            257, 2 * 257,   3 * 257, 65535};
+  EXPECT_EQ(texture.rgba, expected);
+}
+
+// The head of a lossless picture (RFC 9649, section 3.4), with some bytes behind it.
+Bytes webpHead(unsigned width, unsigned height) {
+  const std::uint32_t size = (width - 1) | (height - 1) << 14U;
+  const std::string text = std::string("RIFF\x2c\0\0\0WEBPVP8L\x20\0\0\0\x2f", 21) +
+                           std::string(reinterpret_cast<const char*>(&size), 4) +
+                           std::string(27, '\0');
+  const auto* begin = reinterpret_cast<const std::byte*>(text.data());
+  return {begin, begin + text.size()};
+}
+
+// Even colours take no bits a pixel, so that a small file may hold any number.
+TEST(Texture, WebpThatIsDamagedOrTooLargeIsRefused) {
+  const Bytes whole = webp(16, 16, std::vector<std::uint8_t>(1024, 77));
+  for (std::size_t size = 1; size < whole.size(); ++size)
+    EXPECT_THROW(core::readTexture("a.webp", std::span(whole).first(size)), Error) << size;
+  EXPECT_THAT(test::messageOf([&] { core::readTexture("a.webp", webpHead(16383, 4200)); }),
+              testing::HasSubstr("16383x4200 pixels"));
 }
 
 TEST(Texture, PngIsReadAsItIsStored) {

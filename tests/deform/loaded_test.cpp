@@ -183,7 +183,7 @@ TEST(LoadedMotion, PosesAllocateNothing) {
                {R"("node":0,"path":"weights")", R"("node":2,"path":"rotation")"});
   const Scene scene = loadBuilt(of.b);
   const Rig& rig = *scene.objects[0].rig;
-  Pose pose = makePose(scene);
+  scene::Pose pose = scene::makePose(scene);
   std::vector<scene::Matrix4> matrices(rig.joints.size());
   float sum = 0;
   const std::size_t before = test::allocations();

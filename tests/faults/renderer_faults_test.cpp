@@ -123,7 +123,11 @@ TEST_P(FaultsOfMemory, EditsComeOutAfterwards) {
   RenderOptions larger = tiny();
   larger.width = 20;
   View view(renderer, tiny());
+  const std::vector<Vec3> rest = litBall().objects[0].mesh.positionsMm;
+  std::vector<Vec3> moved = rest;
+  for (Vec3& position : moved) position[1] *= 0.7F;
   const auto edit = [&](bool there) {
+    renderer.replacePositions(0, there ? moved : rest);
     renderer.setMedium(0, there ? skin() : marble());
     Lighting lighting = litBall().lighting;
     if (there) lighting.points.push_back({{0, 20, 0}, {50, 100, 100}});
@@ -134,11 +138,17 @@ TEST_P(FaultsOfMemory, EditsComeOutAfterwards) {
   const auto shown = [&] { return view.render().images.at(0).rgba; };
   edit(true);
   const std::vector<float> expected = shown();
+  edit(false);
+  shown();
+  bool edited = false;
   const auto run = [&] {
+    edited = false;
     edit(true);
+    edited = true;
     EXPECT_EQ(shown(), expected);
   };
   failEachCall(101, run, [&](bool) {
+    if (!edited) edit(true);
     EXPECT_EQ(shown(), expected);
     edit(false);
     shown();

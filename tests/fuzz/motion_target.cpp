@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "deform/deformed_vertices.h"
-#include "deform/pose.h"
 #include "input.h"
+#include "scene/pose.h"
 
 namespace {
 

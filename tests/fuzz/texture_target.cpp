@@ -5,7 +5,7 @@
 #include "core/texture_file.h"
 #include "loading.h"
 
-// PNG or JPEG.
+// PNG, JPEG or WebP.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace opaline;
   fuzz::expectReadOrRefused([&] {

@@ -1,8 +1,11 @@
 #include "gpu/pipeline.h"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <cstring>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -14,18 +17,35 @@
 namespace {
 
 int compiled = 0;
+PFN_vkGetDeviceProcAddr loadOfDevice = nullptr;
+std::map<VkDevice, PFN_vkCreateComputePipelines> createPipelines;
+
+VKAPI_ATTR VkResult VKAPI_CALL count(VkDevice device, VkPipelineCache cache, std::uint32_t count,
+                                     const VkComputePipelineCreateInfo* infos,
+                                     const VkAllocationCallbacks* allocator,
+                                     VkPipeline* pipelines) {
+  ++compiled;
+  return createPipelines.at(device)(device, cache, count, infos, allocator, pipelines);
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL loadCounting(VkDevice device, const char* name) {
+  const PFN_vkVoidFunction loaded = loadOfDevice(device, name);
+  if (std::strcmp(name, "vkCreateComputePipelines") != 0) return loaded;
+  createPipelines[device] = reinterpret_cast<PFN_vkCreateComputePipelines>(loaded);
+  return reinterpret_cast<PFN_vkVoidFunction>(count);
+}
 
 }  // namespace
 
 // Stands before the loader's in this program, to count.
-extern "C" VKAPI_ATTR VkResult VKAPI_CALL
-vkCreateComputePipelines(VkDevice device, VkPipelineCache cache, std::uint32_t count,
-                         const VkComputePipelineCreateInfo* infos,
-                         const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
-  ++compiled;
-  const auto create = reinterpret_cast<PFN_vkCreateComputePipelines>(
-      vkGetDeviceProcAddr(device, "vkCreateComputePipelines"));
-  return create(device, cache, count, infos, allocator, pipelines);
+extern "C" VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetInstanceProcAddr(VkInstance instance,
+                                                                          const char* name) {
+  static const auto load =
+      reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(RTLD_NEXT, "vkGetInstanceProcAddr"));
+  const PFN_vkVoidFunction loaded = load(instance, name);
+  if (std::strcmp(name, "vkGetDeviceProcAddr") != 0) return loaded;
+  loadOfDevice = reinterpret_cast<PFN_vkGetDeviceProcAddr>(loaded);
+  return reinterpret_cast<PFN_vkVoidFunction>(loadCounting);
 }
 
 namespace opaline::gpu {

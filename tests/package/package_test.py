@@ -155,6 +155,14 @@ class Package(unittest.TestCase):
             self.assertIn("4 frames", self.run_example(program, 4, later))
             self.assertNotEqual(first.read_bytes(), later.read_bytes())
 
+    def test_the_engine_draws_a_body_over_its_floor(self):
+        program = self.built_examples("vulkan") / "engine"
+        pictures = [program.parent / f"{frames}.png" for frames in (1, 4)]
+        for frames, picture in zip((1, 4), pictures):
+            said = self.run_example(program, frames, picture, "--validate")  # fails if the layer says anything
+            self.assertIn(f"{frames} frames", said)
+        self.assertNotEqual(*(picture.read_bytes() for picture in pictures))
+
     def test_the_same_picture_in_every_language(self):
         pictures = {}
         for language in ("cpp", "c"):

@@ -39,7 +39,7 @@ class Module(unittest.TestCase):
         tree = ast.parse((ROOT / "python" / "opaline" / "__init__.pyi").read_text())
         renderer = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Renderer")
         render = next(node for node in renderer.body if isinstance(node, ast.FunctionDef) and node.name == "render")
-        stub = {argument.arg for argument in render.args.kwonlyargs} - {"camera", "environment_behind"}
+        stub = {argument.arg for argument in render.args.kwonlyargs} - {"camera", "environment_behind", "reuse_light"}
         told = {line.split(":")[0].strip() for line in opaline.Renderer.render.__doc__.splitlines() if line.startswith("    ")}
         self.assertEqual(stub, told)
 

@@ -191,7 +191,7 @@ TEST(PathTest, SpheresAreThoseOfTheTable) {
     const DistanceBound bound(scene);
     const std::vector<Interior> interiors{{s + a, s / (s + a), 0, number(head, "eta")}};
     const Walk walk(geometry, bound, interiors, 0);
-    const Emitter emitter(scene, 0);
+    const Emitter emitter(geometry, 0);
     std::vector<double> single(bands);
     std::vector<double> multiple(bands);
     const double perCount = emitter.flux() / particles / (4 * pi * radius * radius / bands);
@@ -255,7 +255,7 @@ TEST(PathTest, ASpotLightShinesIntoItsCone) {
   const SpotLight light{{0, 0, 10}, {0.0871557F, 0, -0.9961947F}, {2, 2, 2}, 8, 20};
   scene.lighting.spots = {light};
   const Geometry geometry(scene);
-  const Emitter emitter(scene, 0);
+  const Emitter emitter(geometry, 0);
   constexpr int particles = 100'000;
   int met = 0;
   for (int i = 0; i < particles; ++i) {
@@ -291,7 +291,7 @@ TEST(PathTest, AreaLightsShineOnABall) {
   const auto shares = [&](const AreaLight& light) {
     scene.lighting.areas = {light};
     const Geometry geometry(scene);
-    const Emitter emitter(scene, 0);
+    const Emitter emitter(geometry, 0);
     constexpr int particles = 100'000;
     int met = 0;
     for (int i = 0; i < particles; ++i) {

@@ -8,6 +8,7 @@
 #include <new>
 #include <vector>
 
+#include "caller.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "opaline/soft_body.h"
@@ -90,6 +91,34 @@ Scene moving() {
   return scene;
 }
 
+/// The same beside an opaque body, with everything that a clip can change beside nodes.
+Scene changing() {
+  Scene scene = moving();
+  Object plate;
+  plate.name = "plate";
+  plate.mesh = sphere({0, -12, 0}, 4, 2);
+  plate.opaque = mattMaterial({0.5F, 0.5F, 0.5F});
+  scene.objects.push_back(plate);
+  OpaqueMaterial red = *plate.opaque;
+  red.baseColor = {0.8F, 0.1F, 0.1F};
+  Medium dense = scene.objects[0].medium;
+  for (double& sigma : dense.sigmaAPerMm) sigma *= 3;
+  Camera near = scene.camera;
+  near.positionMm[2] *= 0.9F;
+  const Lighting& lighting = scene.lighting;
+  ClipChanges& changes = scene.changes.emplace_back();
+  const auto twice = [](const auto& first, const auto& second) {
+    return std::vector{first, second};
+  };
+  changes.directional = {
+      {0, {0, 2}, twice(lighting.directional[0], DirectionalLight{{0, 0, 1}, {2, 1, 1}})}};
+  changes.points = {{0, {0, 2}, twice(lighting.points[0], PointLight{{0, 20, 0}, {50, 0, 0}})}};
+  changes.cameras = {{0, {0, 2}, twice(scene.camera, near)}};
+  changes.surfaces = {{1, {0, 2}, twice(*plate.opaque, red)}};
+  changes.media = {{0, {0, 2}, twice(scene.objects[0].medium, dense)}};
+  return scene;
+}
+
 RenderOptions tinyOptions() {
   RenderOptions options;
   options.width = options.height = 32;
@@ -117,6 +146,16 @@ std::size_t allocationsOfSteadyFrames(Renderer& renderer, const RenderOptions& o
   }
   view.collect(frame);
   return allocations;
+}
+
+TEST(AllocationTest, ClipsThatChangeLightsAndMaterialsAllocateNothing) {
+  Renderer renderer;
+  renderer.setScene(changing());
+  RenderOptions options = tinyOptions();
+  for (const Transport transport : {Transport::Dipole, Transport::Boundary}) {
+    options.transport = transport;
+    EXPECT_EQ(allocationsOfSteadyFrames(renderer, options, {}, [] {}), 0U);
+  }
 }
 
 TEST(AllocationTest, SteadyFramesAllocateNothing) {
@@ -183,6 +222,29 @@ TEST(AllocationTest, SoftBodiesAllocateNothing) {
   };
   EXPECT_EQ(allocationsOfSteadyFrames(renderer, tinyOptions(), {}, pull), 0U);
   EXPECT_TRUE(body.moves());
+}
+
+// Nor for frames that others submit, where they lay exitance into buffers of theirs or not.
+TEST(AllocationTest, RecordedFramesAllocateNothing) {
+  Renderer renderer;
+  renderer.setScene(moving());
+  RenderOptions options = tinyOptions();
+  options.site = Site::Vertex;
+  View view(renderer, options);
+  bench::Caller caller(renderer);
+  const FrameOrder order{.aovs = {}, .onDevice = true, .exitance = true};
+  allocations = 0;
+  for (int i = 0; i < warmUp + steady; ++i) {
+    renderer.setTime({.seconds = 0.1 * i});
+    const FrameRecording recording = caller.begin();
+    counting = i >= warmUp;
+    view.record(recording, order);
+    counting = false;
+    caller.submit(recording);
+  }
+  Frame frame;
+  for (int i = 0; i < View::framesInFlight; ++i) view.collect(frame);
+  EXPECT_EQ(allocations, 0U);
 }
 
 TEST(AllocationTest, TheCounterCounts) {

@@ -320,6 +320,46 @@ TEST_F(AreaLightTest, ABodyTakesThemAsItTakesManyPointLights) {
   EXPECT_LT(std::sqrt(error / all), 0.03);
 }
 
+double rmsOverMean(const Image& image, const std::vector<float>& expected) {
+  double squares = 0;
+  double mean = 0;
+  const int count = forEachCovered(image, [&](std::size_t i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      squares += std::pow(double{image.rgba[i + c]} - double{expected[i + c]}, 2) / 3;
+      mean += double{expected[i + c]} / 3;
+    }
+  });
+  return std::sqrt(squares * count) / mean;
+}
+
+// Its light slants in every way, and so collides nearer to the surface than light of its middle: as
+// that of many small ones does.
+TEST_F(AreaLightTest, ALargeOneNearABodyIsManySmallOnes) {
+  constexpr int across = 8;
+  constexpr float halfMm = 10;
+  constexpr float partMm = halfMm / across;
+  RenderOptions boundary = options();
+  boundary.transport = Transport::Boundary;
+  boundary.maxSurfels = 8192;
+  for (const Medium& medium : {marble(), skin()}) {
+    Scene scene = sceneOf(sphere({0, 0, 0}, 5, 4), medium, {12, 6, 24}, 5.5F);
+    scene.lighting.areas = {RectangleLight{{0, 9, 0}, {halfMm, 0, 0}, {0, 0, halfMm}, {4, 4, 4}}};
+    const Image whole = render(scene, boundary, {Aov::Exitance})[0];
+    std::vector<float> sum(whole.rgba.size(), 0);
+    for (int first = 0; first < across * across; first += static_cast<int>(Lighting::maxLights)) {
+      scene.lighting.areas.clear();
+      for (int k = first; k < first + static_cast<int>(Lighting::maxLights); ++k) {
+        const auto place = [&](int i) { return partMm * static_cast<float>(2 * i + 1) - halfMm; };
+        scene.lighting.areas.emplace_back(RectangleLight{
+            {place(k % across), 9, place(k / across)}, {partMm, 0, 0}, {0, 0, partMm}, {4, 4, 4}});
+      }
+      const Image part = render(scene, boundary, {Aov::Exitance})[0];
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += part.rgba[k];
+    }
+    EXPECT_LT(rmsOverMean(whole, sum), 0.055) << medium.name;
+  }
+}
+
 TEST_F(AreaLightTest, ThePatternRefusesThem) {
   Scene scene = plate(marble());
   scene.lighting.areas = {DiscLight{}};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bssrdf/fresnel.h"
 #include "renderer/renderer_fixture.h"
 #include "renderer/shapes.h"
 
@@ -101,6 +102,41 @@ TEST_F(GroundTest, GivesBackItsShareOfADirectionalLightButInTheShadow) {
     for (std::size_t c = 0; c < 3; ++c)
       EXPECT_NEAR(found[c], away < 1 ? 0 : expected[c], 1e-3 * expected[c]);
   });
+}
+
+// A polished black ball mirrors Fresnel's part of what the ground sends, where its mirrored ray
+// meets the ground in the light. Nothing else shines there.
+TEST_F(GroundTest, ATranslucentBallMirrorsIt) {
+  RenderOptions options = GroundTest::options();
+  options.roughness = 0.05F;
+  Scene scene = ballOnGround(darkness(), {0.8F, 0.8F, 0.8F});
+  const Vector camera{0, 20, 300};
+  scene.camera = {toVec3(camera), {}, {0, 1, 0}, 5};
+  scene.lighting.directional.push_back({{0, 0.8F, 0.6F}, {2, 3, 4}});
+  const auto without = render(scene, options, {Aov::Radiance, Aov::Object, Aov::Position})[0];
+  options.specular = true;
+  const auto images = render(options, {Aov::Radiance, Aov::Object, Aov::Position});
+  ErrorsOfGround errors;
+  int seen = 0;
+  forEachCovered(images[0], [&](std::size_t i) {
+    if (images[1].rgba[i] != 0) return;
+    const Vector at = toVector(&images[2].rgba[i]);
+    const Vector normal = unit(at);
+    const Vector toCamera = unit(camera - at);
+    const double cosine = dot(normal, toCamera);
+    const Vector mirrored = 2 * cosine * normal - toCamera;
+    if (mirrored[1] > -0.1 || cosine < 0.4) return;
+    const Vector met = at + (-double{ballMm} - at[1]) / mirrored[1] * mirrored;
+    // Away from the shadow's cylinder by a cluster's width.
+    const double along = 0.8 * met[1] + 0.6 * met[2];
+    if (std::sqrt(dot(met, met) - along * along) < 1.3 * double{ballMm}) return;
+    const double expected = bssrdf::fresnelReflectance(darkness().eta, cosine) * 0.8 * 0.8 * 3 / pi;
+    errors.add(double{images[0].rgba[i + 1] - without.rgba[i + 1]} / expected - 1);
+    ++seen;
+  });
+  ASSERT_GT(seen, 100);
+         errors.largest(), seen);
+         EXPECT_LT(errors.rms(), 0.02);
 }
 
 // Of a sphere that stands wholly above a surface element a part (R/r)² cos θ of its sky is hidden.

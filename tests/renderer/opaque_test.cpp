@@ -247,6 +247,42 @@ TEST_F(OpaqueTest, EmissionLightsWhatLiesBefore) {
   EXPECT_NEAR(found[2], 0.5 * factor * 0.5, 0.01 * factor);
 }
 
+// Inside a luminous matt ball all is L + ρL + ρ²L + …, also beyond the bounces that are followed.
+TEST_F(OpaqueTest, LightGoesRoundInAHollowBall) {
+  Mesh hollow = sphere({0, 0, 0}, 10, 4);
+  for (Vec3& normal : hollow.normals) normal = {-normal[0], -normal[1], -normal[2]};
+  for (Triangle& t : hollow.triangles) std::swap(t[1], t[2]);
+  Scene scene = sceneOf(hollow, marble(), {0, 0, 4}, 10);
+  scene.objects[0].opaque = mattMaterial({0.5F, 0.7F, 0});
+  scene.objects[0].opaque->emission = {1, 1, 1};
+  scene.camera.verticalFovDegrees = 40;
+  const Image image = render(scene, options(), {Aov::Radiance})[0];
+  for (const int x : {2, edgePixels / 2, edgePixels - 3}) {
+    const Vector found = toVector(image.pixel(x, edgePixels / 2));
+    EXPECT_NEAR(found[0], 2, 0.03);
+    EXPECT_NEAR(found[1], 1 / 0.3, 0.06);
+    EXPECT_NEAR(found[2], 1, 1e-3);
+  }
+}
+
+// Rays pass what is cut out: light of a panel and of the sky goes through a plate that is all hole.
+TEST_F(OpaqueTest, LightPassesWhatIsCutOut) {
+  OpaqueMaterial hole = mattMaterial({1, 1, 1});
+  Texture texture;
+  texture.pixels = texturePixels(1, {{1, 1, 1, 0.2}});
+  hole.baseColorTexture = texture;
+  Scene scene = squareOf(mattMaterial({0.5F, 0.5F, 0.5F}));
+  scene.lighting.ambient = {0.2F, 0.2F, 0.2F};
+  scene.lighting.areas = {RectangleLight{{0, 0, 30}, {0, 10, 0}, {10, 0, 0}, {1, 1, 1}}};
+  const Vector open = radianceAt(scene, edgePixels / 2, edgePixels / 2);
+  EXPECT_GT(open[1], 0.1);
+  scene.objects.push_back(squareOf(hole).objects[0]);
+  for (Vec3& place : scene.objects[1].mesh.positionsMm) place[2] = 5;
+  EXPECT_LT(radianceAt(scene, edgePixels / 2, edgePixels / 2)[1], 0.9 * open[1]);
+  scene.objects[1].opaque->alphaCutoff = 0.5F;
+  EXPECT_NEAR(radianceAt(scene, edgePixels / 2, edgePixels / 2)[1], open[1], 0.01 * open[1]);
+}
+
 TEST_F(OpaqueTest, UnlitIsItsColourWhateverTheLight) {
   OpaqueMaterial material;
   material.baseColor = {0.3F, 0.6F, 0.9F};

@@ -106,7 +106,8 @@ Bands tracedBands(const Scene& scene, int particles) {
   for (const Vec3& n : object.mesh.normals) body.normals.push_back(toVector(n));
   body.triangles = object.mesh.triangles;
   body.medium = object.medium;
-  body.painted = {*object.paint, object.mesh.textureCoordinates, {}};
+  body.paint = object.paint;
+  body.textureCoordinates = object.mesh.textureCoordinates;
   reference::Scene traced;
   traced.bodies = {body};
   traced.lighting = scene.lighting;
@@ -119,7 +120,7 @@ Bands tracedBands(const Scene& scene, int particles) {
       {s + a, s / (s + a), 0, object.medium.eta,
        std::make_shared<const reference::Layer>(traced.bodies[0], 0)}};
   const reference::Walk walk(geometry, bound, interiors, 0);
-  const reference::Emitter emitter(traced, 0);
+  const reference::Emitter emitter(geometry, 0);
   Bands bands{};
   const double area = 2 * std::numbers::pi * double{ballRadiusMm} * double{ballRadiusMm} / 8;
   for (int i = 0; i < particles; ++i) {

@@ -6,6 +6,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 
+import check_documented
 import check_layers
 import check_links
 import check_names
@@ -13,6 +14,57 @@ import check_names
 
 def includes(path, *headers):
     return check_layers.check(path, "".join(f"#include {header}\n" for header in headers))
+
+
+class Documented(unittest.TestCase):
+    def names(self, text):
+        return [finding.split(": ")[1].split()[0] for finding in check_documented.undocumented("a.h", text)]
+
+    def test_types_and_functions_without_a_comment_are_found(self):
+        self.assertEqual(self.names("""#pragma once
+namespace opaline {
+
+struct Bare {
+  int member = 0;
+};
+
+/// What it is.
+class OPALINE_API Told {
+ public:
+  Told();
+  Told(const Told&) = delete;
+  ~Told();
+
+  /// Does this.
+  void does(int x) const;
+  void doesToo();
+
+  void alone() const { return works({1, 2}); }
+
+ private:
+  void hidden();
+};
+
+OPALINE_API void loose(const Told& told,
+                       int more);
+int behind();  ///< like this
+
+enum class Kind { One, Two };
+
+class Elsewhere;
+}
+"""), ["Bare", "alone", "loose", "Kind"])
+
+    def test_c_is_read_too(self):
+        self.assertEqual(self.names("""
+/// Told.
+typedef struct A {
+  size_t size;
+  void (*call)(void* context);
+} A;
+
+OPALINE_API Status opalineMake(A* a);
+"""), ["opalineMake"])
 
 
 class Layers(unittest.TestCase):

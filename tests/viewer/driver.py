@@ -29,6 +29,11 @@ BACKGROUND = ("--background", "0.03,0.03,0.035")
 
 def start_display(test, size="1400x900"):
     """A display; its name."""
+    return start_server(test, size)[0]
+
+
+def start_server(test, size):
+    """The same, and its server."""
     read, write = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{size}x24", "-nolisten", "tcp", "-noreset"],
                               pass_fds=[write], stderr=subprocess.DEVNULL)
@@ -36,7 +41,7 @@ def start_display(test, size="1400x900"):
     test.addCleanup(server.wait)
     test.addCleanup(server.kill)
     with os.fdopen(read) as pipe:
-        return ":" + pipe.readline().strip()
+        return ":" + pipe.readline().strip(), server
 
 
 class Shot:

@@ -11,7 +11,7 @@ class Panels(WindowTest):
         """In one window, one after the other, as they stand after each other."""
         self.window = self.view("--builtin", "teapot", "--medium", "gummy-red", *CORNERS, "--size", "760x600")
         for part in (self.handles, self.camera, self.keys, self.divider, self.method, self.time, self.motion, self.quick, self.playback,
-                     self.poke, self.show, self.film, self.typing, self.medium, self.material, self.light, self.many_lights):
+                     self.poke, self.show, self.film, self.typing, self.medium, self.material, self.light, self.ground, self.many_lights):
             with self.subTest(part.__name__):
                 part()
         self.window.close()
@@ -75,6 +75,23 @@ class Panels(WindowTest):
             self.assertGreater(before.difference(window.picture()), .3, shape)
             window.click("Light/delete")
             self.assertNotIn(f"Light/{shape} 1", window.state()["controls"])
+
+    def ground(self):
+        """Put under the scene, coloured, taken back and saved."""
+        window = self.window
+        window.only("Light")
+        self.assertGreater(self.changes(lambda: window.click("Light/ground")), .3)
+        self.assertIn("Light/color of the ground", window.state()["controls"])
+        place = window.place("Light/height of the ground")
+        lowered = window.picture()
+        window.drag(place, (place[0] - 30, place[1]))
+        self.assertGreater(lowered.difference(window.picture()), .1, "a lower one is another")
+        window.key("s")
+        saved = next(self.folder.glob("*.toml")).read_text(encoding="utf-8")
+        self.assertIn("[ground]", saved)
+        window.key("ctrl+z")
+        window.key("ctrl+z")
+        self.assertNotIn("Light/color of the ground", window.state()["controls"])
 
     def handles(self):
         """A light's handle is dragged; the camera stays."""

@@ -18,6 +18,7 @@
 #include "cli/paths.h"
 #include "cli/scene_options.h"
 #include "core/measures.h"
+#include "opaline/error.h"
 #include "opaline/file.h"
 #include "opaline/image_file.h"
 #include "opaline/material.h"
@@ -174,9 +175,19 @@ std::string motionText(const Scene& scene) {
   return text;
 }
 
-Json devicesJson() {
+/// What a scene contains is told where nothing can be found out about devices, too.
+std::vector<DeviceDescription> devicesOrNote(const LogCallback& log) {
+  try {
+    return listDevices();
+  } catch (const Error& error) {
+    log(LogLevel::Note, error.what());
+    return {};
+  }
+}
+
+Json devicesJson(const LogCallback& log) {
   Json devices = Json::array();
-  for (const DeviceDescription& device : listDevices()) {
+  for (const DeviceDescription& device : devicesOrNote(log)) {
     Json entry{{"index", devices.size()}};
     entry.update(deviceJson(device));
     entry["ray_queries"] = device.rayQueries;
@@ -192,7 +203,7 @@ Json atlasJson(const atlas::AtlasStatistics& statistics) {
           {"seconds", statistics.seconds}};
 }
 
-Json collect(const Scene& scene) {
+Json collect(const Scene& scene, const LogCallback& log) {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   for (const Object& object : scene.objects) {
@@ -223,7 +234,7 @@ Json collect(const Scene& scene) {
           {"not_shown", std::move(notShown)},
           {"materials", materialsJson(scene)},
           {"objects", objectsJson(scene)},
-          {"devices", devicesJson()}};
+          {"devices", devicesJson(log)}};
 }
 
 /// Draws the atlas into a file and says how it came out.
@@ -304,7 +315,7 @@ std::string restText(const Json& facts) {
                         device["driver"].get<std::string>(),
                         device["ray_queries"].get<bool>() ? ", ray queries" : "");
   }
-  if (facts["devices"].empty()) text += "no Vulkan device\n";
+  if (facts["devices"].empty()) text += "no Vulkan device was found\n";
   return text;
 }
 
@@ -325,7 +336,7 @@ void runInfo(const Arguments& arguments) {
   const Scene& scene = loaded.scene;
   if (command.atlas) requireNoInput({{"--atlas", *command.atlas}}, filesOf(loaded.source));
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
-  Json facts = collect(scene);
+  Json facts = collect(scene, log);
   if (command.atlas) {
     facts["atlas"] = drawAtlas(scene, *command.atlas);
     log(LogLevel::Note, fmt::format("wrote {}", command.atlas->string()));

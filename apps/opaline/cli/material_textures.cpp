@@ -4,18 +4,11 @@ namespace opaline::app {
 
 std::vector<NamedTexture> texturesOf(const Object& object) {
   std::vector<NamedTexture> there;
-  const auto add = [&](const char* use, const std::optional<Texture>& texture) {
+  const auto add = [&](std::string_view use, const std::optional<Texture>& texture) {
     if (texture) there.push_back({use, &*texture});
   };
   if (object.opaque) {
-    const OpaqueMaterial& material = *object.opaque;
-    add("base color", material.baseColorTexture);
-    add("metallic-roughness", material.metallicRoughnessTexture);
-    add("specular", material.specularTexture);
-    add("specular color", material.specularColorTexture);
-    add("normal", material.normalTexture);
-    add("occlusion", material.occlusionTexture);
-    add("emission", material.emissionTexture);
+    for (const TextureOfMaterial& of : texturesOfMaterial) add(of.use, (*object.opaque).*of.texture);
     return there;
   }
   if (object.paint) add("color", object.paint->colorTexture);

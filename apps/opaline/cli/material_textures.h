@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "opaline/scene.h"
@@ -9,7 +9,7 @@ namespace opaline::app {
 
 /// A texture and what it is for.
 struct NamedTexture {
-  const char* use;
+  std::string_view use;
   const Texture* texture;  ///< of the object
 };
 

@@ -38,6 +38,7 @@ void toStandardError(std::string_view prefix, std::string_view sentence) {
 
 void guardStandardStreams() {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow fails to be written, as on a full disk
   for (int stream = 0; stream < 3; ++stream) {
     if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF) {
       // A closed standard output becomes one that cannot be written: what is lost is reported.

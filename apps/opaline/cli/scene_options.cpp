@@ -62,6 +62,26 @@ Light checked(const Given& given, const Light& light) {
   return light;
 }
 
+/// DX,DY,DZ[:R,G,B[:DEGREES]]
+DirectionalLight readDirectional(const Given& given) {
+  const std::vector<Given> parts = partsOf(given);
+  if (parts.size() > 3) {
+    throw UsageError(fmt::format(
+        "{} {}: needs a direction, X,Y,Z, and perhaps an irradiance and the degrees of the radius "
+        "as which it is mirrored, X,Y,Z:R,G,B:DEGREES",
+        given.option, given.text));
+  }
+  const auto allowed = [](std::string_view key) {
+    return options::fieldOf<DirectionalLight>(key).allowed.range;
+  };
+  DirectionalLight light{.directionToLight = readDirection(parts[0])};
+  if (parts.size() > 1) light.irradiance = readColour(parts[1], allowed("irradiance"));
+  if (parts.size() > 2)
+    light.angularRadiusDegrees =
+        static_cast<float>(readNumber(parts[2], allowed("angular_radius_degrees")));
+  return light;
+}
+
 /// X,Y,Z:R,G,B:DX,DY,DZ[:INNER,OUTER]
 SpotLight readSpot(const Given& given) {
   const std::vector<Given> parts = partsOf(given);
@@ -178,12 +198,14 @@ void SceneOptions::addTo(CommandLine& line) {
                    readNumber(given, options::fieldOf<LoadOptions>("diagonal_mm").allowed.range));
              });
   medium_.addTo(line);
-  line.value("--morph-to", "FILE", "mesh that SCENE turns into: clip \"morph\"",
+  line.value("--morph-to", "FILE", "mesh it turns into; media by observed or khr",
              [this](const Given& given) { morphTo_ = given.text; });
+  addField(line, options::fieldOf<LoadOptions>("color_model"), chosen_, {}, "");
 }
 
 bool SceneOptions::any() const {
-  return !files_.empty() || builtIn_ || diagonalMm_ || morphTo_ || medium_.any();
+  return !files_.empty() || builtIn_ || diagonalMm_ || morphTo_ || medium_.any() ||
+         !chosen_.empty();
 }
 
 std::string SceneOptions::name() const {
@@ -208,6 +230,7 @@ LoadedScene SceneOptions::load(const LogCallback& log) const {
   options.media = medium_.ofObjects();
   options.morphTo = morphTo_;
   options.log = log;
+  chosen_.applyTo(options);
   if (files_.empty()) {
     const bool teapot = builtIn_ == "teapot";
     return {teapot ? builtInTeapot(options) : builtInBear(options),
@@ -223,14 +246,11 @@ LoadedScene SceneOptions::load(const LogCallback& log) const {
 }
 
 void LightOptions::addTo(CommandLine& line) {
-  line.repeated(
-      "--directional", "DIR[:RGB]", "X,Y,Z towards the light; irradiance R,G,B [1,1,1]",
-      [this](const Given& given) {
-        const PlacedColour light =
-            readPlacedColour(given, options::fieldOf<DirectionalLight>("irradiance").allowed.range);
-        directional_.push_back({readDirection(light.place), light.colour.value_or(Rgb{1, 1, 1})});
-        any_ = true;
-      });
+  line.repeated("--directional", "DIR[:RGB[:DEG]]",
+                "X,Y,Z to the light; irradiance [1,1,1]; radius [0]", [this](const Given& given) {
+                  directional_.push_back(readDirectional(given));
+                  any_ = true;
+                });
   line.repeated("--point", "X,Y,Z:R,G,B", "mm, irradiance at 1 mm", [this](const Given& given) {
     const PlacedColour light =
         readPlacedColour(given, options::fieldOf<PointLight>("intensity").allowed.range);
@@ -284,6 +304,7 @@ void LightOptions::applyTo(LoadedScene& loaded) const {
       loaded.source.environment = EnvironmentFile{std::filesystem::absolute(*environment_)};
     }
     loaded.scene.lighting = lightingFor(loaded.scene);
+    stopLights(loaded.scene);
   }
   std::optional<EnvironmentFile>& environment = loaded.source.environment;
   if (!environment && !turned_.empty()) {
@@ -333,6 +354,7 @@ void CameraOptions::check() const {
 
 void CameraOptions::applyTo(Scene& scene) const {
   check();
+  if (any()) stopCamera(scene);
   Camera& camera = scene.camera;
   const double distanceMm = scene::distanceToTargetMm(camera);
   const Vec3 middle = middleOf(boundsOf(scene));

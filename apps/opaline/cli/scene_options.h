@@ -38,6 +38,7 @@ class SceneOptions {
   std::optional<float> diagonalMm_;
   std::optional<std::filesystem::path> morphTo_;
   MediumOptions medium_;
+  options::Chosen<LoadOptions> chosen_;  ///< of the other options
 };
 
 /// --directional, --point, --spot, --rectangle, --disc, --sphere, --tube, --ambient, --environment

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "deform/deformed_vertices.h"
-#include "deform/pose.h"
 #include "film/sequence_frames.h"
 #include "opaline/error.h"
 #include "scene/framing.h"
+#include "scene/pose.h"
 #include "scene/vector_math.h"
 
 namespace opaline::app {
@@ -33,8 +33,8 @@ constexpr std::int64_t mostMoments = 1024;
 template <typename Use>
 void forEachPosition(const Scene& scene, const Bounds& box, const SceneTime& time,
                      const reference::PositionsByObject& positionsMm, const Use& use) {
-  deform::Pose pose = deform::makePose(scene);
-  deform::poseAt(scene, time.clip, time.seconds, pose);
+  scene::Pose pose = scene::makePose(scene);
+  scene::poseAt(scene, time.clip, time.seconds, pose);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     if (scene.objects[i].isGround) continue;
     const auto given = positionsMm.find(i);

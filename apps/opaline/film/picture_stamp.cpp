@@ -58,14 +58,21 @@ void addTexture(Digest& digest, const std::optional<Texture>& texture) {
   });
 }
 
-void addMaterial(Digest& digest, const OpaqueMaterial& material) {
+void addNumbers(Digest& digest, const OpaqueMaterial& material) {
   const auto& [name, baseColor, baseColorTexture, metallic, roughness, metallicRoughnessTexture,
                ior, specular, specularColor, specularTexture, specularColorTexture, normalTexture,
                normalScale, occlusionTexture, occlusionStrength, emission, emissionTexture,
                alphaCutoff, alpha, unlit] = material;
   addAll(digest, baseColor, metallic, roughness, ior, specular, specularColor, normalScale,
          occlusionStrength, emission, alphaCutoff, alpha, unlit);
-  for (const auto member : texturesOfMaterial) addTexture(digest, material.*member);
+  for (const TextureOfMaterial& of : texturesOfMaterial)
+    addIfThere(digest, material.*of.texture,
+               [&](const Texture& texture) { digest.add(texture.transform); });
+}
+
+void addMaterial(Digest& digest, const OpaqueMaterial& material) {
+  addNumbers(digest, material);
+  for (const TextureOfMaterial& of : texturesOfMaterial) addTexture(digest, material.*of.texture);
 }
 
 void addObject(Digest& digest, const Object& object) {
@@ -132,20 +139,27 @@ void addShape(Digest& digest, const TubeLight& light) {
   addAll(digest, fromMm, toMm, radiusMm, radiance, visible);
 }
 
+void addLight(Digest& digest, const DirectionalLight& light) {
+  const auto& [directionToLight, irradiance, angularRadiusDegrees] = light;
+  addAll(digest, directionToLight, irradiance, angularRadiusDegrees);
+}
+
+void addLight(Digest& digest, const PointLight& light) {
+  const auto& [positionMm, intensity] = light;
+  addAll(digest, positionMm, intensity);
+}
+
+void addLight(Digest& digest, const SpotLight& light) {
+  const auto& [positionMm, direction, intensity, innerDegrees, outerDegrees] = light;
+  addAll(digest, positionMm, direction, intensity, innerDegrees, outerDegrees);
+}
+
 void addLighting(Digest& digest, const Lighting& lighting) {
   const auto& [directional, points, spots, areas, ambient, environment] = lighting;
-  addEach(digest, directional, [&](const DirectionalLight& light) {
-    const auto& [directionToLight, irradiance] = light;
-    addAll(digest, directionToLight, irradiance);
-  });
-  addEach(digest, points, [&](const PointLight& light) {
-    const auto& [positionMm, intensity] = light;
-    addAll(digest, positionMm, intensity);
-  });
-  addEach(digest, spots, [&](const SpotLight& light) {
-    const auto& [positionMm, direction, intensity, innerDegrees, outerDegrees] = light;
-    addAll(digest, positionMm, direction, intensity, innerDegrees, outerDegrees);
-  });
+  const auto add = [&](const auto& light) { addLight(digest, light); };
+  addEach(digest, directional, add);
+  addEach(digest, points, add);
+  addEach(digest, spots, add);
   addEach(digest, areas, [&](const AreaLight& area) {
     digest.add(std::uint64_t{area.index()});
     std::visit([&](const auto& light) { addShape(digest, light); }, area);
@@ -157,15 +171,44 @@ void addLighting(Digest& digest, const Lighting& lighting) {
   digest.add(environment->rgba);
 }
 
+void addCamera(Digest& digest, const Camera& camera) {
+  const auto& [positionMm, targetMm, up, verticalFovDegrees, shiftX, shiftY, orthographicHeightMm] =
+      camera;
+  addAll(digest, positionMm, targetMm, up, verticalFovDegrees, shiftX, shiftY);
+  addIfThere(digest, orthographicHeightMm, [&](float heightMm) { digest.add(heightMm); });
+}
+
+template <typename T, typename Add>
+void addKeys(Digest& digest, const std::vector<Keys<T>>& all, const Add& add) {
+  addEach(digest, all, [&](const Keys<T>& of) {
+    const auto& [index, seconds, values] = of;
+    addAll(digest, index, seconds);
+    addEach(digest, values, add);
+  });
+}
+
+void addChanges(Digest& digest, const ClipChanges& changes) {
+  const auto& [directional, points, spots, cameras, surfaces, media] = changes;
+  const auto addOne = [&](const auto& light) { addLight(digest, light); };
+  addKeys(digest, directional, addOne);
+  addKeys(digest, points, addOne);
+  addKeys(digest, spots, addOne);
+  addKeys(digest, cameras, [&](const Camera& camera) { addCamera(digest, camera); });
+  addKeys(digest, surfaces, [&](const OpaqueMaterial& material) { addNumbers(digest, material); });
+  addKeys(digest, media, [&](const Medium& medium) {
+    addAll(digest, medium.sigmaSPrimePerMm, medium.sigmaAPerMm, medium.eta, medium.g);
+  });
+}
+
 void addScene(Digest& digest, const Scene& scene) {
   // What the camera sees counts, and not who chose it.
-  const auto& [name, objects, lighting, camera, cameraChosen, nodes, clips, deformers, repairs,
-               notShown] = scene;
+  const auto& [name, objects, lighting, camera, cameraChosen, nodes, clips, changes, deformers,
+               repairs, notShown] = scene;
   addEach(digest, objects, [&](const Object& object) { addObject(digest, object); });
   addLighting(digest, lighting);
-  const auto& [positionMm, targetMm, up, verticalFovDegrees] = camera;
-  addAll(digest, positionMm, targetMm, up, verticalFovDegrees);
+  addCamera(digest, camera);
   addMotion(digest, scene);
+  addEach(digest, changes, [&](const ClipChanges& of) { addChanges(digest, of); });
 }
 
 void addSettings(Digest& digest, const RenderOptions& options,

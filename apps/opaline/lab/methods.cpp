@@ -51,10 +51,9 @@ rf::PictureOptions pictureOf(const MethodsOrder& order, int every) {
 Image exactExitance(const MethodsOrder& order, const rf::Geometry& geometry, Transport transport,
                     int every) {
   const rf::Irradiance irradiance(geometry);
-  const rf::Integral integral(geometry, irradiance, {.transport = transport});
-  const rf::LeavingLight light{[&](const rf::SurfacePoint& point) { return integral.at(point); },
-                               rf::exitFactors(geometry.scene(), transport)};
-  return rf::makePicture(geometry, irradiance, light, pictureOf(order, every)).image;
+  return rf::integralTruth(geometry, irradiance, {.transport = transport}, pictureOf(order, every),
+                           {})
+      .picture.image;
 }
 
 std::optional<double> errorAgainst(const Image& found, const Image& exact) {

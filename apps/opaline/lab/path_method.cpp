@@ -69,6 +69,8 @@ void PathMethod::addTo(CommandLine& line) {
         [this](const Given& given) {
           options_.cellMm = readNumber(given, {1e-4, 1e6, "mm"});
         });
+  value("--paths", "N", "from the eye to a pixel of an opaque body [64]",
+        [this](const Given& given) { pathsOfPixel_ = readInteger(given, 1, 1000000); });
   value("--seed", "N", "of the random numbers [1]", [this](const Given& given) {
     options_.seed = static_cast<std::uint64_t>(readInteger(given, 0, 1'000'000'000));
   });
@@ -80,8 +82,8 @@ void PathMethod::check(const std::filesystem::path& output,
                        const std::optional<std::filesystem::path>& report) const {
   if (any_ && !wanted_) {
     throw UsageError(
-        "--samples, --seconds, --error, --bounces, --cell-mm, --seed and --checkpoint belong to "
-        "--path");
+        "--samples, --seconds, --error, --bounces, --cell-mm, --paths, --seed and --checkpoint "
+        "belong to --path");
   }
   const auto isCheckpoint = [&](const std::filesystem::path& file) {
     return checkpoint_ && checkpoint_->lexically_normal() == file.lexically_normal();
@@ -132,8 +134,9 @@ double PathMethod::run(rf::PathTracer& tracer, const rf::BlockError& error, bool
 }
 
 rf::Picture PathMethod::make(const rf::Geometry& geometry, const rf::Irradiance& irradiance,
-                             const rf::PictureOptions& picture, bool quiet, const LogCallback& log,
+                             rf::PictureOptions picture, bool quiet, const LogCallback& log,
                              Json& report) const {
+  picture.pathsOfPixel = pathsOfPixel_;
   if (checkpoint_) requireWritable(*checkpoint_);
   const auto begin = Clock::now();
   rf::PathTracer tracer(geometry, options_);

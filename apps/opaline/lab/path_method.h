@@ -32,8 +32,8 @@ class PathMethod {
   /// there is to say.
   reference::Picture make(const reference::Geometry& geometry,
                           const reference::Irradiance& irradiance,
-                          const reference::PictureOptions& picture, bool quiet,
-                          const LogCallback& log, Json& report) const;
+                          reference::PictureOptions picture, bool quiet, const LogCallback& log,
+                          Json& report) const;
 
  private:
   void resume(reference::PathTracer& tracer) const;
@@ -43,6 +43,7 @@ class PathMethod {
   bool any_ = false;  ///< of the options that need it
   reference::PathOptions options_;
   reference::PathLimits limits_;
+  int pathsOfPixel_ = reference::PictureOptions{}.pathsOfPixel;
   std::optional<std::filesystem::path> checkpoint_;
 };
 

@@ -131,10 +131,10 @@ struct ReferenceCommand {
     if (picture.aov() == Aov::Surfels) {
       throw UsageError("--aov surfels: the reference works without surfels; render shows them");
     }
-    if (picture.asksForReflection()) {
+    if (picture.asksForReflection() && integral) {
       throw UsageError(
-          "--roughness: the reference leaves out the reflection on the surface; compare it with "
-          "render --no-specular");
+          "--roughness: the integral leaves out reflections; compare it with render "
+          "--no-specular");
     }
     static_cast<void>(options({}));
   }
@@ -165,6 +165,7 @@ struct ReferenceCommand {
     options.aov = picture.aov();
     options.antialias = render.antialias;
     options.environmentBehind = render.environmentBehind;
+    options.eye = {render.specular, double{render.roughness}};
     options.region = region;
     options.every = every;
     return options;
@@ -201,8 +202,11 @@ ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
           {time.clip, aspectOf(options), sequence.get(), momentOf(time.seconds, sequence.get())});
   if (options.specular && command.picture.aov() == Aov::Radiance) {
     log(LogLevel::Note,
-        "the reference leaves out the reflection on the surface; compare it with render "
-        "--no-specular");
+        command.integral
+            ? "the integral leaves out the reflection on surfaces; compare it with render "
+              "--no-specular"
+            : "the reference leaves out the reflection on the surface of media; "
+              "compare these with render --no-specular");
   }
   requireNoInput(command.outputs(), filesOf(source));
   const ToneOptions tone = command.picture.tone(settings, scene);

@@ -42,6 +42,7 @@ struct TruthJob::Work {
     picture.height = options.height;
     picture.antialias = options.antialias;
     picture.environmentBehind = options.environmentBehind;
+    picture.eye = {options.specular, double{options.roughness}};
     return picture;
   }
 };

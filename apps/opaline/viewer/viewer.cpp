@@ -237,20 +237,32 @@ void Viewer::drawPicture() {
   if (area.empty()) return;
   const bool moving = moves();
   const bool resized = area.width != drawn_.width || area.height != drawn_.height;
+  // Every ground is another scene: it is taken up when the mouse lets go.
+  if (session_.edits.ground && ImGui::IsAnyItemActive()) return;
   // What was drawn for speed is drawn well once nothing moves.
   if (!session_.edits.any() && !resized && !(rough_ && !moving)) return;
   rough_ = moving;
   drawn_ = area;
-  placeBody();
   exposing_ = exposing_ || session_.edits.lighting;
   awake_ = std::max(awake_, 1);
   try {
+    if (session_.edits.ground) setGround();
+    placeBody();
     stage_.draw(session_, area.width, area.height, moving);
     if (!moving && !stage_.isBusy()) stage_.finish();
   } catch (const Error& error) {
     return takeBackEdit(error.what());
   }
   undo_.markSound();
+}
+
+// The scene is prepared anew. Where that fails it has no ground, and the edit is taken back.
+void Viewer::setGround() {
+  Scene without = session_.scene;
+  removeGround(without);
+  poke_.end();
+  sequence_.forget();
+  stage_.setScene(session_.scene, without);
 }
 
 // The device had no room for what was edited, for example. What failed for another reason is not

@@ -85,6 +85,7 @@ class Viewer {
   void useKeys(const std::vector<KeyPress>& presses);
   void drawDialogs();
   void followEdits();
+  void setGround();
   void placeBody();
   void drawPicture();
   void takeBackEdit(std::string_view error);

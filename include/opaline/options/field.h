@@ -32,6 +32,7 @@ struct OPALINE_API Allowed {
   std::vector<std::string_view> choices = {};
   std::vector<int> counts = {};  ///< of a whole number; empty: all in the range
 
+  /// Whether a value is allowed.
   bool holds(const Value& value) const;
 };
 
@@ -59,6 +60,7 @@ struct Field {
 template <typename Owner>
 const std::vector<Field<Owner>>& fieldsOf();
 
+/// The field of that key; null where there is none.
 template <typename Owner>
 const Field<Owner>* findField(std::string_view key) {
   for (const Field<Owner>& field : fieldsOf<Owner>())
@@ -90,17 +92,21 @@ std::string complaintAboutFields(const Owner& owner) {
 template <typename Owner>
 class Chosen {
  public:
+  /// Values by field: what was set last counts.
   void set(const Field<Owner>& field, Value value) {
     values_.insert_or_assign(field.key, std::move(value));
   }
+  /// By key: whether one is there, which, and away with it.
   void erase(std::string_view key) { values_.erase(key); }
   bool has(std::string_view key) const { return values_.contains(key); }
   const Value* find(std::string_view key) const {
     const auto found = values_.find(key);
     return found == values_.end() ? nullptr : &found->second;
   }
+  /// Whether nothing was chosen.
   bool empty() const { return values_.empty(); }
 
+  /// Sets the members that were chosen.
   void applyTo(Owner& owner) const {
     for (const Field<Owner>& field : fieldsOf<Owner>())
       if (const Value* value = find(field.key)) field.set(owner, *value);
@@ -132,6 +138,7 @@ Field<Owner> formerly(std::string_view formerKey, Field<Owner> field) {
 template <typename Enumeration>
 const std::vector<std::string_view>& namesOf();
 
+/// As it is written in files and on the command line.
 template <typename Enumeration>
 std::string nameOf(Enumeration value) {
   return std::string(namesOf<Enumeration>().at(static_cast<std::size_t>(value)));
@@ -155,11 +162,14 @@ auto& memberOf(Owner& owner) {
     return memberOf<rest...>(owner.*first);
 }
 
+/// For the library: whether a member may be without a value.
 template <typename T>
 struct IsOptional : std::false_type {};
+/// For the library: whether a member may be without a value.
 template <typename T>
 struct IsOptional<std::optional<T>> : std::true_type {};
 
+/// For the library: between members and values.
 template <typename T>
 std::optional<Value> valueOf(const T& member) {
   if constexpr (IsOptional<T>::value)
@@ -170,6 +180,7 @@ std::optional<Value> valueOf(const T& member) {
     return member;
 }
 
+/// For the library: sets a member to a value of its kind.
 template <typename T>
 void assign(const Value& value, T& member) {
   if constexpr (IsOptional<T>::value)
@@ -180,6 +191,7 @@ void assign(const Value& value, T& member) {
     member = std::get<T>(value);
 }
 
+/// For the library: any value of that kind.
 template <typename T>
 Value valueLike() {
   if constexpr (IsOptional<T>::value)

@@ -41,6 +41,8 @@ OPALINE_API const std::vector<Field<TubeLight>>& fieldsOf();
 
 template <>
 OPALINE_API const std::vector<std::string_view>& namesOf<DeformerKind>();
+template <>
+OPALINE_API const std::vector<std::string_view>& namesOf<ColorModel>();
 
 /// The amount's range is the widest; rangeOfAmount() knows that of each kind.
 template <>
@@ -52,7 +54,7 @@ OPALINE_API Range rangeOfAmount(const Deformer& deformer);
 /// What is wrong with a deformer, as a sentence; empty if nothing.
 OPALINE_API std::string complaintAbout(const Deformer& deformer);
 
-/// Of LoadOptions only the size.
+/// Of LoadOptions only the size and what colours mean.
 template <>
 OPALINE_API const std::vector<Field<LoadOptions>>& fieldsOf();
 

@@ -1,5 +1,7 @@
 #include "passes/scatter/opaque_pass.h"
 
+#include <cstdint>
+
 #include "gpu/device.h"
 #include "passes/mechanics.h"
 #include "passes/seen_parts.h"
@@ -9,6 +11,7 @@ namespace opaline::passes {
 
 OpaquePass::OpaquePass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
+      cutPieces_(device, "holes of opaque bodies"),
       shares_(device, "shares of opaque clusters"),
       clusters_(device, "opaque clusters"),
       vertices_(device, "opaque vertices"),
@@ -22,6 +25,13 @@ void OpaquePass::makeShares(gpu::Device& device, Surfels& surfels, Clusters& clu
       makeRoom<shared::vec4>(device, "exitance of opaque clusters", clusters.count);
   gpu::CommandList commands(device, "shares of opaque clusters");
   commands.begin();
+  recordShares(commands, surfels, clusters, opaque, tables);
+  commands.submit();
+}
+
+void OpaquePass::recordShares(gpu::CommandList& commands, Surfels& surfels, Clusters& clusters,
+                              OpaqueTables& opaque, SceneTables& tables) const {
+  commands.beginPass("opaque");
   commands.bind(shares_,
                 {.surfaceMaterials = surfaceMaterials(opaque),
                  .objects = tables.objects,
@@ -31,6 +41,21 @@ void OpaquePass::makeShares(gpu::Device& device, Surfels& surfels, Clusters& clu
                  .shares = tables.opaqueShares},
                 {.clusterCount = clusters.count, .piecesPerSurfel = surfels.piecesPerSurfel});
   commands.dispatchLinear(clusters.count);
+  commands.endPass();
+}
+
+void OpaquePass::cutOut(gpu::Device& device, Surfels& surfels, OpaqueTables& opaque,
+                        SceneTables& tables) const {
+  const std::uint32_t pieces = surfels.count * surfels.piecesPerSurfel;
+  gpu::CommandList commands(device, "holes of opaque bodies");
+  commands.begin();
+  commands.bind(cutPieces_,
+                {.surfaceMaterials = surfaceMaterials(opaque),
+                 .objects = tables.objects,
+                 .media = tables.media,
+                 .pieces = surfels.pieces},
+                {.pieceCount = pieces});
+  commands.dispatchLinear(pieces);
   commands.submit();
 }
 
@@ -48,8 +73,9 @@ void OpaquePass::overClusters(gpu::CommandList& commands, const Inputs& inputs, 
                  .entered = clusters.entered,
                  .latest = clusters.latest,
                  .enteredBefore = clusters.enteredBefore,
-                 .irradiances = clusters.exitances},
-                {.clusterCount = clusters.count, .again = from == From::Clusters});
+                 .irradiances = clusters.exitances,
+                 .stillToCome = clusters.power},
+                {.clusterCount = clusters.count, .from = static_cast<std::uint32_t>(from)});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
 }

@@ -3,6 +3,7 @@
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
+#include "shaders/boundary/cut_pieces.comp.h"
 #include "shaders/boundary/opaque.comp.h"
 #include "shaders/boundary/opaque_shares.comp.h"
 #include "shaders/scatter/opaque_fragments.comp.h"
@@ -26,12 +27,19 @@ class OpaquePass {
     ShadowMaps& shadows;
   };
 
+  /// Takes pieces away where opaque bodies have holes. For set-up.
+  void cutOut(gpu::Device& device, Surfels& surfels, OpaqueTables& opaque,
+              SceneTables& tables) const;
   /// SceneTables::opaqueShares, once the rest of the tables is there. For set-up.
   void makeShares(gpu::Device& device, Surfels& surfels, Clusters& clusters, OpaqueTables& opaque,
                   SceneTables& tables) const;
+  /// The same again in a frame, where materials have changed.
+  void recordShares(gpu::CommandList& commands, Surfels& surfels, Clusters& clusters,
+                    OpaqueTables& opaque, SceneTables& tables) const;
 
-  /// What clusters find: of lights and the sky, or of what other clusters send.
-  enum class From { Lights, Clusters };
+  /// What clusters find: of lights and the sky, of what other clusters send, or of bounces that are
+  /// not followed. As boundary/opaque.comp has it.
+  enum class From { Lights, Clusters, FurtherBounces };
   void overClusters(gpu::CommandList& commands, const Inputs& inputs, From from,
                     Clusters& clusters) const;
   /// Where the site is the vertices; none elsewhere.
@@ -43,6 +51,7 @@ class OpaquePass {
 
  private:
   gpu::Sampler nearest_;
+  gpu::Compute<shaders::BoundaryCutPieces> cutPieces_;
   gpu::Compute<shaders::BoundaryOpaqueShares> shares_;
   gpu::Compute<shaders::BoundaryOpaque> clusters_;
   gpu::Compute<shaders::ScatterOpaqueVertices> vertices_;

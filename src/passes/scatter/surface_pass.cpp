@@ -69,10 +69,12 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                       .bytes = sizeof(shared::SeenCount),
                       .usage = counted}};
   made.list = makeRoom<std::uint32_t>(device, "list of seen surfaces", room);
-  made.counts = {device,
-                 {.name = "number of seen surfaces",
-                  .bytes = (1 + made.parts) * sizeof(shared::SeenCount),
-                  .usage = counted}};
+  const auto countsOfParts = [&](const char* name) {
+    return gpu::Buffer(
+        device,
+        {.name = name, .bytes = (1 + made.parts) * sizeof(shared::SeenCount), .usage = counted});
+  };
+  made.counts = countsOfParts("number of seen surfaces");
   made.light = makeRoom<shared::vec4>(device, "light of seen surfaces", room);
   made.materials = makeRoom<shared::SeenMaterial>(device, "materials of seen surfaces",
                                                   kept.materials ? room : 0);
@@ -82,8 +84,10 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                     {.name = "blocks of reflected sky",
                      .width = (extent.width + 1) / 2,
                      .height = (extent.height + 1) / 2,
-                     .format = VK_FORMAT_R32_UINT,
+                     .format = VK_FORMAT_R32_SFLOAT,
                      .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT}};
+  made.askedOfSky = makeRoom<std::uint32_t>(device, "list of surfaces that mirror some sky", room);
+  made.askedCounts = countsOfParts("number of surfaces that mirror some sky");
   return made;
 }
 

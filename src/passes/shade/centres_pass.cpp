@@ -1,6 +1,7 @@
 #include "passes/shade/centres_pass.h"
 
 #include "gpu/device.h"
+#include "passes/seen_parts.h"
 
 namespace opaline::passes {
 
@@ -26,8 +27,7 @@ void CentresPass::record(gpu::CommandList& commands, const SeenSurfaces& seen, S
                          Exitance& exitance, bool atFragments, SeenCentres& centres) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("surface");
-  commands.use(surfaces.counts, gpu::Access::Indirect);
-  commands.bind(pipeline_,
+  dispatchWhole(commands, surfaces.counts, pipeline_,
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .meshExitances = exitance.vertices,
                  .positionObject = centres.position,
@@ -37,7 +37,6 @@ void CentresPass::record(gpu::CommandList& commands, const SeenSurfaces& seen, S
                  .objects = tables.objects,
                  .materials = surfaces.materials},
                 {.atFragments = atFragments});
-  commands.dispatchIndirect(surfaces.counts, 0);
   commands.endPass();
 }
 

@@ -11,7 +11,8 @@ class Device;
 
 namespace opaline::passes {
 
-/// What opaque surfaces mirror of the scene, and how much of what they mirror is sky.
+/// What opaque surfaces mirror of the scene, and how much of what they mirror is sky; and what
+/// translucent surfaces mirror of bodies.
 class MirroredScenePass {
  public:
   explicit MirroredScenePass(gpu::Device& device);
@@ -21,6 +22,9 @@ class MirroredScenePass {
     Surfels& surfels;
     RayHierarchy& rays;
     Clusters& clusters;
+    bool onTranslucent;  ///< VisibleSurfaces::light says how much of the sky these mirror
+    bool insides;        ///< clusters know what leaves translucent bodies
+    float roughness;     ///< of translucent surfaces that state none
   };
   /// Completes VisibleSurfaces::materials.
   void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;

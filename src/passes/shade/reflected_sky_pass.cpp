@@ -3,8 +3,16 @@
 #include "gpu/device.h"
 #include "passes/mechanics.h"
 #include "passes/seen_parts.h"
+#include "shaders/shared/sky_rays.h"
 
 namespace opaline::passes {
+
+namespace {
+
+// Of a surface, with which all of a band go in one dispatch: few of them need rays of their own.
+constexpr std::uint32_t raysAtOnce = 8;
+
+}  // namespace
 
 ReflectedSkyPass::ReflectedSkyPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
@@ -16,6 +24,7 @@ ReflectedSkyPass::ReflectedSkyPass(gpu::Device& device)
                "blocks of reflected sky",
                rayShader<shaders::ShadeSkyBlocks>(device),
                {.withOwnSurfaces = 1}}},
+      known_(device, "sky known of blocks"),
       pixels_{{device,
                "reflected sky",
                rayShader<shaders::ShadeReflectedSky>(device),
@@ -44,21 +53,35 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .samples = inputs.samples,
                  .alpha = alpha});
-  const auto groupsOf = [](std::uint32_t pixels) { return (pixels + 15) / 16; };
+  const auto groupsOf = [](std::uint32_t pixels) { return (pixels + 31) / 32; };
   commands.dispatch(groupsOf(surfaces.words.extent().width), groupsOf(surfaces.rowsOfBand));
-  dispatchParts(commands, surfaces, pixels_.of(own),
+  commands.fill(surfaces.askedCounts, 0);
+  dispatchWhole(commands, surfaces.counts, known_,
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .objects = inputs.tables.objects,
-                 .pieceCorners = inputs.rays.corners,
-                 .rayHierarchy = passes::rays(inputs.rays),
                  .light = surfaces.light,
                  .skyBlocks = {surfaces.skyBlocks, nearest_},
-                 .materials = surfaces.materials},
-                {.first = 0,
-                 .nodeCount = nodeCount,
-                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
-                 .samples = inputs.samples,
-                 .alpha = alpha});
+                 .surfaces = surfaces.askedOfSky,
+                 .surfaceCounts = surfaces.askedCounts});
+  const shaders::ShadeReflectedSky::Bindings bindings{.listedPlaces = listedPlaces(seen, nearest_),
+                                                      .objects = inputs.tables.objects,
+                                                      .pieceCorners = inputs.rays.corners,
+                                                      .rayHierarchy = passes::rays(inputs.rays),
+                                                      .light = surfaces.light,
+                                                      .asked = surfaces.askedOfSky,
+                                                      .askedCount = surfaces.askedCounts,
+                                                      .materials = surfaces.materials};
+  const shaders::ShadeReflectedSky::Push push{.first = 0,
+                                              .nodeCount = nodeCount,
+                                              .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                                              .samples = inputs.samples,
+                                              .alpha = alpha};
+  // Surfaces of their own are all on the list, and may be of any roughness.
+  const auto rays = static_cast<std::uint32_t>(shared::skyRaysOfSample(alpha));
+  if (!own && rays * inputs.samples <= raysAtOnce)
+    dispatchWhole(commands, surfaces.askedCounts, pixels_.of(own), bindings, push);
+  else
+    dispatchParts(commands, surfaces.askedCounts, surfaces.parts, pixels_.of(own), bindings, push);
   commands.endPass();
 }
 

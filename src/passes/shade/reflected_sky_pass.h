@@ -6,6 +6,7 @@
 #include "gpu/pipeline.h"
 #include "passes/products.h"
 #include "passes/variants.h"
+#include "shaders/shade/known_sky.comp.h"
 #include "shaders/shade/reflected_sky.comp.h"
 #include "shaders/shade/sky_blocks.comp.h"
 
@@ -16,8 +17,8 @@ class Device;
 namespace opaline::passes {
 
 /// Finds how much of what the surface mirrors towards the camera is sky, and not the scene itself,
-/// by rays from every visible pixel, or from two of 2×2 where those agree. What is rougher takes
-/// more of them.
+/// by rays from the corners of blocks of 4×4 pixels or their quarters where those agree, else from
+/// every visible pixel. What is rougher takes more of them.
 class ReflectedSkyPass {
  public:
   explicit ReflectedSkyPass(gpu::Device& device);
@@ -37,6 +38,7 @@ class ReflectedSkyPass {
  private:
   gpu::Sampler nearest_;
   Variants<shaders::ShadeSkyBlocks> blocks_;
+  gpu::Compute<shaders::ShadeKnownSky> known_;
   Variants<shaders::ShadeReflectedSky> pixels_;
 };
 

@@ -1,6 +1,7 @@
 #include "passes/shade/shade_pass.h"
 
 #include "gpu/device.h"
+#include "passes/seen_parts.h"
 
 namespace opaline::passes {
 
@@ -30,10 +31,9 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
                        const SeenSurfaces& seen) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("shade");
-  commands.use(surfaces.counts, gpu::Access::Indirect);
   const auto& shade = inputs.tables.surfaces.any ? shadeOwnSurfaces_ : shade_;
-  commands.bind(
-      shade.of(inputs.tables.paint.any),
+  dispatchWhole(
+      commands, surfaces.counts, shade.of(inputs.tables.paint.any),
       {.listedPlaces = listedPlaces(seen, nearest_),
        .meshExitances = inputs.exitance.vertices,
        .light = surfaces.light,
@@ -48,8 +48,8 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
       {.atFragments = inputs.atFragments,
        .alpha = inputs.roughness * inputs.roughness,
        .specular = inputs.specular,
-       .skyIsMirrored = inputs.mirrorsSky});
-  commands.dispatchIndirect(surfaces.counts, 0);
+       .skyIsMirrored = inputs.mirrorsSky,
+       .bodiesAreMirrored = inputs.mirrorsBodies});
   commands.endPass();
 }
 
@@ -57,8 +57,7 @@ void ShadePass::recordOpaque(gpu::CommandList& commands, const Inputs& inputs, O
                              const SeenSurfaces& seen) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("shade");
-  commands.use(surfaces.counts, gpu::Access::Indirect);
-  commands.bind(opaque_,
+  dispatchWhole(commands, surfaces.counts, opaque_,
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .meshExitances = inputs.exitance.vertices,
                  .light = surfaces.light,
@@ -68,7 +67,6 @@ void ShadePass::recordOpaque(gpu::CommandList& commands, const Inputs& inputs, O
                  .glossySky = {inputs.sky.glossy, linear_},
                  .gloss = opaque.gloss},
                 {.atFragments = inputs.atFragments, .specular = inputs.specular});
-  commands.dispatchIndirect(surfaces.counts, 0);
   commands.endPass();
 }
 
@@ -76,12 +74,11 @@ void ShadePass::sumUp(gpu::CommandList& commands, const SeenSurfaces& seen,
                       gpu::GpuImage& radiance) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("shade");
-  commands.use(surfaces.counts, gpu::Access::Indirect);
-  commands.bind(sum_, {.seenList = surfaces.list,
-                       .seenCount = surfaces.counts,
-                       .light = surfaces.light,
-                       .radiance = radiance});
-  commands.dispatchIndirect(surfaces.counts, 0);
+  dispatchWhole(commands, surfaces.counts, sum_,
+                {.seenList = surfaces.list,
+                 .seenCount = surfaces.counts,
+                 .light = surfaces.light,
+                 .radiance = radiance});
   commands.endPass();
 }
 

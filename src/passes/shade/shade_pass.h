@@ -33,7 +33,8 @@ class ShadePass {
     float roughness;
     bool atFragments;  ///< VisibleSurfaces::light has the exitance; else the vertices have it
     bool specular;
-    bool mirrorsSky;  ///< VisibleSurfaces::light says how much of it
+    bool mirrorsSky;     ///< VisibleSurfaces::light says how much of it
+    bool mirrorsBodies;  ///< VisibleSurfaces::materials says what is seen of them
   };
   /// Leaves the radiance of translucent surfaces, by coverage, in VisibleSurfaces::light.
   void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;

@@ -17,7 +17,7 @@ namespace {
 
 using Texel = std::array<float, 4>;
 
-constexpr std::uint32_t faceSize = 8;      // texels of a thirtieth of a steradian
+constexpr std::uint32_t faceSize = 32;     // as fine as the parts of the sky
 constexpr std::uint32_t samplesAlong = 4;  // of a texel
 
 Texel meanOf(const std::vector<Texel>& texels) {

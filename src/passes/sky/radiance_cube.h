@@ -9,7 +9,7 @@ class Device;
 
 namespace opaline::passes {
 
-/// The sky's radiance by direction, for rays that each stand for a tenth of the sphere or so: a
+/// The sky's radiance by direction, for rays that each stand for a part of the sphere: a
 /// small cube with levels (skyRadianceFrom() of lib/sky.glsl). For set-up and when the light
 /// changes.
 gpu::GpuImage makeRadianceCube(gpu::Device& device, const SkyParts& sky);

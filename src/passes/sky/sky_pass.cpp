@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "environment/bright_directions.h"
 #include "environment/sky.h"
 #include "gpu/command_list.h"
 #include "gpu/device.h"
@@ -17,6 +18,7 @@
 #include "passes/environment_map.h"
 #include "passes/sky/irradiance_cubes.h"
 #include "passes/sky/radiance_cube.h"
+#include "shaders/shared/boundary.h"
 #include "shaders/shared/opaque.h"
 
 namespace opaline::passes {
@@ -52,6 +54,17 @@ gpu::GpuImage makeUniformCube(gpu::Device& device, const Rgb& radiance) {
   return cube;
 }
 
+gpu::Buffer makeBright(gpu::Device& device, const SkyParts& parts) {
+  static_assert(shared::brightDirections == BrightDirections::count);
+  const BrightDirections bright = brightDirectionsOf(parts);
+  std::vector<shared::BrightSky> sky(1);
+  sky[0].light = {bright.mean, bright.above, 0, 0};
+  for (std::size_t i = 0; i < bright.count; ++i)
+    sky[0].towards[i] = glm::vec4(glm::make_vec3(bright.towards[i].data()), 0);
+  return gpu::makeBuffer(device, "bright parts of the sky", sky,
+                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+}
+
 std::vector<float> glossyRoughnesses() {
   std::vector<float> roughnesses;
   for (std::uint32_t level = 0; level < shared::glossySkyLevels; ++level)
@@ -70,6 +83,7 @@ Sky SkyPass::makeSky(gpu::Device& device, const Lighting& lighting, float roughn
   Sky sky;
   sky.parts = partsOfSky(lighting);
   sky.radiance = makeRadianceCube(device, sky.parts);
+  sky.bright = makeBright(device, sky.parts);
   sky.reflected = reflectedOf(device, lighting, {roughness}, skyFaceSize);
   if (glossy) sky.glossy = reflectedOf(device, lighting, glossyRoughnesses(), mirrorFaceSize);
   takeEtas(device, etas, sky);

@@ -30,13 +30,16 @@ CameraView makeCameraView(const Camera& camera, float aspect) {
       glm::normalize(glm::cross(view.axis, usableUp(glm::make_vec3(camera.up.data()), view.axis)));
   const glm::vec3 up = glm::cross(right, view.axis);
 
-  const float focal = 1 / std::tan(0.5F * glm::radians(camera.verticalFovDegrees));
+  view.isParallel = camera.orthographicHeightMm.has_value();
+  const float focal = view.isParallel
+                          ? 2 / *camera.orthographicHeightMm
+                          : 1 / std::tan(0.5F * glm::radians(camera.verticalFovDegrees));
 
   const auto row = [&](const glm::vec3& v) { return glm::vec4(v, -glm::dot(v, view.position)); };
-  const glm::vec4 x = (focal / aspect) * row(right);
-  const glm::vec4 y = -focal * row(up);
-  const glm::vec4 z(0, 0, 0, 1);
-  const glm::vec4 w = row(view.axis);
+  const glm::vec4 w = view.isParallel ? glm::vec4(0, 0, 0, 1) : row(view.axis);
+  const glm::vec4 x = (focal / aspect) * row(right) - 2 * camera.shiftX * w;
+  const glm::vec4 y = -focal * row(up) + 2 * camera.shiftY * w;
+  const glm::vec4 z(0, 0, 0, view.isParallel ? glm::dot(view.axis, view.position) : 1.0F);
   view.worldToClip = glm::transpose(glm::mat4(x, y, z, w));
   return view;
 }

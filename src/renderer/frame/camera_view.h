@@ -16,9 +16,11 @@ struct CameraView {
   glm::mat4 worldToClip{1};  ///< reversed depth, no far plane, y down as in Vulkan
   glm::vec3 position{0};
   glm::vec3 axis{0, 0, -1};  ///< unit, towards the scene
+  bool isParallel = false;   ///< orthographic
 };
 
-/// With a near plane of 1 mm; passes::FitPass moves it.
+/// With a near plane of 1 mm; passes::FitPass moves it. In place of the depth of an orthographic
+/// camera, worldToClip has how far along its axis it stands.
 CameraView makeCameraView(const Camera& camera, float aspect);
 
 /// Offsets of the antialiasing samples from the pixel's centre, in pixels: the standard patterns of

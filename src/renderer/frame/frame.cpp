@@ -61,6 +61,14 @@ struct FrameContext {
     motion.record(commands, passes.deform, plan.time, mesh);
   }
 
+  void changeMaterials(SceneResources& scene) const {
+    if (!resources.materials) return;
+    resources.materials->record(commands, plan.time, scene.opaque, resources.tables);
+    if (resources.materials->changesOpaque() && resources.tables.opaqueShares)
+      passes.opaque.recordShares(commands, scene.surfels, scene.clusters, scene.opaque,
+                                 resources.tables);
+  }
+
   void fit(const FrameUpload& upload) const {
     passes.fit.record(commands, upload.buffer, upload.offset, mesh, resources.view);
   }
@@ -166,10 +174,12 @@ struct FrameContext {
       using From = passes::OpaquePass::From;
       giveBack(again ? From::Clusters : From::Lights, scene);
       using Bounce = passes::SolverPass::Bounce;
-      if (plan.bounces > 1 && bounce > 0 && bounce + 1 >= plan.bounces)
-        passes.solver.recordFurtherBounces(
-            commands, bounce == plan.bounces ? Bounce::Last : Bounce::LastButOne, resources.tables,
-            clusters);
+      if (plan.bounces > 1 && bounce > 0 && bounce + 1 >= plan.bounces) {
+        const bool isLast = bounce == plan.bounces;
+        passes.solver.recordFurtherBounces(commands, isLast ? Bounce::Last : Bounce::LastButOne,
+                                           resources.tables, clusters);
+        if (isLast) giveBack(From::FurtherBounces, scene);
+      }
     }
   }
 
@@ -284,13 +294,6 @@ struct FrameContext {
       passes.paint.overFragments(commands, resources.tables, scene.opaque, carries(), seen());
   }
 
-  void shadeOpaque(const passes::ShadePass::Inputs& inputs, SceneResources& scene) const {
-    if (plan.specular)
-      passes.mirroredScene.record(
-          commands, {resources.tables, scene.surfels, scene.rays, scene.clusters}, seen());
-    passes.shade.recordOpaque(commands, inputs, scene.opaque, seen());
-  }
-
   void shade(std::uint32_t firstRow, SceneResources& scene) const {
     if (plan.ownSurfaces)
       passes.ownSurfaces.record(commands, resources.tables, scene.opaque, plan.roughness, seen());
@@ -301,9 +304,14 @@ struct FrameContext {
                                  firstRow, seen());
     const passes::ShadePass::Inputs inputs{resources.tables, resources.shadows, resources.exitance,
                                            resources.sky,    plan.roughness,    atFragments(),
-                                           plan.specular,    plan.mirrorsSky};
+                                           plan.specular,    plan.mirrorsSky,   plan.mirrorsBodies};
+    if (plan.specular && (carriesOpaque() || plan.mirrorsBodies))
+      passes.mirroredScene.record(commands,
+                                  {resources.tables, scene.surfels, scene.rays, scene.clusters,
+                                   plan.mirrorsBodies, boundary(), plan.roughness},
+                                  seen());
     passes.shade.record(commands, inputs, seen());
-    if (carriesOpaque()) shadeOpaque(inputs, scene);
+    if (carriesOpaque()) passes.shade.recordOpaque(commands, inputs, scene.opaque, seen());
     if (plan.specular && plan.areaLights > 0)
       passes.reflectedLights.record(
           commands, {resources.tables, scene.surfels, scene.rays, scene.opaque}, seen());
@@ -385,6 +393,7 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
   assert(!plan.irradiance || plan.centre);
   assert(plan.samples == 0 || plan.scatter);
   const FrameContext context{commands, passes, plan, scene.mesh, resources};
+  if (plan.light) context.changeMaterials(scene);
   if (plan.light) context.deform(motion);
   context.fit(upload);
   if (plan.light) context.gather(scene);
@@ -398,8 +407,9 @@ void recordFrame(gpu::CommandList& commands, const Passes& passes, const FramePl
     context.scatterAtVertices(scene);
   }
 
-  if (plan.samples > 0) context.makePicture(scene);
+  // What the picture's pixels see stays, for whoever composes it with something else.
   if (plan.centre) context.lookAtCentres(scene);
+  if (plan.samples > 0) context.makePicture(scene);
 }
 
 }  // namespace opaline

@@ -37,7 +37,8 @@ Site chooseSite(const FramePlan& plan, const SceneResources& scene) {
 
 }  // namespace
 
-FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture) {
+FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture,
+                  bool exitance) {
   const auto asked = [&](Aov aov) {
     return std::find(aovs.begin(), aovs.end(), aov) != aovs.end();
   };
@@ -48,7 +49,7 @@ FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bo
       .tolerance = options.tolerance,
       .bounces = options.bounces,
       .ambientOcclusion = options.ambientOcclusion,
-      .scatter = picture || std::any_of(aovs.begin(), aovs.end(), needsScattering),
+      .scatter = picture || exitance || std::any_of(aovs.begin(), aovs.end(), needsScattering),
       .map = needsMap(options, aovs),
       .samples = picture || asked(Aov::Radiance) ? options.antialias : 0,
       .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),
@@ -65,7 +66,13 @@ bool occludesSky(const FramePlan& plan, const Lighting& lighting) {
 }
 
 bool mirrorsSky(const FramePlan& plan, const Lighting& lighting) {
-  return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern && !skyIsDark(lighting);
+  return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern &&
+         (plan.mirrorsBodies || !skyIsDark(lighting));
+}
+
+bool mirrorsBodies(const FramePlan& plan, const Scene& scene) {
+  return plan.samples > 0 && plan.specular && plan.sum != Sum::Pattern &&
+         scene.objects.size() > 1 && (plan.opaque || plan.transport == Transport::Boundary);
 }
 
 bool showsLights(const FramePlan& plan, const Lighting& lighting) {
@@ -83,7 +90,6 @@ void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan
   plan.occludesSky = occludesSky(plan, lighting);
   plan.lights = lightCount(lighting);
   plan.areaLights = static_cast<std::uint32_t>(lighting.areas.size());
-  plan.mirrorsSky = mirrorsSky(plan, lighting);
   plan.ambient = lighting.ambient;
   plan.visibleLights = showsLights(plan, lighting);
   plan.backdrop = showsBackdrop(plan, lighting);
@@ -91,6 +97,8 @@ void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan
   // of opaque bodies too.
   if (plan.transport == Transport::Boundary && !scene.hasInside() && !plan.opaque)
     plan.transport = Transport::BetterDipole;
+  plan.mirrorsBodies = plan.mirrorsBodies && (plan.opaque || plan.transport == Transport::Boundary);
+  plan.mirrorsSky = mirrorsSky(plan, lighting);
 }
 
 }  // namespace opaline

@@ -42,12 +42,14 @@ struct FramePlan {
   bool visibleLights = false;      ///< the picture itself shows some
   bool backdrop = false;           ///< one of these
   bool mirrorsSky = false;  ///< in the reflection, where the scene leaves it free; else all of it
-  bool light = true;        ///< else the resources hold what this frame's light does, from before
+  bool mirrorsBodies = false;  ///< in that of translucent surfaces, by their own light
+  bool light = true;  ///< else the resources hold what this frame's light does, from before
 };
 
 /// What follows from what is asked for alone. `picture`: the radiance is wanted, whether or not it
-/// is among the variables.
-FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture);
+/// is among the variables; `exitance`: that of vertices is.
+FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture,
+                  bool exitance = false);
 
 /// Whether what the plan makes needs clusters to tell how much of the sky is hidden.
 bool occludesSky(const FramePlan& plan, const Lighting& lighting);
@@ -55,6 +57,10 @@ bool occludesSky(const FramePlan& plan, const Lighting& lighting);
 /// Whether what the plan makes reflects the sky where the scene leaves it free. The method of 2008
 /// knows no surfels that rays could meet, and reflects all of it.
 bool mirrorsSky(const FramePlan& plan, const Lighting& lighting);
+
+/// Whether translucent surfaces mirror the light of bodies beside them. A body alone mirrors its
+/// own.
+bool mirrorsBodies(const FramePlan& plan, const Scene& scene);
 
 /// Whether the picture itself shows some of the lights; or anything where no surface is.
 bool showsLights(const FramePlan& plan, const Lighting& lighting);

@@ -19,11 +19,11 @@ namespace {
 // means and what is carried to vertices; estimate, scatter and nearby at the vertices and at the
 // surfels; surface, scatter, nearby, carry, reflected sky, shade, reflected lights and shade again
 // of every band of the largest picture, and as many at the pixels' centres; what is behind, and the
-// surfels seen there.
+// surfels seen there; what is done for others.
 constexpr std::uint32_t mostBands = 1024;  // 16384 rows of as many pixels, 8 samples each
 constexpr std::uint32_t maxPassesOfFrame =
     10 + (3 + 2 * (shared::maxLights + 1) + 3 * (RenderOptions::maxBounces + 1) + 2 + 3) + 2 * 3 +
-    2 * 8 * mostBands + 3;
+    2 * 8 * mostBands + 4;
 
 }  // namespace
 
@@ -31,22 +31,38 @@ FrameSlot::FrameSlot(gpu::Device& device) : commands(device, "frame", maxPassesO
 
 FrameQueue::FrameQueue(gpu::Device& device) : slots_{FrameSlot(device), FrameSlot(device)} {}
 
-void FrameQueue::requireRoom() const {
+bool FrameQueue::isEmpty() {
+  while (waiting_ > 0 && !oldest().toHost) --waiting_;
+  return waiting_ == 0;
+}
+
+void FrameQueue::requireRoom() {
+  if (waiting_ == slots_.size() && !oldest().toHost) --waiting_;
   if (waiting_ < slots_.size()) return;
   throw UsageError(fmt::format(
       "{} frames of this view wait to be collected, and there may be no more; collect one first",
       waiting_));
 }
 
-void FrameQueue::submit() {
-  slots_[next_].commands.submit();
+void FrameQueue::submit(std::span<const gpu::SemaphoreValue> waits,
+                        std::span<const gpu::SemaphoreValue> signals) {
+  next().commands.submit(waits, signals);
+  pass();
+}
+
+void FrameQueue::recordInto(VkCommandBuffer commands, const gpu::SemaphoreValue& done) {
+  next().commands.recordInto(commands, done);
+  pass();
+}
+
+void FrameQueue::pass() {
   next_ = (next_ + 1) % slots_.size();
   ++waiting_;
 }
 
 gpu::CommandCounts FrameQueue::collect(Frame& frame, FrameTimes& times) {
-  if (isEmpty()) throw UsageError("no frame waits to be collected; submit one first");
-  FrameSlot& slot = slots_[(next_ + slots_.size() - waiting_) % slots_.size()];
+  if (waiting_ == 0) throw UsageError("no frame waits to be collected; submit one first");
+  FrameSlot& slot = oldest();
   --waiting_;
   slot.commands.wait();
   slot.readback.finish(frame.images);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "gpu/command_list.h"
 #include "opaline/view.h"
@@ -21,6 +22,7 @@ struct FrameSlot {
   gpu::CommandList commands;
   Readback readback;
   bool provisional = false;  ///< see Frame
+  bool toHost = true;        ///< brings pictures to the host, which want to be collected
 };
 
 /// The frames of a view that were submitted and not collected.
@@ -28,19 +30,27 @@ class FrameQueue {
  public:
   explicit FrameQueue(gpu::Device& device);
 
-  bool isEmpty() const { return waiting_ == 0; }
-  /// Throws UsageError when as many are under way as there may be.
-  void requireRoom() const;
+  /// Whether none waits that brings pictures to the host; forgets others before that.
+  bool isEmpty();
+  /// Throws UsageError when as many are under way as there may be. The oldest is forgotten if it
+  /// brings nothing to the host.
+  void requireRoom();
   /// To be recorded.
   FrameSlot& next() { return slots_[next_]; }
   /// Hands next() to the device.
-  void submit();
+  void submit(std::span<const gpu::SemaphoreValue> waits = {},
+              std::span<const gpu::SemaphoreValue> signals = {});
+  /// Records next() for others to submit.
+  void recordInto(VkCommandBuffer commands, const gpu::SemaphoreValue& done);
   /// After an exception before that: next() is to be recorded anew.
   void abandon() { next().commands.abandon(); }
   /// Waits for the oldest and takes its pictures and times. Throws UsageError when there is none.
   gpu::CommandCounts collect(Frame& frame, FrameTimes& times);
 
  private:
+  FrameSlot& oldest() { return slots_[(next_ + slots_.size() - waiting_) % slots_.size()]; }
+  void pass();
+
   std::array<FrameSlot, View::framesInFlight> slots_;
   std::size_t next_ = 0;  // slot of the next frame
   std::size_t waiting_ = 0;

@@ -1,6 +1,7 @@
 #include "renderer/frame/frame_resources.h"
 
 #include <cstdint>
+#include <utility>
 
 #include "gpu/device.h"
 #include "renderer/frame/frame.h"
@@ -10,8 +11,15 @@
 namespace opaline {
 
 void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene,
-                const RenderOptions& options, FrameResources& resources) {
-  resources.tables = makeSceneTables(device, scene, options);
+                const RenderOptions& options, const Scene& edited, FrameResources& resources) {
+  TablesOnHost onHost;
+  resources.tables = makeSceneTables(device, scene, options, onHost);
+  resources.materials.reset();
+  if (MaterialMotion::isNeeded(edited))
+    resources.materials = std::make_unique<MaterialMotion>(device, edited, scene, options.transport,
+                                                           std::move(onHost));
+  if (!scene.materials.empty() && scene.surfels.pieces)
+    passes.opaque.cutOut(device, scene.surfels, scene.opaque, resources.tables);
   if (!scene.materials.empty() && scene.clusters.ranges)
     passes.opaque.makeShares(device, scene.surfels, scene.clusters, scene.opaque, resources.tables);
   passes.paint.makeTables(device, scene.surfels, scene.clusters, scene.opaque, resources.tables);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "gpu/image.h"
@@ -7,6 +8,7 @@
 #include "opaline/scene.h"
 #include "paper/technique.h"
 #include "passes/products.h"
+#include "renderer/motion/material_motion.h"
 #include "renderer/scene/scene_resources.h"
 
 namespace opaline::gpu {
@@ -31,11 +33,13 @@ struct FrameResources {
   passes::SeenSurfels seenSurfels;
   gpu::GpuImage seenIrradiance;
   std::optional<paper::Map> map;
+  std::unique_ptr<MaterialMotion> materials;  ///< where a clip changes what objects are made of
 };
 
-/// What depends on media, transport and roughness.
+/// What depends on media, transport and roughness. `edited` is the scene that `scene` was made of,
+/// and outlives the resources.
 void makeTables(gpu::Device& device, const Passes& passes, SceneResources& scene,
-                const RenderOptions& options, FrameResources& resources);
+                const RenderOptions& options, const Scene& edited, FrameResources& resources);
 
 /// Makes the sky of these tables, which looks at every pixel of the environment. `glossy`: for
 /// surfaces of any roughness too.

@@ -23,7 +23,8 @@ constexpr std::uint32_t viewsOfPoint = 6;
 
 shared::LightData dataOf(const DirectionalLight& light) {
   shared::LightData data{};
-  data.place = {glm::normalize(glm::make_vec3(light.directionToLight.data())), 0};
+  const double radius = glm::radians(double{light.angularRadiusDegrees});
+  data.place = {glm::normalize(glm::make_vec3(light.directionToLight.data())), radius * radius / 4};
   data.power = {glm::make_vec3(light.irradiance.data()), 0};
   data.kind = {shared::directionalLight, 0, 1, 0};
   return data;

@@ -49,7 +49,8 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   if (size || media || transport || pattern) made_.map.reset();
   if (size || shadows || surface || pattern) lit.reset();
   if (whole) made_.view = passes::FitPass::makeView(device_);
-  if (media || transport || surface) makeTables(device_, passes_, scene, options, made_);
+  if (media || transport || surface)
+    makeTables(device_, passes_, scene, options, edited.scene(), made_);
   if (sky) makeSky(device_, passes_, lighting, options, glossy, made_);
   const bool behind = sky || before->options.environmentBehind != options.environmentBehind;
   makeBackdrop(plan, edited, behind);
@@ -99,7 +100,8 @@ void ViewResources::makeImages(const RenderOptions& options, const SceneResource
   made_.exitance.vertices = gpu::Buffer(
       device_, {.name = "exitance of vertices",
                 .bytes = std::max<std::size_t>(scene.mesh.vertexCount, 1) * sizeof(shared::vec4),
-                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
+                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                .lent = true});
   if (!fits) made_.radiance = passes::ShadePass::makeRadiance(device_, width, height);
 }
 
@@ -108,9 +110,9 @@ void ViewResources::makeRoom(const FramePlan& plan) {
   const VkExtent2D extent = made_.radiance.extent();
   const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
   passes::VisibleSurfaces& surfaces = made_.surfaces;
-  const passes::KeptOfSeen kept{
-      .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces,
-      .paint = surfaces.kept.paint || plan.painted};
+  const passes::KeptOfSeen kept{.materials = surfaces.kept.materials || plan.opaque ||
+                                             plan.ownSurfaces || plan.mirrorsBodies,
+                                .paint = surfaces.kept.paint || plan.painted};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     surfaces = {};  // before memory for the next is taken
     surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, kept);

@@ -112,13 +112,14 @@ void GivenPositions::record(gpu::CommandList& commands, const passes::DeformPass
   bool copied = false;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     Given& given = objects_[i];
+    given.copied = false;
     const ObjectRange& range = ranges_[i];
     if (range.vertexCount == 0) continue;
     if (given.source == Source::Host && given.pending) {
       commands.copyBuffer(staging_, motion.replaced, range.vertexCount * bytesPerPosition,
                           stagingOffset(i), range.firstVertex * bytesPerPosition);
       given.pending = false;
-      copied = true;
+      given.copied = copied = true;
     } else if (given.source == Source::Device) {
       pass.replace(commands, given.buffer, given.offset, given.stride, range.firstVertex,
                    range.vertexCount, motion);
@@ -127,6 +128,14 @@ void GivenPositions::record(gpu::CommandList& commands, const passes::DeformPass
   if (!copied) return;
   submissions_[slice_] = device_.submitted() + 1;
   slice_ = (slice_ + 1) % slices;
+}
+
+void GivenPositions::abandon() {
+  const std::size_t last = (slice_ + slices - 1) % slices;
+  if (submissions_[last] <= device_.submitted()) return;  // nothing was copied, or it was handed on
+  for (Given& given : objects_) given.pending = given.pending || given.copied;
+  slice_ = last;
+  submissions_[last] = device_.submitted();
 }
 
 }  // namespace opaline

@@ -33,6 +33,8 @@ class GivenPositions {
 
   /// Copies what is new to where the deform pass reads it.
   void record(gpu::CommandList& commands, const passes::DeformPass& pass, passes::Motion& motion);
+  /// Unless what was recorded last has been handed to the device: it is copied with the next frame.
+  void abandon();
 
  private:
   static constexpr std::size_t slices = View::framesInFlight + 1;
@@ -40,6 +42,7 @@ class GivenPositions {
   struct Given {
     Source source = Source::Pose;
     bool pending = false;  // Host: written, not yet copied
+    bool copied = false;   // by what was recorded last
     gpu::Buffer buffer;    // Device: borrowed
     std::uint32_t offset = 0;
     std::uint32_t stride = 3;  // floats

@@ -54,7 +54,7 @@ SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const scene::M
       ranges_(rangesOf(scene)),
       motion_(makeMotionTables(device, scene, merged, ranges_)),
       given_(device, ranges_),
-      pose_(deform::makePose(scene)),
+      pose_(scene::makePose(scene)),
       joints_(mostJoints(ranges_)),
       weights_(totalWeights(ranges_)),
       matrices_(3 * totalMatrices(ranges_)),
@@ -62,8 +62,8 @@ SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const scene::M
       ring_(device, "motion of a frame", uploadBytes(device, ranges_), View::framesInFlight, 0) {
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     const std::span<scene::Matrix4> joints(joints_.data(), ranges_[i].matrixCount);
-    if (scene.objects[i].rig) deform::jointMatrices(*scene.objects[i].rig, pose_, joints);
-    restMirrors_.push_back(deform::mirrors(joints));
+    if (scene.objects[i].rig) scene::jointMatrices(*scene.objects[i].rig, pose_, joints);
+    restMirrors_.push_back(scene::mirrors(joints));
   }
   const Bounds bounds = boundsOf(scene);
   const glm::vec3 low = glm::make_vec3(bounds.minMm.data());
@@ -99,18 +99,18 @@ void SceneMotion::fillFrame(double seconds) {
 }
 
 void SceneMotion::fillPose(const SceneTime& time) {
-  deform::poseAt(scene_, time.clip, time.seconds, pose_);
+  scene::poseAt(scene_, time.clip, time.seconds, pose_);
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     const std::optional<Rig>& rig = scene_.objects[i].rig;
     if (!rig) continue;
     const ObjectRange& range = ranges_[i];
-    const std::span<const float> given = deform::morphWeights(*rig, pose_);
+    const std::span<const float> given = scene::morphWeights(*rig, pose_);
     for (std::size_t t = 0; t < range.weightCount; ++t)
       weights_[range.firstWeight + t] = t < given.size() ? given[t] : 0.0F;
     const std::span<scene::Matrix4> joints(joints_.data(), range.matrixCount);
-    deform::jointMatrices(*rig, pose_, joints);
+    scene::jointMatrices(*rig, pose_, joints);
     if (!given_.isGiven(i))
-      objects_[i].side = deform::mirrors(joints) == restMirrors_[i] ? 1.0F : -1.0F;
+      objects_[i].side = scene::mirrors(joints) == restMirrors_[i] ? 1.0F : -1.0F;
     for (std::size_t j = 0; j < joints.size(); ++j)
       addRows(joints[j], matrices_, 3 * (range.firstMatrix + j));
   }

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "deform/pose.h"
 #include "gpu/command_list.h"
 #include "gpu/transfer.h"
 #include "opaline/scene.h"
@@ -11,6 +10,7 @@
 #include "passes/products.h"
 #include "renderer/motion/given_positions.h"
 #include "renderer/motion/motion_tables.h"
+#include "scene/pose.h"
 #include "shaders/shared/deform.h"
 
 namespace opaline {
@@ -26,6 +26,10 @@ class SceneMotion {
   void record(gpu::CommandList& commands, const passes::DeformPass& pass, const SceneTime& time,
               passes::DeformedMesh& mesh);
 
+  const std::vector<ObjectRange>& ranges() const { return ranges_; }
+  /// A frame has been given up.
+  void abandon() { given_.abandon(); }
+
   GivenPositions& given() { return given_; }
   passes::Motion& tables() { return motion_; }
 
@@ -38,7 +42,7 @@ class SceneMotion {
   std::vector<ObjectRange> ranges_;
   passes::Motion motion_;
   GivenPositions given_;
-  deform::Pose pose_;
+  scene::Pose pose_;
   std::vector<scene::Matrix4> joints_;  // of one object
   std::vector<bool> restMirrors_;       // by object
   bool hasHeight_ = false;              // else there is nothing to twist or bend

@@ -7,6 +7,7 @@
 
 #include "bssrdf/profile.h"
 #include "opaline/options/picture.h"
+#include "scene/changes.h"
 
 namespace opaline {
 
@@ -26,6 +27,15 @@ double longestMeanFreePathMm(const Medium& medium) {
   double longest = 0;
   for (int channel = 0; channel < 3; ++channel)
     longest = std::max(longest, bssrdf::coefficients(medium, channel).meanFreePathMm);
+  return longest;
+}
+
+// Where clips change the medium, of the time when it is shortest.
+double longestInAnyClipMm(const Scene& scene, std::size_t object) {
+  double longest = longestMeanFreePathMm(scene.objects[object].medium);
+  scene::forEachMediumOf(scene, object, [&](const Medium& medium) {
+    longest = std::min(longest, longestMeanFreePathMm(medium));
+  });
   return longest;
 }
 
@@ -61,20 +71,21 @@ DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHas
   DivisionOrder order{.maxSurfels = maxSurfels};
   const double sceneMm{diagonalMm(scene)};
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const Object& object : scene.objects)
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
     order.spacingOfObjectMm.push_back(
-        object.isGround ? infinity
-        : object.opaque ? opaqueSpacing * sceneMm
-                        : sizeInFreePaths * bssrdf::shortestMeanFreePathMm(object.medium));
+        scene.objects[i].isGround ? infinity
+        : scene.objects[i].opaque
+            ? opaqueSpacing * sceneMm
+            : sizeInFreePaths * bssrdf::shortestMeanFreePathMm(scene::finestMedium(scene, i)));
   if (!maxClusters) return order;
   order.maxClusters = *maxClusters;
   // In an open body nothing is solved: what it sends to others has only its shape.
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    order.largestClusterOfObjectMm.push_back(
-        scene.objects[i].isGround ? surfels::asItsTriangles
-        : scene.objects[i].opaque ? opaqueCluster * sceneMm
-        : objectHasInside[i] ? clusterInFreePaths * longestMeanFreePathMm(scene.objects[i].medium)
-                             : infinity);
+    order.largestClusterOfObjectMm.push_back(scene.objects[i].isGround ? surfels::asItsTriangles
+                                             : scene.objects[i].opaque ? opaqueCluster * sceneMm
+                                             : objectHasInside[i]
+                                                 ? clusterInFreePaths * longestInAnyClipMm(scene, i)
+                                                 : infinity);
   return order;
 }
 

@@ -7,6 +7,7 @@
 #include "environment/sky.h"
 #include "gpu/device.h"
 #include "opaline/error.h"
+#include "scene/changes.h"
 
 namespace opaline {
 
@@ -21,6 +22,20 @@ void hideBelow(float heightMm, Lighting& lighting) {
   std::erase_if(lighting.spots, isBelow);
 }
 
+bool same(const Camera& a, const Camera& b) {
+  return a.positionMm == b.positionMm && a.targetMm == b.targetMm && a.up == b.up &&
+         a.verticalFovDegrees == b.verticalFovDegrees;
+}
+
+// Lights that somebody has changed, or put elsewhere in the list, follow no clip any more.
+template <typename Light>
+void keepAlike(const std::vector<Light>& now, const std::vector<Light>& before,
+               std::vector<Keys<Light>>& all) {
+  std::erase_if(all, [&](const Keys<Light>& keys) {
+    return keys.index >= now.size() || !(now[keys.index] == before[keys.index]);
+  });
+}
+
 }  // namespace
 
 void EditedScene::set(gpu::Device& device, const Scene& scene) {
@@ -33,7 +48,7 @@ void EditedScene::set(gpu::Device& device, const Scene& scene) {
     merged_ = scene::mergedMesh(*scene_);
     motion_.emplace(device, *scene_, merged_);
     suns_ = findSuns(scene_->lighting.environment);
-    addSuns(scene_->lighting, suns_, lighting_);
+    followClip();
   } catch (...) {
     scene_.reset();  // half a scene is none
     throw;
@@ -55,8 +70,22 @@ const std::vector<DirectionalLight>& EditedScene::suns() const {
   return suns_.lights;
 }
 
+const Camera& EditedScene::camera() const {
+  scene();
+  return camera_;
+}
+
+void EditedScene::followClip() {
+  addSuns(scene_->lighting, suns_, next_);
+  std::swap(lighting_, next_);
+  next_.environment.reset();
+  camera_ = scene_->camera;
+  scene::takeCameraAt(*scene_, time_, camera_);
+}
+
 void EditedScene::addSuns(const Lighting& given, const Suns& suns, Lighting& all) const {
   all = given;
+  scene::takeLightsAt(*scene_, time_, all);
   separate(suns, all);
   if (const Object* ground = groundOf(*scene_)) hideBelow(ground->mesh.positionsMm[0][1], all);
 }
@@ -78,7 +107,10 @@ SceneMotion& EditedScene::motion() {
 
 void EditedScene::setCamera(const Camera& camera) {
   validate(camera);
-  edit().camera = camera;
+  Camera& present = edit().camera;
+  if (!same(camera, present)) stopCamera(*scene_);
+  present = camera;
+  followClip();
 }
 
 void EditedScene::setLighting(const Lighting& lighting) {
@@ -92,6 +124,11 @@ void EditedScene::setLighting(const Lighting& lighting) {
   ++changes_.lights;
   if (!sameSky(lighting, present)) ++changes_.sky;
   if (suns) suns_ = *std::move(suns);
+  for (ClipChanges& changes : scene_->changes) {
+    keepAlike(lighting.directional, present.directional, changes.directional);
+    keepAlike(lighting.points, present.points, changes.points);
+    keepAlike(lighting.spots, present.spots, changes.spots);
+  }
   std::swap(lighting_, next_);
   std::swap(present, nextGiven_);
   nextGiven_.environment.reset();
@@ -103,6 +140,7 @@ void EditedScene::setMedium(std::size_t object, const Medium& medium) {
   requireObject(object, scene().objects.size());
   Medium given = medium;
   edit().objects[object].medium = std::move(given);
+  scene::forgetMaterial(scene_->changes, object);
   ++changes_.media;
 }
 
@@ -114,6 +152,7 @@ void EditedScene::setMaterial(std::size_t object, const Material& material) {
                                  present.name, present.opaque ? "opaque" : "translucent"));
   validate(present.name, material);
   giveMaterial(material, edit().objects[object]);
+  scene::forgetMaterial(scene_->changes, object);
   ++changes_.media;
 }
 
@@ -136,6 +175,7 @@ void EditedScene::setTime(const SceneTime& time) {
   if (time == time_) return;
   time_ = time;
   ++changes_.pose;
+  if (!scene_->changes.empty()) followClip();
 }
 
 void EditedScene::beginFrame() {

@@ -32,8 +32,10 @@ class EditedScene {
   std::uint64_t number() const { return number_; }
 
   const Scene& scene() const;
-  /// Its lights and the suns of its environment, which then lacks them.
+  /// Its lights as the clip has them and the suns of its environment, which then lacks them.
   const Lighting& lighting() const;
+  /// Where the clip has it.
+  const Camera& camera() const;
   const std::vector<DirectionalLight>& suns() const;
   const Object& object(std::size_t index) const;
   const scene::MergedMesh& merged() const { return merged_; }
@@ -66,8 +68,10 @@ class EditedScene {
 
  private:
   Scene& edit();
-  /// `all`: with the suns of the environment, and without what the ground hides.
+  /// `all`: as the clip has those that are the scene's, with the suns of the environment, and
+  /// without what the ground hides.
   void addSuns(const Lighting& given, const Suns& suns, Lighting& all) const;
+  void followClip();
 
   std::uint64_t number_ = 0;
   std::uint64_t makings_ = 0;
@@ -77,6 +81,7 @@ class EditedScene {
   // Of the last change, for their memory.
   Lighting nextGiven_;
   Lighting next_;
+  Camera camera_;
   scene::MergedMesh merged_;
   std::optional<SceneMotion> motion_;
   SceneChanges changes_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "gpu/device.h"
@@ -18,25 +19,13 @@ namespace {
 
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
-/// For each texture of a material, by what it means.
-template <typename Visit>
-void forEachTexture(const OpaqueMaterial& material, const Visit& visit) {
-  visit(material.baseColorTexture, TexelMeaning::Color);
-  visit(material.metallicRoughnessTexture, TexelMeaning::Number);
-  visit(material.specularTexture, TexelMeaning::Number);
-  visit(material.specularColorTexture, TexelMeaning::Color);
-  visit(material.normalTexture, TexelMeaning::Normal);
-  visit(material.occlusionTexture, TexelMeaning::Number);
-  visit(material.emissionTexture, TexelMeaning::Color);
-}
-
 bool readsAttributes(const Scene& scene) {
   bool any = false;
   for (const Object& object : scene.objects) {
     const std::optional<OpaqueMaterial> material = surfaceMaterialOf(object);
     if (!material) continue;
     any = any || !object.mesh.colors.empty();
-    forEachTexture(*material, [&](const auto& texture, TexelMeaning) { any = any || texture; });
+    for (const TextureOfMaterial& of : texturesOfMaterial) any = any || (*material).*of.texture;
   }
   return any;
 }
@@ -47,25 +36,23 @@ float headOnReflectance(float ior) {
   return part * part;
 }
 
+// Where a shader finds each texture of a material, in the order of texturesOfMaterial.
+constexpr std::array<shared::TextureData shared::OpaqueData::*, texturesOfMaterial.size()>
+    placesOfTextures{
+        &shared::OpaqueData::baseColorTexture, &shared::OpaqueData::metallicRoughnessTexture,
+        &shared::OpaqueData::specularTexture,  &shared::OpaqueData::specularColorTexture,
+        &shared::OpaqueData::normalTexture,    &shared::OpaqueData::occlusionTexture,
+        &shared::OpaqueData::emissionTexture};
+
 shared::OpaqueData dataOf(const OpaqueMaterial& material, bool hasAttributes,
                           TexturePacker& packer) {
-  const auto rgb = [](const Rgb& color, float w) {
-    return shared::vec4(color[0], color[1], color[2], w);
-  };
-  return {.baseColor = rgb(material.baseColor, material.alpha),
-          .emission = rgb(material.emission, material.alphaCutoff),
-          .surface = {material.metallic, material.roughness, headOnReflectance(material.ior),
-                      material.specular},
-          .specularColor = rgb(material.specularColor, material.normalScale),
-          .rest = {material.occlusionStrength, material.unlit ? 1 : 0, hasAttributes ? 1 : 0, 0},
-          .baseColorTexture = packer.add(material.baseColorTexture, TexelMeaning::Color),
-          .metallicRoughnessTexture =
-              packer.add(material.metallicRoughnessTexture, TexelMeaning::Number),
-          .specularTexture = packer.add(material.specularTexture, TexelMeaning::Number),
-          .specularColorTexture = packer.add(material.specularColorTexture, TexelMeaning::Color),
-          .normalTexture = packer.add(material.normalTexture, TexelMeaning::Normal),
-          .occlusionTexture = packer.add(material.occlusionTexture, TexelMeaning::Number),
-          .emissionTexture = packer.add(material.emissionTexture, TexelMeaning::Color)};
+  shared::OpaqueData data{};
+  data.rest = {0, material.unlit ? 1 : 0, hasAttributes ? 1 : 0, 0};
+  for (std::size_t i = 0; i < texturesOfMaterial.size(); ++i)
+    data.*placesOfTextures[i] =
+        packer.add(material.*texturesOfMaterial[i].texture, texturesOfMaterial[i].meaning);
+  setNumbers(material, data);
+  return data;
 }
 
 std::vector<shared::VertexAttributes> attributesOf(const Scene& scene) {
@@ -128,16 +115,31 @@ void noteHalvings(int halvings, const std::string& device, const LogCallback& lo
                   1 << halvings, device));
 }
 
-gpu::Buffer materialsBuffer(gpu::Device& device, const std::vector<OpaqueMaterial>& materials,
-                            bool readsAttributes, TexturePacker& packer) {
+std::vector<shared::OpaqueData> dataOf(const std::vector<OpaqueMaterial>& materials,
+                                       bool readsAttributes, TexturePacker& packer) {
   std::vector<shared::OpaqueData> data;
   data.reserve(materials.size());
   for (const OpaqueMaterial& material : materials)
     data.push_back(dataOf(material, readsAttributes, packer));
-  return gpu::makeBuffer(device, "opaque materials", data, storage);
+  return data;
 }
 
 }  // namespace
+
+void setNumbers(const OpaqueMaterial& material, shared::OpaqueData& data) {
+  const auto rgb = [](const Rgb& color, float w) {
+    return shared::vec4(color[0], color[1], color[2], w);
+  };
+  data.baseColor = rgb(material.baseColor, material.alpha);
+  data.emission = rgb(material.emission, material.alphaCutoff);
+  data.surface = {material.metallic, material.roughness, headOnReflectance(material.ior),
+                  material.specular};
+  data.specularColor = rgb(material.specularColor, material.normalScale);
+  data.rest.x = material.occlusionStrength;
+  for (std::size_t i = 0; i < texturesOfMaterial.size(); ++i)
+    if (const auto& texture = material.*texturesOfMaterial[i].texture)
+      TexturePacker::setTransform(*texture, data.*placesOfTextures[i]);
+}
 
 bool isPainted(const Object& object) {
   return !object.opaque && object.paint;
@@ -173,9 +175,10 @@ std::optional<OpaqueMaterial> surfaceMaterialOf(const Object& object) {
 
 passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
                                       const std::vector<OpaqueMaterial>& materials,
-                                      std::optional<TexturePacker>& packer,
-                                      const LogCallback& log) {
+                                      std::optional<TexturePacker>& packer, const LogCallback& log,
+                                      std::vector<shared::OpaqueData>& onHost) {
   packer.reset();
+  onHost.clear();
   passes::OpaqueTables tables;
   // What is bound all the same.
   if (materials.empty()) {
@@ -186,12 +189,12 @@ passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
   }
   packer.emplace(device.limits().maxStorageBufferRange / sizeof(TexturePacker::Texel));
   for (const OpaqueMaterial& material : materials)
-    forEachTexture(material, [&](const auto& texture, TexelMeaning meaning) {
-      packer->announce(texture, meaning);
-    });
+    for (const TextureOfMaterial& of : texturesOfMaterial)
+      packer->announce(material.*of.texture, of.meaning);
   noteHalvings(packer->halvings(), device.info().name, log);
   const bool reads = readsAttributes(scene);
-  tables.materials = materialsBuffer(device, materials, reads, *packer);
+  onHost = dataOf(materials, reads, *packer);
+  tables.materials = gpu::makeBuffer(device, "opaque materials", onHost, storage);
   tables.texels = gpu::makeBuffer(device, "texels", packer->texels(), storage);
   packer->forgetTexels();
   tables.attributes = gpu::makeBuffer(
@@ -205,15 +208,16 @@ passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
 
 bool retakeMaterials(gpu::Device& device, const Scene& scene,
                      const std::vector<OpaqueMaterial>& materials,
-                     std::optional<TexturePacker>& packer, passes::OpaqueTables& tables) {
+                     std::optional<TexturePacker>& packer, passes::OpaqueTables& tables,
+                     std::vector<shared::OpaqueData>& onHost) {
   if (!packer || materials.empty()) return false;
-  bool knows = true;
   for (const OpaqueMaterial& material : materials)
-    forEachTexture(material, [&](const auto& texture, TexelMeaning meaning) {
-      knows = knows && (!texture || packer->knows(*texture->pixels, meaning));
-    });
-  if (!knows) return false;
-  tables.materials = materialsBuffer(device, materials, readsAttributes(scene), *packer);
+    for (const TextureOfMaterial& of : texturesOfMaterial)
+      if (const auto& texture = material.*of.texture;
+          texture && !packer->knows(*texture->pixels, of.meaning))
+        return false;
+  onHost = dataOf(materials, readsAttributes(scene), *packer);
+  tables.materials = gpu::makeBuffer(device, "opaque materials", onHost, storage);
   return true;
 }
 

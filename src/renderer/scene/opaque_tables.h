@@ -7,6 +7,7 @@
 #include "opaline/scene.h"
 #include "passes/products.h"
 #include "renderer/scene/texture_packer.h"
+#include "shaders/shared/opaque.h"
 
 namespace opaline::gpu {
 class Device;
@@ -25,16 +26,22 @@ bool hasOwnNormals(const Object& object);
 /// colour and those of its own surface.
 std::optional<OpaqueMaterial> surfaceMaterialOf(const Object& object);
 
+/// Sets the numbers of a material that clips may change. Allocates nothing.
+void setNumbers(const OpaqueMaterial& material, shared::OpaqueData& data);
+
 /// The materials of a scene, `materials` of them, with their textures, and what they read of its
-/// meshes. Notes go to `log`. Leaves in `packer` where the textures lie.
+/// meshes. Notes go to `log`, what the table of materials was made of to `onHost`. Leaves in
+/// `packer` where the textures lie.
 passes::OpaqueTables makeOpaqueTables(gpu::Device& device, const Scene& scene,
                                       const std::vector<OpaqueMaterial>& materials,
-                                      std::optional<TexturePacker>& packer, const LogCallback& log);
+                                      std::optional<TexturePacker>& packer, const LogCallback& log,
+                                      std::vector<shared::OpaqueData>& onHost);
 
 /// Others of the same number or not, as long as `packer` knows all their textures: else false, and
 /// nothing is done.
 bool retakeMaterials(gpu::Device& device, const Scene& scene,
                      const std::vector<OpaqueMaterial>& materials,
-                     std::optional<TexturePacker>& packer, passes::OpaqueTables& tables);
+                     std::optional<TexturePacker>& packer, passes::OpaqueTables& tables,
+                     std::vector<shared::OpaqueData>& onHost);
 
 }  // namespace opaline

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -19,6 +20,7 @@
 #include "passes/gather/surfel_pass.h"
 #include "renderer/scene/device_room.h"
 #include "renderer/scene/opaque_tables.h"
+#include "scene/changes.h"
 #include "scene/mesh/insides.h"
 #include "scene/text.h"
 #include "shaders/shared/surfels.h"
@@ -65,43 +67,55 @@ bool isMadeOf(const Object& object, const SceneResources& resources, std::size_t
                     same(object.medium, resources.media[medium]));
 }
 
-// 0 where it has none.
-std::uint32_t indexOfMaterial(const Object& object, const std::vector<OpaqueMaterial>& materials) {
-  const std::optional<OpaqueMaterial> material = surfaceMaterialOf(object);
-  if (!material) return 0;
-  const auto found = std::find(materials.begin(), materials.end(), *material);
-  return static_cast<std::uint32_t>(found - materials.begin());
-}
-
+// What clips change is shared with nobody, as objects of one material may change apart.
 void listMedia(const Scene& scene, SceneResources& resources) {
   resources.media.clear();
+  resources.mediaInClips.clear();
   resources.opaqueOfMedium.clear();
   resources.paintOfMedium.clear();
   resources.surfaceOfMedium.clear();
   resources.materialOfMedium.clear();
   resources.mediumOfObject.clear();
-  for (const Object& object : scene.objects) {
+  std::vector<bool> shared;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const bool alone = scene::changesMaterial(scene, i);
     std::uint32_t found = 0;
-    while (found < resources.media.size() && !isMadeOf(object, resources, found)) ++found;
-    if (found == resources.media.size()) {
-      resources.media.push_back(object.medium);
+    const auto end = static_cast<std::uint32_t>(resources.media.size());
+    while (found < end && (alone || !shared[found] || !isMadeOf(object, resources, found))) ++found;
+    if (found == end) {
+      resources.media.push_back(scene::finestMedium(scene, i));
       resources.opaqueOfMedium.push_back(object.opaque);
       resources.paintOfMedium.push_back(isPainted(object) ? object.paint : std::nullopt);
       resources.surfaceOfMedium.push_back(hasOwnSurface(object) ? object.surface : std::nullopt);
-      resources.materialOfMedium.push_back(indexOfMaterial(object, resources.materials));
+      resources.materialOfMedium.push_back(resources.materialOfObject[i]);
+      shared.push_back(!alone);
+      scene::forEachMediumOf(
+          scene, i, [&](const Medium& medium) { resources.mediaInClips.push_back(medium); });
     }
     resources.mediumOfObject.push_back(found);
   }
 }
 
-std::vector<OpaqueMaterial> differentMaterials(const Scene& scene) {
-  std::vector<OpaqueMaterial> materials;
-  for (const Object& object : scene.objects) {
-    const std::optional<OpaqueMaterial> material = surfaceMaterialOf(object);
-    if (material && std::find(materials.begin(), materials.end(), *material) == materials.end())
+void listMaterials(const Scene& scene, SceneResources& resources) {
+  std::vector<OpaqueMaterial>& materials = resources.materials;
+  materials.clear();
+  resources.materialOfObject.clear();
+  std::vector<bool> shared;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const std::optional<OpaqueMaterial> material = surfaceMaterialOf(scene.objects[i]);
+    const bool alone = scene::changesMaterial(scene, i);
+    std::size_t found = 0;
+    if (material)
+      while (found < materials.size() &&
+             (alone || !shared[found] || !(materials[found] == *material)))
+        ++found;
+    if (material && found == materials.size()) {
       materials.push_back(*material);
+      shared.push_back(!alone);
+    }
+    resources.materialOfObject.push_back(static_cast<std::uint32_t>(found));
   }
-  return materials;
 }
 
 // A ground comes last.
@@ -302,9 +316,10 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
   resources.needs = needs;
   resources.objects = static_cast<std::uint32_t>(scene.objects.size());
   resources.triangles = static_cast<std::uint32_t>(merged.triangles.size());
-  resources.materials = differentMaterials(scene);
+  listMaterials(scene, resources);
   listMedia(scene, resources);
-  resources.opaque = makeOpaqueTables(device, scene, resources.materials, resources.textures, log);
+  resources.opaque = makeOpaqueTables(device, scene, resources.materials, resources.textures, log,
+                                      resources.materialsOnHost);
   measure(scene, resources);
   resources.castingTriangles = castingTriangles(scene);
   if (needs.maxSurfels)
@@ -320,14 +335,14 @@ SceneResources makeSceneResources(gpu::Device& device, const Scene& scene,
 }
 
 void takeMedia(gpu::Device& device, const Scene& scene, SceneResources& resources) {
-  std::vector<OpaqueMaterial> materials = differentMaterials(scene);
-  const bool same = materials == resources.materials;
-  resources.materials = std::move(materials);
+  const std::vector<OpaqueMaterial> before = std::exchange(resources.materials, {});
+  listMaterials(scene, resources);
   listMedia(scene, resources);
-  if (!same) {
-    if (!retakeMaterials(device, scene, resources.materials, resources.textures, resources.opaque))
-      resources.opaque =
-          makeOpaqueTables(device, scene, resources.materials, resources.textures, {});
+  if (resources.materials != before) {
+    if (!retakeMaterials(device, scene, resources.materials, resources.textures, resources.opaque,
+                         resources.materialsOnHost))
+      resources.opaque = makeOpaqueTables(device, scene, resources.materials, resources.textures,
+                                          {}, resources.materialsOnHost);
     findHoles(scene, resources.mesh);
   }
   // Normals that come later want to know of which triangles the surfels are.

@@ -12,6 +12,7 @@
 #include "renderer/scene/division.h"
 #include "renderer/scene/texture_packer.h"
 #include "scene/mesh/merged_mesh.h"
+#include "shaders/shared/opaque.h"
 
 namespace opaline::gpu {
 class Device;
@@ -61,8 +62,10 @@ struct SceneResources {
   std::vector<SurfelsOfObject> surfelsOfObject;  ///< one an object, where there are surfels
   std::uint32_t objects = 0;
   std::uint32_t triangles = 0;
-  std::uint32_t castingTriangles = 0;                         ///< that cast shadows, and come first
-  std::vector<Medium> media;                                  ///< the different ones
+  std::uint32_t castingTriangles = 0;  ///< that cast shadows, and come first
+  /// The different ones. Of those that clips change, each of which is an object's own, the finest.
+  std::vector<Medium> media;
+  std::vector<Medium> mediaInClips;                           ///< all that clips make of these
   std::vector<std::optional<OpaqueMaterial>> opaqueOfMedium;  ///< that has its place among these
   std::vector<std::optional<Paint>> paintOfMedium;            ///< on those
   std::vector<std::optional<TranslucentSurface>> surfaceOfMedium;  ///< of translucent ones
@@ -70,6 +73,8 @@ struct SceneResources {
   std::vector<OpaqueMaterial> materials;  ///< the different ones, and paints and surfaces of media
                                           ///< as such, in `opaque`
   std::optional<TexturePacker> textures;  ///< of these
+  std::vector<shared::OpaqueData> materialsOnHost;  ///< what `opaque` has of them
+  std::vector<std::uint32_t> materialOfObject;      ///< where it has one, else 0
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<SizeOfObject> sizeOfObject;
   passes::BodyKinds kinds;               ///< these two where clusters are needed

@@ -88,13 +88,14 @@ shared::BoundaryMedium insideOf(const Medium& medium) {
   return inside;
 }
 
-// Whether that holds for any medium that light enters.
+// Whether that holds for any medium that light enters, in any clip.
 template <typename Holds>
 bool anyInside(const SceneResources& resources, const std::vector<shared::MediumData>& media,
                const Holds& holds) {
   for (std::size_t i = 0; i < media.size(); ++i)
     if (!resources.opaqueOfMedium[i] && holds(media[i].inside)) return true;
-  return false;
+  return std::any_of(resources.mediaInClips.begin(), resources.mediaInClips.end(),
+                     [&](const Medium& medium) { return holds(insideOf(medium)); });
 }
 
 bool followsLight(const shared::BoundaryMedium& inside) {
@@ -183,13 +184,12 @@ class TableBuilder {
   shared::MediumData dataOf(const Medium& medium) const {
     const bssrdf::Model model = modelOf(options_.transport);
     const FresnelLobes lobes = fresnelLobesOf(medium.eta);
-    return {.profile = shaders::packProfile(bssrdf::makeProfiles(model, medium)),
-            .inside = insideOf(medium),
-            .boundary = {static_cast<float>(medium.eta),
-                         static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
-                         static_cast<float>(lobes.plain), static_cast<float>(1 / lobes.stretch)},
-            .tables = {},
-            .surface = {}};
+    shared::MediumData data{};
+    data.boundary = {static_cast<float>(medium.eta),
+                     static_cast<float>(bssrdf::exitFactor(model, medium.eta)),
+                     static_cast<float>(lobes.plain), static_cast<float>(1 / lobes.stretch)};
+    setMedium(medium, options_.transport, data);
+    return data;
   }
 
   const RenderOptions& options_;
@@ -236,14 +236,24 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     const bool carries = isOpaque || (surfels.hasInside && transport == Transport::Boundary);
     objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, carries ? 1U : 0U,
                            isOpaque ? 1U : 0U};
-    setSum(surfels,
-           bssrdf::makeProfiles(modelOf(transport), resources.media[resources.mediumOfObject[i]]),
-           resources.sizeOfObject[i].areaMm2, objects[i]);
+    setMediumOf(resources, i, resources.media[resources.mediumOfObject[i]], transport, objects[i]);
   }
   return objects;
 }
 
 }  // namespace
+
+void setMedium(const Medium& medium, Transport transport, shared::MediumData& data) {
+  data.profile = shaders::packProfile(bssrdf::makeProfiles(modelOf(transport), medium));
+  data.inside = insideOf(medium);
+}
+
+void setMediumOf(const SceneResources& resources, std::size_t object, const Medium& medium,
+                 Transport transport, shared::ObjectData& data) {
+  if (resources.surfelsOfObject.empty()) return;
+  setSum(resources.surfelsOfObject[object], bssrdf::makeProfiles(modelOf(transport), medium),
+         resources.sizeOfObject[object].areaMm2, data);
+}
 
 std::vector<shared::vec4> reflectionLobes(double roughness) {
   std::vector<shared::vec4> lobes;
@@ -256,13 +266,13 @@ std::vector<shared::vec4> reflectionLobes(double roughness) {
 }
 
 passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& resources,
-                                    const RenderOptions& options) {
+                                    const RenderOptions& options, TablesOnHost& onHost) {
   const TableBuilder builder(resources, options);
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   passes::SceneTables tables;
-  tables.objects =
-      gpu::makeBuffer(device, "objects", makeObjects(resources, options.transport), storage);
-  tables.media = gpu::makeBuffer(device, "media", builder.media(), storage);
+  onHost = {makeObjects(resources, options.transport), builder.media()};
+  tables.objects = gpu::makeBuffer(device, "objects", onHost.objects, storage);
+  tables.media = gpu::makeBuffer(device, "media", onHost.media, storage);
   tables.mediumCount = static_cast<std::uint32_t>(resources.media.size());
   tables.followsLight = anyInside(resources, builder.media(), followsLight);
   tables.entersAtSurface = anyInside(resources, builder.media(), entersAtSurface);

@@ -156,10 +156,14 @@ shared::TextureData TexturePacker::add(const std::optional<Texture>& texture,
   if (!known->place) known->place = pack(*texture->pixels, meaning);
   shared::TextureData data{.place = *known->place};
   data.place.w = bitsOf(*texture);
-  const auto& [u, v] = texture->transform;
+  setTransform(*texture, data);
+  return data;
+}
+
+void TexturePacker::setTransform(const Texture& texture, shared::TextureData& data) {
+  const auto& [u, v] = texture.transform;
   data.rowU = {u[0], u[1], u[2], 0};
   data.rowV = {v[0], v[1], v[2], 0};
-  return data;
 }
 
 shared::uvec4 TexturePacker::pack(const TexturePixels& pixels, TexelMeaning meaning) {

@@ -11,13 +11,6 @@
 
 namespace opaline {
 
-/// What the numbers of a texture mean.
-enum class TexelMeaning {
-  Color,   ///< sRGB, alpha linear
-  Number,  ///< linear
-  Normal   ///< a unit vector, each from -1 to 1
-};
-
 /// Puts textures with all their levels one behind the other, as half floats, linear in light.
 class TexturePacker {
  public:
@@ -38,6 +31,9 @@ class TexturePacker {
   }
   /// Once they are on the device: what is known is where they lie.
   void forgetTexels() { texels_ = {}; }
+
+  /// Of a texture that has been added.
+  static void setTransform(const Texture& texture, shared::TextureData& data);
 
   struct Texel {
     std::uint32_t redGreen;

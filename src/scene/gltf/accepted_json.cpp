@@ -5,6 +5,7 @@
 
 #include "scene/gltf/draco.h"
 #include "scene/gltf/meshopt.h"
+#include "scene/gltf/pointers.h"
 
 namespace opaline::scene {
 
@@ -36,6 +37,36 @@ void forEach(json* array, Change&& change) {
   for (std::size_t i = 0; i < array->size(); ++i) change((*array)[i], i);
 }
 
+/// "/nodes/3/translation" is what a channel says without the extension.
+bool asNodeChannel(const std::string& pointer, json& target) {
+  constexpr std::string_view start = "/nodes/";
+  const std::size_t slash = pointer.rfind('/');
+  if (!pointer.starts_with(start) || slash < start.size()) return false;
+  const std::string path = pointer.substr(slash + 1);
+  const std::string index = pointer.substr(start.size(), slash - start.size());
+  const bool isNumber = !index.empty() && index.size() < 9 &&
+                        index.find_first_not_of("0123456789") == std::string::npos;
+  const bool moves =
+      path == "translation" || path == "rotation" || path == "scale" || path == "weights";
+  if (!isNumber || !moves) return false;
+  target = {{"node", std::stoi(index)}, {"path", path}};
+  return true;
+}
+
+/// The library wants a node in every channel.
+bool acceptPointer(json& channel) {
+  json* const target = member(channel, "target");
+  if (target == nullptr) return false;
+  json* const extension = extensionOf(*target, pointerExtension);
+  if (extension == nullptr) return false;
+  json* const pointer = member(*extension, "pointer");
+  if (pointer != nullptr && pointer->is_string() &&
+      asNodeChannel(pointer->get<std::string>(), *target))
+    return true;
+  (*target)["node"] = 0;
+  return true;
+}
+
 bool isPlaceholder(json& buffer, std::size_t index) {
   for (const char* name : meshoptExtensions) {
     json* const extension = extensionOf(buffer, name);
@@ -55,7 +86,8 @@ bool mayHavePlaceholders(const GltfPrescan& prescan) {
 
 std::optional<std::string> acceptedJson(const GltfPrescan& prescan, std::string_view text) {
   const bool placeholders = mayHavePlaceholders(prescan);
-  if (!placeholders && !uses(prescan, dracoExtension)) return std::nullopt;
+  const bool pointers = uses(prescan, pointerExtension);
+  if (!placeholders && !pointers && !uses(prescan, dracoExtension)) return std::nullopt;
   json root = json::parse(text);
   bool changed = false;
   forEach(placeholders ? member(root, "buffers") : nullptr, [&](json& buffer, std::size_t index) {
@@ -69,6 +101,10 @@ std::optional<std::string> acceptedJson(const GltfPrescan& prescan, std::string_
       if (extensionOf(primitive, dracoExtension) == nullptr) return;
       changed = primitive.erase("indices") > 0 || changed;
     });
+  });
+  forEach(pointers ? member(root, "animations") : nullptr, [&](json& animation, std::size_t) {
+    forEach(member(animation, "channels"),
+            [&](json& channel, std::size_t) { changed = acceptPointer(channel) || changed; });
   });
   if (!changed) return std::nullopt;
   return root.dump();

@@ -75,12 +75,17 @@ class Reader {
       const tinygltf::Animation& animation = model_.animations[a];
       Clip clip;
       clip.name = animation.name.empty() ? fmt::format("clip {}", a) : cleanText(animation.name);
+      std::vector<GltfPointerTrack> pointers;
       for (const tinygltf::AnimationChannel& channel : animation.channels) {
-        readChannel(animation, clip, channel);
+        if (channel.target_path == "pointer")
+          readPointerChannel(animation, clip, channel, pointers);
+        else
+          readChannel(animation, clip, channel);
       }
-      if (clip.tracks.empty()) continue;
+      if (clip.tracks.empty() && pointers.empty()) continue;
       clip.name = nameOfItsOwn(clip.name);
       motion_.clips.push_back(std::move(clip));
+      motion_.pointers.push_back(std::move(pointers));
     }
     if (skipped_ > 0) {
       note(input_.log, fmt::format("{}: {} animation channels move nothing that can be rendered",
@@ -147,16 +152,41 @@ class Reader {
       ++skipped_;
       return;
     }
-    if (channel.sampler < 0 ||
-        static_cast<std::size_t>(channel.sampler) >= animation.samplers.size()) {
-      fail(clip, "names a sampler that does not exist");
-    }
-    Track track = readTrack(clip, animation.samplers[static_cast<std::size_t>(channel.sampler)],
-                            *target, width);
+    Track track = readTrack(clip, samplerOf(animation, clip, channel), *target, width);
     track.node = motion_.place[index];
     clip.seconds = std::max(clip.seconds, track.seconds.back());
     clip.tracks.push_back(std::move(track));
     (weights ? motion_.weighted : motion_.moved)[index] = true;
+  }
+
+  const tinygltf::AnimationSampler& samplerOf(const tinygltf::Animation& animation,
+                                              const Clip& clip,
+                                              const tinygltf::AnimationChannel& channel) const {
+    if (channel.sampler < 0 ||
+        static_cast<std::size_t>(channel.sampler) >= animation.samplers.size()) {
+      fail(clip, "names a sampler that does not exist");
+    }
+    return animation.samplers[static_cast<std::size_t>(channel.sampler)];
+  }
+
+  void readPointerChannel(const tinygltf::Animation& animation, Clip& clip,
+                          const tinygltf::AnimationChannel& channel,
+                          std::vector<GltfPointerTrack>& to) {
+    const std::string pointer = pointerOf(channel);
+    if (pointer.empty()) {
+      ++skipped_;
+      return;
+    }
+    const std::optional<GltfPointer> found = readPointer(model_, pointer);
+    if (!found) {
+      motion_.notAnimated.push_back(pointer);
+      return;
+    }
+    // Any target but weights takes as many numbers as it is told.
+    Track track = readTrack(clip, samplerOf(animation, clip, channel), TrackTarget::Translation,
+                            found->width);
+    clip.seconds = std::max(clip.seconds, track.seconds.back());
+    to.push_back({*found, std::move(track)});
   }
 
   static std::optional<TrackTarget> targetOf(const std::string& path) {
@@ -227,7 +257,7 @@ GltfMotion readMotion(const Input& input, const tinygltf::Model& model, const Gl
   motion.moved.resize(count);
   motion.weighted.resize(count);
   Reader(input, model, nodes, accessors, motion).read();
-  if (!motion.any()) return {};
+  if (!motion.any()) return {.notAnimated = std::move(motion.notAnimated)};
   for (const int n : nodes.order) {
     const auto index = static_cast<std::size_t>(n);
     const int parent = nodes.parents[index];

@@ -1,16 +1,26 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/nodes.h"
+#include "scene/gltf/pointers.h"
 
 namespace opaline::scene {
+
+/// Keys of a property that is no node's. Of the track only keys and values count.
+struct GltfPointerTrack {
+  GltfPointer to;
+  Track track;
+};
 
 /// What moves in a file. The lists are empty where nothing does.
 struct GltfMotion {
   std::vector<Node> nodes;  ///< all of the file, parents first
   std::vector<Clip> clips;
+  std::vector<std::vector<GltfPointerTrack>> pointers;  ///< of the clips, in their order
+  std::vector<std::string> notAnimated;                 ///< pointers that lead to nothing we move
   std::vector<std::uint32_t> place;  ///< per node of the file its index among `nodes`
   std::vector<bool> moved;           ///< per node of the file: a clip moves it or a node above it
   std::vector<bool> weighted;        ///< per node of the file: a clip weighs its morph targets

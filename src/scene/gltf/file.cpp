@@ -176,14 +176,6 @@ tinygltf::Model readGltf(const Input& input) {
   if (!access.refusal.empty()) failGltf(input, access.refusal);
   const std::string complaint = firstComplaint(error);
   if (!whole || !complaint.empty()) {
-    // The library knows no channel without a node.
-    const auto& used = access.prescan.extensionsUsed;
-    if (std::find(used.begin(), used.end(), "KHR_animation_pointer") != used.end() &&
-        complaint.find("'node'") != std::string::npos) {
-      failGltf(input,
-               "it is animated with KHR_animation_pointer, which is not supported: export it "
-               "without");
-    }
     failGltf(input, fmt::format("it is not a valid glTF file: {}",
                                 complaint.empty() ? "unknown reason" : complaint));
   }

@@ -1,16 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <variant>
 
-#include "opaline/options/scene.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
 #include "scene/gltf/accessor.h"
+#include "scene/gltf/changes.h"
 #include "scene/gltf/file.h"
 #include "scene/gltf/instances.h"
+#include "scene/gltf/json.h"
+#include "scene/gltf/lights.h"
 #include "scene/gltf/material.h"
+#include "scene/gltf/medium.h"
 #include "scene/gltf/mesh.h"
 #include "scene/gltf/nodes.h"
 #include "scene/gltf/not_shown.h"
@@ -35,6 +37,7 @@ struct Gathering {
   GltfAccessors accessors;
   GltfMaterials materials;
   GltfMotion motion{};
+  GltfParts parts{};
   RawScene scene{};
   std::size_t triangles = 0;
   std::size_t vertices = 0;
@@ -45,11 +48,6 @@ struct Gathering {
     return mostRepeated + bytes / 4;
   }
 };
-
-bool sameMedium(const Medium& a, const Medium& b) {
-  return a.name == b.name && a.eta == b.eta && a.sigmaAPerMm == b.sigmaAPerMm &&
-         a.sigmaSPrimePerMm == b.sigmaSPrimePerMm;
-}
 
 void append(RawObject& object, BakedPrimitive&& part, std::uint64_t partNumber) {
   RawMesh& mesh = object.mesh;
@@ -98,8 +96,8 @@ bool dropWithout(const VertexAttributes& attributes, std::optional<Texture>& tex
 bool dropTexturesWithout(const VertexAttributes& attributes, GltfSurface& surface) {
   bool any = false;
   if (surface.opaque)
-    for (const auto member : texturesOfMaterial)
-      any = dropWithout(attributes, *surface.opaque.*member) || any;
+    for (const TextureOfMaterial& of : texturesOfMaterial)
+      any = dropWithout(attributes, (*surface.opaque).*of.texture) || any;
   if (std::optional<TranslucentSurface>& own = surface.translucent.surface; own)
     for (const auto member : texturesOfTranslucentSurface)
       any = dropWithout(attributes, *own.*member) || any;
@@ -123,6 +121,10 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
     if (!isSurface(primitive)) continue;
     GltfSurface surface = to.materials.surface(primitive.material, mesh.name, node.name);
+    if (!surface.opaque && primitive.material >= 0)
+      to.scene.hasMediaPerMetre =
+          to.scene.hasMediaPerMetre ||
+          saysMediumByVolume(to.model.materials[static_cast<std::size_t>(primitive.material)]);
     BakedPrimitive baked =
         bakePrimitive(to.input, to.model, to.nodes, to.motion, to.accessors, nodeIndex, primitive);
     if (!surface.opaque) baked.attributes.colors.clear();  // a medium has no base colour
@@ -135,9 +137,15 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
                                      to.most()));
     }
     const auto begin = to.scene.objects.begin() + static_cast<std::ptrdiff_t>(first);
+    const bool alone = isAnimated(to.motion, primitive.material);
     auto object = std::find_if(begin, to.scene.objects.end(), [&](const RawObject& known) {
-      return known.opaque == surface.opaque && known.rig.has_value() == baked.rig.has_value() &&
-             (known.opaque || (sameMedium(known.medium, surface.translucent.medium) &&
+      const auto number = static_cast<std::size_t>(&known - to.scene.objects.data());
+      const int material = to.parts.materialOfObject[number];
+      const bool apart =
+          material != primitive.material && (alone || isAnimated(to.motion, material));
+      return !apart && known.opaque == surface.opaque &&
+             known.rig.has_value() == baked.rig.has_value() &&
+             (known.opaque || (known.medium == surface.translucent.medium &&
                                known.paint == surface.translucent.paint &&
                                known.surface == surface.translucent.surface));
     });
@@ -148,6 +156,7 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
                                   .surface = surface.translucent.surface,
                                   .opaque = surface.opaque});
       object = to.scene.objects.end() - 1;
+      to.parts.materialOfObject.push_back(primitive.material);
     }
     append(*object, std::move(baked), part++);
   }
@@ -160,76 +169,33 @@ void addMesh(Gathering& to, std::size_t nodeIndex) {
   }
 }
 
-/// The direction of an axis of a node, none where its transform is not invertible.
-std::optional<Double3> axisOf(const Matrix4& world, std::size_t axis) {
-  const Double3& column = world.column[axis];
-  const double size = length(column);
-  if (!isFinite(column) || !(size > 0)) return std::nullopt;
-  return (1 / size) * column;
-}
-
-Rgb lightColor(const Input& input, const tinygltf::Light& light) {
-  Rgb rgb{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double value = (c < light.color.size() ? light.color[c] : 1.0) * light.intensity;
-    if (!(value >= 0) || value > 1e30) {
-      failGltf(input, fmt::format("the intensity of light '{}' is {}, but must be from 0 to 1e30",
-                                  cleanText(light.name, 60), value));
-    }
-    rgb[c] = static_cast<float>(value);
-  }
-  return rgb;
-}
-
-SpotLight spotLight(const Input& input, const tinygltf::Light& light, const Matrix4& world,
-                    std::size_t nodeIndex) {
-  const auto back = axisOf(world, 2);
-  if (!back) failGltf(input, fmt::format("light node {} has no direction", nodeIndex));
-  constexpr double toDegrees = 180 / std::numbers::pi;
-  const double inner = light.spot.innerConeAngle * toDegrees;
-  const double outer = light.spot.outerConeAngle * toDegrees;
-  // The extension allows no more than these. Rounding of π/2 is no mistake of the file.
-  if (!(inner >= 0) || !(outer >= inner) || !(outer > 0) || !(outer <= 90 + 1e-4)) {
-    failGltf(input, fmt::format("the cone of light '{}' goes from {:g} to {:g} degrees, but must "
-                                "end between its inner angle and 90 degrees",
-                                cleanText(light.name, 60), inner, outer));
-  }
-  SpotLight spot;
-  spot.positionMm = toFloat(world.column[3]);
-  spot.direction = toFloat(-1.0 * *back);
-  spot.intensity = lightColor(input, light);
-  spot.outerDegrees = static_cast<float>(std::min(outer, 90.0));
-  spot.innerDegrees = std::min(static_cast<float>(inner), spot.outerDegrees);
-  return spot;
-}
-
-/// KHR_lights_punctual: lux become irradiance as they are; candela become intensity in W/sr per
-/// unit², where the unit is still a metre here.
+/// Of the node's light, if it has one.
 void addLight(Gathering& to, std::size_t nodeIndex) {
   const auto& extensions = to.model.nodes[nodeIndex].extensions;
   const auto found = extensions.find("KHR_lights_punctual");
   if (found == extensions.end() || !found->second.Has("light")) return;
-  const tinygltf::Value& value = found->second.Get("light");
-  const int index = value.IsInt() ? value.GetNumberAsInt() : -1;
+  const int index = gltfIndex(found->second, "light").value_or(-1);
   if (index < 0 || static_cast<std::size_t>(index) >= to.model.lights.size()) {
     failGltf(to.input, fmt::format("node {} names a light that does not exist", nodeIndex));
   }
-  const tinygltf::Light& light = to.model.lights[static_cast<std::size_t>(index)];
-  const Matrix4& world = to.nodes.world[nodeIndex];
-  if (light.type == "directional") {
-    const auto back = axisOf(world, 2);
-    if (!back) failGltf(to.input, fmt::format("light node {} has no direction", nodeIndex));
-    to.scene.lighting.directional.push_back({toFloat(*back), lightColor(to.input, light)});
-    to.scene.hasLights = true;
-  } else if (light.type == "point") {
-    to.scene.lighting.points.push_back({toFloat(world.column[3]), lightColor(to.input, light)});
-    to.scene.hasLights = true;
-  } else if (light.type == "spot") {
-    to.scene.lighting.spots.push_back(spotLight(to.input, light, world, nodeIndex));
-    to.scene.hasLights = true;
-  } else {
+  const auto number = static_cast<std::size_t>(index);
+  const tinygltf::Light& light = to.model.lights[number];
+  const auto read = readLight(to.input, light, to.nodes.world[nodeIndex], nodeIndex);
+  if (!read) {
     addNotShown(to.scene.notShown, cleanText(light.type, 20) + " lights", light.name);
+    return;
   }
+  if (light.range > 0) addNotShown(to.scene.notShown, "ranges of lights", light.name);
+  Lighting& lighting = to.scene.lighting;
+  const auto add = [&](auto& lights, const auto& one) {
+    to.parts.lights.push_back({nodeIndex, number, lights.size()});
+    lights.push_back(one);
+  };
+  if (const auto* directional = std::get_if<DirectionalLight>(&*read))
+    add(lighting.directional, *directional);
+  if (const auto* point = std::get_if<PointLight>(&*read)) add(lighting.points, *point);
+  if (const auto* spot = std::get_if<SpotLight>(&*read)) add(lighting.spots, *spot);
+  to.scene.hasLights = true;
 }
 
 /// The first perspective camera; where it looks at is put beside the middle of the scene.
@@ -246,41 +212,9 @@ void takeCamera(Gathering& to, std::size_t nodeIndex) {
                 camera.name);
     return;
   }
-  const Matrix4& world = to.nodes.world[nodeIndex];
-  const auto back = axisOf(world, 2);
-  const auto up = axisOf(world, 1);
-  const double degrees = camera.perspective.yfov * 180 / std::numbers::pi;
-  const std::string name = cleanText(camera.name, 60);
-  if (!back || !up || !isFinite(world.column[3])) {
-    failGltf(to.input, fmt::format("the node of camera '{}' gives it no place or no direction: its "
-                                   "transform must be finite and invertible",
-                                   name));
-  }
-  const options::Range degreesAllowed = options::fieldOf<Camera>("fov_degrees").allowed.range;
-  if (!degreesAllowed.holds(degrees)) {
-    failGltf(to.input, fmt::format("the vertical field of view of camera '{}' is {:g} degrees, but "
-                                   "must be {}",
-                                   name, degrees, options::describe(degreesAllowed)));
-  }
-  Camera taken;
-  taken.positionMm = toFloat(world.column[3]);
-  taken.targetMm = toFloat(world.column[3] - *back);
-  taken.up = toFloat(*up);
-  taken.verticalFovDegrees = static_cast<float>(degrees);
-  to.scene.camera = taken;
+  to.scene.camera = readCamera(to.input, camera, to.nodes.world[nodeIndex]);
   to.scene.cameraChosen = true;
-}
-
-/// Lights and cameras stay where the file puts them, whatever a clip does to their node.
-void noteStanding(const Gathering& from, std::size_t nodeIndex) {
-  if (!from.motion.any() || !from.motion.moved[nodeIndex]) return;
-  const tinygltf::Node& node = from.model.nodes[nodeIndex];
-  const bool lit = node.extensions.find("KHR_lights_punctual") != node.extensions.end();
-  if (node.camera == -1 && !lit) return;
-  note(from.input.log,
-       fmt::format("{}: the {} at node '{}' stands still, though a clip moves it",
-                   cleanText(from.input.file.string(), 1000),
-                   node.camera == -1 ? "light" : "camera", cleanText(node.name, 60)));
+  to.parts.cameraNode = nodeIndex;
 }
 
 void aimAtMiddle(RawScene& scene) {
@@ -306,15 +240,16 @@ RawScene loadGltf(const Input& input) {
     if (model.nodes[index].mesh != -1) addMesh(gathering, index);
     addLight(gathering, index);
     takeCamera(gathering, index);
-    noteStanding(gathering, index);
   }
   std::vector<NotShown> notShown = notShownOf(model, gathering.nodes, gathering.materials.opaque());
   addNotShown(notShown, gathering.scene.notShown);
   gathering.scene.notShown = std::move(notShown);
+  aimAtMiddle(gathering.scene);
+  gathering.scene.changes = readChanges(input, model, gathering.nodes, gathering.motion,
+                                        gathering.parts, gathering.materials, gathering.scene);
   gathering.scene.nodes = std::move(gathering.motion.nodes);
   gathering.scene.clips = std::move(gathering.motion.clips);
   gathering.scene.mmPerUnit = mmPerMetre;
-  aimAtMiddle(gathering.scene);
   return std::move(gathering.scene);
 }
 

@@ -27,6 +27,9 @@ class GltfMaterials {
   /// exist.
   GltfSurface surface(int material, std::string_view meshName, std::string_view nodeName);
 
+  /// An opaque one, as this says, whatever else there is of it.
+  OpaqueMaterial opaqueOf(const tinygltf::Material& of) { return read(of); }
+
   /// Those that have been asked for and are opaque.
   std::set<int> opaque() const;
 

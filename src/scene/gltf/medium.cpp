@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bssrdf/profile.h"
 #include "opaline/media.h"
+#include "opaline/tone.h"
 #include "scene/gltf/json.h"
 #include "scene/material.h"
 #include "scene/text.h"
@@ -31,19 +31,26 @@ std::optional<Medium> fromExtras(const tinygltf::Material& material) {
   return Medium{cleanText(material.name), *scattering, *absorption, etaOf(material)};
 }
 
-/// The albedo α' whose dipole reflects `reflectance` of diffuse light in all, by bisection of
-/// Jensen et al. 2001, Eq. 4 integrated over the plane, which grows with α'.
-double albedoOf(double reflectance, double eta) {
-  double low = 0;
-  double high = 1;
-  for (int step = 0; step < 60; ++step) {
-    const double albedo = 0.5 * (low + high);
-    Medium medium{"", {albedo, albedo, albedo}, {1 - albedo, 1 - albedo, 1 - albedo}, eta};
-    const bssrdf::Profile profile =
-        bssrdf::makeProfile(bssrdf::Model::Dipole, bssrdf::coefficients(medium, 0));
-    (profile.totalReflectance() < reflectance ? low : high) = albedo;
-  }
-  return reflectance >= 1 ? 1.0 : 0.5 * (low + high);
+/// What custom properties of a material say of how it looks, as programs that know no medium of
+/// glTF's can write them. Without a color of its own the base colour is it.
+std::optional<Appearance> appearanceInExtras(const Input& input,
+                                             const tinygltf::Material& material) {
+  auto meanFreePath = gltfNumbers<3>(material.extras, "mean_free_path_mm");
+  if (const auto all = gltfNumber(material.extras, "mean_free_path_mm"))
+    meanFreePath = Numbers3{*all, *all, *all};
+  if (!meanFreePath) return std::nullopt;
+  Appearance appearance{.meanFreePathMm = *meanFreePath,
+                        .g = gltfNumber(material.extras, "g").value_or(0),
+                        .eta = std::min(etaOf(material), 1.6),
+                        .colorModel = input.options.colorModel};
+  const std::vector<double>& base = material.pbrMetallicRoughness.baseColorFactor;
+  const auto color = gltfNumbers<3>(material.extras, "color");
+  for (std::size_t c = 0; c < 3; ++c)
+    appearance.color[c] = color ? (*color)[c] : c < base.size() ? base[c] : 1.0;
+  const std::string complaint = complaintAbout(appearance);
+  if (!complaint.empty())
+    failGltf(input, fmt::format("material '{}': {}", cleanText(material.name, 60), complaint));
+  return appearance;
 }
 
 /// KHR_materials_volume: light falls to attenuationColor after attenuationDistance metres, which is
@@ -63,75 +70,119 @@ std::optional<Volume> volumeOf(const tinygltf::Material& material) {
   return Volume{*distance, *attenuation, *scattering};
 }
 
-/// A texture of its colours.
-struct Colors {
-  Texture texture;
-  Rgb bright;
-};
-
-std::optional<Colors> colorsOf(const tinygltf::Material& material, GltfTextures& textures) {
-  const std::optional<GltfScattering> scattering = gltfScattering(material);
-  if (!scattering || !scattering->texture) return std::nullopt;
-  std::optional<Texture> texture = textures.texture(*scattering->texture);
-  if (!texture) return std::nullopt;
-  const Rgb bright = brightColor(*texture->pixels);
-  return Colors{std::move(*texture), bright};
-}
-
-/// On a medium that is bare where the texture has its brightest colours.
-std::optional<Paint> paintOn(const Medium& medium, const std::optional<Colors>& colors) {
-  if (!colors) return std::nullopt;
-  Paint paint{.name = medium.name, .colorTexture = colors->texture};
-  const Rgb bare = colorOf(medium);
+/// σ_t of the volume, per mm.
+Numbers3 extinctionPerMm(const Volume& volume) {
+  Numbers3 extinction{};
   for (std::size_t c = 0; c < 3; ++c) {
-    const float bright = colors->bright[c];
-    paint.color[c] = bright > 0 ? std::min(bare[c] / bright, Paint::mostColor) : 1.0F;
+    const double left = std::clamp(volume.attenuationColor[c], 1e-6, 0.9999);
+    extinction[c] = -std::log(left) / (1000 * volume.attenuationDistance);
   }
-  return paint;
+  return extinction;
 }
 
-std::optional<Medium> fromVolume(const tinygltf::Material& material,
-                                 const std::optional<Colors>& colors) {
+Appearance appearanceOf(const tinygltf::Material& material, const Volume& volume,
+                        ColorModel model) {
+  Appearance appearance{
+      .g = volume.scattering.anisotropy, .eta = etaOf(material), .colorModel = model};
+  const Numbers3 extinction = extinctionPerMm(volume);
+  for (std::size_t c = 0; c < 3; ++c) {
+    appearance.color[c] = std::clamp(volume.scattering.color[c], 0.0, 1.0);
+    appearance.meanFreePathMm[c] = 1 / extinction[c];
+  }
+  return appearance;
+}
+
+std::optional<Translucent> fromVolume(const tinygltf::Material& material,
+                                      std::optional<Texture> colors, ColorModel model) {
   const std::optional<Volume> volume = volumeOf(material);
   if (!volume) return std::nullopt;
-  Medium medium;
-  medium.name = cleanText(material.name);
-  medium.eta = etaOf(material);
-  medium.g = volume->scattering.anisotropy;
-  const Rgb bright = colors ? colors->bright : Rgb{1, 1, 1};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double reflectance =
-        std::clamp(volume->scattering.color[c] * double{bright[c]}, 0.0, 1.0);
-    const double left = std::clamp(volume->attenuationColor[c], 1e-6, 0.9999);
-    const double extinctionPerMm = -std::log(left) / (1000 * volume->attenuationDistance);
-    const double albedo = albedoOf(reflectance, medium.eta);
-    // σ_t = σ_s' / (1 - g) + σ_a, with σ_s' = α' σ_t'.
-    const double reducedPerMm =
-        extinctionPerMm / (albedo / (1 - volume->scattering.anisotropy) + 1 - albedo);
-    medium.sigmaSPrimePerMm[c] = albedo * reducedPerMm;
-    medium.sigmaAPerMm[c] = (1 - albedo) * reducedPerMm;
-  }
-  return medium;
+  Translucent body = bodyOf(appearanceOf(material, *volume, model), std::move(colors));
+  body.medium.name = cleanText(material.name);
+  if (body.paint) body.paint->name = body.medium.name;
+  return body;
 }
 
 }  // namespace
 
 std::optional<GltfScattering> gltfScattering(const tinygltf::Material& material) {
+  const auto number = [&](const char* extension, const char* key) {
+    return gltfNumber(gltfExtension(material, extension), key).value_or(0);
+  };
   const tinygltf::Value* scatter = &gltfExtension(material, "KHR_materials_volume_scatter");
   const tinygltf::Value& later = gltfExtension(material, "KHR_materials_scatter");
-  const bool letsIn = material.extensions.contains("KHR_materials_transmission");
-  if (letsIn && gltfNumber(later, "scatterStrengthFactor").value_or(0) > 0) scatter = &later;
+  const double strength = std::min(number("KHR_materials_scatter", "scatterStrengthFactor"), 1.0);
+  const bool letsIn = number("KHR_materials_transmission", "transmissionFactor") > 0 &&
+                      number("KHR_materials_volume", "thicknessFactor") > 0;
+  if (letsIn && strength > 0) scatter = &later;
   std::optional<Numbers3> color = gltfNumbers<3>(*scatter, "multiscatterColorFactor");
   if (!color) color = gltfNumbers<3>(*scatter, "multiscatterColor");
   const bool textured = scatter->Has("multiscatterColorTexture");
   if (!color && !textured && scatter != &later) return std::nullopt;
   GltfScattering found{.color = color.value_or(Numbers3{1, 1, 1})};
   found.anisotropy = std::clamp(gltfNumber(*scatter, "scatterAnisotropy").value_or(0), -0.99, 0.99);
-  if (scatter == &later)
-    found.isPartial = gltfNumber(later, "scatterStrengthFactor").value_or(1) < 1 ||
-                      later.Has("scatterStrengthTexture");
+  if (scatter == &later) {
+    for (double& channel : found.color) channel *= strength;
+    if (later.Has("scatterStrengthTexture"))
+      found.strengthTexture = later.Get("scatterStrengthTexture");
+  }
   if (textured) found.texture = scatter->Get("multiscatterColorTexture");
   return found;
+}
+
+namespace {
+
+/// Colours times what `shareOf` makes of their alpha, opaque.
+template <typename Share>
+std::shared_ptr<const TexturePixels> scaled(const TexturePixels& colors, const Share& shareOf) {
+  TexturePixels result = colors;
+  for (std::size_t i = 0; i + 3 < result.rgba.size(); i += 4) {
+    const float share = shareOf(static_cast<float>(result.rgba[i + 3]) / 65535.0F);
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::uint16_t& channel = result.rgba[i + c];
+      const float linear = decodeSrgb(static_cast<float>(channel) / 65535.0F);
+      channel = static_cast<std::uint16_t>(std::lround(65535 * encodeSrgb(share * linear)));
+    }
+    result.rgba[i + 3] = 65535;
+  }
+  return std::make_shared<const TexturePixels>(std::move(result));
+}
+
+double meanAlpha(const TexturePixels& pixels) {
+  double sum = 0;
+  for (std::size_t i = 3; i < pixels.rgba.size(); i += 4) sum += pixels.rgba[i];
+  return 4 * sum / (65535 * std::max(static_cast<double>(pixels.rgba.size()), 1.0));
+}
+
+/// The texture of colours, times that of strengths.
+std::optional<Texture> colorsOf(const GltfScattering& scattering, GltfTextures& textures) {
+  std::optional<Texture> colors;
+  std::optional<Texture> strengths;
+  if (scattering.texture) colors = textures.texture(*scattering.texture);
+  if (scattering.strengthTexture) strengths = textures.texture(*scattering.strengthTexture);
+  if (!strengths) return colors;
+  if (!colors) {  // the strengths are shades of grey
+    TexturePixels white = *strengths->pixels;
+    for (std::size_t i = 0; i < white.rgba.size(); ++i)
+      if (i % 4 != 3) white.rgba[i] = 65535;
+    strengths->pixels = scaled(white, [](float alpha) { return alpha; });
+    return strengths;
+  }
+  const auto mean = static_cast<float>(meanAlpha(*strengths->pixels));
+  const bool apart = scattering.texturesLieApart();
+  colors->pixels = scaled(*colors->pixels, [&](float alpha) { return apart ? mean : alpha; });
+  return colors;
+}
+
+}  // namespace
+
+bool GltfScattering::texturesLieApart() const {
+  if (!texture || !strengthTexture) return false;
+  const auto same = [&](const char* key) {
+    const bool has = texture->Has(key);
+    return has == strengthTexture->Has(key) &&
+           (!has || texture->Get(key) == strengthTexture->Get(key));
+  };
+  return !same("index") || !same("texCoord") || !same("extensions");
 }
 
 bool saysMediumByVolume(const tinygltf::Material& material) {
@@ -146,12 +197,31 @@ bool letsLightThrough(const tinygltf::Material& material) {
     return gltfNumber(gltfExtension(material, name), factor).value_or(0) > 0;
   };
   return material.extensions.find("KHR_materials_volume_scatter") != material.extensions.end() ||
-         above0("KHR_materials_scatter", "scatterStrengthFactor") ||
-         (above0("KHR_materials_diffuse_transmission", "diffuseTransmissionFactor") &&
-          above0("KHR_materials_volume", "thicknessFactor"));
+         (above0("KHR_materials_volume", "thicknessFactor") &&
+          ((above0("KHR_materials_scatter", "scatterStrengthFactor") &&
+            above0("KHR_materials_transmission", "transmissionFactor")) ||
+           above0("KHR_materials_diffuse_transmission", "diffuseTransmissionFactor")));
+}
+
+std::optional<Medium> mediumNamed(std::string_view material, std::string_view mesh,
+                                  std::string_view node) {
+  for (const std::string_view name : {material, mesh, node}) {
+    if (name.empty()) continue;
+    if (auto medium = findMedium(name)) return medium;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
+
+bool saysMediumInExtras(const tinygltf::Material& material) {
+  return fromExtras(material) || material.extras.Has("mean_free_path_mm");
+}
+
+bool baseColorIsOfMedium(const tinygltf::Material& material) {
+  return !fromExtras(material) && material.extras.Has("mean_free_path_mm") &&
+         !material.extras.Has("color");
+}
 
 std::optional<Translucent> gltfMedium(const Input& input, const tinygltf::Model& model,
                                       int material, std::string_view meshName,
@@ -164,19 +234,37 @@ std::optional<Translucent> gltfMedium(const Input& input, const tinygltf::Model&
   const tinygltf::Material& of =
       material < 0 ? none : model.materials[static_cast<std::size_t>(material)];
   std::optional<Medium> medium = fromExtras(of);
-  for (const std::string_view name : {std::string_view(of.name), meshName, nodeName}) {
-    if (!medium && !name.empty()) medium = findMedium(name);
+  std::optional<Texture> colors;
+  if (const auto scattering = gltfScattering(of)) colors = colorsOf(*scattering, textures);
+  std::optional<Translucent> body;
+  if (const auto appearance = appearanceInExtras(input, of); appearance && !medium) {
+    if (baseColorIsOfMedium(of)) {
+      const auto& base = of.pbrMetallicRoughness.baseColorTexture;
+      colors = textures.texture(base.index, base.texCoord, base.extensions);
+    }
+    body = bodyOf(*appearance, std::move(colors));
+    body->medium.name = cleanText(of.name);
+    if (body->paint) body->paint->name = body->medium.name;
   }
-  const std::optional<Colors> colors = colorsOf(of, textures);
-  if (!medium) medium = fromVolume(of, colors);
-  if (!medium && letsLightThrough(of)) medium = defaultMedium();
-  if (!medium) return std::nullopt;
-  const std::string complaint = complaintAbout(*medium);
+  if (!medium && !body) medium = mediumNamed(of.name, meshName, nodeName);
+  if (!medium && !body) body = fromVolume(of, colors, input.options.colorModel);
+  if (!medium && !body && letsLightThrough(of)) medium = defaultMedium();
+  if (medium) {
+    body = {std::move(*medium), std::nullopt};
+    if (colors) body->paint = paintOn(body->medium, std::move(*colors));
+  }
+  if (!body) return std::nullopt;
+  const std::string complaint = complaintAbout(body->medium);
   if (!complaint.empty()) {
     failGltf(input, fmt::format("material '{}': {}", cleanText(of.name, 60), complaint));
   }
-  std::optional<Paint> paint = paintOn(*medium, colors);
-  return Translucent{std::move(*medium), std::move(paint)};
+  return body;
+}
+
+std::optional<Medium> gltfMediumByVolume(const Input& input, const tinygltf::Material& material) {
+  std::optional<Translucent> body = fromVolume(material, std::nullopt, input.options.colorModel);
+  if (!body || !complaintAbout(body->medium).empty()) return std::nullopt;
+  return std::move(body->medium);
 }
 
 }  // namespace opaline::scene

@@ -42,8 +42,9 @@ bool isRead(const tinygltf::Material& material, std::string_view extension) {
 
 HiddenParts partsOf(const tinygltf::Material& material) {
   const tinygltf::PbrMetallicRoughness& pbr = material.pbrMetallicRoughness;
-  return {.baseColor = !isWhite(pbr.baseColorFactor),
-          .baseColorTexture = pbr.baseColorTexture.index >= 0,
+  const bool usesColor = baseColorIsOfMedium(material);
+  return {.baseColor = !usesColor && !isWhite(pbr.baseColorFactor),
+          .baseColorTexture = !usesColor && pbr.baseColorTexture.index >= 0,
           .metal = pbr.metallicFactor > 0,
           .occlusionTexture = material.occlusionTexture.index >= 0,
           .emission = material.emissiveTexture.index >= 0 || !isBlack(material.emissiveFactor),
@@ -54,7 +55,8 @@ void addMaterial(const tinygltf::Material& material, bool isTranslucent, const s
                  std::vector<NotShown>& to) {
   if (isTranslucent) addNotShown(to, partsOf(material), name);
   const std::optional<GltfScattering> scattering = gltfScattering(material);
-  if (scattering && scattering->isPartial) addNotShown(to, "scatter strengths below 1", name);
+  if (scattering && scattering->texturesLieApart())
+    addNotShown(to, "variations of scatter strength beside a colour texture", name);
   // Its surface ends where it is less there than not.
   if (material.alphaMode == "BLEND") addNotShown(to, "blended alpha", name);
   for (const auto& [extension, value] : material.extensions) {

@@ -18,6 +18,8 @@ namespace opaline::scene {
 
 namespace {
 
+constexpr const char* webpExtension = "EXT_texture_webp";
+
 /// Pixels of all pictures of one file.
 constexpr std::size_t mostPixels = std::size_t{1} << 28U;
 
@@ -59,7 +61,7 @@ std::optional<Texture> GltfTextures::texture(int index, int coordinates,
     failGltf(input_, fmt::format("texture {} does not exist", index));
   const tinygltf::Texture& of = model_.textures[static_cast<std::size_t>(index)];
   Texture texture;
-  texture.pixels = pixelsOf(of.source);
+  texture.pixels = pixelsOf(of);
   texture.coordinates = coordinates;
   if (!texture.pixels) return std::nullopt;
   if (of.sampler >= 0 && static_cast<std::size_t>(of.sampler) < model_.samplers.size()) {
@@ -85,23 +87,42 @@ std::optional<Texture> GltfTextures::texture(const tinygltf::Value& info) {
   return texture(*index, gltfIndex(info, "texCoord").value_or(0), extensions);
 }
 
+std::shared_ptr<const TexturePixels> GltfTextures::pixelsOf(const tinygltf::Texture& texture) {
+  const auto webp = texture.extensions.find(webpExtension);
+  const bool hasFallback = texture.source >= 0;
+  if (webp != texture.extensions.end()) {
+    const int image = gltfIndex(webp->second, "source").value_or(-1);
+    if (auto pixels = pixelsOf(image); pixels || !hasFallback) return pixels;
+  }
+  if (hasFallback) return pixelsOf(texture.source);
+  std::string reason = "a texture has no picture that can be read";
+  for (const auto& [extension, value] : texture.extensions)
+    reason += fmt::format(", only one of {}", cleanText(extension, 60));
+  noteLeftOut(reason);
+  return nullptr;
+}
+
 std::shared_ptr<const TexturePixels> GltfTextures::pixelsOf(int image) {
   if (const auto known = pixels_.find(image); known != pixels_.end()) return known->second;
   std::shared_ptr<const TexturePixels>& pixels = pixels_[image];
+  if (image < 0 || static_cast<std::size_t>(image) >= model_.images.size())
+    failGltf(input_, fmt::format("image {} does not exist", image));
   try {
-    if (image < 0) throw Error("a texture has no picture that can be read");
-    if (static_cast<std::size_t>(image) >= model_.images.size())
-      failGltf(input_, fmt::format("image {} does not exist", image));
     TexturePixels found = read(static_cast<std::size_t>(image));
     pixelsRead_ += found.rgba.size() / 4;
     if (pixelsRead_ > mostPixels)
       throw Error(fmt::format("its pictures have more than {} million pixels", mostPixels >> 20U));
     pixels = std::make_shared<const TexturePixels>(std::move(found));
   } catch (const Error& error) {
-    note(input_.log, fmt::format("{}: a texture is left out: {}",
-                                 cleanText(input_.file.string(), 1000), error.what()));
+    noteLeftOut(error.what());
   }
   return pixels;
+}
+
+void GltfTextures::noteLeftOut(const std::string& reason) {
+  if (!leftOut_.insert(reason).second) return;
+  note(input_.log,
+       fmt::format("{}: a texture is left out: {}", cleanText(input_.file.string(), 1000), reason));
 }
 
 TexturePixels GltfTextures::read(std::size_t image) const {

@@ -3,6 +3,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "opaline/material.h"
 #include "scene/gltf/file.h"
@@ -22,12 +24,15 @@ class GltfTextures {
   std::optional<Texture> texture(const tinygltf::Value& info);
 
  private:
+  std::shared_ptr<const TexturePixels> pixelsOf(const tinygltf::Texture& texture);
   std::shared_ptr<const TexturePixels> pixelsOf(int image);
+  void noteLeftOut(const std::string& reason);
   TexturePixels read(std::size_t image) const;
 
   const Input& input_;
   const tinygltf::Model& model_;
   std::map<int, std::shared_ptr<const TexturePixels>> pixels_;  ///< null: cannot be read
+  std::set<std::string> leftOut_;                               ///< why, said once each
   std::size_t pixelsRead_ = 0;
 };
 

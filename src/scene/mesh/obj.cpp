@@ -235,7 +235,7 @@ void buildMesh(const ObjReader& reader, std::span<const Group* const> groups, Ra
                                                return reader.corners[corner].normal != noNormal;
                                              });
   }
-  const bool withPlaces = object.opaque || reader.input.wantsCoordinates;
+  const bool withPlaces = object.opaque || reader.input.options.wantsCoordinates;
   VertexTable table(reader, withNormals, withPlaces && !reader.places.empty());
   Triangulator triangulator;
   std::vector<std::uint32_t> polygon;

@@ -11,17 +11,18 @@ namespace opaline::scene::keys {
 template <std::size_t count>
 using Keys = std::array<std::string_view, count>;
 
-inline constexpr Keys<14> root{"model",     "diagonal_mm", "medium", "media",  "objects",
-                               "materials", "lights",      "models", "camera", "environment",
-                               "render",    "morph_to",    "deform", "ground"};
+inline constexpr Keys<15> root{"model",       "diagonal_mm", "medium",   "media",  "objects",
+                               "color_model", "materials",   "lights",   "models", "camera",
+                               "environment", "render",      "morph_to", "deform", "ground"};
 inline constexpr Keys<2> ground{"color", "height_mm"};
 inline constexpr Keys<8> model{"file",      "diagonal_mm",    "morph_to",         "medium",
                                "transform", "translation_mm", "rotation_degrees", "scale"};
 inline constexpr Keys<5> medium{"measured", "sigma_s_per_mm", "sigma_a_per_mm", "eta", "g"};
-inline constexpr Keys<18> material{"kind",
+inline constexpr Keys<21> material{"kind",
                                    "medium",
                                    "color",
                                    "color_texture",
+                                   "color_model",
                                    "mean_free_path_mm",
                                    "g",
                                    "eta",
@@ -31,6 +32,8 @@ inline constexpr Keys<18> material{"kind",
                                    "roughness",
                                    "metallic_roughness_texture",
                                    "specular",
+                                   "specular_texture",
+                                   "specular_color_texture",
                                    "normal_texture",
                                    "normal_scale",
                                    "occlusion_texture",
@@ -41,7 +44,8 @@ inline constexpr Keys<13> object{
     "scale",    "base_color",   "metallic",  "roughness",      "specular",
     "emission", "normal_scale", "paint"};
 inline constexpr Keys<3> deform{"kind", "amount", "period_seconds"};
-inline constexpr Keys<3> directional{"type", "direction_to_light", "irradiance"};
+inline constexpr Keys<4> directional{"type", "direction_to_light", "irradiance",
+                                     "angular_radius_degrees"};
 inline constexpr Keys<3> point{"type", "position_mm", "intensity"};
 inline constexpr Keys<6> spot{"type",      "position_mm",   "direction",
                               "intensity", "inner_degrees", "outer_degrees"};
@@ -53,6 +57,8 @@ inline constexpr Keys<5> sphere{"type", "center_mm", "radius_mm", "radiance", "v
 inline constexpr Keys<6> tube{"type", "from_mm", "to_mm", "radius_mm", "radiance", "visible"};
 inline constexpr Keys<2> ambient{"type", "radiance"};
 inline constexpr Keys<3> environment{"file", "intensity", "rotation_degrees"};
-inline constexpr Keys<5> camera{"direction", "position_mm", "target_mm", "up", "fov_degrees"};
+inline constexpr Keys<8> camera{"direction", "position_mm",           "target_mm",
+                                "up",        "fov_degrees",           "shift_x",
+                                "shift_y",   "orthographic_height_mm"};
 
 }  // namespace opaline::scene::keys

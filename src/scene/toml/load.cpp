@@ -10,6 +10,7 @@
 #include "opaline/media.h"
 #include "opaline/options/scene.h"
 #include "opaline/scene_file.h"
+#include "scene/changes.h"
 #include "scene/environment_file.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
@@ -49,6 +50,7 @@ struct Assembly {
   Vec3 centre{};
   /// How far a built-in scene's own camera stands from its target.
   std::optional<double> builtInDistanceDiagonals{};
+  ColorModel colorModel = ColorModel::Observed;
   std::optional<Ground> ground{};  ///< its height from the centre
 };
 
@@ -137,8 +139,10 @@ void setMedium(const TomlTable& table, RawScene& model, const Assembly& from) {
   const auto medium = table.text("medium");
   if (!medium) return;
   const Medium found = mediumNamed(table, "medium", *medium, from);
-  for (RawObject& object : model.objects) {
+  for (std::size_t i = 0; i < model.objects.size(); ++i) {
+    RawObject& object = model.objects[i];
     if (object.opaque && isMetal(*object.opaque)) continue;
+    forgetMaterial(model.changes, i);
     putMedium(found, object);
   }
 }
@@ -178,8 +182,10 @@ RawScene loadModelOf(const TomlTable& table, std::string_view key, bool isOnly, 
   }
   // The vertices of meshes that follow each other are matched one to one.
   const bool wantsCoordinates = !to.meshes && !morphTo && hasTextures(to);
-  RawScene raw = to.meshes ? to.meshes->loadFirst(to.options.log)
-                           : loadModel(path, to.options.log, wantsCoordinates);
+  RawScene raw =
+      to.meshes ? to.meshes->loadFirst(to.options.log)
+                : loadModel(path, to.options.log,
+                            {.wantsCoordinates = wantsCoordinates, .colorModel = to.colorModel});
   if (morphTo) addMorph(raw, path, *morphTo, to.options.log);
   raw = inMillimetres(std::move(raw), path, noteUnit, to.options.log, to.repairs);
   if (to.meshes) to.meshes->followRepairs(raw);
@@ -276,8 +282,10 @@ void readObjects(const TomlTable& root, Assembly& to) {
     if (placement) to.source.placements.emplace(name, *placement);
     const auto material = materialNamed(table, to);
     if (material) to.source.materialOfObject.emplace(name, material->first);
-    for (RawObject& object : to.scene.objects) {
+    for (std::size_t i = 0; i < to.scene.objects.size(); ++i) {
+      RawObject& object = to.scene.objects[i];
       if (object.name != name) continue;
+      if (material || medium) forgetMaterial(to.scene.changes, i);
       if (material) {
         noteWithoutCoordinates(*material, object, to);
         object.opaque = material->second.opaque;
@@ -298,11 +306,20 @@ void readObjects(const TomlTable& root, Assembly& to) {
   }
 }
 
+void readColorModel(const TomlTable& root, Assembly& to) {
+  to.source.colorModel = to.options.colorModel;
+  if (const auto name = root.choice("color_model", options::namesOf<ColorModel>());
+      name && !to.source.colorModel)
+    to.source.colorModel = options::named<ColorModel>(*name);
+  to.colorModel = to.source.colorModel.value_or(ColorModel::Observed);
+}
+
 void loadMaterials(const TomlTable& root, Assembly& to) {
-  to.materials = readMaterials(
-      root, to.file, [&](const TomlTable& table, std::string_view key, const std::string& name) {
-        return mediumNamed(table, key, name, to);
-      });
+  to.materials =
+      readMaterials(root, to.file, to.colorModel,
+                    [&](const TomlTable& table, std::string_view key, const std::string& name) {
+                      return mediumNamed(table, key, name, to);
+                    });
   for (const auto& [name, material] : to.materials)
     to.source.materials.emplace(name, material.source);
 }
@@ -327,6 +344,10 @@ void readLighting(const TomlTable& root, Assembly& to) {
   if (root.has("lights") || environment) {
     to.scene.lighting = {};
     to.scene.hasLights = true;
+    for (ClipChanges& changes : to.scene.changes)
+      changes = {.cameras = std::move(changes.cameras),
+                 .surfaces = std::move(changes.surfaces),
+                 .media = std::move(changes.media)};
   }
   for (const TomlTable& light : lights) readLight(light, to.centre, to.scene.lighting);
   if (!environment) return;
@@ -386,6 +407,7 @@ void readCamera(const TomlTable& root, Assembly& to) {
   const options::Chosen<Camera> chosen = chosenIn<Camera>(*table);
   chosen.applyTo(camera);
   to.scene.camera = camera;
+  for (ClipChanges& changes : to.scene.changes) changes.cameras.clear();
   to.scene.cameraChosen = to.scene.cameraChosen || position || target || !chosen.empty();
 }
 
@@ -415,6 +437,7 @@ LoadedScene loadToml(const std::filesystem::path& file, const LoadOptions& optio
   loaded.settings = readSettings(root, options.log);
   Assembly assembly{file, options};
   assembly.source.sceneFile = file;
+  readColorModel(root, assembly);
   readMedia(root, assembly);
   loadMaterials(root, assembly);
   loadModels(root, assembly);

@@ -1,5 +1,7 @@
 #include "scene/toml/materials.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -16,17 +18,13 @@ namespace opaline::scene {
 
 namespace {
 
-struct TextureOfKey {
-  const char* key;
-  std::optional<Texture> OpaqueMaterial::*texture;
-};
-
-constexpr std::array<TextureOfKey, 5> texturesOfOpaque{
-    {{"base_color_texture", &OpaqueMaterial::baseColorTexture},
-     {"metallic_roughness_texture", &OpaqueMaterial::metallicRoughnessTexture},
-     {"normal_texture", &OpaqueMaterial::normalTexture},
-     {"occlusion_texture", &OpaqueMaterial::occlusionTexture},
-     {"emission_texture", &OpaqueMaterial::emissionTexture}}};
+/// "base_color_texture" for the texture "base color".
+std::string keyOf(const TextureOfMaterial& texture) {
+  std::string key = fmt::format("{}_texture", texture.use);
+  std::replace_if(
+      key.begin(), key.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+  return key;
+}
 
 struct TextureOfSurface {
   const char* key;
@@ -37,8 +35,8 @@ constexpr std::array<TextureOfSurface, 2> texturesOfSurface{
     {{"metallic_roughness_texture", &TranslucentSurface::metallicRoughnessTexture},
      {"normal_texture", &TranslucentSurface::normalTexture}}};
 
-constexpr std::array<std::string_view, 5> keysOfTranslucent{"medium", "color", "color_texture",
-                                                            "mean_free_path_mm", "g"};
+constexpr std::array<std::string_view, 6> keysOfTranslucent{
+    "medium", "color", "color_texture", "color_model", "mean_free_path_mm", "g"};
 
 /// The keys of one kind that the other has no use for.
 void refuse(const TomlTable& table, std::string_view key, std::string_view kind) {
@@ -46,7 +44,8 @@ void refuse(const TomlTable& table, std::string_view key, std::string_view kind)
     table.fail(key, std::string("belongs to materials of kind \"") + std::string(kind) + "\"");
 }
 
-Texture readTextureOf(const TomlTable& table, const char* key, const std::filesystem::path& path) {
+Texture readTextureOf(const TomlTable& table, const std::string& key,
+                      const std::filesystem::path& path) {
   try {
     const std::vector<std::byte> bytes = readFile(path, longestFileBytes);
     Texture texture;
@@ -59,9 +58,9 @@ Texture readTextureOf(const TomlTable& table, const char* key, const std::filesy
 
 class MaterialReader {
  public:
-  MaterialReader(const TomlTable& table, const std::filesystem::path& file,
+  MaterialReader(const TomlTable& table, const std::filesystem::path& file, ColorModel colorModel,
                  const FindMedium& findMedium)
-      : table_(table), file_(file), findMedium_(findMedium) {}
+      : table_(table), file_(file), colorModel_(colorModel), findMedium_(findMedium) {}
 
   TomlMaterial read(const std::string& name) {
     table_.requireKeys(keys::material);
@@ -78,7 +77,7 @@ class MaterialReader {
   }
 
  private:
-  std::optional<Texture> texture(const char* key) {
+  std::optional<Texture> texture(const std::string& key) {
     const auto named = table_.text(key);
     if (!named) return std::nullopt;
     const std::filesystem::path path = beside(file_, *named);
@@ -97,20 +96,22 @@ class MaterialReader {
     if (table_.has("metallic_roughness_texture")) material.metallic = 1;
     if (table_.has("emission_texture")) material.emission = {1, 1, 1};
     made_.source.opaque.applyTo(material);
-    for (const auto& [key, member] : texturesOfOpaque) material.*member = texture(key);
+    for (const TextureOfMaterial& of : texturesOfMaterial)
+      material.*of.texture = texture(keyOf(of));
   }
 
   void readTranslucent(const std::string& name) {
     for (const auto& field : options::fieldsOf<OpaqueMaterial>())
       if (options::findField<TranslucentSurface>(field.key) == nullptr)
         refuse(table_, field.key, "opaque");
-    for (const auto& [key, member] : texturesOfOpaque)
+    for (const TextureOfMaterial& of : texturesOfMaterial)
       if (std::none_of(texturesOfSurface.begin(), texturesOfSurface.end(),
-                       [&](const auto& own) { return std::string_view(own.key) == key; }))
-        refuse(table_, key, "opaque");
+                       [&](const TextureOfSurface& own) { return keyOf(of) == own.key; }))
+        refuse(table_, keyOf(of), "opaque");
     readSurface();
     if (const auto medium = table_.text("medium")) {
-      for (const char* key : {"color", "color_texture", "mean_free_path_mm", "g", "eta"})
+      for (const char* key :
+           {"color", "color_texture", "color_model", "mean_free_path_mm", "g", "eta"})
         if (table_.has(key)) table_.fail(key, "cannot stand beside 'medium', which has its own");
       made_.source.medium = *medium;
       made_.translucent.medium = findMedium_(table_, "medium", *medium);
@@ -120,19 +121,13 @@ class MaterialReader {
     if (!made_.source.appearance.has("mean_free_path_mm"))
       table_.fail("", "needs 'medium', or 'mean_free_path_mm' beside 'color' or 'color_texture'");
     Appearance appearance;
+    appearance.colorModel = colorModel_;
     if (table_.has("color_texture")) appearance.color = {1, 1, 1};
     made_.source.appearance.applyTo(appearance);
-    if (std::optional<Texture> colors = texture("color_texture")) {
-      Paint& paint = made_.translucent.paint.emplace();
-      paint.name = cleanText(name);
-      const Rgb bright = brightColor(*colors->pixels);
-      for (std::size_t c = 0; c < 3; ++c) {
-        paint.color[c] = static_cast<float>(appearance.color[c]);
-        appearance.color[c] *= double{bright[c]};
-      }
-      paint.colorTexture = std::move(colors);
-    }
-    made_.translucent.medium = mediumOf(appearance);
+    std::optional<TranslucentSurface> surface = std::move(made_.translucent.surface);
+    made_.translucent = bodyOf(appearance, texture("color_texture"));
+    made_.translucent.surface = std::move(surface);
+    if (made_.translucent.paint) made_.translucent.paint->name = cleanText(name);
     made_.translucent.medium.name = cleanText(name);
   }
 
@@ -147,6 +142,7 @@ class MaterialReader {
 
   const TomlTable& table_;
   const std::filesystem::path& file_;
+  ColorModel colorModel_;
   const FindMedium& findMedium_;
   TomlMaterial made_;
 };
@@ -155,13 +151,14 @@ class MaterialReader {
 
 std::map<std::string, TomlMaterial> readMaterials(const TomlTable& root,
                                                   const std::filesystem::path& file,
+                                                  ColorModel colorModel,
                                                   const FindMedium& findMedium) {
   std::map<std::string, TomlMaterial> materials;
   const auto tables = root.table("materials");
   if (!tables) return materials;
   const auto all = tables->subtables();
   for (const auto& [name, table] : all)
-    materials.emplace(name, MaterialReader(table, file, findMedium).read(name));
+    materials.emplace(name, MaterialReader(table, file, colorModel, findMedium).read(name));
   return materials;
 }
 

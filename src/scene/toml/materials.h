@@ -22,9 +22,11 @@ struct TomlMaterial {
 using FindMedium =
     std::function<Medium(const TomlTable& table, std::string_view key, const std::string& name)>;
 
-/// The [materials] of a scene, whose textures are read beside `file`.
+/// The [materials] of a scene, whose textures are read beside `file`. A color means what the
+/// material says, else what `colorModel` does.
 std::map<std::string, TomlMaterial> readMaterials(const TomlTable& root,
                                                   const std::filesystem::path& file,
+                                                  ColorModel colorModel,
                                                   const FindMedium& findMedium);
 
 }  // namespace opaline::scene

@@ -77,18 +77,9 @@ void place(RawObject& object, const Placement& placement, const TomlTable& table
 void place(RawScene& model, const Placement& placement, const TomlTable& table) {
   for (RawObject& object : model.objects) place(object, placement, table);
   const Matrix4 matrix = matrixOf(placement);
-  const auto place = [&](Vec3& point) { point = toFloat(matrix.point(toDouble(point))); };
-  const auto turn = [&](Vec3& direction) {
-    const Double3 turned = matrix.point(toDouble(direction)) - matrix.point({0, 0, 0});
-    direction = toFloat((1 / length(turned)) * turned);
-  };
   bool finite = placeLights(matrix, model.lighting);
-  if (model.camera) {
-    place(model.camera->positionMm);
-    place(model.camera->targetMm);
-    turn(model.camera->up);
-    finite = finite && isFinite(model.camera->positionMm) && isFinite(model.camera->targetMm);
-  }
+  if (model.camera) finite = placeCamera(matrix, *model.camera) && finite;
+  finite = placeChanges(matrix, model.changes) && finite;
   if (!finite) table.fail("", "has a transform that leaves the range of a float");
 }
 

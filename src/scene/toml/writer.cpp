@@ -366,6 +366,12 @@ bool isOfItsMaterial(const Object& object, const SceneSource& source) {
 
 namespace opaline {
 
+std::optional<Ground> describeGround(const Scene& scene) {
+  const Object* ground = groundOf(scene);
+  if (ground == nullptr) return std::nullopt;
+  return Ground{ground->opaque->baseColor, ground->mesh.positionsMm[0][1]};
+}
+
 SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSettings settings) {
   const Lighting& lighting = scene.lighting;
   if (lighting.environment && !source.environment) {
@@ -375,9 +381,8 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
   description.source = std::move(source);
   if (!lighting.environment) description.source.environment.reset();
   description.centreMm = middleOf(boundsOf(scene));
-  if (const Object* ground = groundOf(scene))
-    description.ground = {ground->opaque->baseColor,
-                          ground->mesh.positionsMm[0][1] - description.centreMm[1]};
+  description.ground = describeGround(scene);
+  if (description.ground) *description.ground->heightMm -= description.centreMm[1];
   for (const Object& object : scene.objects) {
     if (object.isGround) continue;
     // What is opaque is so by the model's file or by a material.
@@ -408,6 +413,8 @@ std::filesystem::path writeScene(const Target& target, const SceneDescription& d
   scene::Text text;
   const std::vector<ModelSource>& models = description.source.models;
   if (!scene::needTables(models)) scene::addModel(models.front(), "model", file, text);
+  if (description.source.colorModel)
+    text.text("color_model", options::nameOf(*description.source.colorModel));
   scene::addObjects(description, text);
   scene::addMaterials(description, file, text);
   if (scene::needTables(models)) scene::addModels(models, file, text);

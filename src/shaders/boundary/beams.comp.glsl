@@ -207,6 +207,21 @@ void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction
   }
 }
 
+// Of light of a large area light, the mean cosine inside: by four places that halve it each way.
+float meanCosineInside(Body body, AreaView view, vec3 normal) {
+  float sum = 0.0;
+  float all = 0.0;
+  for (uint i = 0u; i < 4u; ++i) {
+    AreaSample place = sampleOf(view, 0.25 + 0.5 * vec2(i & 1u, i >> 1));
+    float cosine = dot(place.offset, normal) * inversesqrt(max(dot(place.offset, place.offset), 1e-30));
+    if (cosine <= 0.0) continue;
+    float weight = place.weight * cosine * (1.0 - fresnelReflectance(body.eta, min(cosine, 1.0)));
+    sum += weight * sqrt(1.0 - (1.0 - cosine * cosine) / (body.eta * body.eta));
+    all += weight;
+  }
+  return all > 0.0 ? sum / all : 0.0;
+}
+
 // What the surface does not let in goes on outside and may enter elsewhere.
 Mirrored mirroredOf(Body body, Entry entry, vec3 from, vec3 power) {
   vec3 normal = entry.normal.xyz;
@@ -258,8 +273,13 @@ void main() {
     vec3 direction = unitOr(refract(-from, normal, 1.0 / body.eta), -normal);
     cosineInside = -dot(direction, normal);
     RayHit hit = nextHit(body, entry.start.xyz, direction, 3e38);
+    float longer = 1.0;  // the ways of all the light to a depth, over that of its mean direction
+    if (beam >= firstAreaLight()) {
+      float mean = meanCosineInside(body, areaViewFrom(entry.place.xyz, beam), normal);
+      if (mean > 0.0) longer = max(cosineInside / mean, 1.0);
+    }
     firstSegment(body, i, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
-                 body.medium.collision.rgb);
+                 longer * body.medium.collision.rgb);
     reflections(body, i, cluster, entry.start.xyz, direction, hit);
     if (mirrors != 0u) {
       goesOn = mirroredOf(body, entry, from, power);

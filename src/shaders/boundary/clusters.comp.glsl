@@ -61,7 +61,7 @@ PieceShape shapeOf(SurfelPiece piece) {
   for (int i = 0; i < 3; ++i)
     shape.corners[i] = origin + shape.places[i].x * along + shape.places[i].y * across;
   vec4 a = normals[piece.a];
-  shape.vectorArea = a.w * 0.5 * piece.fraction * cross(along, across);
+  shape.vectorArea = a.w * 0.5 * max(piece.fraction, 0.0) * cross(along, across);
   shape.area = length(shape.vectorArea);
   shape.along = along;
   shape.across = across;

@@ -85,6 +85,8 @@ vec3 shareAt(vec3 place, vec3 normal, uint count, uint own) {
     vec3 offset = felt[k].placeReach.xyz - place;
     float weight = weightOfCluster(dot(offset, offset), felt[k].placeReach.w, felt[k].normalEdge.w,
                                    dot(normal, felt[k].normalEdge.xyz));
+    // Few rays tell nothing of a bright part that they miss.
+    weight *= felt[k].share.w;
     sum += weight * felt[k].share.rgb;
     all += weight;
   }

@@ -1,5 +1,6 @@
 // What opaque clusters give back: first of all that comes from lights and the sky, and what they send
-// out by themselves, then of what other clusters send them. For surfaces it keeps the irradiance that
+// out by themselves, then of what other clusters send them, and at last of bounces that are not followed
+// (further_bounces.comp). For surfaces it keeps the irradiance that
 // these do not find for themselves (scatter/opaque_fragments).
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -20,9 +21,16 @@ layout(std430, set = 0, binding = 1) readonly buffer Shares { OpaqueShare shares
 
 layout(std430, set = 0, binding = 2) buffer OpaqueExitances { vec4 opaqueExitances[]; };
 
+layout(std430, set = 0, binding = 11) readonly buffer StillToCome { vec4 stillToCome; };
+
+// Of which light, OpaquePass::From.
+const uint ofLights = 0u;
+const uint ofClusters = 1u;
+const uint ofFurtherBounces = 2u;
+
 layout(push_constant) uniform Push {
   uint clusterCount;
-  uint again;  // 1: of what other clusters send
+  uint from;
 };
 
 void main() {
@@ -32,9 +40,7 @@ void main() {
   OpaqueShare gives = shares[i];
   vec3 known = vec3(0.0);
   vec3 other = vec3(0.0);
-  if (again != 0u) {
-    other = entered[i].rgb;
-  } else {
+  if (from == ofLights) {
     for (uint k = 0u; k < allLightsAt(place); ++k) {
       vec3 falls = entries[k * clusterCount + i].irradiance.rgb;
       if (k < firstAreaLight())
@@ -43,10 +49,14 @@ void main() {
         other += falls;
     }
     other += skyShares[i].rgb * entries[frame.counts.w * clusterCount + i].irradiance.rgb;
+  } else {
+    other = entered[i].rgb;
+    if (from == ofFurtherBounces) other *= stillToCome.rgb;
   }
-  vec3 own = again != 0u ? vec3(0.0) : gives.emission.rgb;
+  bool isFirst = from == ofLights;
+  vec3 own = isFirst ? gives.emission.rgb : vec3(0.0);
   latest[i] = vec4(gives.share.rgb * (known + other) + own, 0.0);
-  opaqueExitances[i] = (again != 0u ? opaqueExitances[i] : vec4(0.0)) + latest[i];
+  opaqueExitances[i] = (isFirst ? vec4(0.0) : opaqueExitances[i]) + latest[i];
   enteredBefore[i] = vec4(0.0);
-  irradiances[i] = vec4((again != 0u ? irradiances[i].rgb : vec3(0.0)) + other, 0.0);
+  irradiances[i] = vec4((isFirst ? vec3(0.0) : irradiances[i].rgb) + other, 0.0);
 }

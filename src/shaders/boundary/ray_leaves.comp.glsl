@@ -70,7 +70,7 @@ void main() {
     vec3 furthest = max(max(abs(corners[0]), abs(corners[1])), abs(corners[2]));
     float reachSlack = roundedPart * longest;
     float slack = reachSlack * largestOf(furthest);
-    bool never = piece.fraction == 0.0 ||
+    bool never = piece.fraction <= 0.0 ||
                  !(length(cross(along, across)) > 0.5 * roundedPart * longest * longest);
     // Whole triangles share their corners with others bit by bit.
     bool whole = piece.fraction == 1.0;

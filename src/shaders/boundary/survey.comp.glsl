@@ -18,9 +18,11 @@
 layout(std430, set = 0, binding = 4) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 5) buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 6) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
-layout(std430, set = 0, binding = 7) writeonly buffer Meetings { Meeting meetings[]; };
+layout(std430, set = 0, binding = 7) buffer Meetings { Meeting meetings[]; };
 
 layout(std430, set = 0, binding = 9) writeonly buffer SkyShares { vec4 skyShares[]; };
+
+layout(std430, set = 0, binding = 10) readonly buffer Bright { BrightSky brightSky; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
@@ -78,52 +80,96 @@ float cosineInside(float eta, float cosine) {
   return sqrt(1.0 - (1.0 - cosine * cosine) / (eta * eta));
 }
 
-// Which part of the sky's irradiance enters the cluster, and in w its mean cosine inside.
-vec4 lookAround(uint i, Cluster cluster, ClusterRange range) {
+const float clustersTogether = 8.0;
+
+// Half of the rays go to bright parts of the sky, where it has some, and the others are as dense as the cosine. Each
+// counts as by the balance heuristic (Veach and Guibas 1995).
+uint raysToBright() {
+  return brightSky.light.y > 0.0 ? raysOutwards / 2u : 0u;
+}
+
+// Always the same for a cluster, so that nothing jumps while it moves. Those below its horizon are not sent.
+vec3 brightDirection(uint k, uint count, float shift) {
+  return brightSky.towards[min(uint((float(k) + shift) / float(count) * float(brightDirections)), brightDirections - 1u)].xyz;
+}
+
+// Of all rays of a cluster, per solid angle.
+float densityOfRays(vec3 direction, float cosine) {
+  uint bright = raysToBright();
+  float density = float(raysOutwards - bright) / pi * max(cosine, 0.05);
+  if (bright == 0u) return density;
+  vec3 radiance = skyRadianceFrom(direction, 0.0);
+  float above = max(radiance.r + radiance.g + radiance.b - brightSky.light.x, 0.0);
+  return density + float(bright) * above / brightSky.light.y;
+}
+
+// What a cluster sees of the sky.
+struct SkySeen {
+  vec3 share;   // of its irradiance
+  float light;  // of all rays, were they free
+  float slant;  // mean cosine inside
+};
+
+SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
   ObjectData own = objects[range.object];
   uint first = range.firstSurfel * piecesPerSurfel;
   uint count = range.endSurfel * piecesPerSurfel - first;
   float least = rayStartOf(cluster);
   float side = cluster.along.w;
   RayTarget scene = RayTarget(0u, nodeCount, everyObject);
+  uint toBright = raysToBright();
+  uint aboutNormal = raysOutwards - toBright;
   vec3 free = vec3(0.0);
   vec3 all = vec3(0.0);
   float slant = 0.0;
-  float freeRays = 0.0;
+  float freeEven = 0.0;  // of even light
+  float allEven = 0.0;
   for (uint k = 0u; k < raysOutwards; ++k) {
-    // From all over the cluster.
-    PieceFrame place = frameOf(first + (2u * k + 1u) * count / (2u * raysOutwards), side);
+    meetings[i * raysOutwards + k] = Meeting(noCluster, 0.0, 0.0);
+    bool isAboutNormal = k < aboutNormal;
+    uint kind = isAboutNormal ? aboutNormal : toBright;  // how many of it there are
+    uint which = isAboutNormal ? k : k - aboutNormal;
+    // Each kind from all over the cluster.
+    PieceFrame place = frameOf(first + (2u * which + 1u) * count / (2u * kind), side);
     if (place.normal == vec3(0.0)) place = PieceFrame(cluster.start.xyz, cluster.facet.xyz, cluster.along.xyz);
     // Turned in steps that do not go along with those over the cluster.
-    vec3 direction = cosineDirection((k * 7u) % raysOutwards, raysOutwards, shiftOf(i), place.normal, place.along);
+    vec3 direction = isAboutNormal
+                         ? cosineDirection((which * 7u) % kind, kind, shiftOf(i), place.normal, place.along)
+                         : brightDirection((which * 7u) % kind, kind, shiftOf(i).x);
     float eta = mediumAt(own, place.middle).boundary.x;
     float outside = dot(direction, place.normal);
-    float entering = transmittedInto(eta, outside);
-    // As dense as the cosine, so that each has its part of the irradiance.
-    vec3 radiance = entering * skyRadianceFrom(direction, pi / (float(raysOutwards) * max(outside, 0.05)));
+    if (outside <= 0.0) continue;
+    float density = densityOfRays(direction, outside);
+    float entering = transmittedInto(eta, outside) * outside / density;
+    // Surfels use the rays of several clusters around them, so each stands for less than it would alone.
+    vec3 radiance = entering * skyRadianceFrom(direction, 1.0 / (clustersTogether * density));
     RayHit hit = nearestHit(place.middle, direction, least, 3e38, scene);
     all += radiance;
-    Meeting meeting = Meeting(noCluster, 0.0, 0.0);
+    allEven += entering;
     if (hit.piece == noPiece) {
       free += radiance;
       slant += dot(radiance, vec3(cosineInside(eta, outside)));
-      freeRays += 1.0;
+      freeEven += entering;
     } else {
       vec3 met = place.middle + hit.distance * direction;
       MediumData other = mediumAt(objects[objectOfPiece(hit.piece)], met);
       uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
       float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
       if (cosine > 0.0)
-        meeting = Meeting(cluster, entering / (other.inside.extinction.w * float(raysOutwards)),
-                          transmittedInto(other.boundary.x, cosine));
+        meetings[i * raysOutwards + k] = Meeting(cluster, entering / (other.inside.extinction.w * pi),
+                                                 transmittedInto(other.boundary.x, cosine));
     }
-    meetings[i * raysOutwards + k] = meeting;
   }
+  // So that what enters of even light is all of it, from wherever it comes.
+  float whole = pi * insideOf(own).extinction.w / max(allEven, 1e-30);
+  if (toBright > 0u)
+    for (uint k = 0u; k < raysOutwards; ++k) meetings[i * raysOutwards + k].share *= whole;
   float sum = free.r + free.g + free.b;
   float mean = insideOf(own).sigma.w;
+  float evenShare = allEven > 0.0 ? freeEven / allEven : 0.0;
   // Where it is dark in a channel, whatever the others do is right.
-  return vec4(mix(vec3(freeRays / float(raysOutwards)), overOr0(free, all), greaterThan(all, vec3(1e-30))),
-              sum > 1e-30 ? slant / sum : mean);
+  return SkySeen(mix(vec3(evenShare), overOr0(free, all), greaterThan(all, vec3(1e-30))),
+                 all.r + all.g + all.b, sum > 1e-30 ? slant / sum : mean);
 }
 
 void main() {
@@ -136,10 +182,11 @@ void main() {
                                rayStartOf(cluster), 3e38,
                                RayTarget(body.tree.x, body.tree.y, range.object));
   float thickness = through.piece == noPiece ? 1e18 : through.distance;
-  vec4 sky = raysOutwards > 0u ? lookAround(i, cluster, range) : vec4(vec3(1.0), insideOf(body).sigma.w);
-  skyShares[i] = sky;
+  SkySeen sky = raysOutwards > 0u ? lookAround(i, cluster, range)
+                                  : SkySeen(vec3(1.0), 0.0, insideOf(body).sigma.w);
+  skyShares[i] = vec4(sky.share, sky.light);
   clusters[i].start.w = thickness;
-  clusters[i].facet.w = sky.w;
+  clusters[i].facet.w = sky.slant;
   clusters[i].second = vec4(
       shareOfSecond(insideOf(body), sqrt(cluster.centroidArea.w)),
       range.kind != openBody ? 1.0 : 0.0);

@@ -115,7 +115,23 @@ void fitPoint(uint light, Box box) {
   frame.lights[light].texel.x = 2.0 * tangent / mapSize;
 }
 
+// What lies behind an orthographic camera is not seen. Its plane comes where the row for depth goes.
+void fitParallelCamera(Box box) {
+  vec3 axis = frame.cameraAxis.xyz;
+  float plane = frame.worldToClip[3][2];
+  float slack = max(1e-3 * distance(box.low, box.high), 1e-6);
+  vec2 scene = widened(extent(box, axis), slack);
+  float near = frame.cameraAxis.w != 0.0 ? plane : max(plane, scene.x);
+  float depth = max(scene.y, near + slack) - near;
+  vec4 row = vec4(-axis, near + depth) / depth;
+  for (int column = 0; column < 4; ++column) frame.worldToClip[column][2] = row[column];
+}
+
 void fitCamera(Box box) {
+  if (frame.cameraPosition.w == 0.0) {
+    fitParallelCamera(box);
+    return;
+  }
   float diagonal = distance(box.low, box.high);
   float away = frame.cameraAxis.w != 0.0 ? 0.0 : distanceTo(box, frame.cameraPosition.xyz);
   float near = max(0.5 * away, max(1e-4 * diagonal, 1e-6));

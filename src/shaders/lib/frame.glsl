@@ -5,4 +5,9 @@
 
 layout(std140, set = 0, binding = 0) uniform Frame { FrameData frame; };
 
+// From a place to the camera, of any length.
+vec3 toCameraFrom(vec3 place) {
+  return frame.cameraPosition.xyz - frame.cameraPosition.w * place;
+}
+
 #endif

@@ -70,7 +70,7 @@ MeshPlace placeOn(uint triangle, vec2 clip) {
   place.object = meshObjects[place.vertices.x];
   vec3 normal = normalOn(place.vertices, place.weights);
   vec3 facet = unitOr(cross(unitOr(b - a, vec3(0.0)), unitOr(c - a, vec3(0.0))), normal);
-  bool front = dot(facet, frame.cameraPosition.xyz - a) > 0.0;
+  bool front = dot(facet, toCameraFrom(a)) > 0.0;
   place.facet = front ? facet : -facet;
   bool mirrored = meshNormals[place.vertices.x].w < 0.0;
   place.side = front != mirrored ? 1.0 : -1.0;

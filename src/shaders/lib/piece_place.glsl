@@ -23,7 +23,7 @@ PiecePlace placeOf(SurfelPiece piece) {
   place.itsNormals = mat3(normals[piece.a].xyz, normals[piece.b].xyz, normals[piece.c].xyz);
   place.side = normals[piece.a].w;
   place.corners = cornersOf(piece);
-  place.area = 0.5 * length(cross(place.along, place.across)) * piece.fraction;
+  place.area = 0.5 * length(cross(place.along, place.across)) * max(piece.fraction, 0.0);
   return place;
 }
 

@@ -21,7 +21,7 @@ vec3 microfacet(uint i, uint count, float alpha, vec3 normal, vec3 along) {
 
 // The i-th ray of the lobe at a place with that normal; 0 where it would enter the surface.
 vec3 reflectedDirection(uint i, uint count, float alpha, vec3 normal, MeshPlace place) {
-  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
+  vec3 toCamera = normalize(toCameraFrom(place.position));
   vec3 across = unitOr(cross(normal, toCamera), normalize(cross(normal, normal.yzx + vec3(0.3, 0.5, 0.7))));
   vec3 along = cross(across, normal);
   vec3 direction = reflect(-toCamera, microfacet(i, count, alpha, normal, along));

@@ -49,6 +49,14 @@ float lobe(float alpha, vec3 normal, vec3 toLight, vec3 toCamera, out float cosi
          ggxVisibility(alpha, max(dot(normal, toCamera), 1e-3), cosineIn) * cosineIn;
 }
 
+// α² + θ²/4μ, for a disc of angular radius θ. What the lobe mirrors of such a disc, (θ²/4μ) / (α² + θ²/4μ) in the
+// highlight's middle, is what a lobe of that width mirrors of as much parallel light. `cosine` is μ, of light that is
+// mirrored there.
+float widenedBy(uint light, float alpha, float cosine) {
+  float more = frame.lights[light].place.w;
+  return more > 0.0 ? min(sqrt(alpha * alpha + more / max(cosine, 1e-3)), 1.0) : alpha;
+}
+
 // Parts of the lobe's width. Normals that turn by less within a pixel are one, and further than that
 // from the mirrored direction the lobe is smooth.
 const float leastTurn = 0.1;

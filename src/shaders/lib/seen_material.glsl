@@ -38,7 +38,7 @@ SeenNormal mappedNormalAt(Seen seen, MeshPlace place, OpaqueData material, Mater
 // What it turns away from the eye would be black.
 SeenNormal mappedNormalSeen(Seen seen, MeshPlace place, OpaqueData material, MaterialPlace read) {
   SeenNormal mapped = mappedNormalAt(seen, place, material, read);
-  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
+  vec3 toCamera = normalize(toCameraFrom(place.position));
   float facing = dot(mapped.normal, toCamera);
   if (facing < 0.01) mapped.normal = normalize(mapped.normal + (0.01 - facing) * toCamera);
   return mapped;

@@ -2,18 +2,30 @@
 #ifndef OPALINE_LIB_SIGHT
 #define OPALINE_LIB_SIGHT
 
-// The unit direction through a place of the picture, in clip space over w.
-vec3 sightThrough(vec2 clip) {
+struct Sight {
+  vec3 origin;
+  vec3 direction;  // unit
+};
+
+// Through a place of the picture, in clip space over w.
+Sight sightThrough(vec2 clip) {
   mat4 rows = transpose(frame.worldToClip);
-  vec3 right = rows[0].xyz;
-  vec3 down = rows[1].xyz;
-  return normalize(rows[3].xyz + clip.x / dot(right, right) * right + clip.y / dot(down, down) * down);
+  bool isParallel = frame.cameraPosition.w == 0.0;
+  vec3 axis = isParallel ? frame.cameraAxis.xyz : rows[3].xyz;
+  // Pictures whose middle is not on the axis have a part of it in the others.
+  vec2 off = vec2(dot(rows[0].xyz, axis), dot(rows[1].xyz, axis)) / dot(axis, axis);
+  vec3 right = rows[0].xyz - off.x * axis;
+  vec3 down = rows[1].xyz - off.y * axis;
+  clip -= isParallel ? vec2(rows[0].w, rows[1].w) : off;
+  vec3 aside = clip.x / dot(right, right) * right + clip.y / dot(down, down) * down;
+  if (isParallel) return Sight((rows[2].w - 1.0) / length(rows[2].xyz) * axis + aside, axis);
+  return Sight(frame.cameraPosition.xyz, normalize(axis + aside));
 }
 
-// From one pixel to the next in the middle of a picture of so many rows, rad.
+// From one pixel to the next in the middle of a picture of so many rows, rad; 0 of parallel sight.
 float angleOfPixel(int rows) {
   vec4 down = transpose(frame.worldToClip)[1];
-  return 2.0 / (length(down.xyz) * float(rows));
+  return frame.cameraPosition.w * 2.0 / (length(down.xyz) * float(rows));
 }
 
 #endif

@@ -4,6 +4,7 @@
 #define OPALINE_LIB_SKY_RAYS
 #include "lib/rays.glsl"
 #include "lib/reflected_rays.glsl"
+#include "shared/sky_rays.h"
 
 layout(push_constant) uniform Push {
   uint first;      // of the list, or of the picture's rows
@@ -27,16 +28,13 @@ struct Mirror {
   vec3 normal;
 };
 
-// Of one sample: a mirror needs one, as antialiasing softens its edges; a wide lobe a few.
-uint raysOfSample(Mirror mirror) {
-  const float raysOfAlpha = 16.0;
-  return uint(clamp(floor(raysOfAlpha * mirror.alpha + 0.5), 1.0, 8.0));
+uint raysOfSample(float itsAlpha) {
+  return uint(skyRaysOfSample(itsAlpha));
 }
 
-// The i-th ray of the lobe at a place.
-uint reflectedRay(uint i, MeshPlace place, Mirror mirror) {
-  uint raysInAll = raysOfSample(mirror) * samples;
-  vec3 direction = reflectedDirection(i, raysInAll, mirror.alpha, mirror.normal, place);
+// The i-th of `count` rays of the lobe at a place.
+uint reflectedRay(uint i, uint count, MeshPlace place, Mirror mirror) {
+  vec3 direction = reflectedDirection(i, count, mirror.alpha, mirror.normal, place);
   if (direction == vec3(0.0)) return noRay;
   float start = startAbove(place.position);
   bool meets = occluded(place.position + start * place.facet, direction, start, 3e38,

@@ -23,7 +23,7 @@ vec3 skyShareAt(vec3 place, vec3 normal, ObjectData body) {
     if (!apart && isLeaf(link)) {
       uint i = firstSurfelOf(link);
       float weight = weightOfCluster(squared, reach, edgeOf(clusters[i]),
-                                     dot(normal, clusters[i].normal.xyz));
+                                     dot(normal, clusters[i].normal.xyz)) * skyShares[i].w;
       sum += weight * skyShares[i].rgb;
       all += weight;
     }

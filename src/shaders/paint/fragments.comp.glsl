@@ -39,7 +39,7 @@ void main() {
                           found.source.rgb / max(found.layer.rgb, vec3(1e-6)));
   exitances[seen.entry].rgb = max(left, vec3(0.0));
   float eta = medium.boundary.x;
-  float outside = dot(place.normal, normalize(frame.cameraPosition.xyz - place.position));
+  float outside = dot(place.normal, normalize(toCameraFrom(place.position)));
   float cosine = sqrt(1.0 - (1.0 - outside * outside) / (eta * eta));
   paint[seen.entry].rgb = exp(-found.thickness.rgb / cosine) / max(found.entering.rgb, vec3(1e-6));
 }

@@ -28,7 +28,7 @@ const float mostOffPlane = 0.4;
 
 bool isOneSurface(MeshPlace a, MeshPlace b) {
   vec3 between = b.position - a.position;
-  vec3 toCamera = normalize(frame.cameraPosition.xyz - a.position);
+  vec3 toCamera = normalize(toCameraFrom(a.position));
   float facing = min(dot(a.facet, toCamera), dot(b.facet, toCamera));
   float most = mostOffPlane * facing * length(between);
   return a.object == b.object && a.side == b.side &&

@@ -13,11 +13,11 @@ layout(push_constant) uniform Push {
 layout(location = 0) out uint seen;
 
 void main() {
-  vec3 direction = sightThrough(2.0 * (gl_FragCoord.xy + offset) / size - 1.0);
+  Sight sight = sightThrough(2.0 * (gl_FragCoord.xy + offset) / size - 1.0);
   vec3 radiance;
-  float far = distanceToLights(frame.cameraPosition.xyz, direction, radiance);
+  float far = distanceToLights(sight.origin, sight.direction, radiance);
   if (isinf(far)) discard;
-  vec4 clip = frame.worldToClip * vec4(frame.cameraPosition.xyz + far * direction, 1.0);
+  vec4 clip = frame.worldToClip * vec4(sight.origin + far * sight.direction, 1.0);
   gl_FragDepth = clamp(clip.z / clip.w, 0.0, 1.0);
   seen = 0u;
 }

@@ -18,11 +18,11 @@ layout(push_constant) uniform Push {
   uint fills;  // 1: the environment is seen, else nothing
 };
 
-vec4 seenAlong(vec3 direction, float level) {
+vec4 seenAlong(Sight sight, float level) {
   vec3 ofLight;
-  if (!isinf(distanceToLights(frame.cameraPosition.xyz, direction, ofLight))) return vec4(ofLight, 1.0);
+  if (!isinf(distanceToLights(sight.origin, sight.direction, ofLight))) return vec4(ofLight, 1.0);
   if (fills == 0u) return vec4(0.0);
-  return vec4(textureLod(environment, latLongCoordinates(direction), level).rgb + ambient.rgb, 1.0);
+  return vec4(textureLod(environment, latLongCoordinates(sight.direction), level).rgb + ambient.rgb, 1.0);
 }
 
 void main() {

@@ -1,5 +1,5 @@
-// What opaque surfaces mirror of the scene towards the camera: rays of the GGX lobe, and the light of
-// the clusters that they meet.
+// What surfaces mirror of the scene towards the camera: rays of the GGX lobe, and the light of the clusters
+// that they meet. Where there are few rays, it is interpolated between clusters.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -8,32 +8,79 @@
 #define BINDING_OBJECTS 4
 #define BINDING_PIECE_CORNERS 5
 #define BINDING_RAYS 6
+#define BINDING_CLUSTER_NODES 15
 #include "lib/bodies.glsl"
+#include "lib/cluster_node.glsl"
+#include "lib/cluster_weight.glsl"
 #include "lib/frame.glsl"
 #include "lib/rays.glsl"
 #include "lib/reflected_rays.glsl"
 #include "lib/seen_list.glsl"
+#include "shared/boundary.h"
 #include "shared/opaque.h"
 
 layout(std430, set = 0, binding = 7) buffer Materials { SeenMaterial materials[]; };
 layout(std430, set = 0, binding = 8) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
 layout(std430, set = 0, binding = 13) readonly buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = 14) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
+layout(std430, set = 0, binding = 16) readonly buffer Clusters { Cluster clusters[]; };
+layout(std430, set = 0, binding = 17) readonly buffer Light { vec4 light[]; };
 
 layout(push_constant) uniform Push {
   uint first;
   uint nodeCount;  // of all surfels' trees
   uint piecesPerSurfel;
+  uint translucent;  // 1: translucent surfaces too, of which `light` says how much they mirror of the sky
+  uint insides;      // 1: light that leaves bodies with an inside is known
+  float alpha;       // of translucent surfaces that have none of their own
+  uint ownSurfaces;  // 1: `materials` has the roughness and the normal of translucent surfaces too
 };
 
 uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
 }
 
-vec3 radianceAt(uint piece) {
+vec3 exitanceOf(uint cluster, bool opaque) {
+  return opaque ? opaqueExitances[cluster].rgb : exitances[cluster].rgb;
+}
+
+// At a place of a body, by the clusters around; at least by its own.
+vec3 exitanceAt(vec3 place, vec3 normal, ObjectData body, uint own) {
+  bool opaque = isOpaque(body);
+  vec3 sum = vec3(0.0);
+  float all = 0.0;
+  uint node = body.clusters.x;
+  while (node < body.clusters.y) {
+    vec4 centroidLink = centroidLinkOf(node);
+    uint link = floatBitsToUint(centroidLink.w);
+    float reach = spreadOf(node).z;
+    vec3 offset = centroidLink.xyz - place;
+    float squared = dot(offset, offset);
+    bool opened = squared < reach * reach;
+    if (opened && isLeaf(link)) {
+      uint i = firstSurfelOf(link);
+      float weight = weightOfCluster(squared, reach, edgeOf(clusters[i]), dot(normal, clusters[i].normal.xyz));
+      sum += weight * exitanceOf(i, opaque);
+      all += weight;
+    }
+    node = opened ? node + 1u : afterNode(node, link);
+  }
+  return all > 0.0 ? sum / all : exitanceOf(own, opaque);
+}
+
+// As many rays see patches of clusters as their mean.
+const uint raysThatSmooth = 7u;
+
+// In w whether it is known.
+vec4 radianceAt(vec3 place, uint piece, vec3 direction, uint rays) {
   uint cluster = clusterOfSurfel[piece / piecesPerSurfel];
-  bool opaque = isOpaque(objects[objectOfPiece(piece)]);
-  return (opaque ? opaqueExitances[cluster].rgb : exitances[cluster].rgb) / pi;
+  ObjectData body = objects[objectOfPiece(piece)];
+  bool opaque = isOpaque(body);
+  float known = opaque ? 1.0 : insides != 0u ? clusters[cluster].second.w : 0.0;
+  if (rays >= raysThatSmooth || body.clusters.z == 0u) return vec4(exitanceOf(cluster, opaque) / pi, known);
+  vec3 facet = facetNormal(piece);
+  vec3 normal = dot(facet, direction) > 0.0 ? -facet : facet;
+  return vec4(exitanceAt(place, normal, body, cluster) / pi, known);
 }
 
 // As many as the lobe is wide.
@@ -54,18 +101,45 @@ vec4 mirrored(MeshPlace place, SeenMaterial material) {
     vec3 direction = reflectedDirection(left - 1u, count, alpha, material.normal.xyz, place);
     if (direction == vec3(0.0)) continue;
     sent += 1.0;
-    RayHit hit = nearestHit(place.position + start * place.facet, direction, start, 3e38,
-                            RayTarget(0u, nodeCount, everyObject));
-    sum += hit.piece == noPiece ? vec4(0.0, 0.0, 0.0, 1.0) : vec4(radianceAt(hit.piece), 0.0);
+    vec3 origin = place.position + start * place.facet;
+    RayHit hit = nearestHit(origin, direction, start, 3e38, RayTarget(0u, nodeCount, everyObject));
+    sum += hit.piece == noPiece
+               ? vec4(0.0, 0.0, 0.0, 1.0)
+               : vec4(radianceAt(origin + hit.distance * direction, hit.piece, direction, count).rgb, 0.0);
   }
   return sent > 0.0 ? sum / sent : vec4(0.0, 0.0, 0.0, 1.0);
+}
+
+// Of what the rays of a translucent surface meet, without the sky.
+vec4 bodiesAround(MeshPlace place, float itsAlpha, vec3 normal) {
+  uint count = raysOf(itsAlpha);
+  float start = startAbove(place.position);
+  vec4 sum = vec4(0.0);
+  for (uint i = 0u; i < count; ++i) {
+    vec3 direction = reflectedDirection(i, count, itsAlpha, normal, place);
+    if (direction == vec3(0.0)) continue;
+    vec3 origin = place.position + start * place.facet;
+    RayHit hit = nearestHit(origin, direction, start, 3e38, RayTarget(0u, nodeCount, everyObject));
+    if (hit.piece == noPiece) continue;
+    vec4 radiance = radianceAt(origin + hit.distance * direction, hit.piece, direction, count);
+    sum += radiance.w * vec4(radiance.rgb, 1.0);
+  }
+  return sum.w > 0.0 ? vec4(sum.rgb / sum.w, 1.0) : vec4(0.0);
 }
 
 void main() {
   Seen seen = seenOfInvocation(first);
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
-  if (!isOpaque(objects[place.object])) return;
+  if (!isOpaque(objects[place.object])) {
+    if (translucent == 0u) return;
+    bool own = ownSurfaces != 0u;
+    float itsAlpha = own ? materials[seen.entry].diffuse.w : alpha;
+    vec3 normal = own ? materials[seen.entry].normal.xyz : place.normal;
+    materials[seen.entry].around =
+        light[seen.entry].w < 1.0 ? bodiesAround(place, itsAlpha, normal) : vec4(0.0);
+    return;
+  }
   SeenMaterial material = materials[seen.entry];
   // What mirrors next to nothing needs no rays.
   if (material.specular.w <= 0.0 && material.specular.rgb == vec3(0.0)) return;

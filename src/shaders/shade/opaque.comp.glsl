@@ -50,10 +50,11 @@ vec3 mirroredLights(SeenMaterial material, vec3 position, vec3 outside, NormalsN
   for (uint i = 0u; i < lightsAt(position); ++i) {
     IncidentLight incident = incidentLight(i, position);
     if (dot(normals.middle, incident.direction) <= 0.0 || dot(outside, incident.direction) <= 0.0) continue;
-    float value = lobeOfSamples(material.diffuse.w, normals, samples, incident.direction, toCamera);
+    float cosine = dot(incident.direction, halfway(normals.middle, incident.direction, toCamera));
+    float alpha = widenedBy(i, material.diffuse.w, cosine);
+    float value = lobeOfSamples(alpha, normals, samples, incident.direction, toCamera);
     if (value <= 1e-6) continue;
-    vec3 middle = halfway(normals.middle, incident.direction, toCamera);
-    sum += fresnelOf(material, dot(incident.direction, middle)) * incident.irradiance *
+    sum += fresnelOf(material, cosine) * incident.irradiance *
            (value * visibilityOf(incident, position, outside));
   }
   return sum;
@@ -65,7 +66,7 @@ vec3 radianceOf(Seen seen, MeshPlace place, SeenMaterial material) {
   vec3 irradiance = atFragments != 0u ? light[seen.entry].rgb : meshExitanceAt(place).rgb;
   vec3 diffuse = material.diffuse.rgb / pi * irradiance;
   if (specular == 0u) return emitted + diffuse;
-  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
+  vec3 toCamera = normalize(toCameraFrom(place.position));
   uint samples = samplesOf(seen.word);
   NormalsNearby normals = normalsNearby(seen.pixel, seen.word, place);
   normals.middle = material.normal.xyz;

@@ -161,7 +161,7 @@ Mirror mirrorOf(Seen seen, MeshPlace place, vec3 toCamera) {
 
 // Beside what is `known` of the radiance there.
 vec3 mirroredOf(Seen seen, MeshPlace place, vec3 known) {
-  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
+  vec3 toCamera = normalize(toCameraFrom(place.position));
   Mirror mirror = mirrorOf(seen, place, toCamera);
   Lobe lobe = lobeOf(mirror.normal, reflect(-toCamera, mirror.normal), mirror.shape);
   mat3 toLobe = toCosineLobe(lobe);

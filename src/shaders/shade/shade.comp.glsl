@@ -18,6 +18,7 @@
 #include "lib/seen_list.glsl"
 #include "lib/sky.glsl"
 #include "lib/specular_albedo.glsl"
+#include "shared/opaque.h"
 
 // What has scattered; in w how much of what is mirrored is sky. After it, radiance by coverage.
 layout(std430, set = 0, binding = 3) buffer Light { vec4 light[]; };
@@ -36,6 +37,7 @@ layout(push_constant) uniform Push {
   float alpha;       // of the GGX reflection
   uint specular;
   uint skyIsMirrored;  // some of it, as `light` has it; else all or none
+  uint bodiesAreMirrored;  // `materials` has what is mirrored of them, where that is known
 };
 
 // The sky is seen through the lobe already.
@@ -61,9 +63,9 @@ vec3 mirroredSky(NormalsNearby normals, uint samples, vec3 toCamera, Mirror mirr
   return sum / float(bitCount(seeing));
 }
 
-// `own` is radiance of the surface here, for which that of the scene is taken where it is mirrored.
+// `bodies` is radiance of the scene where it is mirrored; where that is not known, of the surface here.
 vec3 reflection(MediumData medium, vec3 position, vec3 outside, NormalsNearby normals, uint samples,
-                vec3 toCamera, float sky, vec3 own, Mirror mirror) {
+                vec3 toCamera, float sky, vec3 bodies, Mirror mirror) {
   float eta = medium.boundary.x;
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < lightsAt(position); ++i) {
@@ -71,11 +73,12 @@ vec3 reflection(MediumData medium, vec3 position, vec3 outside, NormalsNearby no
     if (dot(normals.middle, light.direction) <= 0.0) continue;
     if (withOwnSurfaces != 0u && dot(outside, light.direction) <= 0.0) continue;
     vec3 middle = halfway(normals.middle, light.direction, toCamera);
-    float value = lobeOfSamples(mirror.alpha, normals, samples, light.direction, toCamera) *
-                  fresnelReflectance(eta, clamp(dot(light.direction, middle), 0.0, 1.0));
+    float cosine = clamp(dot(light.direction, middle), 0.0, 1.0);
+    float value = lobeOfSamples(widenedBy(i, mirror.alpha, cosine), normals, samples, light.direction, toCamera) *
+                  fresnelReflectance(eta, cosine);
     if (value > 1e-6) sum += light.irradiance * (value * visibilityOf(light, position, outside));
   }
-  vec3 around = mix(own, mirroredSky(normals, samples, toCamera, mirror), sky);
+  vec3 around = mix(bodies, mirroredSky(normals, samples, toCamera, mirror), sky);
   float cosine = max(dot(normals.middle, toCamera), 1e-3);
   if (withOwnSurfaces != 0u && mirror.own) return sum + around * reflectedAlbedo(medium, mirror.alpha, cosine);
   return sum + around * reflectedAlbedo(medium, cosine);
@@ -83,7 +86,7 @@ vec3 reflection(MediumData medium, vec3 position, vec3 outside, NormalsNearby no
 
 vec3 radianceOf(Seen seen, MeshPlace place) {
   MediumData medium = mediumAt(objects[place.object], place.position);
-  vec3 toCamera = normalize(frame.cameraPosition.xyz - place.position);
+  vec3 toCamera = normalize(toCameraFrom(place.position));
   vec3 normal = place.normal;
   Mirror mirror = Mirror(false, alpha);
   vec3 lifted = place.position;
@@ -100,10 +103,12 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
   if (withPaint != 0u) scattered *= paint[seen.entry].rgb;
   if (specular == 0u) return scattered;
   float sky = skyIsMirrored != 0u ? found.w : 1.0;
+  vec3 bodies = left / pi;
+  if (bodiesAreMirrored != 0u && materials[seen.entry].around.w > 0.0) bodies = materials[seen.entry].around.rgb;
   NormalsNearby normals = normalsNearby(seen.pixel, seen.word, place);
   normals.middle = normal;
   return scattered + reflection(medium, lifted, place.normal, normals, samplesOf(seen.word), toCamera, sky,
-                                left / pi, mirror);
+                                bodies, mirror);
 }
 
 void main() {

@@ -114,6 +114,13 @@ struct Meeting {
 };
 OPALINE_BOUNDARY_CONSTANT noCluster = 0xffffffffu;
 
+/// Where the sky is brighter than on the mean (environment/bright_directions.h).
+OPALINE_BOUNDARY_CONSTANT brightDirections = 256u;
+struct BrightSky {
+  vec4 light;  // x: mean of R + G + B; y: integral of what is more, 0 where that is little
+  vec4 towards[brightDirections];
+};
+
 /// Light of a cluster that is mirrored at the surface on arrival and enters another.
 struct Mirrored {
   vec4 power;    // rgb

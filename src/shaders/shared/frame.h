@@ -36,7 +36,7 @@ OPALINE_CONSTANT tubeShape = 3;
 /// One light that casts shadows.
 struct LightData {
   vec4 place;  // xyz: direction to the light, unit (directional), or its position in mm (point),
-               // or its middle (area)
+               // or its middle (area); w: of a directional light, what it adds to α² of a highlight
   vec4 power;  // rgb: irradiance (directional), intensity (point) or radiance (area);
                // w: 1 where an area light has two sides
   vec4 depth;  // depth d of its shadow map in mm: x + y·d (directional), x / (y + d) (point);
@@ -52,7 +52,7 @@ struct LightData {
 
 struct FrameData {
   mat4 worldToClip;
-  vec4 cameraPosition;  // xyz mm
+  vec4 cameraPosition;  // xyz mm, w 1; of an orthographic camera the direction to it, w 0
   vec4 cameraAxis;      // xyz unit, towards the scene; w: 1 where what lies nearer is seen too
   uvec4 counts;         // x: lights with shadow maps, which come first; y: size of these;
                         // z: antialiasing samples; w: all lights

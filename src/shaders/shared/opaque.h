@@ -67,7 +67,7 @@ struct SeenMaterial {
   vec4 normal;    // unit, to the side that is seen; w: share of indirect light
   vec4 emission;  // rgb: radiance; w: 1 where it is unlit
   vec4 around;  // rgb: mean radiance of what the lobe mirrors of the scene; w: share of it that is
-                // sky
+                // sky. Of a translucent surface, without the sky; w: 1 where that is known
 };
 
 /// Roughnesses of the tables of what translucent surfaces mirror: (i + ½) over so many.

@@ -27,7 +27,7 @@ struct SurfelPiece {
   float w1;
   float v2;
   float w2;
-  float fraction;  // of the triangle's area
+  float fraction;  // of the triangle's area; below 0 where an opaque body has a hole there
   float areaMm2;   // at rest
 };
 

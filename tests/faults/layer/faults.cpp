@@ -214,6 +214,7 @@ struct Destroying<void(VKAPI_PTR*)(Parent, Object, const VkAllocationCallbacks*)
   X(vkCreateDescriptorSetLayout, ofMemory, "VkDescriptorSetLayout")                             \
   X(vkCreateDescriptorPool, ofMemory, "VkDescriptorPool")                                       \
   X(vkAllocateDescriptorSets, ofMemory, nullptr)                                                \
+  X(vkCreatePipelineCache, ofMemory, "VkPipelineCache")                                         \
   X(vkCreatePipelineLayout, ofMemory, "VkPipelineLayout")                                       \
   X(vkCreateComputePipelines, ofMemory, "VkPipeline")                                           \
   X(vkCreateGraphicsPipelines, ofMemory, "VkPipeline")                                          \
@@ -254,6 +255,7 @@ struct Destroying<void(VKAPI_PTR*)(Parent, Object, const VkAllocationCallbacks*)
   X(vkDestroyShaderModule, "VkShaderModule")                         \
   X(vkDestroyDescriptorSetLayout, "VkDescriptorSetLayout")           \
   X(vkDestroyDescriptorPool, "VkDescriptorPool")                     \
+  X(vkDestroyPipelineCache, "VkPipelineCache")                       \
   X(vkDestroyPipelineLayout, "VkPipelineLayout")                     \
   X(vkDestroyPipeline, "VkPipeline")                                 \
   X(vkDestroyRenderPass, "VkRenderPass")                             \

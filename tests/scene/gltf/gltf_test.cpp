@@ -230,13 +230,18 @@ TEST_F(Gltf, MediumFromExtrasNameOrVolume) {
 
   parts.more = R"(,"materials":[{"name":"wax of mine",)" + volume + "}]";
   medium = load(parts).objects[0].medium;
-  const double reflectance[] = {0.9, 0.5, 0};
+  const double colour[] = {0.9, 0.5, 0};
+  // Of exact transfer in a half-space of index 1.4 in even light, within .003: the share of what
+  // entered that leaves again.
+  const auto seen = [](double albedo) {
+    const double s = std::sqrt(1 - albedo);
+    return (1 - s) * (1 - 0.480 * s) / (1 + 3.569 * s);
+  };
   for (int c = 0; c < 3; ++c) {
     const bssrdf::Coefficients of = bssrdf::coefficients(medium, c);
     // After one millimetre 1/2, 1/4, 1/8 is left.
     EXPECT_NEAR(of.sigmaTPrimePerMm, (c + 1) * std::log(2.0), 1e-9);
-    EXPECT_NEAR(bssrdf::makeProfile(bssrdf::Model::Dipole, of).totalReflectance(), reflectance[c],
-                1e-6);
+    EXPECT_NEAR(seen(of.albedo), colour[c], 1e-4);
   }
   // By its name of today, and with light that is scattered forwards: σ_s (1 - g) is the same.
   parts.more = R"(,"materials":[{"name":"gel","extensions":{"KHR_materials_ior":{"ior":1.4},
@@ -247,8 +252,7 @@ TEST_F(Gltf, MediumFromExtrasNameOrVolume) {
   for (int c = 0; c < 3; ++c) {
     const auto i = static_cast<std::size_t>(c);
     const bssrdf::Coefficients of = bssrdf::coefficients(forwards, c);
-    EXPECT_NEAR(bssrdf::makeProfile(bssrdf::Model::Dipole, of).totalReflectance(), reflectance[c],
-                1e-6);
+    EXPECT_NEAR(seen(of.albedo), colour[c], 1e-4);
     EXPECT_NEAR(forwards.sigmaSPrimePerMm[i] / (1 - 0.8) + forwards.sigmaAPerMm[i],
                 (c + 1) * std::log(2.0), 1e-9);
   }
@@ -356,7 +360,7 @@ TEST_F(Gltf, RequiredExtensionsThatAreUnknownAreNamed) {
   const std::string message = errorOf(parts);
   EXPECT_THAT(message, HasSubstr("requires 'ACME_\uFFFDcloth' and 'EXT_example_hair', "
                                  "which are not supported"));
-  EXPECT_THAT(message, HasSubstr("KHR_lights_punctual"));
+  EXPECT_THAT(message, HasSubstr("docs/gltf.md"));
   // What else would be said of such a file comes of not knowing them.
   EXPECT_THAT(test::messageOf([&] {
                 loadBytes(test::glb(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4},)"

@@ -1,6 +1,11 @@
+#include <fmt/format.h>
+#include <webp/encode.h>
+
+#include <array>
 #include <cmath>
 
 #include "opaline/image_file.h"
+#include "opaline/tone.h"
 #include "scene/gltf/gltf_fixture.h"
 #include "scene/mesh/tangents.h"
 
@@ -82,6 +87,110 @@ TEST_F(GltfMaterial, ScatterIsReadAsVolumeScatterIs) {
              colour + "}");
   EXPECT_EQ(former, later);
   EXPECT_NE(former.sigmaAPerMm[0], former.sigmaAPerMm[2]);
+}
+
+// KHR_materials_scatter: the strength scales the albedo of many collisions.
+TEST_F(GltfMaterial, StrengthScalesTheColour) {
+  const auto colour = [&](double strength, double thickness) -> std::optional<Rgb> {
+    const Scene scene = load(parts(fmt::format(
+        R"({{"name":"jelly","pbrMetallicRoughness":{{"metallicFactor":0}},"extensions":)"
+        R"({{"KHR_materials_volume":{{"thicknessFactor":{},"attenuationDistance":0.001,)"
+        R"("attenuationColor":[0.1,0.2,0.3]}},"KHR_materials_transmission":)"
+        R"({{"transmissionFactor":1}},"KHR_materials_scatter":{{"scatterStrengthFactor":{},)"
+        R"("multiscatterColorFactor":[0.8,0.6,0.4]}}}}}})",
+        thickness, strength)));
+    if (scene.objects[0].opaque) return std::nullopt;
+    return colorOf(scene.objects[0].medium);
+  };
+  const Rgb half = colour(0.5, 1).value();
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(half[c], 0.5 * (0.8 - 0.2 * static_cast<double>(c)), 1e-5);
+  EXPECT_FALSE(colour(0, 1));  // absorbs alone
+  EXPECT_FALSE(colour(1, 0));  // thin
+}
+
+TEST_F(GltfMaterial, StrengthMayVaryByTheAlphaOfATexture) {
+  writePng(folder / "strength.png", {2, 1, {0, 0, 0, 255, 255, 255, 255, 128}});
+  Parts file = parts(R"({"name":"jelly","pbrMetallicRoughness":{"metallicFactor":0},)"
+                     R"("extensions":{"KHR_materials_volume":{"thicknessFactor":1,)"
+                     R"("attenuationDistance":0.001,"attenuationColor":[0.1,0.2,0.3]},)"
+                     R"("KHR_materials_transmission":{"transmissionFactor":1},)"
+                     R"("KHR_materials_scatter":{"multiscatterColorFactor":[0.8,0.5,0.2],)"
+                     R"("scatterStrengthFactor":1,"scatterStrengthTexture":{"index":0}}}}],)"
+                     R"("textures":[{"source":0}],"images":[{"uri":"strength.png"}],"extras":[{})");
+  file.meshes = test::changed(file.meshes, R"("COLOR_0":0)", R"("TEXCOORD_0":2)");
+  file.accessors += R"(,{"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})";
+  const Scene scene = load(file);
+  ASSERT_TRUE(scene.objects[0].paint && scene.objects[0].paint->colorTexture);
+  const auto& rgba = scene.objects[0].paint->colorTexture->pixels->rgba;
+  EXPECT_EQ(rgba[0], 65535);
+  EXPECT_NEAR(decodeSrgb(static_cast<float>(rgba[4]) / 65535.0F), 128.0 / 255, 1e-4);
+}
+
+// As Blender exports custom properties of a material.
+TEST_F(GltfMaterial, CustomPropertiesSayHowItLooks) {
+  const Scene scene =
+      load(parts(R"({"name":"jelly","pbrMetallicRoughness":{"metallicFactor":0,)"
+                 R"("baseColorFactor":[0.8,0.5,0.2,1]},"extras":{"mean_free_path_mm":[2,1,0.5],)"
+                 R"("g":0.5}})"));
+  ASSERT_FALSE(scene.objects[0].opaque);
+  const Medium& medium = scene.objects[0].medium;
+  const Rgb color = colorOf(medium);
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(color[c], 0.8 - 0.3 * static_cast<double>(c), 1e-5);
+    EXPECT_NEAR(medium.sigmaSPrimePerMm[c] / 0.5 + medium.sigmaAPerMm[c],
+                0.5 * static_cast<double>(1U << c), 1e-9);
+  }
+  for (const NotShown& kind : scene.notShown) EXPECT_NE(kind.what, "base colours");
+  EXPECT_THAT(errorOf(parts(R"({"extras":{"mean_free_path_mm":-1}})")),
+              HasSubstr("mean_free_path_mm"));
+}
+
+// Kulla and Conty 2017, as the drafts have it: .37 becomes an albedo of .83 (worked out by hand).
+TEST_F(GltfMaterial, ColoursMeanWhatTheModelSays) {
+  const Parts file =
+      parts(R"({"name":"jelly","extensions":{"KHR_materials_volume":{"thicknessFactor":1,)"
+            R"("attenuationDistance":0.001,"attenuationColor":[0.5,0.5,0.5]},)"
+            R"("KHR_materials_volume_scatter":{"multiscatterColorFactor":[0.37,0.37,0.37]}}})");
+  const std::string bytes = test::glb(file.json(), test::tetrahedronBytes());
+  const Medium observed = loadBytes(bytes).objects[0].medium;
+  EXPECT_NEAR(colorOf(observed)[0], 0.37, 1e-5);
+  LoadOptions options;
+  options.colorModel = ColorModel::Khr;
+  const Medium khr = loadBytes(bytes, options).objects[0].medium;
+  const double extinction = khr.sigmaSPrimePerMm[0] + khr.sigmaAPerMm[0];
+  EXPECT_NEAR(extinction, std::log(2), 1e-9);
+  EXPECT_NEAR(khr.sigmaSPrimePerMm[0] / extinction, 0.83, 0.005);
+  EXPECT_NEAR(colorOf(khr)[0], 0.16, 0.005);
+}
+
+TEST_F(GltfMaterial, WebpIsReadBeforeItsFallback) {
+  const std::array<std::uint8_t, 4> red{200, 10, 20, 255};
+  std::uint8_t* encoded = nullptr;
+  const std::size_t size = WebPEncodeLosslessRGBA(red.data(), 1, 1, 4, &encoded);
+  test::writeBytes(folder / "a.webp", std::string(reinterpret_cast<char*>(encoded), size));
+  WebPFree(encoded);
+  writePng(folder / "a.png", {1, 1, {1, 2, 3, 255}});
+  const auto texture = [&](const std::string& textures) {
+    Parts file = parts(R"({"pbrMetallicRoughness":{"metallicFactor":0,"baseColorTexture":)"
+                       R"({"index":0}}}],"textures":[)" +
+                       textures +
+                       R"(],"images":[{"uri":"a.webp"},{"uri":"a.png"},{"uri":"no.webp"}],)"
+                       R"("extras":[{})");
+    file.meshes = test::changed(file.meshes, R"("COLOR_0":0)", R"("TEXCOORD_0":2)");
+    file.accessors += R"(,{"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})";
+    notes.clear();
+    const Scene scene = load(file);
+    const auto& found = scene.objects[0].opaque->baseColorTexture;
+    return found ? found->pixels->rgba[0] / 257 : -1;
+  };
+  const std::string webp = R"("extensions":{"EXT_texture_webp":{"source":0}})";
+  EXPECT_EQ(texture("{" + webp + "}"), 200);
+  EXPECT_EQ(texture(R"({"source":1,)" + webp + "}"), 200);
+  EXPECT_EQ(texture(R"({"source":1,"extensions":{"EXT_texture_webp":{"source":2}}})"), 1);
+  EXPECT_EQ(texture(R"({"source":1,"extensions":{"KHR_texture_basisu":{"source":0}}})"), 1);
+  EXPECT_EQ(texture(R"({"extensions":{"KHR_texture_basisu":{"source":0}}})"), -1);
+  EXPECT_THAT(notes, Contains(HasSubstr("KHR_texture_basisu")));
 }
 
 // The medium is as bright as all but the brightest twentieth; where the picture has that colour the

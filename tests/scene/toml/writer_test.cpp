@@ -263,11 +263,13 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   loaded.scene.objects.push_back(groundUnder(loaded.scene));
   loaded.source.materials["clay"].isOpaque = true;
   loaded.source.materials["clay"].opaque = options::chosenIn(OpaqueMaterial{});
-  for (const char* key : {"color_texture", "base_color_texture", "metallic_roughness_texture",
-                          "normal_texture", "occlusion_texture", "emission_texture"})
+  for (const char* key :
+       {"color_texture", "base_color_texture", "metallic_roughness_texture", "specular_texture",
+        "specular_color_texture", "normal_texture", "occlusion_texture", "emission_texture"})
     loaded.source.materials["clay"].textures[key] = model();
   loaded.source.materials["jelly"].appearance = options::chosenIn(Appearance{});
   loaded.source.materials["wax"].medium = "marble";
+  loaded.source.colorModel = ColorModel::Khr;
   loaded.scene.objects[2].opaque = OpaqueMaterial{};
   loaded.source.materialOfObject[loaded.scene.objects[2].name] = "clay";
   loaded.source.numbersOfObject[loaded.scene.objects[2].name].opaque =

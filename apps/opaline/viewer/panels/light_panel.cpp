@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "opaline/environment.h"
+#include "opaline/scene_file.h"
 #include "viewer/panels/controls.h"
 #include "viewer/panels/panels.h"
 #include "viewer/session/light_list.h"
@@ -45,11 +47,13 @@ bool drawDirection(Vec3& direction) {
 }
 
 bool drawDirectional(DirectionalLight& light) {
-  const bool moved = drawDirection(light.directionToLight);
+  bool changed = drawDirection(light.directionToLight);
+  changed |= controls::slider("radius", light.angularRadiusDegrees, 0, 10, "%.2f deg",
+                              "Of the disc that surfaces mirror. The sun's is 0.27.");
   return controls::light("irradiance", light.irradiance,
                          "Light on a surface that faces the source; pi on white paper looks white "
                          "at exposure 0.") ||
-         moved;
+         changed;
 }
 
 bool drawPlace(Vec3& positionMm, float diagonalMm) {
@@ -269,6 +273,23 @@ bool drawChosen(Session& session) {
   return changed;
 }
 
+void drawGround(Session& session) {
+  std::optional<Ground> ground = describeGround(session.scene);
+  bool on = ground.has_value();
+  bool changed =
+      controls::checkbox("ground", on, "An opaque plane that takes shadows and gives light back.");
+  if (changed) ground = on ? std::optional(Ground{}) : std::nullopt;
+  if (ground && ground->heightMm) {
+    changed |= controls::light("color of the ground", ground->color,
+                               "Share of light that it gives back, from 0 to 1.");
+    for (float& share : ground->color) share = std::min(share, 1.0F);
+    const float reach = 3 * session.diagonalMm;
+    changed |= controls::length("height of the ground", *ground->heightMm, -reach, reach,
+                                "What lies below is hidden by it.");
+  }
+  if (changed) setGround(ground, session);
+}
+
 }  // namespace
 
 void drawLightPanel(Session& session) {
@@ -299,6 +320,7 @@ void drawLightPanel(Session& session) {
     ImGui::SameLine();
     ImGui::TextDisabled("or drop a .hdr or .exr on the window");
   }
+  drawGround(session);
   if (controls::checkbox("handles in the picture", session.gizmos,
                          "Shows lights as handles that you can drag.")) {
     session.edits.picture = true;

@@ -30,6 +30,21 @@ void order(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageL
                        VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
 }
 
+/// What the host fills and the device reads.
+struct Staging {
+  explicit Staging(VkDevice owner) : device(owner) {}
+  ~Staging() {
+    vkDestroyBuffer(device, buffer, nullptr);
+    vkFreeMemory(device, memory, nullptr);
+  }
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+
+  VkDevice device;
+  VkBuffer buffer = VK_NULL_HANDLE;
+  VkDeviceMemory memory = VK_NULL_HANDLE;
+};
+
 }  // namespace
 
 HostPicture::~HostPicture() {
@@ -107,15 +122,15 @@ void HostPicture::upload(const void* texels, std::size_t bytes) {
   bufferInfo.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
   bufferInfo.size = bytes;
   bufferInfo.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
-  VkBuffer buffer = VK_NULL_HANDLE;
-  check(vkCreateBuffer(device_.device, &bufferInfo, nullptr, &buffer), attempt);
+  Staging staging{device_.device};
+  check(vkCreateBuffer(device_.device, &bufferInfo, nullptr, &staging.buffer), attempt);
   VkMemoryRequirements needs{};
-  vkGetBufferMemoryRequirements(device_.device, buffer, &needs);
-  const VkDeviceMemory memory =
+  vkGetBufferMemoryRequirements(device_.device, staging.buffer, &needs);
+  staging.memory =
       allocate(needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
-  check(vkBindBufferMemory(device_.device, buffer, memory, 0), attempt);
+  check(vkBindBufferMemory(device_.device, staging.buffer, staging.memory, 0), attempt);
   void* mapped = nullptr;
-  check(vkMapMemory(device_.device, memory, 0, VK_WHOLE_SIZE, 0, &mapped), attempt);
+  check(vkMapMemory(device_.device, staging.memory, 0, VK_WHOLE_SIZE, 0, &mapped), attempt);
   std::memcpy(mapped, texels, bytes);
 
   const auto copy = [&](VkCommandBuffer commands) {
@@ -123,13 +138,11 @@ void HostPicture::upload(const void* texels, std::size_t bytes) {
     VkBufferImageCopy all{};
     all.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     all.imageExtent = {shown_.extent.width, shown_.extent.height, 1};
-    vkCmdCopyBufferToImage(commands, buffer, shown_.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
-                           &all);
+    vkCmdCopyBufferToImage(commands, staging.buffer, shown_.image,
+                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &all);
     order(commands, shown_.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, shown_.layout);
   };
   runOnce(device_, copy, attempt);
-  vkDestroyBuffer(device_.device, buffer, nullptr);
-  vkFreeMemory(device_.device, memory, nullptr);
 }
 
 }  // namespace opaline::app::viewer

@@ -34,7 +34,8 @@ void orbit(Camera& camera, float yaw, float pitch) {
 
 void pan(Camera& camera, float right, float up) {
   const ViewFrame view(camera);
-  const float heightMm = 2 * view.distanceMm * std::tan(radians(camera.verticalFovDegrees) / 2);
+  const float heightMm = camera.orthographicHeightMm.value_or(
+      2 * view.distanceMm * std::tan(radians(camera.verticalFovDegrees) / 2));
   const glm::vec3 by = heightMm * (right * view.right + up * view.up);
   camera.positionMm = fromGlm(toGlm(camera.positionMm) + by);
   camera.targetMm = fromGlm(toGlm(camera.targetMm) + by);

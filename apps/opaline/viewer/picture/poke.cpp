@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "deform/pose.h"
 #include "reference/posed_scene.h"
+#include "scene/pose.h"
 #include "viewer/picture/vectors.h"
 
 namespace opaline::app::viewer {
@@ -18,8 +18,8 @@ std::vector<Vec3> verticesOf(Session& session, std::size_t object, bool deformed
   Scene& scene = session.scene;
   std::vector<Deformer> deformers;
   if (!deformed) deformers = std::exchange(scene.deformers, {});
-  deform::Pose pose = deform::makePose(scene);
-  deform::poseAt(scene, session.time.clip, session.time.seconds, pose);
+  scene::Pose pose = scene::makePose(scene);
+  scene::poseAt(scene, session.time.clip, session.time.seconds, pose);
   const deform::DeformedVertices mesh =
       reference::meshAt(scene, object, pose, session.time.seconds, session.positionsMm);
   if (!deformed) scene.deformers = std::move(deformers);

@@ -22,30 +22,29 @@ ViewFrame::ViewFrame(const Camera& camera) : position(toGlm(camera.positionMm)) 
 Projection::Projection(const Camera& camera, const Area& area)
     : view_(camera),
       area_(area),
-      tangent_(std::tan(camera.verticalFovDegrees * std::numbers::pi_v<float> / 360)) {}
+      tangent_(std::tan(camera.verticalFovDegrees * std::numbers::pi_v<float> / 360)),
+      orthographicHeightMm_(camera.orthographicHeightMm),
+      middle_(
+          static_cast<float>(area.x) + static_cast<float>(area.width) * (0.5F - camera.shiftX),
+          static_cast<float>(area.y) + static_cast<float>(area.height) * (0.5F + camera.shiftY)) {}
 
 std::optional<glm::vec2> Projection::toWindow(const glm::vec3& placeMm) const {
   const glm::vec3 offset = placeMm - view_.position;
   const float depth = glm::dot(offset, view_.ahead);
   if (!(depth > 1e-6F * view_.distanceMm)) return std::nullopt;
-  const float half = 0.5F * static_cast<float>(area_.height);
-  const float scale = half / (depth * tangent_);
-  return glm::vec2(static_cast<float>(area_.x) + 0.5F * static_cast<float>(area_.width) +
-                       scale * glm::dot(offset, view_.right),
-                   static_cast<float>(area_.y) + half - scale * glm::dot(offset, view_.up));
+  const float scale = 1 / pixelMm(depth);
+  return middle_ + scale * glm::vec2(glm::dot(offset, view_.right), -glm::dot(offset, view_.up));
 }
 
 Ray Projection::through(const glm::vec2& pixel) const {
-  const float half = 0.5F * static_cast<float>(area_.height);
-  const float x =
-      (pixel.x - static_cast<float>(area_.x) - 0.5F * static_cast<float>(area_.width)) / half;
-  const float y = (static_cast<float>(area_.y) + half - pixel.y) / half;
-  return {view_.position,
-          glm::normalize(view_.ahead + tangent_ * (x * view_.right + y * view_.up))};
+  const glm::vec2 asideMm = pixelMm(1) * (pixel - middle_);
+  const glm::vec3 aside = asideMm.x * view_.right - asideMm.y * view_.up;
+  if (orthographicHeightMm_) return {view_.position + aside, view_.ahead};
+  return {view_.position, glm::normalize(view_.ahead + aside)};
 }
 
 float Projection::pixelMm(float depthMm) const {
-  return 2 * depthMm * tangent_ / static_cast<float>(area_.height);
+  return orthographicHeightMm_.value_or(2 * depthMm * tangent_) / static_cast<float>(area_.height);
 }
 
 }  // namespace opaline::app::viewer

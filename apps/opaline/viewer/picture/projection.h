@@ -42,6 +42,8 @@ class Projection {
   ViewFrame view_;
   Area area_;
   float tangent_;  // of half the vertical field of view
+  std::optional<float> orthographicHeightMm_;
+  glm::vec2 middle_;  // where the window shows what lies straight ahead
 };
 
 }  // namespace opaline::app::viewer

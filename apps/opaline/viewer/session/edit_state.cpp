@@ -53,7 +53,8 @@ bool sameMaterial(const EditState& state, const Session& session, std::size_t ob
 }
 
 bool sameMaterials(const EditState& state, const Session& session) {
-  if (state.materials.size() != session.scene.objects.size()) return false;
+  const std::size_t ground = groundOf(session.scene) != nullptr ? 1 : 0;
+  if (state.materials.size() + ground != session.scene.objects.size()) return false;
   for (std::size_t i = 0; i < state.materials.size(); ++i) {
     if (!sameMaterial(state, session, i)) return false;
   }
@@ -74,8 +75,10 @@ void restoreEnvironment(const EditState& state, Session& session) {
 
 EditState editStateOf(const Session& session) {
   EditState state;
-  for (const Object& object : session.scene.objects) state.materials.push_back(materialOf(object));
+  for (const Object& object : session.scene.objects)
+    if (!object.isGround) state.materials.push_back(materialOf(object));
   state.numbers = session.source.numbersOfObject;
+  state.ground = describeGround(session.scene);
   state.lighting = session.scene.lighting;
   // A turned one is made again where it is wanted: hundreds of them would fill the memory.
   state.lighting.environment.reset();
@@ -92,6 +95,7 @@ EditState editStateOf(const Session& session) {
 bool isStateOf(const EditState& state, const Session& session) {
   return hasSizeOf(state, session) && sameMaterials(state, session) &&
          sameLights(state.lighting, session.scene.lighting) && sameEnvironment(state, session) &&
+         state.ground == describeGround(session.scene) &&
          state.deformers == session.scene.deformers && sameLook(state, session) &&
          viewOfState(state) == viewOf(session);
 }
@@ -109,6 +113,7 @@ void restore(const EditState& state, Session& session) {
     edits.material[i] = true;
   }
   session.source.numbersOfObject = state.numbers;
+  if (state.ground != describeGround(session.scene)) setGround(state.ground, session);
   Lighting& lighting = session.scene.lighting;
   const bool lights = !sameLights(state.lighting, lighting);
   if (lights) {

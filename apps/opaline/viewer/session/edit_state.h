@@ -19,6 +19,7 @@ struct EditState {
   Lighting lighting;                               ///< but for the environment
   std::optional<EnvironmentFile> environmentFile;
   std::shared_ptr<const Image> environment;  ///< as the file has it, not turned
+  std::optional<Ground> ground;
   std::vector<Deformer> deformers;
   RenderOptions options;
   int clip = 0;

@@ -66,13 +66,19 @@ Session resized(const Session& edited, Loader::Result result) {
   scene.nodes = std::move(loaded.nodes);
   scene.clips = std::move(loaded.clips);
   scene.repairs = std::move(loaded.repairs);
+  removeGround(scene);
   // The file may have changed meanwhile.
   if (made.object >= scene.objects.size()) made.object = 0;
   const float factor = made.diagonalMm / edited.diagonalMm;
   scene::scaleLights(double{factor}, scene.lighting);
+  scene::scaleChanges(double{factor}, scene.changes);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     scene.camera.positionMm[axis] *= factor;
     scene.camera.targetMm[axis] *= factor;
+  }
+  if (std::optional<Ground> ground = describeGround(edited.scene)) {
+    *ground->heightMm *= factor;
+    scene.objects.push_back(groundUnder(scene, *ground));
   }
   made.edits = newScene(scene);
   return made;

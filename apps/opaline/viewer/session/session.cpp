@@ -14,6 +14,14 @@ bool showsScene(const Session& session) {
   return session.shown == Shown::Picture && session.aov < Aov::DsmPosition;
 }
 
+void setGround(const std::optional<Ground>& ground, Session& session) {
+  removeGround(session.scene);
+  if (ground) session.scene.objects.push_back(groundUnder(session.scene, *ground));
+  session.object = std::min(session.object, session.scene.objects.size() - 1);
+  session.edits.material.resize(session.scene.objects.size());
+  session.edits.ground = true;
+}
+
 void exposeByLight(Session& session) {
   if (session.exposesByLight) session.tone.exposureStops = automaticExposureStops(session.scene);
 }

@@ -26,6 +26,7 @@ struct Edits {
   bool camera = false;
   bool lighting = false;
   bool deformers = false;
+  bool ground = false;         ///< there is another, or none
   bool picture = false;        ///< options, time: whatever needs a new picture and nothing else
   std::vector<bool> material;  ///< by object
 
@@ -33,7 +34,7 @@ struct Edits {
     for (const bool edited : material) {
       if (edited) return true;
     }
-    return camera || lighting || deformers || picture;
+    return camera || lighting || deformers || ground || picture;
   }
 };
 
@@ -119,6 +120,9 @@ struct Session {
 /// Whether the scene is shown as its camera sees it now: not the truth of an earlier moment, no
 /// map.
 bool showsScene(const Session& session);
+
+/// Puts another ground under the session's scene, or none.
+void setGround(const std::optional<Ground>& ground, Session& session);
 
 /// Lets the exposure follow the scene's light, where nobody has said how to expose.
 void exposeByLight(Session& session);

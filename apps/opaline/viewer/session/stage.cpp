@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "opaline/error.h"
+#include "opaline/moment.h"
 
 namespace opaline::app::viewer {
 
@@ -46,11 +47,20 @@ void Stage::setScene(const Scene& scene, const Scene& before) {
 Edits Stage::handOver(Session& session) {
   const Scene& scene = session.scene;
   renderer_.setTime(session.time);
-  if (session.edits.camera) renderer_.setCamera(scene.camera);
+  if (session.edits.camera) {  // from where the clip had it
+    renderer_.setCamera(scene.camera);
+    stopCamera(session.scene);
+  } else if (movesCamera(scene, session.time.clip)) {
+    const float chosen = scene.camera.verticalFovDegrees;
+    session.scene.camera = cameraAt(scene, session.time);
+    session.scene.camera.verticalFovDegrees = chosen;
+  }
   if (session.edits.lighting) renderer_.setLighting(scene.lighting);
   if (session.edits.deformers) renderer_.setDeformers(scene.deformers);
   for (std::size_t i = 0; i < session.edits.material.size(); ++i) {
-    if (session.edits.material[i]) renderer_.setMaterial(i, materialOf(scene.objects[i]));
+    if (!session.edits.material[i]) continue;
+    renderer_.setMaterial(i, materialOf(scene.objects[i]));
+    stopMaterial(session.scene, i);
   }
   session.suns = renderer_.suns();
   Edits handedOver = std::exchange(session.edits, {});

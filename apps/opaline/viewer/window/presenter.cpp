@@ -24,16 +24,24 @@ std::vector<T> listOf(Call call, Arguments... arguments) {
 
 Presenter::Presenter(const VulkanDevice& device, const Window& window)
     : device_(device), window_(window), surface_(window.makeSurface(device.instance)) {
-  requirePresenting();
-  chooseFormat();
-  makeRenderPass();
-  makeSlots();
+  try {
+    requirePresenting();
+    chooseFormat();
+    makeRenderPass();
+    makeSlots();
+  } catch (...) {
+    destroy();
+    throw;
+  }
 }
 
 Presenter::~Presenter() {
   vkDeviceWaitIdle(device_.device);
-  dropImages();
-  if (swapchain_ != VK_NULL_HANDLE) vkDestroySwapchainKHR(device_.device, swapchain_, nullptr);
+  destroy();
+}
+
+void Presenter::destroy() {
+  dropSwapchain();
   for (const Slot& slot : slots_) {
     vkDestroyFence(device_.device, slot.done, nullptr);
     vkDestroySemaphore(device_.device, slot.acquired, nullptr);
@@ -41,6 +49,23 @@ Presenter::~Presenter() {
   vkDestroyCommandPool(device_.device, pool_, nullptr);
   vkDestroyRenderPass(device_.device, renderPass_, nullptr);
   vkDestroySurfaceKHR(device_.instance, surface_, nullptr);
+}
+
+void Presenter::dropSwapchain() {
+  dropImages();
+  if (swapchain_ != VK_NULL_HANDLE) vkDestroySwapchainKHR(device_.device, swapchain_, nullptr);
+  swapchain_ = VK_NULL_HANDLE;
+}
+
+// As when a display is taken from a graphics card.
+void Presenter::remakeSurface() {
+  waitIdle();
+  dropSwapchain();
+  vkDestroySurfaceKHR(device_.instance, surface_, nullptr);
+  surface_ = VK_NULL_HANDLE;
+  surface_ = window_.makeSurface(device_.instance);
+  requirePresenting();
+  outdated_ = true;
 }
 
 void Presenter::requirePresenting() const {
@@ -158,7 +183,7 @@ bool Presenter::makeSwapchain() {
 void Presenter::makeImages() {
   constexpr const char* attempt = "take its new size";
   for (const VkImage image : listOf<VkImage>(vkGetSwapchainImagesKHR, device_.device, swapchain_)) {
-    Image made;
+    Image& made = images_.emplace_back();
     made.view = makeView(device_.device, image, format_.format, attempt);
     VkFramebufferCreateInfo framebuffer{};
     framebuffer.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
@@ -172,7 +197,6 @@ void Presenter::makeImages() {
     VkSemaphoreCreateInfo semaphore{};
     semaphore.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
     check(vkCreateSemaphore(device_.device, &semaphore, nullptr, &made.rendered), attempt);
-    images_.push_back(made);
   }
 }
 
@@ -185,7 +209,7 @@ void Presenter::dropImages() {
   images_.clear();
 }
 
-// False where the surface has to be made anew first.
+// False where there is none yet, or the surface has to be made anew first.
 bool Presenter::acquire() {
   const VkExtent2D pixels = window_.pixels();
   if (pixels.width != extent_.width || pixels.height != extent_.height) outdated_ = true;
@@ -196,6 +220,11 @@ bool Presenter::acquire() {
     outdated_ = true;
     return false;
   }
+  if (result == VK_ERROR_SURFACE_LOST_KHR) {
+    remakeSurface();
+    return false;
+  }
+  if (result == VK_TIMEOUT || result == VK_NOT_READY) return false;
   check(result, "take its next picture");
   if (result == VK_SUBOPTIMAL_KHR) outdated_ = true;  // this one can still be drawn
   return true;
@@ -205,7 +234,10 @@ std::optional<VkCommandBuffer> Presenter::begin() {
   const VkExtent2D pixels = window_.pixels();
   if (pixels.width == 0 || pixels.height == 0) return std::nullopt;
   Slot& slot = slots_[slot_];
-  check(vkWaitForFences(device_.device, 1, &slot.done, VK_TRUE, UINT64_MAX), "wait for a picture");
+  VkResult waited = VK_TIMEOUT;  // some drivers end the longest wait early
+  while (waited == VK_TIMEOUT)
+    waited = vkWaitForFences(device_.device, 1, &slot.done, VK_TRUE, UINT64_MAX);
+  check(waited, "wait for a picture");
   // A second try where the size changed under our hands; then the next frame tries again.
   if (!acquire() && !acquire()) return std::nullopt;
   check(vkResetFences(device_.device, 1, &slot.done), "begin a picture");
@@ -247,6 +279,8 @@ void Presenter::end() {
   const VkResult result = vkQueuePresentKHR(device_.queue, &present);
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR) {
     outdated_ = true;
+  } else if (result == VK_ERROR_SURFACE_LOST_KHR) {
+    remakeSurface();
   } else {
     check(result, "show a picture");
   }

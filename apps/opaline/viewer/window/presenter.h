@@ -55,6 +55,9 @@ class Presenter {
   bool makeSwapchain();
   void makeImages();
   void dropImages();
+  void dropSwapchain();
+  void remakeSurface();
+  void destroy();
   bool acquire();
 
   VulkanDevice device_;

@@ -45,10 +45,29 @@ VkImageView makeView(VkDevice device, VkImage image, VkFormat format, const char
   return view;
 }
 
+namespace {
+
+/// Goes when its commands have run, whatever happened.
+struct OnePool {
+  OnePool(const VulkanDevice& owner, const char* attempt)
+      : device(owner.device), handle(makeCommandPool(owner, 0, attempt)) {}
+  ~OnePool() {
+    vkDeviceWaitIdle(device);
+    vkDestroyCommandPool(device, handle, nullptr);
+  }
+  OnePool(const OnePool&) = delete;
+  OnePool& operator=(const OnePool&) = delete;
+
+  VkDevice device;
+  VkCommandPool handle;
+};
+
+}  // namespace
+
 void runOnce(const VulkanDevice& device, const std::function<void(VkCommandBuffer)>& record,
              const char* attempt) {
-  const VkCommandPool pool = makeCommandPool(device, 0, attempt);
-  const VkCommandBuffer commands = makeCommands(device.device, pool, attempt);
+  const OnePool pool(device, attempt);
+  const VkCommandBuffer commands = makeCommands(device.device, pool.handle, attempt);
   beginCommands(commands, attempt);
   record(commands);
   check(vkEndCommandBuffer(commands), attempt);
@@ -58,7 +77,6 @@ void runOnce(const VulkanDevice& device, const std::function<void(VkCommandBuffe
   submit.pCommandBuffers = &commands;
   check(vkQueueSubmit(device.queue, 1, &submit, VK_NULL_HANDLE), attempt);
   check(vkQueueWaitIdle(device.queue), attempt);
-  vkDestroyCommandPool(device.device, pool, nullptr);
 }
 
 }  // namespace opaline::app::viewer

@@ -8,18 +8,18 @@
 #include "opaline/scene.h"
 #include "scene/matrix.h"
 
-namespace opaline::deform {
+namespace opaline::scene {
 
 /// Where a node is below its parent.
 struct LocalTransform {
-  scene::Double3 translation{0, 0, 0};
+  Double3 translation{0, 0, 0};
   std::array<double, 4> rotation{0, 0, 0, 1};  ///< x y z w
-  scene::Double3 scale{1, 1, 1};
+  Double3 scale{1, 1, 1};
 };
 
 /// Where the nodes of a scene are at one time, and the weights of their morph targets.
 struct Pose {
-  std::vector<scene::Matrix4> world;       ///< per node, from the node to the nodes' common space
+  std::vector<Matrix4> world;              ///< per node, from the node to the nodes' common space
   std::vector<float> weights;              ///< all nodes' end to end
   std::vector<std::uint32_t> firstWeight;  ///< per node and one more
   std::vector<LocalTransform> local;       ///< per node; nothing to one that has a matrix
@@ -37,12 +37,12 @@ double clipTime(const Clip& clip, double seconds);
 
 /// toScene · world · inverseBind of every joint of a rig, or toScene · world of its node where it
 /// has no joints; `matrices` has one place for each. Allocates nothing.
-void jointMatrices(const Rig& rig, const Pose& pose, std::span<scene::Matrix4> matrices);
+void jointMatrices(const Rig& rig, const Pose& pose, std::span<Matrix4> matrices);
 
 /// Whether most of a rig's matrices mirror, so that its triangles turn.
-bool mirrors(std::span<const scene::Matrix4> matrices);
+bool mirrors(std::span<const Matrix4> matrices);
 
 /// The weights of a rig's morph targets, one for each; those that the node does not give are 0.
 std::span<const float> morphWeights(const Rig& rig, const Pose& pose);
 
-}  // namespace opaline::deform
+}  // namespace opaline::scene

@@ -1,13 +1,17 @@
-#include "deform/pose.h"
-#include "deform/vectors.h"
+#include "scene/pose.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace opaline::deform {
+#include "deform/vectors.h"
+
+namespace opaline::scene {
 namespace {
+
+using deform::expectVector;
+using deform::root;
 
 Scene oneNode(Track track, float seconds) {
   Scene scene;
@@ -106,8 +110,8 @@ Scene turning(Interpolation interpolation, std::vector<float> values) {
 
 /// Where the x axis points, as an angle about +z.
 double angleOfX(const Scene& scene, double seconds) {
-  const scene::Double3 x = poseOf(scene, seconds).world[0].column[0];
-  EXPECT_NEAR(scene::length(x), 1, 1e-6);
+  const Double3 x = poseOf(scene, seconds).world[0].column[0];
+  EXPECT_NEAR(length(x), 1, 1e-6);
   return std::atan2(x[1], x[0]);
 }
 
@@ -213,7 +217,7 @@ TEST(Pose, JointMatricesEndInTheScene) {
   scene.nodes.push_back({"joint", 0, {0, 2, 0}});
   Rig rig;
   rig.toScene = Affine{{{{1000, 0, 0}, {0, 1000, 0}, {0, 0, 1000}, {0, 0, 7}}}};
-  std::vector<scene::Matrix4> matrices(1);
+  std::vector<Matrix4> matrices(1);
   rig.node = 1;
   jointMatrices(rig, makePose(scene), matrices);
   expectVector(matrices[0].point({0, 0, 0}), {1000, 2000, 7}, 1e-3);
@@ -238,4 +242,4 @@ TEST(Pose, WeightsThatTheNodeDoesNotGiveAreZero) {
 }
 
 }  // namespace
-}  // namespace opaline::deform
+}  // namespace opaline::scene

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "opaline/renderer.h"
+#include "opaline/vulkan.h"
+
+namespace opaline::bench {
+
+/// A caller that records frames into command buffers of its own and submits them, on the device of
+/// a renderer, which outlives it. Two are under way, and all have been collected when it goes.
+class Caller {
+ public:
+  explicit Caller(const Renderer& renderer);
+  ~Caller();
+  Caller(const Caller&) = delete;
+  Caller& operator=(const Caller&) = delete;
+
+  /// Waits for the frame before last and begins a command buffer.
+  FrameRecording begin();
+  /// Ends and submits it.
+  void submit(const FrameRecording& recording);
+
+ private:
+  VulkanDevice vulkan_;
+  VkSemaphore timeline_ = VK_NULL_HANDLE;
+  std::array<VkCommandPool, 2> pools_{};
+  std::array<VkCommandBuffer, 2> buffers_{};
+  std::uint64_t frames_ = 0;
+};
+
+}  // namespace opaline::bench

@@ -1,0 +1,46 @@
+"""Opaline in Blender: wax, jade, marble, milk and skin, in the viewport and in renders."""
+
+bl_info = {
+    "name": "Opaline",
+    "author": "The authors of Opaline",
+    "version": (0, 2, 0),
+    "blender": (3, 4, 0),
+    "category": "Render",
+    "location": "Render properties, Render Engine",
+    "description": "Renders deformable translucent objects",
+}
+
+import os
+import sys
+
+# The Python module, for which it was built, beside this file.
+_LIBRARY = os.path.join(os.path.dirname(__file__), "library")
+
+
+def _module_problem():
+    """Why the Python module cannot be used; empty where it can."""
+    if _LIBRARY not in sys.path and os.path.isdir(_LIBRARY):
+        sys.path.insert(0, _LIBRARY)
+    try:
+        import opaline  # noqa: F401
+    except ImportError as error:
+        version = "%d.%d" % sys.version_info[:2]
+        return f"Opaline's module cannot be loaded by this Blender's Python {version}: {error}"
+    return ""
+
+
+def register():
+    from . import engine, panels, settings
+
+    engine.MODULE_PROBLEM = _module_problem()
+    settings.register()
+    engine.register()
+    panels.register()
+
+
+def unregister():
+    from . import engine, panels, settings
+
+    panels.unregister()
+    engine.unregister()
+    settings.unregister()

@@ -1,0 +1,83 @@
+"""Looks as materials of the Python module."""
+
+import numpy as np
+
+from . import subsurface
+from .reading import images
+
+
+class Materials:
+    """Makes what an opaline.Object is made of, and keeps the pictures that it has read."""
+
+    def __init__(self):
+        self._textures = {}
+        self._brightest = {}
+
+    def keywords(self, look):
+        """What opaline.Object takes beside its mesh."""
+        import opaline
+
+        if look.medium:
+            return {"medium": look.medium}
+        if look.radius_mm is not None:
+            return self._translucent(look)
+        return {"material": opaline.OpaqueMaterial(
+            name=look.name, base_color=np.clip(look.color if not look.color_picture else (1, 1, 1), 0, 1),
+            base_color_texture=self._texture(look.color_picture, images.colors_of), metallic=min(max(look.metallic, 0), 1),
+            roughness=min(max(look.roughness, 0), 1), metallic_roughness_texture=self._metallic_roughness(look),
+            ior=min(max(look.ior, 1), 10), specular=look.specular,
+            normal_texture=self._texture(look.normal_picture, images.pixels_of), normal_scale=look.normal_scale,
+            emission=np.clip(look.emission, 0, 1e30), emission_texture=self._texture(look.emission_picture, images.colors_of),
+            alpha=min(max(look.alpha, 0), 1), unlit=look.unlit)}
+
+    def _translucent(self, look):
+        import opaline
+
+        color = np.array(look.color)
+        paint = None
+        texture = self._texture(look.color_picture, images.colors_of)
+        if texture is not None:
+            # The brightest colour is the medium's, what is darker lies on it as paint.
+            color = self._brightest[look.color_picture.key()]
+            paint = opaline.Paint(color_texture=texture)
+        medium = subsurface.medium_of(look.radius_mm, color, look.radius_kind, look.subsurface_ior, look.anisotropy, look.ior)
+        return {"medium": medium, "paint": paint}
+
+    def _texture(self, picture, read):
+        import opaline
+
+        if picture is None:
+            return None
+        key = (read.__name__, *picture.key())
+        if key not in self._textures:
+            pixels = read(picture.image)
+            self._textures[key] = None
+            if pixels is not None:
+                colors = images.decoded(pixels[..., :3].reshape(-1, 3))
+                self._brightest[picture.key()] = np.percentile(colors, 99.5, axis=0)
+                self._textures[key] = opaline.Texture(np.clip(np.nan_to_num(pixels), 0, 1), wrap=picture.wrap,
+                                                      interpolated=picture.interpolated, transform=picture.transform,
+                                                      name=picture.image.name)
+        return self._textures[key]
+
+    def _metallic_roughness(self, look):
+        """Both in one picture, as glTF has them: green is roughness, blue metallic."""
+        import opaline
+
+        picture = look.roughness_picture or look.metallic_picture
+        if picture is None:
+            return None
+        key = ("metallic-roughness", look.roughness_picture and look.roughness_picture.key(),
+               look.metallic_picture and look.metallic_picture.key(), look.roughness, look.metallic)
+        if key not in self._textures:
+            self._textures[key] = None
+            parts = [images.pixels_of(part.image) if part else None for part in (look.roughness_picture, look.metallic_picture)]
+            shape = next((part.shape for part in parts if part is not None), None)
+            if shape is not None:
+                pixels = np.ones(shape, dtype=np.float32)
+                for channel, part in ((1, parts[0]), (2, parts[1])):
+                    if part is not None and part.shape == shape:
+                        pixels[..., channel] = part[..., channel]
+                self._textures[key] = opaline.Texture(np.clip(pixels, 0, 1), wrap=picture.wrap, interpolated=picture.interpolated,
+                                                      transform=picture.transform, name=picture.image.name)
+        return self._textures[key]

@@ -1,0 +1,36 @@
+"""Cameras, by the matrix that Blender projects with."""
+
+import math
+
+import numpy as np
+
+from .. import units
+
+
+def camera_of(to_world, projection, mm_per_unit):
+    """opaline.Camera of the camera's matrix and its projection, as OpenGL has them: looking along -z, y up."""
+    import opaline
+
+    matrix, projection = np.array(to_world, dtype=float), np.array(projection, dtype=float)
+    place = units.turned(matrix[:3, 3]) * mm_per_unit
+    ahead = units.turned(-matrix[:3, 2] / np.linalg.norm(matrix[:3, 2]))
+    up = units.turned(matrix[:3, 1] / np.linalg.norm(matrix[:3, 1]))
+    target = place + ahead * max(100.0, float(np.abs(place).max()) * 0.1)
+    if projection[3, 3] == 1:
+        return opaline.Camera(place, target, up, shift_x=-projection[0, 3] / 2, shift_y=-projection[1, 3] / 2,
+                              orthographic_height_mm=2 / projection[1, 1] * mm_per_unit)
+    fov = math.degrees(2 * math.atan(1 / projection[1, 1]))
+    return opaline.Camera(place, target, up, min(max(fov, 1), 170), shift_x=projection[0, 2] / 2, shift_y=projection[1, 2] / 2)
+
+
+def cropped(projection, left, bottom, right, top):
+    """The projection of a part of the picture, whose edges are shares of its width and height."""
+    width, height = right - left, top - bottom
+    window = np.array([[1 / width, 0, 0, (1 - right - left) / width],
+                       [0, 1 / height, 0, (1 - top - bottom) / height],
+                       [0, 0, 1, 0], [0, 0, 0, 1]])
+    return window @ np.array(projection, dtype=float)
+
+
+def projection_of(camera_object, depsgraph, width, height, aspect_x, aspect_y):
+    return np.array(camera_object.calc_matrix_camera(depsgraph, x=width, y=height, scale_x=aspect_x, scale_y=aspect_y))

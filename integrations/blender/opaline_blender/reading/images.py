@@ -1,0 +1,54 @@
+"""Pictures of Blender as arrays."""
+
+import numpy as np
+
+
+def encoded(linear):
+    """IEC 61966-2-1."""
+    linear = np.clip(linear, 0, 1)
+    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+
+
+def decoded(values):
+    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+
+
+def pixels_of(image):
+    """Array (height, width, 4), float32, row 0 at the top, as the picture stores them; None where there are none."""
+    width, height = image.size
+    if width == 0 or height == 0 or image.channels == 0 or not image.has_data and not _loads(image):
+        return None
+    values = np.empty(width * height * image.channels, dtype=np.float32)
+    image.pixels.foreach_get(values)
+    values = values.reshape(height, width, image.channels)[::-1]
+    if image.channels == 1:
+        values = np.repeat(values, 3, axis=2)
+    if values.shape[2] < 4:
+        values = np.concatenate([values[..., :3], np.ones((height, width, 1), dtype=np.float32)], axis=2)
+    return np.ascontiguousarray(values)
+
+
+def _loads(image):
+    len(image.pixels)  # reads the file
+    return image.has_data
+
+
+def stored_as_colors(image):
+    """Whether its pixels are sRGB-encoded."""
+    return not image.is_float and image.colorspace_settings.name in ("sRGB", "Filmic sRGB", "AgX Base sRGB")
+
+
+def colors_of(image):
+    """sRGB-encoded, whatever the picture stores."""
+    pixels = pixels_of(image)
+    if pixels is not None and not stored_as_colors(image):
+        pixels[..., :3] = encoded(pixels[..., :3])
+    return pixels
+
+
+def radiance_of(image):
+    """Linear."""
+    pixels = pixels_of(image)
+    if pixels is not None and stored_as_colors(image):
+        pixels[..., :3] = decoded(pixels[..., :3])
+    return pixels

@@ -1,0 +1,202 @@
+"""What a material is to be shown as."""
+
+import dataclasses
+
+import numpy as np
+
+from .. import subsurface
+from . import nodes
+
+
+@dataclasses.dataclass(frozen=True)
+class Look:
+    """Everything about a material that decides pixels. Lengths are in mm."""
+
+    name: str = ""
+    medium: str = ""  # one of ours by name; else what follows
+    color: tuple = (0.8, 0.8, 0.8)
+    color_picture: nodes.Picture = None
+    radius_mm: tuple = None  # of a body that light enters
+    radius_kind: str = subsurface.FIXED
+    anisotropy: float = 0.0
+    subsurface_ior: float = 1.4
+    metallic: float = 0.0
+    metallic_picture: nodes.Picture = None
+    roughness: float = 0.5
+    roughness_picture: nodes.Picture = None
+    ior: float = 1.5
+    specular: float = 1.0
+    normal_picture: nodes.Picture = None
+    normal_scale: float = 1.0
+    emission: tuple = (0.0, 0.0, 0.0)
+    emission_picture: nodes.Picture = None
+    alpha: float = 1.0
+    unlit: bool = False
+
+    @property
+    def is_translucent(self):
+        return bool(self.medium) or self.radius_mm is not None
+
+    @property
+    def has_pictures(self):
+        return any(isinstance(getattr(self, field.name), nodes.Picture) for field in dataclasses.fields(self))
+
+
+GREY = Look()
+
+
+def _ior_of_specular(specular):
+    """Blender's Specular of 3.x is eight per cent of reflection head on for 1 (Burley 2012)."""
+    root = (0.08 * min(max(specular, 0), 1)) ** 0.5
+    return (1 + root) / (1 - root)
+
+
+def _reflection(node):
+    """Index of refraction, and how strong the reflection is beside what follows from it."""
+    if nodes.socket(node, "Specular IOR Level") is not None:  # 4.x
+        level = nodes.number(node, 0.5, "Specular IOR Level", "Specular")
+        return nodes.number(node, 1.5, "IOR"), min(2 * level, 1)
+    ior = _ior_of_specular(nodes.number(node, 0.5, "Specular"))
+    return (ior, 1.0) if ior > 1 else (1.5, 0.0)
+
+
+def _normal(node, notes, name):
+    behind = nodes.source(nodes.socket(node, "Normal"))
+    if behind is None:
+        return None, 1.0
+    if behind.node.type != "NORMAL_MAP" or behind.node.space != "TANGENT":
+        notes.add("bumps and normal maps but those in tangent space are not shown", name)
+        return None, 1.0
+    return nodes.picture(behind.node.inputs["Color"], notes, name), behind.node.inputs["Strength"].default_value
+
+
+def _note_what_is_left(node, notes, name):
+    for what, *names in (("clearcoat", "Clearcoat", "Coat Weight"), ("sheen", "Sheen", "Sheen Weight")):
+        if nodes.number(node, 0, *names) > 0:
+            notes.add(f"{what} is not shown", name)
+    if nodes.number(node, 0, "Transmission Weight", "Transmission") > 0:
+        notes.add("transmission is not shown: what is clear is shown as opaque", name)
+    if nodes.number(node, 0, "Anisotropic") > 0:
+        notes.add("anisotropic reflection is not shown", name)
+
+
+def _scattering(node, look, mm_per_unit, notes):
+    """With the subsurface of a Principled BSDF, where it has some."""
+    weight = nodes.number(node, 0, "Subsurface Weight", "Subsurface")
+    if weight <= 0 or look.metallic >= 1:
+        return look
+    radius = np.array(nodes.vector(node, (1, 0.2, 0.1), "Subsurface Radius"))
+    color, picture = look.color, look.color_picture
+    own = nodes.socket(node, "Subsurface Color")
+    if own is not None:  # 3.x: the weight scales the radius and mixes two colours
+        radius = radius * weight
+        tint = np.array(nodes.vector(node, color, "Subsurface Color"))
+        if weight >= 0.5 and nodes.source(own) is not None:
+            picture = nodes.picture(own, notes, look.name) or picture
+        color = tuple((1 - weight) * np.array(color) + weight * tint)
+    else:
+        radius = radius * nodes.number(node, 0.05, "Subsurface Scale")
+        if weight < 1:
+            notes.add("a subsurface weight below 1 is shown as 1", look.name)
+    if look.metallic > 0:
+        notes.add("metal mixed with subsurface is shown without metal", look.name)
+    return dataclasses.replace(look, color=color, color_picture=picture, radius_mm=tuple(radius * mm_per_unit),
+                               radius_kind=subsurface.kind_of(node.subsurface_method),
+                               subsurface_ior=nodes.number(node, 1.4, "Subsurface IOR"),
+                               anisotropy=nodes.number(node, 0, "Subsurface Anisotropy"), metallic=0.0)
+
+
+def _principled(node, name, mm_per_unit, notes):
+    ior, specular = _reflection(node)
+    normal, normal_scale = _normal(node, notes, name)
+    strength = nodes.number(node, 1, "Emission Strength")
+    emission = strength * np.array(nodes.vector(node, (0, 0, 0), "Emission Color", "Emission"))
+    emission_picture = nodes.picture(nodes.socket(node, "Emission Color", "Emission"), notes, name)
+    _note_what_is_left(node, notes, name)
+    look = Look(name=name, color=nodes.vector(node, (0.8, 0.8, 0.8), "Base Color"),
+                color_picture=nodes.picture(nodes.socket(node, "Base Color"), notes, name),
+                metallic=nodes.number(node, 0, "Metallic"),
+                metallic_picture=nodes.picture(nodes.socket(node, "Metallic"), notes, name),
+                roughness=nodes.number(node, 0.5, "Roughness"),
+                roughness_picture=nodes.picture(nodes.socket(node, "Roughness"), notes, name), ior=ior, specular=specular,
+                normal_picture=normal, normal_scale=normal_scale,
+                emission=(strength,) * 3 if emission_picture else tuple(emission), emission_picture=emission_picture,
+                alpha=nodes.number(node, 1, "Alpha"))
+    return _scattering(node, look, mm_per_unit, notes)
+
+
+def _diffuse(node, name, mm_per_unit, notes):
+    del mm_per_unit
+    return Look(name=name, color=nodes.vector(node, (0.8, 0.8, 0.8), "Color"),
+                color_picture=nodes.picture(nodes.socket(node, "Color"), notes, name), roughness=1.0, specular=0.0)
+
+
+def _glossy(node, name, mm_per_unit, notes):
+    del mm_per_unit
+    return Look(name=name, color=nodes.vector(node, (0.8, 0.8, 0.8), "Color"), metallic=1.0,
+                color_picture=nodes.picture(nodes.socket(node, "Color"), notes, name),
+                roughness=nodes.number(node, 0.5, "Roughness"))
+
+
+def _emission(node, name, mm_per_unit, notes):
+    del mm_per_unit
+    picture = nodes.picture(nodes.socket(node, "Color"), notes, name)
+    strength = nodes.number(node, 1, "Strength")
+    color = (1, 1, 1) if picture else nodes.vector(node, (1, 1, 1), "Color")
+    return Look(name=name, color=(0, 0, 0), specular=0.0, emission=tuple(strength * np.array(color)), emission_picture=picture)
+
+
+def _subsurface(node, name, mm_per_unit, notes):
+    radius = np.array(nodes.vector(node, (1, 0.2, 0.1), "Radius")) * nodes.number(node, 1, "Scale") * mm_per_unit
+    return Look(name=name, color=nodes.vector(node, (0.8, 0.8, 0.8), "Color"),
+                color_picture=nodes.picture(nodes.socket(node, "Color"), notes, name), radius_mm=tuple(radius),
+                radius_kind=subsurface.kind_of(node.falloff), subsurface_ior=nodes.number(node, 1.4, "IOR"),
+                anisotropy=nodes.number(node, 0, "Anisotropy"), specular=0.0)
+
+
+SHADERS = {"BSDF_PRINCIPLED": _principled, "BSDF_DIFFUSE": _diffuse, "BSDF_GLOSSY": _glossy, "EMISSION": _emission,
+           "SUBSURFACE_SCATTERING": _subsurface}
+
+
+def _shader_of(node, name, notes):
+    """The node that says most of how a surface looks."""
+    for _ in range(32):
+        if node is None or node.type in SHADERS:
+            return node
+        inputs = [entry for entry in node.inputs if entry.type == "SHADER"]
+        if node.type not in ("MIX_SHADER", "ADD_SHADER") or not inputs:
+            return None
+        notes.add("of mixed shaders one is shown", name)
+        factor = nodes.number(node, 0.5, "Fac", "Factor") if node.type == "MIX_SHADER" else 0
+        behind = nodes.source(inputs[1 if factor > 0.5 else 0]) or nodes.source(inputs[-1])
+        node = behind.node if behind is not None else None
+    return None
+
+
+def look_of(material, mm_per_unit, notes):
+    """Of a bpy.types.Material, or of none."""
+    if material is None:
+        return GREY
+    chosen = getattr(material, "opaline", None)
+    own = chosen.medium if chosen is not None else "SHADER"
+    look = _by_shader(material, mm_per_unit, notes)
+    if own == "SHADER":
+        return look
+    return dataclasses.replace(look, medium=own, radius_mm=None, color_picture=None, metallic=0.0)
+
+
+def _by_shader(material, mm_per_unit, notes):
+    name = material.name
+    if not material.use_nodes or material.node_tree is None:
+        return Look(name=name, color=tuple(material.diffuse_color)[:3], metallic=material.metallic, roughness=material.roughness)
+    output = material.node_tree.get_output_node("CYCLES") or material.node_tree.get_output_node("ALL")
+    behind = nodes.source(output.inputs["Surface"]) if output is not None else None
+    if output is not None and output.inputs["Volume"].is_linked:
+        notes.add("volumes are not shown", name)
+    if output is not None and output.inputs["Displacement"].is_linked:
+        notes.add("displacement by materials is not shown", name)
+    shader = _shader_of(behind.node if behind is not None else None, name, notes)
+    if shader is None:
+        notes.add("materials whose shader is not known are shown in grey", name)
+        return dataclasses.replace(GREY, name=name)
+    return SHADERS[shader.type](shader, name, mm_per_unit, notes)

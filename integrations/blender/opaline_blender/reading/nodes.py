@@ -1,0 +1,96 @@
+"""Values and pictures behind the sockets of shader nodes."""
+
+import dataclasses
+
+
+@dataclasses.dataclass(frozen=True)
+class Picture:
+    """An image texture that a socket is linked to."""
+
+    image: object  # bpy.types.Image
+    wrap: str
+    interpolated: bool
+    transform: tuple  # two rows, from coordinates with v down
+
+    def key(self):
+        return self.image.name_full, self.wrap, self.interpolated, self.transform
+
+
+WRAPS = {"REPEAT": "repeat", "EXTEND": "clamp", "CLIP": "clamp", "MIRROR": "mirror"}
+UNTURNED = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+
+
+def socket(node, *names):
+    """The input of the first of these names that the node has: they differ between 3.x and 4.x."""
+    for name in names:
+        for candidate in node.inputs:
+            if candidate.name == name and candidate.enabled:
+                return candidate
+    return None
+
+
+def source(of):
+    """The output that a socket is linked to, through reroutes; None without one."""
+    while of is not None and of.is_linked and of.links:
+        link = of.links[0]
+        if link.is_muted:
+            return None
+        if link.from_node.type != "REROUTE":
+            return link.from_socket
+        of = link.from_node.inputs[0]
+    return None
+
+
+def number(node, default, *names):
+    found = socket(node, *names)
+    if found is None:
+        return default
+    behind = source(found)
+    if behind is not None and behind.node.type == "VALUE":
+        return behind.default_value
+    return found.default_value
+
+
+def vector(node, default, *names):
+    found = socket(node, *names)
+    if found is None:
+        return tuple(default)
+    behind = source(found)
+    if behind is not None and behind.node.type == "RGB":
+        return tuple(behind.default_value)[:3]
+    return tuple(found.default_value)[:3]
+
+
+def _transform(node, notes, name):
+    """Of the Mapping node before an image: about z alone."""
+    import math
+
+    behind = source(socket(node, "Vector"))
+    if behind is None or behind.node.type in ("TEX_COORD", "UVMAP"):
+        if behind is not None and behind.node.type == "TEX_COORD" and behind.name != "UV":
+            notes.add("textures lie on UV coordinates, whatever others their nodes name", name)
+        return UNTURNED
+    if behind.node.type != "MAPPING" or behind.node.vector_type != "POINT":
+        notes.add("nodes before image textures are not shown", name)
+        return UNTURNED
+    x, y, _ = behind.node.inputs["Location"].default_value
+    turn = behind.node.inputs["Rotation"].default_value[2]
+    sx, sy, _ = behind.node.inputs["Scale"].default_value
+    c, s = math.cos(turn), math.sin(turn)
+    # Blender maps (u, v) to (c sx u - s sy v + x, s sx u + c sy v + y); here v is 1 - v on both sides.
+    return (c * sx, s * sy, x - s * sy), (-s * sx, c * sy, 1 - y - c * sy)
+
+
+def picture(of, notes, name):
+    """The Picture a socket is linked to; None where it is linked to nothing or to what is not shown."""
+    behind = source(of)
+    if behind is None or behind.node.type in ("RGB", "VALUE"):
+        return None
+    node = behind.node
+    if node.type in ("SEPARATE_COLOR", "SEPRGB"):
+        behind = source(node.inputs[0])
+        node = behind.node if behind is not None else node
+    if node.type != "TEX_IMAGE" or node.image is None:
+        notes.add("nodes but image textures, colours and values are not shown; the socket's own value is used", name)
+        return None
+    return Picture(node.image, WRAPS.get(node.extension, "repeat"), node.interpolation != "Closest", _transform(node, notes, name))

@@ -1,0 +1,98 @@
+#include "reference/opaque_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/texture.h"
+
+namespace opaline::reference {
+
+namespace {
+
+constexpr std::size_t green = 1;
+constexpr std::size_t blue = 2;
+constexpr std::size_t alpha = 3;
+
+Colour colorAt(const Body& body, const SurfacePoint& point, const Rgb& factor,
+               const std::optional<Texture>& texture) {
+  Colour color{};
+  for (std::size_t c = 0; c < 3; ++c)
+    color[c] = double{factor[c]} * textureAt(body, point, texture, c, TexelKind::Color);
+  return color;
+}
+
+}  // namespace
+
+OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point) {
+  const OpaqueMaterial& material = *body.opaque;
+  const auto number = [&](const std::optional<Texture>& texture, std::size_t channel) {
+    return textureAt(body, point, texture, channel, TexelKind::Number);
+  };
+  Colour base = colorAt(body, point, material.baseColor, material.baseColorTexture);
+  for (std::size_t c = 0; c < 3; ++c)
+    base[c] = std::clamp(base[c] * vertexColorAt(body, point, c), 0.0, 1.0);
+  OpaqueSurface surface;
+  if (material.unlit) {
+    surface.unlit = true;
+    surface.emission = base;
+    return surface;
+  }
+  const auto& shine = material.metallicRoughnessTexture;
+  const double metallic = std::clamp(double{material.metallic} * number(shine, blue), 0.0, 1.0);
+  const double roughness = std::clamp(double{material.roughness} * number(shine, green), 0.02, 1.0);
+  const double strength = double{material.specular} * number(material.specularTexture, alpha);
+  const Colour tint = colorAt(body, point, material.specularColor, material.specularColorTexture);
+  const double ior{material.ior};
+  const double headOn = std::pow((ior - 1) / (ior + 1), 2);
+  for (std::size_t c = 0; c < 3; ++c) {
+    surface.diffuse[c] = (1 - metallic) * base[c];
+    surface.mirrored[c] = std::lerp(std::min(headOn * tint[c], 1.0) * strength, base[c], metallic);
+  }
+  surface.grazing = std::lerp(strength, 1.0, metallic);
+  surface.alpha = roughness * roughness;
+  surface.occlusion =
+      std::lerp(1.0, number(material.occlusionTexture, 0), double{material.occlusionStrength});
+  surface.emission = colorAt(body, point, material.emission, material.emissionTexture);
+  return surface;
+}
+
+double mattShare(const OpaqueSurface& surface, std::size_t channel) {
+  // Mean over the hemisphere of the reflectance by Schlick 1994.
+  const double mirrored = std::lerp(surface.mirrored[channel], surface.grazing, 1.0 / 21);
+  return mirrored + (1 - mirrored) * surface.diffuse[channel];
+}
+
+Vector opaqueNormalAt(const Body& body, const SurfacePoint& point) {
+  const Vector& normal = point.shadingNormal;
+  const std::optional<Texture>& texture = body.opaque->normalTexture;
+  if (!texture || body.tangents.empty()) return normal;
+  const auto told = [&](std::size_t channel) {
+    return 2 * textureAt(body, point, texture, channel, TexelKind::Number) - 1;
+  };
+  const double scale{body.opaque->normalScale};
+  const scene::TriangleTangents& tangents = body.tangents[point.triangle];
+  const Triangle& corners = body.triangles[point.triangle];
+  const Vector& first = body.positionsMm[corners[0]];
+  const Vector toSecond = body.positionsMm[corners[1]] - first;
+  const Vector toThird = body.positionsMm[corners[2]] - first;
+  Vector tangent{};
+  for (std::size_t k = 0; k < 3; ++k)
+    tangent += point.weights[k] * unitOr(double{tangents.corners[k][0]} * toSecond +
+                                             double{tangents.corners[k][1]} * toThird,
+                                         {});
+  const Vector along = unitOr(tangent - dot(tangent, normal) * normal, {});
+  const Vector across = double{tangents.side} * cross(normal, along);
+  return unitOr(scale * told(0) * along + scale * told(1) * across + told(2) * normal, normal);
+}
+
+bool isCutOut(const Body& body, std::uint32_t triangle, const std::array<double, 3>& weights) {
+  const OpaqueMaterial& material = *body.opaque;
+  SurfacePoint point;
+  point.triangle = triangle;
+  point.weights = weights;
+  const double found = double{material.alpha} * vertexColorAt(body, point, alpha) *
+                       textureAt(body, point, material.baseColorTexture, alpha, TexelKind::Number);
+  return found < double{material.alphaCutoff};
+}
+
+}  // namespace opaline::reference

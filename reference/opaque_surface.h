@@ -1,0 +1,32 @@
+#pragma once
+
+#include "reference/geometry.h"
+#include "reference/vector.h"
+
+namespace opaline::reference {
+
+/// What an opaque body is made of at a point: glTF 2.0, section 3.9 and appendix B, with
+/// KHR_materials_ior, _specular, _emissive_strength and _unlit.
+struct OpaqueSurface {
+  Colour diffuse{};      ///< share of light given back diffusely, less by what is mirrored
+  Colour mirrored{};     ///< head on: F₀
+  double grazing = 0;    ///< F₉₀
+  double alpha = 1;      ///< roughness²
+  double occlusion = 1;  ///< share of light that does not come straight from a light
+  Colour emission{};     ///< radiance
+  bool unlit = false;    ///< its radiance is `emission`, whatever the light
+};
+
+/// The body must be opaque.
+OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point);
+
+/// All that it gives back of light from everywhere in one channel, as if it were matt.
+double mattShare(const OpaqueSurface& surface, std::size_t channel);
+
+/// The normal that the body's normal texture tells; without one, the interpolated normal.
+Vector opaqueNormalAt(const Body& body, const SurfacePoint& point);
+
+/// Whether alpha is less than its cutoff, so that there is no surface.
+bool isCutOut(const Body& body, std::uint32_t triangle, const std::array<double, 3>& weights);
+
+}  // namespace opaline::reference

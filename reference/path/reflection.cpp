@@ -1,0 +1,127 @@
+#include "reference/path/reflection.h"
+
+#include <algorithm>
+
+#include "bssrdf/fresnel.h"
+#include "reference/gloss.h"
+
+namespace opaline::reference {
+
+namespace {
+
+using std::numbers::pi;
+constexpr double leastCosine = 1e-4;
+
+double sumOf(const Colour& colour) {
+  return colour[0] + colour[1] + colour[2];
+}
+
+}  // namespace
+
+double schlick(double headOn, double grazing, double cosine) {
+  return std::lerp(headOn, grazing, std::pow(std::clamp(1 - cosine, 0.0, 1.0), 5));
+}
+
+EvenMirrored evenMirrored(const OpaqueSurface& surface, double cosine) {
+  const MirroredShares shares = mirroredShares(surface.alpha, cosine);
+  EvenMirrored even;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double headOn = surface.mirrored[c];
+    even.sentOn[c] = 1 + headOn * (1 / std::max(shares.base + shares.grazing, 1e-3) - 1);
+    const double once = headOn * shares.base + surface.grazing * shares.grazing;
+    even.share[c] = std::clamp(even.sentOn[c] * once, 0.0, 1.0);
+  }
+  return even;
+}
+
+MirroredCandidate mirroredCandidate(double alpha, const Vector& toLight, Random& random) {
+  const double u = random();
+  const Vector facet = visibleFacet(alpha, toLight, u, random());
+  MirroredCandidate candidate;
+  candidate.cosineHalf = dot(toLight, facet);
+  candidate.direction = 2 * candidate.cosineHalf * facet - toLight;
+  if (candidate.direction[2] <= leastCosine || candidate.cosineHalf <= 0) return candidate;
+  const double hidden = ggxHidden(alpha, std::max(toLight[2], leastCosine));
+  candidate.seen = (1 + hidden) / (1 + hidden + ggxHidden(alpha, candidate.direction[2]));
+  return candidate;
+}
+
+Reflection::Reflection(const Vector& normal, const Vector& outside, const Vector& toEye)
+    : normal_(normal), outside_(outside), across_(across(normal)) {
+  eye_ = {dot(across_[0], toEye), dot(across_[1], toEye),
+          std::max(dot(normal, toEye), leastCosine)};
+}
+
+Reflection::Reflection(const OpaqueSurface& surface, const Vector& normal, const Vector& outside,
+                       const Vector& toEye)
+    : Reflection(normal, outside, toEye) {
+  alpha_ = surface.alpha;
+  headOn_ = surface.mirrored;
+  grazing_ = surface.grazing;
+  const EvenMirrored even = evenMirrored(surface, eye_[2]);
+  sentOn_ = even.sentOn;
+  Colour given{};
+  for (std::size_t c = 0; c < 3; ++c) given[c] = surface.diffuse[c] * (1 - even.share[c]);
+  diffuse_ = (1 / pi) * given;
+  const double all = sumOf(given) + sumOf(even.share);
+  matt_ = all > 0 ? sumOf(given) / all : 1;
+}
+
+Reflection Reflection::ofMedium(double eta, double alpha, const Vector& normal,
+                                const Vector& outside, const Vector& toEye) {
+  Reflection made(normal, outside, toEye);
+  made.eta_ = eta;
+  made.alpha_ = alpha;
+  made.grazing_ = 1;
+  return made;
+}
+
+Colour Reflection::fresnel(double cosine) const {
+  if (eta_ > 0) {
+    const double share = bssrdf::fresnelReflectance(eta_, std::clamp(cosine, 0.0, 1.0));
+    return {share, share, share};
+  }
+  Colour share{};
+  for (std::size_t c = 0; c < 3; ++c) share[c] = schlick(headOn_[c], grazing_, cosine);
+  return share;
+}
+
+Colour Reflection::value(const Vector& toLight) const {
+  const Vector light{dot(across_[0], toLight), dot(across_[1], toLight), dot(normal_, toLight)};
+  if (light[2] <= 0 || dot(outside_, toLight) <= 0) return {};
+  Colour value = light[2] * diffuse_;
+  if (matt_ >= 1) return value;
+  const Vector half = unitOr(light + eye_, {0, 0, 1});
+  const double facets =
+      ggxDensity(alpha_, half[2]) /
+      (4 * eye_[2] * (1 + ggxHidden(alpha_, eye_[2]) + ggxHidden(alpha_, light[2])));
+  const Colour mirrored = fresnel(dot(light, half));
+  for (std::size_t c = 0; c < 3; ++c) value[c] += facets * mirrored[c] * sentOn_[c];
+  return value;
+}
+
+Vector Reflection::direction(Random& random) const {
+  Vector local;
+  if (random() < matt_) {
+    const double cosine = std::sqrt(random());
+    local = around({0, 0, 1}, cosine, 2 * pi * random());
+  } else {
+    const double u = random();
+    const Vector facet = visibleFacet(alpha_, unitOr(eye_, {0, 0, 1}), u, random());
+    local = unitOr(2 * dot(eye_, facet) * facet - eye_, {0, 0, 1});
+  }
+  return unitOr(local[0] * across_[0] + local[1] * across_[1] + local[2] * normal_, normal_);
+}
+
+double Reflection::density(const Vector& toLight) const {
+  const Vector light{dot(across_[0], toLight), dot(across_[1], toLight), dot(normal_, toLight)};
+  if (light[2] <= 0) return 0;
+  double density = matt_ * light[2] / pi;
+  if (matt_ >= 1) return density;
+  const Vector half = unitOr(light + eye_, {0, 0, 1});
+  density +=
+      (1 - matt_) * ggxDensity(alpha_, half[2]) / (4 * eye_[2] * (1 + ggxHidden(alpha_, eye_[2])));
+  return density;
+}
+
+}  // namespace opaline::reference

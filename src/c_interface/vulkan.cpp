@@ -1,0 +1,202 @@
+#include <vulkan/vulkan.h>
+// Declares more of the interface after Vulkan.
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "c_interface/handles.h"
+#include "c_interface/status.h"
+#include "c_interface/values.h"
+#include "opaline/vulkan.h"
+
+namespace opaline::c {
+
+namespace {
+
+// Structs of another size than this version's lie so far apart.
+template <typename T, typename Use>
+void forEachOf(const T* first, std::size_t count, const char* name, const Use& use) {
+  if (count == 0) return;
+  const auto* at = reinterpret_cast<const char*>(&required(first, name));
+  for (std::size_t i = 0; i < count; ++i, at += first->size)
+    use(wholeOf(reinterpret_cast<const T*>(at), {}, name));
+}
+
+std::vector<TimelinePoint> pointsOf(const OpalineTimelinePoint* points, std::size_t count,
+                                    const char* name) {
+  std::vector<TimelinePoint> made;
+  forEachOf(points, count, name, [&](const OpalineTimelinePoint& point) {
+    made.push_back({point.semaphore, point.value});
+  });
+  return made;
+}
+
+DeviceTarget targetOf(const OpalineDeviceTarget* given, const char* name) {
+  const OpalineDeviceTarget whole = wholeOf(given, {}, name);
+  return {whole.image, whole.view, whole.format, whole.layout};
+}
+
+// A frame as it was given, with what its parts point to.
+class DeviceFrame {
+ public:
+  explicit DeviceFrame(const OpalineDeviceFrame* given) : given_(wholeOf(given, {}, "frame")) {
+    waits = pointsOf(given_.waits, given_.waitCount, "waits");
+    signals = pointsOf(given_.signals, given_.signalCount, "signals");
+    forEachOf(given_.exitances, given_.exitanceCount, "exitances",
+              [&](const OpalineDeviceExitance& exitance) {
+                exitances_.push_back({exitance.object, exitance.buffer, exitance.offsetBytes});
+              });
+    if (given_.over) compose(wholeOf(given_.over, {}, "over"));
+    order.aovs = aovsOf(given_.aovs, given_.aovCount);
+    order.onDevice = given_.onDevice != 0;
+    order.exitance = given_.exitance != 0;
+  }
+
+  const OpalineDeviceFrame& given() const { return given_; }
+  DeviceOutputs outputs() const {
+    return {.over = composition_ ? &*composition_ : nullptr, .exitances = exitances_};
+  }
+
+  std::vector<TimelinePoint> waits;
+  std::vector<TimelinePoint> signals;
+  FrameOrder order;
+
+ private:
+  void compose(const OpalineComposition& over) {
+    composition_.emplace();
+    composition_->color = targetOf(over.color, "color");
+    if (over.depth) composition_->depth = targetOf(over.depth, "depth");
+    composition_->radianceScale = over.radianceScale;
+  }
+
+  OpalineDeviceFrame given_;
+  std::vector<DeviceExitance> exitances_;
+  std::optional<Composition> composition_;
+};
+
+}  // namespace
+
+Given givenOf(const OpalineGivenVulkan& from) {
+  const OpalineGivenVulkan whole = wholeOf(&from, {}, "given");
+  if (whole.enabledExtensionCount > 0) required(whole.enabledExtensions, "enabledExtensions");
+  GivenVulkan given{.instance = whole.instance,
+                    .physicalDevice = whole.physicalDevice,
+                    .device = whole.device,
+                    .queueFamily = whole.queueFamily,
+                    .queue = whole.queue,
+                    .getInstanceProcAddr = whole.getInstanceProcAddr,
+                    .enabledExtensions = {whole.enabledExtensions, whole.enabledExtensionCount},
+                    .enabledFeatures = whole.enabledFeatures};
+  if (whole.lockQueue)
+    given.lockQueue = [call = whole.lockQueue, context = whole.lockContext] { call(context); };
+  if (whole.unlockQueue)
+    given.unlockQueue = [call = whole.unlockQueue, context = whole.lockContext] { call(context); };
+  return given;
+}
+
+}  // namespace opaline::c
+
+using namespace opaline;
+using opaline::c::guarded;
+using opaline::c::required;
+
+extern "C" {
+
+OpalineStatus opalineVulkanNeeds(OpalineVulkanNeeds* needs) {
+  return guarded([&] {
+    const VulkanNeeds& ours = vulkanNeeds();
+    c::give({.size = 0,
+             .apiVersion = ours.apiVersion,
+             .requiredExtensions = ours.requiredExtensions.data(),
+             .requiredExtensionCount = ours.requiredExtensions.size(),
+             .optionalExtensions = ours.optionalExtensions.data(),
+             .optionalExtensionCount = ours.optionalExtensions.size(),
+             .requiredFeatures = ours.requiredFeatures,
+             .optionalFeatures = ours.optionalFeatures},
+            needs, "needs");
+  });
+}
+
+OpalineStatus opalineWhatIsMissing(VkInstance instance, VkPhysicalDevice physicalDevice,
+                                   char* sentence, size_t sentenceBytes) {
+  return guarded([&] {
+    const std::string missing = whatIsMissing(instance, physicalDevice);
+    required(sentence, "sentence");
+    if (sentenceBytes == 0) throw UsageError("A sentence has at least one byte.");
+    const std::size_t length = std::min(missing.size(), sentenceBytes - 1);
+    std::copy_n(missing.begin(), length, sentence);
+    sentence[length] = '\0';
+  });
+}
+
+OpalineStatus opalineSetDevicePositions(OpalineRenderer* renderer, size_t object,
+                                        const OpalineDevicePositions* positions) {
+  return guarded([&] {
+    const OpalineDevicePositions whole = c::wholeOf(positions, {}, "positions");
+    required(renderer, "renderer")
+        .renderer.replacePositions(
+            object, DevicePositions{.buffer = whole.buffer,
+                                    .offsetBytes = whole.offsetBytes,
+                                    .strideBytes = whole.strideBytes == 0 ? 12 : whole.strideBytes,
+                                    .live = true});
+  });
+}
+
+OpalineStatus opalinePrepareFrame(OpalineView* view, const OpalineDeviceFrame* frame) {
+  return guarded([&] {
+    const c::DeviceFrame whole(frame);
+    required(view, "view").view.prepare(whole.order);
+  });
+}
+
+OpalineStatus opalineSubmitFrame(OpalineView* view, const OpalineDeviceFrame* frame) {
+  return guarded([&] {
+    const c::DeviceFrame whole(frame);
+    required(view, "view")
+        .view.submit(
+            FrameSubmission{
+                .waits = whole.waits, .signals = whole.signals, .outputs = whole.outputs()},
+            whole.order);
+  });
+}
+
+OpalineStatus opalineRecordFrame(OpalineView* view, const OpalineDeviceFrame* frame) {
+  return guarded([&] {
+    const c::DeviceFrame whole(frame);
+    if (!whole.waits.empty()) throw UsageError("Who submits a recorded frame gives its waits.");
+    if (whole.signals.size() != 1)
+      throw UsageError("A recorded frame has one signal: the point that its submission signals.");
+    required(view, "view")
+        .view.record(FrameRecording{.commands = whole.given().commands,
+                                    .finished = whole.signals[0],
+                                    .outputs = whole.outputs()},
+                     whole.order);
+  });
+}
+
+OpalineStatus opalineViewPicture(const OpalineView* view, OpalineDeviceImage* picture) {
+  return guarded([&] {
+    const DeviceImage made = required(view, "view").view.picture();
+    c::give({.size = 0,
+             .image = made.image,
+             .view = made.view,
+             .format = made.format,
+             .layout = made.layout,
+             .width = made.extent.width,
+             .height = made.extent.height},
+            picture, "picture");
+  });
+}
+
+OpalineStatus opalineViewExitance(const OpalineView* view, size_t object,
+                                  OpalineDeviceBuffer* exitance) {
+  return guarded([&] {
+    const DeviceBuffer made = required(view, "view").view.exitance(object);
+    c::give(
+        {.size = 0, .buffer = made.buffer, .offsetBytes = made.offsetBytes, .bytes = made.bytes},
+        exitance, "exitance");
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+#include "shaders/scatter/visible_lights.vert.h"
+#include "shaders/shade/compose.frag.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Lays the picture over what someone else has drawn, where nothing of that is nearer.
+class ComposePass {
+ public:
+  explicit ComposePass(gpu::Device& device);
+
+  /// How others have depth: the rows of their matrix from mm to clip space that make it.
+  struct Depth {
+    shared::vec4 clipDepth{0};
+    shared::vec4 clipW{0, 0, 0, 1};
+    bool isReversed = false;
+  };
+  struct Target {
+    gpu::GpuImage& color;
+    gpu::GpuImage* depth = nullptr;  ///< none: the picture lies over everything
+    Depth how;
+    float scale = 1;  ///< of the radiance
+  };
+  /// VisibleSurfaces still holds what the picture's pixels see.
+  void record(gpu::CommandList& commands, const SeenSurfaces& seen, gpu::GpuImage& radiance,
+              const Target& target);
+
+ private:
+  using Pipeline = gpu::Graphics<shaders::ScatterVisibleLightsVert, shaders::ShadeComposeFrag>;
+  struct Made {
+    VkFormat color;
+    VkFormat depth;
+    bool isReversed;
+    std::unique_ptr<const Pipeline> pipeline;
+  };
+  const Pipeline& pipelineFor(const Target& target);
+
+  gpu::Device& device_;
+  gpu::Sampler nearest_;
+  std::vector<Made> made_;
+};
+
+}  // namespace opaline::passes

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gpu/command_list.h"
+#include "opaline/vulkan.h"
+#include "passes/shade/compose_pass.h"
+#include "renderer/frame/frame_resources.h"
+#include "renderer/motion/motion_tables.h"
+
+namespace opaline {
+
+/// Throws UsageError for outputs that a frame with these options cannot have. `hasMatrices`: the
+/// camera is given by matrices.
+void validate(const DeviceOutputs& outputs, const RenderOptions& options, bool hasMatrices);
+
+/// Where an object's exitance lies in a buffer of all objects. Throws UsageError for an object that
+/// there is not.
+struct ExitanceRange {
+  std::size_t offset = 0;
+  std::size_t bytes = 0;
+};
+ExitanceRange exitanceRange(const std::vector<ObjectRange>& ranges, std::size_t object);
+
+/// What a view's frames leave in memory of the caller's.
+class OutputRecorder {
+ public:
+  explicit OutputRecorder(gpu::Device& device) : compose_(device) {}
+
+  struct Inputs {
+    passes::DeformedMesh& mesh;
+    FrameResources& resources;
+    const std::vector<ObjectRange>& ranges;
+    passes::ComposePass::Depth depth;
+  };
+  /// In a part of its own at the end of a frame.
+  void record(gpu::CommandList& commands, const DeviceOutputs& outputs, const Inputs& inputs);
+
+ private:
+  void compose(gpu::CommandList& commands, const Composition& over, const Inputs& inputs);
+
+  passes::ComposePass compose_;
+};
+
+}  // namespace opaline

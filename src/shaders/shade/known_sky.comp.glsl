@@ -1,0 +1,28 @@
+// How much of what surfaces mirror is sky, for those in blocks that tell; and a list of the others.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#define BINDING_SEEN 1
+#define BINDING_SEEN_LIST 2
+#define MESH_BINDING 9
+#define BINDING_OBJECTS 4
+#define BINDING_SURFACES 7
+#include "lib/bodies.glsl"
+#include "lib/frame.glsl"
+#include "lib/listing.glsl"
+#include "lib/seen_list.glsl"
+#include "lib/sky_block.glsl"
+
+layout(std430, set = 0, binding = 5) buffer Light { vec4 light[]; };  // the share in w
+layout(set = 0, binding = 6) uniform sampler2D skyBlocks;
+
+void main() {
+  Seen seen = seenOfInvocation(0u);
+  float share = texelFetch(skyBlocks, seen.pixel / 2, 0).r;
+  seen.there = seen.there && !isOpaque(objects[objectOfTriangle(triangleOf(seen.word))]);
+  bool asks = seen.there && share == unknownShare;
+  if (seen.there && !asks) light[seen.entry].w = share;
+  uint place = placesForSurfaces(asks ? 1u : 0u);
+  if (asks) surfaces[place] = seen.entry;
+}

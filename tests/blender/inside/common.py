@@ -1,0 +1,125 @@
+"""For scripts that run inside of Blender: the add-on from its zip, and small scenes."""
+
+import os
+import pathlib
+import sys
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+ARGUMENTS = sys.argv[sys.argv.index("--") + 1:]
+FOLDER = pathlib.Path(ARGUMENTS[0])
+
+
+def install():
+    bpy.ops.preferences.addon_install(filepath=os.environ["OPALINE_ADDON"])
+    bpy.ops.preferences.addon_enable(module="opaline_blender")
+    return use()
+
+
+def use():
+    bpy.context.scene.render.engine = "OPALINE"
+    return bpy.context.scene
+
+
+def empty_scene(edge=64):
+    for thing in list(bpy.data.objects):
+        bpy.data.objects.remove(thing)
+    scene = use()
+    scene.opaline.samples = "1"
+    scene.render.resolution_x = scene.render.resolution_y = edge
+    scene.render.resolution_percentage = 100
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    scene.world = bpy.data.worlds.new("World")
+    scene.world.color = (0, 0, 0)
+    return scene
+
+
+def add(name, data, place=(0, 0, 0)):
+    thing = bpy.data.objects.new(name, data)
+    thing.location = place
+    bpy.context.collection.objects.link(thing)
+    return thing
+
+
+def aim(thing, target=(0, 0, 0)):
+    thing.rotation_euler = (Vector(target) - thing.location).to_track_quat("-Z", "Y").to_euler()
+    return thing
+
+
+def camera(place=(0, -0.3, 0), lens=50):
+    view = add("Camera", bpy.data.cameras.new("Camera"), place)
+    view.data.lens = lens
+    bpy.context.scene.camera = aim(view)
+    return view
+
+
+def lamp(kind, place=(0, 0, 1), energy=1, **settings):
+    data = bpy.data.lights.new(kind.title(), kind)
+    data.energy = energy
+    for name, value in settings.items():
+        setattr(data, name, value)
+    return aim(add(kind.title(), data, place))
+
+
+def material(name, medium=None, color=(0.8, 0.8, 0.8), **inputs):
+    made = bpy.data.materials.new(name)
+    made.use_nodes = True
+    shader = made.node_tree.nodes["Principled BSDF"]
+    shader.inputs["Base Color"].default_value = (*color, 1)
+    for key, value in inputs.items():
+        shader.inputs[key.replace("_", " ").title().replace("Ior", "IOR")].default_value = value
+    if medium:
+        made.opaline.medium_item = medium
+    return made
+
+
+def cube(name="Cube", half=0.02, made=None, levels=0):
+    mesh = bpy.data.meshes.new(name)
+    corners = [(x, y, z) for x in (-half, half) for y in (-half, half) for z in (-half, half)]
+    mesh.from_pydata(corners, [], [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
+    thing = add(name, mesh)
+    if made is not None:
+        mesh.materials.append(made)
+    if levels:
+        mesh.polygons.foreach_set("use_smooth", [True] * len(mesh.polygons))
+        modifier = thing.modifiers.new("Subdivision", "SUBSURF")
+        modifier.levels = modifier.render_levels = levels
+    return thing
+
+
+def plane(name="Plane", half=1.0, made=None, place=(0, 0, 0)):
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata([(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)], [], [(0, 1, 2, 3)])
+    if made is not None:
+        mesh.materials.append(made)
+    return add(name, mesh, place)
+
+
+def render(name="still", frame=None):
+    """The picture, linear: array (height, width, 4), row 0 at the top."""
+    scene = bpy.context.scene
+    if frame is not None:
+        scene.frame_set(frame)
+    scene.render.filepath = str(FOLDER / f"{name}.exr")
+    bpy.ops.render.render(write_still=True)
+    return picture(FOLDER / f"{name}.exr")
+
+
+def picture(file):
+    image = bpy.data.images.load(str(file))
+    image.colorspace_settings.name = "Non-Color"
+    width, height = image.size
+    values = np.empty(width * height * image.channels, dtype=np.float32)
+    image.pixels.foreach_get(values)
+    bpy.data.images.remove(image)
+    return values.reshape(height, width, -1)[::-1]
+
+
+def check(holds, what):
+    if not holds:
+        print(f"WRONG: {what}")
+        sys.stdout.flush()
+        os._exit(3)

@@ -1,0 +1,130 @@
+"""In a window: the viewport's rendered mode while the view turns, a colour changes, a lamp moves and time passes."""
+
+import os
+import pathlib
+import sys
+import time
+
+import bpy
+import numpy as np
+from mathutils import Quaternion
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import common
+
+LONGEST_SECONDS = 240
+
+
+def view_area():
+    return next(area for area in bpy.context.window_manager.windows[0].screen.areas if area.type == "VIEW_3D")
+
+
+def shot(name):
+    """What the window's view shows: array (height, width, 3)."""
+    window, area = bpy.context.window_manager.windows[0], view_area()
+    region = next(region for region in area.regions if region.type == "WINDOW")
+    file = common.FOLDER / f"{name}.png"
+    with bpy.context.temp_override(window=window, area=area, region=region):
+        bpy.ops.screen.screenshot_area(filepath=str(file))
+    return common.picture(file)[..., :3]
+
+
+def middle(shown):
+    """Without the header, its buttons and the grid's names."""
+    height, width = shown.shape[:2]
+    return shown[height // 4:3 * height // 4, width // 4:3 * width // 4]
+
+
+def differs(before, after):
+    return float(np.abs(middle(before) - middle(after)).mean())
+
+
+def stage():
+    scene = common.empty_scene()
+    body = common.cube(half=0.02, made=common.material("Body", "jade"), levels=2)
+    common.plane(half=0.06, made=common.material("Floor", color=(0.5, 0.2, 0.1)), place=(0, 0, -0.02))
+    common.lamp("AREA", (0.1, -0.1, 0.2), 1.0, size=0.1)
+    for frame, height in ((1, 0.0), (40, 0.06)):
+        body.location.z = height
+        body.keyframe_insert("location", frame=frame)
+    scene.frame_start, scene.frame_end = 1, 40
+    scene.frame_set(1)
+    scene.world.color = (0.1, 0.15, 0.3)
+    area = view_area()
+    space = area.spaces.active
+    space.overlay.show_overlays = space.show_region_toolbar = space.show_region_ui = space.show_gizmo = False
+    space.shading.type = "RENDERED"
+    view = space.region_3d
+    view.view_perspective = "PERSP"
+    view.view_location = (0, 0, 0)
+    view.view_distance = 0.16
+    view.view_rotation = Quaternion((0.8, 0.5, 0.15, 0.2)).normalized()
+    return body, view
+
+
+def turn(view):
+    view.view_rotation = Quaternion((0.75, 0.5, 0.3, 0.35)).normalized()
+
+
+def steps():
+    """Yields between what it does, until the window has had time to draw."""
+    common.install()
+    body, view = stage()
+    before = yield from settled("begin", lambda shown: middle(shown).std() > 0.03)
+    changes = (
+        ("turned", lambda: turn(view)),
+        ("floor", lambda: set_color((0.05, 0.5, 0.1, 1))),
+        ("lamp", lambda: setattr(bpy.data.objects["Area"], "location", (-0.2, -0.1, 0.05))),
+        ("medium", lambda: setattr(bpy.data.materials["Body"].opaline, "medium_item", "ketchup")),
+        ("orthographic", lambda: setattr(view, "view_perspective", "ORTHO")),
+    )
+    for name, change in changes:
+        change()
+        before = yield from settled(name, lambda shown, old=before: differs(old, shown) > 0.004)
+    with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+        bpy.ops.screen.animation_play()
+        begin = time.monotonic()
+        while bpy.context.scene.frame_current < 10 and time.monotonic() - begin < LONGEST_SECONDS:
+            yield
+        bpy.ops.screen.animation_cancel(restore_frame=False)
+    bpy.context.scene.frame_set(30)
+    yield from settled("played", lambda shown: differs(before, shown) > 0.004)
+
+
+def set_color(color):
+    bpy.data.materials["Floor"].node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = color
+
+
+def settled(name, is_right):
+    """Waits until the view shows what it should and comes to rest; returns the shot."""
+    begin, before = time.monotonic(), None
+    while time.monotonic() < begin + LONGEST_SECONDS:
+        wait = time.monotonic() + 1.5
+        while time.monotonic() < wait:
+            yield
+        after = shot(name)
+        rests = before is not None and before.shape == after.shape and np.abs(before - after).max() < 0.01
+        if rests and is_right(after):
+            return after
+        before = after
+    common.check(False, f"{name}: the viewport did not follow, or does not come to rest")
+
+
+def run(work=steps()):
+    try:
+        next(work)
+    except StopIteration:
+        print("DONE")
+        sys.stdout.flush()
+        os._exit(0)
+    except Exception:
+        import traceback
+
+        traceback.print_exc()
+        sys.stderr.flush()
+        os._exit(4)
+    return 0.1
+
+
+bpy.context.preferences.view.show_splash = False
+bpy.app.timers.register(run, first_interval=1)

@@ -1,0 +1,32 @@
+"""The viewport's rendered mode in a window of Blender, on a display of its own."""
+
+import os
+import shutil
+import subprocess
+import unittest
+
+from blender_test import BLENDER, HERE, BlenderTest
+
+
+@unittest.skipIf(BLENDER is None, "Blender is not installed")
+@unittest.skipIf(shutil.which("Xvfb") is None, "Xvfb is not installed")
+class Viewport(BlenderTest):
+    def start_display(self):
+        read, write = os.pipe()
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "480x360x24", "-nolisten", "tcp"],
+                                  pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        self.addCleanup(server.wait)
+        self.addCleanup(server.kill)
+        with os.fdopen(read) as pipe:
+            return ":" + pipe.readline().strip()
+
+    def test_it_follows_what_an_artist_does(self):
+        words = [BLENDER, "--factory-startup", "--window-geometry", "0", "0", "480", "360", "--python", HERE / "inside" / "viewport.py",
+                 "--", self.folder]
+        text = self.run_blender(words, DISPLAY=self.start_display())
+        self.assertIn("DONE", text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "opaline/renderer.h"
+#include "opaline/vulkan.h"
+
+namespace opaline::test {
+
+/// A program with a Vulkan device of its own, made as vulkanNeeds() says, under the validation
+/// layer with synchronization validation. Counts what the library does with the queue.
+class Engine {
+ public:
+  Engine();
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  /// What the library is given. Its queue is locked by a mutex of the engine.
+  GivenVulkan given();
+  RendererOptions options() { return {.given = given()}; }
+
+  /// Warnings and errors of the validation layer.
+  std::vector<std::string> messages() const;
+  /// Calls of vkQueueSubmit2 by the library, and of vkDeviceWaitIdle and vkQueueWaitIdle.
+  static int submissions();
+  static int waitsForIdle();
+  /// The library's submissions fail from now on as if the device were lost, or no more.
+  static void loseDevice(bool lost);
+  /// How often the library held the lock.
+  int locks() const { return locks_; }
+
+  VkDevice device() const { return device_; }
+  VkPhysicalDevice physicalDevice() const { return physical_; }
+  VkInstance instance() const { return instance_; }
+  VkSemaphore timeline() const { return timeline_; }
+  /// A new value of the timeline, for something that will signal it.
+  TimelinePoint nextPoint() { return {timeline_, ++lastPoint_}; }
+
+  /// Memory for anyone to see, freed with the engine.
+  struct Memory {
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    std::byte* mapped = nullptr;
+  };
+  struct HostBuffer {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    std::byte* mapped = nullptr;
+  };
+  HostBuffer makeBuffer(std::size_t bytes, VkBufferUsageFlags usage);
+  struct Target {
+    VkImage image = VK_NULL_HANDLE;
+    VkImageView view = VK_NULL_HANDLE;
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    VkExtent2D extent{};
+    VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
+  };
+  Target makeTarget(VkFormat format, VkExtent2D extent);
+
+  /// A command buffer that has begun, from a pool of the engine.
+  VkCommandBuffer begin();
+  /// Ends it and submits it under the lock, after `waits`; signals the point.
+  void submit(VkCommandBuffer commands, const TimelinePoint& point,
+              const std::vector<TimelinePoint>& waits = {});
+  void waitFor(const TimelinePoint& point) const;
+  /// Records commands, submits them and waits.
+  void run(const std::function<void(VkCommandBuffer)>& record);
+
+  /// A render pass without draws: clears the targets and leaves them as attachments.
+  static void clear(VkCommandBuffer commands, const Target& color, const VkClearColorValue& value,
+                    const Target& depth, float depthValue);
+  /// The texels of a target that was left as an attachment, four bytes or four floats each.
+  std::vector<float> read(const Target& target);
+
+ private:
+  void makeInstance();
+  void makeDevice();
+  Memory allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags flags);
+
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+  VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  VkSemaphore timeline_ = VK_NULL_HANDLE;
+  VkCommandPool pool_ = VK_NULL_HANDLE;
+  std::uint64_t lastPoint_ = 0;
+  std::mutex queueMutex_;
+  int locks_ = 0;
+  mutable std::mutex messageMutex_;
+  std::vector<std::string> messages_;
+  std::vector<VkBuffer> buffers_;
+  std::vector<VkDeviceMemory> memories_;
+  std::vector<Target> targets_;
+};
+
+}  // namespace opaline::test

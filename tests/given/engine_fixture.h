@@ -1,0 +1,49 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "given/engine.h"
+#include "renderer/wobbly_ball.h"
+
+namespace opaline::test {
+
+/// A test with an engine, in which any message of the validation layer is a failure, also those
+/// when its device goes and finds objects that were left.
+class EngineTest : public testing::Test {
+ protected:
+  void SetUp() override { engine_ = std::make_unique<Engine>(); }
+  void TearDown() override {
+    if (engine_) reportMessages();
+  }
+  void reportMessages() {
+    for (const std::string& message : engine_->messages()) ADD_FAILURE() << message;
+  }
+
+  Engine& engine() { return *engine_; }
+
+  static RenderOptions tinyOptions() {
+    RenderOptions options;
+    options.width = options.height = 32;
+    options.maxSurfels = 2048;
+    options.maxClusters = 256;
+    options.shadowSize = 128;
+    options.dsmSize = 128;
+    return options;
+  }
+
+  /// What a renderer with a device of its own makes of it.
+  static std::vector<Image> alone(const Scene& scene, const RenderOptions& options,
+                                  const std::vector<Aov>& aovs = {Aov::Radiance}) {
+    Renderer renderer;
+    renderer.setScene(scene);
+    return renderer.render(options, aovs).images;
+  }
+
+ private:
+  std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace opaline::test

@@ -1,0 +1,332 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <vector>
+
+#include "given/engine_fixture.h"
+#include "opaline/error.h"
+
+namespace opaline::test {
+namespace {
+
+constexpr std::uint32_t size = 48;
+constexpr double nearMm = 2;
+constexpr double farMm = 200;
+
+class GivenFramesTest : public EngineTest {
+ protected:
+  void SetUp() override {
+    EngineTest::SetUp();
+    scene_ = wobblyBall();
+    renderer_.emplace(engine().options());
+    renderer_->setScene(scene_);
+  }
+  void TearDown() override {
+    renderer_.reset();
+    EngineTest::TearDown();
+  }
+
+  Renderer& renderer() { return *renderer_; }
+
+  static RenderOptions options() {
+    RenderOptions options = tinyOptions();
+    options.width = options.height = size;
+    return options;
+  }
+
+  /// Records a frame, submits it and waits.
+  void runFrame(View& view, const DeviceOutputs& outputs, const FrameOrder& order) {
+    const VkCommandBuffer commands = engine().begin();
+    const TimelinePoint finished = engine().nextPoint();
+    view.record({.commands = commands, .finished = finished, .outputs = outputs}, order);
+    engine().submit(commands, finished);
+    engine().waitFor(finished);
+  }
+
+  /// What the scene's camera sees, with an ordinary or a reversed depth.
+  CameraMatrices matrices(bool reversed) const {
+    const Vector position = toVector(scene_.camera.positionMm);
+    const Vector axis = unit(toVector(scene_.camera.targetMm) - position);
+    const Vector right = unit(cross(axis, toVector(scene_.camera.up)));
+    const Vector down = cross(axis, right);
+    const double focal = 1 / std::tan(static_cast<double>(scene_.camera.verticalFovDegrees) *
+                                      3.14159265358979 / 360);
+    CameraMatrices made;
+    const Vector rows[] = {right, down, axis};
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 3; ++column)
+        made.worldToView[4 * column + row] = static_cast<float>(rows[row][column]);
+      made.worldToView[12 + row] = static_cast<float>(-dot(rows[row], position));
+    }
+    made.worldToView[15] = 1;
+    made.viewToClip[0] = made.viewToClip[5] = static_cast<float>(focal);
+    made.viewToClip[11] = 1;
+    const double a = reversed ? -nearMm / (farMm - nearMm) : farMm / (farMm - nearMm);
+    const double b = (reversed ? farMm : -farMm) * nearMm / (farMm - nearMm);
+    made.viewToClip[10] = static_cast<float>(a);
+    made.viewToClip[14] = static_cast<float>(b);
+    return made;
+  }
+  /// Of something at that distance along the axis.
+  static double depthAt(double mm, bool reversed) {
+    const double ordinary = farMm * (mm - nearMm) / ((farMm - nearMm) * mm);
+    return reversed ? 1 - ordinary : ordinary;
+  }
+
+  Scene scene_;
+
+ private:
+  std::optional<Renderer> renderer_;
+};
+
+TEST_F(GivenFramesTest, WhatIsRecordedIsWhatIsRendered) {
+  const std::vector<Aov> aovs{Aov::Radiance, Aov::Exitance, Aov::Normal};
+  View view(renderer(), options());
+  for (int i = 0; i < 4; ++i) {
+    renderer().setTime({.seconds = 0.1 * i});
+    const VkCommandBuffer commands = engine().begin();
+    const TimelinePoint finished = engine().nextPoint();
+    view.record({.commands = commands, .finished = finished}, {.aovs = aovs});
+    engine().submit(commands, finished);
+    Frame frame;
+    view.collect(frame);
+    expectSame(frame.images, renderer().render(options(), aovs).images);
+  }
+}
+
+TEST_F(GivenFramesTest, AFrameThatWasPreparedIsRecordedWithoutSubmissions) {
+  for (const Method& method : methods) {
+    SCOPED_TRACE(method.name);
+    RenderOptions wanted = options();
+    wanted.transport = method.transport;
+    wanted.sum = method.sum;
+    wanted.site = method.site;
+    View view(renderer(), wanted);
+    const FrameOrder order{.aovs = {}, .onDevice = true};
+    view.prepare(order);
+    const int before = Engine::submissions();
+    for (int i = 0; i < 8; ++i) runFrame(view, {}, order);  // nobody collects them
+    EXPECT_EQ(Engine::submissions(), before);
+    EXPECT_NE(view.picture().image, VK_NULL_HANDLE);
+    // A frame is kept once it is like the one before in its place.
+    Frame frame;
+    view.collect(frame);
+    view.collect(frame);
+    EXPECT_EQ(view.report().recordings, 0U);
+    expectSame(view.render().images, renderer().render(wanted).images);
+  }
+}
+
+TEST_F(GivenFramesTest, SubmittedFramesWaitForPointsAndSignalThem) {
+  View view(renderer(), options());
+  const TimelinePoint go = engine().nextPoint();
+  const TimelinePoint done = engine().nextPoint();
+  view.submit({.waits = {&go, 1}, .signals = {&done, 1}}, {});
+  std::uint64_t value = 0;
+  vkGetSemaphoreCounterValue(engine().device(), engine().timeline(), &value);
+  EXPECT_LT(value, go.value);
+  VkSemaphoreSignalInfo signal{};
+  signal.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SIGNAL_INFO;
+  signal.semaphore = go.semaphore;
+  signal.value = go.value;
+  vkSignalSemaphore(engine().device(), &signal);
+  engine().waitFor(done);
+  Frame frame;
+  view.collect(frame);
+  expectSame(frame.images, renderer().render(options()).images);
+}
+
+TEST_F(GivenFramesTest, MatricesSeeWhatTheCameraSees) {
+  const std::vector<Aov> aovs{Aov::Radiance, Aov::Position, Aov::Depth};
+  const std::vector<Image> expected = renderer().render(options(), aovs).images;
+  View view(renderer(), options());
+  for (const bool reversed : {false, true}) {
+    view.setCamera(matrices(reversed));
+    const std::vector<Image> images = view.render({.aovs = aovs}).images;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      std::size_t different = 0;
+      for (std::size_t j = 0; j < images[i].rgba.size(); ++j)
+        if (std::abs(images[i].rgba[j] - expected[i].rgba[j]) >
+            1e-3F * std::max(1.0F, std::abs(expected[i].rgba[j])))
+          ++different;
+      EXPECT_LE(different, images[i].rgba.size() / 500) << "at silhouettes alone";
+    }
+  }
+}
+
+// Jitter by a pixel is the picture beside it, whether viewToClip has it or not.
+TEST_F(GivenFramesTest, JitterMovesThePicture) {
+  View view(renderer(), options());
+  CameraMatrices given = matrices(true);
+  view.setCamera(given);
+  const Image still = view.render({.aovs = {Aov::Position}}).images[0];
+  given.jitterPixels = {3, -2};
+  view.setCamera(given);
+  const Image moved = view.render({.aovs = {Aov::Position}}).images[0];
+  given.jitterPixels = {};
+  given.viewToClip[8] = 2.0F * 3 / size;  // x += 2·3/size · w
+  given.viewToClip[9] = 2.0F * -2 / size;
+  view.setCamera(given);
+  const Image inside = view.render({.aovs = {Aov::Position}}).images[0];
+  std::size_t covered = 0;
+  for (std::size_t y = 2; y < size; ++y)
+    for (std::size_t x = 0; x + 3 < size; ++x) {
+      const float* from = &still.rgba[4 * (y * size + x)];
+      const float* to = &moved.rgba[4 * ((y - 2) * size + x + 3)];
+      const float* in = &inside.rgba[4 * ((y - 2) * size + x + 3)];
+      if (from[3] == 0 || to[3] == 0 || in[3] == 0) continue;
+      ++covered;
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(from[i], to[i], 0.01F);
+        EXPECT_NEAR(from[i], in[i], 0.01F);
+      }
+    }
+  EXPECT_GT(covered, std::size_t{size} * size / 8);
+}
+
+TEST_F(GivenFramesTest, RefusesWhatIsNoPerspective) {
+  View view(renderer(), options());
+  CameraMatrices given = matrices(true);
+  given.viewToClip[11] = 0;
+  given.viewToClip[15] = 1;
+  EXPECT_THROW(view.setCamera(given), UsageError);
+  given = matrices(true);
+  given.worldToView[5] = NAN;
+  EXPECT_THROW(view.setCamera(given), UsageError);
+  EXPECT_THROW(view.setCamera(CameraMatrices{}), UsageError);
+}
+
+// The caller's wall stands at the middle of the ball: of what lies before it the ball is seen, with
+// its own depth; the wall keeps the rest.
+TEST_F(GivenFramesTest, TheBodyIsComposedWithTheCallersDrawingByDepth) {
+  const double distance =
+      length(toVector(scene_.camera.positionMm) - toVector(scene_.camera.targetMm));
+  const Engine::Target color = engine().makeTarget(VK_FORMAT_R32G32B32A32_SFLOAT, {size, size});
+  const Engine::Target depth = engine().makeTarget(VK_FORMAT_D32_SFLOAT, {size, size});
+  RenderOptions wanted = options();
+  wanted.antialias = 1;
+  for (const bool reversed : {false, true}) {
+    std::vector<std::size_t> seen;  // pixels of the ball
+    for (const double wallMm : {distance - 20, distance - 3, distance + 20}) {
+      SCOPED_TRACE(testing::Message() << (reversed ? "reversed, wall at " : "wall at ") << wallMm);
+      View view(renderer(), wanted);
+      view.setCamera(matrices(reversed));
+      const std::vector<Image> own = view.render({.aovs = {Aov::Radiance, Aov::Depth}}).images;
+      const auto wallDepth = static_cast<float>(depthAt(wallMm, reversed));
+      engine().run([&](VkCommandBuffer commands) {
+        Engine::clear(commands, color, {{0.25F, 0.5F, 0.75F, 1}}, depth, wallDepth);
+      });
+      const Composition over{
+          .color = {color.image, color.view, color.format, VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL},
+          .depth = {depth.image, depth.view, depth.format, VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL},
+          .radianceScale = 2};
+      runFrame(view, {.over = &over}, {.aovs = {Aov::Depth}});
+      Frame frame;
+      view.collect(frame);
+      EXPECT_EQ(frame.images[0].rgba, own[1].rgba);
+      const std::vector<float> colors = engine().read(color);
+      const std::vector<float> depths = engine().read(depth);
+      std::size_t ball = 0;
+      for (std::size_t i = 0; i < depths.size(); ++i) {
+        const double distanceMm = static_cast<double>(own[1].rgba[4 * i]);
+        const bool isBall = own[0].rgba[4 * i + 3] > 0 && distanceMm < wallMm;
+        if (isBall) ++ball;
+        EXPECT_NEAR(depths[i], isBall ? depthAt(distanceMm, reversed) : depthAt(wallMm, reversed),
+                    2e-6);
+        EXPECT_NEAR(colors[4 * i], isBall ? 2 * own[0].rgba[4 * i] : 0.25F, 1e-5F);
+        EXPECT_NEAR(colors[4 * i + 2], isBall ? 2 * own[0].rgba[4 * i + 2] : 0.75F, 1e-5F);
+      }
+      seen.push_back(ball);
+    }
+    EXPECT_EQ(seen[0], 0U);
+    EXPECT_GT(seen[1], 0U);
+    EXPECT_GT(seen[2], seen[1]);
+  }
+}
+
+TEST_F(GivenFramesTest, DepthOfTheCallersNeedsItsMatrices) {
+  const Engine::Target color = engine().makeTarget(VK_FORMAT_R8G8B8A8_UNORM, {size, size});
+  const Engine::Target depth = engine().makeTarget(VK_FORMAT_D32_SFLOAT, {size, size});
+  const Composition over{.color = {color.image, color.view, color.format},
+                         .depth = {depth.image, depth.view, depth.format}};
+  View view(renderer(), options());
+  EXPECT_THROW(view.submit({.outputs = {.over = &over}}, {}), UsageError);
+  EXPECT_THROW(view.record({}, {}), UsageError);
+}
+
+TEST_F(GivenFramesTest, ExitanceOfVerticesIsAsItIsSeen) {
+  RenderOptions wanted = options();
+  wanted.site = Site::Vertex;
+  wanted.antialias = 1;
+  View view(renderer(), wanted);
+  const std::size_t vertices = scene_.objects[0].mesh.positionsMm.size();
+  const Engine::HostBuffer buffer =
+      engine().makeBuffer(16 * vertices + 32, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  const DeviceExitance into{.object = 0, .buffer = buffer.buffer, .offsetBytes = 32};
+  runFrame(view, {.exitances = {&into, 1}}, {.aovs = {}, .exitance = true});
+  const DeviceBuffer own = view.exitance(0);
+  EXPECT_EQ(own.bytes, 16 * vertices);
+  EXPECT_THROW(static_cast<void>(view.exitance(1)), UsageError);
+  const Engine::HostBuffer copy =
+      engine().makeBuffer(16 * vertices, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  engine().run([&](VkCommandBuffer commands) {
+    const VkBufferCopy region{own.offsetBytes, 0, own.bytes};
+    vkCmdCopyBuffer(commands, own.buffer, copy.buffer, 1, &region);
+  });
+  std::vector<float> ofCopy(4 * vertices);
+  std::vector<float> ofCaller(4 * vertices);
+  std::memcpy(ofCopy.data(), copy.mapped, 16 * vertices);
+  std::memcpy(ofCaller.data(), buffer.mapped + 32, 16 * vertices);
+  EXPECT_EQ(ofCopy, ofCaller);
+  // Each pixel sees a mean of its triangle's corners.
+  const Image seen = view.render({.aovs = {Aov::Exitance}}).images[0];
+  float least = ofCopy[0];
+  float most = ofCopy[0];
+  for (std::size_t v = 0; v < vertices; ++v) {
+    least = std::min(least, ofCopy[4 * v]);
+    most = std::max(most, ofCopy[4 * v]);
+  }
+  EXPECT_GT(most, 2 * least);
+  for (std::size_t i = 0; i < seen.rgba.size(); i += 4) {
+    if (seen.rgba[i + 3] == 0) continue;
+    EXPECT_GE(seen.rgba[i], 0.99F * least);
+    EXPECT_LE(seen.rgba[i], 1.01F * most);
+  }
+  wanted.site = Site::Fragment;
+  view.setOptions(wanted);
+  EXPECT_THROW(view.submit({.outputs = {.exitances = {&into, 1}}}, {}), UsageError);
+  EXPECT_THROW(view.submit({.exitance = true}), UsageError);
+}
+
+// Nothing is destroyed that frames under way use, which the validation layer would report.
+TEST_F(GivenFramesTest, ViewsMayChangeSizeAndGoWhileFramesAreUnderWay) {
+  const Engine::Target color = engine().makeTarget(VK_FORMAT_R16G16B16A16_SFLOAT, {size, size});
+  const Engine::Target depth = engine().makeTarget(VK_FORMAT_D32_SFLOAT, {size, size});
+  engine().run([&](VkCommandBuffer commands) {
+    Engine::clear(commands, color, {{0, 0, 0, 0}}, depth, 0);
+  });
+  const Composition over{.color = {color.image, color.view, color.format}};
+  std::optional<View> view;
+  TimelinePoint last;
+  for (int i = 0; i < 6; ++i) {
+    if (i % 3 == 0) view.emplace(renderer(), options());
+    RenderOptions wanted = options();
+    if (i % 2 == 1) wanted.width = wanted.height = 24;
+    view->setOptions(wanted);
+    const VkCommandBuffer commands = engine().begin();
+    last = engine().nextPoint();
+    FrameRecording recording{.commands = commands, .finished = last};
+    if (i % 2 == 0) recording.outputs.over = &over;
+    view->record(recording, {.aovs = {}, .onDevice = true});
+    engine().submit(commands, last);
+    if (i == 4) renderer().setScene(scene_);
+  }
+  view.reset();
+  engine().waitFor(last);
+}
+
+}  // namespace
+}  // namespace opaline::test

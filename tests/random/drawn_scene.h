@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <random>
+
+#include "opaline/render_options.h"
+#include "opaline/scene.h"
+
+namespace opaline::test {
+
+/// Numbers that are the same with every standard library.
+class Dice {
+ public:
+  explicit Dice(std::uint32_t seed) : bits_(seed) {}
+
+  float between(float low, float high);
+  /// Evenly by its logarithm.
+  float betweenLog(float low, float high);
+  int below(int count);
+  bool chance(float probability) { return between(0, 1) < probability; }
+  Vec3 direction();
+
+ private:
+  std::mt19937 bits_;
+};
+
+/// A scene of up to three bodies drawn at random: solids, thin plates, needles and bodies that
+/// touch, of size 1e-3 to 1e6 mm and up to 10,000 times that from the origin (at most 1e7 mm), of
+/// any medium from 1/3 to 1,000 mean free paths wide, moved by deformers, in lights of all kinds.
+struct DrawnScene {
+  Scene scene;
+  float sizeMm = 1;
+  Vec3 middleMm{};
+};
+DrawnScene drawScene(Dice& dice);
+
+/// Of a scene of that size around there.
+Medium drawMedium(Dice& dice, float sizeMm);
+Lighting drawLighting(Dice& dice, float sizeMm, const Vec3& middleMm);
+Camera drawCamera(Dice& dice, float sizeMm, const Vec3& middleMm);
+Mesh drawBody(Dice& dice, float sizeMm, const Vec3& middleMm);
+
+/// Small pictures by any method that can show the scene.
+RenderOptions drawOptions(Dice& dice, const Scene& scene);
+
+}  // namespace opaline::test

@@ -1,0 +1,200 @@
+// opaline_soak FRAMES [SEED]: small frames of one renderer with edits of media, lights, bodies,
+// sizes, methods and views drawn from the seed. Its memory stays as it is, and at some moments a
+// fresh renderer makes the same picture, bit for bit.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "opaline/renderer.h"
+#include "random/drawn_scene.h"
+
+namespace opaline::test {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double residentMegabytes() {
+  std::ifstream file("/proc/self/statm");
+  double pages = 0;
+  file >> pages >> pages;
+  return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+std::size_t openFiles() {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
+    if (entry.exists()) ++count;
+  return count;
+}
+
+/// A renderer, what it shows, and views that look at it.
+class Soak {
+ public:
+  explicit Soak(std::uint32_t seed) : dice_(seed) { showAnotherScene(); }
+
+  void frame() {
+    edit();
+    Shown& shown = views_[static_cast<std::size_t>(dice_.below(static_cast<int>(views_.size())))];
+    last_ = &shown;
+    picture_ = shown.view->render({.patient = true, .reuseLight = dice_.chance(.5F)}).images.at(0);
+  }
+
+  /// Throws where a fresh renderer makes another picture of what was shown last.
+  void compare() const {
+    Renderer fresh;
+    fresh.setScene(drawn_.scene);
+    fresh.setTime(time_);
+    View view(fresh, last_->view->options());
+    view.setCamera(last_->camera);
+    if (view.render().images.at(0).rgba != picture_.rgba)
+      throw std::runtime_error("a fresh renderer makes another picture");
+  }
+
+  std::uint64_t edits() const { return edits_; }
+  std::uint64_t scenes() const { return scenes_; }
+
+ private:
+  struct Shown {
+    std::unique_ptr<View> view;
+    Camera camera;
+  };
+
+  void showAnotherScene() {
+    views_.clear();
+    drawn_ = drawScene(dice_);
+    renderer_.setScene(drawn_.scene);
+    time_ = {};
+    views_.push_back(anotherView());
+    ++scenes_;
+  }
+
+  Shown anotherView() {
+    Shown shown{std::make_unique<View>(renderer_, drawOptions(dice_, drawn_.scene)),
+                drawCamera(dice_, drawn_.sizeMm, drawn_.middleMm)};
+    shown.view->setCamera(shown.camera);
+    return shown;
+  }
+
+  void edit() {
+    ++edits_;
+    const auto object =
+        static_cast<std::size_t>(dice_.below(static_cast<int>(drawn_.scene.objects.size())));
+    constexpr std::size_t mostViews = 3;
+    // Most edits are those that most frames see.
+    switch (const int kind = dice_.below(200)) {
+      case 0:
+        return showAnotherScene();
+      case 1: {  // another body in its place, with all the rest as it was
+        drawn_.scene.objects[object].mesh = drawBody(dice_, drawn_.sizeMm / 2, drawn_.middleMm);
+        renderer_.setScene(drawn_.scene);
+        time_ = {};
+        return;
+      }
+      case 2:
+      case 3:
+        if (views_.size() == mostViews) views_.erase(views_.begin());
+        views_.push_back(anotherView());
+        return;
+      default:
+        if (kind < 10) return setOptions(views_.back());
+        if (kind < 20) {
+          const Medium medium = drawMedium(dice_, drawn_.sizeMm);
+          drawn_.scene.objects[object].medium = medium;
+          return renderer_.setMedium(object, medium);
+        }
+        if (kind < 60) return setLighting();
+        if (kind < 120) {
+          for (Shown& shown : views_) {
+            shown.camera = drawCamera(dice_, drawn_.sizeMm, drawn_.middleMm);
+            shown.view->setCamera(shown.camera);
+          }
+          return;
+        }
+        time_.seconds = static_cast<double>(dice_.between(0, 3));
+        renderer_.setTime(time_);
+    }
+  }
+
+  void setOptions(Shown& shown) { shown.view->setOptions(drawOptions(dice_, drawn_.scene)); }
+
+  void setLighting() {
+    drawn_.scene.lighting = drawLighting(dice_, drawn_.sizeMm, drawn_.middleMm);
+    // Every view is to know all its lights.
+    for (Shown& shown : views_)
+      if (shown.view->options().sum == Sum::Pattern) drawn_.scene.lighting.areas.clear();
+    renderer_.setLighting(drawn_.scene.lighting);
+  }
+
+  Dice dice_;
+  Renderer renderer_;
+  DrawnScene drawn_;
+  SceneTime time_;
+  std::vector<Shown> views_;
+  const Shown* last_ = nullptr;
+  Image picture_;
+  std::uint64_t edits_ = 0;
+  std::uint64_t scenes_ = 0;
+};
+
+int run(std::uint64_t frames, std::uint32_t seed) {
+  Soak soak(seed);
+  const Clock::time_point begin = Clock::now();
+  // By then the largest of everything has been there.
+  const std::uint64_t warm = std::max<std::uint64_t>(frames / 4, 1);
+  const std::uint64_t step = std::max<std::uint64_t>(frames / 40, 20);
+  double early = 0;
+  double late = 0;
+  std::size_t compared = 0;
+  for (std::uint64_t i = 1; i <= frames; ++i) {
+    try {
+      soak.frame();
+      if (i % step == 0) {
+        soak.compare();
+        ++compared;
+        fmt::print(stderr, "{} of {} frames, {:.0f} MB\n", i, frames, residentMegabytes());
+      }
+    } catch (const std::exception& error) {
+      fmt::print("frame {} of seed {}: {}\n", i, seed, error.what());
+      return 1;
+    }
+    const double megabytes = residentMegabytes();
+    if (i <= warm) early = std::max(early, megabytes);
+    if (i > frames - warm) late = std::max(late, megabytes);
+  }
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  fmt::print(
+      "{} frames, {} edits, {} scenes, {} pictures as a fresh renderer makes them, {:.0f} s; at "
+      "most "
+      "{:.0f} MB in the first quarter and {:.0f} MB in the last, {} open files\n",
+      frames, soak.edits(), soak.scenes(), compared, seconds, early, late, openFiles());
+  // Allocators keep some. Before so many frames not every pipeline has been there.
+  constexpr double allowance = 1.1;
+  constexpr std::uint64_t fewest = 10'000;
+  if (frames < fewest || late <= allowance * early + 8) return 0;
+  fmt::print("memory grows\n");
+  return 1;
+}
+
+}  // namespace
+
+}  // namespace opaline::test
+
+int main(int count, char** values) {
+  const std::uint64_t frames = count > 1 ? std::strtoull(values[1], nullptr, 10) : 1'000'000;
+  const auto seed =
+      static_cast<std::uint32_t>(count > 2 ? std::strtoul(values[2], nullptr, 10) : 1);
+  return opaline::test::run(frames, seed);
+}

@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "opaline/error.h"
+#include "opaline/renderer.h"
+#include "opaline/scene.h"
+#include "renderer/shapes.h"
+
+// What clips change beside nodes, against a scene that simply is so.
+
+namespace opaline {
+namespace {
+
+using namespace test;
+
+class ChangesTest : public testing::Test {
+ protected:
+  ChangesTest() {
+    scene_ = sceneOf(sphere({0, 0, 0}, 5, 3), marble(), {0, 0, 40}, 12);
+    scene_.lighting.points = {{{20, 5, 10}, {400, 400, 400}}};
+    Object plate;
+    plate.name = "plate";
+    plate.mesh = sphere({0, -9, 0}, 4, 3);
+    plate.opaque = mattMaterial({0.5F, 0.5F, 0.5F});
+    scene_.objects.push_back(plate);
+    scene_.clips = {{"go", 2, {}}, {"rest", 1, {}}};
+  }
+  Image picture(const Scene& scene, double seconds, int clip = 0) {
+    renderer_.setScene(scene);
+    renderer_.setTime({seconds, clip});
+    return renderer_.render(options()).images[0];
+  }
+  static RenderOptions options() {
+    RenderOptions options;
+    options.width = options.height = 48;
+    options.antialias = 1;
+    options.maxClusters = 512;
+    return options;
+  }
+
+  Scene scene_;
+  Renderer renderer_;
+};
+
+TEST_F(ChangesTest, LightsAndCamera) {
+  Scene expected = scene_;
+  expected.lighting.points[0] = {{10, 10, 20}, {300, 200, 100}};
+  expected.camera.positionMm = {4, 0, 40};
+  expected.camera.verticalFovDegrees = 20;
+  PointLight last = expected.lighting.points[0];
+  Camera lastView = expected.camera;
+  for (std::size_t i = 0; i < 3; ++i) {  // as far again
+    last.positionMm[i] = 2 * last.positionMm[i] - scene_.lighting.points[0].positionMm[i];
+    last.intensity[i] = 2 * last.intensity[i] - scene_.lighting.points[0].intensity[i];
+    lastView.positionMm[i] = 2 * lastView.positionMm[i] - scene_.camera.positionMm[i];
+  }
+  lastView.verticalFovDegrees = 2 * lastView.verticalFovDegrees - scene_.camera.verticalFovDegrees;
+  last.intensity[2] = 0;
+  expected.lighting.points[0].intensity[2] = 200;
+  scene_.changes.resize(1);
+  scene_.changes[0].points = {{0, {0, 2}, {scene_.lighting.points[0], last}}};
+  scene_.changes[0].cameras = {{0, {0, 2}, {scene_.camera, lastView}}};
+  EXPECT_EQ(picture(scene_, 1).rgba, picture(expected, 1).rgba);
+  Scene still = scene_;
+  still.changes.clear();
+  EXPECT_EQ(picture(scene_, 1, 1).rgba, picture(still, 1).rgba);
+}
+
+TEST_F(ChangesTest, SurfacesAndBack) {
+  OpaqueMaterial red = *scene_.objects[1].opaque;
+  red.baseColor = {1, 0, 0.25F};
+  red.emission = {1, 0, 2};
+  Scene expected = scene_;
+  expected.objects[1].opaque->baseColor = {0.75F, 0.25F, 0.375F};
+  expected.objects[1].opaque->emission = {0.5F, 0, 1};
+  Scene still = scene_;
+  scene_.changes.resize(1);
+  scene_.changes[0].surfaces = {{1, {0, 2}, {*scene_.objects[1].opaque, red}}};
+  EXPECT_EQ(picture(scene_, 1).rgba, picture(expected, 1).rgba);
+  renderer_.setScene(scene_);
+  for (const int clip : {0, 1}) {  // what one frame has changed the next finds as it was
+    renderer_.setTime({1, clip});
+    const Image now = renderer_.render(options()).images[0];
+    if (clip == 1) EXPECT_EQ(now.rgba, picture(still, 0).rgba);
+  }
+}
+
+// The surface is divided for the finest medium, which here comes first, and so is that of the scene
+// in which another takes its place.
+TEST_F(ChangesTest, Media) {
+  Medium dark = scene_.objects[0].medium;
+  for (std::size_t c = 0; c < 3; ++c) {
+    dark.sigmaSPrimePerMm[c] *= 0.5;
+    dark.sigmaAPerMm[c] += 0.01;
+  }
+  Scene expected = scene_;
+  for (std::size_t c = 0; c < 3; ++c) {
+    double& s = expected.objects[0].medium.sigmaSPrimePerMm[c];
+    double& a = expected.objects[0].medium.sigmaAPerMm[c];
+    s = 0.5 * s + 0.5 * dark.sigmaSPrimePerMm[c];
+    a = 0.5 * a + 0.5 * dark.sigmaAPerMm[c];
+  }
+  // Never shown, but the surface is divided for it.
+  expected.changes.resize(2);
+  expected.changes[1].media = {{0, {0}, {scene_.objects[0].medium}}};
+  scene_.changes.resize(1);
+  scene_.changes[0].media = {{0, {0, 2}, {scene_.objects[0].medium, dark}}};
+  EXPECT_EQ(picture(scene_, 1).rgba, picture(expected, 1).rgba);
+  EXPECT_NE(picture(scene_, 1).rgba, picture(scene_, 0).rgba);
+}
+
+TEST_F(ChangesTest, WhatIsEditedFollowsNoClipAnyMore) {
+  scene_.changes.resize(1);
+  scene_.changes[0].points = {{0, {0, 2}, {scene_.lighting.points[0], {{0, 0, 30}, {1, 1, 1}}}}};
+  Scene other = scene_;
+  other.lighting.points[0].intensity = {100, 100, 100};
+  renderer_.setScene(scene_);
+  renderer_.setLighting(other.lighting);
+  renderer_.setTime({1, 0});
+  const Image edited = renderer_.render(options()).images[0];
+  other.changes.clear();
+  EXPECT_EQ(edited.rgba, picture(other, 1).rgba);
+}
+
+TEST_F(ChangesTest, ThoseThatMakeNoSenseAreErrors) {
+  const auto refuses = [&](ClipChanges changes) {
+    Scene scene = scene_;
+    scene.changes = {std::move(changes)};
+    EXPECT_THROW(renderer_.setScene(scene), Error);
+  };
+  const PointLight light = scene_.lighting.points[0];
+  refuses({.points = {{7, {0}, {light}}}});
+  refuses({.points = {{0, {}, {}}}});
+  refuses({.points = {{0, {0, 1}, {light}}}});
+  refuses({.points = {{0, {1, 0}, {light, light}}}});
+  refuses({.points = {{0, {0}, {{{0, 0, 0}, {-1, 0, 0}}}}}});
+  refuses({.surfaces = {{0, {0}, {*scene_.objects[1].opaque}}}});
+  refuses({.media = {{1, {0}, {marble()}}}});
+}
+
+}  // namespace
+}  // namespace opaline
