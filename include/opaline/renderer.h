@@ -26,7 +26,7 @@ class RendererContext;
 /// A device of the caller's, or none. Holds a copy of what it is made from.
 class OPALINE_API Given {
  public:
-  Given();
+  Given() = default;
   Given(const GivenVulkan& given);  // NOLINT: so that `options.given = mine` does
   Given(const GivenVulkan* given);  // NOLINT: null: none
   /// Null without one.

@@ -32,11 +32,12 @@ void add(const OpaqueMaterial& material, core::Digest& print) {
   print.add(material.alphaCutoff);
   print.add(material.alpha);
   print.add(material.unlit);
-  for (const auto member : texturesOfMaterial) {
-    print.add((material.*member).has_value());
-    if (!(material.*member)) continue;
-    print.add((material.*member)->transform);
-    print.add((material.*member)->pixels->rgba);
+  for (const TextureOfMaterial& of : texturesOfMaterial) {
+    const std::optional<Texture>& texture = material.*of.texture;
+    print.add(texture.has_value());
+    if (!texture) continue;
+    print.add(texture->transform);
+    print.add(texture->pixels->rgba);
   }
 }
 

@@ -45,7 +45,6 @@ std::vector<DeviceDescription> listDevices() {
   return devices;
 }
 
-Given::Given() = default;
 Given::Given(const GivenVulkan& given) : given_(std::make_shared<const GivenVulkan>(given)) {}
 Given::Given(const GivenVulkan* given) {
   if (given != nullptr) *this = Given(*given);

@@ -82,7 +82,9 @@ TEST_F(ChangesTest, SurfacesAndBack) {
   for (const int clip : {0, 1}) {  // what one frame has changed the next finds as it was
     renderer_.setTime({1, clip});
     const Image now = renderer_.render(options()).images[0];
-    if (clip == 1) EXPECT_EQ(now.rgba, picture(still, 0).rgba);
+    if (clip == 1) {
+      EXPECT_EQ(now.rgba, picture(still, 0).rgba);
+    }
   }
 }
 

@@ -13,7 +13,7 @@ namespace opaline::test {
 
 namespace {
 
-using Matrix = Eigen::Matrix3d;
+using Matrix3 = Eigen::Matrix3d;
 using Corners = std::array<Eigen::Vector3d, 8>;
 
 std::array<double, 3> toArray(float x, float y, float z) {
@@ -21,8 +21,8 @@ std::array<double, 3> toArray(float x, float y, float z) {
 }
 
 // ∂x/∂X of the trilinear map at a place in [0,1]³.
-Matrix gradientAt(const Corners& x, const std::array<double, 3>& at) {
-  Matrix gradient = Matrix::Zero();
+Matrix3 gradientAt(const Corners& x, const std::array<double, 3>& at) {
+  Matrix3 gradient = Matrix3::Zero();
   for (unsigned i = 0; i < 8; ++i)
     for (unsigned axis = 0; axis < 3; ++axis) {
       double slope = (i >> axis & 1U) != 0 ? 1 : -1;
@@ -34,17 +34,17 @@ Matrix gradientAt(const Corners& x, const std::array<double, 3>& at) {
 }
 
 // The nearest rotation, by singular values.
-Matrix rotationIn(const Matrix& map) {
-  const Eigen::JacobiSVD<Matrix> svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Matrix sign = Matrix::Identity();
+Matrix3 rotationIn(const Matrix3& map) {
+  const Eigen::JacobiSVD<Matrix3> svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Matrix3 sign = Matrix3::Identity();
   sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
   return svd.matrixU() * sign * svd.matrixV().transpose();
 }
 
 // Over μ, by Gauss's rule with two places an axis, which is exact for what is integrated here.
 double energyOfCell(const Corners& x) {
-  std::array<Matrix, 8> gradients;
-  Matrix mean = Matrix::Zero();
+  std::array<Matrix3, 8> gradients;
+  Matrix3 mean = Matrix3::Zero();
   double ratio = 0;
   for (unsigned q = 0; q < 8; ++q) {
     std::array<double, 3> at{};
@@ -54,9 +54,9 @@ double energyOfCell(const Corners& x) {
     mean += gradients[q] / 8;
     ratio += gradients[q].determinant() / 8;
   }
-  const Matrix rotation = rotationIn(mean);
+  const Matrix3 rotation = rotationIn(mean);
   double energy = 0.5 * soft_body::lambdaOverMu * (ratio - 1) * (ratio - 1);
-  for (const Matrix& gradient : gradients) energy += (gradient - rotation).squaredNorm() / 8;
+  for (const Matrix3& gradient : gradients) energy += (gradient - rotation).squaredNorm() / 8;
   return energy;
 }
 
