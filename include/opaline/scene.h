@@ -54,7 +54,9 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
+/// What the object is made of.
 OPALINE_API Material materialOf(const Object& object);
+/// Makes the object of that; its mesh and motion stay.
 OPALINE_API void giveMaterial(const Material& material, Object& object);
 
 /// Light from infinitely far away.

@@ -8,7 +8,8 @@ std::vector<NamedTexture> texturesOf(const Object& object) {
     if (texture) there.push_back({use, &*texture});
   };
   if (object.opaque) {
-    for (const TextureOfMaterial& of : texturesOfMaterial) add(of.use, (*object.opaque).*of.texture);
+    for (const TextureOfMaterial& of : texturesOfMaterial)
+      add(of.use, (*object.opaque).*of.texture);
     return there;
   }
   if (object.paint) add("color", object.paint->colorTexture);

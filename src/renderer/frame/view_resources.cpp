@@ -110,9 +110,9 @@ void ViewResources::makeRoom(const FramePlan& plan) {
   const VkExtent2D extent = made_.radiance.extent();
   const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
   passes::VisibleSurfaces& surfaces = made_.surfaces;
-  const passes::KeptOfSeen kept{.materials = surfaces.kept.materials || plan.opaque ||
-                                             plan.ownSurfaces || plan.mirrorsBodies,
-                                .paint = surfaces.kept.paint || plan.painted};
+  const passes::KeptOfSeen kept{
+      .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces || plan.mirrorsBodies,
+      .paint = surfaces.kept.paint || plan.painted};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     surfaces = {};  // before memory for the next is taken
     surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, kept);
