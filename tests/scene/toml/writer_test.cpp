@@ -270,6 +270,7 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   loaded.source.materials["jelly"].appearance = options::chosenIn(Appearance{});
   loaded.source.materials["wax"].medium = "marble";
   loaded.source.colorModel = ColorModel::Khr;
+  loaded.scene.camera.orthographicHeightMm = 40.0F;
   loaded.scene.objects[2].opaque = OpaqueMaterial{};
   loaded.source.materialOfObject[loaded.scene.objects[2].name] = "clay";
   loaded.source.numbersOfObject[loaded.scene.objects[2].name].opaque =
