@@ -202,7 +202,7 @@ class Refusals(Reference):
             (("--integral", "--path"), "one method"),
             (("--integral", "--samples", "9"), "belong to --path"),
             (("--path", "--tolerance", ".1"), "belong to --integral"),
-            (("--path", "--medium", "skin1", "--g", "1"), "from -0.99 to 0.99"),
+            (("--path", "--g", "1"), "from -0.99 to 0.99"),
             (("--integral", "--frames", "0:3"), ("--frames",)),
             (("--integral", "--roughness", ".3"), ("--roughness", "--no-specular")),
             (("--integral", "--aov", "dsm-area"), ("dsm-*", "render")),

@@ -32,8 +32,7 @@ void MediumOptions::addTo(CommandLine& line) {
   addField(line, options::fieldOf<Medium>("sigma_s_per_mm"), chosen_, "--sigma-s",
            "reduced scattering and absorption, 1/mm");
   addField(line, options::fieldOf<Medium>("sigma_a_per_mm"), chosen_, "--sigma-a", "");
-  addField(line, options::fieldOf<Medium>("eta"), chosen_);
-  addField(line, options::fieldOf<Medium>("g"), chosen_);
+  addTogether(line, {"eta", "g"}, {"index of refraction", "mean cosine"}, chosen_);
 }
 
 void MediumOptions::read(const Given& given) {

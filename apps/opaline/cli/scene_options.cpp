@@ -246,8 +246,8 @@ LoadedScene SceneOptions::load(const LogCallback& log) const {
 }
 
 void LightOptions::addTo(CommandLine& line) {
-  line.repeated("--directional", "DIR[:RGB[:DEG]]",
-                "X,Y,Z to the light; irradiance [1,1,1]; radius [0]", [this](const Given& given) {
+  line.repeated("--directional", "DIR[:RGB[:R]]",
+                "to the light; irradiance [1,1,1]; radius, degrees", [this](const Given& given) {
                   directional_.push_back(readDirectional(given));
                   any_ = true;
                 });
