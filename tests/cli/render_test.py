@@ -68,7 +68,6 @@ class Outputs(Render):
             self.near(corner[:3], [2 * part / math.pi for part in share], .005)
             self.assertEqual(corner[3], 1)
         self.refused(2, "render", *BODY, "--ground", "--method", "paper", "-o", "out.exr", says=["ground"])
-        self.refused(2, "reference", "cube.obj", "--size", "8x8", "--path", "--ground", "-o", "out.exr", says=["ground"])
 
     def test_the_name_follows_the_scene(self):
         self.assertEqual(self.succeed("render", *CUBE).err, "")

@@ -274,6 +274,7 @@ TEST_F(OpaqueTest, LightPassesWhatIsCutOut) {
   Scene scene = squareOf(mattMaterial({0.5F, 0.5F, 0.5F}));
   scene.lighting.ambient = {0.2F, 0.2F, 0.2F};
   scene.lighting.areas = {RectangleLight{{0, 0, 30}, {0, 10, 0}, {10, 0, 0}, {1, 1, 1}}};
+  scene.camera.positionMm = {300, 0, 30};  // sees the middle below the plate
   const Vector open = radianceAt(scene, edgePixels / 2, edgePixels / 2);
   EXPECT_GT(open[1], 0.1);
   scene.objects.push_back(squareOf(hole).objects[0]);

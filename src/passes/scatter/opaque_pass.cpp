@@ -60,7 +60,7 @@ void OpaquePass::cutOut(gpu::Device& device, Surfels& surfels, OpaqueTables& opa
 }
 
 void OpaquePass::overClusters(gpu::CommandList& commands, const Inputs& inputs, From from,
-                              Clusters& clusters) const {
+                              int bounces, Clusters& clusters) const {
   commands.beginPass("opaque");
   commands.bind(clusters_,
                 {.frame = inputs.frame.data,
@@ -75,7 +75,9 @@ void OpaquePass::overClusters(gpu::CommandList& commands, const Inputs& inputs, 
                  .enteredBefore = clusters.enteredBefore,
                  .irradiances = clusters.exitances,
                  .stillToCome = clusters.power},
-                {.clusterCount = clusters.count, .from = static_cast<std::uint32_t>(from)});
+                {.clusterCount = clusters.count,
+                 .from = static_cast<std::uint32_t>(from),
+                 .bounces = static_cast<std::uint32_t>(bounces)});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
 }

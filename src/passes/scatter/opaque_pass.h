@@ -40,7 +40,7 @@ class OpaquePass {
   /// What clusters find: of lights and the sky, of what other clusters send, or of bounces that are
   /// not followed. As boundary/opaque.comp has it.
   enum class From { Lights, Clusters, FurtherBounces };
-  void overClusters(gpu::CommandList& commands, const Inputs& inputs, From from,
+  void overClusters(gpu::CommandList& commands, const Inputs& inputs, From from, int bounces,
                     Clusters& clusters) const;
   /// Where the site is the vertices; none elsewhere.
   void overVertices(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,

@@ -141,7 +141,8 @@ struct FrameContext {
   }
 
   void giveBack(passes::OpaquePass::From from, SceneResources& scene) const {
-    if (carriesOpaque()) passes.opaque.overClusters(commands, ofOpaque(), from, scene.clusters);
+    if (carriesOpaque())
+      passes.opaque.overClusters(commands, ofOpaque(), from, plan.bounces, scene.clusters);
   }
 
   // What leaves through the clusters: of the light that enters from outside, and of what leaves and

@@ -35,13 +35,13 @@ const float mostKept = 0.9;
 void main() {
   vec3 sum = vec3(0.0);
   for (uint i = gl_LocalInvocationIndex; i < clusterCount; i += gl_WorkGroupSize.x)
-    sum += areaOf(clusters[i]) * entered[i].rgb;
+    sum += areaOf(clusters[i]) * entered[i].rgb * entered[i].rgb;
   vec3 power = groupSum(sum);
   if (ofLast == 0u) {
     if (gl_LocalInvocationIndex == 0u) powerBefore = vec4(power, 0.0);
     return;
   }
-  vec3 kept = min(overOr0(power, powerBefore.rgb), vec3(mostKept));
+  vec3 kept = min(sqrt(overOr0(power, powerBefore.rgb)), vec3(mostKept));
   vec3 series = kept / (1.0 - kept);
   memoryBarrierBuffer();
   barrier();

@@ -7,6 +7,7 @@
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
+#include "lib/over_or_0.glsl"
 #include "shared/boundary.h"
 
 layout(std430, set = 0, binding = 3) readonly buffer Ranges { ClusterRange ranges[]; };
@@ -31,7 +32,23 @@ const uint ofFurtherBounces = 2u;
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint from;
+  uint bounces;  // that are followed
 };
+
+// All further terms of a geometric series over its last, if that is the n-th after the first and such a part of
+// all up to it. Light that is soon gone here must not go on as long as the scene's as a whole.
+float furtherOfSeries(float part, float n) {
+  float low = 0.0;
+  float high = 1.0;
+  for (int k = 0; k < 16; ++k) {
+    float ratio = 0.5 * (low + high);
+    float partThen = pow(ratio, n) * (1.0 - ratio) / (1.0 - pow(ratio, n + 1.0));
+    bool isMore = partThen < part;
+    low = isMore ? ratio : low;
+    high = isMore ? high : ratio;
+  }
+  return low / (1.0 - low);
+}
 
 void main() {
   uint i = linearIndex();
@@ -51,7 +68,10 @@ void main() {
     other += skyShares[i].rgb * entries[frame.counts.w * clusterCount + i].irradiance.rgb;
   } else {
     other = entered[i].rgb;
-    if (from == ofFurtherBounces) other *= stillToCome.rgb;
+    if (from == ofFurtherBounces) {
+      vec3 part = overOr0(other, irradiances[i].rgb);
+      for (int c = 0; c < 3; ++c) other[c] *= min(stillToCome[c], furtherOfSeries(part[c], float(bounces)));
+    }
   }
   bool isFirst = from == ofLights;
   vec3 own = isFirst ? gives.emission.rgb : vec3(0.0);
