@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "opaline/error.h"
 #include "opaline/options/scene.h"
@@ -124,9 +125,11 @@ void validateChanges(const Scene& scene, const ClipChanges& changes) {
   const auto validate = [&](const auto& all, std::size_t count, std::string_view what) {
     for (const auto& keys : all) validateKeys(scene, keys, count, what);
   };
-  validate(changes.directional, scene.lighting.directional.size(), "directional light");
-  validate(changes.points, scene.lighting.points.size(), "point light");
-  validate(changes.spots, scene.lighting.spots.size(), "spot light");
+  // Lights may have been replaced by fewer since.
+  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+  validate(changes.directional, any, "directional light");
+  validate(changes.points, any, "point light");
+  validate(changes.spots, any, "spot light");
   validate(changes.cameras, 1, "camera");
   validate(changes.surfaces, scene.objects.size(), "object");
   validate(changes.media, scene.objects.size(), "object");
