@@ -15,7 +15,7 @@ constexpr int columns = 192;
 }  // namespace
 
 SkyTable::SkyTable(const SkyIrradiance& irradiance) {
-  nodes_.reserve((rows + 1) * columns);
+  nodes_.reserve(static_cast<std::size_t>(rows + 1) * columns);
   for (int row = 0; row <= rows; ++row)
     for (int column = 0; column < columns; ++column)
       nodes_.push_back(irradiance.at(latLongDirection(static_cast<double>(column) / columns,

@@ -78,7 +78,9 @@ void reflectParticle(const OpaqueSurface& surface, std::size_t channel, const Ve
                      const Vector& toLight, Random& random, const Go& go) {
   const auto [x, y] = across(normal);
   const Vector light{dot(x, toLight), dot(y, toLight), dot(normal, toLight)};
-  const auto send = [&](const Vector& v) { go(v[0] * x + v[1] * y + v[2] * normal); };
+  const auto send = [&, &x = x, &y = y](const Vector& v) {
+    go(v[0] * x + v[1] * y + v[2] * normal);
+  };
   const double cosine = std::sqrt(random());
   const Vector matt = around({0, 0, 1}, cosine, 2 * std::numbers::pi * random());
   if (random() < surface.diffuse[channel] * (1 - evenMirrored(surface, cosine).share[channel]))

@@ -132,7 +132,6 @@ TEST_F(ChangesTest, ThoseThatMakeNoSenseAreErrors) {
     EXPECT_THROW(renderer_.setScene(scene), Error);
   };
   const PointLight light = scene_.lighting.points[0];
-  refuses({.points = {{7, {0}, {light}}}});
   refuses({.points = {{0, {}, {}}}});
   refuses({.points = {{0, {0, 1}, {light}}}});
   refuses({.points = {{0, {1, 0}, {light, light}}}});

@@ -242,7 +242,7 @@ std::optional<Translucent> gltfMedium(const Input& input, const tinygltf::Model&
       const auto& base = of.pbrMetallicRoughness.baseColorTexture;
       colors = textures.texture(base.index, base.texCoord, base.extensions);
     }
-    body = bodyOf(*appearance, std::move(colors));
+    body = bodyOf(*appearance, colors);
     body->medium.name = cleanText(of.name);
     if (body->paint) body->paint->name = body->medium.name;
   }
