@@ -97,6 +97,12 @@ ScaledScattering scaledScattering(const Medium& medium, int channel) {
   return {extinction, scattering / extinction, g};
 }
 
+bool isSameInside(const Medium& a, const Medium& b) {
+  Medium named = a;
+  named.name = b.name;
+  return named == b;
+}
+
 double shortestMeanFreePathMm(const Medium& medium) {
   double shortest = coefficients(medium, 0).meanFreePathMm;
   for (int channel = 1; channel < 3; ++channel)

@@ -29,6 +29,9 @@ struct ScaledScattering {
 };
 ScaledScattering scaledScattering(const Medium& medium, int channel);
 
+/// Whether light finds them alike: all but their names.
+bool isSameInside(const Medium& a, const Medium& b);
+
 /// Of the three channels.
 double shortestMeanFreePathMm(const Medium& medium);
 

@@ -54,17 +54,12 @@ SizeOfObject sizeOf(const Mesh& mesh) {
   return size;
 }
 
-bool same(const Medium& a, const Medium& b) {
-  return a.sigmaSPrimePerMm == b.sigmaSPrimePerMm && a.sigmaAPerMm == b.sigmaAPerMm &&
-         a.eta == b.eta && a.g == b.g;
-}
-
 bool isMadeOf(const Object& object, const SceneResources& resources, std::size_t medium) {
   const std::optional<OpaqueMaterial>& opaque = resources.opaqueOfMedium[medium];
   if (object.opaque != opaque) return false;
   return opaque || (object.paint == resources.paintOfMedium[medium] &&
                     object.surface == resources.surfaceOfMedium[medium] &&
-                    same(object.medium, resources.media[medium]));
+                    bssrdf::isSameInside(object.medium, resources.media[medium]));
 }
 
 // What clips change is shared with nobody, as objects of one material may change apart.

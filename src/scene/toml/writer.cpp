@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bssrdf/profile.h"
 #include "opaline/error.h"
 #include "opaline/media.h"
 #include "opaline/options/scene.h"
@@ -75,14 +76,9 @@ class Text {
   std::string lines_{heading};
 };
 
-bool isSame(const Medium& a, const Medium& b) {
-  return a.sigmaSPrimePerMm == b.sigmaSPrimePerMm && a.sigmaAPerMm == b.sigmaAPerMm &&
-         a.eta == b.eta && a.g == b.g;
-}
-
 bool isKnown(const std::string& name, const Medium& medium) {
   const auto known = findMedium(name);
-  return known && known->name == name && isSame(*known, medium);
+  return known && known->name == name && bssrdf::isSameInside(*known, medium);
 }
 
 /// The media of a scene, each under a name of its own.
@@ -106,7 +102,8 @@ class MediaNames {
   std::string nameOf(const Medium& medium) const {
     const std::string own = medium.name.empty() ? "medium" : cleanText(medium.name);
     std::string name = own;
-    for (int number = 2; names_.contains(name) && !isSame(names_.at(name), medium); ++number) {
+    for (int number = 2; names_.contains(name) && !bssrdf::isSameInside(names_.at(name), medium);
+         ++number) {
       name = fmt::format("{} {}", own, number);
     }
     return name;

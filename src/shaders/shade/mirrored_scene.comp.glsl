@@ -9,9 +9,9 @@
 #define BINDING_PIECE_CORNERS 5
 #define BINDING_RAYS 6
 #define BINDING_CLUSTER_NODES 15
+#define BINDING_CLUSTERS 16
 #include "lib/bodies.glsl"
-#include "lib/cluster_node.glsl"
-#include "lib/cluster_weight.glsl"
+#include "lib/clusters_around.glsl"
 #include "lib/frame.glsl"
 #include "lib/rays.glsl"
 #include "lib/reflected_rays.glsl"
@@ -23,7 +23,6 @@ layout(std430, set = 0, binding = 7) buffer Materials { SeenMaterial materials[]
 layout(std430, set = 0, binding = 8) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
 layout(std430, set = 0, binding = 13) readonly buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = 14) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
-layout(std430, set = 0, binding = 16) readonly buffer Clusters { Cluster clusters[]; };
 layout(std430, set = 0, binding = 17) readonly buffer Light { vec4 light[]; };
 
 layout(push_constant) uniform Push {
@@ -51,19 +50,11 @@ vec3 exitanceAt(vec3 place, vec3 normal, ObjectData body, uint own) {
   float all = 0.0;
   uint node = body.clusters.x;
   while (node < body.clusters.y) {
-    vec4 centroidLink = centroidLinkOf(node);
-    uint link = floatBitsToUint(centroidLink.w);
-    float reach = spreadOf(node).z;
-    vec3 offset = centroidLink.xyz - place;
-    float squared = dot(offset, offset);
-    bool opened = squared < reach * reach;
-    if (opened && isLeaf(link)) {
-      uint i = firstSurfelOf(link);
-      float weight = weightOfCluster(squared, reach, edgeOf(clusters[i]), dot(normal, clusters[i].normal.xyz));
-      sum += weight * exitanceOf(i, opaque);
-      all += weight;
-    }
-    node = opened ? node + 1u : afterNode(node, link);
+    uint i;
+    float weight = weightOfNext(node, place, normal, i);
+    if (weight <= 0.0) continue;
+    sum += weight * exitanceOf(i, opaque);
+    all += weight;
   }
   return all > 0.0 ? sum / all : exitanceOf(own, opaque);
 }
