@@ -172,6 +172,8 @@ struct Camera {
   /// If set, lines of sight are parallel and the picture is so high, mm, in (0, 1e6]; the field of
   /// view is not used.
   std::optional<float> orthographicHeightMm;
+
+  bool operator==(const Camera&) const = default;
 };
 
 /// Why the lights, or the camera, cannot be rendered, as a sentence; empty if they can.

@@ -125,6 +125,24 @@ TEST_F(ChangesTest, WhatIsEditedFollowsNoClipAnyMore) {
   EXPECT_EQ(edited.rgba, picture(other, 1).rgba);
 }
 
+// A camera that somebody has moved stays where it was put, also where only its lens was shifted.
+TEST_F(ChangesTest, AShiftedCameraFollowsNoClip) {
+  Camera lastView = scene_.camera;
+  lastView.positionMm[0] += 10;
+  scene_.changes.resize(1);
+  scene_.changes[0].cameras = {{0, {0, 2}, {scene_.camera, lastView}}};
+  Camera shifted = scene_.camera;
+  shifted.shiftX = 0.1F;
+  renderer_.setScene(scene_);
+  renderer_.setCamera(shifted);
+  renderer_.setTime({1, 0});
+  const Image found = renderer_.render(options()).images[0];
+  Scene expected = scene_;
+  expected.changes[0].cameras.clear();
+  expected.camera = shifted;
+  EXPECT_EQ(found.rgba, picture(expected, 1).rgba);
+}
+
 TEST_F(ChangesTest, ThoseThatMakeNoSenseAreErrors) {
   const auto refuses = [&](ClipChanges changes) {
     Scene scene = scene_;

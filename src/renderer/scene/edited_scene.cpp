@@ -22,11 +22,6 @@ void hideBelow(float heightMm, Lighting& lighting) {
   std::erase_if(lighting.spots, isBelow);
 }
 
-bool same(const Camera& a, const Camera& b) {
-  return a.positionMm == b.positionMm && a.targetMm == b.targetMm && a.up == b.up &&
-         a.verticalFovDegrees == b.verticalFovDegrees;
-}
-
 // Lights that somebody has changed, or put elsewhere in the list, follow no clip any more.
 template <typename Light>
 void keepAlike(const std::vector<Light>& now, const std::vector<Light>& before,
@@ -108,7 +103,7 @@ SceneMotion& EditedScene::motion() {
 void EditedScene::setCamera(const Camera& camera) {
   validate(camera);
   Camera& present = edit().camera;
-  if (!same(camera, present)) stopCamera(*scene_);
+  if (camera != present) stopCamera(*scene_);
   present = camera;
   followClip();
 }
