@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "faults/tiny_options.h"
 #include "opaline/error.h"
 #include "opaline/renderer.h"
 #include "opaline/scene_file.h"
@@ -105,16 +106,6 @@ void failEachAllocation(int stride, const std::function<void()>& run,
   std::cout << failed << " allocations failed" << std::endl;
 }
 
-RenderOptions tiny() {
-  RenderOptions options;
-  options.width = options.height = 16;
-  options.maxSurfels = 1024;
-  options.maxClusters = 64;
-  options.shadowSize = 64;
-  options.antialias = 1;
-  return options;
-}
-
 Scene litBall() {
   Scene scene = sceneOf(sphere({0, 0, 0}, 5, 1), marble(), {0, 0, 25}, 6);
   scene.lighting.directional = {{{0.3F, 0.5F, 0.8F}, {1, 1, 1}}};
@@ -126,7 +117,7 @@ TEST(AllocationFaults, ARendererGoesOn) {
   Renderer renderer;
   const auto picture = [&] {
     renderer.setScene(litBall());
-    return renderer.render(tiny()).images.at(0).rgba;
+    return renderer.render(tinyOptions()).images.at(0).rgba;
   };
   const std::vector<float> expected = picture();
   failEachAllocation(
@@ -136,7 +127,7 @@ TEST(AllocationFaults, ARendererGoesOn) {
 TEST(AllocationFaults, EditsAreMadeOrNot) {
   Renderer renderer;
   renderer.setScene(litBall());
-  View view(renderer, tiny());
+  View view(renderer, tinyOptions());
   const auto shown = [&] { return view.render().images.at(0).rgba; };
   shown();
   Lighting lighting = litBall().lighting;

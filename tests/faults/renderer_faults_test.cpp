@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "faults/fault_layer.h"
+#include "faults/tiny_options.h"
 #include "opaline/error.h"
 #include "opaline/renderer.h"
 #include "renderer/shapes.h"
@@ -30,17 +31,7 @@ Scene litBall() {
   return scene;
 }
 
-RenderOptions tiny() {
-  RenderOptions options;
-  options.width = options.height = 16;
-  options.maxSurfels = 1024;
-  options.maxClusters = 64;
-  options.shadowSize = 64;
-  options.antialias = 1;
-  return options;
-}
-
-std::vector<float> picture(Renderer& renderer, const RenderOptions& options = tiny()) {
+std::vector<float> picture(Renderer& renderer, const RenderOptions& options = tinyOptions()) {
   return renderer.render(options).images.at(0).rgba;
 }
 
@@ -120,9 +111,9 @@ TEST_P(FaultsOfMemory, SceneAndPictureComeOutAfterwards) {
 TEST_P(FaultsOfMemory, EditsComeOutAfterwards) {
   Renderer renderer;
   renderer.setScene(litBall());
-  RenderOptions larger = tiny();
+  RenderOptions larger = tinyOptions();
   larger.width = 20;
-  View view(renderer, tiny());
+  View view(renderer, tinyOptions());
   const std::vector<Vec3> rest = litBall().objects[0].mesh.positionsMm;
   std::vector<Vec3> moved = rest;
   for (Vec3& position : moved) position[1] *= 0.7F;
@@ -133,7 +124,7 @@ TEST_P(FaultsOfMemory, EditsComeOutAfterwards) {
     if (there) lighting.points.push_back({{0, 20, 0}, {50, 100, 100}});
     renderer.setLighting(lighting);
     renderer.setTime({.seconds = there ? 0.3 : 0.0});
-    view.setOptions(there ? larger : tiny());
+    view.setOptions(there ? larger : tinyOptions());
   };
   const auto shown = [&] { return view.render().images.at(0).rgba; };
   edit(true);
@@ -160,7 +151,7 @@ TEST_P(FaultsOfMemory, FramesUnderWayAreNotLost) {
   Renderer renderer;
   renderer.setScene(litBall());
   const std::vector<float> expected = picture(renderer);
-  View view(renderer, tiny());
+  View view(renderer, tinyOptions());
   int under = 0;
   const auto run = [&] {
     view.submit();
