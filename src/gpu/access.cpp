@@ -58,6 +58,11 @@ AccessScope scopeOf(Access access) {
     case Access::Indirect:
       return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT,
               VK_IMAGE_LAYOUT_UNDEFINED, false};
+    case Access::StorageWriteIndirect:
+      return {shaderStages | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
+              VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT |
+                  VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT,
+              VK_IMAGE_LAYOUT_GENERAL, true};
     case Access::Lent:
       return {shaderStages | VK_PIPELINE_STAGE_2_VERTEX_ATTRIBUTE_INPUT_BIT |
                   VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,

@@ -8,17 +8,18 @@ namespace opaline::gpu {
 
 /// What a command does with a resource: the only vocabulary in which barriers are spoken of.
 enum class Access {
-  None,          ///< contents are not needed any more
-  ColorWrite,    ///< colour attachment, written and blended
-  DepthWrite,    ///< depth attachment, tested and written
-  DepthTest,     ///< depth attachment, tested only
-  Sampled,       ///< read through a sampler or texelFetch, any shader stage
-  StorageRead,   ///< storage image or buffer read, any shader stage
-  StorageWrite,  ///< storage image or buffer written or read and written, any shader stage
-  Uniform,       ///< uniform buffer
-  Index,         ///< index buffer
-  Indirect,      ///< says how large dispatches are
-  Lent,          ///< buffer that others read: shaders, copies, or as attributes of vertices
+  None,                  ///< contents are not needed any more
+  ColorWrite,            ///< colour attachment, written and blended
+  DepthWrite,            ///< depth attachment, tested and written
+  DepthTest,             ///< depth attachment, tested only
+  Sampled,               ///< read through a sampler or texelFetch, any shader stage
+  StorageRead,           ///< storage image or buffer read, any shader stage
+  StorageWrite,          ///< storage image or buffer written or read and written, any shader stage
+  Uniform,               ///< uniform buffer
+  Index,                 ///< index buffer
+  Indirect,              ///< says how large dispatches are
+  StorageWriteIndirect,  ///< says how large the dispatch is that writes it
+  Lent,                  ///< buffer that others read: shaders, copies, or as attributes of vertices
   TransferRead,
   TransferWrite,
   RayBuild,  ///< acceleration structure built or refitted, or what building it needs

@@ -49,6 +49,11 @@ struct Write : Binding {
   Write(Buffer& to);
 };
 
+/// Also says how large the dispatch is.
+struct WriteIndirect : Write {
+  WriteIndirect(Buffer& to) : Write(to) { access = Access::StorageWriteIndirect; }
+};
+
 /// Needs VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT.
 struct Texels : Binding {
   Texels(Buffer& from);

@@ -127,12 +127,14 @@ void CommandList::beginPart() {
 
 void CommandList::cut() {
   assert(filling_ && !inPass_ && !rendering_ && part_ + 1 < maxParts);
+  flushBarriers();
   ++part_;
   beginPart();
 }
 
 void CommandList::finishFilling() {
   assert(filling_ && !inPass_ && !rendering_);
+  flushBarriers();
   filling_ = false;
 }
 
@@ -259,14 +261,14 @@ void CommandList::flushBarriers() {
 
 void CommandList::use(Buffer& buffer, Access access) {
   order(buffer, scopeOf(access));
+  if (access != Access::HostRead) return;
   flushBarriers();
   // Nothing is left to be ordered: the host waits for all of it.
-  if (access == Access::HostRead) buffer.state_ = {};
+  buffer.state_ = {};
 }
 
 void CommandList::use(GpuImage& image, Access access) {
   order(image, scopeOf(access));
-  flushBarriers();
 }
 
 void CommandList::bindPipeline(const Pipeline& pipeline) {
@@ -292,7 +294,7 @@ void CommandList::orderBindings(std::span<const Binding> bindings) {
       order(*bindings[i].image, scope);
     }
   }
-  flushBarriers();
+  if (rendering_) flushBarriers();  // there must be none
 }
 
 void CommandList::bindResources(std::span<const Binding> bindings) {

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -150,7 +151,7 @@ class CommandList {
                    std::size_t fromOffset = 0);
   void copyFromImage(GpuImage& from, Buffer& to, std::uint32_t layer = 0, std::uint32_t level = 0,
                      std::size_t toOffset = 0);
-  void fill(Buffer& buffer, std::uint32_t value);
+  void fill(std::initializer_list<std::reference_wrapper<Buffer>> buffers, std::uint32_t value);
   /// Sets an image of floats or whole numbers to 0. Needs VK_IMAGE_USAGE_TRANSFER_DST_BIT.
   void clear(GpuImage& image);
 

@@ -60,11 +60,15 @@ void CommandList::copyFromImage(GpuImage& from, Buffer& to, std::uint32_t layer,
   commands().add(copy);
 }
 
-void CommandList::fill(Buffer& buffer, std::uint32_t value) {
-  assert(filling_ && buffer.bytes() % 4 == 0);
-  order(buffer, scopeOf(Access::TransferWrite));
+void CommandList::fill(std::initializer_list<std::reference_wrapper<Buffer>> buffers,
+                       std::uint32_t value) {
+  assert(filling_);
+  for (Buffer& buffer : buffers) order(buffer, scopeOf(Access::TransferWrite));
   flushBarriers();
-  commands().add(tape::FillBuffer{buffer.handle(), value});
+  for (const Buffer& buffer : buffers) {
+    assert(buffer.bytes() % 4 == 0);
+    commands().add(tape::FillBuffer{buffer.handle(), value});
+  }
 }
 
 void CommandList::clear(GpuImage& image) {

@@ -10,6 +10,7 @@ void CommandList::dispatch(std::uint32_t groupsX, std::uint32_t groupsY, std::ui
   assert(filling_ && !rendering_ && pipeline_ != nullptr);
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
   assert(boundIsCurrent());
+  flushBarriers();
   ++counts_.dispatches;
   commands().add(tape::Dispatch{0, groupsX, groupsY, groupsZ});
 }
@@ -25,6 +26,7 @@ void CommandList::dispatchRows(std::uint32_t groupsX, std::uint32_t groupsY, std
   assert(filling_ && !rendering_ && pipeline_ != nullptr);
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
   assert(boundIsCurrent());
+  flushBarriers();
   for (std::uint32_t row = 0; row < groupsY; row += rows) {
     ++counts_.dispatches;
     commands().add(tape::Dispatch{row, groupsX, std::min(rows, groupsY - row), 1});
@@ -54,8 +56,10 @@ void CommandList::dispatchIndirect(Buffer& groups, std::size_t offset) {
   assert(filling_ && !rendering_ && pipeline_ != nullptr);
   assert(pipeline_->bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE);
   assert(boundIsCurrent());
-  assert((groups.state_.readAccesses & VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT) != 0);
+  assert(((groups.state_.readAccesses | groups.state_.writeAccesses) &
+          VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT) != 0);
   assert(offset + sizeof(VkDispatchIndirectCommand) <= groups.bytes());
+  flushBarriers();
   ++counts_.dispatches;
   commands().add(tape::DispatchIndirect{groups.handle(), offset});
 }

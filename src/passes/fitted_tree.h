@@ -32,14 +32,15 @@ inline shaders::TreeletOrder treeletOrder(FittedTree& tree) {
 }
 
 /// Fits the inner nodes: calls `bind(firstTreelet, treeletCount)`, which binds a shader with
-/// lib/treelets.glsl, for each stage, and dispatches it.
+/// lib/treelets.glsl, for each stage, and dispatches it, for so many trees of the same links.
 template <typename Bind>
-void fitInnerNodes(gpu::CommandList& commands, const FittedTree& tree, const Bind& bind) {
+void fitInnerNodes(gpu::CommandList& commands, const FittedTree& tree, const Bind& bind,
+                   std::uint32_t trees = 1) {
   for (std::size_t stage = 0; stage + 1 < tree.firstOfStage.size(); ++stage) {
     const std::uint32_t first = tree.firstOfStage[stage];
     const std::uint32_t count = tree.firstOfStage[stage + 1] - first;
     bind(first, count);
-    commands.dispatchLinear(groupSize * count);
+    commands.dispatchLinear(groupSize * trees * count);
   }
 }
 

@@ -226,12 +226,12 @@ struct Clusters {
   Beams fromLight;                    ///< of one light after the other
   Beams fromEverywhere;
   gpu::Buffer mirrored;   ///< shared::Mirrored a cluster, of one light after the other
-  gpu::Buffer peak;       ///< largest power of those, a float's bits
+  gpu::Buffer peaks;      ///< of each light the largest power of those, a float's bits
   gpu::Buffer sums;       ///< of those, three whole numbers a cluster; 0 between lights
   gpu::Buffer arrived;    ///< vec4 a cluster: power that enters after it was mirrored
-  gpu::Buffer beamNodes;  ///< shared::BeamNode
+  gpu::Buffer beamNodes;  ///< shared::BeamNode of two trees
   std::uint32_t roomOfBeamList = 0;
-  gpu::Buffer beamLists;      ///< of each group: how many nodes, and which
+  gpu::Buffer beamLists;      ///< of each group and tree: how many nodes, and which
   gpu::Buffer sources;        ///< vec4 a cluster: fluence in a medium without end
   gpu::Buffer skyShares;      ///< vec4 a cluster: of the sky's irradiance, what enters
   gpu::Buffer entered;        ///< vec4 a cluster: irradiance of the diffuse light that entered last

@@ -112,6 +112,19 @@ TEST(Access, ReadOfAnotherKindSeesTheWriteToo) {
   EXPECT_FALSE(advance(state, ofBuffer(Access::StorageRead)));
 }
 
+TEST(Access, ADispatchThatWritesHowLargeTheNextIsWaitsForTheOneThatWroteItsOwn) {
+  AccessState state;
+  advance(state, ofBuffer(Access::StorageWriteIndirect));
+  for (int i = 0; i < 2; ++i) {
+    const auto barrier = advance(state, ofBuffer(Access::StorageWriteIndirect));
+    ASSERT_TRUE(barrier);
+    EXPECT_EQ(barrier->fromStages & shaders, shaders);
+    EXPECT_NE(barrier->fromAccesses & VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, 0U);
+    EXPECT_EQ(barrier->toStages, shaders | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT);
+    EXPECT_NE(barrier->toAccesses & VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT, 0U);
+  }
+}
+
 TEST(Access, WriteAfterReadsWaitsForAllOfThem) {
   AccessState state;
   advance(state, ofBuffer(Access::TransferWrite));

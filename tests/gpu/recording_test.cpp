@@ -35,7 +35,7 @@ TEST_F(RecordingTest, TheSameCommandsAreRecordedOnce) {
   const auto filledWith = [&](std::uint32_t value) {
     return recordingsOf(list, [&] {
       list.beginPass("fill");
-      list.fill(buffer, value);
+      list.fill({buffer}, value);
       list.endPass();
     });
   };
@@ -49,6 +49,22 @@ TEST_F(RecordingTest, TheSameCommandsAreRecordedOnce) {
   EXPECT_EQ(readAs<std::uint32_t>(device(), buffer), four(2));
 }
 
+TEST_F(RecordingTest, WhatOneCommandWaitsForIsOneBarrier) {
+  Buffer a = makeBuffer(device(), "a", four(0), 0);
+  Buffer b = makeBuffer(device(), "b", four(0), 0);
+  Buffer to = makeBuffer(device(), "to", four(0), 0);
+  CommandList list(device(), "fill and copy", 0);
+  recordingsOf(list, [&] {
+    list.fill({a, b}, 5);
+    list.use(b, Access::TransferRead);
+    list.copyBuffer(a, to, 16);
+    list.copyBuffer(b, to, 16);
+  });
+  // Before the fills; before the first copy; before the second, which writes where that wrote.
+  EXPECT_EQ(list.counts().barriers, 3U);
+  EXPECT_EQ(readAs<std::uint32_t>(device(), to), four(5));
+}
+
 TEST_F(RecordingTest, OtherBarriersAreRecorded) {
   Buffer from = makeBuffer(device(), "from", four(3), 0);
   Buffer to = makeBuffer(device(), "to", four(0), 0);
@@ -59,7 +75,7 @@ TEST_F(RecordingTest, OtherBarriersAreRecorded) {
   copied();
   EXPECT_EQ(copied(), 0U);
   recordingsOf(other, [&] { other.use(from, Access::Index); });
-  recordingsOf(other, [&] { other.fill(from, 4); });
+  recordingsOf(other, [&] { other.fill({from}, 4); });
   EXPECT_EQ(copied(), 1U);
   EXPECT_EQ(readAs<std::uint32_t>(device(), to), four(4));
 }
@@ -82,7 +98,7 @@ TEST_F(RecordingTest, PartsAreRecordedApartAndBorrowedBuffersAlways) {
   CommandList list(device(), "copies", 2);
   const auto copied = [&](std::uint32_t value) {
     return recordingsOf(list, [&] {
-      list.fill(last, value);
+      list.fill({last}, value);
       Buffer borrowed = Buffer::borrowed(lent.handle(), lent.bytes());
       list.beginPass("borrow");
       list.copyBuffer(borrowed, buffer, 16);

@@ -36,7 +36,7 @@ TEST_F(RetireTest, ResourcesMayGoWhileTheDeviceWorksWithThem) {
                               .lent = i % 2 == 0});
     list.begin();
     list.beginPass("fill");
-    list.fill(buffer, i);
+    list.fill({buffer}, i);
     list.copyToImage(buffer, image);
     list.copyBuffer(buffer, kept, 16);
     list.endPass();
@@ -51,7 +51,7 @@ TEST_F(RetireTest, MemoryComesBackWhenTheDeviceHasFinished) {
     CommandList list(fresh, "fill", 0);
     Buffer buffer = bigBuffer(fresh);
     list.begin();
-    list.fill(buffer, 1);
+    list.fill({buffer}, 1);
     list.submit();
     list.wait();
   }
@@ -65,7 +65,7 @@ TEST_F(RetireTest, SubmissionsAreNumberedAndWaitedForByNumber) {
   for (std::uint32_t i = 1; i <= 3; ++i) {
     lists.push_back(std::make_unique<CommandList>(device(), "fill", 0));
     lists.back()->begin();
-    lists.back()->fill(buffer, i);
+    lists.back()->fill({buffer}, i);
     lists.back()->submit();
     EXPECT_EQ(device().submitted(), before + i);
   }
@@ -87,7 +87,7 @@ TEST_F(RetireTest, SlicesOfAnUploadRingWaitForTheirReaders) {
     const std::size_t offset = ring.push(i + 100);
     lists.push_back(std::make_unique<CommandList>(device(), "copy", 0));
     lists.back()->begin();
-    lists.back()->fill(big, i);  // takes a while
+    lists.back()->fill({big}, i);  // takes a while
     lists.back()->copyBuffer(ring.buffer(), found, 4, offset, i * std::size_t{4});
     lists.back()->submit();
   }

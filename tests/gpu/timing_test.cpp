@@ -19,7 +19,7 @@ TEST_F(TimingTest, PassesOfOneNameAreSummedInOrderOfAppearance) {
     list.begin();
     for (const char* name : {"first", "second", "first"}) {
       list.beginPass(name);
-      list.fill(buffer, 1);
+      list.fill({buffer}, 1);
       list.endPass();
     }
     list.submit();
@@ -70,7 +70,7 @@ TEST_F(TimingTest, ManyPassesAreTimed) {
     list.begin();
     for (int pass = 0; pass < passes; ++pass) {
       list.beginPass("band");
-      list.fill(buffer, 1);
+      list.fill({buffer}, 1);
       list.endPass();
     }
     list.submit();

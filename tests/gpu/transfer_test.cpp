@@ -37,7 +37,7 @@ TEST_F(TransferTest, FillAndPartialCopy) {
   Buffer from = makeBuffer(device(), "from", std::vector<std::uint32_t>{10, 11, 12, 13}, 0);
   CommandList list(device(), "copy");
   list.begin();
-  list.fill(to, 5);
+  list.fill({to}, 5);
   list.copyBuffer(from, to, 8, 4, 16);
   list.submit();
   list.wait();

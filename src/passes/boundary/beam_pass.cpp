@@ -1,6 +1,7 @@
 #include "passes/boundary/beam_pass.h"
 
 #include <cstddef>
+#include <type_traits>
 
 #include "gpu/device.h"
 #include "passes/fitted_tree.h"
@@ -8,6 +9,15 @@
 #include "shaders/shared/boundary.h"
 
 namespace opaline::passes {
+
+namespace {
+
+// Of sources of fluence, and of light that scatters once where some is followed that far.
+std::uint32_t treesOf(const SceneTables& tables) {
+  return tables.followsLight ? 2 : 1;
+}
+
+}  // namespace
 
 BeamPass::BeamPass(gpu::Device& device)
     : trace_{{device,
@@ -31,15 +41,11 @@ BeamPass::BeamPass(gpu::Device& device)
 
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                             Clusters& clusters) const {
-  if (wanted.bounces) {
-    commands.fill(clusters.sums, 0);
-    commands.fill(clusters.arrived, 0);
-  }
+  if (wanted.bounces) commands.fill({clusters.sums, clusters.arrived, clusters.peaks}, 0);
   for (std::uint32_t light = 0; light < clusters.lights; ++light) {
     commands.beginPass("rays");
-    if (wanted.bounces) commands.fill(clusters.peak, 0);
     trace(commands, inputs, {light, wanted.bounces}, clusters, clusters.fromLight);
-    if (wanted.bounces) bringMirrored(commands, clusters);
+    if (wanted.bounces) bringMirrored(commands, light, clusters);
     commands.endPass();
     commands.beginPass("sources");
     spread(commands, inputs, clusters, clusters.fromLight, light > 0);
@@ -57,8 +63,7 @@ void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, co
     ofSky.openingAngle = inputs.openingAngleOfSky;
     spread(commands, ofSky, clusters, clusters.fromEverywhere, clusters.lights > 0);
   } else {
-    commands.fill(clusters.sources, 0);
-    commands.fill(clusters.latest, 0);
+    commands.fill({clusters.sources, clusters.latest}, 0);
   }
   commands.endPass();
 }
@@ -100,7 +105,7 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
                  .strengths = beams.strengths,
                  .clusterOfSurfel = clusters.clusterOfSurfel,
                  .mirrored = clusters.mirrored,
-                 .peak = clusters.peak,
+                 .peaks = clusters.peaks,
                  .entered = clusters.entered,
                  .skyShares = clusters.skyShares,
                  .clusterPaints = inputs.tables.paint.clusters},
@@ -112,69 +117,68 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
   commands.dispatchLinear(clusters.count, shared::maxPoints * roundsOfWalk);
 }
 
-void BeamPass::bringMirrored(gpu::CommandList& commands, Clusters& clusters) const {
+void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t light,
+                             Clusters& clusters) const {
   for (const auto* pipeline : {&addMirrored_, &takeMirrored_}) {
     commands.bind(*pipeline,
                   {.mirrored = clusters.mirrored,
-                   .peak = clusters.peak,
+                   .peaks = clusters.peaks,
                    .sums = clusters.sums,
                    .arrived = clusters.arrived},
-                  {.clusterCount = clusters.count});
+                  {.clusterCount = clusters.count, .light = light});
     commands.dispatchLinear(clusters.count);
   }
 }
 
+// As fluence and, where light is followed to its second collision, as what scatters once.
 void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
                       Beams& beams, bool adds) const {
-  SceneTables& tables = inputs.tables;
-  for (const bool scattersOnce : {false, true}) {
-    if (scattersOnce && !tables.followsLight) {
-      if (!adds) commands.fill(clusters.latest, 0);
-      return;
-    }
-    fitNodes(commands, tables, clusters, beams, scattersOnce);
-    sum(commands, {scattersOnce, adds}, inputs, clusters, beams);
-  }
-}
-
-// In parts for which lists have room.
-void BeamPass::sum(gpu::CommandList& commands, const Sum& wanted, const Inputs& inputs,
-                   Clusters& clusters, Beams& beams) const {
+  const bool scattersOnce = inputs.tables.followsLight;
+  fitNodes(commands, inputs.tables, clusters, beams);
+  // In parts for which lists have room.
   const std::uint32_t room = clusters.roomOfBeamList;
   for (std::uint32_t from = 0; from < clusters.tree.nodeCount; from += room) {
-    listActing(commands, wanted, from, inputs, clusters);
-    // Bound each time, so that each adds to what the one before has written.
-    const auto bind = [&](const auto& pipeline, gpu::Buffer& sums) {
-      commands.bind(pipeline,
-                    {.objects = inputs.tables.objects,
-                     .media = inputs.tables.media,
-                     .points = beams.points,
-                     .strengths = beams.strengths,
-                     .beamNodes = clusters.beamNodes,
-                     .tiles = clusters.tiles,
-                     .clusterTexels = clusters.clusters,
-                     .ranges = clusters.ranges,
-                     .clusters = clusters.clusters,
-                     .lists = clusters.beamLists,
-                     .sums = sums},
-                    {.tileCount = clusters.tileCount,
-                     .openingAngle = inputs.openingAngle,
-                     .adds = wanted.adds || from > 0,
-                     .isFirst = from == 0,
-                     .room = room});
-    };
-    if (wanted.scattersOnce)
-      bind(inputs.tables.scattersEvenly ? singleEven_ : singleForward_, clusters.latest);
-    else
-      bind(source_, clusters.sources);
-    commands.dispatchLinear(invocationsOfTiles(clusters),
-                            shared::maxPoints * (room / groupSize + 1));
+    listActing(commands, from, inputs, clusters);
+    const Part part{.isFirst = from == 0, .adds = adds || from > 0};
+    sum(commands, source_, clusters.sources, part, inputs, clusters, beams);
+    if (!scattersOnce) continue;
+    sum(commands, inputs.tables.scattersEvenly ? singleEven_ : singleForward_, clusters.latest,
+        part, inputs, clusters, beams);
   }
 }
 
-void BeamPass::listActing(gpu::CommandList& commands, const Sum& wanted, std::uint32_t firstNode,
-                          const Inputs& inputs, Clusters& clusters) const {
+template <typename Shader>
+void BeamPass::sum(gpu::CommandList& commands, const gpu::Compute<Shader>& pipeline,
+                   gpu::Buffer& sums, const Part& part, const Inputs& inputs, Clusters& clusters,
+                   Beams& beams) const {
+  constexpr bool scattersOnce = std::is_same_v<Shader, shaders::BoundarySingle>;
   const std::uint32_t room = clusters.roomOfBeamList;
+  commands.bind(pipeline,
+                {.objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .points = beams.points,
+                 .strengths = beams.strengths,
+                 .beamNodes = clusters.beamNodes,
+                 .tiles = clusters.tiles,
+                 .clusterTexels = clusters.clusters,
+                 .ranges = clusters.ranges,
+                 .clusters = clusters.clusters,
+                 .lists = clusters.beamLists,
+                 .sums = sums},
+                {.tileCount = clusters.tileCount,
+                 .openingAngle = inputs.openingAngle,
+                 .adds = part.adds,
+                 .isFirst = part.isFirst,
+                 .room = room,
+                 .firstList = scattersOnce ? clusters.groupCount : 0,
+                 .firstNode = scattersOnce ? clusters.tree.nodeCount : 0});
+  commands.dispatchLinear(invocationsOfTiles(clusters), shared::maxPoints * (room / groupSize + 1));
+}
+
+void BeamPass::listActing(gpu::CommandList& commands, std::uint32_t firstNode, const Inputs& inputs,
+                          Clusters& clusters) const {
+  const std::uint32_t room = clusters.roomOfBeamList;
+  const std::uint32_t trees = treesOf(inputs.tables);
   commands.bind(acting_,
                 {.objects = inputs.tables.objects,
                  .media = inputs.tables.media,
@@ -184,15 +188,18 @@ void BeamPass::listActing(gpu::CommandList& commands, const Sum& wanted, std::ui
                  .lists = clusters.beamLists},
                 {.groupCount = clusters.groupCount,
                  .openingAngle = inputs.openingAngle,
-                 .scattersOnce = wanted.scattersOnce,
+                 .trees = trees,
+                 .nodeCount = clusters.tree.nodeCount,
                  .room = room,
                  .firstNode = firstNode,
                  .endNode = firstNode + room});
-  commands.dispatchLinear(groupSize * clusters.groupCount, 2 * (room / groupSize + roundsOfWalk));
+  commands.dispatchLinear(groupSize * trees * clusters.groupCount,
+                          2 * (room / groupSize + roundsOfWalk));
 }
 
 void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
-                        Beams& beams, bool scattersOnce) const {
+                        Beams& beams) const {
+  const std::uint32_t trees = treesOf(tables);
   const auto bind = [&](const auto& pipeline, std::uint32_t firstTreelet, std::uint32_t count) {
     commands.bind(pipeline,
                   {.treeletOrder = treeletOrder(clusters.tree),
@@ -203,13 +210,17 @@ void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Cluster
                    .ranges = clusters.ranges,
                    .clusters = clusters.clusters,
                    .nodes = clusters.beamNodes},
-                  {.firstTreelet = firstTreelet, .count = count, .scattersOnce = scattersOnce});
+                  {.firstTreelet = firstTreelet,
+                   .count = count,
+                   .trees = trees,
+                   .nodeCount = clusters.tree.nodeCount});
   };
   bind(leaves_, 0, clusters.count);
-  commands.dispatchLinear(clusters.count);
-  fitInnerNodes(commands, clusters.tree, [&](std::uint32_t firstTreelet, std::uint32_t count) {
-    bind(nodes_, firstTreelet, count);
-  });
+  commands.dispatchLinear(trees * clusters.count);
+  fitInnerNodes(
+      commands, clusters.tree,
+      [&](std::uint32_t firstTreelet, std::uint32_t count) { bind(nodes_, firstTreelet, count); },
+      trees);
 }
 
 }  // namespace opaline::passes

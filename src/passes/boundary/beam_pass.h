@@ -52,19 +52,20 @@ class BeamPass {
   };
   void trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam, Clusters& clusters,
              Beams& beams) const;
-  void bringMirrored(gpu::CommandList& commands, Clusters& clusters) const;
+  void bringMirrored(gpu::CommandList& commands, std::uint32_t light, Clusters& clusters) const;
   void spread(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters, Beams& beams,
               bool adds) const;
-  struct Sum {
-    bool scattersOnce;
-    bool adds;  ///< to what other light gave
+  struct Part {
+    bool isFirst;  ///< for this light
+    bool adds;     ///< to what other light and other parts gave
   };
-  void sum(gpu::CommandList& commands, const Sum& wanted, const Inputs& inputs, Clusters& clusters,
-           Beams& beams) const;
-  void listActing(gpu::CommandList& commands, const Sum& wanted, std::uint32_t firstNode,
-                  const Inputs& inputs, Clusters& clusters) const;
-  void fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters, Beams& beams,
-                bool scattersOnce) const;
+  template <typename Shader>
+  void sum(gpu::CommandList& commands, const gpu::Compute<Shader>& pipeline, gpu::Buffer& sums,
+           const Part& part, const Inputs& inputs, Clusters& clusters, Beams& beams) const;
+  void listActing(gpu::CommandList& commands, std::uint32_t firstNode, const Inputs& inputs,
+                  Clusters& clusters) const;
+  void fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
+                Beams& beams) const;
 
   Variants<shaders::BoundaryBeams> trace_;
   gpu::Compute<shaders::BoundaryMirrored> addMirrored_;

@@ -173,13 +173,13 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.fromEverywhere =
       makeBeams(device, "points from everywhere", "strengths from everywhere", clusters.count);
   clusters.mirrored = makeRoom<shared::Mirrored>(device, "mirrored light", count);
-  clusters.peak = makeRoom<shared::vec4>(device, "peak of mirrored light", 1);
+  clusters.peaks = makeRoom<std::uint32_t>(device, "peaks of mirrored light", shared::maxLights);
   clusters.sums = makeRoom<shared::vec4>(device, "sums of mirrored light", count);
   clusters.arrived = makeRoom<shared::vec4>(device, "arrived mirrored light", count);
-  clusters.beamNodes = makeRoom<shared::BeamNode>(device, "tree of points", nodes);
-  clusters.roomOfBeamList = roomOfBeamList(clusters.tree.nodeCount, groups.size());
+  clusters.beamNodes = makeRoom<shared::BeamNode>(device, "trees of points", 2 * nodes);
+  clusters.roomOfBeamList = roomOfBeamList(clusters.tree.nodeCount, 2 * groups.size());
   clusters.beamLists = makeRoom<std::uint32_t>(
-      device, "lists of points", groups.size() * (std::size_t{clusters.roomOfBeamList} + 1));
+      device, "lists of points", 2 * groups.size() * (std::size_t{clusters.roomOfBeamList} + 1));
   clusters.sources = makeRoom<shared::vec4>(device, "sources of fluence", count);
   clusters.skyShares = makeRoom<shared::vec4>(device, "share of the sky of clusters", count);
   clusters.entered = makeRoom<shared::vec4>(device, "diffuse light that enters", count);

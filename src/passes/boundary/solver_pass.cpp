@@ -1,8 +1,11 @@
 #include "passes/boundary/solver_pass.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 #include "gpu/device.h"
+#include "gpu/transfer.h"
 #include "passes/mechanics.h"
 #include "shaders/shared/boundary.h"
 
@@ -14,6 +17,16 @@ std::uint32_t groupsOf(std::uint32_t invocations) {
   return (invocations + groupSize - 1) / groupSize;
 }
 
+std::uint32_t densityGroups(const Clusters& clusters) {
+  return groupsOf(clusters.count + clusters.smallInnerCount) + clusters.innerCount -
+         clusters.smallInnerCount;
+}
+
+// A member of the solution's state, among those of all.
+std::size_t inState(const SolverPass::Order& order, std::size_t member) {
+  return order.solution * sizeof(shared::SolverState) + member;
+}
+
 bool entersAtSurface(const SolverPass::Order& order, const SceneTables& tables) {
   return order.isDiffuse && tables.entersAtSurface;
 }
@@ -23,7 +36,6 @@ bool entersAtSurface(const SolverPass::Order& order, const SceneTables& tables) 
 SolverPass::SolverPass(gpu::Device& device)
     : plain_(makePipelines(device, false)),
       painted_(makePipelines(device, true)),
-      step_(device, "step of the solver"),
       powerOfLastButOne_(device, "power of a bounce", {.ofLast = 0, .withPaint = 0}),
       furtherBounces_{{device, "further bounces", {.ofLast = 1, .withPaint = 0}},
                       {device, "further bounces", {.ofLast = 1, .withPaint = 1}}} {}
@@ -45,7 +57,11 @@ Solver SolverPass::makeSolver(gpu::Device& device, const Clusters& clusters,
       makeRoom<shared::vec4>(device, "basis of the solver", count * (shared::maxSolverSteps + 1));
   solver.sums = makeRoom<shared::vec4>(
       device, "sums of the solver", std::size_t{clusters.tileCount} * (shared::maxSolverSteps + 1));
-  solver.states = makeRoom<shared::SolverState>(device, "states of the solver", solutions);
+  // Each step leaves the count of tiles that it needs to be 0 at 0 again.
+  solver.states =
+      gpu::makeBuffer(device, "states of the solver",
+                      std::vector<shared::SolverState>(solutions, shared::SolverState{}),
+                      roomUsage | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
   return solver;
 }
 
@@ -78,7 +94,8 @@ void SolverPass::record(gpu::CommandList& commands, const Order& order, SceneTab
                  .solution = order.solution,
                  .adds = order.adds,
                  .isDiffuse = order.isDiffuse,
-                 .atSurface = entersAtSurface(order, tables)});
+                 .atSurface = entersAtSurface(order, tables),
+                 .scattersOnce = tables.followsLight});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
 }
@@ -119,8 +136,13 @@ void SolverPass::findDensities(gpu::CommandList& commands, const Order& order, O
                  .innerCount = clusters.innerCount,
                  .solution = order.solution,
                  .ofEntered = of == Of::Entered});
-  const std::uint32_t alone = groupsOf(clusters.count + clusters.smallInnerCount);
-  commands.dispatchLinear(groupSize * (alone + clusters.innerCount - clusters.smallInnerCount));
+  if (of == Of::Entered) {
+    commands.dispatchLinear(groupSize * densityGroups(clusters));
+  } else {
+    commands.use(solver.states, gpu::Access::Indirect);
+    commands.dispatchIndirect(solver.states,
+                              inState(order, offsetof(shared::SolverState, groupsOfDensities)));
+  }
 }
 
 // The operator on the last vector of the basis, or in step 0 the right side; then what that says of
@@ -142,22 +164,22 @@ void SolverPass::multiply(gpu::CommandList& commands, const Order& order, std::u
                  .basis = solver.basis,
                  .products = solver.products,
                  .sums = solver.sums,
-                 .states = solver.states,
+                 .states = gpu::WriteIndirect(solver.states),
                  .entered = clusters.entered,
                  .clusterPaints = tables.paint.clusters},
                 {.tileCount = clusters.tileCount,
                  .clusterCount = clusters.count,
                  .openingAngle = order.openingAngle,
-                 .step = step,
-                 .solution = order.solution,
-                 .atSurface = atSurface});
-  commands.dispatchLinear(invocationsOfTiles(clusters), step > 0 || atSurface ? roundsOfWalk : 1);
-  commands.bind(step_, {.sums = solver.sums, .states = solver.states},
-                {.tileCount = clusters.tileCount,
                  .tolerance = order.tolerance,
                  .step = step,
-                 .solution = order.solution});
-  commands.dispatchLinear(groupSize);
+                 .solution = order.solution,
+                 .atSurface = atSurface,
+                 .densityGroups = densityGroups(clusters)});
+  if (step > 0)
+    commands.dispatchIndirect(solver.states,
+                              inState(order, offsetof(shared::SolverState, groupsOfProduct)));
+  else
+    commands.dispatchLinear(invocationsOfTiles(clusters), atSurface ? roundsOfWalk : 1);
 }
 
 }  // namespace opaline::passes

@@ -11,7 +11,6 @@
 #include "shaders/boundary/exitance.comp.h"
 #include "shaders/boundary/further_bounces.comp.h"
 #include "shaders/boundary/product.comp.h"
-#include "shaders/boundary/solver_step.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -67,7 +66,6 @@ class SolverPass {
 
   Pipelines plain_;
   Pipelines painted_;
-  gpu::Compute<shaders::BoundarySolverStep> step_;
   gpu::Compute<shaders::BoundaryFurtherBounces> powerOfLastButOne_;
   Variants<shaders::BoundaryFurtherBounces> furtherBounces_;
 };

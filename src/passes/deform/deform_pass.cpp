@@ -22,7 +22,7 @@ void DeformPass::replace(gpu::CommandList& commands, gpu::Buffer& given, std::ui
 
 void DeformPass::record(gpu::CommandList& commands, Motion& motion, DeformedMesh& mesh) const {
   constexpr std::uint32_t emptyBounds = 0xffffffffU;
-  commands.fill(mesh.bounds, emptyBounds);
+  commands.fill({mesh.bounds}, emptyBounds);
   commands.bind(vertices_, {.frame = motion.frame,
                             .rest = motion.rest,
                             .firstDelta = motion.firstDelta,

@@ -13,7 +13,7 @@ namespace {
 
 // Surfaces that a band's list has room for, if a band is no less than a row of tiles. Most pixels
 // see one or none, so that a list is rarely as long. What is known of opaque ones is large.
-constexpr std::uint32_t surfacesOfBand = 1U << 21U;
+constexpr std::uint32_t surfacesOfBand = 1U << 22U;
 constexpr std::uint32_t surfacesOfOpaqueBand = 1U << 20U;
 constexpr std::uint32_t tile = 8;
 
@@ -141,8 +141,7 @@ void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std
   const VkExtent2D extent = surfaces.words.extent();
   const std::uint32_t rows = std::min(surfaces.rowsOfBand, extent.height - firstRow);
   commands.beginPass("surface");
-  commands.fill(surfaces.counts, 0);
-  commands.fill(surfaces.mixedCount, 0);
+  commands.fill({surfaces.counts, surfaces.mixedCount, surfaces.askedCounts}, 0);
   commands.bind(seen_,
                 {.words = surfaces.words,
                  .surfaces = surfaces.list,

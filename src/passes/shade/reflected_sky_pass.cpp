@@ -55,7 +55,6 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .alpha = alpha});
   const auto groupsOf = [](std::uint32_t pixels) { return (pixels + 31) / 32; };
   commands.dispatch(groupsOf(surfaces.words.extent().width), groupsOf(surfaces.rowsOfBand));
-  commands.fill(surfaces.askedCounts, 0);
   dispatchWhole(commands, surfaces.counts, known_,
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .objects = inputs.tables.objects,

@@ -1,4 +1,5 @@
-// Which nodes of light act on the clusters of a group: those which are far from all of them, and leaves.
+// Which nodes of light act on the clusters of a group: those which are far from all of them, and leaves. Of
+// the tree of sources of fluence, then of that of light that scatters once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -18,8 +19,9 @@ layout(std430, set = 0, binding = 5) writeonly buffer Lists { uint lists[]; };
 layout(push_constant) uniform Push {
   uint groupCount;
   float openingAngle;
-  uint scattersOnce;  // 1: nodes are sources of light that scatters once
-  uint room;          // of a list
+  uint trees;      // 1: the first alone
+  uint nodeCount;  // of a tree
+  uint room;       // of a list
   uint firstNode;
   uint endNode;
 };
@@ -27,6 +29,7 @@ layout(push_constant) uniform Push {
 // From further than that, no light that scatters once is left.
 const float furthestFreePaths = 8.0;
 
+uint scattersOnce;  // 1: nodes are sources of light that scatters once
 ClusterGroup group;
 Around around;
 float sigma;
@@ -65,7 +68,7 @@ bool isFarFromAll(BeamNode node) {
 uint nextActing(inout uint at) {
   uint found = noNode;
   while (found == noNode && at < sliceEnd) {
-    BeamNode node = readBeamNode(at);
+    BeamNode node = readBeamNode(scattersOnce * nodeCount + at);
     uint link = linkOf(node);
     uint after = afterNode(at, link);
     bool left = node.extent.x < 0.0 || after <= sliceBegin ||
@@ -80,8 +83,9 @@ uint nextActing(inout uint at) {
 
 void main() {
   uint index = linearIndex() / gl_WorkGroupSize.x;
-  if (index >= groupCount) return;
-  group = groups[index];
+  scattersOnce = index / groupCount;
+  if (scattersOnce >= trees) return;
+  group = groups[index % groupCount];
   ObjectData body = objects[group.object];
   BoundaryMedium medium = insideOf(body);
   around = aroundGroup();

@@ -1,6 +1,6 @@
 // Points of light in the body on the nodes of the tree of clusters: at leaves, one a cluster, or at
-// inner nodes. Either as sources of fluence or, of the part that is followed to its second collision,
-// as sources of light that scatters once.
+// inner nodes. Of a tree as sources of fluence and, of the part that is followed to its second collision, of
+// one as sources of light that scatters once.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -20,8 +20,12 @@ layout(std430, set = 0, binding = 10) coherent buffer Nodes { BeamNode nodes[]; 
 layout(push_constant) uniform Push {
   uint firstTreelet;
   uint count;         // of treelets, or of clusters
-  uint scattersOnce;  // 1: sources of light that scatters once
+  uint trees;         // 1: the first alone
+  uint nodeCount;     // of a tree; that of light that scatters once follows the other
 };
+
+uint scattersOnce;  // 1: of sources of light that scatters once
+uint root;          // of its tree
 
 // How large points are felt to be by light that scatters once, in roots of their mean square
 // distance: it falls off steeply. Fluence takes their spread into account, so that clusters of points
@@ -60,7 +64,7 @@ void put(uint node, mat3 centroids, float radius, Squares squares, float square,
   float apart = max(distance(centroids[0], centroids[1]), distance(centroids[2], centroids[1]));
   float size = sqrt(squares.same.x + squares.same.y + squares.same.z);
   bool dark = power == vec3(0.0);
-  nodes[node] = BeamNode(vec4(centroids[1], uintBitsToFloat(links[node])),
+  nodes[root + node] = BeamNode(vec4(centroids[1], uintBitsToFloat(links[node])),
                          vec4(dark ? -1.0 : radius, apart, size, power.g), vec4(centroids[0], power.r),
                          vec4(centroids[2], power.b), vec4(squares.same, square), vec4(squares.across, 0.0));
 }
@@ -131,30 +135,30 @@ void fitNode(uint node, uint link) {
   vec3 power = vec3(0.0);
   mat3 weighted = mat3(0.0);
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
-    vec3 f = powerOf(nodes[child]);
-    mat3 places = centroidsOf(nodes[child]);
+    vec3 f = powerOf(nodes[root + child]);
+    mat3 places = centroidsOf(nodes[root + child]);
     power += f;
     for (int c = 0; c < 3; ++c) weighted[c] += f[c] * places[c];
   }
-  mat3 centroids = meansOf(weighted, power, nodes[node + 1u].redPower.xyz);
+  mat3 centroids = meansOf(weighted, power, nodes[root + node + 1u].redPower.xyz);
   float felt = scattersOnce != 0u ? feltOnce : feltInARow;
   float felt2 = 0.0;
   float square = 0.0;
   Squares squares = Squares(vec3(0.0), vec3(0.0));
   for (uint child = node + 1u; child < end; child = afterNode(child, links[child])) {
-    vec3 f = powerOf(nodes[child]);
-    mat3 places = centroidsOf(nodes[child]);
+    vec3 f = powerOf(nodes[root + child]);
+    mat3 places = centroidsOf(nodes[root + child]);
     for (int c = 0; c < 3; ++c) {
       vec3 offset = places[c] - centroids[c];
       float away2 = dot(offset, offset);
       felt2 += f[c] * (felt * felt * away2 +
-                       nodes[child].extent.x * nodes[child].extent.x);
+                       nodes[root + child].extent.x * nodes[root + child].extent.x);
       add(squares, f[c], offset);
-      square += f[c] * (away2 + nodes[child].square.w);
+      square += f[c] * (away2 + nodes[root + child].square.w);
     }
     float all = f.r + f.g + f.b;
-    squares.same += all * nodes[child].square.xyz;
-    squares.across += all * nodes[child].across.xyz;
+    squares.same += all * nodes[root + child].square.xyz;
+    squares.across += all * nodes[root + child].across.xyz;
   }
   float all = max(power.r + power.g + power.b, 1e-30);
   squares = Squares(squares.same / all, squares.across / all);
@@ -162,8 +166,13 @@ void fitNode(uint node, uint link) {
 }
 
 void main() {
+  uint i = linearIndex();
+  if (ofLeaves == 0u) i /= gl_WorkGroupSize.x;
+  scattersOnce = i / count;
+  if (scattersOnce >= trees) return;
+  root = scattersOnce * nodeCount;
   if (ofLeaves == 0u)
-    fitTreelets(firstTreelet, count);
-  else if (linearIndex() < count)
-    gatherLeaf(linearIndex());
+    fitTreelet(firstTreelet + i % count);
+  else
+    gatherLeaf(i % count);
 }

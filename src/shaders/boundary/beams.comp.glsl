@@ -27,7 +27,7 @@ layout(std430, set = 0, binding = 9) writeonly buffer Strengths { vec4 strengths
 
 layout(std430, set = 0, binding = 10) readonly buffer ClusterOfSurfel { uint clusterOfSurfel[]; };
 layout(std430, set = 0, binding = 11) writeonly buffer MirroredLight { Mirrored mirrored[]; };
-layout(std430, set = 0, binding = 12) buffer Peak { uint peak; };
+layout(std430, set = 0, binding = 12) buffer Peaks { uint peaks[]; };  // of lights
 layout(std430, set = 0, binding = 13) writeonly buffer Entered { vec4 entered[]; };
 layout(std430, set = 0, binding = 14) readonly buffer SkyShares { vec4 skyShares[]; };
 
@@ -283,7 +283,7 @@ void main() {
     reflections(body, i, cluster, entry.start.xyz, direction, hit);
     if (mirrors != 0u) {
       goesOn = mirroredOf(body, entry, from, power);
-      atomicMax(peak, floatBitsToUint(largestOf(goesOn.power.rgb)));
+      atomicMax(peaks[beam], floatBitsToUint(largestOf(goesOn.power.rgb)));
     }
   }
   if (mirrors != 0u) mirrored[i] = goesOn;

@@ -28,7 +28,7 @@ layout(push_constant) uniform Push {
   uint clusterCount;
   uint smallCount;  // of inner nodes, those of few clusters
   uint innerCount;
-  uint solution;   // nothing to do when that is done
+  uint solution;
   uint ofEntered;  // 1: of the light that has entered at the surface, for its double layer alone
 };
 
@@ -99,7 +99,6 @@ void putLeaf(uint cluster) {
 }
 
 void main() {
-  if (ofEntered == 0u && states[solution].done != 0u) return;
   uint i = linearIndex();
   uint alone = clusterCount + smallCount;
   uint groupsAlone = (alone + gl_WorkGroupSize.x - 1u) / gl_WorkGroupSize.x;

@@ -27,6 +27,7 @@ layout(push_constant) uniform Push {
   uint adds;       // 1: to what entered before
   uint isDiffuse;  // 1: diffuse light has entered
   uint atSurface;  // 1: some of it there
+  uint scattersOnce;  // 1: some light leaves after its first collision
 };
 
 // Clusters that hold both sides of a sheet do not tell on which of them light was mirrored.
@@ -62,7 +63,8 @@ void main() {
   uint i = linearIndex();
   if (i >= clusterCount || ranges[i].kind == opaqueBody) return;
   BoundaryMedium medium = insideOf(objects[ranges[i].object]);
-  vec3 leaves = latest[i].rgb + fluenceOf(i) / (2.0 * medium.diffusion.w);
+  vec3 leaves = fluenceOf(i) / (2.0 * medium.diffusion.w);
+  if (scattersOnce != 0u) leaves += latest[i].rgb;
   vec3 enters = vec3(0.0);
   if (atSurface != 0u && ranges[i].kind == bodyWithInside)
     enters = shareAtSurface(clusters[i].start.w, medium) * entered[i].rgb;

@@ -8,17 +8,18 @@
 layout(constant_id = 0) const uint addsUp = 1u;
 
 layout(std430, set = 0, binding = 0) readonly buffer MirroredLight { Mirrored mirrored[]; };
-layout(std430, set = 0, binding = 1) readonly buffer Peak { uint peak; };
+layout(std430, set = 0, binding = 1) readonly buffer Peaks { uint peaks[]; };  // of lights
 layout(std430, set = 0, binding = 2) buffer Sums { uint sums[]; };  // three a cluster
 layout(std430, set = 0, binding = 3) buffer Arrived { vec4 arrived[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
+  uint light;
 };
 
 void main() {
   uint i = linearIndex();
-  float most = uintBitsToFloat(peak);
+  float most = uintBitsToFloat(peaks[light]);
   if (i >= clusterCount || most <= 0.0) return;
   float whole = 4.0e9 / float(clusterCount);  // what the peak is, so that all together fit
   if (addsUp == 0u) {
@@ -28,9 +29,9 @@ void main() {
     }
     return;
   }
-  Mirrored light = mirrored[i];
-  if (light.cluster == noCluster) return;
-  uvec3 parts = uvec3(light.power.rgb / most * whole);
+  Mirrored its = mirrored[i];
+  if (its.cluster == noCluster) return;
+  uvec3 parts = uvec3(its.power.rgb / most * whole);
   for (uint c = 0u; c < 3u; ++c)
-    if (parts[c] > 0u) atomicAdd(sums[3u * light.cluster + c], parts[c]);
+    if (parts[c] > 0u) atomicAdd(sums[3u * its.cluster + c], parts[c]);
 }

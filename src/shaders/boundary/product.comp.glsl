@@ -3,7 +3,7 @@
 //   K_ij φ_j = -(1 + σr) e^{-σr} (x_j - x_i)·A_j φ_j / 4πr³, single clusters covering what a disc does.
 // With its inner products, weighted by area: with each vector of the basis so far, then with itself, one
 // sum a tile. The first step, 0, takes the right side instead: the sources, less what c and K give of
-// light that has entered at the surface.
+// light that has entered at the surface. The work group that is the last to have its sums ends the step.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -25,18 +25,22 @@ layout(set = 0, binding = 8) uniform samplerBuffer densities;  // DensityNode
 layout(std430, set = 0, binding = 9) readonly buffer Sources { vec4 sources[]; };
 layout(std430, set = 0, binding = 10) readonly buffer Basis { vec4 basis[]; };
 layout(std430, set = 0, binding = 11) writeonly buffer Products { vec4 products[]; };
-layout(std430, set = 0, binding = 12) writeonly buffer Sums { vec4 sums[]; };  // of each tile
-layout(std430, set = 0, binding = 13) readonly buffer States { SolverState states[]; };
+layout(std430, set = 0, binding = 12) coherent buffer Sums { vec4 sums[]; };  // of each tile
+layout(std430, set = 0, binding = 13) buffer States { SolverState states[]; };
 layout(std430, set = 0, binding = 14) readonly buffer Entered { vec4 entered[]; };
 
 layout(push_constant) uniform Push {
   uint tileCount;
   uint clusterCount;
   float openingAngle;
-  uint step;  // skipped when the solver is done
+  float tolerance;  // of the residual, relative to the sources and to what entered at the surface
+  uint step;
   uint solution;
-  uint atSurface;  // 1: light has entered there
+  uint atSurface;      // 1: light has entered there
+  uint densityGroups;  // of the dispatch before the next product
 };
+
+#include "lib/solver_step.glsl"
 
 // Clusters that lie upon each other might give any share of the solid angle.
 const float leastShare = 0.05;
@@ -173,15 +177,27 @@ void putInnerProducts() {
   for (uint k = gl_LocalInvocationIndex / maxClustersOfTile; k <= last; k += atOnce)
     innerTerms[k][t] = there ? innerTerm(k, t, tile.firstCluster + t) : vec3(0.0);
   barrier();
-  uint k = gl_LocalInvocationIndex;
-  if (k > last) return;
-  vec3 sum = vec3(0.0);
-  [[unroll]] for (uint i = 0u; i < maxClustersOfTile; ++i) sum += innerTerms[k][i];
-  sums[tileIndex * (maxSolverSteps + 1u) + k] = vec4(sum, 0.0);
+  if (gl_SubgroupID != 0u) return;
+  for (uint k = gl_SubgroupInvocationID; k <= last; k += gl_SubgroupSize) {
+    vec3 sum = vec3(0.0);
+    [[unroll]] for (uint i = 0u; i < maxClustersOfTile; ++i) sum += innerTerms[k][i];
+    sums[tileIndex * (maxSolverSteps + 1u) + k] = vec4(sum, 0.0);
+  }
+}
+
+// Of the subgroup that has put them: whether all other tiles have their inner products already.
+bool isLastOfTiles() {
+  subgroupMemoryBarrierBuffer();
+  memoryBarrierBuffer();
+  subgroupBarrier();
+  uint before = 0u;
+  if (subgroupElect()) before = atomicAdd(states[solution].tilesDone, 1u);
+  bool isLast = subgroupMax(before) + 1u == tileCount;
+  memoryBarrierBuffer();
+  return isLast;
 }
 
 void main() {
-  if (step > 0u && states[solution].done != 0u) return;
   if (!enterTile(tileCount)) return;
   uint target = gl_LocalInvocationIndex;
   uint i = tile.firstCluster + target;
@@ -198,4 +214,5 @@ void main() {
   if (target < maxClustersOfTile) tileProducts[target] = product;
   barrier();
   putInnerProducts();
+  if (gl_SubgroupID == 0u && isLastOfTiles()) endStep();
 }

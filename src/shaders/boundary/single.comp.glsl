@@ -119,13 +119,13 @@ void addPoints(uint cluster) {
 }
 
 void sumList(Around around) {
-  uint list = startOfList(tile.group, room);
+  uint list = startOfTilesList();
   uint count = lists[list];
   for (uint begin = 0u; begin < count; begin += sizeOfPart) {
     uvec4 ends = sortPart(list, begin, min(begin + sizeOfPart, count), around, 0.0);
     uint i = gl_LocalInvocationIndex;
-    for (uint k = i; k < ends.y; k += invocationsOfTile) addNode(readBeamNode(sorted[k]));
-    for (uint k = ends.y + i; k < ends.w; k += invocationsOfTile) addPoints(clusterOf(readBeamNode(sorted[k])));
+    for (uint k = i; k < ends.y; k += invocationsOfTile) addNode(readListed(sorted[k]));
+    for (uint k = ends.y + i; k < ends.w; k += invocationsOfTile) addPoints(clusterOf(readListed(sorted[k])));
     barrier();
   }
 }

@@ -134,7 +134,7 @@ void addPoint(BeamPoint point, vec3 power, float areaMm2, uint without) {
 }
 
 Sender senderAt(uint node) {
-  return senderOf(clusterOf(readBeamNode(node)));
+  return senderOf(clusterOf(readListed(node)));
 }
 
 void expandNode(BeamNode node, vec3 middle) {
@@ -158,14 +158,14 @@ void addPoints(Sender from) {
 }
 
 void sumList(Around around) {
-  uint list = startOfList(tile.group, room);
+  uint list = startOfTilesList();
   uint count = lists[list];
   for (uint begin = 0u; begin < count; begin += sizeOfPart) {
     uvec4 ends = sortPart(list, begin, min(begin + sizeOfPart, count), around, leastSigma);
     uint i = gl_LocalInvocationIndex;
-    for (uint k = i; k < ends.x; k += invocationsOfTile) addNode(readBeamNode(sorted[k]));
+    for (uint k = i; k < ends.x; k += invocationsOfTile) addNode(readListed(sorted[k]));
     for (uint k = ends.x + i; k < ends.y; k += invocationsOfTile)
-      expandNode(readBeamNode(sorted[k]), around.middle);
+      expandNode(readListed(sorted[k]), around.middle);
     for (uint k = ends.y + i; k < ends.z; k += invocationsOfTile) addPoints(senderAt(sorted[k]));
     for (uint k = ends.z + i; k < ends.w; k += invocationsOfTile) {
       Sender from = senderAt(sorted[k]);

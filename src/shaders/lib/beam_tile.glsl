@@ -25,7 +25,17 @@ layout(push_constant) uniform Push {
   uint adds;     // 1: to what other light and other nodes gave
   uint isFirst;  // 1: of the dispatches for this light
   uint room;     // of a list
+  uint firstList;  // of the groups'
+  uint firstNode;  // of the tree that is listed there
 };
+
+BeamNode readListed(uint node) {
+  return readBeamNode(firstNode + node);
+}
+
+uint startOfTilesList() {
+  return startOfList(firstList + tile.group, room);
+}
 
 vec3 tileLight[maxClustersOfTile];
 
@@ -56,7 +66,7 @@ const uint pointsApart = 3u;
 const float apartInRadii = 4.0;
 
 uint kindOf(uint entry, Around around, float sigma) {
-  BeamNode node = readBeamNode(entry & ~openedBit);
+  BeamNode node = readListed(entry & ~openedBit);
   uint cluster = clusterOf(node);
   bool listed = (entry & openedBit) != 0u;
   // The tile's own are always opened: parts of them are discs.

@@ -19,17 +19,20 @@ layout(std430, set = 0, binding = BINDING_TREELETS + 3) readonly buffer LevelOfT
 
 void fitNode(uint node, uint link);
 
-void fitTreelets(uint first, uint count) {
-  uint i = linearIndex() / gl_WorkGroupSize.x;
-  if (i >= count) return;
-  uint endLevel = levelOfTreelet[first + i + 1u];
-  for (uint level = levelOfTreelet[first + i]; level < endLevel; ++level) {
+void fitTreelet(uint treelet) {
+  uint endLevel = levelOfTreelet[treelet + 1u];
+  for (uint level = levelOfTreelet[treelet]; level < endLevel; ++level) {
     uint end = firstOfLevel[level + 1u];
     for (uint at = firstOfLevel[level] + gl_LocalInvocationIndex; at < end; at += gl_WorkGroupSize.x)
       fitNode(treeletNodes[at], links[treeletNodes[at]]);
     memoryBarrierBuffer();
     barrier();
   }
+}
+
+void fitTreelets(uint first, uint count) {
+  uint i = linearIndex() / gl_WorkGroupSize.x;
+  if (i < count) fitTreelet(first + i);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 namespace opaline::shared {
 using uint = std::uint32_t;  // NOLINT(readability-identifier-naming): GLSL's word
+using glm::uvec4;
 using glm::vec4;
 #define OPALINE_BOUNDARY_CONSTANT constexpr std::uint32_t
 #define OPALINE_BOUNDARY_NUMBER constexpr float
@@ -184,8 +185,11 @@ struct SolverState {
   vec4 residual;                      // rgb: relative to the right-hand side
   vec4
       projections[maxSolverSteps + 1u];  // of the last product on the basis, and what is left of it
-  uint steps;                            // that were made
-  uint done;                             // 1: nothing more to do
+  // Of the dispatches of the next step: none where the residual is small enough.
+  uvec4 groupsOfDensities;
+  uvec4 groupsOfProduct;
+  uint steps;      // that were made
+  uint tilesDone;  // of the product under way
   uint unused[2];
 };
 

@@ -1,0 +1,85 @@
+// The end of a step of generalised minimal residuals (Saad and Schultz 1986), each channel by itself: from
+// the inner products what makes the last product orthogonal to the basis (Gram and Schmidt), and the
+// residual by Givens rotations. A part of boundary/product.comp.glsl, which has `states`, of tiles `sums`, and
+// the push constants.
+#ifndef OPALINE_LIB_SOLVER_STEP
+#define OPALINE_LIB_SOLVER_STEP
+#include "lib/over_or_0.glsl"
+
+// What is left of a vector, relative to what it was and squared, when rounding may have made it: some
+// roundings of sums of single precision.
+const float leastLeft2 = 1.0 / float(1u << 21u);
+
+vec3 total(uint k) {
+  vec3 sum = vec3(0.0);
+  for (uint t = gl_SubgroupInvocationID; t < tileCount; t += gl_SubgroupSize)
+    sum += sums[t * (maxSolverSteps + 1u) + k].rgb;
+  return subgroupAdd(sum);
+}
+
+void orderNextStep(vec3 toGo) {
+  bool done = all(lessThanEqual(toGo, states[solution].wanted.rgb));
+  states[solution].groupsOfDensities = done ? uvec4(0u) : uvec4(densityGroups, 1u, 1u, 0u);
+  states[solution].groupsOfProduct = done ? uvec4(0u) : uvec4(tileCount, 1u, 1u, 0u);
+}
+
+void start(vec3 norm, vec3 scale) {
+  states[solution].wanted = vec4(tolerance * scale, 0.0);
+  states[solution].rotated[0] = vec4(norm, 0.0);
+  states[solution].residual = vec4(overOr0(norm, scale), 0.0);
+  states[solution].steps = 0u;
+  orderNextStep(norm);
+}
+
+// The column of the Hessenberg matrix, which is the projections, under all rotations, and the one it adds.
+// Where nothing but rounding is left of the vector, no larger than `hidden`, there is no next one, and that
+// is as much as is known of the residual.
+void rotate(vec3 left, vec3 hidden) {
+  uint last = step - 1u;
+  uint column = last * (maxSolverSteps + 1u);
+  vec3 lower = states[solution].projections[0].rgb;
+  for (uint k = 0u; k < last; ++k) {
+    vec3 c = states[solution].cosine[k].rgb;
+    vec3 s = states[solution].sine[k].rgb;
+    vec3 next = states[solution].projections[k + 1u].rgb;
+    states[solution].hessenberg[column + k] = vec4(c * lower + s * next, 0.0);
+    lower = c * next - s * lower;
+  }
+  vec3 size = sqrt(lower * lower + left * left);
+  vec3 c = overOr0(lower, size);
+  vec3 s = overOr0(left, size);
+  states[solution].hessenberg[column + last] = vec4(size, 0.0);
+  vec3 before = states[solution].rotated[last].rgb;
+  states[solution].cosine[last] = vec4(c, 0.0);
+  states[solution].sine[last] = vec4(s, 0.0);
+  states[solution].rotated[last] = vec4(c * before, 0.0);
+  vec3 part = mix(min(max(s, overOr0(hidden, size)), 1.0), vec3(1.0), lessThanEqual(size, vec3(0.0)));
+  states[solution].rotated[step] = vec4(-part * before, 0.0);
+  vec3 residual = abs(part * before);
+  states[solution].residual = vec4(overOr0(residual * tolerance, states[solution].wanted.rgb), 0.0);
+  states[solution].steps = step;
+  orderNextStep(mix(residual, vec3(0.0), lessThanEqual(left, vec3(0.0))));
+}
+
+// Every invocation of one subgroup calls it.
+void endStep() {
+  vec3 all2 = total(step);
+  vec3 entered = step == 0u ? sqrt(total(1u)) : vec3(0.0);
+  vec3 left2 = all2;
+  for (uint k = 0u; k < step; ++k) {
+    vec3 projection = total(k);
+    left2 -= projection * projection;
+    if (subgroupElect()) states[solution].projections[k] = vec4(projection, 0.0);
+  }
+  if (!subgroupElect()) return;
+  states[solution].tilesDone = 0u;
+  bvec3 rounded = step == 0u ? bvec3(false) : lessThanEqual(left2, leastLeft2 * all2);
+  vec3 left = mix(sqrt(max(left2, 0.0)), vec3(0.0), rounded);
+  states[solution].projections[step] = vec4(left, 0.0);
+  if (step == 0u)
+    start(left, left + entered);
+  else
+    rotate(left, mix(vec3(0.0), sqrt(leastLeft2 * all2), rounded));
+}
+
+#endif
