@@ -1,7 +1,8 @@
 // How much of what 2×2 pixels mirror is sky, where one smooth surface fills them. Where that fills a block of
-// 4×4 pixels and rays from its corners agree, all of it is as they say. Else its quarters are asked from
-// opposite corners, by the widest rays of the lobe. Where even 2×2 pixels disagree and the lobe is wide, so
-// that its shadows are soft, they share twice the rays of one.
+// 4×4 pixels and rays from its corners agree, all of it is as they say. A corner is that of four blocks, and each
+// block has a ray of each kind at its own. Else its quarters are asked from opposite corners, by the widest
+// rays of the lobe. Where even 2×2 pixels disagree and the lobe is wide, so that its shadows are soft, they
+// share twice the rays of one.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -42,6 +43,14 @@ shared uint askedCount[levels + 1u];
 shared uint answers[smallest];
 shared float shares[smallest];  // of the smallest blocks, or unknownShare
 
+// The corners of the largest blocks of the group.
+const uint widthOfCorners = widthOfGroup / 2u + 1u;
+const uint corners = widthOfCorners * widthOfCorners;
+const uint noObject = 0xffffffffu;
+shared uint rayOfCorner[corners];
+shared uint objectOfCorner[corners];  // noObject where no single surface fills the pixel
+shared vec3 normalOfCorner[corners];
+
 uvec2 placeOfMorton(uint i) {
   uvec2 place = uvec2(0u);
   for (int bit = 0; bit < 4; ++bit)
@@ -72,16 +81,87 @@ ivec2 pixelOfBlock(uint firstBelow) {
   return firstPixel() + 2 * ivec2(placeOfMorton(firstBelow));
 }
 
+// One of four kinds, one for each corner of a block.
+uint rayOfKind(uint kind, MeshPlace here) {
+  if (withOwnSurfaces != 0u && hasOwnSurface(mediumAt(objects[here.object], here.position))) return noRay;
+  const uint order[4] = uint[4](0u, 2u, 3u, 1u);  // those of opposite corners follow each other
+  uint raysInAll = raysOfSample(alpha) * samples;
+  uint widest = raysInAll - 1u;
+  return reflectedRay(widest - min(order[kind], widest), raysInAll, here, Mirror(alpha, here.normal));
+}
+
+bool goesOnSmoothly(uint objectHere, vec3 normalHere, uint objectThere, vec3 normalThere) {
+  return objectHere == objectThere && dot(normalHere, normalThere) >= leastCosine;
+}
+
 // From one of the block's corners, if the surface goes on smoothly to the one opposite.
 uint rayFromCorner(ivec2 pixel, int width, uint corner) {
   MeshPlace here = placeSeenAt(pixel + (width - 1) * cornerOf(corner));
   MeshPlace there = placeSeenAt(pixel + (width - 1) * cornerOf(3u - corner));
-  if (here.object != there.object || dot(here.normal, there.normal) < leastCosine) return noRay;
-  if (withOwnSurfaces != 0u && hasOwnSurface(mediumAt(objects[here.object], here.position))) return noRay;
-  const uint order[4] = uint[4](0u, 2u, 3u, 1u);  // opposite corners follow each other
-  uint raysInAll = raysOfSample(alpha) * samples;
-  uint widest = raysInAll - 1u;
-  return reflectedRay(widest - min(order[corner], widest), raysInAll, here, Mirror(alpha, here.normal));
+  if (!goesOnSmoothly(here.object, here.normal, there.object, there.normal)) return noRay;
+  return rayOfKind(corner, here);
+}
+
+// Those of the k-th corner of all, which are sorted by the kinds of their rays: rays side by side are alike,
+// so that they take the same way.
+uvec2 placeOfCorner(uint k) {
+  const uint even = (widthOfCorners + 1u) / 2u;
+  const uint odd = widthOfCorners / 2u;
+  if (k < even * even) return 2u * uvec2(k % even, k / even);
+  k -= even * even;
+  if (k < odd * even) return 2u * uvec2(k % odd, k / odd) + uvec2(1u, 0u);
+  k -= odd * even;
+  if (k < even * odd) return 2u * uvec2(k % even, k / even) + uvec2(0u, 1u);
+  k -= even * odd;
+  return 2u * uvec2(k % odd, k / odd) + 1u;
+}
+
+uint cornerAt(uvec2 place) {
+  return place.y * widthOfCorners + place.x;
+}
+
+uint mortonOf(uvec2 place) {
+  uint i = 0u;
+  for (int bit = 0; bit < 4; ++bit)
+    i |= (bitfieldExtract(place.x, bit, 1) | bitfieldExtract(place.y, bit, 1) << 1) << 2 * bit;
+  return i;
+}
+
+// Whether some surface fills a block around the corner.
+bool isWanted(uvec2 place) {
+  for (uint i = 0u; i < 4u; ++i) {
+    uvec2 block = place - uvec2(cornerOf(i));
+    if (all(lessThan(block, uvec2(widthOfCorners - 1u))) && !broken[0][mortonOf(block)]) return true;
+  }
+  return false;
+}
+
+void askCorner(uvec2 place) {
+  uint corner = cornerAt(place);
+  objectOfCorner[corner] = noObject;
+  rayOfCorner[corner] = noRay;
+  if (!isWanted(place)) return;
+  ivec2 pixel = min(firstPixel() + 4 * ivec2(place), textureSize(seenWords, 0).xy - 1);
+  uint word = seenWord(pixel, 0u);
+  if (samplesOf(word) != everySample) return;
+  MeshPlace here = seenPlace(pixel, word);
+  objectOfCorner[corner] = here.object;
+  normalOfCorner[corner] = here.normal;
+  rayOfCorner[corner] = rayOfKind((place.x & 1u) + 2u * (place.y & 1u), here);
+}
+
+// What the rays from a block's corners say, a bit for each kind of answer.
+uint answerOfCorners(uint block) {
+  uvec2 first = placeOfMorton(block);
+  uint answer = 0u;
+  for (uint i = 0u; i < 4u; ++i) {
+    uint here = cornerAt(first + uvec2(cornerOf(i)));
+    uint there = cornerAt(first + uvec2(cornerOf(3u - i)));
+    bool goesOn = objectOfCorner[here] != noObject &&
+                  goesOnSmoothly(objectOfCorner[here], normalOfCorner[here], objectOfCorner[there], normalOfCorner[there]);
+    answer |= 1u << (goesOn ? rayOfCorner[here] : noRay);
+  }
+  return answer;
 }
 
 void findBroken() {
@@ -105,22 +185,33 @@ void askQuarters(uint block, uint levelOfQuarters) {
     if (!broken[levelOfQuarters][quarter]) putOnList(quarter, levelOfQuarters);
 }
 
+void answerFromCorners(uint count) {
+  if (count > 0u)
+    for (uint k = gl_LocalInvocationIndex; k < corners; k += gl_WorkGroupSize.x) askCorner(placeOfCorner(k));
+  barrier();
+  for (uint k = gl_LocalInvocationIndex; k < count; k += gl_WorkGroupSize.x) answers[k] = answerOfCorners(asked[0][k]);
+}
+
+void answerFromOpposite(uint level, uint count, uint shift) {
+  uint apart = max(count, 1u);
+  int width = int(1u << levels - level);
+  for (uint k = gl_LocalInvocationIndex; k < count; k += gl_WorkGroupSize.x) answers[k] = 0u;
+  barrier();
+  for (uint k = gl_LocalInvocationIndex; k < 2u * count; k += gl_WorkGroupSize.x) {
+    uint block = asked[level][k % apart];
+    atomicOr(answers[k % apart], 1u << rayFromCorner(pixelOfBlock(block << shift), width, 3u * (k / apart)));
+  }
+}
+
 // Asks the blocks of a level. What is known then is put down for the smallest below; those of the smallest
 // that disagree are left to be asked again, and of others the quarters.
 void ask(uint level) {
   uint count = askedCount[level];
-  uint apart = max(count, 1u);
-  uint rays = level == 0u ? 4u : 2u;
-  int width = int(1u << levels - level);
   uint shift = 2u * (levels - 1u - level);  // from a block's number to that of the first of the smallest in it
-  for (uint k = gl_LocalInvocationIndex; k < count; k += gl_WorkGroupSize.x) answers[k] = 0u;
-  barrier();
-  for (uint k = gl_LocalInvocationIndex; k < rays * count; k += gl_WorkGroupSize.x) {
-    // Rays side by side are alike, so that they take the same way.
-    uint block = asked[level][k % apart];
-    uint corner = level == 0u ? k / apart : 3u * (k / apart);
-    atomicOr(answers[k % apart], 1u << rayFromCorner(pixelOfBlock(block << shift), width, corner));
-  }
+  if (level == 0u)
+    answerFromCorners(count);
+  else
+    answerFromOpposite(level, count, shift);
   barrier();
   for (uint k = gl_LocalInvocationIndex; k < count; k += gl_WorkGroupSize.x) {
     uint block = asked[level][k];
