@@ -110,7 +110,8 @@ class View::Implementation {
   }
 
   void setCamera(const CameraMatrices& matrices) {
-    makeGivenCamera(matrices, options_.width, options_.height);  // or refuses it
+    // Or refuses it.
+    makeGivenCamera(matrices, context_.edited.origin(), options_.width, options_.height);
     matrices_ = matrices;
   }
 
@@ -271,7 +272,7 @@ class View::Implementation {
     FrameSlot& slot = queue_.next();
     slot.provisional = prepared_->isProvisional();
     slot.toHost = !order.aovs.empty();
-    slot.readback.prepare(context_.device, order.aovs, camera, resources);
+    slot.readback.prepare(context_.device, order.aovs, camera, context_.edited.origin(), resources);
     slot.commands.begin();
     recordFrame(slot.commands, context_.passes, plan_, upload, context_.edited.motion(), prepared,
                 resources);
@@ -284,8 +285,9 @@ class View::Implementation {
   }
 
   GivenCamera givenCamera() const {
-    if (matrices_) return makeGivenCamera(*matrices_, options_.width, options_.height);
-    const Camera& camera = camera_ ? *camera_ : context_.edited.camera();
+    if (matrices_)
+      return makeGivenCamera(*matrices_, context_.edited.origin(), options_.width, options_.height);
+    const Camera camera = camera_ ? context_.edited.seen(*camera_) : context_.edited.camera();
     const float aspect = static_cast<float>(options_.width) / static_cast<float>(options_.height);
     return {makeCameraView(camera, aspect), {}};
   }

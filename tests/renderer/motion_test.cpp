@@ -40,7 +40,7 @@ class MotionTest : public gpu::GpuTest {
     scene_ = scene;
     merged_ = scene::mergedMesh(scene_);
     resources_ = makeSceneResources(device(), scene_, merged_, {});
-    motion_ = std::make_unique<SceneMotion>(device(), scene_, merged_);
+    motion_ = std::make_unique<SceneMotion>(device(), scene_, merged_, Vec3{});
   }
 
   void TearDown() override {

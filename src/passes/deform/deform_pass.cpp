@@ -14,9 +14,13 @@ DeformPass::DeformPass(gpu::Device& device)
 
 void DeformPass::replace(gpu::CommandList& commands, gpu::Buffer& given, std::uint32_t offset,
                          std::uint32_t stride, std::uint32_t first, std::uint32_t count,
-                         Motion& motion) const {
+                         const Vec3& originMm, Motion& motion) const {
   commands.bind(replace_, {.given = given, .replaced = motion.replaced},
-                {.offset = offset, .stride = stride, .first = first, .count = count});
+                {.offset = offset,
+                 .stride = stride,
+                 .first = first,
+                 .count = count,
+                 .origin = shared::vec4(originMm[0], originMm[1], originMm[2], 0)});
   commands.dispatchLinear(count);
 }
 

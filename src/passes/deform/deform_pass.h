@@ -2,6 +2,7 @@
 
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
+#include "opaline/types.h"
 #include "passes/products.h"
 #include "shaders/deform/normals.comp.h"
 #include "shaders/deform/replace.comp.h"
@@ -22,7 +23,7 @@ class DeformPass {
   /// Copies a buffer of floats in which positions lie `stride` floats apart, from the float
   /// `offset` on, to where the frame reads given positions: `count` of them from vertex `first` on.
   void replace(gpu::CommandList& commands, gpu::Buffer& given, std::uint32_t offset,
-               std::uint32_t stride, std::uint32_t first, std::uint32_t count,
+               std::uint32_t stride, std::uint32_t first, std::uint32_t count, const Vec3& originMm,
                Motion& motion) const;
 
   void record(gpu::CommandList& commands, Motion& motion, DeformedMesh& mesh) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -25,8 +26,12 @@ bool isFinite(const glm::dmat4& matrix) {
 
 }  // namespace
 
-GivenCamera makeGivenCamera(const CameraMatrices& matrices, int width, int height) {
-  const glm::dmat4 clip = matrixOf(matrices.viewToClip) * matrixOf(matrices.worldToView);
+GivenCamera makeGivenCamera(const CameraMatrices& matrices, const Vec3& originMm, int width,
+                            int height) {
+  const glm::dmat4 fromOrigin =
+      glm::translate(glm::dmat4(1), glm::dvec3(originMm[0], originMm[1], originMm[2]));
+  const glm::dmat4 clip =
+      matrixOf(matrices.viewToClip) * matrixOf(matrices.worldToView) * fromOrigin;
   const glm::dvec2 jitter(matrices.jitterPixels[0], matrices.jitterPixels[1]);
   if (!isFinite(clip) || !std::isfinite(jitter.x) || !std::isfinite(jitter.y))
     throw UsageError("CameraMatrices: a number is not finite");

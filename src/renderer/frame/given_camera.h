@@ -13,6 +13,8 @@ struct GivenCamera {
 };
 
 /// Throws UsageError for matrices that are no perspective, or not finite.
-GivenCamera makeGivenCamera(const CameraMatrices& matrices, int width, int height);
+/// Of a scene that has been moved to that origin.
+GivenCamera makeGivenCamera(const CameraMatrices& matrices, const Vec3& originMm, int width,
+                            int height);
 
 }  // namespace opaline

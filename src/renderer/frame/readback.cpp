@@ -126,13 +126,14 @@ bool needsScattering(Aov aov) {
 }
 
 void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, const CameraView& camera,
-                       FrameResources& resources) {
+                       const Vec3& originMm, FrameResources& resources) {
   if (!states_)
     states_ =
         gpu::Buffer(device, {.name = "solutions on the host",
                              .bytes = (RenderOptions::maxBounces + 1) * sizeof(shared::SolverState),
                              .memory = gpu::Memory::Readback});
   camera_ = camera;
+  origin_ = {originMm[0], originMm[1], originMm[2]};
   entries_.clear();
   std::size_t bytes = 0;
   for (const Aov aov : aovs) {
@@ -192,7 +193,7 @@ void Readback::make(const Entry& entry, Image& image) const {
       return fill(image, seen,
                   [&](std::size_t i) { return glm::vec3(texels<glm::vec4>(second)[i].w); });
     case Aov::Position:
-      return fill(image, seen, [&](std::size_t i) { return glm::vec3(visible[i]); });
+      return fill(image, seen, [&](std::size_t i) { return glm::vec3(visible[i]) + origin_; });
     case Aov::Depth:
       return fill(image, seen, [&](std::size_t i) {
         return glm::vec3(glm::dot(glm::vec3(visible[i]) - camera_.position, camera_.axis));
@@ -202,6 +203,7 @@ void Readback::make(const Entry& entry, Image& image) const {
     case Aov::Normal:
       return fill(image, seen, halves);
     case Aov::DsmPosition:
+      return fill(image, onMap, [&](std::size_t i) { return floats(i) + origin_; });
     case Aov::DsmIrradiance:
       return fill(image, onMap, floats);
     case Aov::DsmNormal:

@@ -23,9 +23,10 @@ bool needsScattering(Aov aov);
 /// allocates nothing.
 class Readback {
  public:
-  /// Makes room for these variables of the next frame. The last frame has finished.
+  /// Makes room for these variables of the next frame, of a scene that has been moved to that
+  /// origin. The last frame has finished.
   void prepare(gpu::Device& device, const std::vector<Aov>& aovs, const CameraView& camera,
-               FrameResources& resources);
+               const Vec3& originMm, FrameResources& resources);
 
   /// Records the copies.
   void record(gpu::CommandList& commands, FrameResources& resources);
@@ -58,6 +59,7 @@ class Readback {
   int solutions_ = 0;
   std::vector<Entry> entries_;
   CameraView camera_;
+  glm::vec3 origin_{0};
 };
 
 }  // namespace opaline

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "gpu/device.h"
 #include "opaline/error.h"
+#include "renderer/scene/scene_origin.h"
 #include "renderer/validate.h"
 
 namespace opaline {
@@ -24,8 +26,9 @@ bool isUsable(const Vec3& p) {
 
 }  // namespace
 
-GivenPositions::GivenPositions(gpu::Device& device, std::vector<ObjectRange> ranges)
-    : device_(device), ranges_(std::move(ranges)), objects_(ranges_.size()) {
+GivenPositions::GivenPositions(gpu::Device& device, std::vector<ObjectRange> ranges,
+                               const Vec3& originMm)
+    : device_(device), ranges_(std::move(ranges)), origin_(originMm), objects_(ranges_.size()) {
   if (!ranges_.empty()) vertices_ = ranges_.back().firstVertex + ranges_.back().vertexCount;
 }
 
@@ -64,8 +67,12 @@ void GivenPositions::give(std::size_t object, std::span<const Vec3> positionsMm,
                                      .bytes = slices * vertices_ * bytesPerPosition,
                                      .memory = gpu::Memory::Upload});
   device_.waitFor(submissions_[slice_]);
-  std::memcpy(staging_.mapped().data() + stagingOffset(object), positionsMm.data(),
-              positionsMm.size_bytes());
+  std::byte* to = staging_.mapped().data() + stagingOffset(object);
+  for (Vec3 position : positionsMm) {
+    seeFrom(origin_, position);
+    std::memcpy(to, position.data(), bytesPerPosition);
+    to += bytesPerPosition;
+  }
   given.source = Source::Host;
   given.pending = true;
 }
@@ -122,7 +129,7 @@ void GivenPositions::record(gpu::CommandList& commands, const passes::DeformPass
       given.copied = copied = true;
     } else if (given.source == Source::Device) {
       pass.replace(commands, given.buffer, given.offset, given.stride, range.firstVertex,
-                   range.vertexCount, motion);
+                   range.vertexCount, origin_, motion);
     }
   }
   if (!copied) return;

@@ -20,7 +20,8 @@ namespace opaline {
 /// Memory for them is taken at the first use.
 class GivenPositions {
  public:
-  GivenPositions(gpu::Device& device, std::vector<ObjectRange> ranges);
+  /// The scene has been moved to that origin; what is given has not.
+  GivenPositions(gpu::Device& device, std::vector<ObjectRange> ranges, const Vec3& originMm);
 
   /// Throw UsageError for an object that does not exist or positions that do not fit it.
   void give(std::size_t object, std::span<const Vec3> positionsMm, passes::Motion& motion);
@@ -55,6 +56,7 @@ class GivenPositions {
 
   gpu::Device& device_;
   std::vector<ObjectRange> ranges_;
+  Vec3 origin_;
   std::vector<Given> objects_;
   std::uint32_t vertices_ = 0;
   bool hasRoom_ = false;

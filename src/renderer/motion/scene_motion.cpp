@@ -40,20 +40,24 @@ std::size_t uploadBytes(const gpu::Device& device, const std::vector<ObjectRange
          ranges.size() * sizeof(shared::ObjectMotion) + parts * slack;
 }
 
-void addRows(const scene::Matrix4& matrix, std::vector<shared::vec4>& rows, std::size_t first) {
+void addRows(const scene::Matrix4& matrix, const Vec3& originMm, std::vector<shared::vec4>& rows,
+             std::size_t first) {
   for (std::size_t row = 0; row < 3; ++row)
     rows[first + row] = {
         static_cast<float>(matrix.column[0][row]), static_cast<float>(matrix.column[1][row]),
-        static_cast<float>(matrix.column[2][row]), static_cast<float>(matrix.column[3][row])};
+        static_cast<float>(matrix.column[2][row]),
+        static_cast<float>(matrix.column[3][row] - static_cast<double>(originMm[row]))};
 }
 
 }  // namespace
 
-SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const scene::MergedMesh& merged)
+SceneMotion::SceneMotion(gpu::Device& device, const Scene& scene, const scene::MergedMesh& merged,
+                         const Vec3& originMm)
     : scene_(scene),
+      origin_(originMm),
       ranges_(rangesOf(scene)),
       motion_(makeMotionTables(device, scene, merged, ranges_)),
-      given_(device, ranges_),
+      given_(device, ranges_, originMm),
       pose_(scene::makePose(scene)),
       joints_(mostJoints(ranges_)),
       weights_(totalWeights(ranges_)),
@@ -112,7 +116,7 @@ void SceneMotion::fillPose(const SceneTime& time) {
     if (!given_.isGiven(i))
       objects_[i].side = scene::mirrors(joints) == restMirrors_[i] ? 1.0F : -1.0F;
     for (std::size_t j = 0; j < joints.size(); ++j)
-      addRows(joints[j], matrices_, 3 * (range.firstMatrix + j));
+      addRows(joints[j], origin_, matrices_, 3 * (range.firstMatrix + j));
   }
 }
 

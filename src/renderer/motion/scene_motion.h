@@ -17,10 +17,11 @@ namespace opaline {
 
 /// How a scene on the device moves: evaluates the pose of its nodes for every frame, which is all
 /// the host does of it, and has the device do the rest. The scene outlives it; its deformers may
-/// change.
+/// change. It has been moved to that origin, but for its nodes and what callers give.
 class SceneMotion {
  public:
-  SceneMotion(gpu::Device& device, const Scene& scene, const scene::MergedMesh& merged);
+  SceneMotion(gpu::Device& device, const Scene& scene, const scene::MergedMesh& merged,
+              const Vec3& originMm);
 
   /// Moves `mesh` to where it is at that time; allocates nothing.
   void record(gpu::CommandList& commands, const passes::DeformPass& pass, const SceneTime& time,
@@ -39,6 +40,7 @@ class SceneMotion {
   void upload(gpu::CommandList& commands);
 
   const Scene& scene_;
+  Vec3 origin_;
   std::vector<ObjectRange> ranges_;
   passes::Motion motion_;
   GivenPositions given_;

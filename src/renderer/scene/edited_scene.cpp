@@ -7,6 +7,7 @@
 #include "environment/sky.h"
 #include "gpu/device.h"
 #include "opaline/error.h"
+#include "renderer/scene/scene_origin.h"
 #include "scene/changes.h"
 
 namespace opaline {
@@ -40,8 +41,10 @@ void EditedScene::set(gpu::Device& device, const Scene& scene) {
   scene_.reset();  // before memory for the next is taken
   scene_ = scene;
   try {
+    origin_ = originFor(*scene_);
+    for (Object& object : scene_->objects) seeFrom(origin_, object.mesh);
     merged_ = scene::mergedMesh(*scene_);
-    motion_.emplace(device, *scene_, merged_);
+    motion_.emplace(device, *scene_, merged_, origin_);
     suns_ = findSuns(scene_->lighting.environment);
     followClip();
   } catch (...) {
@@ -76,11 +79,13 @@ void EditedScene::followClip() {
   next_.environment.reset();
   camera_ = scene_->camera;
   scene::takeCameraAt(*scene_, time_, camera_);
+  seeFrom(origin_, camera_);
 }
 
 void EditedScene::addSuns(const Lighting& given, const Suns& suns, Lighting& all) const {
   all = given;
   scene::takeLightsAt(*scene_, time_, all);
+  seeFrom(origin_, all);
   separate(suns, all);
   if (const Object* ground = groundOf(*scene_)) hideBelow(ground->mesh.positionsMm[0][1], all);
 }
@@ -100,6 +105,11 @@ SceneMotion& EditedScene::motion() {
   return *motion_;
 }
 
+Camera EditedScene::seen(Camera camera) const {
+  seeFrom(origin_, camera);
+  return camera;
+}
+
 void EditedScene::setCamera(const Camera& camera) {
   validate(camera);
   Camera& present = edit().camera;
@@ -115,7 +125,7 @@ void EditedScene::setLighting(const Lighting& lighting) {
   std::optional<Suns> suns;
   if (lighting.environment != present.environment) suns = findSuns(lighting.environment);
   nextGiven_ = lighting;
-  addSuns(lighting, suns ? *suns : suns_, next_);
+  addSuns(nextGiven_, suns ? *suns : suns_, next_);
   ++changes_.lights;
   if (!sameSky(lighting, present)) ++changes_.sky;
   if (suns) suns_ = *std::move(suns);

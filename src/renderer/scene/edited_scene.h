@@ -31,10 +31,16 @@ class EditedScene {
   /// How often one was set.
   std::uint64_t number() const { return number_; }
 
+  /// Its meshes as from its origin, which is nearer to them than they were given; its lights and
+  /// its camera as they were given.
   const Scene& scene() const;
-  /// Its lights as the clip has them and the suns of its environment, which then lacks them.
+  const Vec3& origin() const { return origin_; }
+  /// A camera of the caller's, as from there.
+  Camera seen(Camera camera) const;
+  /// Its lights as the clip has them and the suns of its environment, which then lacks them; as
+  /// from the origin.
   const Lighting& lighting() const;
-  /// Where the clip has it.
+  /// Where the clip has it, as from the origin.
   const Camera& camera() const;
   const std::vector<DirectionalLight>& suns() const;
   const Object& object(std::size_t index) const;
@@ -76,6 +82,7 @@ class EditedScene {
   std::uint64_t number_ = 0;
   std::uint64_t makings_ = 0;
   std::optional<Scene> scene_;
+  Vec3 origin_{};
   Suns suns_;
   Lighting lighting_;
   // Of the last change, for their memory.

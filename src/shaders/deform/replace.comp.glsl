@@ -11,10 +11,11 @@ layout(push_constant) uniform Push {
   uint stride;
   uint first;
   uint count;
+  vec4 origin;  // mm, of the scene as the device has it
 };
 
 void main() {
   uint i = linearIndex();
   if (i >= count) return;
-  for (uint axis = 0u; axis < 3u; ++axis) replaced[3u * (first + i) + axis] = given[offset + i * stride + axis];
+  for (uint axis = 0u; axis < 3u; ++axis) replaced[3u * (first + i) + axis] = given[offset + i * stride + axis] - origin[axis];
 }
