@@ -55,7 +55,7 @@ class OpaqueFrame::Implementation {
         scene_(scene),
         merged_(scene::mergedMesh(scene_)),
         resources_(makeSceneResources(device_, scene_, merged_, {})),
-        motion_(device_, scene_, merged_),
+        motion_(device_, scene_, merged_, Vec3{}),
         view_(passes::FitPass::makeView(device_)),
         commands_(device_, "opaque frame") {
     const std::uint32_t width = unsignedOf(options.width);
