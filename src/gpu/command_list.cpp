@@ -261,10 +261,8 @@ void CommandList::flushBarriers() {
 
 void CommandList::use(Buffer& buffer, Access access) {
   order(buffer, scopeOf(access));
-  if (access != Access::HostRead) return;
-  flushBarriers();
-  // Nothing is left to be ordered: the host waits for all of it.
-  buffer.state_ = {};
+  // Nothing is left to be ordered then: the host waits for all of it.
+  if (access == Access::HostRead) buffer.state_ = {};
 }
 
 void CommandList::use(GpuImage& image, Access access) {
@@ -352,11 +350,20 @@ AccessScope CommandList::scopeOfTarget(const GpuImage& image, Access access) {
   return scope;
 }
 
+// Layers that are drawn to one after the other need not wait for each other.
+void CommandList::orderTarget(GpuImage& image, std::uint32_t layer, const AccessScope& scope) {
+  const AccessState& state = image.state_;
+  const bool drawnLast = state.layout == scope.layout && state.writeStages == scope.stages &&
+                         state.writeAccesses == scope.accesses && state.readStages == 0;
+  if (!scope.writes || !drawnLast || layer < image.attachedLayers_) order(image, scope);
+  image.attachedLayers_ = layer + 1;
+}
+
 tape::Target CommandList::attachment(const ColorTarget& target) {
   GpuImage& image = *target.image;
   assert(target.clear || image.state_.layout != VK_IMAGE_LAYOUT_UNDEFINED);
   const AccessScope scope = scopeOfTarget(image, Access::ColorWrite);
-  order(image, scope);
+  orderTarget(image, target.layer, scope);
   return {image.layerView(target.layer), scope.layout, target.clear, true,
           bitsOf(target.clearValue)};
 }
@@ -367,7 +374,7 @@ tape::Target CommandList::attachment(const DepthTarget& target) {
   assert(target.write || !target.clear);
   const AccessScope scope =
       scopeOfTarget(image, target.write ? Access::DepthWrite : Access::DepthTest);
-  order(image, scope);
+  orderTarget(image, target.layer, scope);
   return {image.layerView(target.layer), scope.layout, target.clear, target.write,
           bitsOf({target.clearValue, 0, 0, 0})};
 }

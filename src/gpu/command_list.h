@@ -41,6 +41,14 @@ struct DepthTarget {
   bool write = true;
 };
 
+struct BufferCopy {
+  Buffer* from = nullptr;
+  Buffer* to = nullptr;
+  std::size_t bytes = 0;
+  std::size_t fromOffset = 0;
+  std::size_t toOffset = 0;
+};
+
 /// What a device is asked to do one after the other.
 struct CommandCounts {
   std::uint32_t dispatches = 0;
@@ -147,6 +155,8 @@ class CommandList {
 
   void copyBuffer(Buffer& from, Buffer& to, std::size_t bytes, std::size_t fromOffset = 0,
                   std::size_t toOffset = 0);
+  /// To different buffers, in one go. Copies of no bytes are none.
+  void copyBuffers(std::span<const BufferCopy> copies);
   void copyToImage(Buffer& from, GpuImage& to, std::uint32_t layer = 0, std::uint32_t level = 0,
                    std::size_t fromOffset = 0);
   void copyFromImage(GpuImage& from, Buffer& to, std::uint32_t layer = 0, std::uint32_t level = 0,
@@ -201,6 +211,7 @@ class CommandList {
     if constexpr (!std::is_empty_v<T>) pushBytes(&constants, static_cast<std::uint32_t>(sizeof(T)));
   }
   bool boundIsCurrent() const;
+  void orderTarget(GpuImage& image, std::uint32_t layer, const AccessScope& scope);
   static AccessScope scopeOfTarget(const GpuImage& image, Access access);
   tape::Target attachment(const ColorTarget& target);
   tape::Target attachment(const DepthTarget& target);

@@ -28,12 +28,25 @@ tape::CopyImage copyOf(const GpuImage& image, std::uint32_t layer, std::uint32_t
 
 void CommandList::copyBuffer(Buffer& from, Buffer& to, std::size_t bytes, std::size_t fromOffset,
                              std::size_t toOffset) {
-  assert(filling_ && &from != &to);
-  assert(fromOffset + bytes <= from.bytes() && toOffset + bytes <= to.bytes());
-  order(from, scopeOf(Access::TransferRead));
-  order(to, scopeOf(Access::TransferWrite));
+  const BufferCopy copy{&from, &to, bytes, fromOffset, toOffset};
+  copyBuffers({&copy, 1});
+}
+
+void CommandList::copyBuffers(std::span<const BufferCopy> copies) {
+  assert(filling_);
+  for (const BufferCopy& copy : copies) {
+    if (copy.bytes == 0) continue;
+    assert(copy.from != copy.to);
+    assert(copy.fromOffset + copy.bytes <= copy.from->bytes());
+    assert(copy.toOffset + copy.bytes <= copy.to->bytes());
+    order(*copy.from, scopeOf(Access::TransferRead));
+    order(*copy.to, scopeOf(Access::TransferWrite));
+  }
   flushBarriers();
-  commands().add(tape::CopyBuffer{from.handle(), to.handle(), fromOffset, toOffset, bytes});
+  for (const BufferCopy& copy : copies)
+    if (copy.bytes > 0)
+      commands().add(tape::CopyBuffer{copy.from->handle(), copy.to->handle(), copy.fromOffset,
+                                      copy.toOffset, copy.bytes});
 }
 
 void CommandList::copyToImage(Buffer& from, GpuImage& to, std::uint32_t layer, std::uint32_t level,

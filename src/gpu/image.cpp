@@ -236,6 +236,7 @@ void GpuImage::swap(GpuImage& other) noexcept {
   std::swap(layerViews_, other.layerViews_);
   std::swap(levelViews_, other.levelViews_);
   std::swap(state_, other.state_);
+  std::swap(attachedLayers_, other.attachedLayers_);
 }
 
 VkImageAspectFlags GpuImage::aspect() const {

@@ -88,6 +88,8 @@ class GpuImage {
   std::vector<VkImageView> layerViews_;  // layer + layers · level
   std::vector<VkImageView> levelViews_;
   AccessState state_;  // of the whole image
+  std::uint32_t attachedLayers_ =
+      0;  // below it there are all that were attached since another access
 };
 
 enum class Filter { Nearest, Linear };

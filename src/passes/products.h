@@ -198,8 +198,10 @@ struct RayHierarchy {
 
 /// Light in the body under each cluster: points where it collides.
 struct Beams {
-  gpu::Buffer points;     ///< shared::BeamPoint, maxPoints a cluster
-  gpu::Buffer strengths;  ///< vec4 a cluster: power that entered; numbers of points
+  gpu::Buffer points;        ///< shared::BeamPoint, maxPoints a cluster and light
+  gpu::Buffer strengths;     ///< vec4 a cluster and light: power that entered; numbers of points
+  std::uint32_t room = 1;    ///< lights that there is room for
+  std::uint32_t lights = 1;  ///< whose points are there
 };
 
 /// Clusters of surfels, their tree, and what boundary transport makes of them in a frame.
@@ -223,15 +225,15 @@ struct Clusters {
   std::uint32_t lights = 0;           ///< of the frame
   gpu::Buffer meetings;               ///< shared::Meeting, of the rays outwards of each cluster
   std::uint32_t raysOutwards = 0;     ///< of each cluster
-  Beams fromLight;                    ///< of one light after the other
+  Beams fromLights;                   ///< of a few lights after the other
   Beams fromEverywhere;
   gpu::Buffer mirrored;   ///< shared::Mirrored a cluster, of one light after the other
-  gpu::Buffer peaks;      ///< of each light the largest power of those, a float's bits
+  gpu::Buffer peaks;      ///< largest power of those, a float's bits; of lights together
   gpu::Buffer sums;       ///< of those, three whole numbers a cluster; 0 between lights
   gpu::Buffer arrived;    ///< vec4 a cluster: power that enters after it was mirrored
-  gpu::Buffer beamNodes;  ///< shared::BeamNode of two trees
+  gpu::Buffer beamNodes;  ///< shared::BeamNode, two trees a light
   std::uint32_t roomOfBeamList = 0;
-  gpu::Buffer beamLists;      ///< of each group and tree: how many nodes, and which
+  gpu::Buffer beamLists;      ///< of each tree and group: how many nodes, and which
   gpu::Buffer sources;        ///< vec4 a cluster: fluence in a medium without end
   gpu::Buffer skyShares;      ///< vec4 a cluster: of the sky's irradiance, what enters
   gpu::Buffer entered;        ///< vec4 a cluster: irradiance of the diffuse light that entered last
@@ -268,7 +270,7 @@ struct KeptOfSeen {
 /// of one band of the picture after the other, since a pixel may see as many as it has samples.
 struct VisibleSurfaces {
   gpu::GpuImage words;     ///< a layer for each sample; a pixel's surfaces are in the first layers
-  gpu::GpuImage depth;     ///< of one sample after the other
+  gpu::GpuImage depth;     ///< a layer for each sample
   gpu::Buffer mixed;       ///< pixels that see several triangles
   gpu::Buffer mixedCount;  ///< shared::SeenCount
   gpu::Buffer list;        ///< surfaces; those of a pixel follow each other

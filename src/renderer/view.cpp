@@ -276,8 +276,7 @@ class View::Implementation {
     slot.commands.begin();
     recordFrame(slot.commands, context_.passes, plan_, upload, context_.edited.motion(), prepared,
                 resources);
-    slot.readback.record(slot.commands, resources);
-    slot.readback.recordSolutions(slot.commands, solves ? plan_.bounces + 1 : 0, prepared.solver);
+    slot.readback.record(slot.commands, resources, solves ? plan_.bounces + 1 : 0, prepared.solver);
     if (order.onDevice) slot.commands.use(resources.radiance, gpu::Access::Sampled);
     if (order.exitance) slot.commands.use(resources.exitance.vertices, gpu::Access::Lent);
     outputs_.record(slot.commands, outputs,

@@ -161,5 +161,29 @@ TEST_F(FrameRecordingTest, OtherLightsAreSeen) {
     }
 }
 
+// Each waits for others or is waited for, some microseconds on a GPU: a default frame has no more
+// than 120 of either.
+TEST_F(FrameRecordingTest, ADefaultFrameHasFewCommands) {
+  for (const Medium& medium : {marble(), skin()}) {
+    Scene scene = sceneOf(sphere({0, 0, 0}, 6, 3), medium, {0, 3, 24}, 7);
+    scene.lighting.directional = {{{0.6F, 0, 0.8F}, {1, 1, 1}}, {{-0.6F, 0, -0.8F}, {1, 1, 1}}};
+    scene.lighting.ambient = {0.2F, 0.2F, 0.2F};
+    scene.deformers.push_back({DeformerKind::Wobble, 0.1F, 1});
+    renderer().setScene(scene);
+    RenderOptions options;
+    options.width = options.height = 32;
+    options.maxSurfels = 16384;
+    options.maxClusters = 1024;
+    View view(renderer(), options);
+    for (int i = 0; i < 3; ++i) {
+      renderer().setTime({.seconds = 0.1 * i});
+      view.render();
+    }
+    EXPECT_LE(view.report().dispatches, 120U);
+    EXPECT_LE(view.report().barriers, 123U);
+    EXPECT_GT(view.report().barriers, 50U);
+  }
+}
+
 }  // namespace
 }  // namespace opaline::test

@@ -1,5 +1,6 @@
 #include "passes/boundary/beam_pass.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 
@@ -12,9 +13,10 @@ namespace opaline::passes {
 
 namespace {
 
-// Of sources of fluence, and of light that scatters once where some is followed that far.
-std::uint32_t treesOf(const SceneTables& tables) {
-  return tables.followsLight ? 2 : 1;
+// For each light that of sources of fluence, and that of light that scatters once where some is
+// followed that far.
+std::uint32_t treesOf(const SceneTables& tables, const Beams& beams) {
+  return beams.lights * (tables.followsLight ? 2 : 1);
 }
 
 }  // namespace
@@ -41,14 +43,16 @@ BeamPass::BeamPass(gpu::Device& device)
 
 void BeamPass::recordLights(gpu::CommandList& commands, const Inputs& inputs, const Wanted& wanted,
                             Clusters& clusters) const {
-  if (wanted.bounces) commands.fill({clusters.sums, clusters.arrived, clusters.peaks}, 0);
-  for (std::uint32_t light = 0; light < clusters.lights; ++light) {
+  if (wanted.bounces && clusters.lights == 0) commands.fill({clusters.arrived}, 0);
+  const std::uint32_t atOnce = clusters.fromLights.room;
+  for (std::uint32_t first = 0; first < clusters.lights; first += atOnce) {
+    clusters.fromLights.lights = std::min(atOnce, clusters.lights - first);
     commands.beginPass("rays");
-    trace(commands, inputs, {light, wanted.bounces}, clusters, clusters.fromLight);
-    if (wanted.bounces) bringMirrored(commands, light, clusters);
+    trace(commands, inputs, {first, wanted.bounces}, clusters, clusters.fromLights);
+    if (wanted.bounces) bringMirrored(commands, first, clusters);
     commands.endPass();
     commands.beginPass("sources");
-    spread(commands, inputs, clusters, clusters.fromLight, light > 0);
+    spread(commands, inputs, clusters, clusters.fromLights, first > 0);
     commands.endPass();
   }
   if (wanted.sky || wanted.bounces) {
@@ -110,23 +114,28 @@ void BeamPass::trace(gpu::CommandList& commands, const Inputs& inputs, const Bea
                  .skyShares = clusters.skyShares,
                  .clusterPaints = inputs.tables.paint.clusters},
                 {.clusterCount = clusters.count,
-                 .beam = beam.index,
+                 .firstLight = beam.firstLight,
+                 .lights = beams.lights,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                  .nodeCount = inputs.surfels.tree.nodeCount,
                  .mirrors = beam.mirrors});
-  commands.dispatchLinear(clusters.count, shared::maxPoints * roundsOfWalk);
+  commands.dispatchLinear(beams.lights * clusters.count, shared::maxPoints * roundsOfWalk);
 }
 
-void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t light,
+void BeamPass::bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight,
                              Clusters& clusters) const {
+  const std::uint32_t lights = clusters.fromLights.lights;
   for (const auto* pipeline : {&addMirrored_, &takeMirrored_}) {
     commands.bind(*pipeline,
                   {.mirrored = clusters.mirrored,
                    .peaks = clusters.peaks,
                    .sums = clusters.sums,
                    .arrived = clusters.arrived},
-                  {.clusterCount = clusters.count, .light = light});
-    commands.dispatchLinear(clusters.count);
+                  {.clusterCount = clusters.count,
+                   .firstLight = firstLight,
+                   .lights = lights,
+                   .adds = firstLight > 0});
+    commands.dispatchLinear(clusters.count * (pipeline == &addMirrored_ ? lights : 1));
   }
 }
 
@@ -138,7 +147,7 @@ void BeamPass::spread(gpu::CommandList& commands, const Inputs& inputs, Clusters
   // In parts for which lists have room.
   const std::uint32_t room = clusters.roomOfBeamList;
   for (std::uint32_t from = 0; from < clusters.tree.nodeCount; from += room) {
-    listActing(commands, from, inputs, clusters);
+    listActing(commands, from, inputs, clusters, beams);
     const Part part{.isFirst = from == 0, .adds = adds || from > 0};
     sum(commands, source_, clusters.sources, part, inputs, clusters, beams);
     if (!scattersOnce) continue;
@@ -169,16 +178,20 @@ void BeamPass::sum(gpu::CommandList& commands, const gpu::Compute<Shader>& pipel
                  .openingAngle = inputs.openingAngle,
                  .adds = part.adds,
                  .isFirst = part.isFirst,
+                 .lights = beams.lights,
+                 .clusterCount = clusters.count,
                  .room = room,
-                 .firstList = scattersOnce ? clusters.groupCount : 0,
-                 .firstNode = scattersOnce ? clusters.tree.nodeCount : 0});
-  commands.dispatchLinear(invocationsOfTiles(clusters), shared::maxPoints * (room / groupSize + 1));
+                 .firstTree = scattersOnce ? beams.lights : 0,
+                 .nodeCount = clusters.tree.nodeCount,
+                 .groupCount = clusters.groupCount});
+  commands.dispatchLinear(invocationsOfTiles(clusters),
+                          beams.lights * shared::maxPoints * (room / groupSize + 1));
 }
 
 void BeamPass::listActing(gpu::CommandList& commands, std::uint32_t firstNode, const Inputs& inputs,
-                          Clusters& clusters) const {
+                          Clusters& clusters, const Beams& beams) const {
   const std::uint32_t room = clusters.roomOfBeamList;
-  const std::uint32_t trees = treesOf(inputs.tables);
+  const std::uint32_t trees = treesOf(inputs.tables, beams);
   commands.bind(acting_,
                 {.objects = inputs.tables.objects,
                  .media = inputs.tables.media,
@@ -189,6 +202,7 @@ void BeamPass::listActing(gpu::CommandList& commands, std::uint32_t firstNode, c
                 {.groupCount = clusters.groupCount,
                  .openingAngle = inputs.openingAngle,
                  .trees = trees,
+                 .lights = beams.lights,
                  .nodeCount = clusters.tree.nodeCount,
                  .room = room,
                  .firstNode = firstNode,
@@ -199,7 +213,7 @@ void BeamPass::listActing(gpu::CommandList& commands, std::uint32_t firstNode, c
 
 void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
                         Beams& beams) const {
-  const std::uint32_t trees = treesOf(tables);
+  const std::uint32_t trees = treesOf(tables, beams);
   const auto bind = [&](const auto& pipeline, std::uint32_t firstTreelet, std::uint32_t count) {
     commands.bind(pipeline,
                   {.treeletOrder = treeletOrder(clusters.tree),
@@ -213,6 +227,8 @@ void BeamPass::fitNodes(gpu::CommandList& commands, SceneTables& tables, Cluster
                   {.firstTreelet = firstTreelet,
                    .count = count,
                    .trees = trees,
+                   .lights = beams.lights,
+                   .clusterCount = clusters.count,
                    .nodeCount = clusters.tree.nodeCount});
   };
   bind(leaves_, 0, clusters.count);

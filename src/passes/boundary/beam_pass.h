@@ -47,12 +47,13 @@ class BeamPass {
 
  private:
   struct Beam {
-    std::uint32_t index;  ///< of a light, or the number of lights
-    bool mirrors;         ///< what the surface does not let in goes on
+    std::uint32_t firstLight;  ///< or the number of lights
+    bool mirrors;              ///< what the surface does not let in goes on
   };
   void trace(gpu::CommandList& commands, const Inputs& inputs, const Beam& beam, Clusters& clusters,
              Beams& beams) const;
-  void bringMirrored(gpu::CommandList& commands, std::uint32_t light, Clusters& clusters) const;
+  void bringMirrored(gpu::CommandList& commands, std::uint32_t firstLight,
+                     Clusters& clusters) const;
   void spread(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters, Beams& beams,
               bool adds) const;
   struct Part {
@@ -63,7 +64,7 @@ class BeamPass {
   void sum(gpu::CommandList& commands, const gpu::Compute<Shader>& pipeline, gpu::Buffer& sums,
            const Part& part, const Inputs& inputs, Clusters& clusters, Beams& beams) const;
   void listActing(gpu::CommandList& commands, std::uint32_t firstNode, const Inputs& inputs,
-                  Clusters& clusters) const;
+                  Clusters& clusters, const Beams& beams) const;
   void fitNodes(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
                 Beams& beams) const;
 

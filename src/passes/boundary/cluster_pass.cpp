@@ -118,9 +118,21 @@ std::vector<shared::InnerNode> innerNodesOf(const surfels::ClusterDivision& made
 }
 
 Beams makeBeams(gpu::Device& device, const char* points, const char* strengths,
-                std::uint32_t clusters) {
-  return {makeRoom<shared::BeamPoint>(device, points, std::size_t{shared::maxPoints} * clusters),
-          makeRoom<shared::vec4>(device, strengths, clusters)};
+                std::uint32_t clusters, std::uint32_t lights) {
+  const std::size_t beams = std::size_t{clusters} * lights;
+  return {makeRoom<shared::BeamPoint>(device, points, shared::maxPoints * beams),
+          makeRoom<shared::vec4>(device, strengths, beams), lights};
+}
+
+// Lights whose points of light are found and summed together, where their buffer may be that large.
+std::uint32_t lightsAtOnce(const gpu::Device& device, std::uint32_t clusters) {
+  constexpr std::size_t most = 2;
+  const VkPhysicalDeviceLimits& limits = device.limits();
+  const std::size_t bytes = std::min(std::size_t{limits.maxStorageBufferRange},
+                                     limits.maxTexelBufferElements * sizeof(shared::vec4));
+  const std::size_t ofOne = sizeof(shared::BeamPoint) * shared::maxPoints * clusters;
+  return static_cast<std::uint32_t>(
+      std::clamp<std::size_t>(bytes / std::max<std::size_t>(ofOne, 1), 1, most));
 }
 
 }  // namespace
@@ -168,18 +180,25 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.entries = makeRoom<shared::Entry>(device, "light that enters",
                                              count * (shared::maxLights + std::size_t{1}));
   clusters.meetings = makeRoom<shared::Meeting>(device, "meetings", count * raysOutwards);
-  clusters.fromLight =
-      makeBeams(device, "points from a light", "strengths from a light", clusters.count);
+  const std::uint32_t lights = lightsAtOnce(device, clusters.count);
+  const std::size_t trees = 2 * std::size_t{lights};
+  clusters.fromLights =
+      makeBeams(device, "points from lights", "strengths from lights", clusters.count, lights);
   clusters.fromEverywhere =
-      makeBeams(device, "points from everywhere", "strengths from everywhere", clusters.count);
-  clusters.mirrored = makeRoom<shared::Mirrored>(device, "mirrored light", count);
-  clusters.peaks = makeRoom<std::uint32_t>(device, "peaks of mirrored light", shared::maxLights);
-  clusters.sums = makeRoom<shared::vec4>(device, "sums of mirrored light", count);
+      makeBeams(device, "points from everywhere", "strengths from everywhere", clusters.count, 1);
+  clusters.mirrored = makeRoom<shared::Mirrored>(device, "mirrored light", count * lights);
+  // Each frame leaves these at 0 again.
+  const auto zeros = [&](const char* name, std::size_t words) {
+    return gpu::makeBuffer(device, name, std::vector<std::uint32_t>(words, 0), clusterBuffer);
+  };
+  clusters.peaks = zeros("peaks of mirrored light", shared::maxLights);
+  clusters.sums = zeros("sums of mirrored light", 4 * count);
   clusters.arrived = makeRoom<shared::vec4>(device, "arrived mirrored light", count);
-  clusters.beamNodes = makeRoom<shared::BeamNode>(device, "trees of points", 2 * nodes);
-  clusters.roomOfBeamList = roomOfBeamList(clusters.tree.nodeCount, 2 * groups.size());
-  clusters.beamLists = makeRoom<std::uint32_t>(
-      device, "lists of points", 2 * groups.size() * (std::size_t{clusters.roomOfBeamList} + 1));
+  clusters.beamNodes = makeRoom<shared::BeamNode>(device, "trees of points", trees * nodes);
+  clusters.roomOfBeamList = roomOfBeamList(clusters.tree.nodeCount, trees * groups.size());
+  clusters.beamLists =
+      makeRoom<std::uint32_t>(device, "lists of points",
+                              trees * groups.size() * (std::size_t{clusters.roomOfBeamList} + 1));
   clusters.sources = makeRoom<shared::vec4>(device, "sources of fluence", count);
   clusters.skyShares = makeRoom<shared::vec4>(device, "share of the sky of clusters", count);
   clusters.entered = makeRoom<shared::vec4>(device, "diffuse light that enters", count);

@@ -57,8 +57,10 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                 {.name = "depth",
                  .width = extent.width,
                  .height = extent.height,
+                 .layers = samples,
                  .format = VK_FORMAT_D32_SFLOAT,
-                 .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT}};
+                 .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                 .kind = gpu::ImageKind::Array}};
   made.rowsOfBand = rowsOfBand(extent, samples, kept.materials);
   const std::uint32_t pixels = extent.width * made.rowsOfBand;
   const std::uint32_t room = pixels * samples;
@@ -112,8 +114,8 @@ void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen, con
   const shared::vec2 pixel(2 / static_cast<float>(extent.width),
                            2 / static_cast<float>(extent.height));
   commands.beginPass("surface");
-  const gpu::DepthTarget depth{.image = &surfaces.depth};
   for (std::uint32_t sample = 0; sample < samples.size(); ++sample) {
+    const gpu::DepthTarget depth{.image = &surfaces.depth, .layer = sample};
     const shared::vec2 jitter = -samples[sample] * pixel;
     // What it reads is ordered before the drawing begins.
     if (!seen.mesh.cutOut.empty()) bindCutOut(commands, seen, cutOuts, jitter);

@@ -152,15 +152,23 @@ void Readback::prepare(gpu::Device& device, const std::vector<Aov>& aovs, const 
       gpu::Buffer(device, {.name = "readback", .bytes = bytes, .memory = gpu::Memory::Readback});
 }
 
-void Readback::record(gpu::CommandList& commands, FrameResources& resources) {
-  if (entries_.empty()) return;
+void Readback::record(gpu::CommandList& commands, FrameResources& resources, int solutions,
+                      passes::Solver& solver) {
+  // One wait for all that is copied, and one for the host.
+  if (solutions > 0) commands.use(solver.states, gpu::Access::TransferRead);
+  recordImages(commands, resources);
+  recordSolutions(commands, solutions, solver);
+  if (!entries_.empty()) commands.use(buffer_, gpu::Access::HostRead);
+  if (solutions > 0) commands.use(states_, gpu::Access::HostRead);
+}
+
+void Readback::recordImages(gpu::CommandList& commands, FrameResources& resources) {
   for (const Entry& entry : entries_) {
     const std::array<gpu::GpuImage*, 2> images = imagesOf(entry.aov, resources);
     for (std::size_t i = 0; i < images.size(); ++i)
       if (images[i] != nullptr)
         commands.copyFromImage(*images[i], buffer_, 0, 0, entry.sources[i].offset);
   }
-  commands.use(buffer_, gpu::Access::HostRead);
 }
 
 template <typename T>
@@ -224,7 +232,6 @@ void Readback::recordSolutions(gpu::CommandList& commands, int count, passes::So
   if (count == 0) return;
   commands.copyBuffer(solver.states, states_,
                       static_cast<std::size_t>(count) * sizeof(shared::SolverState));
-  commands.use(states_, gpu::Access::HostRead);
 }
 
 void Readback::finishSolutions(std::vector<Solution>& solutions) const {

@@ -28,11 +28,9 @@ class Readback {
   void prepare(gpu::Device& device, const std::vector<Aov>& aovs, const CameraView& camera,
                const Vec3& originMm, FrameResources& resources);
 
-  /// Records the copies.
-  void record(gpu::CommandList& commands, FrameResources& resources);
-
-  /// Records the copy of how `count` solutions went; none where it is 0.
-  void recordSolutions(gpu::CommandList& commands, int count, passes::Solver& solver);
+  /// Records the copies, and that of how so many solutions went.
+  void record(gpu::CommandList& commands, FrameResources& resources, int solutions,
+              passes::Solver& solver);
 
   void finishSolutions(std::vector<Solution>& solutions) const;
 
@@ -40,6 +38,9 @@ class Readback {
   void finish(std::vector<Image>& images) const;
 
  private:
+  void recordImages(gpu::CommandList& commands, FrameResources& resources);
+  void recordSolutions(gpu::CommandList& commands, int count, passes::Solver& solver);
+
   /// What one image left in the buffer.
   struct Source {
     std::size_t offset = 0;

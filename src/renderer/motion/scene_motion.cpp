@@ -122,13 +122,16 @@ void SceneMotion::fillPose(const SceneTime& time) {
 
 void SceneMotion::upload(gpu::CommandList& commands) {
   const auto copy = [&](std::span<const std::byte> data, gpu::Buffer& to) {
-    if (!data.empty()) commands.copyBuffer(ring_.buffer(), to, data.size(), ring_.push(data));
+    const std::size_t offset = data.empty() ? 0 : ring_.push(data);
+    return gpu::BufferCopy{&ring_.buffer(), &to, data.size(), offset};
   };
   ring_.nextFrame();
-  copy(std::as_bytes(std::span(&frame_, 1)), motion_.frame);
-  copy(std::as_bytes(std::span(std::as_const(weights_))), motion_.weights);
-  copy(std::as_bytes(std::span(std::as_const(matrices_))), motion_.matrices);
-  copy(std::as_bytes(std::span(std::as_const(objects_))), motion_.objects);
+  const gpu::BufferCopy copies[] = {
+      copy(std::as_bytes(std::span(&frame_, 1)), motion_.frame),
+      copy(std::as_bytes(std::span(std::as_const(weights_))), motion_.weights),
+      copy(std::as_bytes(std::span(std::as_const(matrices_))), motion_.matrices),
+      copy(std::as_bytes(std::span(std::as_const(objects_))), motion_.objects)};
+  commands.copyBuffers(copies);
 }
 
 void SceneMotion::record(gpu::CommandList& commands, const passes::DeformPass& pass,

@@ -1,5 +1,5 @@
 // Which nodes of light act on the clusters of a group: those which are far from all of them, and leaves. Of
-// the tree of sources of fluence, then of that of light that scatters once.
+// each of the trees that boundary/beam_nodes.comp.glsl has made.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -19,7 +19,8 @@ layout(std430, set = 0, binding = 5) writeonly buffer Lists { uint lists[]; };
 layout(push_constant) uniform Push {
   uint groupCount;
   float openingAngle;
-  uint trees;      // 1: the first alone
+  uint trees;
+  uint lights;
   uint nodeCount;  // of a tree
   uint room;       // of a list
   uint firstNode;
@@ -29,7 +30,7 @@ layout(push_constant) uniform Push {
 // From further than that, no light that scatters once is left.
 const float furthestFreePaths = 8.0;
 
-uint scattersOnce;  // 1: nodes are sources of light that scatters once
+uint root;  // of the tree
 ClusterGroup group;
 Around around;
 float sigma;
@@ -68,7 +69,7 @@ bool isFarFromAll(BeamNode node) {
 uint nextActing(inout uint at) {
   uint found = noNode;
   while (found == noNode && at < sliceEnd) {
-    BeamNode node = readBeamNode(scattersOnce * nodeCount + at);
+    BeamNode node = readBeamNode(root + at);
     uint link = linkOf(node);
     uint after = afterNode(at, link);
     bool left = node.extent.x < 0.0 || after <= sliceBegin ||
@@ -83,14 +84,16 @@ uint nextActing(inout uint at) {
 
 void main() {
   uint index = linearIndex() / gl_WorkGroupSize.x;
-  scattersOnce = index / groupCount;
-  if (scattersOnce >= trees) return;
+  uint tree = index / groupCount;
+  if (tree >= trees) return;
+  bool scattersOnce = tree >= lights;
+  root = tree * nodeCount;
   group = groups[index % groupCount];
   ObjectData body = objects[group.object];
   BoundaryMedium medium = insideOf(body);
   around = aroundGroup();
-  sigma = scattersOnce != 0u ? 0.0 : leastOf(medium.sigma.rgb);
-  reachMm = scattersOnce != 0u ? furthestFreePaths / leastOf(medium.collision.rgb) : 1e18;
+  sigma = scattersOnce ? 0.0 : leastOf(medium.sigma.rgb);
+  reachMm = scattersOnce ? furthestFreePaths / leastOf(medium.collision.rgb) : 1e18;
   uint begin = max(body.clusters.x, firstNode);
   uint nodes = max(min(body.clusters.y, endNode), begin) - begin;
   uint i = gl_LocalInvocationIndex;

@@ -1,6 +1,6 @@
 // Points of light in the body on the nodes of the tree of clusters: at leaves, one a cluster, or at
-// inner nodes. Of a tree as sources of fluence and, of the part that is followed to its second collision, of
-// one as sources of light that scatters once.
+// inner nodes. Each light has a tree of sources of fluence and, of the part that is followed to its second
+// collision, one of sources of light that scatters once, after those of all lights.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 0
@@ -20,12 +20,15 @@ layout(std430, set = 0, binding = 10) coherent buffer Nodes { BeamNode nodes[]; 
 layout(push_constant) uniform Push {
   uint firstTreelet;
   uint count;         // of treelets, or of clusters
-  uint trees;         // 1: the first alone
-  uint nodeCount;     // of a tree; that of light that scatters once follows the other
+  uint trees;
+  uint lights;
+  uint clusterCount;
+  uint nodeCount;  // of a tree
 };
 
 uint scattersOnce;  // 1: of sources of light that scatters once
-uint root;          // of its tree
+uint light;
+uint root;  // of its tree
 
 // How large points are felt to be by light that scatters once, in roots of their mean square
 // distance: it falls off steeply. Fluence takes their spread into account, so that clusters of points
@@ -79,7 +82,8 @@ mat3 meansOf(mat3 weighted, vec3 power, vec3 otherwise) {
 
 void gatherLeaf(uint i) {
   Cluster cluster = clusters[i];
-  vec4 strength = strengths[i];
+  uint beam = light * clusterCount + i;
+  vec4 strength = strengths[beam];
   uvec2 counts = unpackPointCounts(strength.w);
   BoundaryMedium medium = insideOf(objects[ranges[i].object]);
   vec3 shares[2] = vec3[2](shareOfFirst(cluster), shareOfSecond(cluster, medium));
@@ -89,7 +93,7 @@ void gatherLeaf(uint i) {
   mat3 weighted = mat3(0.0);
   for (uint order = 0u; order < 2u; ++order) {
     for (uint p = 0u; p < counts[order]; ++p) {
-      BeamPoint point = readPoint(i * maxPoints + order * maxFirstPoints + p);
+      BeamPoint point = readPoint(beam, order * maxFirstPoints + p);
       vec3 f = strength.rgb * shares[order] * shareOf(point);
       mat3 places = placesOf(point);
       power += f;
@@ -102,7 +106,7 @@ void gatherLeaf(uint i) {
   vec3 ofChannels = vec3(0.0);
   for (uint order = 0u; order < 2u; ++order) {
     for (uint p = 0u; p < counts[order]; ++p) {
-      BeamPoint point = readPoint(i * maxPoints + order * maxFirstPoints + p);
+      BeamPoint point = readPoint(beam, order * maxFirstPoints + p);
       vec3 f = strength.rgb * shares[order] * shareOf(point);
       mat3 places = placesOf(point);
       for (int c = 0; c < 3; ++c) {
@@ -111,7 +115,7 @@ void gatherLeaf(uint i) {
         add(squares, f[c], offset);
         ofChannels[c] += f[c] * dot(offset, offset);
       }
-      if (scattersOnce != 0u && medium.collision.w != 0.0) squares.across += (f.r + f.g + f.b) * arrivalAt(i, p);
+      if (scattersOnce != 0u && medium.collision.w != 0.0) squares.across += (f.r + f.g + f.b) * arrivalAt(beam, p);
     }
   }
   float all = max(power.r + power.g + power.b, 1e-30);
@@ -168,9 +172,11 @@ void fitNode(uint node, uint link) {
 void main() {
   uint i = linearIndex();
   if (ofLeaves == 0u) i /= gl_WorkGroupSize.x;
-  scattersOnce = i / count;
-  if (scattersOnce >= trees) return;
-  root = scattersOnce * nodeCount;
+  uint tree = i / count;
+  if (tree >= trees) return;
+  scattersOnce = tree / lights;
+  light = tree % lights;
+  root = tree * nodeCount;
   if (ofLeaves == 0u)
     fitTreelet(firstTreelet + i % count);
   else

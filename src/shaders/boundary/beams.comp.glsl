@@ -35,7 +35,8 @@ layout(constant_id = 0) const uint withPaint = 0u;
 
 layout(push_constant) uniform Push {
   uint clusterCount;
-  uint beam;  // a light, or the number of lights for what comes from everywhere
+  uint firstLight;  // or the number of lights for what comes from everywhere
+  uint lights;      // from that on
   uint piecesPerSurfel;
   uint nodeCount;  // of all surfels' trees
   uint mirrors;    // 1: what the surface does not let in goes on
@@ -64,10 +65,12 @@ uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
 }
 
+uint light;
+uint beam;           // of the cluster and that light, among those that are found together
 uint pointCount[2];  // of first and second collisions so far
 
-void put(uint cluster, uint order, BeamPoint point) {
-  points[cluster * maxPoints + order * maxFirstPoints + pointCount[order]] = point;
+void put(uint order, BeamPoint point) {
+  points[beam * maxPoints + order * maxFirstPoints + pointCount[order]] = point;
   ++pointCount[order];
 }
 
@@ -137,7 +140,7 @@ void scatterOn(Body body, uint i, Cluster cluster, BeamPoint point, vec3 arrival
                     ? collisionAfter(body, ends[c].xyz, direction,
                                      depth / body.medium.collision[c], share * ends[c].w, c)
                     : vec4(ends[c].xyz, 0.0);
-    put(i, 1u, BeamPoint(ends[0], ends[1], ends[2]));
+    put(1u, BeamPoint(ends[0], ends[1], ends[2]));
   }
 }
 
@@ -170,7 +173,7 @@ void firstSegment(Body body, uint i, Cluster cluster, vec3 origin, vec3 directio
   for (uint p = 0u; p < pointsOfFirstSegment; ++p) {
     vec3 share = shares[p] / all * collides;
     vec3 onward = shareOfFirst(cluster) * forwards(body, lengthMm - lengths[p]);
-    put(i, 0u, pointAt(origin, direction, lengths[p] + onward, share));
+    put(0u, pointAt(origin, direction, lengths[p] + onward, share));
     if (further) scatterOn(body, i, cluster, pointAt(origin, direction, lengths[p], share), direction, p, directionsOfPoint);
   }
 }
@@ -200,7 +203,7 @@ void reflections(Body body, uint i, Cluster cluster, vec3 origin, vec3 direction
       vec3 lengths = -log(1.0 - twoAt[p] * collides) / extinction;
       vec3 share = 0.5 * left * collides;
       vec3 onward = shareOfFirst(cluster) * forwards(body, lengthMm - lengths);
-      put(i, 0u, pointAt(origin, direction, lengths + onward, share));
+      put(0u, pointAt(origin, direction, lengths + onward, share));
       uint which = pointsOfFirstSegment + (s - 1u) * pointsOfReflection + p;
       if (further) scatterOn(body, i, cluster, pointAt(origin, direction, lengths, share), direction, which, 1u);
     }
@@ -242,17 +245,21 @@ Mirrored mirroredOf(Body body, Entry entry, vec3 from, vec3 power) {
 }
 
 void main() {
-  uint i = linearIndex();
-  if (i >= clusterCount) return;
+  beam = linearIndex();
+  if (beam >= lights * clusterCount) return;
+  uint i = beam % clusterCount;
+  light = firstLight + beam / clusterCount;
   Cluster cluster = clusters[i];
   ObjectData itsBody = objects[ranges[i].object];
   RayTarget target = RayTarget(itsBody.tree.x, itsBody.tree.y, ranges[i].object);
-  Entry entry = entries[beam * clusterCount + i];
+  Entry entry = entries[light * clusterCount + i];
   float eta = mediumAt(itsBody, entry.place.xyz).boundary.x;
   Body body = Body(insideOf(itsBody), eta, target, cluster.along.w, rayStartOf(cluster));
   vec3 power = cluster.centroidArea.w * entry.irradiance.rgb;
-  bool everywhere = beam == frame.counts.w;
+  bool everywhere = light == frame.counts.w;
   if (everywhere) {
+    if (beam == 0u)
+      for (uint l = 0u; l < maxLights; ++l) peaks[l] = 0u;  // for the next frame
     vec3 share = skyShares[i].rgb;
     entered[i] = vec4(share * entry.irradiance.rgb, 0.0);
     power *= share * (1.0 - shareAtSurface(cluster.start.w, body.medium));
@@ -266,16 +273,16 @@ void main() {
     firstSegment(body, i, cluster, cluster.centroidArea.xyz, -cluster.normal.xyz, cluster.start.w, extinction);
   } else if (power != vec3(0.0)) {
     vec3 normal = entry.normal.xyz;
-    vec3 toLight = beam < firstAreaLight() ? incidentLight(beam, entry.place.xyz).direction
-                                           : directionOfArea(beam, entry.place.xyz, normal);
+    vec3 toLight = light < firstAreaLight() ? incidentLight(light, entry.place.xyz).direction
+                                           : directionOfArea(light, entry.place.xyz, normal);
     float cosine = dot(toLight, normal);
     vec3 from = unitOr(toLight + max(leastEntryCosine - cosine, 0.0) * normal, normal);
     vec3 direction = unitOr(refract(-from, normal, 1.0 / body.eta), -normal);
     cosineInside = -dot(direction, normal);
     RayHit hit = nextHit(body, entry.start.xyz, direction, 3e38);
     float longer = 1.0;  // the ways of all the light to a depth, over that of its mean direction
-    if (beam >= firstAreaLight()) {
-      float mean = meanCosineInside(body, areaViewFrom(entry.place.xyz, beam), normal);
+    if (light >= firstAreaLight()) {
+      float mean = meanCosineInside(body, areaViewFrom(entry.place.xyz, light), normal);
       if (mean > 0.0) longer = max(cosineInside / mean, 1.0);
     }
     firstSegment(body, i, cluster, entry.place.xyz, direction, min(hit.distance, 1e18),
@@ -283,10 +290,10 @@ void main() {
     reflections(body, i, cluster, entry.start.xyz, direction, hit);
     if (mirrors != 0u) {
       goesOn = mirroredOf(body, entry, from, power);
-      atomicMax(peaks[beam], floatBitsToUint(largestOf(goesOn.power.rgb)));
+      atomicMax(peaks[firstLight], floatBitsToUint(largestOf(goesOn.power.rgb)));
     }
   }
-  if (mirrors != 0u) mirrored[i] = goesOn;
+  if (mirrors != 0u) mirrored[beam] = goesOn;
   if (withPaint != 0u) power *= throughPaint(i, body, cosineInside);
-  strengths[i] = vec4(power, packPointCounts(pointCount[0], pointCount[1]));
+  strengths[beam] = vec4(power, packPointCounts(pointCount[0], pointCount[1]));
 }

@@ -8,20 +8,24 @@
 layout(constant_id = 0) const uint addsUp = 1u;
 
 layout(std430, set = 0, binding = 0) readonly buffer MirroredLight { Mirrored mirrored[]; };
-layout(std430, set = 0, binding = 1) readonly buffer Peaks { uint peaks[]; };  // of lights
-layout(std430, set = 0, binding = 2) buffer Sums { uint sums[]; };  // three a cluster
+layout(std430, set = 0, binding = 1) readonly buffer Peaks { uint peaks[]; };  // of the first of lights that are found together
+layout(std430, set = 0, binding = 2) buffer Sums { uint sums[]; };  // three a cluster, and 0 again afterwards
 layout(std430, set = 0, binding = 3) buffer Arrived { vec4 arrived[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
-  uint light;
+  uint firstLight;
+  uint lights;
+  uint adds;  // 1: to what other lights gave
 };
 
 void main() {
   uint i = linearIndex();
-  float most = uintBitsToFloat(peaks[light]);
-  if (i >= clusterCount || most <= 0.0) return;
-  float whole = 4.0e9 / float(clusterCount);  // what the peak is, so that all together fit
+  if (i >= (addsUp != 0u ? lights : 1u) * clusterCount) return;
+  if (addsUp == 0u && adds == 0u) arrived[i] = vec4(0.0);
+  float most = uintBitsToFloat(peaks[firstLight]);
+  if (most <= 0.0) return;
+  float whole = 4.0e9 / float(lights * clusterCount);  // what the peak is, so that all together fit
   if (addsUp == 0u) {
     for (uint c = 0u; c < 3u; ++c) {
       arrived[i][c] += float(sums[3u * i + c]) / whole * most;

@@ -89,13 +89,14 @@ float fromDisc(Cluster its, vec3 place, vec3 arrival, float extinction) {
 
 vec3 ownDiscs(uint receiver) {
   Cluster its = clusters[receiver];
-  vec4 strength = strengths[receiver];
+  uint beam = beamOf(receiver);
+  vec4 strength = strengths[beam];
   uint count = min(unpackPointCounts(strength.w).x, pointsOfFirstSegment);
   vec3 extinction = medium.collision.rgb;
-  vec3 arrival = scattersEvenly != 0u ? vec3(0.0) : arrivalAt(receiver, 0u);
+  vec3 arrival = scattersEvenly != 0u ? vec3(0.0) : arrivalAt(beam, 0u);
   vec3 sum = vec3(0.0);
   for (uint p = 0u; p < count; ++p) {
-    BeamPoint point = readPoint(receiver * maxPoints + p);
+    BeamPoint point = readPoint(beam, p);
     sum += shareOf(point) * vec3(fromDisc(its, point.red.xyz, arrival, extinction.r),
                                  fromDisc(its, point.green.xyz, arrival, extinction.g),
                                  fromDisc(its, point.blue.xyz, arrival, extinction.b));
@@ -104,16 +105,17 @@ vec3 ownDiscs(uint receiver) {
 }
 
 void addPoints(uint cluster) {
-  uint count = unpackPointCounts(strengths[cluster].w).x;
+  uint beam = beamOf(cluster);
+  uint count = unpackPointCounts(strengths[beam].w).x;
   Cluster from = clusters[cluster];
-  vec3 power = strengths[cluster].rgb * from.second.rgb;
+  vec3 power = strengths[beam].rgb * from.second.rgb;
   for (uint p = 0u; p < count; ++p) {
-    BeamPoint point = readPoint(cluster * maxPoints + p);
+    BeamPoint point = readPoint(beam, p);
     uint without = p < pointsOfFirstSegment ? cluster - tile.firstCluster : noNode;
-    vec3 arrival = scattersEvenly != 0u ? vec3(0.0) : arrivalAt(cluster, p);
+    vec3 arrival = scattersEvenly != 0u ? vec3(0.0) : arrivalAt(beam, p);
     [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
-      vec3 light = power * shareOf(point) * fromPlaces(point, arrival, from.normal.w, t);
-      if (t != without) tileLight[t] += light;
+      vec3 leaves = power * shareOf(point) * fromPlaces(point, arrival, from.normal.w, t);
+      if (t != without) tileLight[t] += leaves;
     }
   }
 }
@@ -137,10 +139,13 @@ void main() {
     targetNormals[t] = texelFetch(clusterTexels, 7 * int(min(tile.firstCluster + t, tile.endCluster - 1u)) + 1);
     tileLight[t] = vec3(0.0);
   }
-  sumList(aroundTile());
+  Around around = aroundTile();
+  for (light = 0u; light < lights; ++light) sumList(around);
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, tileLight[t]);
   uint target = gl_LocalInvocationIndex;
   vec3 sum = sumOfTile(target);
   if (target >= tile.endCluster - tile.firstCluster) return;
-  putLight(target, sum, ownDiscs(tile.firstCluster + target), medium.scatters.rgb / (4.0 * pi));
+  vec3 own = vec3(0.0);
+  for (light = 0u; light < lights; ++light) own += ownDiscs(tile.firstCluster + target);
+  putLight(target, sum, own, medium.scatters.rgb / (4.0 * pi));
 }

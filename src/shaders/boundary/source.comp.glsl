@@ -17,6 +17,7 @@ vec3 kernel(vec3 squared) {
 // A cluster's points.
 struct Sender {
   uint cluster;
+  uint beam;
   uint firstCount;
   uint count;
   vec3 ofFirst;  // power
@@ -25,18 +26,19 @@ struct Sender {
 };
 
 Sender senderOf(uint cluster) {
-  vec4 strength = strengths[cluster];
+  uint beam = beamOf(cluster);
+  vec4 strength = strengths[beam];
   uvec2 counts = unpackPointCounts(strength.w);
   Cluster from = clusters[cluster];
   vec3 first = shareOfFirst(from);
   uint firstCount = first == vec3(0.0) ? 0u : counts.x;
-  return Sender(cluster, firstCount, firstCount + counts.y, strength.rgb * first,
+  return Sender(cluster, beam, firstCount, firstCount + counts.y, strength.rgb * first,
                 strength.rgb * shareOfSecond(from, medium), from.centroidArea.w);
 }
 
 BeamPoint pointOf(Sender from, uint p) {
   uint order = p < from.firstCount ? p : p - from.firstCount + maxFirstPoints;
-  return readPoint(from.cluster * maxPoints + order);
+  return readPoint(from.beam, order);
 }
 
 vec3 powerOf(Sender from, uint p, BeamPoint point) {
@@ -114,11 +116,12 @@ vec3 fromDisc(Cluster its, BeamPoint point) {
 
 vec3 ownDiscs(uint receiver) {
   Cluster its = clusters[receiver];
-  vec4 strength = strengths[receiver];
+  uint beam = beamOf(receiver);
+  vec4 strength = strengths[beam];
   uint count = min(unpackPointCounts(strength.w).x, pointsOfFirstSegment);
   vec3 sum = vec3(0.0);
   for (uint p = 0u; p < count; ++p) {
-    BeamPoint point = readPoint(receiver * maxPoints + p);
+    BeamPoint point = readPoint(beam, p);
     sum += shareOf(point) * fromDisc(its, point);
   }
   return strength.rgb * shareOfFirst(its) * sum;
@@ -157,6 +160,14 @@ void addPoints(Sender from) {
   }
 }
 
+void expandPoints(Sender from, vec3 middle) {
+  float smoothing = smoothingOf(targets[0].w, from.areaMm2);
+  for (uint p = 0u; p < from.count; ++p) {
+    BeamPoint point = pointOf(from, p);
+    expand(point, powerOf(from, p, point), smoothing, middle);
+  }
+}
+
 void sumList(Around around) {
   uint list = startOfTilesList();
   uint count = lists[list];
@@ -167,14 +178,8 @@ void sumList(Around around) {
     for (uint k = ends.x + i; k < ends.y; k += invocationsOfTile)
       expandNode(readListed(sorted[k]), around.middle);
     for (uint k = ends.y + i; k < ends.z; k += invocationsOfTile) addPoints(senderAt(sorted[k]));
-    for (uint k = ends.z + i; k < ends.w; k += invocationsOfTile) {
-      Sender from = senderAt(sorted[k]);
-      float smoothing = smoothingOf(targets[0].w, from.areaMm2);
-      for (uint p = 0u; p < from.count; ++p) {
-        BeamPoint point = pointOf(from, p);
-        expand(point, powerOf(from, p, point), smoothing, around.middle);
-      }
-    }
+    for (uint k = ends.z + i; k < ends.w; k += invocationsOfTile)
+      expandPoints(senderAt(sorted[k]), around.middle);
     barrier();
   }
 }
@@ -192,10 +197,12 @@ void main() {
   Around around = aroundTile();
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) tileLight[t] = vec3(0.0);
   [[unroll]] for (uint t = 0u; t < termsOfExpansion; ++t) expansion[t] = vec3(0.0);
-  sumList(around);
+  for (light = 0u; light < lights; ++light) sumList(around);
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) addToTile(t, tileLight[t] + expandedAt(targets[t].xyz - around.middle));
   uint target = gl_LocalInvocationIndex;
   vec3 sum = sumOfTile(target);
   if (target >= tile.endCluster - tile.firstCluster) return;
-  putLight(target, sum, ownDiscs(tile.firstCluster + target), 1.0 / (4.0 * pi * medium.diffusion.rgb));
+  vec3 own = vec3(0.0);
+  for (light = 0u; light < lights; ++light) own += ownDiscs(tile.firstCluster + target);
+  putLight(target, sum, own, 1.0 / (4.0 * pi * medium.diffusion.rgb));
 }

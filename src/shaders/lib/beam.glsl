@@ -1,5 +1,6 @@
-// Points of light in the body under a cluster (shared/boundary.h). Needs, before it, BINDING_POINTS,
-// BINDING_STRENGTHS and what lib/boundary.glsl needs.
+// Points of light in the body under a cluster (shared/boundary.h). Those of one light are a beam: there is one
+// for each light and each cluster, light after light. Needs, before it, BINDING_POINTS, BINDING_STRENGTHS
+// and what lib/boundary.glsl needs.
 #ifndef OPALINE_LIB_BEAM
 #define OPALINE_LIB_BEAM
 #include "lib/boundary.glsl"
@@ -7,10 +8,11 @@
 #include "lib/unit.glsl"
 
 layout(set = 0, binding = BINDING_POINTS) uniform samplerBuffer points;  // BeamPoint
-// Power that entered through each cluster; w: numbers of its points as packPointCounts has them.
+// Of each beam: power that entered through its cluster; w: numbers of its points as packPointCounts has them.
 layout(std430, set = 0, binding = BINDING_STRENGTHS) readonly buffer Strengths { vec4 strengths[]; };
 
-BeamPoint readPoint(uint index) {
+BeamPoint readPoint(uint beam, uint p) {
+  uint index = beam * maxPoints + p;
   return BeamPoint(texelFetch(points, 3 * int(index)), texelFetch(points, 3 * int(index) + 1),
                    texelFetch(points, 3 * int(index) + 2));
 }
@@ -27,14 +29,14 @@ vec3 squaredDistances(BeamPoint point, vec3 place) {
   return vec3(dot(red, red), dot(green, green), dot(blue, blue));
 }
 
-// The direction in which light arrives at the p-th of a cluster's points of first collisions: they lie in
+// The direction in which light arrives at the p-th of a beam's points of first collisions: they lie in
 // groups along a ray.
-vec3 arrivalAt(uint cluster, uint p) {
+vec3 arrivalAt(uint beam, uint p) {
   bool onFirst = p < pointsOfFirstSegment;
   uint count = onFirst ? pointsOfFirstSegment : pointsOfReflection;
-  uint first = cluster * maxPoints + (onFirst ? 0u : p - (p - pointsOfFirstSegment) % pointsOfReflection);
-  BeamPoint from = readPoint(first);
-  BeamPoint to = readPoint(first + count - 1u);
+  uint first = onFirst ? 0u : p - (p - pointsOfFirstSegment) % pointsOfReflection;
+  BeamPoint from = readPoint(beam, first);
+  BeamPoint to = readPoint(beam, first + count - 1u);
   return unitOr(to.red.xyz + to.green.xyz + to.blue.xyz - (from.red.xyz + from.green.xyz + from.blue.xyz), vec3(0.0));
 }
 

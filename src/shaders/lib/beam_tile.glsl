@@ -23,18 +23,27 @@ layout(push_constant) uniform Push {
   uint tileCount;
   float openingAngle;
   uint adds;     // 1: to what other light and other nodes gave
-  uint isFirst;  // 1: of the dispatches for this light
+  uint isFirst;  // 1: of the dispatches for these lights
+  uint lights;
+  uint clusterCount;
   uint room;     // of a list
-  uint firstList;  // of the groups'
-  uint firstNode;  // of the tree that is listed there
+  uint firstTree;  // of the lights'
+  uint nodeCount;  // of a tree
+  uint groupCount;
 };
 
+uint light;  // of which the sum is
+
+uint beamOf(uint cluster) {
+  return light * clusterCount + cluster;
+}
+
 BeamNode readListed(uint node) {
-  return readBeamNode(firstNode + node);
+  return readBeamNode((firstTree + light) * nodeCount + node);
 }
 
 uint startOfTilesList() {
-  return startOfList(firstList + tile.group, room);
+  return startOfList((firstTree + light) * groupCount + tile.group, room);
 }
 
 vec3 tileLight[maxClustersOfTile];
