@@ -47,6 +47,7 @@ struct MaterialSource {
   options::Chosen<TranslucentSurface> surface;  ///< of a translucent one
   options::Chosen<OpaqueMaterial> opaque;
   std::map<std::string, std::filesystem::path> textures;  ///< by key
+  Medium became;  ///< the medium of a translucent one, by all of this
 };
 
 /// What a scene file says of an object's own material, whatever that is: other numbers.
@@ -119,8 +120,9 @@ struct SceneDescription {
   /// The middle of the box around all objects in the rest pose, mm: what the file counts places
   /// from.
   Vec3 centreMm{};
-  std::vector<ObjectMedium> media;  ///< of every translucent object without a material
-  bool mediaOfAll = true;           ///< there are no others
+  /// Of every translucent object that is not all that its material in the file is.
+  std::vector<ObjectMedium> media;
+  bool mediaOfAll = true;  ///< there are no others
   std::vector<DirectionalLight> directional;
   std::vector<PointLight> points;
   std::vector<SpotLight> spots;

@@ -113,14 +113,15 @@ std::optional<GltfScattering> gltfScattering(const tinygltf::Material& material)
   const double strength = std::min(number("KHR_materials_scatter", "scatterStrengthFactor"), 1.0);
   const bool letsIn = number("KHR_materials_transmission", "transmissionFactor") > 0 &&
                       number("KHR_materials_volume", "thicknessFactor") > 0;
-  if (letsIn && strength > 0) scatter = &later;
+  const bool isLater = letsIn && strength > 0;
+  if (isLater) scatter = &later;
   std::optional<Numbers3> color = gltfNumbers<3>(*scatter, "multiscatterColorFactor");
   if (!color) color = gltfNumbers<3>(*scatter, "multiscatterColor");
   const bool textured = scatter->Has("multiscatterColorTexture");
-  if (!color && !textured && scatter != &later) return std::nullopt;
+  if (!color && !textured && !isLater) return std::nullopt;
   GltfScattering found{.color = color.value_or(Numbers3{1, 1, 1})};
   found.anisotropy = std::clamp(gltfNumber(*scatter, "scatterAnisotropy").value_or(0), -0.99, 0.99);
-  if (scatter == &later) {
+  if (isLater) {
     for (double& channel : found.color) channel *= strength;
     if (later.Has("scatterStrengthTexture"))
       found.strengthTexture = later.Get("scatterStrengthTexture");

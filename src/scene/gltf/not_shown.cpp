@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "scene/gltf/extensions.h"
+#include "scene/gltf/json.h"
 #include "scene/gltf/medium.h"
 #include "scene/gltf/mesh.h"
 #include "scene/not_shown.h"
@@ -40,11 +43,60 @@ bool isRead(const tinygltf::Material& material, std::string_view extension) {
   return kindOf(extension) == GltfExtension::Read;
 }
 
+/// What two extensions say of how light gets into a body.
+struct WayIn {
+  double clear = 0;    ///< of KHR_materials_transmission, tinted by the base colour
+  double diffuse = 0;  ///< of KHR_materials_diffuse_transmission, of the rest
+  bool isSaid = false;
+
+  double share() const { return 1 - (1 - clear) * (1 - diffuse); }
+};
+
+WayIn wayInto(const tinygltf::Material& material) {
+  const auto factor = [&](const char* extension, const char* key) {
+    return std::clamp(gltfNumber(gltfExtension(material, extension), key).value_or(0), 0.0, 1.0);
+  };
+  return {factor("KHR_materials_transmission", "transmissionFactor"),
+          factor("KHR_materials_diffuse_transmission", "diffuseTransmissionFactor"),
+          material.extensions.contains("KHR_materials_transmission") ||
+              material.extensions.contains("KHR_materials_diffuse_transmission")};
+}
+
+/// Whether a medium shows all there is to see of the base colour. Where all light enters diffusely,
+/// nothing is given back in it. Where its picture is the medium's too, it is for readers that know
+/// no media.
+bool losesNoBaseColor(const tinygltf::Material& material) {
+  if (baseColorIsOfMedium(material)) return true;
+  const WayIn in = wayInto(material);
+  if (in.clear == 0 && in.diffuse == 1) return true;
+  const std::optional<GltfScattering> scattering = gltfScattering(material);
+  return scattering && scattering->texture &&
+         gltfIndex(*scattering->texture, "index") ==
+             material.pbrMetallicRoughness.baseColorTexture.index;
+}
+
+/// What of them a medium does not have: it takes all the light that its surface does not mirror,
+/// everywhere and whatever its colour.
+void addWayIn(const tinygltf::Material& material, const std::string& name,
+              std::vector<NotShown>& to) {
+  if (!saysMediumByVolume(material)) return;
+  const WayIn in = wayInto(material);
+  if (in.isSaid && in.share() < 1) addNotShown(to, "partial transmission", name);
+  const tinygltf::Value& clear = gltfExtension(material, "KHR_materials_transmission");
+  const tinygltf::Value& diffuse = gltfExtension(material, "KHR_materials_diffuse_transmission");
+  if (clear.Has("transmissionTexture") || diffuse.Has("diffuseTransmissionTexture"))
+    addNotShown(to, "textures of transmission", name);
+  const auto tint = gltfNumbers<3>(diffuse, "diffuseTransmissionColorFactor");
+  if ((tint && *tint != std::array<double, 3>{1, 1, 1}) ||
+      diffuse.Has("diffuseTransmissionColorTexture"))
+    addNotShown(to, "colours of diffuse transmission", name);
+}
+
 HiddenParts partsOf(const tinygltf::Material& material) {
   const tinygltf::PbrMetallicRoughness& pbr = material.pbrMetallicRoughness;
-  const bool usesColor = baseColorIsOfMedium(material);
-  return {.baseColor = !usesColor && !isWhite(pbr.baseColorFactor),
-          .baseColorTexture = !usesColor && pbr.baseColorTexture.index >= 0,
+  const bool isShown = losesNoBaseColor(material);
+  return {.baseColor = !isShown && !isWhite(pbr.baseColorFactor),
+          .baseColorTexture = !isShown && pbr.baseColorTexture.index >= 0,
           .metal = pbr.metallicFactor > 0,
           .occlusionTexture = material.occlusionTexture.index >= 0,
           .emission = material.emissiveTexture.index >= 0 || !isBlack(material.emissiveFactor),
@@ -53,7 +105,10 @@ HiddenParts partsOf(const tinygltf::Material& material) {
 
 void addMaterial(const tinygltf::Material& material, bool isTranslucent, const std::string& name,
                  std::vector<NotShown>& to) {
-  if (isTranslucent) addNotShown(to, partsOf(material), name);
+  if (isTranslucent) {
+    addNotShown(to, partsOf(material), name);
+    addWayIn(material, name, to);
+  }
   const std::optional<GltfScattering> scattering = gltfScattering(material);
   if (scattering && scattering->texturesLieApart())
     addNotShown(to, "variations of scatter strength beside a colour texture", name);
@@ -68,18 +123,22 @@ std::string nameOr(const std::string& name, std::string_view kind, std::size_t i
   return name.empty() ? fmt::format("{} {}", kind, index) : name;
 }
 
+constexpr const char* variants = "KHR_materials_variants";
+
 /// Of a mesh once, however often it is drawn.
 void addMesh(const tinygltf::Model& model, std::size_t index, const std::set<int>& opaque,
              std::set<std::size_t>& materials, std::vector<NotShown>& to) {
   const tinygltf::Mesh& mesh = model.meshes[index];
   const std::string name = nameOr(mesh.name, "mesh", index);
   bool coloured = false;
+  bool varies = false;
   for (const tinygltf::Primitive& primitive : mesh.primitives) {
     if (!isSurface(primitive)) {
       addNotShown(to, "points and lines", name);
       continue;
     }
     const int material = primitive.material;
+    varies = varies || primitive.extensions.contains(variants);
     coloured = coloured || (!opaque.contains(material) &&
                             primitive.attributes.find("COLOR_0") != primitive.attributes.end());
     if (material >= 0 && static_cast<std::size_t>(material) < model.materials.size()) {
@@ -87,15 +146,24 @@ void addMesh(const tinygltf::Model& model, std::size_t index, const std::set<int
     }
   }
   if (coloured) addNotShown(to, "vertex colours", name);
+  if (varies) addNotShown(to, variants, name);
 }
 
 /// Beside those of materials, which are counted with these.
 void addExtensions(const tinygltf::Model& model, std::vector<NotShown>& to) {
   for (const std::string& used : model.extensionsUsed) {
-    if (kindOf(used) == GltfExtension::Unknown) {
-      addNotShown(to, "extensions", used);
-    }
+    const bool isSaid = std::any_of(to.begin(), to.end(), [&](const NotShown& kind) {
+      return kind.what == cleanText(used, 60);
+    });
+    if (!isSaid && kindOf(used) == GltfExtension::Unknown) addNotShown(to, "extensions", used);
   }
+}
+
+/// A file may hold several scenes, of which one is drawn.
+void addScenes(const tinygltf::Model& model, std::vector<NotShown>& to) {
+  const auto drawn = static_cast<std::size_t>(std::max(model.defaultScene, 0));
+  for (std::size_t i = 0; i < model.scenes.size(); ++i)
+    if (i != drawn) addNotShown(to, "other scenes", model.scenes[i].name);
 }
 
 }  // namespace
@@ -117,6 +185,7 @@ std::vector<NotShown> notShownOf(const tinygltf::Model& model, const GltfNodes& 
                 nameOr(of.name, "material", material), result);
   }
   addExtensions(model, result);
+  addScenes(model, result);
   return result;
 }
 

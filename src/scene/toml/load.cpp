@@ -228,7 +228,6 @@ std::optional<std::pair<std::string, TomlMaterial>> materialNamed(const TomlTabl
                                                                   const Assembly& from) {
   const auto name = table.text("material");
   if (!name) return std::nullopt;
-  if (table.has("medium")) table.fail("material", "cannot stand beside 'medium'");
   const auto found = from.materials.find(*name);
   if (found == from.materials.end())
     table.fail("material",
@@ -320,8 +319,10 @@ void loadMaterials(const TomlTable& root, Assembly& to) {
                     [&](const TomlTable& table, std::string_view key, const std::string& name) {
                       return mediumNamed(table, key, name, to);
                     });
-  for (const auto& [name, material] : to.materials)
+  for (auto& [name, material] : to.materials) {
+    material.source.became = material.translucent.medium;
     to.source.materials.emplace(name, material.source);
+  }
 }
 
 void readDeformers(const TomlTable& root, Assembly& to) {

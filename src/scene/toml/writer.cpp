@@ -348,13 +348,25 @@ void addSettings(const SceneFileSettings& settings, Text& to) {
   to.fields(options::chosenIn(settings.named));
 }
 
-/// Whether it is still of the material that the scene file gave it.
-bool isOfItsMaterial(const Object& object, const SceneSource& source) {
-  const auto name = source.materialOfObject.find(object.name);
-  if (name == source.materialOfObject.end()) return false;
-  if (object.opaque) return true;
-  const MaterialSource& material = source.materials.at(name->second);
-  return !material.isOpaque && object.medium.name == material.medium.value_or(name->second);
+/// Whether a translucent object is all that the material is which the scene file gave it. Else its
+/// medium is another one, on which the material's textures may have stayed.
+bool isAsItsMaterial(const Object& object, const MaterialSource& material) {
+  return !material.isOpaque && bssrdf::isSameInside(object.medium, material.became) &&
+         object.paint.has_value() == material.textures.contains("color_texture");
+}
+
+/// Other numbers than those of its material, of the kind that it is now.
+void keepNumbers(const Object& object, SceneSource& source) {
+  const auto found = source.numbersOfObject.find(object.name);
+  if (found == source.numbersOfObject.end()) return;
+  MaterialNumbers& numbers = found->second;
+  if (object.opaque) {
+    numbers.surface = {};
+    return;
+  }
+  if (!numbers.opaque.empty() && object.surface)
+    numbers.surface = options::chosenIn(*object.surface);
+  numbers.opaque = {};
 }
 
 }  // namespace
@@ -382,11 +394,15 @@ SceneDescription describe(const Scene& scene, SceneSource source, SceneFileSetti
   if (description.ground) *description.ground->heightMm -= description.centreMm[1];
   for (const Object& object : scene.objects) {
     if (object.isGround) continue;
+    scene::keepNumbers(object, description.source);
+    const auto& materials = description.source.materialOfObject;
+    const auto name = materials.find(object.name);
+    const bool isNamed = name != materials.end();
+    description.mediaOfAll = description.mediaOfAll && !isNamed && !object.opaque;
     // What is opaque is so by the model's file or by a material.
-    const bool named = scene::isOfItsMaterial(object, description.source);
-    if (!named) description.source.materialOfObject.erase(object.name);
-    description.mediaOfAll = description.mediaOfAll && !named && !object.opaque;
-    if (named || object.opaque) continue;
+    if (object.opaque) continue;
+    if (isNamed && scene::isAsItsMaterial(object, description.source.materials.at(name->second)))
+      continue;
     description.mediaOfAll = description.mediaOfAll && !object.paint;
     description.media.push_back({object.name, object.medium, object.paint.has_value()});
   }

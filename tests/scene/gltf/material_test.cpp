@@ -27,6 +27,13 @@ class GltfMaterial : public Gltf {
     parts.more = R"(,"materials":[)" + material + "]";
     return parts;
   }
+
+  /// What is not shown of it.
+  static std::string said(const Scene& scene) {
+    std::string kinds;
+    for (const NotShown& kind : scene.notShown) kinds += kind.what + " ";
+    return kinds;
+  }
 };
 
 TEST_F(GltfMaterial, WithoutASignOfTranslucencyItIsOpaque) {
@@ -107,6 +114,57 @@ TEST_F(GltfMaterial, StrengthScalesTheColour) {
     EXPECT_NEAR(half[c], 0.5 * (0.8 - 0.2 * static_cast<double>(c)), 1e-5);
   EXPECT_FALSE(colour(0, 1));  // absorbs alone
   EXPECT_FALSE(colour(1, 0));  // thin
+}
+
+TEST_F(GltfMaterial, AVolumeThatScattersNothingIsNoMedium) {
+  const auto with = [&](const std::string& extension) {
+    return load(parts(R"({"name":"glass","pbrMetallicRoughness":{"metallicFactor":0},)"
+                      R"("extensions":{"KHR_materials_volume":{"thicknessFactor":1,)"
+                      R"("attenuationDistance":0.001,"attenuationColor":[0.1,0.2,0.3]},)" +
+                      extension + "}}"));
+  };
+  const Scene glass = with(R"("KHR_materials_transmission":{"transmissionFactor":1})");
+  EXPECT_TRUE(glass.objects[0].opaque);
+  EXPECT_EQ(said(glass), "KHR_materials_transmission KHR_materials_volume ");
+  const Scene diffuse =
+      with(R"("KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":1})");
+  EXPECT_EQ(diffuse.objects[0].medium.name, "marble");
+}
+
+// A medium takes all the light that its surface does not mirror.
+TEST_F(GltfMaterial, HowLightGetsIntoAMediumIsToldWhereItIsNotShown) {
+  const auto told = [&](const std::string& extensions, const std::string& factor = "1") {
+    Parts file = parts(
+        R"({"name":"jelly","pbrMetallicRoughness":{"metallicFactor":0,"baseColorFactor":[1,)" +
+        factor +
+        R"(,1,1]},"extensions":{"KHR_materials_volume":{"thicknessFactor":1,)"
+        R"("attenuationDistance":0.001,"attenuationColor":[0.1,0.2,0.3]},)"
+        R"("KHR_materials_volume_scatter":{"multiscatterColorFactor":[0.8,0.5,0.2]},)" +
+        extensions + "}}");
+    file.meshes = test::changed(file.meshes, R"(,"COLOR_0":0)", "");
+    return said(load(file));
+  };
+  const std::string clear = R"("KHR_materials_transmission":{"transmissionFactor":)";
+  const std::string diffuse =
+      R"("KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":)";
+  EXPECT_EQ(told(clear + "1}"), "");
+  EXPECT_EQ(told(clear + "1}", "0.5"), "base colours ");
+  EXPECT_EQ(told(diffuse + "1}", "0.5"), "");  // nothing is given back in it
+  EXPECT_EQ(told(clear + "0.5}"), "partial transmission ");
+  EXPECT_EQ(told(diffuse + "0.5}", "0.5"), "base colours partial transmission ");
+  EXPECT_EQ(told(clear + "0.5}," + diffuse + "1}"), "");
+  EXPECT_EQ(told(clear + R"(1,"transmissionTexture":{"index":0}})"), "textures of transmission ");
+  EXPECT_EQ(told(diffuse + R"(1,"diffuseTransmissionColorFactor":[1,0.5,1]})"),
+            "colours of diffuse transmission ");
+}
+
+TEST_F(GltfMaterial, VariantsAndOtherScenesAreTold) {
+  Parts file = parts(R"({"pbrMetallicRoughness":{"metallicFactor":0}})");
+  file.meshes =
+      test::changed(file.meshes, R"("material":0)",
+                    R"("material":0,"extensions":{"KHR_materials_variants":{"mappings":[]}})");
+  file.scene = R"("scene":1,"scenes":[{"name":"draft"},{"nodes":[0]}],)";
+  EXPECT_EQ(said(load(file)), "KHR_materials_variants other scenes ");
 }
 
 TEST_F(GltfMaterial, StrengthMayVaryByTheAlphaOfATexture) {

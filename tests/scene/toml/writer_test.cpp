@@ -15,6 +15,7 @@
 #include "opaline/image_file.h"
 #include "opaline/media.h"
 #include "scene/gltf/glb.h"
+#include "scene/material.h"
 #include "scene/random_scene.h"
 #include "scene/shapes.h"
 #include "scene/toml/keys.h"
@@ -368,6 +369,43 @@ base_color = [0.5, 0.25, 1]
   EXPECT_EQ(loaded.scene.objects[0].opaque->roughness, 0.75F);
   EXPECT_EQ(loaded.scene.objects[0].opaque->baseColor, (Rgb{0.5F, 0.25F, 1}));
   EXPECT_EQ(loaded.scene.objects[1].surface->roughness, 0.375F);
+}
+
+// The maps of a material stay on the medium that takes the place of its own.
+TEST_F(SceneWriter, TexturesStayOnAnotherMedium) {
+  writePng(folder / "grey.png", {1, 1, {188, 188, 188, 255}});
+  test::writeBytes(file(), R"(
+model = "../../models/cubes.glb"
+[materials.custom]
+kind = "translucent"
+color_texture = "../../grey.png"
+mean_free_path_mm = [1, 2, 4]
+roughness = 0.5
+normal_texture = "../../grey.png"
+[materials.brass]
+kind = "opaque"
+metallic = 1
+normal_texture = "../../grey.png"
+[objects.plain]
+material = "brass"
+base_color = [0.5, 0.25, 1]
+[objects.")" + escaped(names[2]) +
+                               "\"]\nmaterial = \"custom\"\n");
+  LoadedScene edited = back();
+  Medium other{"custom", {1, 2, 3}, {0.1, 0.2, 0.3}, 1.4};
+  scene::putMedium(other, edited.scene.objects[0]);
+  edited.scene.objects[2].medium = other;
+  written(edited);
+  const Scene scene = back().scene;
+  EXPECT_FALSE(scene.objects[0].opaque);
+  ASSERT_TRUE(scene.objects[0].surface && scene.objects[0].surface->normalTexture);
+  EXPECT_EQ(scene.objects[0].medium.sigmaSPrimePerMm, other.sigmaSPrimePerMm);
+  const Object& painted = scene.objects[2];
+  EXPECT_EQ(painted.medium.sigmaSPrimePerMm, other.sigmaSPrimePerMm);
+  ASSERT_TRUE(painted.paint && painted.paint->colorTexture);
+  EXPECT_EQ(painted.paint->colorTexture->pixels->rgba[0], 188 * 257);
+  ASSERT_TRUE(painted.surface && painted.surface->normalTexture);
+  EXPECT_EQ(painted.surface->roughness, 0.5F);
 }
 
 // An OBJ file has its texture coordinates where a material of the scene wants them.
