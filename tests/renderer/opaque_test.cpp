@@ -247,6 +247,52 @@ TEST_F(OpaqueTest, EmissionLightsWhatLiesBefore) {
   EXPECT_NEAR(found[2], 0.5 * factor * 0.5, 0.01 * factor);
 }
 
+// A lamp so small that few rays of a place meet it: E by quadrature over its square, without
+// mottles.
+TEST_F(OpaqueTest, LightOfSmallThingsIsEven) {
+  OpaqueMaterial lamp = mattMaterial({0, 0, 0});
+  lamp.emission = {1, 1, 1};
+  Scene scene = squareOf(mattMaterial({1, 1, 1}));
+  scene.objects.push_back(squareOf(lamp).objects[0]);
+  constexpr float above = 0.6F * halfEdgeMm;
+  constexpr float part = 0.15F;
+  Mesh& mesh = scene.objects[1].mesh;
+  for (std::size_t v = 0; v < mesh.positionsMm.size(); ++v) {
+    mesh.positionsMm[v] = {part * mesh.positionsMm[v][0], part * mesh.positionsMm[v][1], above};
+    mesh.normals[v] = {0, 0, -1};
+  }
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  const auto irradiance = [](const Vector& at) {
+    constexpr int parts = 16;
+    constexpr double half = static_cast<double>(part * halfEdgeMm);
+    double sum = 0;
+    for (int i = 0; i < parts; ++i)
+      for (int k = 0; k < parts; ++k) {
+        const double x = half * (2 * (i + 0.5) / parts - 1) - at[0];
+        const double y = half * (2 * (k + 0.5) / parts - 1) - at[1];
+        const double z{above};
+        sum += z * z / std::pow(x * x + y * y + z * z, 2);
+      }
+    return 4 * half * half * sum / (parts * parts);
+  };
+  RenderOptions options = OpaqueTest::options();
+  options.bounces = 1;
+  const auto images = render(scene, options, {Aov::Radiance, Aov::Position, Aov::Object});
+  double squares = 0;
+  double all = 0;
+  int count = 0;
+  for (int y = 0; y < edgePixels; ++y)
+    for (int x = 0; x < edgePixels; ++x) {
+      if (images[2].pixel(x, y)[0] != 0) continue;
+      const double expected = irradiance(toVector(images[1].pixel(x, y))) / pi;
+      squares += std::pow(double{images[0].pixel(x, y)[1]} - expected, 2);
+      all += expected;
+      ++count;
+    }
+  ASSERT_GT(count, 800);
+  EXPECT_LT(std::sqrt(squares / count), 0.15 * all / count);
+}
+
 // Inside a luminous matt ball all is L + ρL + ρ²L + …, also beyond the bounces that are followed.
 TEST_F(OpaqueTest, LightGoesRoundInAHollowBall) {
   Mesh hollow = sphere({0, 0, 0}, 10, 4);

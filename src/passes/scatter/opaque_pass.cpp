@@ -74,11 +74,13 @@ void OpaquePass::overClusters(gpu::CommandList& commands, const Inputs& inputs, 
                  .latest = clusters.latest,
                  .enteredBefore = clusters.enteredBefore,
                  .irradiances = clusters.exitances,
-                 .stillToCome = clusters.power},
+                 .stillToCome = clusters.power,
+                 .objects = inputs.tables.objects,
+                 .clusterNodes = clusters.nodes},
                 {.clusterCount = clusters.count,
                  .from = static_cast<std::uint32_t>(from),
                  .bounces = static_cast<std::uint32_t>(bounces)});
-  commands.dispatchLinear(clusters.count);
+  commands.dispatchLinear(clusters.count, roundsOfWalk);
   commands.endPass();
 }
 

@@ -4,6 +4,11 @@
 // these do not find for themselves (scatter/opaque_fragments).
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_OBJECTS 12
+#define BINDING_CLUSTER_NODES 13
+#include "lib/bodies.glsl"
+#include "lib/cluster_node.glsl"
+#include "lib/cluster_weight.glsl"
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/linear.glsl"
@@ -50,6 +55,48 @@ float furtherOfSeries(float part, float n) {
   return low / (1.0 - low);
 }
 
+// What a cluster finds by rays: of the sky, or what other clusters send.
+vec3 foundByRays(uint k) {
+  if (from != ofLights) return entered[k].rgb;
+  return skyShares[k].rgb * entries[frame.counts.w * clusterCount + k].irradiance.rgb;
+}
+
+// Such light changes along a surface by parts of how far away that is (Ward, Rubinstein and Clear
+// 1988): over so much of it, its mean is taken. A few rays of one cluster do not find what is small and bright. What
+// is sky and what is not must have the same mean, as they add up to all around.
+const float evenOverRoom = 0.3;
+const float evenOverEdges = 6.0;
+
+// Cosine of the normals below which clusters are not in one surface.
+const float oneSurface = 0.9;
+
+vec3 foundAround(uint i) {
+  Cluster own = clusters[i];
+  ObjectData body = objects[ranges[i].object];
+  float furthest = min(evenOverRoom * own.start.w, evenOverEdges * edgeOf(own));
+  vec3 sum = foundByRays(i) * own.normal.w * own.normal.w;
+  float all = own.normal.w * own.normal.w;
+  uint node = body.clusters.x;
+  while (node < body.clusters.y) {
+    vec4 centroidLink = centroidLinkOf(node);
+    uint link = floatBitsToUint(centroidLink.w);
+    vec3 offset = centroidLink.xyz - own.centroidArea.xyz;
+    float away = length(offset);
+    bool apart = away >= furthest + spreadOf(node).x;
+    if (!apart && isLeaf(link) && firstSurfelOf(link) != i) {
+      uint k = firstSurfelOf(link);
+      float reach = min(furthest, evenOverRoom * clusters[k].start.w);
+      float left = max(1.0 - away * away / max(reach * reach, 1e-30), 0.0);
+      float facing = smoothstep(oneSurface, 1.0, dot(own.normal.xyz, clusters[k].normal.xyz));
+      float weight = left * left * facing * clusters[k].normal.w * clusters[k].normal.w;
+      sum += weight * foundByRays(k);
+      all += weight;
+    }
+    node = apart ? afterNode(node, link) : node + 1u;
+  }
+  return sum / max(all, 1e-30);
+}
+
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount || ranges[i].kind != opaqueBody) return;
@@ -65,9 +112,9 @@ void main() {
       else
         other += falls;
     }
-    other += skyShares[i].rgb * entries[frame.counts.w * clusterCount + i].irradiance.rgb;
+    other += foundAround(i);
   } else {
-    other = entered[i].rgb;
+    other = foundAround(i);
     if (from == ofFurtherBounces) {
       vec3 part = overOr0(other, irradiances[i].rgb);
       for (int c = 0; c < 3; ++c) other[c] *= min(stillToCome[c], furtherOfSeries(part[c], float(bounces)));

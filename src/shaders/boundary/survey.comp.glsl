@@ -108,6 +108,7 @@ struct SkySeen {
   vec3 share;   // of its irradiance
   float light;  // of all rays, were they free
   float slant;  // mean cosine inside
+  float room;   // harmonic mean of how far away it is what rays meet, mm
 };
 
 SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
@@ -122,6 +123,8 @@ SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
   vec3 free = vec3(0.0);
   vec3 all = vec3(0.0);
   float slant = 0.0;
+  float nearness = 0.0;
+  float met = 0.0;
   float freeEven = 0.0;  // of even light
   float allEven = 0.0;
   for (uint k = 0u; k < raysOutwards; ++k) {
@@ -151,8 +154,9 @@ SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
       slant += dot(radiance, vec3(cosineInside(eta, outside)));
       freeEven += entering;
     } else {
-      vec3 met = place.middle + hit.distance * direction;
-      MediumData other = mediumAt(objects[objectOfPiece(hit.piece)], met);
+      nearness += 1.0 / max(hit.distance, least);
+      met += 1.0;
+      MediumData other = mediumAt(objects[objectOfPiece(hit.piece)], place.middle + hit.distance * direction);
       uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
       float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
       if (cosine > 0.0)
@@ -169,7 +173,7 @@ SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
   float evenShare = allEven > 0.0 ? freeEven / allEven : 0.0;
   // Where it is dark in a channel, whatever the others do is right.
   return SkySeen(mix(vec3(evenShare), overOr0(free, all), greaterThan(all, vec3(1e-30))),
-                 all.r + all.g + all.b, sum > 1e-30 ? slant / sum : mean);
+                 all.r + all.g + all.b, sum > 1e-30 ? slant / sum : mean, met > 0.0 ? met / nearness : 3e38);
 }
 
 void main() {
@@ -183,9 +187,9 @@ void main() {
                                RayTarget(body.tree.x, body.tree.y, range.object));
   float thickness = through.piece == noPiece ? 1e18 : through.distance;
   SkySeen sky = raysOutwards > 0u ? lookAround(i, cluster, range)
-                                  : SkySeen(vec3(1.0), 0.0, insideOf(body).sigma.w);
+                                  : SkySeen(vec3(1.0), 0.0, insideOf(body).sigma.w, 0.0);
   skyShares[i] = vec4(sky.share, sky.light);
-  clusters[i].start.w = thickness;
+  clusters[i].start.w = range.kind == opaqueBody ? sky.room : thickness;
   clusters[i].facet.w = sky.slant;
   clusters[i].second = vec4(
       shareOfSecond(insideOf(body), sqrt(cluster.centroidArea.w)),

@@ -42,7 +42,8 @@ struct Cluster {
   vec4 normal;        // unit, of the vector area; w: ρ = √(a/π), mm
   vec4 vectorArea;  // A = Σ a n, mm²; w: share of the solid angle that the body fills there, c, as
                     // the other clusters give it
-  vec4 start;  // a place on the surface near the centroid, mm; w: thickness of the body, mm
+  vec4 start;  // a place on the surface near the centroid, mm; w: thickness of the body, or before
+               // an opaque one harmonic mean of how far it is to what lies there, mm
   vec4 along;  // unit, in the surface there, moving with it; w: 1, or -1 where the body is mirrored
   vec4 facet;  // unit, outwards there; w: mean cosine inside of the sky's light that enters
   vec4 second;  // rgb: part of the light that is followed to its second collision; w: 0 in an
