@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes hero.toml, the scene of the front page's picture: a scanned head at sunset that turns, with a hoop of gold in its ear
-and a string of beads that is laid around its neck. Arguments are the head and the sky."""
+"""Writes hero.toml, the scene of the front page's picture: a scanned head with a hoop of gold in its ear and a string of beads
+around its neck, behind a parapet of stone on which a gummy bear stands before the evening sun. Arguments are the head and the sky."""
 
 import argparse
 import json
@@ -15,10 +15,21 @@ HOOP_RADIUS, HOOP_WIRE = 15.0, 1.3
 NAPE_HEIGHT, FALL = 112.0, -0.5
 BEAD_RADIUS, BEAD_GAP = 4.6, 0.35
 GOLD_EVERY = 6
+# Before the scan's lower end.
+PARAPET_LOW, PARAPET_HIGH, PARAPET_EDGE = (-700.0, -60.0, 165.0), (700.0, 62.0, 340.0), 4.0
+# Left over from the string, on the parapet.
+LOOSE_BEADS = [(128, 290), (146, 262), (110, 302), (205, 312)]
+BEAR = (215.0, 62.0, 250.0)
+BEAR_DIAGONAL = 78.0
+
+CAMERA, TARGET = (330, 250, 1000), (55, 178, 0)
+TURN = 34
+FILL = [3, 2.7, 2.45]
 
 MATERIALS = {
     "gold": "Kd 0.98 0.74 0.36\nPm 1\nPr 0.24\n",
     "turquoise": "Kd 0.07 0.34 0.36\nPm 0\nPr 0.22\n",
+    "stone": "Kd 0.42 0.37 0.31\nPm 0\nPr 0.85\n",
 }
 
 SCENE = """# Written by hero_scene.py.
@@ -33,17 +44,30 @@ diagonal_mm = {hoop}
 file = "beads.obj"
 diagonal_mm = {beads}
 
+[[models]]
+file = "parapet.obj"
+diagonal_mm = {parapet}
+
+[[models]]
+file = "builtin:bear"
+diagonal_mm = {bear_diagonal}
+medium = "gummy-red"
+rotation_degrees = [0, -12, 0]
+translation_mm = {bear}
+
 [environment]
 file = "{sky}"
 rotation_degrees = {turn}
 
-[[deform]]
-kind = "twist"
-amount = {twist}
+# A photographer's lamp.
+[[lights]]
+type = "directional"
+direction_to_light = [-0.62, 0.5, 0.6]
+irradiance = {fill}
 
 [camera]
-position_mm = [330, 150, 660]
-target_mm = [4, 52, 0]
+position_mm = {camera}
+target_mm = {target}
 fov_degrees = 25
 """
 
@@ -93,9 +117,16 @@ def around(outline, step):
     return places
 
 
+def flat_normal(corners):
+    (ax, ay, az), (bx, by, bz) = ([q - p for p, q in zip(corners[0], corner)] for corner in (corners[1], corners[2]))
+    normal = (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+    return [x / math.hypot(*normal) for x in normal]
+
+
 class Mesh:
     def __init__(self):
         self.places, self.faces, self.material = [], [], None
+        self.is_flat = False
 
     def grid(self, rows, columns, place):
         """A surface that closes in both directions."""
@@ -127,13 +158,22 @@ class Mesh:
 
     def write(self, path):
         """Returns the diagonal of its box."""
+        # Corners of flat faces do not share their places, so that each has its own normal.
+        if self.is_flat:
+            self.places = [self.places[corner - 1] for _, corners in self.faces for corner in corners]
+            self.faces = [(its, range(4 * i + 1, 4 * i + 5)) for i, (its, _) in enumerate(self.faces)]
         lines = [f"mtllib {path.stem}.mtl"] + ["v " + " ".join(f"{x:.4f}" for x in place) for place in self.places]
         material = None
         for its, corners in self.faces:
             if its != material:
                 material = its
                 lines.append(f"usemtl {material}")
-            lines.append("f " + " ".join(map(str, corners)))
+            if self.is_flat:
+                normal = flat_normal([self.places[corner - 1] for corner in corners])
+                lines.append("vn " + " ".join(f"{x:.6f}" for x in normal))
+                lines.append("f " + " ".join(f"{corner}//-1" for corner in corners))
+            else:
+                lines.append("f " + " ".join(map(str, corners)))
         path.write_text("\n".join(lines) + "\n")
         path.with_suffix(".mtl").write_text("".join(f"newmtl {name}\n{text}" for name, text in MATERIALS.items()))
         rounded = [[float(f"{x:.4f}") for x in place] for place in self.places]
@@ -167,7 +207,28 @@ def beads(corners):
         mesh.material = "gold" if i % GOLD_EVERY == 0 else "turquoise"
         radius = BEAD_RADIUS * (0.8 if mesh.material == "gold" else 1)
         mesh.ball((x, NAPE_HEIGHT + FALL * z + BEAD_RADIUS, z), radius)
+    for i, (x, z) in enumerate(LOOSE_BEADS):
+        mesh.material = "gold" if i == 1 else "turquoise"
+        mesh.ball((x, PARAPET_HIGH[1] + BEAD_RADIUS, z), BEAD_RADIUS)
     mesh.faces.sort(key=lambda face: face[0])
+    return mesh
+
+
+def parapet():
+    """A slab whose edges are broken, so that they catch the light."""
+    mesh = Mesh()
+    mesh.material, mesh.is_flat = "stone", True
+    low, high, edge = PARAPET_LOW, PARAPET_HIGH, PARAPET_EDGE
+    rings = [(low[1], 0.0), (high[1] - edge, 0.0), (high[1], edge)]
+    for height, within in rings:
+        mesh.places += [(low[0] + within, height, high[2] - within), (high[0] - within, height, high[2] - within),
+                        (high[0] - within, height, low[2] + within), (low[0] + within, height, low[2] + within)]
+    for ring in (1, 5):
+        for k in range(4):
+            following = (k + 1) % 4
+            mesh.faces.append((mesh.material, [ring + k, ring + following, ring + 4 + following, ring + 4 + k]))
+    mesh.faces.append((mesh.material, [9, 10, 11, 12]))
+    mesh.faces.append((mesh.material, [4, 3, 2, 1]))
     return mesh
 
 
@@ -176,13 +237,19 @@ def main():
     parser.add_argument("head", type=pathlib.Path)
     parser.add_argument("sky", type=pathlib.Path)
     parser.add_argument("--into", type=pathlib.Path, default=pathlib.Path())
-    parser.add_argument("--turn", type=float, default=0.0)
-    parser.add_argument("--twist", type=float, default=0.0)
+    parser.add_argument("--turn", type=float, default=TURN, help="of the sky, degrees")
     arguments = parser.parse_args()
     into = arguments.into
-    text = SCENE.format(head=arguments.head.resolve(), sky=arguments.sky.resolve(), turn=arguments.turn, twist=arguments.twist,
-                        hoop=hoop().write(into / "hoop.obj"),
-                        beads=beads(triangle_corners(arguments.head)).write(into / "beads.obj"))
+    # Places are counted from the middle of the box around everything, which spans from the parapet to the crown.
+    corners = triangle_corners(arguments.head)
+    middle = [0.5 * (PARAPET_LOW[0] + PARAPET_HIGH[0]), 0.5 * (PARAPET_LOW[1] + max(y for _, y, _ in corners)),
+              0.5 * (min(z for *_, z in corners) + PARAPET_HIGH[2])]
+    text = SCENE.format(head=arguments.head.resolve(), sky=arguments.sky.resolve(), turn=arguments.turn, fill=FILL,
+                        bear_diagonal=BEAR_DIAGONAL, bear=list(BEAR),
+                        camera=[round(p - m, 3) for p, m in zip(CAMERA, middle)],
+                        target=[round(p - m, 3) for p, m in zip(TARGET, middle)],
+                        hoop=hoop().write(into / "hoop.obj"), beads=beads(corners).write(into / "beads.obj"),
+                        parapet=parapet().write(into / "parapet.obj"))
     (into / "hero.toml").write_text(text)
 
 

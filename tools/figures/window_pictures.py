@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Makes docs/images/view*.jpg: opens the window on a display in memory and takes pictures of its panels, into the
-current folder or that of --into. OPALINE names the program; Xvfb, xdotool and ImageMagick have to be there."""
+current folder or that of --into. OPALINE names the program, SCENE a file with textures; Xvfb, xdotool and ImageMagick have to be there."""
 
 import argparse
 import pathlib
@@ -14,7 +14,7 @@ sys.path[:0] = [str(ROOT / "tests" / "viewer"), str(ROOT / "tests" / "cli")]
 PANEL = (360, 520)
 
 
-def pictures_into(folder):
+def pictures_into(folder, textured):
     from driver import WindowTest
 
     def shoot(window, name, width, height, left=0):
@@ -55,6 +55,10 @@ def pictures_into(folder):
             window.press("Truth/cancel")
             window.settle()
             window.close()
+            window = self.view(textured, "--size", "1280x800")
+            window.only("Material")
+            panel("Material")
+            window.close()
 
     return WindowPictures
 
@@ -62,7 +66,9 @@ def pictures_into(folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--into", type=pathlib.Path, default=pathlib.Path("."))
-    made = pictures_into(parser.parse_args().into.resolve())
+    parser.add_argument("textured", type=pathlib.Path, metavar="SCENE", help="for the material panel, with textures")
+    arguments = parser.parse_args()
+    made = pictures_into(arguments.into.resolve(), arguments.textured.resolve())
     result = unittest.TextTestRunner().run(made("test_pictures"))
     sys.exit(not result.wasSuccessful())
 
