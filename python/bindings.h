@@ -3,11 +3,13 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "opaline/error.h"
 #include "opaline/log.h"
+#include "opaline/material.h"
 #include "opaline/medium.h"
 #include "opaline/scene.h"
 
@@ -38,6 +40,12 @@ void setLights(SharedScene& shared, const py::iterable& lights);
 
 /// A Medium, or the name of one.
 Medium mediumOf(const py::handle& given);
+
+/// What a body is made of, by the keywords that Object and Renderer.set_material share.
+Material materialFrom(const py::object& medium, const py::object& opaqueColor,
+                      const std::optional<OpaqueMaterial>& opaque,
+                      const std::optional<Paint>& paint,
+                      const std::optional<TranslucentSurface>& surface);
 
 /// Of "observed" or "khr".
 ColorModel colorModelOf(const std::string& name);

@@ -145,12 +145,45 @@ metallic_roughness_texture: green is roughness, blue metallic; normal_texture: i
           "emission", [](const OpaqueMaterial& of) { return tupleOf(of.emission); }, "Radiance.");
 }
 
+void bindSurface(py::module_& module) {
+  using py::arg;
+  py::class_<TranslucentSurface>(
+      module, "TranslucentSurface",
+      R"(How rough and uneven the surface of a translucent body is. It never changes.
+
+roughness: of what it mirrors, in [0, 1]; None: render()'s, or 1 beside a texture. Normals also say where light enters. A
+texture multiplies the number beside it: green of metallic_roughness_texture is roughness; normal_texture is in tangent
+space, green up.)")
+      .def(py::init([](std::optional<float> roughness, const MaybeTexture& metallicRoughnessTexture,
+                       const MaybeTexture& normalTexture, float normalScale) {
+             return sound(TranslucentSurface{roughness, metallicRoughnessTexture, normalTexture,
+                                             normalScale});
+           }),
+           py::kw_only(), arg("roughness") = py::none(),
+           arg("metallic_roughness_texture") = py::none(), arg("normal_texture") = py::none(),
+           arg("normal_scale") = 1.F)
+      .def_readonly("roughness", &TranslucentSurface::roughness, "In [0, 1], or None.");
+}
+
 }  // namespace
+
+Material materialFrom(const py::object& medium, const py::object& opaqueColor,
+                      const std::optional<OpaqueMaterial>& opaque,
+                      const std::optional<Paint>& paint,
+                      const std::optional<TranslucentSurface>& surface) {
+  Material made{mediumOf(medium), paint, surface, opaque};
+  if (!opaqueColor.is_none() && !opaque)
+    made.opaque = sound(mattMaterial(vectorOf(opaqueColor, "opaque_color")));
+  if (made.opaque && paint) throw UsageError("paint is for bodies that light enters.");
+  if (made.opaque && surface) throw UsageError("surface is for bodies that light enters.");
+  return made;
+}
 
 void bindMaterials(py::module_& module) {
   using py::arg;
   bindTexture(module);
   bindOpaque(module);
+  bindSurface(module);
   py::class_<Paint>(module, "Paint",
                     R"(Colours on a translucent body, a layer on its surface. It never changes.
 

@@ -111,6 +111,13 @@ class PythonRenderer {
     change([&] { renderer_.setMedium(object, set); });
   }
 
+  void setMaterial(std::size_t object, const py::object& medium, const py::object& opaqueColor,
+                   const std::optional<OpaqueMaterial>& opaque, const std::optional<Paint>& paint,
+                   const std::optional<TranslucentSurface>& surface) {
+    const Material set = materialFrom(medium, opaqueColor, opaque, paint, surface);
+    change([&] { renderer_.setMaterial(object, set); });
+  }
+
   void setCamera(const Camera& camera) {
     change([&] { renderer_.setCamera(camera); });
   }
@@ -211,6 +218,11 @@ vertices. Copied. Normals follow by themselves.)")
            "The moment of a clip, by index or name; None: no clip, deformers alone.")
       .def("set_medium", &PythonRenderer::setMedium, arg("object"), arg("medium"),
            "Another Medium, or the name of one, for an object by its index.")
+      .def("set_material", &PythonRenderer::setMaterial, arg("object"), arg("medium") = "marble",
+           py::kw_only(), arg("opaque_color") = py::none(), arg("material") = py::none(),
+           arg("paint") = py::none(), arg("surface") = py::none(),
+           "What an object is made of, by the keywords of Object. What is opaque stays so, and so\n"
+           "does what light enters.")
       .def("set_camera", &PythonRenderer::setCamera, arg("camera"), "Another Camera.")
       .def("set_lights", &PythonRenderer::setLights, arg("scene"),
            "All lights, ambient light and environment of a scene.")

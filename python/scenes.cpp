@@ -70,7 +70,9 @@ std::shared_ptr<Object> makeObject(const py::object& positions, const py::object
                                    const py::object& medium, const std::string& name,
                                    const py::object& opaqueColor,
                                    const std::optional<OpaqueMaterial>& material,
-                                   const std::optional<Paint>& paint, const py::object& normals,
+                                   const std::optional<Paint>& paint,
+                                   const std::optional<TranslucentSurface>& surface,
+                                   const py::object& normals,
                                    const py::object& textureCoordinates) {
   py::object vertices = positions;
   py::object faces = triangles;
@@ -86,13 +88,7 @@ std::shared_ptr<Object> makeObject(const py::object& positions, const py::object
   auto object = std::make_shared<Object>();
   object->name = name;
   object->mesh = makeMesh(positionsOf(vertices, "positions_mm"), trianglesOf(faces, "triangles"));
-  object->medium = mediumOf(medium);
-  if (!opaqueColor.is_none()) {
-    object->opaque = sound(mattMaterial(vectorOf(opaqueColor, "opaque_color")));
-  }
-  if (material) object->opaque = material;
-  if (object->opaque && paint) throw UsageError("paint is for bodies that light enters.");
-  object->paint = paint;
+  giveMaterial(materialFrom(medium, opaqueColor, material, paint, surface), *object);
   if (!normals.is_none()) setNormals(object->mesh, normals);
   if (!textureCoordinates.is_none()) setTextureCoordinates(object->mesh, textureCoordinates);
   return object;
@@ -105,7 +101,7 @@ std::vector<std::shared_ptr<Object>> objectsOf(const py::iterable& given) {
       objects.push_back(each.cast<std::shared_ptr<Object>>());
     } else {
       objects.push_back(makeObject(py::reinterpret_borrow<py::object>(each), py::none(),
-                                   py::str("marble"), "", py::none(), {}, {}, py::none(),
+                                   py::str("marble"), "", py::none(), {}, {}, {}, py::none(),
                                    py::none()));
     }
   }
@@ -163,13 +159,13 @@ void bindObjects(py::module_& module) {
 Object(positions_mm, triangles, medium="wax"): positions are an array (N, 3) of any kind of number, triangles an array
 (M, 3) of whole numbers, counter-clockwise seen from outside. Object(mesh, medium="wax") takes anything with .vertices
 and .faces. medium is a Medium or the name of one. With opaque_color, linear RGB in [0, 1], it is a matt surface that lets
-no light in; material, an OpaqueMaterial, says more of it. paint, a Paint, colours a body that light enters. normals (N, 3)
-and texture_coordinates (N, 2) are of the vertices; without normals the surface is smooth. A closed mesh has an inside; in
+no light in; material, an OpaqueMaterial, says more of it. paint, a Paint, colours a body that light enters, and
+surface, a TranslucentSurface, says how rough it is. normals (N, 3) and texture_coordinates (N, 2) are of the vertices; without normals the surface is smooth. A closed mesh has an inside; in
 an open one light scatters as in a half-space.)")
       .def(py::init(&makeObject), arg("positions_mm"), arg("triangles") = py::none(),
            arg("medium") = "marble", arg("name") = "", py::kw_only(),
            arg("opaque_color") = py::none(), arg("material") = py::none(),
-           arg("paint") = py::none(), arg("normals") = py::none(),
+           arg("paint") = py::none(), arg("surface") = py::none(), arg("normals") = py::none(),
            arg("texture_coordinates") = py::none())
       .def_readwrite("name", &Object::name, "Its name, or an empty text.")
       .def_property(

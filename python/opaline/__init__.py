@@ -32,12 +32,13 @@ import zlib as _zlib
 from collections.abc import Mapping as _Mapping
 
 from ._opaline import (Camera, DirectionalLight, DiscLight, Error, Medium, Object, OpaqueMaterial, Paint, PointLight,
-                       RectangleLight, Renderer, Scene, SphereLight, SpotLight, Texture, TubeLight, UsageError, __version__, bear, compare, devices, integral, load,
-                       media, path, read_image, teapot, tone_map, write_exr, write_png)
+                       RectangleLight, Renderer, Scene, SphereLight, SpotLight, Texture, TranslucentSurface, TubeLight,
+                       UsageError, __version__, bear, compare, devices, integral, load, media, path, read_image, teapot, tone_map,
+                       write_exr, write_png)
 
 __all__ = ["Camera", "DirectionalLight", "DiscLight", "Error", "Frame", "Medium", "Object", "OpaqueMaterial", "Paint",
-           "PointLight", "RectangleLight", "Renderer", "Scene", "SphereLight", "SpotLight", "Texture", "TubeLight", "UsageError", "bear", "compare", "devices", "integral",
-           "load", "media", "path", "read_image", "teapot", "tone_map", "write_exr", "write_png"]
+           "PointLight", "RectangleLight", "Renderer", "Scene", "SphereLight", "SpotLight", "Texture", "TranslucentSurface",
+           "TubeLight", "UsageError", "bear", "compare", "devices", "integral", "load", "media", "path", "read_image", "teapot", "tone_map", "write_exr", "write_png"]
 
 for _name in __all__[:]:
     if _name != "Frame":

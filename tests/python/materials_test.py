@@ -11,12 +11,12 @@ HALVES = np.array([(0, 1, 2), (0, 2, 3)])
 PLACES = np.array([(0, 1), (1, 1), (1, 0), (0, 0)], dtype=float)
 
 
-def picture_of(body, width=16, height=16):
+def picture_of(body, width=16, height=16, specular=False):
     made = opaline.Scene([body])
     made.lights = [opaline.DirectionalLight((0, 0, 1), irradiance=(1, 1, 1))]
     made.ambient = (0, 0, 0)
     made.camera = opaline.Camera((0, 0, 100), orthographic_height_mm=20)
-    return opaline.Renderer(made).render(width, height, transport="dipole", antialias=1, specular=False)["radiance"]
+    return opaline.Renderer(made).render(width, height, transport="dipole", antialias=1, specular=specular)["radiance"]
 
 
 class Materials(unittest.TestCase):
@@ -51,6 +51,42 @@ class Materials(unittest.TestCase):
         self.assertLess(painted[0], 0.4 * plain[0])
         self.assertLess(painted[0], 0.5 * painted[1])
 
+    def test_a_translucent_surface_is_as_rough_as_it_says(self):
+        scene = opaline.bear("jade")
+        scene.camera = opaline.Camera((0, 0, 110))
+        scene.lights = [opaline.RectangleLight((40, 40, 60), (-4, 14, -6), (12, 0, -8), radiance=(9, 9, 9))]
+        renderer = opaline.Renderer(scene)
+
+        def picture(**options):
+            return renderer.render(48, 48, transport="dipole", **options)["radiance"][..., :3]
+        smooth, rough = (picture(roughness=value) for value in (0.1, 0.6))
+        self.assertGreater(smooth.max(), 1.5 * rough.max())
+        # The body's own roughness goes before the picture's. Its lobes are interpolated between a few roughnesses.
+        renderer.set_material(0, "jade", surface=opaline.TranslucentSurface(roughness=0.1))
+        own = picture(roughness=0.6)
+        self.assertLess(np.square(own - smooth).mean(), 1e-2 * np.square(rough - smooth).mean())
+        # A texture multiplies it: green is half of 1.
+        grey = opaline.Texture(np.full((2, 2, 3), 0.5, dtype=np.float32))
+        textured = opaline.Object(SQUARE, HALVES, medium="jade", texture_coordinates=PLACES,
+                                  surface=opaline.TranslucentSurface(roughness=0.8, metallic_roughness_texture=grey))
+        plain = opaline.Object(SQUARE, HALVES, medium="jade", surface=opaline.TranslucentSurface(roughness=0.4))
+        for body in (textured, plain):
+            self.assertFalse(body.is_opaque)
+        shiny = [picture_of(body, specular=True) for body in (textured, plain)]
+        np.testing.assert_allclose(*shiny, rtol=1e-3, atol=1e-5)
+
+    def test_materials_are_changed_in_place(self):
+        made = opaline.Scene([opaline.Object(SQUARE, HALVES, opaque_color=(1, 1, 1))])
+        made.lights = [opaline.DirectionalLight((0, 0, 1), irradiance=(1, 1, 1))]
+        made.ambient = (0, 0, 0)
+        made.camera = opaline.Camera((0, 0, 100), orthographic_height_mm=20)
+        renderer = opaline.Renderer(made)
+        renderer.set_material(0, opaque_color=(0.2, 0.4, 0.6))
+        found = renderer.render(8, 8, transport="dipole")["radiance"]
+        np.testing.assert_allclose(found[4, 4, :3] * np.pi, (0.2, 0.4, 0.6), atol=2e-3)
+        with self.assertRaises(opaline.UsageError):
+            renderer.set_material(0, "jade")
+
     def test_refusals(self):
         cases = (lambda: opaline.Texture(np.zeros((2, 2, 2))), lambda: opaline.Texture(np.zeros((2, 2, 3)), wrap="spiral"),
                  lambda: opaline.Texture(np.full((2, 2, 3), np.nan)), lambda: opaline.Texture(np.zeros((2, 2, 3), dtype=int)),
@@ -58,7 +94,9 @@ class Materials(unittest.TestCase):
                  lambda: opaline.Paint((-1, 0, 0)), lambda: opaline.Object(SQUARE, HALVES, normals=SQUARE[:3]),
                  lambda: opaline.Object(SQUARE, HALVES, texture_coordinates=PLACES[:3]),
                  lambda: opaline.Object(SQUARE, HALVES, texture_coordinates=SQUARE),
-                 lambda: opaline.Object(SQUARE, HALVES, opaque_color=(1, 1, 1), paint=opaline.Paint()))
+                 lambda: opaline.Object(SQUARE, HALVES, opaque_color=(1, 1, 1), paint=opaline.Paint()),
+                 lambda: opaline.TranslucentSurface(roughness=1.5),
+                 lambda: opaline.Object(SQUARE, HALVES, opaque_color=(1, 1, 1), surface=opaline.TranslucentSurface()))
         for case in cases:
             with self.assertRaises(opaline.UsageError):
                 case()
