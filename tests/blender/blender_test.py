@@ -60,6 +60,12 @@ class Blender(BlenderTest):
     def test_lamps_and_the_world_are_as_bright_as_in_cycles(self):
         self.run_inside("lamps")
 
+    def test_pictures_on_inputs_look_as_in_cycles(self):
+        self.run_inside("textures")
+
+    def test_names_of_newer_blenders_mean_what_they_say(self):
+        self.run_inside("newer_names")
+
     def test_awkward_scenes(self):
         self.run_inside("awkward")
 

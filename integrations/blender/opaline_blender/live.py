@@ -56,9 +56,6 @@ class LiveRenderer:
         self._shown = snapshot
 
     def render(self, width, height, aovs, camera, environment_behind, reuse_light=False, **options):
-        roughness = self._shown.roughness
-        if roughness is not None:
-            options["roughness"] = min(max(roughness, 0.05), 1)
         return self._renderer.render(width, height, aovs, camera=camera, environment_behind=environment_behind,
                                      reuse_light=reuse_light, **options)
 
@@ -69,10 +66,7 @@ class LiveRenderer:
         for old, new in zip(before, snapshot.bodies):
             if not old.mesh.is_like(new.mesh):
                 return False
-            # A medium is changed in its place, all else is another object.
-            only_medium = old.look.is_translucent and new.look.is_translucent and not (
-                old.look.color_picture or new.look.color_picture)
-            if old.look != new.look and not only_medium:
+            if old.look.is_translucent != new.look.is_translucent:
                 return False
         return True
 
@@ -92,7 +86,7 @@ class LiveRenderer:
             if not np.array_equal(old.mesh.positions, new.mesh.positions):
                 self._renderer.set_positions(index, new.mesh.positions)
             if old.look != new.look:
-                self._renderer.set_medium(index, self._materials.keywords(new.look)["medium"])
+                self._renderer.set_material(index, **self._materials.keywords(new.look))
         self._set_lights(snapshot)
         self._renderer.set_lights(self._scene)
 

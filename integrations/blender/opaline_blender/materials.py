@@ -18,9 +18,9 @@ class Materials:
         import opaline
 
         if look.medium:
-            return {"medium": look.medium}
+            return {"medium": look.medium, "surface": self._surface(look)}
         if look.radius_mm is not None:
-            return self._translucent(look)
+            return {**self._scattering(look), "surface": self._surface(look)}
         return {"material": opaline.OpaqueMaterial(
             name=look.name, base_color=np.clip(look.color if not look.color_picture else (1, 1, 1), 0, 1),
             base_color_texture=self._texture(look.color_picture, images.colors_of), metallic=min(max(look.metallic, 0), 1),
@@ -28,9 +28,17 @@ class Materials:
             ior=min(max(look.ior, 1), 10), specular=look.specular,
             normal_texture=self._texture(look.normal_picture, images.pixels_of), normal_scale=look.normal_scale,
             emission=np.clip(look.emission, 0, 1e30), emission_texture=self._texture(look.emission_picture, images.colors_of),
-            alpha=min(max(look.alpha, 0), 1), unlit=look.unlit)}
+            alpha=min(max(look.alpha, 0), 1), alpha_cutoff=0.5 if look.is_cut_out else 0, unlit=look.unlit)}
 
-    def _translucent(self, look):
+    def _surface(self, look):
+        import opaline
+
+        return opaline.TranslucentSurface(roughness=min(max(look.roughness, 0), 1),
+                                          metallic_roughness_texture=self._metallic_roughness(look),
+                                          normal_texture=self._texture(look.normal_picture, images.pixels_of),
+                                          normal_scale=look.normal_scale)
+
+    def _scattering(self, look):
         import opaline
 
         color = np.array(look.color)
@@ -40,7 +48,8 @@ class Materials:
             # The brightest colour is the medium's, what is darker lies on it as paint.
             color = self._brightest[look.color_picture.key()]
             paint = opaline.Paint(color_texture=texture)
-        medium = subsurface.medium_of(look.radius_mm, color, look.radius_kind, look.subsurface_ior, look.anisotropy, look.ior)
+        medium = subsurface.medium_of(look.radius_mm, color, look.radius_kind, look.subsurface_ior, look.anisotropy,
+                                      look.ior if look.specular else 1)
         return {"medium": medium, "paint": paint}
 
     def _texture(self, picture, read):
@@ -68,16 +77,17 @@ class Materials:
         if picture is None:
             return None
         key = ("metallic-roughness", look.roughness_picture and look.roughness_picture.key(),
-               look.metallic_picture and look.metallic_picture.key(), look.roughness, look.metallic)
+               look.metallic_picture and look.metallic_picture.key())
         if key not in self._textures:
             self._textures[key] = None
-            parts = [images.pixels_of(part.image) if part else None for part in (look.roughness_picture, look.metallic_picture)]
-            shape = next((part.shape for part in parts if part is not None), None)
-            if shape is not None:
-                pixels = np.ones(shape, dtype=np.float32)
+            parts = [images.values_of(part.image, part.channel) if part else None
+                     for part in (look.roughness_picture, look.metallic_picture)]
+            shape = np.max([part.shape for part in parts if part is not None] or [(0, 0)], axis=0)
+            if shape.all():
+                pixels = np.ones((*shape, 3), dtype=np.float32)
                 for channel, part in ((1, parts[0]), (2, parts[1])):
-                    if part is not None and part.shape == shape:
-                        pixels[..., channel] = part[..., channel]
+                    if part is not None:
+                        pixels[..., channel] = images.resampled(part, *shape)
                 self._textures[key] = opaline.Texture(np.clip(pixels, 0, 1), wrap=picture.wrap, interpolated=picture.interpolated,
                                                       transform=picture.transform, name=picture.image.name)
         return self._textures[key]

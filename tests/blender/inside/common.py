@@ -118,6 +118,32 @@ def picture(file):
     return values.reshape(height, width, -1)[::-1]
 
 
+def both_engines(name, samples=64):
+    """Pictures of Opaline and of Cycles."""
+    scene = bpy.context.scene
+    pictures = []
+    for engine in ("OPALINE", "CYCLES"):
+        scene.render.engine = engine
+        if engine == "CYCLES":
+            scene.cycles.samples = samples
+            scene.cycles.use_adaptive_sampling = scene.cycles.use_denoising = False
+            scene.cycles.max_bounces = 0
+            scene.cycles.pixel_filter_type = "BOX"  # so that blocks share nothing
+        pictures.append(render(f"{name}_{engine.lower()}")[..., :3])
+    scene.render.engine = "OPALINE"
+    return pictures
+
+
+def compare_with_cycles(name, most=0.03, parts=4, samples=64):
+    """Means of so many parts of the picture's width and height."""
+    ours, cycles = ([strip.mean(axis=(0, 1)) for row in np.split(shown, parts) for strip in np.split(row, parts, axis=1)]
+                    for shown in both_engines(name, samples))
+    ours, cycles = np.array(ours), np.array(cycles)
+    error = np.sqrt(((ours - cycles) ** 2).mean()) / cycles.mean()
+    print(f"{name}: {ours.mean():.5f} and {cycles.mean():.5f}, blocks within {100 * error:.1f} %")
+    check(error < most, f"{name} differs by {100 * error:.1f} %")
+
+
 def check(holds, what):
     if not holds:
         print(f"WRONG: {what}")

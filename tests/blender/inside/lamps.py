@@ -10,30 +10,7 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import common
 
-SAMPLES = 64
 common.install()
-
-
-def both(name, edge=16):
-    """Means of a picture's parts, four by four, by both engines."""
-    scene = bpy.context.scene
-    means = []
-    for engine in ("OPALINE", "CYCLES"):
-        scene.render.engine = engine
-        if engine == "CYCLES":
-            scene.cycles.samples = SAMPLES
-            scene.cycles.use_adaptive_sampling = scene.cycles.use_denoising = False
-            scene.cycles.max_bounces = 0
-        shown = common.render(f"{name}_{engine.lower()}")[..., :3]
-        means.append(shown.reshape(4, edge // 4, 4, edge // 4, 3).mean(axis=(1, 3)))
-    return means
-
-
-def compare(name, most=0.03):
-    ours, cycles = both(name)
-    error = np.sqrt(((ours - cycles) ** 2).mean()) / cycles.mean()
-    print(f"{name}: {ours.mean():.5f} and {cycles.mean():.5f}, blocks within {100 * error:.1f} %")
-    common.check(error < most, f"{name} differs by {100 * error:.1f} %")
 
 
 def stage():
@@ -61,11 +38,11 @@ LAMPS = {
 for lamp, (kind, place, energy, settings) in LAMPS.items():
     stage()
     common.lamp(kind, place, energy, **settings)
-    compare(lamp)
+    common.compare_with_cycles(lamp)
 
 stage()
 bpy.context.scene.world.color = (0.3, 0.5, 0.7)
-compare("world")
+common.compare_with_cycles("world")
 
 # A sky that is bright on one side.
 stage()
@@ -79,10 +56,10 @@ world.use_nodes = True
 picture = world.node_tree.nodes.new("ShaderNodeTexEnvironment")
 picture.image = sky
 world.node_tree.links.new(picture.outputs["Color"], world.node_tree.nodes["Background"].inputs["Color"])
-compare("sky", 0.05)
+common.compare_with_cycles("sky", 0.05)
 turn = world.node_tree.nodes.new("ShaderNodeMapping")
 where = world.node_tree.nodes.new("ShaderNodeTexCoord")
 turn.inputs["Rotation"].default_value[2] = 1.0
 world.node_tree.links.new(where.outputs["Generated"], turn.inputs["Vector"])
 world.node_tree.links.new(turn.outputs["Vector"], picture.inputs["Vector"])
-compare("turned sky", 0.05)
+common.compare_with_cycles("turned sky", 0.05)

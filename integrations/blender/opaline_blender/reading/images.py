@@ -46,6 +46,21 @@ def colors_of(image):
     return pixels
 
 
+def values_of(image, channel):
+    """Of one channel, or as bright as the colours are: array (height, width). A color becomes a number as in Blender, by Rec. 709."""
+    pixels = radiance_of(image)
+    if pixels is None:
+        return None
+    return pixels[..., channel] if channel is not None else pixels[..., :3] @ np.array((0.2126, 0.7152, 0.0722), dtype=np.float32)
+
+
+def resampled(values, height, width):
+    """Of another size, by the nearest texel."""
+    rows = (np.arange(height) * values.shape[0]) // height
+    columns = (np.arange(width) * values.shape[1]) // width
+    return values[rows[:, None], columns]
+
+
 def radiance_of(image):
     """Linear."""
     pixels = pixels_of(image)

@@ -7,6 +7,7 @@ import numpy as np
 from .. import units
 
 SHARP_SUN_DEGREES = 3  # of a larger sun one would see that its shadows are soft
+MOST_SUN_DEGREES = 20  # that are mirrored
 
 
 def _directions(matrix):
@@ -24,8 +25,9 @@ def _sun(lamp, place, axes, notes, mm_per_unit):
 
     del place, mm_per_unit
     if math.degrees(lamp.angle) > SHARP_SUN_DEGREES:
-        notes.add("the size of suns is not shown: their shadows are sharp", lamp.name)
-    return opaline.DirectionalLight(axes[2], irradiance=_color(lamp) * lamp.energy)
+        notes.add("the size of suns is shown in reflections alone: their shadows are sharp", lamp.name)
+    return opaline.DirectionalLight(axes[2], irradiance=_color(lamp) * lamp.energy,
+                                    angular_radius_degrees=min(math.degrees(lamp.angle), MOST_SUN_DEGREES) / 2)
 
 
 def _point(lamp, place, axes, notes, mm_per_unit):

@@ -31,6 +31,7 @@ class Look:
     emission: tuple = (0.0, 0.0, 0.0)
     emission_picture: nodes.Picture = None
     alpha: float = 1.0
+    is_cut_out: bool = False  # where alpha is below a half, that of the colours' picture included
     unlit: bool = False
 
     @property
@@ -44,20 +45,25 @@ class Look:
 
 GREY = Look()
 
+MOST_REFLECTANCE = 0.66  # head on, of an index of 10
 
-def _ior_of_specular(specular):
-    """Blender's Specular of 3.x is eight per cent of reflection head on for 1 (Burley 2012)."""
-    root = (0.08 * min(max(specular, 0), 1)) ** 0.5
+
+def _ior_of_reflectance(head_on):
+    root = head_on ** 0.5
     return (1 + root) / (1 - root)
 
 
 def _reflection(node):
-    """Index of refraction, and how strong the reflection is beside what follows from it."""
-    if nodes.socket(node, "Specular IOR Level") is not None:  # 4.x
-        level = nodes.number(node, 0.5, "Specular IOR Level", "Specular")
-        return nodes.number(node, 1.5, "IOR"), min(2 * level, 1)
-    ior = _ior_of_specular(nodes.number(node, 0.5, "Specular"))
-    return (ior, 1.0) if ior > 1 else (1.5, 0.0)
+    """An index of refraction that reflects as the surface does head on, and whether it reflects at all: 1 or 0."""
+    if nodes.socket(node, "Specular IOR Level") is not None:
+        # Of 4.x: a factor of what follows from the index (Cycles 4.0, kernel/svm/closure.h).
+        ior = nodes.number(node, 1.5, "IOR")
+        head_on = ((ior - 1) / (ior + 1)) ** 2 * 2 * nodes.number(node, 0.5, "Specular IOR Level")
+    else:
+        # Of 3.x: 1 is eight per cent of reflection (Burley 2012).
+        head_on = 0.08 * nodes.number(node, 0.5, "Specular")
+    head_on = min(max(head_on, 0), MOST_REFLECTANCE)
+    return (_ior_of_reflectance(head_on), 1.0) if head_on > 0 else (1.5, 0.0)
 
 
 def _normal(node, notes, name):
@@ -68,6 +74,27 @@ def _normal(node, notes, name):
         notes.add("bumps and normal maps but those in tangent space are not shown", name)
         return None, 1.0
     return nodes.picture(behind.node.inputs["Color"], notes, name), behind.node.inputs["Strength"].default_value
+
+
+def _textured(node, default, notes, name, socket):
+    """A number and the picture that it multiplies."""
+    picture = nodes.picture(nodes.socket(node, socket), notes, name)
+    return 1.0 if picture else nodes.number(node, default, socket), picture
+
+
+def _alpha(node, color_picture, notes, name):
+    """Alpha, and whether the surface ends where it is below a half."""
+    picture = nodes.picture(nodes.socket(node, "Alpha"), notes, name)
+    if picture is not None:
+        notes.add("alpha is shown as a mask, which ends at a half", name)
+        if color_picture is None or picture.image != color_picture.image or picture.channel != nodes.ALPHA:
+            notes.add("alpha but that of the base color's picture is not shown", name)
+            return 1.0, False
+        return 1.0, True
+    alpha = nodes.number(node, 1, "Alpha")
+    if alpha < 1:
+        notes.add("alpha is shown as a mask, which ends at a half", name)
+    return alpha, alpha < 0.5
 
 
 def _note_what_is_left(node, notes, name):
@@ -98,6 +125,8 @@ def _scattering(node, look, mm_per_unit, notes):
         radius = radius * nodes.number(node, 0.05, "Subsurface Scale")
         if weight < 1:
             notes.add("a subsurface weight below 1 is shown as 1", look.name)
+    if look.is_cut_out:
+        notes.add("alpha of what light enters is not shown", look.name)
     if look.metallic > 0:
         notes.add("metal mixed with subsurface is shown without metal", look.name)
     return dataclasses.replace(look, color=color, color_picture=picture, radius_mm=tuple(radius * mm_per_unit),
@@ -112,16 +141,19 @@ def _principled(node, name, mm_per_unit, notes):
     strength = nodes.number(node, 1, "Emission Strength")
     emission = strength * np.array(nodes.vector(node, (0, 0, 0), "Emission Color", "Emission"))
     emission_picture = nodes.picture(nodes.socket(node, "Emission Color", "Emission"), notes, name)
+    color_picture = nodes.picture(nodes.socket(node, "Base Color"), notes, name)
+    metallic, metallic_picture = _textured(node, 0, notes, name, "Metallic")
+    roughness, roughness_picture = _textured(node, 0.5, notes, name, "Roughness")
+    if roughness_picture and metallic_picture and roughness_picture.place() != metallic_picture.place():
+        notes.add("pictures of metallic and roughness lie as that of roughness does", name)
+    alpha, is_cut_out = _alpha(node, color_picture, notes, name)
     _note_what_is_left(node, notes, name)
-    look = Look(name=name, color=nodes.vector(node, (0.8, 0.8, 0.8), "Base Color"),
-                color_picture=nodes.picture(nodes.socket(node, "Base Color"), notes, name),
-                metallic=nodes.number(node, 0, "Metallic"),
-                metallic_picture=nodes.picture(nodes.socket(node, "Metallic"), notes, name),
-                roughness=nodes.number(node, 0.5, "Roughness"),
-                roughness_picture=nodes.picture(nodes.socket(node, "Roughness"), notes, name), ior=ior, specular=specular,
+    look = Look(name=name, color=nodes.vector(node, (0.8, 0.8, 0.8), "Base Color"), color_picture=color_picture,
+                metallic=metallic, metallic_picture=metallic_picture, roughness=roughness, roughness_picture=roughness_picture,
+                ior=ior, specular=specular,
                 normal_picture=normal, normal_scale=normal_scale,
                 emission=(strength,) * 3 if emission_picture else tuple(emission), emission_picture=emission_picture,
-                alpha=nodes.number(node, 1, "Alpha"))
+                alpha=alpha, is_cut_out=is_cut_out)
     return _scattering(node, look, mm_per_unit, notes)
 
 

@@ -11,12 +11,18 @@ class Picture:
     wrap: str
     interpolated: bool
     transform: tuple  # two rows, from coordinates with v down
+    channel: int = None  # red, green, blue or alpha, where it is one of them
+
+    def place(self):
+        """How it lies on a surface."""
+        return self.wrap, self.interpolated, self.transform
 
     def key(self):
-        return self.image.name_full, self.wrap, self.interpolated, self.transform
+        return self.image.name_full, self.channel, *self.place()
 
 
 WRAPS = {"REPEAT": "repeat", "EXTEND": "clamp", "CLIP": "clamp", "MIRROR": "mirror"}
+ALPHA = 3
 UNTURNED = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 
 
@@ -86,11 +92,15 @@ def picture(of, notes, name):
     behind = source(of)
     if behind is None or behind.node.type in ("RGB", "VALUE"):
         return None
-    node = behind.node
-    if node.type in ("SEPARATE_COLOR", "SEPRGB"):
+    node, channel = behind.node, None
+    if node.type in ("SEPARATE_COLOR", "SEPRGB") and getattr(node, "mode", "RGB") == "RGB":
+        channel = list(node.outputs).index(behind)
         behind = source(node.inputs[0])
         node = behind.node if behind is not None else node
+    elif node.type == "TEX_IMAGE" and behind.name == "Alpha":
+        channel = ALPHA
     if node.type != "TEX_IMAGE" or node.image is None:
         notes.add("nodes but image textures, colours and values are not shown; the socket's own value is used", name)
         return None
-    return Picture(node.image, WRAPS.get(node.extension, "repeat"), node.interpolation != "Closest", _transform(node, notes, name))
+    return Picture(node.image, WRAPS.get(node.extension, "repeat"), node.interpolation != "Closest", _transform(node, notes, name),
+                   channel)

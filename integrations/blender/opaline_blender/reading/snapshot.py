@@ -23,11 +23,6 @@ class Snapshot:
     lights: list
     world: world.World
 
-    @property
-    def roughness(self):
-        """Of the reflection on what light enters, which is one for all; None without such a body."""
-        return next((body.look.roughness for body in self.bodies if body.look.is_translucent), None)
-
 
 def _placed(part, matrix, mm_per_unit):
     """A mesh in our axes. A mirrored one is turned inside out, so that its triangles go the right way round."""
