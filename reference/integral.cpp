@@ -9,7 +9,6 @@
 
 #include "bssrdf/profile.h"
 #include "opaline/error.h"
-#include "reference/transport.h"
 
 namespace opaline::reference {
 
@@ -219,7 +218,7 @@ Integral::Integral(const Geometry& geometry, const Irradiance& irradiance,
     if (scene.bodies[body].paint)
       throw UsageError("the integral knows no paint, and a body is painted; path tracing does");
     const auto profiles =
-        bssrdf::makeProfiles(modelOf(options.transport), scene.bodies[body].medium);
+        bssrdf::makeProfiles(bssrdf::modelOf(options.transport), scene.bodies[body].medium);
     const std::array<Kernel, 3> kernels{Kernel(profiles[0]), Kernel(profiles[1]),
                                         Kernel(profiles[2])};
     const double depth =

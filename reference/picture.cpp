@@ -9,12 +9,12 @@
 #include <numbers>
 
 #include "bssrdf/fresnel.h"
+#include "bssrdf/profile.h"
 #include "environment/lat_long.h"
 #include "lights/area.h"
 #include "opaline/error.h"
 #include "reference/camera_rays.h"
 #include "reference/opaque_surface.h"
-#include "reference/transport.h"
 
 namespace opaline::reference {
 
@@ -217,7 +217,7 @@ void requireSound(const PictureOptions& options) {
 std::vector<double> exitFactors(const Scene& scene, Transport transport) {
   std::vector<double> factors;
   for (const Body& body : scene.bodies) {
-    factors.push_back(bssrdf::exitFactor(modelOf(transport), body.medium.eta));
+    factors.push_back(bssrdf::exitFactor(bssrdf::modelOf(transport), body.medium.eta));
   }
   return factors;
 }

@@ -1,12 +1,9 @@
 #include "reference/posed_scene.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <utility>
 
 #include "deform/deformed_vertices.h"
-#include "opaline/error.h"
 #include "scene/changes.h"
 #include "scene/mesh/normals.h"
 
@@ -46,13 +43,7 @@ void placeGround(const opaline::Scene& scene, const Object& ground, Body& body) 
 
 Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
                  const PositionsByObject& positionsMm) {
-  for (const auto& [object, positions] : positionsMm) {
-    if (object >= scene.objects.size() ||
-        positions.size() != scene.objects[object].mesh.positionsMm.size()) {
-      throw UsageError(
-          fmt::format("the {} positions given do not fit object {}", positions.size(), object));
-    }
-  }
+  deform::requireFit(scene, positionsMm);
   scene::Pose pose = scene::makePose(scene);
   scene::poseAt(scene, time.clip, time.seconds, pose);
   Scene result;

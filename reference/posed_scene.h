@@ -1,18 +1,15 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <vector>
 
 #include "deform/deformed_vertices.h"
+#include "opaline/positions.h"
 #include "opaline/scene.h"
 #include "reference/scene.h"
 #include "scene/pose.h"
 
 namespace opaline::reference {
-
-/// By object: one position for each of its vertices, instead of where its mesh or rig puts them.
-using PositionsByObject = std::map<std::size_t, std::vector<Vec3>>;
 
 /// An object as it is in that pose at that time, under the scene's deformers.
 deform::DeformedVertices meshAt(const opaline::Scene& scene, std::size_t object,

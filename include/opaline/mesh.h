@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "opaline/export.h"
 #include "opaline/scene.h"
+#include "opaline/types.h"
 
 namespace opaline {
 
@@ -12,5 +15,20 @@ namespace opaline {
 /// smooth: the mean of the triangles', weighted by their angles. Throws UsageError for positions
 /// that are not finite or beyond 1e18 mm, and for triangles that name vertices that do not exist.
 OPALINE_API Mesh makeMesh(std::vector<Vec3> positionsMm, std::vector<Triangle> triangles);
+
+/// What a mesh is like as a surface. Open edges that lie upon each other count as sewn together.
+struct MeshFacts {
+  bool closed = false;            ///< every edge has a triangle on both sides
+  std::size_t boundaryLoops = 0;  ///< borders of its holes
+  std::size_t components = 0;     ///< parts whose triangles do not share a vertex
+  /// Of parts that have no inside: open but for holes of at most a twentieth of their surface.
+  /// Transport::Boundary lets light scatter there as in a half-space.
+  std::size_t trianglesWithoutInside = 0;
+};
+
+/// Throws UsageError for triangles that name vertices that do not exist, and for positions that are
+/// not finite or beyond 1e18 mm.
+OPALINE_API MeshFacts factsOf(std::span<const Vec3> positionsMm,
+                              std::span<const Triangle> triangles);
 
 }  // namespace opaline

@@ -222,6 +222,9 @@ struct NotShown {
   std::vector<std::string> names;  ///< names of some of them
 };
 
+/// As one line: "base-colour textures (2: skin, hair), vertex colours (1: body)".
+OPALINE_API std::string textOf(const std::vector<NotShown>& kinds);
+
 /// A scene, as plain data.
 struct Scene {
   std::string name;
@@ -312,6 +315,12 @@ OPALINE_API void removeGround(Scene& scene);
 /// high.
 OPALINE_API Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre = {0, 0, 1},
                                  float verticalFovDegrees = 30);
+
+/// For objects that have become so many times as large: lights, camera and what clips make of them,
+/// as they have to be so that the picture stays, but for what light does inside of bodies. Throws
+/// UsageError for a factor that is not above 0 or takes something out of the range of a float; the
+/// scene then stays as it is.
+OPALINE_API void scaleLightsAndCamera(double factor, Scene& scene);
 
 /// Lights, or a camera, that somebody puts in the place of the scene's follow no clip.
 OPALINE_API void stopLights(Scene& scene);

@@ -110,6 +110,10 @@ double shortestMeanFreePathMm(const Medium& medium) {
   return shortest;
 }
 
+Model modelOf(Transport transport) {
+  return transport == Transport::Dipole ? Model::Dipole : Model::BetterDipole;
+}
+
 Profile makeProfile(Model model, const Coefficients& coefficients) {
   const double sigmaA = coefficients.sigmaAPerMm;
   const double sigmaTPrime = coefficients.sigmaTPrimePerMm;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "opaline/medium.h"
+#include "opaline/render_options.h"
 
 namespace opaline::bssrdf {
 
@@ -36,6 +37,10 @@ bool isSameInside(const Medium& a, const Medium& b);
 double shortestMeanFreePathMm(const Medium& medium);
 
 enum class Model { Dipole, BetterDipole };
+
+/// The half-space of a transport. Boundary transport, which follows a body's own shape, takes its
+/// detail from the better dipole, and open meshes get that.
+Model modelOf(Transport transport);
 
 /// Radially symmetric diffuse reflectance R_d(r) of a half-space, one channel:
 /// Dipole       Jensen et al. 2001, Eq. 4

@@ -1,10 +1,10 @@
-#include "core/numbered_name.h"
+#include "opaline/numbered_name.h"
 
 #include <fmt/format.h>
 
 #include <charconv>
 
-namespace opaline::core {
+namespace opaline {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::optional<int> NumberedName::numberOf(std::string_view name) const {
   return with(number) == name ? std::optional(number) : std::nullopt;
 }
 
-}  // namespace opaline::core
+}  // namespace opaline

@@ -1,9 +1,12 @@
 #include "deform/deformed_vertices.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "deform/deformer.h"
 #include "deform/smooth_groups.h"
+#include "opaline/error.h"
 #include "scene/matrix.h"
 #include "scene/mesh/normals.h"
 
@@ -115,6 +118,16 @@ void smooth(const Mesh& rest, double side, DeformedVertices& mesh) {
 }
 
 }  // namespace
+
+void requireFit(const Scene& scene, const PositionsByObject& positionsMm) {
+  for (const auto& [object, positions] : positionsMm) {
+    if (object < scene.objects.size() &&
+        positions.size() == scene.objects[object].mesh.positionsMm.size())
+      continue;
+    throw UsageError(
+        fmt::format("the {} positions given do not fit object {}", positions.size(), object));
+  }
+}
 
 bool normalsFromTriangles(const Object& object) {
   if (object.mesh.facetted) return true;

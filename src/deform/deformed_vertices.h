@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "opaline/positions.h"
 #include "opaline/scene.h"
 #include "scene/pose.h"
 #include "scene/vector_math.h"
@@ -14,6 +15,9 @@ struct DeformedVertices {
   std::vector<scene::Double3> positionsMm;
   std::vector<scene::Double3> normals;  ///< unit
 };
+
+/// Throws UsageError unless the positions have an object each, and one for each of its vertices.
+void requireFit(const Scene& scene, const PositionsByObject& positionsMm);
 
 /// Whether an object's normals have to be taken from its moved triangles: where they are those of
 /// the triangles, or a morph target moves positions and does not say what becomes of the normals.

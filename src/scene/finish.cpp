@@ -129,11 +129,7 @@ void scaleBy(RawScene& raw, double factor, const std::string& file) {
   }
   finite = scaleLights(factor, raw.lighting) && finite;
   finite = scaleChanges(factor, raw.changes) && finite;
-  if (raw.camera) {
-    scalePoint(raw.camera->positionMm, factor);
-    scalePoint(raw.camera->targetMm, factor);
-    finite = finite && isFinite(raw.camera->positionMm) && isFinite(raw.camera->targetMm);
-  }
+  if (raw.camera) finite = scaleCamera(factor, *raw.camera) && finite;
   if (!finite) {
     throw Error(fmt::format("{}: in millimetres its coordinates are too large for a float", file));
   }

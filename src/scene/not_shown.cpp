@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t mostNames = 4;
 constexpr std::size_t mostKinds = 24;
 
-std::string textOf(const NotShown& kind) {
+std::string lineOf(const NotShown& kind) {
   if (kind.names.empty()) return fmt::format("{} ({})", kind.what, kind.count);
   return fmt::format("{} ({}: {}{})", kind.what, kind.count, fmt::join(kind.names, ", "),
                      kind.names.size() < kind.count ? ", …" : "");
@@ -77,10 +77,14 @@ void addNotShown(std::vector<NotShown>& to, const std::vector<NotShown>& more) {
   }
 }
 
+}  // namespace opaline::scene
+
+namespace opaline {
+
 std::string textOf(const std::vector<NotShown>& kinds) {
   std::string text;
-  for (const NotShown& kind : kinds) text += (text.empty() ? "" : ", ") + textOf(kind);
+  for (const NotShown& kind : kinds) text += (text.empty() ? "" : ", ") + scene::lineOf(kind);
   return text;
 }
 
-}  // namespace opaline::scene
+}  // namespace opaline

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,8 +24,5 @@ void addNotShown(std::vector<NotShown>& to, const HiddenParts& parts, std::strin
 
 /// Counts together with what another file holds.
 void addNotShown(std::vector<NotShown>& to, const std::vector<NotShown>& more);
-
-/// "base-colour textures (2: skin, hair), vertex colours (1: body)".
-std::string textOf(const std::vector<NotShown>& kinds);
 
 }  // namespace opaline::scene

@@ -1,11 +1,14 @@
 #include "scene/placed_lights.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "opaline/error.h"
 #include "scene/vector_math.h"
 
 namespace opaline::scene {
@@ -102,11 +105,19 @@ bool placeCamera(const Matrix4& matrix, Camera& camera) {
   return isFinite(camera.positionMm) && isFinite(camera.targetMm);
 }
 
+bool scaleCamera(double factor, Camera& camera) {
+  camera.positionMm = toFloat(factor * toDouble(camera.positionMm));
+  camera.targetMm = toFloat(factor * toDouble(camera.targetMm));
+  if (auto& heightMm = camera.orthographicHeightMm)
+    *heightMm = static_cast<float>(factor * double{*heightMm});
+  return isFinite(camera.positionMm) && isFinite(camera.targetMm) &&
+         std::isfinite(camera.orthographicHeightMm.value_or(0));
+}
+
 bool scaleChanges(double factor, std::vector<ClipChanges>& changes) {
-  const Matrix4 scale = matrixFromParts({0, 0, 0}, {0, 0, 0, 1}, {factor, factor, factor});
   return changeAll(
       changes, [&](Lighting& lighting) { return scaleLights(factor, lighting); },
-      [&](Camera& camera) { return placeCamera(scale, camera); });
+      [&](Camera& camera) { return scaleCamera(factor, camera); });
 }
 
 bool placeChanges(const Matrix4& matrix, std::vector<ClipChanges>& changes) {
@@ -116,3 +127,24 @@ bool placeChanges(const Matrix4& matrix, std::vector<ClipChanges>& changes) {
 }
 
 }  // namespace opaline::scene
+
+namespace opaline {
+
+void scaleLightsAndCamera(double factor, Scene& scene) {
+  Lighting lighting = scene.lighting;
+  Camera camera = scene.camera;
+  std::vector<ClipChanges> changes = scene.changes;
+  const bool isSound = factor > 0 && scene::scaleLights(factor, lighting) &&
+                       scene::scaleCamera(factor, camera) && scene::scaleChanges(factor, changes);
+  if (!isSound) {
+    throw UsageError(
+        fmt::format("Lights and camera cannot be scaled by {}: that is not above 0 or takes them "
+                    "out of the range of a float.",
+                    factor));
+  }
+  scene.lighting = std::move(lighting);
+  scene.camera = camera;
+  scene.changes = std::move(changes);
+}
+
+}  // namespace opaline

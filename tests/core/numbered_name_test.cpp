@@ -1,10 +1,10 @@
-#include "core/numbered_name.h"
+#include "opaline/numbered_name.h"
 
 #include <gtest/gtest.h>
 
 #include <optional>
 
-namespace opaline::core {
+namespace opaline {
 namespace {
 
 TEST(NumberedNameTest, NumberStandsInItsPlace) {
@@ -41,4 +41,4 @@ TEST(NumberedNameTest, OnlyNamesItMakesHaveANumber) {
 }
 
 }  // namespace
-}  // namespace opaline::core
+}  // namespace opaline

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "input.h"
-#include "paper/atlas/draw.h"
 #include "paper/atlas/geodesic.h"
 #include "paper/atlas/neighbourhood.h"
 #include "paper/atlas/texel_area.h"
@@ -22,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const core::RestSurface surface{shape.positions, shape.triangles, shape.objects};
   const atlas::Atlas made = atlas::makeAtlas(surface, {mapSize, gutter});
   EXPECT_EQ(made.triangles.size(), shape.triangles.size());
-  for (const atlas::AtlasVertex& vertex : made.vertices) {
+  for (const AtlasVertex& vertex : made.vertices) {
     EXPECT_LT(vertex.vertex, shape.positions.size());
     for (const float x : vertex.uv) EXPECT_TRUE(x >= 0 && x <= 1) << x;
   }
@@ -33,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   EXPECT_LE(neighbourhoods.size, 512);
   for (const atlas::TexelArea& texel : atlas::texelAreas(made, mapSize))
     EXPECT_TRUE(texel.area >= 0 && texel.area <= 1.001F) << texel.area;
-  atlas::drawAtlas(made, mapSize);
+  drawAtlas(made, mapSize);
   atlas::walkFromVertices(surface, std::vector<double>(shape.positions.size(), walkMm));
   return 0;
 }

@@ -16,7 +16,6 @@
 
 #include "awkward_meshes.h"
 #include "builtin/builtin.h"
-#include "paper/atlas/draw.h"
 #include "shared_files.h"
 
 namespace opaline::atlas {

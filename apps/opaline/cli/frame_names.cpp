@@ -9,7 +9,7 @@
 namespace opaline::app {
 
 std::optional<FrameNames> FrameNames::parse(const std::string& text) {
-  auto name = core::NumberedName::parse(text);
+  auto name = NumberedName::parse(text);
   return name ? std::optional(FrameNames(std::move(*name))) : std::nullopt;
 }
 

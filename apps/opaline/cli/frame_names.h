@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cli/motion_options.h"
-#include "core/numbered_name.h"
+#include "opaline/numbered_name.h"
 
 namespace opaline::app {
 
@@ -22,9 +22,9 @@ class FrameNames {
   std::string common() const;
 
  private:
-  explicit FrameNames(core::NumberedName name) : name_(std::move(name)) {}
+  explicit FrameNames(NumberedName name) : name_(std::move(name)) {}
 
-  core::NumberedName name_;
+  NumberedName name_;
 };
 
 /// A name for a row of pictures of which none is there: NAME_%04d.png, or else NAME-2_%04d.png, and

@@ -4,7 +4,6 @@
 
 #include "cli/picture_options.h"
 #include "cli/values.h"
-#include "reference/transport.h"
 
 namespace opaline::app {
 
@@ -12,10 +11,6 @@ void HalfSpaceOption::addTo(CommandLine& line) {
   line.value(
       "--transport", "NAME", "boundary, better-dipole or dipole [boundary]",
       [this](const Given& given) { transport_ = readChoice(given, choicesOf<Transport>()); });
-}
-
-bssrdf::Model HalfSpaceOption::model() const {
-  return reference::modelOf(transport_);
 }
 
 std::string HalfSpaceOption::name() const {

@@ -2,10 +2,9 @@
 
 #include <string>
 
-#include "bssrdf/profile.h"
 #include "cli/command_line.h"
 #include "cli/json.h"
-#include "opaline/renderer.h"
+#include "opaline/render_options.h"
 
 namespace opaline::app {
 
@@ -15,7 +14,7 @@ class HalfSpaceOption {
  public:
   void addTo(CommandLine& line);
 
-  bssrdf::Model model() const;
+  Transport transport() const { return transport_; }
   /// The half-space by its name.
   std::string name() const;
   /// The same, and for which transport it stands if that is another.

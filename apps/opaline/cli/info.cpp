@@ -13,26 +13,23 @@
 #include "cli/commands.h"
 #include "cli/json.h"
 #include "cli/material_textures.h"
+#include "cli/measures.h"
 #include "cli/medium_options.h"
 #include "cli/output.h"
 #include "cli/paths.h"
 #include "cli/scene_options.h"
-#include "core/measures.h"
+#include "opaline/atlas.h"
 #include "opaline/error.h"
 #include "opaline/file.h"
+#include "opaline/half_space.h"
 #include "opaline/image_file.h"
 #include "opaline/material.h"
+#include "opaline/mesh.h"
 #include "opaline/options/scene.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "opaline/scene_file.h"
 #include "opaline/tone.h"
-#include "paper/atlas/atlas.h"
-#include "paper/atlas/draw.h"
-#include "scene/mesh/insides.h"
-#include "scene/mesh/merged_mesh.h"
-#include "scene/not_shown.h"
-#include "scene/repair/topology.h"
 
 namespace opaline::app {
 
@@ -64,24 +61,27 @@ std::array<double, 3> sizeMm(const Object& object) {
           bounds.maxMm[2] - bounds.minMm[2]};
 }
 
-std::ptrdiff_t trianglesWithoutInside(const Object& object) {
-  const std::vector<bool> inside =
-      scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
-  return std::count(inside.begin(), inside.end(), false);
-}
-
 const std::string& materialName(const Object& object) {
   return object.opaque ? object.opaque->name : object.medium.name;
 }
 
-Json objectsJson(const Scene& scene) {
+/// One for each object.
+std::vector<MeshFacts> meshFactsOf(const Scene& scene) {
+  std::vector<MeshFacts> facts;
+  for (const Object& object : scene.objects)
+    facts.push_back(factsOf(object.mesh.positionsMm, object.mesh.triangles));
+  return facts;
+}
+
+Json objectsJson(const Scene& scene, const std::vector<MeshFacts>& facts) {
   Json objects = Json::array();
-  for (const Object& object : scene.objects) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
     objects.push_back({{"name", object.name},
                        {"triangles", object.mesh.triangles.size()},
                        {"vertices", object.mesh.positionsMm.size()},
                        {"size_mm", sizeMm(object)},
-                       {"triangles_without_inside", trianglesWithoutInside(object)},
+                       {"triangles_without_inside", facts[i].trianglesWithoutInside},
                        {"material", materialName(object)},
                        {"medium", object.opaque ? Json() : mediumJson(object.medium)}});
   }
@@ -196,7 +196,7 @@ Json devicesJson(const LogCallback& log) {
   return devices;
 }
 
-Json atlasJson(const atlas::AtlasStatistics& statistics) {
+Json atlasJson(const AtlasStatistics& statistics) {
   return {{"charts", statistics.charts},
           {"coverage", statistics.coverage},
           {"area_distortion_rms", statistics.areaDistortionRms},
@@ -218,14 +218,20 @@ Json collect(const Scene& scene, const LogCallback& log) {
   for (const NotShown& kind : scene.notShown) {
     notShown.push_back({{"what", kind.what}, {"count", kind.count}, {"names", kind.names}});
   }
-  const scene::MeshFacts facts = scene::factsOf(scene);
+  const std::vector<MeshFacts> facts = meshFactsOf(scene);
+  MeshFacts sum{.closed = !facts.empty()};
+  for (const MeshFacts& of : facts) {
+    sum.closed = sum.closed && of.closed;
+    sum.boundaryLoops += of.boundaryLoops;
+    sum.components += of.components;
+  }
   const Bounds bounds = boundsOf(scene);
   return {{"name", scene.name},
           {"triangles", triangles},
           {"vertices", vertices},
-          {"closed", facts.closed},
-          {"boundary_loops", facts.boundaryLoops},
-          {"components", facts.components},
+          {"closed", sum.closed},
+          {"boundary_loops", sum.boundaryLoops},
+          {"components", sum.components},
           {"bounds_min_mm", bounds.minMm},
           {"bounds_max_mm", bounds.maxMm},
           {"diagonal_mm", diagonalMm(scene)},
@@ -233,28 +239,26 @@ Json collect(const Scene& scene, const LogCallback& log) {
           {"repairs", std::move(repairs)},
           {"not_shown", std::move(notShown)},
           {"materials", materialsJson(scene)},
-          {"objects", objectsJson(scene)},
+          {"objects", objectsJson(scene, facts)},
           {"devices", devicesJson(log)}};
 }
 
 /// Draws the atlas into a file and says how it came out.
-Json drawAtlas(const Scene& scene, const std::filesystem::path& file) {
-  const scene::MergedMesh surface = scene::mergedMesh(scene);
-  const atlas::Atlas atlas =
-      atlas::makeAtlas({surface.positionsMm, surface.triangles, surface.objectOfTriangle});
+Json writeAtlas(const Scene& scene, const std::filesystem::path& file) {
+  const Atlas atlas = makeAtlas(scene);
   ToneOptions plain;
   plain.curve = ToneCurve::None;
-  writePng(file, toneMap(atlas::drawAtlas(atlas, atlasPictureTexels), plain));
+  writePng(file, toneMap(drawAtlas(atlas, atlasPictureTexels), plain));
   return atlasJson(atlas.statistics);
 }
 
 // Three lengths in one unit.
 std::string lengthsText(const std::array<double, 3>& mm, const char* between, int digits) {
-  const core::LengthUnit unit =
-      core::lengthUnitFor(std::max({std::abs(mm[0]), std::abs(mm[1]), std::abs(mm[2])}));
-  return fmt::format("{}{}{}{}{} {}", core::lengthNumber(mm[0], unit, digits), between,
-                     core::lengthNumber(mm[1], unit, digits), between,
-                     core::lengthNumber(mm[2], unit, digits), unit.name);
+  const LengthUnit unit =
+      lengthUnitFor(std::max({std::abs(mm[0]), std::abs(mm[1]), std::abs(mm[2])}));
+  return fmt::format("{}{}{}{}{} {}", lengthNumber(mm[0], unit, digits), between,
+                     lengthNumber(mm[1], unit, digits), between, lengthNumber(mm[2], unit, digits),
+                     unit.name);
 }
 
 std::string sceneText(const Scene& scene, const Json& facts) {
@@ -268,7 +272,7 @@ std::string sceneText(const Scene& scene, const Json& facts) {
   const Bounds bounds = boundsOf(scene);
   const auto corner = [](const Vec3& mm) { return lengthsText({mm[0], mm[1], mm[2]}, ", ", 4); };
   text += fmt::format("from {} to {}, diagonal {}\n", corner(bounds.minMm), corner(bounds.maxMm),
-                      core::lengthText(diagonalMm(scene), 4));
+                      lengthText(diagonalMm(scene), 4));
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     const std::array<double, 3> size = sizeMm(object);
@@ -295,7 +299,7 @@ std::string sceneText(const Scene& scene, const Json& facts) {
     text += fmt::format("repaired: {} {}\n", repair.count, repair.what);
   }
   if (!scene.notShown.empty()) {
-    text += fmt::format("not shown: {}\n", scene::textOf(scene.notShown));
+    text += fmt::format("not shown: {}\n", textOf(scene.notShown));
   }
   return text;
 }
@@ -338,7 +342,7 @@ void runInfo(const Arguments& arguments) {
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
   Json facts = collect(scene, log);
   if (command.atlas) {
-    facts["atlas"] = drawAtlas(scene, *command.atlas);
+    facts["atlas"] = writeAtlas(scene, *command.atlas);
     log(LogLevel::Note, fmt::format("wrote {}", command.atlas->string()));
   }
   printOut(command.json ? toText(facts) : sceneText(scene, facts) + restText(facts));

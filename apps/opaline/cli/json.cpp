@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/medium_options.h"
+#include "opaline/half_space.h"
 
 namespace opaline::app {
 

@@ -4,13 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "bssrdf/profile.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/half_space_option.h"
 #include "cli/json.h"
-#include "cli/medium_options.h"
 #include "cli/output.h"
+#include "opaline/half_space.h"
 #include "opaline/media.h"
 
 namespace opaline::app {
@@ -18,12 +17,6 @@ namespace opaline::app {
 namespace {
 
 using Triple = std::array<double, 3>;
-
-Triple reflectance(const Medium& medium, bssrdf::Model model) {
-  const std::array<bssrdf::Profile, 3> profiles = bssrdf::makeProfiles(model, medium);
-  return {profiles[0].totalReflectance(), profiles[1].totalReflectance(),
-          profiles[2].totalReflectance()};
-}
 
 std::string cells(const Triple& values, int width, const char* precision) {
   std::string text;
@@ -33,13 +26,13 @@ std::string cells(const Triple& values, int width, const char* precision) {
   return text;
 }
 
-std::string row(const Medium& medium, bssrdf::Model model, const std::optional<Triple>& published) {
+std::string row(const Medium& medium, Transport transport, const std::optional<Triple>& published) {
   const MediumLengths lengths = lengthsOf(medium);
   return fmt::format(
       "{:<13}{}{} {:<4}{}{}{}{}\n", medium.name, cells(medium.sigmaSPrimePerMm, 6, "{:.4g}"),
       cells(medium.sigmaAPerMm, 8, "{:.4g}"), fmt::format(" {:g}", medium.eta),
       cells(lengths.meanFreePathMm, 7, "{:.3g}"), cells(lengths.diffusionMm, 7, "{:.3g}"),
-      cells(reflectance(medium, model), 6, "{:.3f}"),
+      cells(reflectanceWithin(medium, transport), 6, "{:.3f}"),
       published ? cells(*published, 5, "{:.2f}") : "");
 }
 
@@ -51,11 +44,11 @@ std::string table(const HalfSpaceOption& halfSpace) {
                       halfSpace.name());
   text += "measured (Jensen, Marschner, Levoy, Hanrahan 2001, Fig. 5); R G B each\n";
   for (const auto& measured : measuredMedia()) {
-    text += row(measured.medium, halfSpace.model(), measured.diffuseReflectance);
+    text += row(measured.medium, halfSpace.transport(), measured.diffuseReflectance);
   }
   text += "artistic, never measured\n";
   for (const Medium& medium : artisticMedia()) {
-    text += row(medium, halfSpace.model(), std::nullopt);
+    text += row(medium, halfSpace.transport(), std::nullopt);
   }
   return text;
 }
@@ -65,7 +58,7 @@ Json json(const HalfSpaceOption& halfSpace) {
   const auto add = [&](const Medium& medium, const std::optional<Triple>& published) {
     Json entry = mediumJson(medium);
     entry["measured"] = published.has_value();
-    entry["total_reflectance"] = rgbJson(reflectance(medium, halfSpace.model()));
+    entry["total_reflectance"] = rgbJson(reflectanceWithin(medium, halfSpace.transport()));
     if (published) entry["published_reflectance"] = rgbJson(*published);
     list.push_back(std::move(entry));
   };

@@ -6,7 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "bssrdf/profile.h"
 #include "cli/fields.h"
 #include "opaline/error.h"
 #include "opaline/media.h"
@@ -73,23 +72,6 @@ std::optional<Medium> MediumOptions::medium() const {
   medium.name = "custom";
   chosen_.applyTo(medium);
   return medium;
-}
-
-MediumLengths lengthsOf(const Medium& medium) {
-  MediumLengths lengths;
-  for (int channel = 0; channel < 3; ++channel) {
-    const auto index = static_cast<std::size_t>(channel);
-    const bssrdf::Coefficients c = bssrdf::coefficients(medium, channel);
-    const double sigmaTr = bssrdf::makeProfile(bssrdf::Model::Dipole, c).sigmaTrPerMm;
-    lengths.meanFreePathMm[index] = c.meanFreePathMm;
-    lengths.diffusionMm[index] =
-        sigmaTr > 0 ? 1 / sigmaTr : std::numeric_limits<double>::infinity();
-    if (sigmaTr > 0) {
-      lengths.longestDiffusionMm =
-          std::max(lengths.longestDiffusionMm.value_or(0), lengths.diffusionMm[index]);
-    }
-  }
-  return lengths;
 }
 
 }  // namespace opaline::app

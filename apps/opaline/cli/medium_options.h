@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,15 +29,5 @@ class MediumOptions {
   std::vector<MediumOfObject> ofObjects_;
   options::Chosen<Medium> chosen_;
 };
-
-/// Lengths that follow from a medium, per channel.
-struct MediumLengths {
-  std::array<double, 3> meanFreePathMm{};  ///< 1/σ_t' = z_r
-  std::array<double, 3> diffusionMm{};     ///< 1/σ_tr; infinite without absorption
-  /// The longest finite one of diffusionMm; nothing where no channel absorbs.
-  std::optional<double> longestDiffusionMm;
-};
-
-MediumLengths lengthsOf(const Medium& medium);
 
 }  // namespace opaline::app

@@ -13,12 +13,13 @@
 
 #include "cli/fields.h"
 #include "cli/frame_names.h"
+#include "cli/measures.h"
 #include "cli/values.h"
-#include "core/measures.h"
 #include "opaline/environment.h"
 #include "opaline/error.h"
+#include "opaline/framing.h"
+#include "opaline/half_space.h"
 #include "opaline/options/scene.h"
-#include "scene/framing.h"
 
 namespace opaline::app {
 
@@ -356,7 +357,7 @@ void CameraOptions::applyTo(Scene& scene) const {
   check();
   if (any()) stopCamera(scene);
   Camera& camera = scene.camera;
-  const double distanceMm = scene::distanceToTargetMm(camera);
+  const double distanceMm = distanceToTargetMm(camera);
   const Vec3 middle = middleOf(boundsOf(scene));
   if (target_) camera.targetMm = sum(middle, *target_);
   if (position_) camera.positionMm = sum(middle, *position_);
@@ -366,10 +367,10 @@ void CameraOptions::applyTo(Scene& scene) const {
                                                    distanceMm * double{(*direction_)[axis]});
     }
   }
-  if (!(scene::distanceToTargetMm(camera) > 0)) {
+  if (!(distanceToTargetMm(camera) > 0)) {
     throw UsageError("--camera-position and --camera-target are the same place");
   }
-  if (direction_ || position_ || target_) camera.up = scene::usualUp(camera);
+  if (direction_ || position_ || target_) camera.up = usualUp(camera);
   chosen_.applyTo(camera);
   scene.cameraChosen = scene.cameraChosen || position_ || target_ || !chosen_.empty();
 }
@@ -384,11 +385,11 @@ std::vector<std::string> notesOnSize(const Scene& scene) {
     if (!length || !seen.insert(object.medium.name).second) continue;
     const double ratio = diagonal / *length;
     if (ratio >= leastDiffusionLengths && ratio <= mostDiffusionLengths) continue;
-    notes.push_back(fmt::format(
-        "the model measures {}, {:.3g} diffusion lengths of {} ({}): it will look {}; "
-        "--diagonal-mm sets its size",
-        core::lengthText(diagonal, 4), ratio, object.medium.name, core::lengthText(*length),
-        ratio > mostDiffusionLengths ? "opaque" : "like fog"));
+    notes.push_back(
+        fmt::format("the model measures {}, {:.3g} diffusion lengths of {} ({}): it will look {}; "
+                    "--diagonal-mm sets its size",
+                    lengthText(diagonal, 4), ratio, object.medium.name, lengthText(*length),
+                    ratio > mostDiffusionLengths ? "opaque" : "like fog"));
   }
   return notes;
 }

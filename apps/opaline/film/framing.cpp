@@ -7,21 +7,13 @@
 #include <thread>
 #include <utility>
 
-#include "deform/deformed_vertices.h"
 #include "film/sequence_frames.h"
 #include "opaline/error.h"
-#include "scene/framing.h"
-#include "scene/pose.h"
-#include "scene/vector_math.h"
+#include "opaline/framing.h"
 
 namespace opaline::app {
 
 namespace {
-
-using scene::Double3;
-using scene::Framing;
-using scene::operator*;
-using scene::operator+;
 
 /// Of the picture's half width and height, that stays free around what had to be stepped back for.
 constexpr double freeMargin = 0.03;
@@ -29,20 +21,18 @@ constexpr double freeMargin = 0.03;
 /// Of a longer film some are looked at: what moves between them stays in the margin.
 constexpr std::int64_t mostMoments = 1024;
 
+/// A camera that looks past its target by more than this part of a picture sees too little of what
+/// is around it.
+constexpr float mostShift = 0.4F;
+
 /// Calls use(position) for all vertices of the scene as it is at that time.
 template <typename Use>
-void forEachPosition(const Scene& scene, const Bounds& box, const SceneTime& time,
-                     const reference::PositionsByObject& positionsMm, const Use& use) {
-  scene::Pose pose = scene::makePose(scene);
-  scene::poseAt(scene, time.clip, time.seconds, pose);
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+void forEachPosition(const Scene& scene, const SceneTime& time,
+                     const PositionsByObject& positionsMm, const Use& use) {
+  const std::vector<std::vector<Vec3>> places = positionsAt(scene, time, positionsMm);
+  for (std::size_t i = 0; i < places.size(); ++i) {
     if (scene.objects[i].isGround) continue;
-    const auto given = positionsMm.find(i);
-    const auto positions =
-        given == positionsMm.end()
-            ? deform::deformedPositions(scene, i, pose, box, time.seconds)
-            : deform::deformedPositions(scene.deformers, given->second, box, time.seconds);
-    for (const Double3& p : positions) use(p);
+    for (const Vec3& place : places[i]) use(place);
   }
 }
 
@@ -52,16 +42,15 @@ struct Needs {
   Framing loose;
 };
 
-void add(const Scene& scene, const Bounds& box, const Framed& framed, const Moment& moment,
-         Needs& to) {
-  reference::PositionsByObject positionsMm;
+void add(const Scene& scene, const Framed& framed, const Moment& moment, Needs& to) {
+  PositionsByObject positionsMm;
   try {
     if (moment.number) framed.sequence->read(*moment.number, positionsMm[0]);
   } catch (const Error&) {
     return;
   }
   const SceneTime time{moment.seconds, framed.clip};
-  forEachPosition(scene, box, time, positionsMm, [&](const Double3& p) {
+  forEachPosition(scene, time, positionsMm, [&](const Vec3& p) {
     to.tight.add(p);
     to.loose.add(p);
   });
@@ -70,7 +59,6 @@ void add(const Scene& scene, const Bounds& box, const Framed& framed, const Mome
 }
 
 Needs needsOf(const Scene& scene, const Framed& framed) {
-  const Bounds box = boundsOf(scene);
   const Needs none{{scene.camera, framed.aspect, 0}, {scene.camera, framed.aspect, freeMargin}};
   const std::size_t workers = std::clamp<std::size_t>(
       std::min<std::size_t>(framed.moments.size(), std::thread::hardware_concurrency()), 1, 8);
@@ -78,7 +66,7 @@ Needs needsOf(const Scene& scene, const Framed& framed) {
   std::atomic<std::size_t> next = 0;
   const auto work = [&](Needs& part) {
     for (std::size_t i = next++; i < framed.moments.size(); i = next++) {
-      add(scene, box, framed, framed.moments[i], part);
+      add(scene, framed, framed.moments[i], part);
     }
   };
   {
@@ -137,17 +125,16 @@ void showAll(Scene& scene, const Framed& framed) {
   const bool stands = framed.sequence == nullptr && !moves(scene, framed.clip);
   if (stands && needed.moments.size() > 1) needed.moments.resize(1);
   const Needs needs = needsOf(scene, needed);
-  if (needs.tight.distanceMm() <= scene::distanceToTargetMm(scene.camera)) return;
-  scene::standBack(scene.camera, needs.loose.distanceMm());
+  if (!needs.tight.isMet()) scene.camera = needs.loose.camera();
 }
 
-void frame(Scene& scene, const SceneTime& time, const reference::PositionsByObject& positionsMm,
+void frame(Scene& scene, const SceneTime& time, const PositionsByObject& positionsMm,
            double aspect) {
-  Double3 low{INFINITY, INFINITY, INFINITY};
-  Double3 high{-INFINITY, -INFINITY, -INFINITY};
-  std::vector<Double3> all;
-  forEachPosition(scene, boundsOf(scene), time, positionsMm, [&](const Double3& p) {
-    if (!scene::isFinite(p)) return;
+  Vec3 low{INFINITY, INFINITY, INFINITY};
+  Vec3 high{-INFINITY, -INFINITY, -INFINITY};
+  std::vector<Vec3> all;
+  forEachPosition(scene, time, positionsMm, [&](const Vec3& p) {
+    if (!std::all_of(p.begin(), p.end(), [](float x) { return std::isfinite(x); })) return;
     all.push_back(p);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       low[axis] = std::min(low[axis], p[axis]);
@@ -156,14 +143,16 @@ void frame(Scene& scene, const SceneTime& time, const reference::PositionsByObje
   });
   if (all.empty()) return;
   Camera& camera = scene.camera;
-  const Vec3 target = scene::toFloat(0.5 * (low + high));
+  const Vec3 target = middleOf({low, high});
   for (std::size_t axis = 0; axis < 3; ++axis) {
     camera.positionMm[axis] += target[axis] - camera.targetMm[axis];
   }
   camera.targetMm = target;
+  camera.shiftX = std::clamp(camera.shiftX, -mostShift, mostShift);
+  camera.shiftY = std::clamp(camera.shiftY, -mostShift, mostShift);
   Framing framing(camera, aspect, freeMargin);
-  for (const Double3& p : all) framing.add(p);
-  scene::standBack(camera, framing.distanceMm());
+  for (const Vec3& p : all) framing.add(p);
+  camera = framing.camera();
 }
 
 }  // namespace opaline::app

@@ -5,9 +5,9 @@
 
 #include "cli/motion_options.h"
 #include "film/kept_positions.h"
+#include "opaline/positions.h"
 #include "opaline/scene.h"
 #include "opaline/sequence.h"
-#include "reference/posed_scene.h"
 
 namespace opaline::app {
 
@@ -43,7 +43,7 @@ void showAll(Scene& scene, const Framed& framed);
 
 /// Leads the camera to where it sees all of the scene as it is at one moment, looking the way it
 /// does.
-void frame(Scene& scene, const SceneTime& time, const reference::PositionsByObject& positionsMm,
+void frame(Scene& scene, const SceneTime& time, const PositionsByObject& positionsMm,
            double aspect);
 
 }  // namespace opaline::app

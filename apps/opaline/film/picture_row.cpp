@@ -11,10 +11,10 @@
 
 #include "cli/frame_names.h"
 #include "cli/paths.h"
-#include "core/numbered_name.h"
 #include "film/picture_stamp.h"
 #include "opaline/error.h"
 #include "opaline/image_file.h"
+#include "opaline/numbered_name.h"
 #include "opaline/tone.h"
 
 namespace opaline::app {
@@ -53,10 +53,10 @@ std::optional<std::string> patternOf(const std::string& name) {
 /// frame_1000.png belongs to frame_%d.png as well as to the frame_%04d.png that others show.
 void dropWhatOthersHold(std::set<std::string>& patterns, const std::vector<std::string>& names) {
   std::erase_if(patterns, [&](const std::string& text) {
-    const auto pattern = core::NumberedName::parse(text);
+    const auto pattern = NumberedName::parse(text);
     if (!pattern) return true;
     return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& otherText) {
-      const auto other = core::NumberedName::parse(otherText);
+      const auto other = NumberedName::parse(otherText);
       return otherText != text && other &&
              std::all_of(names.begin(), names.end(), [&](const std::string& name) {
                return !pattern->numberOf(name) || other->numberOf(name);
@@ -85,7 +85,7 @@ std::string onlyPatternIn(const fs::path& folder) {
 }
 
 FrameRange framesThere(const fs::path& names) {
-  const auto name = core::NumberedName::parse(names.filename().string());
+  const auto name = NumberedName::parse(names.filename().string());
   FrameRange frames{std::numeric_limits<int>::max(), -1};
   const fs::path folder = names.has_parent_path() ? names.parent_path() : fs::path(".");
   for (const std::string& file : namesIn(folder)) {
@@ -140,7 +140,7 @@ PictureRow findPictureRow(const fs::path& given, const std::optional<FrameRange>
   std::error_code ignored;
   if (fs::is_directory(given, ignored)) {
     row.names = given / onlyPatternIn(given);
-  } else if (!core::NumberedName::parse(given.filename().string())) {
+  } else if (!NumberedName::parse(given.filename().string())) {
     throw Error(
         fmt::format("{}: is neither a folder nor a name with one %d or %04d", given.string()));
   }

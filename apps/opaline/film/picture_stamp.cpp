@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
 #include <utility>
-#include <variant>
 
 #include "cli/json.h"
 #include "cli/picture_options.h"
-#include "core/digest.h"
 #include "film/sequence_frames.h"
+#include "opaline/digest.h"
 #include "opaline/file.h"
 #include "opaline/version.h"
 
@@ -16,218 +19,22 @@ namespace opaline::app {
 
 namespace {
 
-using core::Digest;
-
-// Every structure is taken apart whole: whoever gives it another member is told by the compiler
-// that the stamp must know of it, or that it does not decide pixels. Options are read off their
-// table.
-
-template <typename... Parts>
-void addAll(Digest& digest, const Parts&... parts) {
-  (digest.add(parts), ...);
-}
-
-template <typename T, typename Add>
-void addEach(Digest& digest, const std::vector<T>& values, const Add& add) {
-  digest.add(std::uint64_t{values.size()});
-  for (const T& value : values) add(value);
-}
-
-template <typename T, typename Add>
-void addIfThere(Digest& digest, const std::optional<T>& value, const Add& add) {
-  digest.add(value.has_value());
-  if (value) add(*value);
-}
-
-void addRig(Digest& digest, const Rig& rig) {
-  const auto& [node, positions, normals, targets, joints, firstInfluence, influences, toScene] =
-      rig;
-  addAll(digest, node, positions, normals);
-  addEach(digest, targets, [&](const MorphTarget& target) {
-    const auto& [moved, turned] = target;
-    addAll(digest, moved, turned);
-  });
-  addAll(digest, joints, firstInfluence, influences, toScene);
-}
-
-void addTexture(Digest& digest, const std::optional<Texture>& texture) {
-  addIfThere(digest, texture, [&](const Texture& given) {
-    const auto& [pixels, wrapU, wrapV, interpolated, coordinates, transform] = given;
-    const auto& [width, height, rgba, name] = *pixels;
-    addAll(digest, width, height, rgba, wrapU, wrapV, interpolated, coordinates, transform);
-  });
-}
-
-void addNumbers(Digest& digest, const OpaqueMaterial& material) {
-  const auto& [name, baseColor, baseColorTexture, metallic, roughness, metallicRoughnessTexture,
-               ior, specular, specularColor, specularTexture, specularColorTexture, normalTexture,
-               normalScale, occlusionTexture, occlusionStrength, emission, emissionTexture,
-               alphaCutoff, alpha, unlit] = material;
-  addAll(digest, baseColor, metallic, roughness, ior, specular, specularColor, normalScale,
-         occlusionStrength, emission, alphaCutoff, alpha, unlit);
-  for (const TextureOfMaterial& of : texturesOfMaterial)
-    addIfThere(digest, material.*of.texture,
-               [&](const Texture& texture) { digest.add(texture.transform); });
-}
-
-void addMaterial(Digest& digest, const OpaqueMaterial& material) {
-  addNumbers(digest, material);
-  for (const TextureOfMaterial& of : texturesOfMaterial) addTexture(digest, material.*of.texture);
-}
-
-void addObject(Digest& digest, const Object& object) {
-  const auto& [name, mesh, medium, paint, surface, rig, opaque, isGround] = object;
-  const auto& [positionsMm, normals, triangles, facetted, textureCoordinates, colors] = mesh;
-  const auto& [mediumName, sigmaSPrimePerMm, sigmaAPerMm, eta, g] = medium;
-  addAll(digest, positionsMm, normals, triangles, facetted, sigmaSPrimePerMm, sigmaAPerMm, eta, g,
-         isGround, textureCoordinates[0], textureCoordinates[1], colors);
-  addIfThere(digest, opaque,
-             [&](const OpaqueMaterial& material) { addMaterial(digest, material); });
-  addIfThere(digest, paint, [&](const Paint& given) {
-    const auto& [paintName, color, colorTexture] = given;
-    addAll(digest, color);
-    addTexture(digest, colorTexture);
-  });
-  addIfThere(digest, surface, [&](const TranslucentSurface& given) {
-    const auto& [roughness, metallicRoughnessTexture, normalTexture, normalScale] = given;
-    addIfThere(digest, roughness, [&](float number) { digest.add(number); });
-    addTexture(digest, metallicRoughnessTexture);
-    addTexture(digest, normalTexture);
-    addAll(digest, normalScale);
-  });
-  addIfThere(digest, rig, [&](const Rig& given) { addRig(digest, given); });
-}
-
-void addMotion(Digest& digest, const Scene& scene) {
-  addEach(digest, scene.nodes, [&](const Node& node) {
-    const auto& [name, parent, translation, rotation, scale, matrix, morphWeights] = node;
-    addAll(digest, parent, translation, rotation, scale);
-    addIfThere(digest, matrix, [&](const Affine& affine) { digest.add(affine); });
-    digest.add(morphWeights);
-  });
-  addEach(digest, scene.clips, [&](const Clip& clip) {
-    const auto& [name, seconds, tracks] = clip;
-    digest.add(seconds);
-    addEach(digest, tracks, [&](const Track& track) {
-      const auto& [node, target, interpolation, keys, values] = track;
-      addAll(digest, node, target, interpolation, keys, values);
-    });
-  });
-  addEach(digest, scene.deformers, [&](const Deformer& deformer) {
-    const auto& [kind, amount, periodSeconds] = deformer;
-    addAll(digest, kind, amount, periodSeconds);
-  });
-}
-
-void addShape(Digest& digest, const RectangleLight& light) {
-  const auto& [centreMm, uMm, vMm, radiance, twoSided, visible] = light;
-  addAll(digest, centreMm, uMm, vMm, radiance, twoSided, visible);
-}
-
-void addShape(Digest& digest, const DiscLight& light) {
-  const auto& [centreMm, normal, radiusMm, radiance, twoSided, visible] = light;
-  addAll(digest, centreMm, normal, radiusMm, radiance, twoSided, visible);
-}
-
-void addShape(Digest& digest, const SphereLight& light) {
-  const auto& [centreMm, radiusMm, radiance, visible] = light;
-  addAll(digest, centreMm, radiusMm, radiance, visible);
-}
-
-void addShape(Digest& digest, const TubeLight& light) {
-  const auto& [fromMm, toMm, radiusMm, radiance, visible] = light;
-  addAll(digest, fromMm, toMm, radiusMm, radiance, visible);
-}
-
-void addLight(Digest& digest, const DirectionalLight& light) {
-  const auto& [directionToLight, irradiance, angularRadiusDegrees] = light;
-  addAll(digest, directionToLight, irradiance, angularRadiusDegrees);
-}
-
-void addLight(Digest& digest, const PointLight& light) {
-  const auto& [positionMm, intensity] = light;
-  addAll(digest, positionMm, intensity);
-}
-
-void addLight(Digest& digest, const SpotLight& light) {
-  const auto& [positionMm, direction, intensity, innerDegrees, outerDegrees] = light;
-  addAll(digest, positionMm, direction, intensity, innerDegrees, outerDegrees);
-}
-
-void addLighting(Digest& digest, const Lighting& lighting) {
-  const auto& [directional, points, spots, areas, ambient, environment] = lighting;
-  const auto add = [&](const auto& light) { addLight(digest, light); };
-  addEach(digest, directional, add);
-  addEach(digest, points, add);
-  addEach(digest, spots, add);
-  addEach(digest, areas, [&](const AreaLight& area) {
-    digest.add(std::uint64_t{area.index()});
-    std::visit([&](const auto& light) { addShape(digest, light); }, area);
-  });
-  digest.add(ambient);
-  digest.add(environment != nullptr);
-  if (!environment) return;
-  digest.add(environment->width);
-  digest.add(environment->rgba);
-}
-
-void addCamera(Digest& digest, const Camera& camera) {
-  const auto& [positionMm, targetMm, up, verticalFovDegrees, shiftX, shiftY, orthographicHeightMm] =
-      camera;
-  addAll(digest, positionMm, targetMm, up, verticalFovDegrees, shiftX, shiftY);
-  addIfThere(digest, orthographicHeightMm, [&](float heightMm) { digest.add(heightMm); });
-}
-
-template <typename T, typename Add>
-void addKeys(Digest& digest, const std::vector<Keys<T>>& all, const Add& add) {
-  addEach(digest, all, [&](const Keys<T>& of) {
-    const auto& [index, seconds, values] = of;
-    addAll(digest, index, seconds);
-    addEach(digest, values, add);
-  });
-}
-
-void addChanges(Digest& digest, const ClipChanges& changes) {
-  const auto& [directional, points, spots, cameras, surfaces, media] = changes;
-  const auto addOne = [&](const auto& light) { addLight(digest, light); };
-  addKeys(digest, directional, addOne);
-  addKeys(digest, points, addOne);
-  addKeys(digest, spots, addOne);
-  addKeys(digest, cameras, [&](const Camera& camera) { addCamera(digest, camera); });
-  addKeys(digest, surfaces, [&](const OpaqueMaterial& material) { addNumbers(digest, material); });
-  addKeys(digest, media, [&](const Medium& medium) {
-    addAll(digest, medium.sigmaSPrimePerMm, medium.sigmaAPerMm, medium.eta, medium.g);
-  });
-}
-
-void addScene(Digest& digest, const Scene& scene) {
-  // What the camera sees counts, and not who chose it.
-  const auto& [name, objects, lighting, camera, cameraChosen, nodes, clips, changes, deformers,
-               repairs, notShown] = scene;
-  addEach(digest, objects, [&](const Object& object) { addObject(digest, object); });
-  addLighting(digest, lighting);
-  addCamera(digest, camera);
-  addMotion(digest, scene);
-  addEach(digest, changes, [&](const ClipChanges& of) { addChanges(digest, of); });
-}
-
-void addSettings(Digest& digest, const RenderOptions& options,
-                 const std::optional<ToneOptions>& tone) {
-  digest.add(tone.has_value());
+/// Options are read off their table.
+std::string settingsText(const RenderOptions& options, const std::optional<ToneOptions>& tone) {
+  std::string text = tone ? "with a tone curve\n" : "linear\n";
   const options::PictureSettings settings{.render = options, .tone = tone.value_or(ToneOptions{})};
   for (const auto& field : options::fieldsOf<options::PictureSettings>()) {
     // Each frame of a film has its own time.
     if (field.key == "seconds") continue;
     const std::optional<options::Value> value = field.get(settings);
-    const std::string text = value ? options::textOf(*value) : "";
-    digest.addBytes(text.c_str(), text.size() + 1);
+    text += fmt::format("{} {}\n", field.key, value ? options::textOf(*value) : "");
   }
-  digest.add(options.treeLevel);
+  return text + fmt::format("tree_level {}\n", options.treeLevel);
 }
 
-void addFile(Digest& digest, const std::filesystem::path& file) {
+std::uint64_t digestOfFile(const std::filesystem::path& file) {
   constexpr std::size_t mostBytes = std::size_t{1} << 31U;
-  digest.add(readFile(file, mostBytes));
+  return digestOf(readFile(file, mostBytes));
 }
 
 /// What people want to know of a picture that they find.
@@ -254,19 +61,18 @@ Json readable(const PictureMakers& makers) {
 
 std::function<std::string(int frame)> frameStamps(const PictureMakers& makers,
                                                   const FrameRange& frames) {
-  Digest ofAll;
-  ofAll.addBytes(OPALINE_VERSION, sizeof(OPALINE_VERSION));
-  addScene(ofAll, makers.scene);
-  addSettings(ofAll, makers.options, makers.tone);
-  ofAll.add(makers.clip);
-  ofAll.add(makers.aov);
+  const std::string ofAll = fmt::format(
+      "{}\nscene {:016x}\n{}clip {}\nvariable {}\n", OPALINE_VERSION, digestOf(makers.scene),
+      settingsText(makers.options, makers.tone), makers.clip, static_cast<int>(makers.aov));
   return [ofAll, frames, json = readable(makers), sequence = makers.sequence](int frame) {
-    Digest digest = ofAll;
-    digest.add(frames.seconds(frame));
-    if (sequence) addFile(digest, sequence->file(numberOfFrame(*sequence, frame)));
+    std::string all = ofAll + fmt::format("seconds {}\n", frames.seconds(frame));
+    if (sequence) {
+      const std::uint64_t mesh = digestOfFile(sequence->file(numberOfFrame(*sequence, frame)));
+      all += fmt::format("mesh {:016x}\n", mesh);
+    }
     Json stamp = json;
     stamp["seconds"] = frames.seconds(frame);
-    stamp["digest"] = fmt::format("{:016x}", digest.value());
+    stamp["digest"] = fmt::format("{:016x}", digestOf(std::as_bytes(std::span(all))));
     return stamp.dump(-1, ' ', true, Json::error_handler_t::replace);
   };
 }

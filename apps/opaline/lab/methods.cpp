@@ -11,12 +11,12 @@
 #include "lab/path_method.h"
 #include "opaline/compare.h"
 #include "opaline/error.h"
+#include "opaline/mesh.h"
 #include "reference/integral.h"
 #include "reference/path/path_run.h"
 #include "reference/picture.h"
 #include "reference/posed_scene.h"
 #include "reference/truth.h"
-#include "scene/mesh/insides.h"
 
 namespace opaline::app {
 
@@ -90,9 +90,7 @@ MethodRow measure(View view, const MethodsOrder& order, const Image* exact,
 
 bool hasInside(const Scene& scene) {
   return std::all_of(scene.objects.begin(), scene.objects.end(), [](const Object& object) {
-    const std::vector<bool> inside =
-        scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
-    return std::find(inside.begin(), inside.end(), false) == inside.end();
+    return factsOf(object.mesh.positionsMm, object.mesh.triangles).trianglesWithoutInside == 0;
   });
 }
 

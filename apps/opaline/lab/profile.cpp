@@ -1,5 +1,3 @@
-#include "bssrdf/profile.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +17,7 @@
 #include "lab/plot.h"
 #include "opaline/error.h"
 #include "opaline/file.h"
+#include "opaline/half_space.h"
 #include "opaline/media.h"
 
 namespace opaline::app {
@@ -26,8 +25,6 @@ namespace opaline::app {
 namespace {
 
 constexpr int plotSamples = 500;
-
-using Profiles = std::array<bssrdf::Profile, 3>;
 
 struct ProfileCommand {
   MediumOptions medium;
@@ -62,13 +59,12 @@ double defaultRadiusMm(const Medium& medium) {
   return 20 * *std::max_element(lengths.meanFreePathMm.begin(), lengths.meanFreePathMm.end());
 }
 
-ProfileSamples sample(const Profiles& profiles, double mostRadiusMm, int count) {
+ProfileSamples sample(const Medium& medium, Transport transport, double mostRadiusMm, int count) {
   ProfileSamples samples;
   for (int i = 0; i < count; ++i) {
     const double radiusMm = mostRadiusMm * i / (count - 1);
     samples.radiusMm.push_back(radiusMm);
-    samples.reflectancePerMm2.push_back(
-        {profiles[0](radiusMm), profiles[1](radiusMm), profiles[2](radiusMm)});
+    samples.reflectancePerMm2.push_back(reflectancePerMm2(medium, transport, radiusMm));
   }
   return samples;
 }
@@ -113,20 +109,15 @@ void runProfile(const Arguments& arguments) {
 
   const Medium medium = command.medium.medium().value_or(*findMedium("marble"));
   const std::string title = fmt::format("{}, {}", medium.name, command.halfSpace.label());
-  Profiles profiles;
-  std::array<double, 3> total{};
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    const auto coefficients = bssrdf::coefficients(medium, static_cast<int>(channel));
-    profiles[channel] = makeProfile(command.halfSpace.model(), coefficients);
-    total[channel] = profiles[channel].totalReflectance();
-  }
+  const Transport transport = command.halfSpace.transport();
+  const std::array<double, 3> total = reflectanceWithin(medium, transport);
   if (command.plot) requireWritable(*command.plot);
   const double mostRadiusMm = command.mostRadiusMm.value_or(defaultRadiusMm(medium));
   if (command.plot) {
-    writeWhole(*command.plot, plotSvg(sample(profiles, mostRadiusMm, plotSamples), title));
+    writeWhole(*command.plot, plotSvg(sample(medium, transport, mostRadiusMm, plotSamples), title));
     noteTaker(command.quiet)(LogLevel::Note, fmt::format("wrote {}", command.plot->string()));
   }
-  const ProfileSamples samples = sample(profiles, mostRadiusMm, command.samples);
+  const ProfileSamples samples = sample(medium, transport, mostRadiusMm, command.samples);
   printOut(command.json ? toText(json(samples, total, medium, command.halfSpace))
                         : table(samples, total, title));
 }

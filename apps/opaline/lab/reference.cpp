@@ -181,8 +181,8 @@ struct ReferenceJob {
 };
 
 /// Positions of a still of a row of files.
-reference::PositionsByObject positionsOf(const MeshSequence* sequence, double seconds) {
-  reference::PositionsByObject positionsMm;
+PositionsByObject positionsOf(const MeshSequence* sequence, double seconds) {
+  PositionsByObject positionsMm;
   if (sequence) sequence->read(numberAt(*sequence, seconds), positionsMm[0]);
   return positionsMm;
 }

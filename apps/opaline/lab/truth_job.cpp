@@ -33,7 +33,7 @@ struct TruthJob::Work {
   SceneTime time;
   RenderOptions options;
   TruthOrder order;
-  reference::PositionsByObject positionsMm;
+  PositionsByObject positionsMm;
   Clock::time_point begin = Clock::now();
 
   rf::PictureOptions picture() const {
@@ -48,7 +48,7 @@ struct TruthJob::Work {
 };
 
 TruthJob::TruthJob(Scene scene, const SceneTime& time, const RenderOptions& options,
-                   const TruthOrder& order, reference::PositionsByObject positionsMm)
+                   const TruthOrder& order, PositionsByObject positionsMm)
     : thread_([this, work = Work{std::move(scene), time, options, order, std::move(positionsMm)}](
                   const std::stop_token& stop) { run(work, stop); }) {}
 

@@ -49,7 +49,7 @@ class TruthJob {
   /// `options`, seen by the scene's camera. Given positions are as those that a Renderer is
   /// given.
   TruthJob(Scene scene, const SceneTime& time, const RenderOptions& options,
-           const TruthOrder& order, reference::PositionsByObject positionsMm = {});
+           const TruthOrder& order, PositionsByObject positionsMm = {});
   /// Cancels.
   ~TruthJob();
   TruthJob(const TruthJob&) = delete;

@@ -1,14 +1,13 @@
-#include "paper/atlas/draw.h"
-
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "opaline/atlas.h"
+#include "opaline/error.h"
 #include "paper/atlas/texel_row.h"
 
 namespace opaline::atlas {
@@ -108,10 +107,7 @@ std::vector<Edge> borderEdges(const Atlas& atlas) {
   return result;
 }
 
-}  // namespace
-
-Image drawAtlas(const Atlas& atlas, int size) {
-  assert(size >= 16 && size <= 16384);
+Image picture(const Atlas& atlas, int size) {
   Image image(size, size);
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) paint(image, x, y, ground);
@@ -128,4 +124,15 @@ Image drawAtlas(const Atlas& atlas, int size) {
   return image;
 }
 
+}  // namespace
 }  // namespace opaline::atlas
+
+namespace opaline {
+
+Image drawAtlas(const Atlas& atlas, int size) {
+  if (size < 16 || size > 16384)
+    throw UsageError("The picture of an atlas has an edge of 16 to 16384 pixels.");
+  return atlas::picture(atlas, size);
+}
+
+}  // namespace opaline

@@ -28,10 +28,6 @@ namespace opaline {
 
 namespace {
 
-bssrdf::Model modelOf(Transport transport) {
-  return transport == Transport::Dipole ? bssrdf::Model::Dipole : bssrdf::Model::BetterDipole;
-}
-
 // An opaque surface has none that light would see.
 double etaOf(const SceneResources& resources, std::size_t medium) {
   return resources.opaqueOfMedium[medium] ? 1 : resources.media[medium].eta;
@@ -182,7 +178,7 @@ class TableBuilder {
   }
 
   shared::MediumData dataOf(const Medium& medium) const {
-    const bssrdf::Model model = modelOf(options_.transport);
+    const bssrdf::Model model = bssrdf::modelOf(options_.transport);
     const FresnelLobes lobes = fresnelLobesOf(medium.eta);
     shared::MediumData data{};
     data.boundary = {static_cast<float>(medium.eta),
@@ -244,14 +240,15 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
 }  // namespace
 
 void setMedium(const Medium& medium, Transport transport, shared::MediumData& data) {
-  data.profile = shaders::packProfile(bssrdf::makeProfiles(modelOf(transport), medium));
+  data.profile = shaders::packProfile(bssrdf::makeProfiles(bssrdf::modelOf(transport), medium));
   data.inside = insideOf(medium);
 }
 
 void setMediumOf(const SceneResources& resources, std::size_t object, const Medium& medium,
                  Transport transport, shared::ObjectData& data) {
   if (resources.surfelsOfObject.empty()) return;
-  setSum(resources.surfelsOfObject[object], bssrdf::makeProfiles(modelOf(transport), medium),
+  setSum(resources.surfelsOfObject[object],
+         bssrdf::makeProfiles(bssrdf::modelOf(transport), medium),
          resources.sizeOfObject[object].areaMm2, data);
 }
 

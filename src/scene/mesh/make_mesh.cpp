@@ -2,17 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "opaline/error.h"
+#include "scene/mesh/insides.h"
+#include "scene/mesh/merged_mesh.h"
 #include "scene/mesh/normals.h"
+#include "scene/repair/topology.h"
 
 namespace opaline {
 
-namespace {
+namespace scene {
 
-void requireSound(const std::vector<Vec3>& positionsMm, const std::vector<Triangle>& triangles) {
+void requireSound(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles) {
   constexpr float farthest = 1e18F;
   for (std::size_t i = 0; i < positionsMm.size(); ++i) {
     for (const float x : positionsMm[i]) {
@@ -31,10 +36,10 @@ void requireSound(const std::vector<Vec3>& positionsMm, const std::vector<Triang
   }
 }
 
-}  // namespace
+}  // namespace scene
 
 Mesh makeMesh(std::vector<Vec3> positionsMm, std::vector<Triangle> triangles) {
-  requireSound(positionsMm, triangles);
+  scene::requireSound(positionsMm, triangles);
   std::vector<scene::Double3> positions;
   positions.reserve(positionsMm.size());
   for (const Vec3& position : positionsMm) positions.push_back(scene::toDouble(position));
@@ -46,6 +51,30 @@ Mesh makeMesh(std::vector<Vec3> positionsMm, std::vector<Triangle> triangles) {
   mesh.positionsMm = std::move(positionsMm);
   mesh.triangles = std::move(triangles);
   return mesh;
+}
+
+MeshFacts factsOf(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles) {
+  scene::requireSound(positionsMm, triangles);
+  const std::vector<Triangle> surface =
+      scene::renamed(triangles, scene::sewn(positionsMm, triangles));
+  scene::DisjointSets vertices(positionsMm.size());
+  for (const Triangle& t : surface) {
+    vertices.join(t[0], t[1]);
+    vertices.join(t[0], t[2]);
+  }
+  std::vector<bool> used(positionsMm.size());
+  for (const Triangle& t : surface) used[t[0]] = used[t[1]] = used[t[2]] = true;
+  MeshFacts facts;
+  for (std::uint32_t v = 0; v < used.size(); ++v) {
+    if (used[v] && vertices.find(v) == v) ++facts.components;
+  }
+  const scene::Borders borders = scene::bordersOf(surface, scene::sortedHalfEdges(surface));
+  facts.boundaryLoops = borders.loops;
+  facts.closed = borders.sides == 0 && !triangles.empty();
+  const std::vector<bool> inside = scene::trianglesWithInside(positionsMm, triangles);
+  facts.trianglesWithoutInside =
+      static_cast<std::size_t>(std::count(inside.begin(), inside.end(), false));
+  return facts;
 }
 
 }  // namespace opaline

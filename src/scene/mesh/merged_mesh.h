@@ -1,12 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/rest_surface.h"
 #include "opaline/scene.h"
 
 namespace opaline::scene {
+
+/// Throws UsageError for positions that are not finite or beyond 1e18 mm, and for triangles that
+/// name vertices that do not exist.
+void requireSound(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles);
 
 /// All objects of a scene end to end, in the rest pose, as one surface.
 struct MergedMesh {

@@ -27,7 +27,7 @@ std::string shown(const fs::path& path) {
 }
 
 /// Numbers of all files that fit, ascending; the folder is listed once.
-std::vector<int> numbersOf(const core::NumberedName& name, const fs::path& path) {
+std::vector<int> numbersOf(const NumberedName& name, const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::vector<int> numbers;
   std::error_code problem;
@@ -54,7 +54,7 @@ MeshFiles::MeshFiles(const fs::path& pattern, const std::optional<fs::path>& mor
     throw UsageError(fmt::format("{} is animated and cannot also turn into {}", shown(pattern),
                                  shown(*morphTo)));
   }
-  auto name = core::NumberedName::parse(pattern.filename().string());
+  auto name = NumberedName::parse(pattern.filename().string());
   if (!name) {
     throw UsageError(fmt::format(
         "{}: the name of a sequence has exactly one %d or %04d for the number", shown(pattern)));

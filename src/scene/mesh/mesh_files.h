@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/numbered_name.h"
+#include "opaline/numbered_name.h"
 #include "opaline/scene.h"
 #include "scene/matrix.h"
 #include "scene/mesh/same_topology.h"
@@ -36,7 +36,7 @@ class MeshFiles {
 
  private:
   std::filesystem::path folder_;
-  std::optional<core::NumberedName> name_;
+  std::optional<NumberedName> name_;
   int first_ = 0;
   int last_ = 0;
   FaceList faces_;

@@ -5,8 +5,8 @@
 #include <new>
 #include <utility>
 
-#include "core/numbered_name.h"
 #include "opaline/error.h"
+#include "opaline/numbered_name.h"
 #include "scene/finish.h"
 #include "scene/mesh/sequence_state.h"
 #include "scene/text.h"
@@ -38,7 +38,7 @@ MeshSequence::State load(const std::filesystem::path& pattern, const LoadOptions
 bool MeshSequence::isPattern(const std::filesystem::path& path) {
   std::error_code ignored;
   return !std::filesystem::is_regular_file(path, ignored) &&
-         core::NumberedName::parse(path.filename().string()).has_value();
+         NumberedName::parse(path.filename().string()).has_value();
 }
 
 MeshSequence::MeshSequence(const std::filesystem::path& pattern, const LoadOptions& options)

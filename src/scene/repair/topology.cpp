@@ -120,10 +120,11 @@ std::uint32_t cornerName(std::uint32_t triangle, std::uint32_t corner) {
   return 3 * triangle + corner % 3;
 }
 
-/// Corners around one vertex that hang together through triangles form a fan; two boundary sides
-/// belong to one loop when they share a fan. So loops that touch in a point are counted apart.
-std::size_t countLoops(std::span<const Triangle> triangles, std::span<const HalfEdge> edges,
-                       std::size_t& boundarySides) {
+}  // namespace
+
+// Corners around one vertex that hang together through triangles form a fan; two boundary sides
+// belong to one loop when they share a fan.
+Borders bordersOf(std::span<const Triangle> triangles, std::span<const HalfEdge> edges) {
   DisjointSets corners(3 * triangles.size());
   forEachEdge(edges, [&](std::span<const HalfEdge> edge) {
     if (edge.size() != 2) return;
@@ -142,43 +143,12 @@ std::size_t countLoops(std::span<const Triangle> triangles, std::span<const Half
     loops.join(from, to);
     starts.push_back(from);
   });
-  boundarySides = starts.size();
+  Borders borders{.sides = starts.size()};
   for (std::uint32_t& start : starts) start = loops.find(start);
   std::sort(starts.begin(), starts.end());
-  return static_cast<std::size_t>(std::unique(starts.begin(), starts.end()) - starts.begin());
-}
-
-}  // namespace
-
-MeshFacts factsOf(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
-  const std::vector<Triangle> surface = renamed(triangles, sewn(positions, triangles));
-  DisjointSets vertices(positions.size());
-  for (const Triangle& t : surface) {
-    vertices.join(t[0], t[1]);
-    vertices.join(t[0], t[2]);
-  }
-  std::vector<bool> used(positions.size());
-  for (const Triangle& t : surface) used[t[0]] = used[t[1]] = used[t[2]] = true;
-  MeshFacts facts;
-  for (std::uint32_t v = 0; v < used.size(); ++v) {
-    if (used[v] && vertices.find(v) == v) ++facts.components;
-  }
-  std::size_t boundarySides = 0;
-  facts.boundaryLoops = countLoops(surface, sortedHalfEdges(surface), boundarySides);
-  facts.closed = boundarySides == 0 && !triangles.empty();
-  return facts;
-}
-
-MeshFacts factsOf(const Scene& scene) {
-  MeshFacts sum;
-  sum.closed = !scene.objects.empty();
-  for (const Object& object : scene.objects) {
-    const MeshFacts facts = factsOf(object.mesh.positionsMm, object.mesh.triangles);
-    sum.closed = sum.closed && facts.closed;
-    sum.boundaryLoops += facts.boundaryLoops;
-    sum.components += facts.components;
-  }
-  return sum;
+  borders.loops =
+      static_cast<std::size_t>(std::unique(starts.begin(), starts.end()) - starts.begin());
+  return borders;
 }
 
 }  // namespace opaline::scene

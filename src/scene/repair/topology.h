@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "opaline/scene.h"
 #include "opaline/types.h"
 
 namespace opaline::scene {
@@ -62,17 +61,12 @@ std::vector<std::uint32_t> sewn(std::span<const Vec3> positions,
 std::vector<Triangle> renamed(std::span<const Triangle> triangles,
                               std::span<const std::uint32_t> names);
 
-/// What `info` tells about a surface.
-struct MeshFacts {
-  bool closed = false;
-  std::size_t boundaryLoops = 0;
-  std::size_t components = 0;  ///< triangles connected through vertices
+/// The sides that only one triangle has, and how many closed lines they make; lines that touch in a
+/// point are two. Of a surface that is sewn, with its half edges sorted.
+struct Borders {
+  std::size_t sides = 0;
+  std::size_t loops = 0;
 };
-
-/// Of one mesh, sewn; linear but for the sort of its edges.
-MeshFacts factsOf(std::span<const Vec3> positions, std::span<const Triangle> triangles);
-
-/// Sums over all objects; closed if all are.
-MeshFacts factsOf(const Scene& scene);
+Borders bordersOf(std::span<const Triangle> triangles, std::span<const HalfEdge> edges);
 
 }  // namespace opaline::scene

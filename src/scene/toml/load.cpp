@@ -7,6 +7,7 @@
 
 #include "opaline/error.h"
 #include "opaline/file.h"
+#include "opaline/framing.h"
 #include "opaline/media.h"
 #include "opaline/options/scene.h"
 #include "opaline/scene_file.h"
@@ -14,7 +15,6 @@
 #include "scene/environment_file.h"
 #include "scene/finish.h"
 #include "scene/formats.h"
-#include "scene/framing.h"
 #include "scene/joined_models.h"
 #include "scene/material.h"
 #include "scene/mesh/mesh_files.h"

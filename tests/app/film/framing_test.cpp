@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "deform/deformed_vertices.h"
 #include "renderer/frame/camera_view.h"
 #include "shared_files.h"
 
@@ -103,7 +104,7 @@ TEST(Frame, OfTheMomentIsFilled) {
   frame(scene, {}, {}, 1.5);
   EXPECT_NEAR(farthestOut(scene, {0, 1.5, nullptr, {Moment{}}}), 0.97, 1e-4);
   // What is given moves the target.
-  reference::PositionsByObject given{{0, scene.objects[0].mesh.positionsMm}};
+  PositionsByObject given{{0, scene.objects[0].mesh.positionsMm}};
   for (Vec3& p : given[0]) p[0] += 100;
   scene.deformers.clear();
   frame(scene, {}, given, 1.5);

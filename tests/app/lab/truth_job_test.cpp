@@ -52,7 +52,7 @@ void await(const TruthJob& job) {
 
 std::shared_ptr<const TruthPicture> finished(const Scene& scene, const RenderOptions& options,
                                              const TruthOrder& order,
-                                             reference::PositionsByObject positions = {},
+                                             PositionsByObject positions = {},
                                              const SceneTime& time = {}) {
   const TruthJob job(scene, time, options, order, std::move(positions));
   await(job);
@@ -182,7 +182,7 @@ TEST(TruthJob, MayGoAwayWhileItRuns) {
 
 TEST(TruthJob, SaysWhatWentWrong) {
   const auto errorOf = [](const Scene& scene, const RenderOptions& options, const TruthOrder& order,
-                          reference::PositionsByObject positions) {
+                          PositionsByObject positions) {
     const TruthJob job(scene, {}, options, order, std::move(positions));
     await(job);
     EXPECT_EQ(job.state(), State::Failed);

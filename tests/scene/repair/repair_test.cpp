@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "opaline/error.h"
+#include "opaline/mesh.h"
 #include "scene/mesh/normals.h"
 #include "scene/repair/topology.h"
 #include "scene/shapes.h"

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "opaline/error.h"
+#include "opaline/mesh.h"
 #include "scene/shapes.h"
 
 namespace opaline::scene {
@@ -57,18 +61,18 @@ TEST(Topology, BodiesThatShareAVertexAreOneComponentAndThoseWithCopiesTwo) {
   EXPECT_TRUE(factsOf(joined.positions, joined.triangles).closed);
 }
 
-TEST(Topology, SceneAddsUp) {
-  Scene both;
-  for (int i = 0; i < 2; ++i) {
-    const RawMesh mesh = cube({3.0F * static_cast<float>(i), 0, 0});
-    both.objects.push_back({"cube", {mesh.positions, {}, mesh.triangles}, {}});
-  }
-  both.objects[1].mesh.triangles.pop_back();
-  const MeshFacts facts = factsOf(both);
-  EXPECT_FALSE(facts.closed);
-  EXPECT_EQ(facts.boundaryLoops, 1U);
-  EXPECT_EQ(facts.components, 2U);
-  EXPECT_FALSE(factsOf(Scene{}).closed);
+TEST(Topology, LargeHolesLeaveNoInside) {
+  RawMesh box = cube();
+  EXPECT_EQ(factsOf(box.positions, box.triangles).trianglesWithoutInside, 0U);
+  box.triangles.pop_back();
+  test::append(box, cube({3, 0, 0}));
+  EXPECT_EQ(factsOf(box.positions, box.triangles).trianglesWithoutInside, 11U);
+}
+
+TEST(Topology, OfNothingIsOpenAndOfWhatIsNotThereRefused) {
+  EXPECT_FALSE(factsOf({}, {}).closed);
+  const std::vector<Triangle> triangles{{0, 1, 2}};
+  EXPECT_THROW(factsOf({}, triangles), UsageError);
 }
 
 }  // namespace

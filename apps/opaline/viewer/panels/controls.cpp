@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/measures.h"
+#include "cli/measures.h"
 #include "viewer/window/glyphs.h"
 
 namespace opaline::app::viewer::controls {
@@ -154,7 +154,7 @@ bool slider(const char* name, double& value, double low, double high, const char
 }
 
 bool length(const char* name, float& mm, float lowMm, float highMm, const char* about) {
-  const core::LengthUnit unit = core::lengthUnitFor(static_cast<double>(mm));
+  const LengthUnit unit = lengthUnitFor(static_cast<double>(mm));
   const auto scale = static_cast<float>(unit.mm);
   float value = mm / scale;
   const std::string format = std::string("%.4g ") + unit.name;

@@ -8,9 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "bssrdf/profile.h"
-#include "cli/medium_options.h"
-#include "core/measures.h"
+#include "cli/measures.h"
+#include "opaline/half_space.h"
 #include "opaline/media.h"
 #include "opaline/tone.h"
 #include "viewer/panels/controls.h"
@@ -26,12 +25,10 @@ struct Chip {
 };
 
 ImVec4 chipColorOf(const Medium& medium) {
-  const std::array<bssrdf::Profile, 3> profiles =
-      bssrdf::makeProfiles(bssrdf::Model::BetterDipole, medium);
+  const std::array<double, 3> reflectance = reflectanceWithin(medium, Transport::BetterDipole);
   std::array<float, 3> encoded{};
   for (std::size_t c = 0; c < 3; ++c) {
-    encoded[c] =
-        encodeSrgb(std::clamp(static_cast<float>(profiles[c].totalReflectance()), 0.0F, 1.0F));
+    encoded[c] = encodeSrgb(std::clamp(static_cast<float>(reflectance[c]), 0.0F, 1.0F));
   }
   return {encoded[0], encoded[1], encoded[2], 1};
 }
@@ -113,13 +110,13 @@ void showLengths(const Medium& medium) {
   const MediumLengths lengths = lengthsOf(medium);
   if (!ImGui::BeginTable("lengths", 4, ImGuiTableFlags_SizingStretchProp)) return;
   const auto row = [](const char* name, const std::array<double, 3>& mm) {
-    const core::LengthUnit unit = core::lengthUnitFor(*std::min_element(mm.begin(), mm.end()));
+    const LengthUnit unit = lengthUnitFor(*std::min_element(mm.begin(), mm.end()));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::Text("%s, %s", name, unit.name);
     for (const double value : mm) {
       ImGui::TableNextColumn();
-      ImGui::TextUnformatted(core::lengthNumber(value, unit).c_str());
+      ImGui::TextUnformatted(lengthNumber(value, unit).c_str());
     }
   };
   row("mean free path", lengths.meanFreePathMm);

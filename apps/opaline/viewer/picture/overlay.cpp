@@ -8,8 +8,9 @@
 #include <cmath>
 #include <string>
 
+#include "cli/measures.h"
 #include "cli/medium_options.h"
-#include "core/measures.h"
+#include "opaline/half_space.h"
 #include "viewer/window/glyphs.h"
 
 namespace opaline::app::viewer {
@@ -87,8 +88,8 @@ void drawScaleBar(const Session& session, const Projection& projection, const Ar
   };
   const float top = y - 0.5F * line;
   name(left + static_cast<float>(lengthMm / pixelMm),
-       fmt::format("{} of {} across", core::lengthText(lengthMm),
-                   core::lengthText(static_cast<double>(session.diagonalMm))));
+       fmt::format("{} of {} across", lengthText(lengthMm),
+                   lengthText(static_cast<double>(session.diagonalMm))));
   const auto rows = [&](const char* what, const std::array<double, 3>& mm) {
     y += line;
     float longest = 0;

@@ -5,29 +5,12 @@
 #include <limits>
 #include <utility>
 
-#include "reference/posed_scene.h"
-#include "scene/pose.h"
+#include "opaline/positions.h"
 #include "viewer/picture/vectors.h"
 
 namespace opaline::app::viewer {
 
 namespace {
-
-// The vertices of an object as the session shows it, with or without the scene's deformers.
-std::vector<Vec3> verticesOf(Session& session, std::size_t object, bool deformed) {
-  Scene& scene = session.scene;
-  std::vector<Deformer> deformers;
-  if (!deformed) deformers = std::exchange(scene.deformers, {});
-  scene::Pose pose = scene::makePose(scene);
-  scene::poseAt(scene, session.time.clip, session.time.seconds, pose);
-  const deform::DeformedVertices mesh =
-      reference::meshAt(scene, object, pose, session.time.seconds, session.positionsMm);
-  if (!deformed) scene.deformers = std::move(deformers);
-  std::vector<Vec3> vertices;
-  vertices.reserve(mesh.positionsMm.size());
-  for (const scene::Double3& place : mesh.positionsMm) vertices.push_back(scene::toFloat(place));
-  return vertices;
-}
 
 struct Hit {
   float distanceMm = std::numeric_limits<float>::infinity();
@@ -78,19 +61,23 @@ bool finite(const glm::mat3& matrix) {
 }  // namespace
 
 bool Poke::grab(Session& session, const Ray& ray) {
-  const std::vector<Object>& objects = session.scene.objects;
+  Scene& scene = session.scene;
+  const std::vector<Object>& objects = scene.objects;
+  const auto vertices = positionsAt(scene, session.time, session.positionsMm);
   Hit hit;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i].isGround) continue;
-    const std::vector<Vec3> vertices = verticesOf(session, i, true);
     const std::vector<Triangle>& triangles = objects[i].mesh.triangles;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      meet(ray, cornersOf(vertices, triangles[t]), hit, i, t);
+      meet(ray, cornersOf(vertices[i], triangles[t]), hit, i, t);
     }
   }
   if (!std::isfinite(hit.distanceMm)) return false;
   const std::vector<Triangle>& triangles = objects[hit.object].mesh.triangles;
-  const std::vector<Vec3> restVertices = verticesOf(session, hit.object, false);
+  std::vector<Deformer> deformers = std::exchange(scene.deformers, {});
+  const std::vector<Vec3> restVertices =
+      std::move(positionsAt(scene, session.time, session.positionsMm)[hit.object]);
+  scene.deformers = std::move(deformers);
   const std::array<glm::vec3, 3> rest = cornersOf(restVertices, triangles[hit.triangle]);
   seen_ = within(hit.corners, hit.u, hit.v);
   rest_ = within(rest, hit.u, hit.v);

@@ -6,7 +6,6 @@
 #include "cli/motion_options.h"
 #include "cli/paths.h"
 #include "opaline/environment.h"
-#include "scene/placed_lights.h"
 
 namespace opaline::app::viewer {
 
@@ -70,12 +69,7 @@ Session resized(const Session& edited, Loader::Result result) {
   // The file may have changed meanwhile.
   if (made.object >= scene.objects.size()) made.object = 0;
   const float factor = made.diagonalMm / edited.diagonalMm;
-  scene::scaleLights(double{factor}, scene.lighting);
-  scene::scaleChanges(double{factor}, scene.changes);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    scene.camera.positionMm[axis] *= factor;
-    scene.camera.targetMm[axis] *= factor;
-  }
+  scaleLightsAndCamera(double{factor}, scene);
   if (std::optional<Ground> ground = describeGround(edited.scene)) {
     *ground->heightMm *= factor;
     scene.objects.push_back(groundUnder(scene, *ground));

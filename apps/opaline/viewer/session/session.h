@@ -10,12 +10,12 @@
 #include "cli/motion_options.h"
 #include "cli/scene_options.h"
 #include "lab/truth_job.h"
+#include "opaline/positions.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "opaline/scene_file.h"
 #include "opaline/sequence.h"
 #include "opaline/tone.h"
-#include "reference/posed_scene.h"
 #include "viewer/files/file_question.h"
 #include "viewer/picture/variable_display.h"
 
@@ -74,7 +74,7 @@ struct Session {
   Scene scene;
   SceneSource source;                            ///< the files that it was made of
   std::shared_ptr<const MeshSequence> sequence;  ///< of numbered files, where its model is one
-  reference::PositionsByObject positionsMm;      ///< where these have the body now
+  PositionsByObject positionsMm;                 ///< where these have the body now
   std::shared_ptr<const Image> environment;      ///< as the source's file has it, not turned
   std::vector<DirectionalLight> suns;            ///< of the environment as it is shown
   float diagonalMm = 0;                          ///< as loaded

@@ -1,10 +1,10 @@
-#include "core/measures.h"
+#include "cli/measures.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace opaline::core {
+namespace opaline::app {
 namespace {
 
 TEST(Measures, LengthsAsPeopleWriteThem) {
@@ -50,4 +50,4 @@ TEST(Measures, Stops) {
 }
 
 }  // namespace
-}  // namespace opaline::core
+}  // namespace opaline::app

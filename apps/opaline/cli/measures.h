@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace opaline::core {
+namespace opaline::app {
 
 // Lengths and exposures as people write them, for messages and pictures. Files have plain numbers.
 
@@ -23,4 +23,4 @@ std::string lengthText(double mm, int digits = 3);
 /// +1.5 stops, -1 stop, 0 stops.
 std::string stopsText(double stops);
 
-}  // namespace opaline::core
+}  // namespace opaline::app

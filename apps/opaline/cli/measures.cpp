@@ -1,4 +1,4 @@
-#include "core/measures.h"
+#include "cli/measures.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace opaline::core {
+namespace opaline::app {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::string stopsText(double stops) {
   return fmt::format("{:+.4g} {}", value, std::abs(value) == 1 ? "stop" : "stops");
 }
 
-}  // namespace opaline::core
+}  // namespace opaline::app
