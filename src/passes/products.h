@@ -270,7 +270,7 @@ struct KeptOfSeen {
 /// of one band of the picture after the other, since a pixel may see as many as it has samples.
 struct VisibleSurfaces {
   gpu::GpuImage words;     ///< a layer for each sample; a pixel's surfaces are in the first layers
-  gpu::GpuImage depth;     ///< a layer for each sample
+  gpu::GpuImage depth;     ///< of each sample, or of one after the other
   gpu::Buffer mixed;       ///< pixels that see several triangles
   gpu::Buffer mixedCount;  ///< shared::SeenCount
   gpu::Buffer list;        ///< surfaces; those of a pixel follow each other

@@ -17,6 +17,13 @@ constexpr std::uint32_t surfacesOfBand = 1U << 22U;
 constexpr std::uint32_t surfacesOfOpaqueBand = 1U << 20U;
 constexpr std::uint32_t tile = 8;
 
+// Pixels of samples up to which each sample has a depth of its own, and none waits for another.
+constexpr std::uint64_t mostWithDepths = std::uint64_t{1} << 24U;
+
+std::uint32_t depthsOf(VkExtent2D extent, std::uint32_t samples) {
+  return std::uint64_t{extent.width} * extent.height * samples <= mostWithDepths ? samples : 1;
+}
+
 std::uint32_t rowsOfBand(VkExtent2D extent, std::uint32_t samples, bool opaque) {
   const std::uint32_t surfaces = opaque ? surfacesOfOpaqueBand : surfacesOfBand;
   const std::uint32_t tiles = surfaces / (extent.width * samples * tile);
@@ -57,7 +64,7 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                 {.name = "depth",
                  .width = extent.width,
                  .height = extent.height,
-                 .layers = samples,
+                 .layers = depthsOf(extent, samples),
                  .format = VK_FORMAT_D32_SFLOAT,
                  .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
                  .kind = gpu::ImageKind::Array}};
@@ -115,7 +122,8 @@ void SurfacePass::draw(gpu::CommandList& commands, const SeenSurfaces& seen, con
                            2 / static_cast<float>(extent.height));
   commands.beginPass("surface");
   for (std::uint32_t sample = 0; sample < samples.size(); ++sample) {
-    const gpu::DepthTarget depth{.image = &surfaces.depth, .layer = sample};
+    const gpu::DepthTarget depth{.image = &surfaces.depth,
+                                 .layer = sample % surfaces.depth.options().layers};
     const shared::vec2 jitter = -samples[sample] * pixel;
     // What it reads is ordered before the drawing begins.
     if (!seen.mesh.cutOut.empty()) bindCutOut(commands, seen, cutOuts, jitter);
