@@ -7,6 +7,7 @@
 #include "deform/deformer.h"
 #include "deform/smooth_groups.h"
 #include "opaline/error.h"
+#include "opaline/options/picture.h"
 #include "scene/matrix.h"
 #include "scene/mesh/normals.h"
 
@@ -118,6 +119,14 @@ void smooth(const Mesh& rest, double side, DeformedVertices& mesh) {
 }
 
 }  // namespace
+
+void requireTime(const Scene& scene, const SceneTime& time) {
+  if (const std::string complaint = options::complaintAbout(time); !complaint.empty())
+    throw UsageError(complaint);
+  if (time.clip > 0 && static_cast<std::size_t>(time.clip) >= scene.clips.size())
+    throw UsageError(
+        fmt::format("there is no clip {}: the scene has {}", time.clip, scene.clips.size()));
+}
 
 void requireFit(const Scene& scene, const PositionsByObject& positionsMm) {
   for (const auto& [object, positions] : positionsMm) {

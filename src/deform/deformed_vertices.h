@@ -16,6 +16,9 @@ struct DeformedVertices {
   std::vector<scene::Double3> normals;  ///< unit
 };
 
+/// Throws UsageError for a time out of range, and for a clip that the scene does not have.
+void requireTime(const Scene& scene, const SceneTime& time);
+
 /// Throws UsageError unless the positions have an object each, and one for each of its vertices.
 void requireFit(const Scene& scene, const PositionsByObject& positionsMm);
 

@@ -1,27 +1,8 @@
-#include <fmt/format.h>
-
-#include "deform/deformed_vertices.h"
-#include "opaline/error.h"
-#include "opaline/options/picture.h"
 #include "opaline/positions.h"
 
+#include "deform/deformed_vertices.h"
+
 namespace opaline {
-
-namespace deform {
-namespace {
-
-void requireTime(const Scene& scene, const SceneTime& time) {
-  if (const std::string complaint = options::complaintAbout(time); !complaint.empty()) {
-    throw UsageError(complaint);
-  }
-  if (time.clip > 0 && static_cast<std::size_t>(time.clip) >= scene.clips.size()) {
-    throw UsageError(
-        fmt::format("There is no clip {}: the scene has {}.", time.clip, scene.clips.size()));
-  }
-}
-
-}  // namespace
-}  // namespace deform
 
 std::vector<std::vector<Vec3>> positionsAt(const Scene& scene, const SceneTime& time,
                                            const PositionsByObject& given) {

@@ -88,8 +88,8 @@ class GpuImage {
   std::vector<VkImageView> layerViews_;  // layer + layers · level
   std::vector<VkImageView> levelViews_;
   AccessState state_;  // of the whole image
-  std::uint32_t attachedLayers_ =
-      0;  // below it there are all that were attached since another access
+  // One more than the last layer that was attached, where attachments are the last access.
+  std::uint32_t attachedLayers_ = 0;
 };
 
 enum class Filter { Nearest, Linear };

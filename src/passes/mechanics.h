@@ -25,6 +25,12 @@ gpu::Buffer makeRoom(gpu::Device& device, const char* name, std::size_t count) {
   return {device, {.name = name, .bytes = std::max(count * sizeof(T), texel), .usage = roomUsage}};
 }
 
+/// Bytes of the largest buffer that shaders may read as storage and as texels of four floats.
+inline std::size_t mostBytes(const VkPhysicalDeviceLimits& limits) {
+  return std::min(std::size_t{limits.maxStorageBufferRange},
+                  limits.maxTexelBufferElements * (4 * sizeof(float)));
+}
+
 /// Of the shader S with lib/rays.glsl, the variant with ray queries where the device has them.
 template <typename S>
 gpu::Shader rayShader(const gpu::Device& device) {

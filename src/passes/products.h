@@ -227,8 +227,8 @@ struct Clusters {
   std::uint32_t raysOutwards = 0;     ///< of each cluster
   Beams fromLights;                   ///< of a few lights after the other
   Beams fromEverywhere;
-  gpu::Buffer mirrored;   ///< shared::Mirrored a cluster, of one light after the other
-  gpu::Buffer peaks;      ///< largest power of those, a float's bits; of lights together
+  gpu::Buffer mirrored;   ///< shared::Mirrored a cluster and light, of a few after the other
+  gpu::Buffer peaks;      ///< largest power of those, a float's bits, at the first of the lights
   gpu::Buffer sums;       ///< of those, three whole numbers a cluster; 0 between lights
   gpu::Buffer arrived;    ///< vec4 a cluster: power that enters after it was mirrored
   gpu::Buffer beamNodes;  ///< shared::BeamNode, two trees a light

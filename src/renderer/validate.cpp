@@ -65,11 +65,6 @@ void validate(const RenderOptions& options) {
   if (!complaint.empty()) throw UsageError(complaint);
 }
 
-void validate(const SceneTime& time) {
-  const std::string complaint = options::complaintAbout(time);
-  if (!complaint.empty()) throw UsageError(complaint);
-}
-
 void validate(const RenderOptions& options, const std::vector<Aov>& aovs) {
   if (options.sum == Sum::Pattern &&
       std::find(aovs.begin(), aovs.end(), Aov::Surfels) != aovs.end())

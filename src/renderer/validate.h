@@ -18,9 +18,6 @@ void validate(const RenderOptions& options, const std::vector<Aov>& aovs);
 /// that are not finite, media out of range, more lights than there may be.
 void validate(const Scene& scene);
 
-/// Throws UsageError for a time out of range.
-void validate(const SceneTime& time);
-
 /// As a scene's, of its parts.
 void validate(const Camera& camera);
 void validate(const Lighting& lighting);

@@ -57,7 +57,7 @@ class BeamPass {
   void spread(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters, Beams& beams,
               bool adds) const;
   struct Part {
-    bool isFirst;  ///< for this light
+    bool isFirst;  ///< for these lights
     bool adds;     ///< to what other light and other parts gave
   };
   template <typename Shader>

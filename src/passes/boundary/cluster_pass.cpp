@@ -127,12 +127,9 @@ Beams makeBeams(gpu::Device& device, const char* points, const char* strengths,
 // Lights whose points of light are found and summed together, where their buffer may be that large.
 std::uint32_t lightsAtOnce(const gpu::Device& device, std::uint32_t clusters) {
   constexpr std::size_t most = 2;
-  const VkPhysicalDeviceLimits& limits = device.limits();
-  const std::size_t bytes = std::min(std::size_t{limits.maxStorageBufferRange},
-                                     limits.maxTexelBufferElements * sizeof(shared::vec4));
   const std::size_t ofOne = sizeof(shared::BeamPoint) * shared::maxPoints * clusters;
-  return static_cast<std::uint32_t>(
-      std::clamp<std::size_t>(bytes / std::max<std::size_t>(ofOne, 1), 1, most));
+  return static_cast<std::uint32_t>(std::clamp<std::size_t>(
+      mostBytes(device.limits()) / std::max<std::size_t>(ofOne, 1), 1, most));
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ struct GivenCamera {
   passes::ComposePass::Depth depth;
 };
 
-/// Throws UsageError for matrices that are no perspective, or not finite.
-/// Of a scene that has been moved to that origin.
+/// Of a scene that has been moved to that origin. Throws UsageError for matrices that are no
+/// perspective, or not finite.
 GivenCamera makeGivenCamera(const CameraMatrices& matrices, const Vec3& originMm, int width,
                             int height);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "opaline/error.h"
+#include "passes/mechanics.h"
 #include "shaders/shared/boundary.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/rays.h"
@@ -27,8 +28,7 @@ constexpr std::size_t bytesOfCluster = std::max(
 }  // namespace
 
 DeviceRoom roomOf(const VkPhysicalDeviceLimits& limits) {
-  const std::size_t bytes = std::min(std::size_t{limits.maxStorageBufferRange},
-                                     limits.maxTexelBufferElements * sizeof(shared::vec4));
+  const std::size_t bytes = passes::mostBytes(limits);
   return {bytes / bytesOfPiece, bytes / bytesOfSurfel, bytes / bytesOfCluster};
 }
 

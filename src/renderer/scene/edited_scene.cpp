@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "deform/deformed_vertices.h"
 #include "environment/sky.h"
 #include "gpu/device.h"
 #include "opaline/error.h"
@@ -173,10 +174,7 @@ void EditedScene::restorePositions(std::size_t object) {
 }
 
 void EditedScene::setTime(const SceneTime& time) {
-  const auto clips = static_cast<int>(scene().clips.size());
-  validate(time);
-  if (time.clip > 0 && time.clip >= clips)
-    throw UsageError(fmt::format("there is no clip {}: the scene has {}", time.clip, clips));
+  deform::requireTime(scene(), time);
   if (time == time_) return;
   time_ = time;
   ++changes_.pose;
