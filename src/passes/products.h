@@ -259,9 +259,10 @@ struct Solver {
 
 /// What else is kept of surfaces that the camera sees.
 struct KeptOfSeen {
-  bool materials = false;  ///< of opaque ones, of translucent surfaces of their own, or what
-                           ///< translucent ones mirror of bodies
-  bool paint = false;      ///< of painted ones
+  bool materials = false;    ///< of opaque ones, of translucent surfaces of their own, or what
+                             ///< translucent ones mirror of bodies
+  bool paint = false;        ///< of painted ones
+  bool lightShares = false;  ///< of opaque ones
 
   bool operator==(const KeptOfSeen&) const = default;
 };
@@ -280,7 +281,10 @@ struct VisibleSurfaces {
                            ///< their own
   gpu::Buffer paint;  ///< vec4 for each: what has entered at the surface of painted bodies, then
                       ///< of what leaves the part that goes towards the camera, over that without
-  KeptOfSeen kept;    ///< there is room for these
+  std::array<gpu::Buffer, 2>
+      lightShares;          ///< uvec4 for each pixel of a band: how much of area lights its
+                            ///< first surface sees (scatter/opaque_area_lights.comp)
+  KeptOfSeen kept;          ///< there is room for these
   gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: how much of what they mirror is sky, or unknown
   gpu::Buffer askedOfSky;   ///< surfaces in blocks of which that is unknown, as entries of the list
   gpu::Buffer askedCounts;  ///< shared::SeenCount, of all of those and of parts

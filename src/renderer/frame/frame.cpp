@@ -140,6 +140,10 @@ struct FrameContext {
     return {resources.view, resources.tables, resources.shadows};
   }
 
+  passes::OpaqueLightsPass::Inputs onOpaque(SceneResources& scene) const {
+    return {resources.view, resources.tables, scene.surfels, scene.rays};
+  }
+
   void giveBack(passes::OpaquePass::From from, SceneResources& scene) const {
     if (carriesOpaque())
       passes.opaque.overClusters(commands, ofOpaque(), from, plan.bounces, scene.clusters);
@@ -232,7 +236,11 @@ struct FrameContext {
     how.estimate = !plan.sumsAtVertices || wantsEstimate(scene);
     if (plan.sum == Sum::Tree || plan.site != Site::Fragment)
       sumOver(vertices, plan.sum, how, scene);
-    if (carriesOpaque()) passes.opaque.overVertices(commands, ofOpaque(), order().site, vertices);
+    if (carriesOpaque()) {
+      passes.opaque.overVertices(commands, ofOpaque(), order().site, vertices);
+      if (plan.areaLights > 0 && plan.site != Site::Fragment)
+        passes.opaqueLights.overVertices(commands, onOpaque(scene), order().site, vertices);
+    }
     if (!carries()) return;
     if (boundary()) meansOverClusters(scene);
     if (plan.site != Site::Fragment)
@@ -287,8 +295,12 @@ struct FrameContext {
   void findSurfaces(std::uint32_t firstRow, int samples, SceneResources& scene) const {
     passes.surface.list(commands, seen(), firstRow, static_cast<std::uint32_t>(samples));
     if (atFragments()) scatterAtFragments(scene);
-    if (carriesOpaque())
+    if (carriesOpaque()) {
       passes.opaque.overFragments(commands, ofOpaque(), scene.opaque, order().site, seen());
+      if (plan.areaLights > 0 && atFragments())
+        passes.opaqueLights.overFragments(commands, onOpaque(scene), order().site, firstRow,
+                                          seen());
+    }
     if (atFragments() && carries() && plan.sum != Sum::Pattern)
       passes.carry.overFragments(commands, order().site, resources.tables, scene.clusters, seen());
     if (atFragments() && plan.painted && plan.sum != Sum::Pattern)
@@ -366,6 +378,7 @@ Passes::Passes(gpu::Device& device)
       sum(device),
       nearby(device),
       opaque(device),
+      opaqueLights(device),
       paint(device),
       rays(device),
       clusters(device),

@@ -20,6 +20,7 @@
 #include "passes/gather/shadow_pass.h"
 #include "passes/gather/surfel_pass.h"
 #include "passes/scatter/nearby_pass.h"
+#include "passes/scatter/opaque_lights_pass.h"
 #include "passes/scatter/opaque_pass.h"
 #include "passes/scatter/paint_pass.h"
 #include "passes/scatter/surface_pass.h"
@@ -54,6 +55,7 @@ struct Passes {
   passes::SurfelSumPass sum;
   passes::NearbyPass nearby;
   passes::OpaquePass opaque;
+  passes::OpaqueLightsPass opaqueLights;
   passes::PaintPass paint;
   passes::RayPass rays;
   passes::ClusterPass clusters;

@@ -55,7 +55,7 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
   const bool behind = sky || before->options.environmentBehind != options.environmentBehind;
   makeBackdrop(plan, edited, behind);
   if (size) makeImages(options, scene);
-  makeRoom(plan);
+  makeRoom(plan, !lighting.areas.empty());
   if (shadows) makeShadows(device_, lighting, options, made_);
   if (plan.map && !made_.map) makeMap(options, scene);
   if (plan.seenSurfels && !made_.seenSurfels.image)
@@ -106,13 +106,14 @@ void ViewResources::makeImages(const RenderOptions& options, const SceneResource
 }
 
 // For as many samples as any frame has had.
-void ViewResources::makeRoom(const FramePlan& plan) {
+void ViewResources::makeRoom(const FramePlan& plan, bool areaLights) {
   const VkExtent2D extent = made_.radiance.extent();
   const auto samples = static_cast<std::uint32_t>(std::max(plan.samples, 1));
   passes::VisibleSurfaces& surfaces = made_.surfaces;
   const passes::KeptOfSeen kept{
       .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces || plan.mirrorsBodies,
-      .paint = surfaces.kept.paint || plan.painted};
+      .paint = surfaces.kept.paint || plan.painted,
+      .lightShares = surfaces.kept.lightShares || (plan.opaque && areaLights)};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     surfaces = {};  // before memory for the next is taken
     surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, kept);

@@ -48,7 +48,7 @@ class ViewResources {
   void dropAllButPicture();
   void makeBackdrop(const FramePlan& plan, const EditedScene& edited, bool anew);
   void makeImages(const RenderOptions& options, const SceneResources& scene);
-  void makeRoom(const FramePlan& plan);
+  void makeRoom(const FramePlan& plan, bool areaLights);
   void makeMap(const RenderOptions& options, SceneResources& scene);
 
   gpu::Device& device_;

@@ -105,18 +105,12 @@ void main() {
   vec3 known = vec3(0.0);
   vec3 other = vec3(0.0);
   if (from == ofLights) {
-    for (uint k = 0u; k < allLightsAt(place); ++k) {
-      vec3 falls = entries[k * clusterCount + i].irradiance.rgb;
-      if (k < firstAreaLight())
-        known += falls;
-      else
-        other += falls;
-    }
+    for (uint k = 0u; k < allLightsAt(place); ++k) known += entries[k * clusterCount + i].irradiance.rgb;
     other += foundAround(i);
   } else {
     other = foundAround(i);
     if (from == ofFurtherBounces) {
-      vec3 part = overOr0(other, irradiances[i].rgb);
+      vec3 part = overOr0(gives.share.rgb * other, opaqueExitances[i].rgb - gives.emission.rgb);
       for (int c = 0; c < 3; ++c) other[c] *= min(stillToCome[c], furtherOfSeries(part[c], float(bounces)));
     }
   }

@@ -1,0 +1,75 @@
+#include "passes/scatter/opaque_lights_pass.h"
+
+#include <algorithm>
+
+#include "gpu/device.h"
+#include "passes/mechanics.h"
+#include "passes/seen_parts.h"
+
+namespace opaline::passes {
+
+namespace {
+
+// As scatter/opaque_area_lights.comp has them.
+enum Round : std::uint32_t { AskingFirst, Comparing, AskingAgain, Averaging, Summing };
+
+}  // namespace
+
+OpaqueLightsPass::OpaqueLightsPass(gpu::Device& device)
+    : nearest_(device, gpu::Filter::Nearest),
+      vertices_(device, "area lights at opaque vertices",
+                rayShader<shaders::ScatterOpaqueAreaVertices>(device)),
+      fragments_(device, "area lights at opaque fragments",
+                 rayShader<shaders::ScatterOpaqueAreaLights>(device)) {}
+
+void OpaqueLightsPass::overVertices(gpu::CommandList& commands, const Inputs& inputs,
+                                    ScatterSite site, const Places& vertices) const {
+  commands.beginPass("lights on opaque");
+  commands.bind(vertices_,
+                {.frame = inputs.frame.data,
+                 .positions = vertices.positions,
+                 .normals = vertices.normals,
+                 .objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .pieceCorners = inputs.rays.corners,
+                 .rayHierarchy = passes::rays(inputs.rays),
+                 .objectOf = vertices.objectOf,
+                 .irradiances = vertices.exitances},
+                {.vertexCount = vertices.count,
+                 .site = site,
+                 .nodeCount = inputs.surfels.tree.nodeCount,
+                 .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
+  commands.dispatchLinear(vertices.count, roundsOfWalk);
+  commands.endPass();
+}
+
+void OpaqueLightsPass::overFragments(gpu::CommandList& commands, const Inputs& inputs,
+                                     ScatterSite site, std::uint32_t firstRow,
+                                     const SeenSurfaces& seen) const {
+  VisibleSurfaces& surfaces = seen.surfaces;
+  const std::uint32_t height = surfaces.words.extent().height;
+  commands.beginPass("lights on opaque");
+  for (const Round round : {AskingFirst, Comparing, AskingAgain, Averaging, Summing}) {
+    const bool even = round % 2 == 0;
+    dispatchParts(commands, surfaces, fragments_,
+                  {.listedPlaces = listedPlaces(seen, nearest_),
+                   .objects = inputs.tables.objects,
+                   .media = inputs.tables.media,
+                   .pieceCorners = inputs.rays.corners,
+                   .rayHierarchy = passes::rays(inputs.rays),
+                   .materials = surfaces.materials,
+                   .irradiances = surfaces.light,
+                   .sharesBefore = surfaces.lightShares[even ? 1 : 0],
+                   .lightShares = surfaces.lightShares[even ? 0 : 1]},
+                  {.first = 0,
+                   .site = site,
+                   .nodeCount = inputs.surfels.tree.nodeCount,
+                   .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
+                   .firstRow = firstRow,
+                   .rows = std::min(surfaces.rowsOfBand, height - firstRow),
+                   .round = round});
+  }
+  commands.endPass();
+}
+
+}  // namespace opaline::passes

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+#include "shaders/scatter/opaque_area_lights.comp.h"
+#include "shaders/scatter/opaque_area_vertices.comp.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Light of area lights on opaque bodies, with soft shadows by rays. It is added to what OpaquePass
+/// has found.
+class OpaqueLightsPass {
+ public:
+  explicit OpaqueLightsPass(gpu::Device& device);
+
+  struct Inputs {
+    FrameView& frame;
+    SceneTables& tables;
+    Surfels& surfels;
+    RayHierarchy& rays;
+  };
+
+  /// Where the site is the vertices.
+  void overVertices(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
+                    const Places& vertices) const;
+  /// Where it is the fragments. Has VisibleSurfaces::lightShares as room.
+  void overFragments(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
+                     std::uint32_t firstRow, const SeenSurfaces& seen) const;
+
+ private:
+  gpu::Sampler nearest_;
+  gpu::Compute<shaders::ScatterOpaqueAreaVertices> vertices_;
+  gpu::Compute<shaders::ScatterOpaqueAreaLights> fragments_;
+};
+
+}  // namespace opaline::passes

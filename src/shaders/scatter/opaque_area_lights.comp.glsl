@@ -1,0 +1,351 @@
+// Irradiance of area lights on opaque surfaces that pixels see, with soft shadows. Each of 8×8 pixels asks other places
+// of a light, and each pixel takes what those around it have found: 256 places, in any window of that size, or fewer
+// where the shadow's edge is sharp. Where the first places of all around agree, most of them on the light's edge, these
+// are enough.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define BINDING_SEEN 1
+#define BINDING_SEEN_LIST 2
+#define BINDING_OBJECTS 4
+#define BINDING_MEDIA 5
+#define BINDING_PIECE_CORNERS 6
+#define BINDING_RAYS 7
+#define MESH_BINDING 11
+#include "lib/frame.glsl"
+#include "lib/area_shadow.glsl"
+#include "lib/material.glsl"
+#include "lib/mesh.glsl"
+#include "lib/seen_list.glsl"
+#include "shared/opaque.h"
+
+layout(std430, set = 0, binding = 8) readonly buffer Materials { SeenMaterial materials[]; };
+layout(std430, set = 0, binding = 9) buffer Irradiances { vec4 irradiances[]; };
+// Eight bits for each light, of the first surfaces of a band's pixels: how much of it is visible, of `whole`, and
+// whether that changes slowly. Those of the round before, and of this one.
+layout(std430, set = 0, binding = 10) readonly buffer SharesBefore { uvec4 sharesBefore[]; };
+layout(std430, set = 0, binding = 15) writeonly buffer LightShares { uvec4 lightShares[]; };
+
+layout(push_constant) uniform Push {
+  uint first;
+  uint site;
+  uint nodeCount;  // of all surfels' trees
+  uint piecesPerSurfel;
+  uint firstRow;  // of the band
+  uint rows;
+  uint round;
+};
+
+// The rounds, OpaqueLightsPass.
+const uint askingFirst = 0u;
+const uint comparing = 1u;
+const uint askingAgain = 2u;
+const uint averaging = 3u;
+const uint summing = 4u;
+
+const uint whole = 124u;  // a multiple of the rays, so that nothing is rounded where these weigh the same
+const uint unasked = 127u;  // no light comes from there
+const uint slowly = 128u;
+
+const int width = 4;  // of a window
+const uint raysAgain = 4u;
+
+uint firstPieceOf(uint object) {
+  return objects[object].table.y * piecesPerSurfel;
+}
+
+uint bitsOf(uvec4 shares, uint light) {
+  return bitfieldExtract(shares[light >> 2u], int(8u * (light & 3u)), 8);
+}
+
+uint shareOf(uvec4 shares, uint light) {
+  return bitsOf(shares, light) & ~slowly;
+}
+
+bool changesSlowly(uvec4 shares, uint light) {
+  return (bitsOf(shares, light) & slowly) != 0u;
+}
+
+uvec4 withShare(uvec4 shares, uint light, uint bits) {
+  shares[light >> 2u] |= bits << 8u * (light & 3u);
+  return shares;
+}
+
+uint areaLights() {
+  return frame.counts.w - firstAreaLight();
+}
+
+uint indexOf(ivec2 pixel) {
+  return uint(pixel.y - int(firstRow)) * uint(textureSize(seenWords, 0).x) + uint(pixel.x);
+}
+
+ivec2 endOfBand() {
+  return ivec2(textureSize(seenWords, 0).x, firstRow + rows);
+}
+
+// Around a pixel, inside the band.
+ivec2 windowAround(ivec2 pixel) {
+  return max(min(pixel - width / 2, endOfBand() - width), ivec2(0, firstRow));
+}
+
+ivec2 pixelOfWindow(ivec2 window, uint i) {
+  return window + ivec2(int(i) % width, int(i) / width);
+}
+
+bool hasShares(MeshPlace place) {
+  return isOpaque(objects[place.object]) && isSummedAtFragments(objects[place.object], site);
+}
+
+// Whether the first surface of a pixel has shares.
+bool isAsked(ivec2 pixel) {
+  if (any(lessThan(pixel, ivec2(0, firstRow))) || any(greaterThanEqual(pixel, endOfBand()))) return false;
+  uint word = seenWord(pixel, 0u);
+  if (samplesOf(word) == 0u) return false;
+  ObjectData body = objects[objectOfTriangle(triangleOf(word))];
+  return isOpaque(body) && isSummedAtFragments(body, site);
+}
+
+bool isFirstSurface(Seen seen) {
+  return seenList[seen.entry] >> seenLayerShift == 0u;
+}
+
+Receiver receiverOf(MeshPlace place, uint entry) {
+  return Receiver(liftedPlace(place), materials[entry].normal.xyz, place.facet, 1.0);
+}
+
+uint packed(Share share) {
+  return share.all > 0.0 ? uint(share.visible / share.all * float(whole) + 0.5) : unasked;
+}
+
+// Which of 4×4 pixels it is, and in which of the quarters of 8×8.
+uint cellOf(ivec2 pixel) {
+  return uint(pixel.x & 3) + 4u * uint(pixel.y & 3);
+}
+
+uint quarterOf(ivec2 pixel) {
+  return uint(pixel.x >> 2 & 1) + 2u * uint(pixel.y >> 2 & 1);
+}
+
+uint firstShareOf(AreaView view, Receiver receiver, ivec2 pixel) {
+  const uint placesOfEdge = 12u;  // of 16, so that a corner is one; those of other quarters lie between
+  Share share = Share(0.0, 0.0);
+  uint i = 5u * cellOf(pixel) % 16u;  // neighbours do not ask for neighbouring places
+  float along = (float(i) + 0.25 * float(quarterOf(pixel))) / float(placesOfEdge);
+  vec2 at = i < placesOfEdge ? edgePlace(view, along) : netPlace(4u * quarterOf(pixel) + i - placesOfEdge);
+  sendRay(view, receiver, at, nodeCount, share);
+  return packed(share);
+}
+
+uint shareAgainOf(AreaView view, Receiver receiver, ivec2 pixel) {
+  Share share = Share(0.0, 0.0);
+  uint firstPlace = raysAgain * (16u * quarterOf(pixel) + cellOf(pixel));
+  for (uint i = 0u; i < raysAgain; ++i)
+    sendRay(view, receiver, netPlace(firstPlace + i), nodeCount, share);
+  return packed(share);
+}
+
+// Of each light, whether some of what has been found sees it, and whether some does not.
+struct Around {
+  uint visible;
+  uint hidden;
+};
+
+void look(ivec2 pixel, inout Around around) {
+  if (!isAsked(pixel)) return;
+  uvec4 shares = sharesBefore[indexOf(pixel)];
+  for (uint light = 0u; light < areaLights(); ++light) {
+    uint share = shareOf(shares, light);
+    if (share == unasked) continue;
+    if (share != 0u) around.visible |= 1u << light;
+    if (share != whole) around.hidden |= 1u << light;
+  }
+}
+
+// What a window agrees on; where it does not, half.
+uvec4 comparedShares(ivec2 pixel) {
+  Around around = Around(0u, 0u);
+  ivec2 window = windowAround(pixel);
+  for (uint i = 0u; i < uint(width * width); ++i) look(pixelOfWindow(window, i), around);
+  uvec4 shares = uvec4(0u);
+  for (uint light = 0u; light < areaLights(); ++light) {
+    bool visible = bitfieldExtract(around.visible, int(light), 1) != 0u;
+    bool hidden = bitfieldExtract(around.hidden, int(light), 1) != 0u;
+    shares = withShare(shares, light, visible ? (hidden ? whole / 2u : whole) : hidden ? 0u : unasked);
+  }
+  return shares;
+}
+
+// The i-th of `count`² pixels around, whose windows are one of so many times the width inside the band.
+ivec2 middleOfWindow(ivec2 pixel, int i, int count) {
+  int reach = count * width / 2;
+  ivec2 middle = max(min(pixel, endOfBand() - reach), ivec2(0, firstRow) + reach);
+  return middle + width * ivec2(i % count, i / count) + width / 2 - reach;
+}
+
+uvec4 askedShares(Seen seen, MeshPlace place) {
+  uvec4 shares = uvec4(0u);
+  Receiver receiver = receiverOf(place, seen.entry);
+  Around around = Around(0u, 0u);
+  if (round == askingAgain) {
+    look(seen.pixel, around);
+    for (int i = 0; i < 16; ++i) look(middleOfWindow(seen.pixel, i, 4), around);
+  }
+  for (uint i = firstAreaLight(); i < allLightsAt(place.position); ++i) {
+    uint light = i - firstAreaLight();
+    AreaView view = areaViewFrom(receiver.position, i);
+    bool visible = bitfieldExtract(around.visible, int(light), 1) != 0u;
+    bool hidden = bitfieldExtract(around.hidden, int(light), 1) != 0u;
+    uint share = unasked;
+    if (round == askingFirst && view.shines)
+      share = firstShareOf(view, receiver, seen.pixel);
+    else if (visible && hidden && view.shines)
+      share = shareAgainOf(view, receiver, seen.pixel);
+    else if (visible != hidden)
+      share = visible ? whole : 0u;
+    shares = withShare(shares, light, share);
+  }
+  return shares;
+}
+
+// Cosine of normals, and sine of the angle by which the way between may leave the surface, within which pixels see one.
+const float leastCosine = 0.9;
+const float mostOffPlane = 0.3;
+
+bool isOneSurface(MeshPlace a, MeshPlace b) {
+  vec3 between = b.position - a.position;
+  return a.object == b.object && a.side == b.side && dot(a.normal, b.normal) >= leastCosine &&
+         abs(dot(a.facet, between)) <= mostOffPlane * length(between);
+}
+
+bool goesOnAt(MeshPlace place, ivec2 pixel) {
+  return isAsked(pixel) && isOneSurface(place, seenPlace(pixel, seenWord(pixel, 0u)));
+}
+
+// Of the pixels of a window, a bit for each whose first surface is this one. Where all have found the same, one is
+// enough.
+uint alikeAround(Seen seen, MeshPlace place) {
+  ivec2 window = windowAround(seen.pixel);
+  ivec2 away = seen.pixel - window;
+  bool same = isFirstSurface(seen);
+  uint alike = same ? 1u << uint(away.y * width + away.x) : 0u;
+  uvec4 found = sharesBefore[indexOf(seen.pixel)];
+  uint asked = 0u;
+  for (uint i = 0u; i < uint(width * width); ++i) {
+    ivec2 other = pixelOfWindow(window, i);
+    if (!isAsked(other)) continue;
+    asked |= 1u << i;
+    same = same && sharesBefore[indexOf(other)] == found;
+  }
+  if (same) return alike;
+  for (uint rest = asked & ~alike; rest != 0u; rest &= rest - 1u)
+    if (goesOnAt(place, pixelOfWindow(window, uint(findLSB(rest))))) alike |= rest & -rest;
+  return alike;
+}
+
+// Mean of a window, mean over those next to the pixel, and how far from the mean they are, squared.
+struct Shares {
+  float count;
+  float mean;
+  float near;
+  float spread;
+};
+
+Shares sharesAround(uint light, ivec2 pixel, uint alike) {
+  ivec2 window = windowAround(pixel);
+  Shares found = Shares(0.0, 0.0, 0.0, 0.0);
+  float nearCount = 0.0;
+  for (uint rest = alike; rest != 0u; rest &= rest - 1u) {
+    ivec2 other = pixelOfWindow(window, uint(findLSB(rest)));
+    uint bits = shareOf(sharesBefore[indexOf(other)], light);
+    if (bits == unasked) continue;
+    float share = float(bits) / float(whole);
+    ++found.count;
+    found.mean += share;
+    found.spread += share * share;
+    if (any(greaterThan(other, pixel)) || any(lessThan(other, pixel - 1))) continue;
+    ++nearCount;
+    found.near += share;
+  }
+  found.near /= max(nearCount, 1.0);
+  found.mean /= max(found.count, 1.0);
+  found.spread = found.spread / max(found.count, 1.0) - found.mean * found.mean;
+  return found;
+}
+
+// Where pixels see all of a light or none, although together they see a part of it, the shadow's edge is sharp. The
+// places that a pixel asks are spread over the light, so that each sees about as much where it is not. One pixel among
+// many that see nothing does not tell.
+const float doubt = 0.05;
+
+uint averaged(Shares found) {
+  if (found.count == 0.0) return unasked;
+  float sharp = found.spread / (found.mean * (1.0 - found.mean) + doubt);
+  float share = mix(found.mean, found.near, smoothstep(0.5, 0.75, sharp));
+  return uint(share * float(whole) + 0.5) | (sharp < 0.5 ? slowly : 0u);
+}
+
+uvec4 averagedShares(Seen seen, MeshPlace place) {
+  uint alike = alikeAround(seen, place);
+  if (bitCount(alike) == 1) return sharesBefore[indexOf(seen.pixel)] | 0x80808080u;  // slowly
+  uvec4 shares = uvec4(0u);
+  for (uint light = 0u; light < areaLights(); ++light)
+    shares = withShare(shares, light, averaged(sharesAround(light, seen.pixel, alike)));
+  return shares;
+}
+
+// Of four windows that together are one of twice the width, unless there is a sharp edge in one.
+float shareOfFour(uint light, Seen seen, MeshPlace place) {
+  uint own = bitsOf(sharesBefore[indexOf(seen.pixel)], light);
+  uint sum = 0u;
+  uint count = 0u;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 other = middleOfWindow(seen.pixel, i, 2);
+    if (!isAsked(other)) continue;
+    uint found = bitsOf(sharesBefore[indexOf(other)], light);
+    if (found != own && ((found & ~slowly) == unasked || !goesOnAt(place, other))) continue;
+    if ((found & slowly) == 0u) return float(own & ~slowly) / float(whole);
+    sum += found & ~slowly;
+    ++count;
+  }
+  return (count > 0u ? float(sum) / float(count) : float(own & ~slowly)) / float(whole);
+}
+
+float visiblePart(uint light, AreaView view, Receiver receiver, Seen seen, MeshPlace place, uint alike) {
+  if (isFirstSurface(seen)) {
+    uvec4 own = sharesBefore[indexOf(seen.pixel)];
+    if (shareOf(own, light) == unasked) return 0.0;
+    return changesSlowly(own, light) ? shareOfFour(light, seen, place) : float(shareOf(own, light)) / float(whole);
+  }
+  Shares around = sharesAround(light, seen.pixel, alike);
+  if (around.count > 0.0) return around.mean;
+  uint share = shareAgainOf(view, receiver, seen.pixel);
+  return share == unasked ? 0.0 : float(share) / float(whole);
+}
+
+vec3 irradianceAt(Seen seen, MeshPlace place) {
+  MediumData medium = mediumAt(objects[place.object], place.position);
+  Receiver receiver = receiverOf(place, seen.entry);
+  uint alike = isFirstSurface(seen) ? 0u : alikeAround(seen, place);
+  vec3 sum = vec3(0.0);
+  for (uint i = firstAreaLight(); i < allLightsAt(place.position); ++i) {
+    AreaView view = areaViewFrom(receiver.position, i);
+    if (!view.shines) continue;
+    vec3 all = frame.lights[i].power.rgb * enteringOfView(view, receiver.normal, medium);
+    if (all == vec3(0.0)) continue;
+    sum += visiblePart(i - firstAreaLight(), view, receiver, seen, place, alike) * all;
+  }
+  return sum;
+}
+
+void main() {
+  Seen seen = seenOfInvocation(first);
+  if (!seen.there) return;
+  MeshPlace place = seenPlace(seen.pixel, seen.word);
+  if (!hasShares(place)) return;
+  if (round == summing) {
+    irradiances[seen.entry].rgb += irradianceAt(seen, place);
+  } else if (isFirstSurface(seen)) {
+    lightShares[indexOf(seen.pixel)] = round == comparing   ? comparedShares(seen.pixel)
+                                       : round == averaging ? averagedShares(seen, place)
+                                                            : askedShares(seen, place);
+  }
+}
