@@ -53,6 +53,8 @@ struct Blend {
     (*this)(a.targetMm, b.targetMm, to.targetMm);
     (*this)(a.up, b.up, to.up);
     (*this)(a.verticalFovDegrees, b.verticalFovDegrees, to.verticalFovDegrees);
+    if (a.orthographicHeightMm && b.orthographicHeightMm && to.orthographicHeightMm)
+      (*this)(*a.orthographicHeightMm, *b.orthographicHeightMm, *to.orthographicHeightMm);
   }
   void operator()(const Medium& a, const Medium& b, Medium& to) const {
     (*this)(a.sigmaSPrimePerMm, b.sigmaSPrimePerMm, to.sigmaSPrimePerMm);

@@ -57,6 +57,27 @@ SpotLight spotLight(const Input& input, const tinygltf::Light& light, const Matr
   return spot;
 }
 
+float degreesSeen(const Input& input, const tinygltf::Camera& camera, const std::string& name) {
+  const double degrees = camera.perspective.yfov * 180 / std::numbers::pi;
+  const options::Range allowed = options::fieldOf<Camera>("fov_degrees").allowed.range;
+  if (!allowed.holds(degrees)) {
+    failGltf(input, fmt::format("the vertical field of view of camera '{}' is {:g} degrees, but "
+                                "must be {}",
+                                name, degrees, options::describe(allowed)));
+  }
+  return static_cast<float>(degrees);
+}
+
+/// In units of the file, to both sides of the middle.
+float heightSeen(const Input& input, const tinygltf::Camera& camera, const std::string& name) {
+  const auto height = static_cast<float>(2 * camera.orthographic.ymag);
+  if (!std::isfinite(height) || height <= 0) {
+    failGltf(input, fmt::format("camera '{}' sees a height of {:g}, but it must be above 0", name,
+                                2 * camera.orthographic.ymag));
+  }
+  return height;
+}
+
 }  // namespace
 
 std::optional<LightOfFile> readLight(const Input& input, const tinygltf::Light& light,
@@ -74,23 +95,20 @@ std::optional<LightOfFile> readLight(const Input& input, const tinygltf::Light& 
 Camera readCamera(const Input& input, const tinygltf::Camera& camera, const Matrix4& world) {
   const auto back = axisOf(world, 2);
   const auto up = axisOf(world, 1);
-  const double degrees = camera.perspective.yfov * 180 / std::numbers::pi;
   const std::string name = cleanText(camera.name, 60);
   if (!back || !up || !isFinite(world.column[3])) {
     failGltf(input, fmt::format("the node of camera '{}' gives it no place or no direction: its "
                                 "transform must be finite and invertible",
                                 name));
   }
-  const options::Range degreesAllowed = options::fieldOf<Camera>("fov_degrees").allowed.range;
-  if (!degreesAllowed.holds(degrees)) {
-    failGltf(input, fmt::format("the vertical field of view of camera '{}' is {:g} degrees, but "
-                                "must be {}",
-                                name, degrees, options::describe(degreesAllowed)));
-  }
-  return {.positionMm = toFloat(world.column[3]),
-          .targetMm = toFloat(world.column[3] - *back),
-          .up = toFloat(*up),
-          .verticalFovDegrees = static_cast<float>(degrees)};
+  Camera read{.positionMm = toFloat(world.column[3]),
+              .targetMm = toFloat(world.column[3] - *back),
+              .up = toFloat(*up)};
+  if (camera.type == "orthographic")
+    read.orthographicHeightMm = heightSeen(input, camera, name);
+  else
+    read.verticalFovDegrees = degreesSeen(input, camera, name);
+  return read;
 }
 
 bool hasDirections(const Matrix4& world) {

@@ -15,7 +15,7 @@ using LightOfFile = std::variant<DirectionalLight, PointLight, SpotLight>;
 std::optional<LightOfFile> readLight(const Input& input, const tinygltf::Light& light,
                                      const Matrix4& world, std::size_t node);
 
-/// A perspective camera that looks at what is a metre away. Throws Error for one that sees nothing.
+/// A camera that looks at what is a metre away. Throws Error for one that sees nothing.
 Camera readCamera(const Input& input, const tinygltf::Camera& camera, const Matrix4& world);
 
 /// Whether a node is such that a light or a camera at it has a place and directions.

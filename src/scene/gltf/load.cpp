@@ -198,7 +198,7 @@ void addLight(Gathering& to, std::size_t nodeIndex) {
   to.scene.hasLights = true;
 }
 
-/// The first perspective camera; where it looks at is put beside the middle of the scene.
+/// The first camera; where it looks at is put beside the middle of the scene.
 void takeCamera(Gathering& to, std::size_t nodeIndex) {
   const int index = to.model.nodes[nodeIndex].camera;
   if (index == -1) return;
@@ -206,10 +206,8 @@ void takeCamera(Gathering& to, std::size_t nodeIndex) {
     failGltf(to.input, fmt::format("node {} names a camera that does not exist", nodeIndex));
   }
   const tinygltf::Camera& camera = to.model.cameras[static_cast<std::size_t>(index)];
-  if (camera.type != "perspective" || to.scene.camera) {
-    addNotShown(to.scene.notShown,
-                camera.type != "perspective" ? "orthographic cameras" : "cameras after the first",
-                camera.name);
+  if (to.scene.camera) {
+    addNotShown(to.scene.notShown, "cameras after the first", camera.name);
     return;
   }
   to.scene.camera = readCamera(to.input, camera, to.nodes.world[nodeIndex]);

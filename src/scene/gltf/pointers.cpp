@@ -51,7 +51,7 @@ constexpr std::array<Property, 3> ofTransforms{{{"offset", 2}, {"rotation", 1}, 
 constexpr std::array<Property, 4> ofLights{
     {{"color", 3}, {"intensity", 1}, {"spot/innerConeAngle", 1}, {"spot/outerConeAngle", 1}}};
 
-constexpr std::array<Property, 1> ofCameras{{{"perspective/yfov", 1}}};
+constexpr std::array<Property, 2> ofCameras{{{"perspective/yfov", 1}, {"orthographic/ymag", 1}}};
 
 template <std::size_t Count>
 std::optional<std::size_t> widthIn(const std::array<Property, Count>& table,
@@ -191,7 +191,10 @@ void setProperty(const GltfPointer& pointer, std::span<const double> numbers,
 
 void setProperty(const GltfPointer& pointer, std::span<const double> numbers,
                  tinygltf::Camera& camera) {
+  constexpr double least = 1e-30;
   if (pointer.property == "perspective/yfov") camera.perspective.yfov = numbers[0];
+  if (pointer.property == "orthographic/ymag")
+    camera.orthographic.ymag = std::max(numbers[0], least);
 }
 
 }  // namespace opaline::scene

@@ -42,8 +42,8 @@ class GltfChanges : public testing::Test {
   }
   Scene load(const LoadOptions& options = {}) {
     b.more = R"(,"extensionsUsed":["KHR_animation_pointer","KHR_lights_punctual"],"materials":[)" +
-             material + R"(],"cameras":[{"type":"perspective","perspective":{"yfov":0.5,)" +
-             R"("znear":0.1}}],"extensions":{"KHR_lights_punctual":{"lights":[)" + light + "]}}";
+             material + R"(],"cameras":[)" + camera +
+             R"(],"extensions":{"KHR_lights_punctual":{"lights":[)" + light + "]}}";
     test::writeBytes(folder / "a.glb", b.file());
     return loadScene(folder / "a.glb", options);
   }
@@ -65,6 +65,7 @@ class GltfChanges : public testing::Test {
 
   GltfBuilder b;
   std::string material = R"({"pbrMetallicRoughness":{"metallicFactor":0}})";
+  std::string camera = R"({"type":"perspective","perspective":{"yfov":0.5,"znear":0.1}})";
   std::string light = R"({"type":"spot","intensity":2,"spot":{}})";
   int times = 0;
   test::TemporaryFolder folder;
@@ -120,6 +121,12 @@ TEST_F(GltfChanges, CamerasTurnAndZoom) {
   EXPECT_NEAR(camera.targetMm[0], 500, 1e-2);
   EXPECT_NEAR(camera.targetMm[2], scene.camera.targetMm[2], 1e-2);
   EXPECT_NEAR(camera.verticalFovDegrees, 0.375 * 180 / std::numbers::pi, 1e-4);
+}
+
+TEST_F(GltfChanges, OrthographicCamerasZoom) {
+  camera = R"({"type":"orthographic","orthographic":{"xmag":1,"ymag":1,"znear":0.1,"zfar":9}})";
+  animatePointer("/cameras/0/orthographic/ymag", b.scalars({1, 2}));
+  EXPECT_NEAR(cameraAt(load(), 1).orthographicHeightMm.value_or(0), 3000, 1e-2);
 }
 
 TEST_F(GltfChanges, NumbersOfSurfaces) {

@@ -353,6 +353,23 @@ TEST_F(Gltf, WhatIsNotShownIsCounted) {
   EXPECT_TRUE(scene.cameraChosen);
 }
 
+// ymag is half of the height (glTF 2.0, section 3.10).
+TEST_F(Gltf, OrthographicCamerasSeeTwiceTheirMagnification) {
+  Parts parts;
+  parts.scene = R"("scenes":[{"nodes":[0,1]}],)";
+  parts.nodes = R"({"mesh":0},{"camera":0,"translation":[0.25,0.25,5],"scale":[3,3,3]})";
+  const auto withHeight = [&](const char* ymag) {
+    parts.more = std::string(R"(,"cameras":[{"type":"orthographic","name":"a","orthographic":)") +
+                 R"({"xmag":2,"ymag":)" + ymag + R"(,"znear":0.1,"zfar":9}}])";
+    return load(parts);
+  };
+  const Camera camera = withHeight("1.5").camera;
+  EXPECT_EQ(camera.positionMm, (Vec3{250, 250, 5000}));
+  ASSERT_TRUE(camera.orthographicHeightMm);
+  EXPECT_NEAR(*camera.orthographicHeightMm, 3000, 1e-2);
+  EXPECT_THROW(withHeight("0"), Error);
+}
+
 TEST_F(Gltf, RequiredExtensionsThatAreUnknownAreNamed) {
   Parts parts;
   parts.more = R"(,"extensionsRequired":["KHR_mesh_quantization","EXT_example_hair",)"
