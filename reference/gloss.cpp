@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "bssrdf/fresnel.h"
+
 namespace opaline::reference {
 
 namespace {
@@ -14,9 +16,11 @@ constexpr int rows = 48;     // of roughness
 constexpr int columns = 64;  // of the cosine to the eye
 constexpr int lattice = 21;  // of facets, squared
 
-MirroredShares integrated(double alpha, double cosine) {
+// Visits facets that are seen at that cosine by what part of even light they mirror if they mirror
+// all, and the cosine to them.
+template <typename Visit>
+void forEachFacet(double alpha, double cosine, const Visit& visit) {
   const Vector eye{std::sqrt(1 - cosine * cosine), 0, cosine};
-  MirroredShares shares;
   for (int i = 0; i < lattice; ++i)
     for (int j = 0; j < lattice; ++j) {
       const Vector facet = visibleFacet(alpha, eye, (i + 0.5) / lattice, (j + 0.5) / lattice);
@@ -24,12 +28,18 @@ MirroredShares integrated(double alpha, double cosine) {
       const double cosineIn = 2 * toFacet * facet[2] - eye[2];
       if (cosineIn <= 0 || toFacet <= 0) continue;
       const double hidden = ggxHidden(alpha, cosine);
-      const double seen =
-          (1 + hidden) / (1 + hidden + ggxHidden(alpha, cosineIn)) / (lattice * lattice);
-      const double grazing = std::pow(1 - std::min(toFacet, 1.0), 5);
-      shares.base += seen * (1 - grazing);
-      shares.grazing += seen * grazing;
+      visit((1 + hidden) / (1 + hidden + ggxHidden(alpha, cosineIn)) / (lattice * lattice),
+            std::min(toFacet, 1.0));
     }
+}
+
+MirroredShares integrated(double alpha, double cosine) {
+  MirroredShares shares;
+  forEachFacet(alpha, cosine, [&](double seen, double toFacet) {
+    const double grazing = std::pow(1 - toFacet, 5);
+    shares.base += seen * (1 - grazing);
+    shares.grazing += seen * grazing;
+  });
   return shares;
 }
 
@@ -84,6 +94,22 @@ MirroredShares mirroredShares(double alpha, double cosine) {
                      std::lerp(at(i + 1, j).*part, at(i + 1, j + 1).*part, column - j), row - i);
   };
   return {mean(&MirroredShares::base), mean(&MirroredShares::grazing)};
+}
+
+MediumMirror::MediumMirror(double eta, double alpha) {
+  for (int column = 0; column < columns; ++column) {
+    double share = 0;
+    forEachFacet(alpha, (column + 0.5) / columns, [&](double seen, double toFacet) {
+      share += seen * bssrdf::fresnelReflectance(eta, toFacet);
+    });
+    table_.push_back(share);
+  }
+}
+
+double MediumMirror::share(double cosine) const {
+  const double column = std::clamp(cosine * columns - 0.5, 0.0, columns - 1.001);
+  const auto i = static_cast<std::size_t>(column);
+  return std::lerp(table_[i], table_[i + 1], column - static_cast<double>(i));
 }
 
 }  // namespace opaline::reference

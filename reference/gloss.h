@@ -24,4 +24,15 @@ struct MirroredShares {
 };
 MirroredShares mirroredShares(double alpha, double cosine);
 
+/// Of even light, what the surface of a medium mirrors once towards the eye, with Fresnel's
+/// formula.
+class MediumMirror {
+ public:
+  MediumMirror(double eta, double alpha);
+  double share(double cosine) const;
+
+ private:
+  std::vector<double> table_;  ///< by the cosine
+};
+
 }  // namespace opaline::reference

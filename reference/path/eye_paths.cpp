@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "bssrdf/fresnel.h"
 #include "reference/picture.h"
 
 namespace opaline::reference {
@@ -58,7 +57,10 @@ EyePaths::EyePaths(const Geometry& geometry, const PathTracer& tracer,
       tracer_(tracer),
       options_(options),
       lights_(geometry.scene()),
-      exitFactors_(exitFactors(geometry.scene(), Transport::BetterDipole)) {}
+      exitFactors_(exitFactors(geometry.scene(), Transport::BetterDipole)) {
+  for (const Body& body : geometry.scene().bodies)
+    mirrors_.emplace_back(body.medium.eta, options.roughness * options.roughness);
+}
 
 EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toEye,
                                     bool first) const {
@@ -67,7 +69,7 @@ EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toE
   if (!body.opaque) {
     const double eta = body.medium.eta;
     const double cosine = std::clamp(dot(sides.normal, toEye), 1e-3, 1.0);
-    const double leaves = exitFactors_[point.body] * (1 - bssrdf::fresnelReflectance(eta, cosine));
+    const double leaves = exitFactors_[point.body] * (1 - mirrors_[point.body].share(cosine));
     const double alpha = options_.roughness * options_.roughness;
     return {point, Reflection::ofMedium(eta, alpha, sides.normal, sides.outside, toEye),
             leaves * tracer_.exitance(point).value};

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "reference/geometry.h"
+#include "reference/gloss.h"
 #include "reference/path/light_samples.h"
 #include "reference/path/path_tracer.h"
 #include "reference/path/random.h"
@@ -42,6 +43,7 @@ class EyePaths {
   EyePathOptions options_;
   LightSamples lights_;
   std::vector<double> exitFactors_;
+  std::vector<MediumMirror> mirrors_;  ///< of bodies
 };
 
 }  // namespace opaline::reference

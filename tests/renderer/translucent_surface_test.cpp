@@ -231,6 +231,30 @@ TEST_F(TranslucentSurfaceTest, NormalsThatAreThoseOfTheMeshChangeNothing) {
   });
 }
 
+// What leaves and what is mirrored add up in even light, where the surface is grazed too, however
+// rough it is.
+TEST_F(TranslucentSurfaceTest, InAWhiteFurnaceABallIsEvenToItsEdge) {
+  Medium white = marble();
+  white.sigmaSPrimePerMm.fill(5);
+  white.sigmaAPerMm.fill(0);
+  Scene scene = sceneOf(sphere({0, 0, 0}, halfEdgeMm, 5), white, {0, 0, 60}, halfEdgeMm);
+  scene.lighting.ambient = {1, 1, 1};
+  RenderOptions options = TranslucentSurfaceTest::options();
+  options.transport = Transport::Boundary;
+  for (const float roughness : {0.05F, 0.25F, 0.5F, 1.0F}) {
+    options.roughness = roughness;
+    const Image image = render(scene, options, {Aov::Radiance})[0];
+    int seen = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+      const double coverage{image.rgba[i + 3]};
+      if (coverage < 0.2) continue;
+      ++seen;
+      EXPECT_NEAR(double{image.rgba[i + 1]} / coverage, 1, 0.015) << roughness << ", " << i / 4;
+    }
+    EXPECT_GT(seen, 800);
+  }
+}
+
 TEST_F(TranslucentSurfaceTest, ThePatternKnowsRoughnessButNoNormals) {
   RenderOptions pattern = smallOptions();
   pattern.sum = Sum::Pattern;

@@ -63,9 +63,15 @@ vec3 mirroredSky(NormalsNearby normals, uint samples, vec3 toCamera, Mirror mirr
   return sum / float(bitCount(seeing));
 }
 
+// Of even light, by the cosine of the view.
+float mirroredShare(MediumData medium, Mirror mirror, float cosine) {
+  if (withOwnSurfaces != 0u && mirror.own) return reflectedAlbedo(medium, mirror.alpha, cosine);
+  return reflectedAlbedo(medium, cosine);
+}
+
 // `bodies` is radiance of the scene where it is mirrored; where that is not known, of the surface here.
 vec3 reflection(MediumData medium, vec3 position, vec3 outside, NormalsNearby normals, uint samples,
-                vec3 toCamera, float sky, vec3 bodies, Mirror mirror) {
+                vec3 toCamera, float sky, vec3 bodies, Mirror mirror, float share) {
   float eta = medium.boundary.x;
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < lightsAt(position); ++i) {
@@ -78,10 +84,7 @@ vec3 reflection(MediumData medium, vec3 position, vec3 outside, NormalsNearby no
                   fresnelReflectance(eta, cosine);
     if (value > 1e-6) sum += light.irradiance * (value * visibilityOf(light, position, outside));
   }
-  vec3 around = mix(bodies, mirroredSky(normals, samples, toCamera, mirror), sky);
-  float cosine = max(dot(normals.middle, toCamera), 1e-3);
-  if (withOwnSurfaces != 0u && mirror.own) return sum + around * reflectedAlbedo(medium, mirror.alpha, cosine);
-  return sum + around * reflectedAlbedo(medium, cosine);
+  return sum + share * mix(bodies, mirroredSky(normals, samples, toCamera, mirror), sky);
 }
 
 vec3 radianceOf(Seen seen, MeshPlace place) {
@@ -96,10 +99,12 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
     lifted = liftedPlace(place);
   }
   float cosine = clamp(dot(normal, toCamera), 1e-3, 1.0);
-  float transmitted = 1.0 - fresnelReflectance(medium.boundary.x, cosine);
+  // By reciprocity a surface lets out towards the camera what it does not mirror from there: a rough one, where it is
+  // grazed, more than a smooth one.
+  float mirrored = specular == 0u ? fresnelReflectance(medium.boundary.x, cosine) : mirroredShare(medium, mirror, cosine);
   vec4 found = light[seen.entry];
   vec3 left = atFragments != 0u ? found.rgb : meshExitanceAt(place).rgb;
-  vec3 scattered = left * (transmitted * medium.boundary.y);
+  vec3 scattered = left * ((1.0 - mirrored) * medium.boundary.y);
   if (withPaint != 0u) scattered *= paint[seen.entry].rgb;
   if (specular == 0u) return scattered;
   float sky = skyIsMirrored != 0u ? found.w : 1.0;
@@ -108,7 +113,7 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
   NormalsNearby normals = normalsNearby(seen.pixel, seen.word, place);
   normals.middle = normal;
   return scattered + reflection(medium, lifted, place.normal, normals, samplesOf(seen.word), toCamera, sky,
-                                bodies, mirror);
+                                bodies, mirror, mirrored);
 }
 
 void main() {
