@@ -36,13 +36,22 @@ vec2 netPlace(uint i) {
   return vec2(bitfieldReverse(i), across) / 4294967296.0 + middle;
 }
 
-// A place on the light's edge, so far around it, in [0, 1): what comes before the light hides some of these first.
+// A place on the light's edge, so far around it, in [0, 1).
 vec2 edgePlace(AreaView view, float along) {
   const float almost = 0.999;
   if (view.shape == discShape) return vec2(almost, along);
   float side = fract(4.0 * along);
   vec2 at = along < 0.25 ? vec2(side, 0.0) : along < 0.5 ? vec2(1.0, side) : along < 0.75 ? vec2(1.0 - side, 1.0) : vec2(0.0, 1.0 - side);
   return mix(vec2(0.5), at, almost);
+}
+
+// The first places that neighbours ask, which of 16 and of so many turns in [0, 4). Most lie on the light's edge: what
+// comes before the light hides some of these first. So where all agree, all of it is seen or none.
+vec2 firstPlace(AreaView view, uint which, uint turn) {
+  const uint placesOfEdge = 12u;  // so that corners are among them; those of other turns lie between
+  uint i = 5u * which % 16u;  // neighbours do not ask for neighbouring places
+  if (i >= placesOfEdge) return netPlace(4u * turn + i - placesOfEdge);
+  return edgePlace(view, (float(i) + 0.25 * float(turn)) / float(placesOfEdge));
 }
 
 // Asks one place on the light, for two numbers in [0, 1).

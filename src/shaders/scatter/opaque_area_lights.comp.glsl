@@ -126,12 +126,8 @@ uint quarterOf(ivec2 pixel) {
 }
 
 uint firstShareOf(AreaView view, Receiver receiver, ivec2 pixel) {
-  const uint placesOfEdge = 12u;  // of 16, so that a corner is one; those of other quarters lie between
   Share share = Share(0.0, 0.0);
-  uint i = 5u * cellOf(pixel) % 16u;  // neighbours do not ask for neighbouring places
-  float along = (float(i) + 0.25 * float(quarterOf(pixel))) / float(placesOfEdge);
-  vec2 at = i < placesOfEdge ? edgePlace(view, along) : netPlace(4u * quarterOf(pixel) + i - placesOfEdge);
-  sendRay(view, receiver, at, nodeCount, share);
+  sendRay(view, receiver, firstPlace(view, cellOf(pixel), quarterOf(pixel)), nodeCount, share);
   return packed(share);
 }
 
