@@ -29,10 +29,7 @@ Lighting& lightingOf(OpalineScene* scene) {
 
 /// Refuses what cannot be rendered, alone or with the lights that are there, which then stay.
 void set(OpalineScene* scene, Lighting lighting) {
-  Lighting& of = lightingOf(scene);
-  const std::string complaint = complaintAbout(lighting);
-  if (!complaint.empty()) throw UsageError(complaint);
-  of = std::move(lighting);
+  lightingOf(scene) = sound(std::move(lighting));
 }
 
 template <typename Light>
@@ -91,6 +88,15 @@ OpalineStatus opalineAddSpotLight(OpalineScene* scene, const float positionMm[3]
   });
 }
 
+OpalineStatus opalineAddSun(OpalineScene* scene, const float directionToLight[3],
+                            const float irradiance[3], float angularRadiusDegrees) {
+  return guarded([&] {
+    c::add(scene, &Lighting::directional,
+           DirectionalLight{vectorOf(directionToLight, "directionToLight"),
+                            vectorOf(irradiance, "irradiance"), angularRadiusDegrees});
+  });
+}
+
 OpalineStatus opalineAddRectangleLight(OpalineScene* scene, const float centreMm[3],
                                        const float uMm[3], const float vMm[3],
                                        const float radiance[3]) {
@@ -121,6 +127,27 @@ OpalineStatus opalineAddTubeLight(OpalineScene* scene, const float fromMm[3], co
   return guarded([&] {
     c::addArea(scene, TubeLight{vectorOf(fromMm, "fromMm"), vectorOf(toMm, "toMm"), radiusMm,
                                 vectorOf(radiance, "radiance")});
+  });
+}
+
+OpalineStatus opalineSetAreaLight(OpalineScene* scene, size_t light, int32_t twoSided,
+                                  int32_t visible) {
+  return guarded([&] {
+    std::vector<AreaLight>& areas = c::lightingOf(scene).areas;
+    if (light >= areas.size()) {
+      throw UsageError(
+          fmt::format("There is no area light {}: the scene has {}.", light, areas.size()));
+    }
+    std::visit(
+        [&](auto& of) {
+          if constexpr (requires { of.twoSided; }) {
+            of.twoSided = twoSided != 0;
+          } else if (twoSided != 0) {
+            throw UsageError("Only rectangles and discs shine to two sides.");
+          }
+          of.visible = visible != 0;
+        },
+        areas[light]);
   });
 }
 

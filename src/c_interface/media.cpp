@@ -9,6 +9,9 @@ namespace opaline::c {
 
 namespace {
 
+// The interfaces number their choices alike.
+static_assert(static_cast<int>(ColorModel::Khr) == OpalineColorKhr);
+
 const std::vector<Medium>& namedMedia() {
   static const std::vector<Medium> media = [] {
     std::vector<Medium> all;
@@ -19,7 +22,21 @@ const std::vector<Medium>& namedMedia() {
   return media;
 }
 
+OpalineAppearance given(const Appearance& appearance) {
+  OpalineAppearance whole{};
+  std::copy_n(appearance.color.begin(), 3, whole.color);
+  std::copy_n(appearance.meanFreePathMm.begin(), 3, whole.meanFreePathMm);
+  whole.g = appearance.g;
+  whole.eta = appearance.eta;
+  whole.colorModel = static_cast<OpalineColorModel>(appearance.colorModel);
+  return whole;
+}
+
 }  // namespace
+
+ColorModel colorModelOf(OpalineColorModel given) {
+  return choiceOf<ColorModel>(given, OpalineColorKhr, "colour model");
+}
 
 Medium mediumOf(const OpalineMedium* given) {
   const OpalineMedium whole = wholeOf(given, {}, "medium");
@@ -28,9 +45,7 @@ Medium mediumOf(const OpalineMedium* given) {
   std::copy_n(whole.sigmaAPerMm, 3, medium.sigmaAPerMm.begin());
   medium.eta = whole.eta;
   medium.g = whole.g;
-  const std::string complaint = complaintAbout(medium);
-  if (!complaint.empty()) throw UsageError(complaint);
-  return medium;
+  return sound(medium);
 }
 
 void give(const Medium& medium, OpalineMedium* to) {
@@ -74,9 +89,31 @@ OpalineStatus opalineMediumOfAppearance(const double color[3], const double mean
     std::copy_n(&required(meanFreePathMm, "meanFreePathMm"), 3, appearance.meanFreePathMm.begin());
     appearance.g = g;
     appearance.eta = eta;
-    const std::string complaint = complaintAbout(appearance);
-    if (!complaint.empty()) throw UsageError(complaint);
-    c::give(opaline::mediumOf(appearance), medium);
+    c::give(opaline::mediumOf(c::sound(appearance)), medium);
+  });
+}
+
+OpalineStatus opalineDefaultAppearance(OpalineAppearance* appearance) {
+  return guarded([&] { c::give(c::given(Appearance{}), appearance, "appearance"); });
+}
+
+OpalineStatus opalineMediumThatLooks(const OpalineAppearance* appearance, OpalineMedium* medium) {
+  return guarded([&] {
+    const OpalineAppearance whole = c::wholeOf(appearance, c::given(Appearance{}), "appearance");
+    Appearance wanted;
+    std::copy_n(whole.color, 3, wanted.color.begin());
+    std::copy_n(whole.meanFreePathMm, 3, wanted.meanFreePathMm.begin());
+    wanted.g = whole.g;
+    wanted.eta = whole.eta;
+    wanted.colorModel = c::colorModelOf(whole.colorModel);
+    c::give(opaline::mediumOf(c::sound(wanted)), medium);
+  });
+}
+
+OpalineStatus opalineColorOfMedium(const OpalineMedium* medium, float color[3]) {
+  return guarded([&] {
+    const Rgb seen = colorOf(c::mediumOf(medium));
+    std::copy_n(seen.begin(), 3, &required(color, "color"));
   });
 }
 

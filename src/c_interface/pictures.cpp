@@ -32,13 +32,17 @@ ToneOptions toneOf(const OpalineTone* given) {
 
 }  // namespace
 
-Image imageOf(const float* rgba, int width, int height, const char* name) {
+void requirePictureSize(int width, int height) {
   constexpr int largest = 16384;
-  required(rgba, name);
   if (width < 1 || height < 1 || width > largest || height > largest) {
     throw UsageError(fmt::format("A picture of {}x{}: must be from 1 to {} pixels each.", width,
                                  height, largest));
   }
+}
+
+Image imageOf(const float* rgba, int width, int height, const char* name) {
+  required(rgba, name);
+  requirePictureSize(width, height);
   Image image(width, height);
   std::copy_n(rgba, image.rgba.size(), image.rgba.begin());
   return image;

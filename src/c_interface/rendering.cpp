@@ -21,15 +21,6 @@ static_assert(static_cast<int>(Aov::Surfels) == OpalineAovSurfels);
 static_assert(static_cast<int>(LogLevel::Warning) == OpalineWarning);
 static_assert(sizeof(OpalineAov) == 4 && sizeof(OpalineTransport) == 4);
 
-template <typename Choice, typename Given>
-Choice choiceOf(Given given, Given last, const char* name) {
-  const auto number = static_cast<long long>(given);
-  if (number < 0 || number > static_cast<long long>(last)) {
-    throw UsageError(fmt::format("There is no {} {}.", name, number));
-  }
-  return static_cast<Choice>(number);
-}
-
 OpalineRendererOptions defaultRendererOptions() {
   OpalineRendererOptions options{};
   options.rayQueries = -1;
@@ -216,9 +207,23 @@ OpalineStatus opalineSetMedium(OpalineRenderer* renderer, size_t object,
       [&] { required(renderer, "renderer").renderer.setMedium(object, c::mediumOf(medium)); });
 }
 
+OpalineStatus opalineSetMaterial(OpalineRenderer* renderer, size_t object,
+                                 const OpalineScene* scene) {
+  return guarded([&] {
+    required(renderer, "renderer")
+        .renderer.setMaterial(object, materialOf(c::objectOf(scene, object)));
+  });
+}
+
 OpalineStatus opalineSetLights(OpalineRenderer* renderer, const OpalineScene* scene) {
   return guarded([&] {
     required(renderer, "renderer").renderer.setLighting(required(scene, "scene").scene.lighting);
+  });
+}
+
+OpalineStatus opalineSetDeformers(OpalineRenderer* renderer, const OpalineScene* scene) {
+  return guarded([&] {
+    required(renderer, "renderer").renderer.setDeformers(required(scene, "scene").scene.deformers);
   });
 }
 
@@ -227,7 +232,8 @@ OpalineStatus opalineSetPositions(OpalineRenderer* renderer, size_t object,
                                   size_t strideBytes) {
   return guarded([&] {
     required(renderer, "renderer")
-        .renderer.replacePositions(object, c::positionsOf(positionsMm, vertexCount, strideBytes));
+        .renderer.replacePositions(
+            object, c::vectorsOf<Vec3>(positionsMm, vertexCount, strideBytes, "positionsMm"));
   });
 }
 

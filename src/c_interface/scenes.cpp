@@ -14,12 +14,15 @@ namespace opaline::c {
 
 Camera cameraOf(const OpalineCamera* given) {
   const OpalineCamera whole = wholeOf(given, {}, "camera");
-  const Camera camera{vectorOf(whole.positionMm, "positionMm"),
-                      vectorOf(whole.targetMm, "targetMm"), vectorOf(whole.up, "up"),
-                      whole.verticalFovDegrees};
-  const std::string complaint = complaintAbout(camera);
-  if (!complaint.empty()) throw UsageError(complaint);
-  return camera;
+  Camera camera{.positionMm = vectorOf(whole.positionMm, "positionMm"),
+                .targetMm = vectorOf(whole.targetMm, "targetMm"),
+                .up = vectorOf(whole.up, "up"),
+                .verticalFovDegrees = whole.verticalFovDegrees,
+                .shiftX = whole.shiftX,
+                .shiftY = whole.shiftY,
+                .orthographicHeightMm = {}};
+  if (whole.orthographicHeightMm != 0) camera.orthographicHeightMm = whole.orthographicHeightMm;
+  return sound(camera);
 }
 
 void give(const Camera& camera, OpalineCamera* to) {
@@ -28,25 +31,11 @@ void give(const Camera& camera, OpalineCamera* to) {
   std::copy_n(camera.targetMm.begin(), 3, whole.targetMm);
   std::copy_n(camera.up.begin(), 3, whole.up);
   whole.verticalFovDegrees = camera.verticalFovDegrees;
+  whole.shiftX = camera.shiftX;
+  whole.shiftY = camera.shiftY;
+  whole.orthographicHeightMm = camera.orthographicHeightMm.value_or(0);
   give(whole, to, "camera");
 }
-
-std::vector<Vec3> positionsOf(const float* positionsMm, std::size_t count,
-                              std::size_t strideBytes) {
-  if (count > 0) required(positionsMm, "positionsMm");
-  if (strideBytes == 0) strideBytes = sizeof(Vec3);
-  if (strideBytes < sizeof(Vec3)) {
-    throw UsageError(fmt::format("A stride of {} bytes is less than a position has.", strideBytes));
-  }
-  std::vector<Vec3> positions(count);
-  const auto* from = reinterpret_cast<const char*>(positionsMm);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::memcpy(positions[i].data(), from + i * strideBytes, sizeof(Vec3));
-  }
-  return positions;
-}
-
-namespace {
 
 LoadOptions loadOptionsOf(const OpalineLoadOptions* given) {
   LoadOptions options;
@@ -54,6 +43,8 @@ LoadOptions loadOptionsOf(const OpalineLoadOptions* given) {
   const OpalineLoadOptions whole = wholeOf(given, {}, "options");
   if (whole.diagonalMm != 0) options.diagonalMm = whole.diagonalMm;
   if (whole.medium) options.medium = mediumOf(whole.medium);
+  if (whole.colorModel) options.colorModel = colorModelOf(*whole.colorModel);
+  if (whole.morphTo) options.morphTo = whole.morphTo;
   return options;
 }
 
@@ -62,17 +53,9 @@ void giveScene(Scene scene, OpalineScene** to) {
   *to = std::make_unique<OpalineScene>(OpalineScene{std::move(scene)}).release();
 }
 
-template <typename AScene>
-auto& objectOf(AScene* scene, std::size_t index) {
-  auto& objects = required(scene, "scene").scene.objects;
-  if (index >= objects.size()) {
-    throw UsageError(
-        fmt::format("There is no object {}: the scene has {}.", index, objects.size()));
-  }
-  return objects[index];
-}
+namespace {
 
-Object objectOf(const OpalineObject* given) {
+Object makeObject(const OpalineObject* given) {
   const OpalineObject whole = wholeOf(given, {}, "object");
   if (whole.triangleCount > 0) required(whole.triangles, "triangles");
   std::vector<Triangle> triangles(whole.triangleCount);
@@ -81,15 +64,12 @@ Object objectOf(const OpalineObject* given) {
   }
   Object object;
   if (whole.name) object.name = whole.name;
-  object.mesh =
-      makeMesh(positionsOf(whole.positionsMm, whole.vertexCount, whole.positionStrideBytes),
-               std::move(triangles));
+  object.mesh = makeMesh(vectorsOf<Vec3>(whole.positionsMm, whole.vertexCount,
+                                         whole.positionStrideBytes, "positionsMm"),
+                         std::move(triangles));
   object.medium = whole.medium ? mediumOf(whole.medium) : findMedium("marble").value();
-  if (whole.opaqueColor) {
-    object.opaque = mattMaterial(vectorOf(whole.opaqueColor, "opaqueColor"));
-    const std::string complaint = complaintAbout(*object.opaque);
-    if (!complaint.empty()) throw UsageError(complaint);
-  }
+  if (whole.opaqueColor)
+    object.opaque = sound(mattMaterial(vectorOf(whole.opaqueColor, "opaqueColor")));
   return object;
 }
 
@@ -127,16 +107,14 @@ void opalineDestroyScene(OpalineScene* scene) {
 OpalineStatus opalineAddObject(OpalineScene* scene, const OpalineObject* object, size_t* index) {
   return guarded([&] {
     std::vector<Object>& objects = required(scene, "scene").scene.objects;
-    objects.push_back(c::objectOf(object));
+    objects.push_back(c::makeObject(object));
     if (index) *index = objects.size() - 1;
   });
 }
 
 OpalineStatus opalineAddGround(OpalineScene* scene, const float color[3]) {
   return guarded([&] {
-    const Ground ground{c::vectorOf(color, "color"), {}};
-    const std::string complaint = complaintAbout(ground);
-    if (!complaint.empty()) throw UsageError(complaint);
+    const Ground ground = c::sound(Ground{c::vectorOf(color, "color"), {}});
     Scene& to = required(scene, "scene").scene;
     removeGround(to);
     to.objects.push_back(groundUnder(to, ground));
@@ -159,13 +137,14 @@ OpalineStatus opalineObjectFacts(const OpalineScene* scene, size_t object,
 OpalineStatus opalineObjectPositions(const OpalineScene* scene, size_t object, float* positionsMm,
                                      size_t vertexCount) {
   return guarded([&] {
-    const std::vector<Vec3>& positions = c::objectOf(scene, object).mesh.positionsMm;
-    if (vertexCount != positions.size()) {
-      throw UsageError(fmt::format("There is room for {} positions, but object {} has {}.",
-                                   vertexCount, object, positions.size()));
-    }
-    float* to = &required(positionsMm, "positionsMm");
-    for (const Vec3& position : positions) to = std::copy(position.begin(), position.end(), to);
+    c::give(c::objectOf(scene, object).mesh.positionsMm, positionsMm, vertexCount, "positionsMm");
+  });
+}
+
+OpalineStatus opalineObjectTriangles(const OpalineScene* scene, size_t object, uint32_t* triangles,
+                                     size_t triangleCount) {
+  return guarded([&] {
+    c::give(c::objectOf(scene, object).mesh.triangles, triangles, triangleCount, "triangles");
   });
 }
 

@@ -11,6 +11,7 @@
 #include "opaline/image.h"
 #include "opaline/medium.h"
 #include "opaline/opaline_c.h"
+#include "opaline/options/scene.h"
 #include "opaline/scene.h"
 
 namespace opaline::c {
@@ -27,6 +28,10 @@ template <typename T>
 constexpr std::size_t firstSize = sizeof(T);
 template <>
 inline constexpr std::size_t firstSize<OpalineRendererOptions> = 48;
+template <>
+inline constexpr std::size_t firstSize<OpalineLoadOptions> = 24;
+template <>
+inline constexpr std::size_t firstSize<OpalineCamera> = 48;
 
 template <typename T>
 void requireSize(const T& structure, const char* name) {
@@ -55,6 +60,25 @@ void give(T whole, T* to, const char* name) {
   std::memcpy(to, &whole, to->size);
 }
 
+/// One of an enumeration whose values go from 0 to `last`.
+template <typename Choice, typename Given>
+Choice choiceOf(Given given, Given last, const char* name) {
+  const auto number = static_cast<long long>(given);
+  if (number < 0 || number > static_cast<long long>(last)) {
+    throw UsageError(fmt::format("There is no {} {}.", name, number));
+  }
+  return static_cast<Choice>(number);
+}
+
+/// What can be rendered, or else UsageError.
+template <typename T>
+T sound(T value) {
+  using options::complaintAbout;
+  const std::string complaint = complaintAbout(value);
+  if (!complaint.empty()) throw UsageError(complaint);
+  return value;
+}
+
 inline Vec3 vectorOf(const float* values, const char* name) {
   required(values, name);
   return {values[0], values[1], values[2]};
@@ -63,14 +87,47 @@ inline Vec3 vectorOf(const float* values, const char* name) {
 Medium mediumOf(const OpalineMedium* given);
 void give(const Medium& medium, OpalineMedium* to);
 
+ColorModel colorModelOf(OpalineColorModel given);
+
 Camera cameraOf(const OpalineCamera* given);
 void give(const Camera& camera, OpalineCamera* to);
+
+void requirePictureSize(int width, int height);
 
 /// Of 4 · width · height floats.
 Image imageOf(const float* rgba, int width, int height, const char* name);
 
-/// Of an array of floats with a stride in bytes; 0: packed.
-std::vector<Vec3> positionsOf(const float* positionsMm, std::size_t count, std::size_t strideBytes);
+LoadOptions loadOptionsOf(const OpalineLoadOptions* given);
+
+/// Vectors of an array of floats with a stride in bytes; 0: packed.
+template <typename Vector>
+std::vector<Vector> vectorsOf(const float* values, std::size_t count, std::size_t strideBytes,
+                              const char* name) {
+  if (count > 0) required(values, name);
+  if (strideBytes == 0) strideBytes = sizeof(Vector);
+  if (strideBytes < sizeof(Vector)) {
+    throw UsageError(fmt::format("{}: a stride of {} bytes is less than the {} of one vertex.",
+                                 name, strideBytes, sizeof(Vector)));
+  }
+  std::vector<Vector> vectors(count);
+  const auto* from = reinterpret_cast<const char*>(values);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::memcpy(vectors[i].data(), from + i * strideBytes, sizeof(Vector));
+  }
+  return vectors;
+}
+
+/// One value of a vertex after the other, into room for `count` vertices, or triangles.
+template <typename Vector>
+void give(const std::vector<Vector>& vectors, typename Vector::value_type* to, std::size_t count,
+          const char* name) {
+  if (count != vectors.size()) {
+    throw UsageError(
+        fmt::format("{} has room for {}, but there are {}.", name, count, vectors.size()));
+  }
+  if (count > 0) required(to, name);
+  for (const Vector& vector : vectors) to = std::copy(vector.begin(), vector.end(), to);
+}
 
 }  // namespace opaline::c
 
@@ -78,3 +135,20 @@ std::vector<Vec3> positionsOf(const float* positionsMm, std::size_t count, std::
 struct OpalineScene {
   opaline::Scene scene;
 };
+
+namespace opaline::c {
+
+template <typename AScene>
+auto& objectOf(AScene* scene, std::size_t index) {
+  auto& objects = required(scene, "scene").scene.objects;
+  if (index >= objects.size()) {
+    throw UsageError(
+        fmt::format("There is no object {}: the scene has {}.", index, objects.size()));
+  }
+  return objects[index];
+}
+
+/// A scene that the caller will destroy.
+void giveScene(Scene scene, OpalineScene** to);
+
+}  // namespace opaline::c

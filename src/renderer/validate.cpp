@@ -46,6 +46,9 @@ void validateMesh(const Object& object) {
           fmt::format("object '{}' has texture coordinates that are not finite", object.name));
   }
   requireOneEach(mesh.colors.size(), "colors");
+  for (const std::array<float, 4>& color : mesh.colors)
+    if (!std::all_of(color.begin(), color.end(), [](float value) { return std::isfinite(value); }))
+      throw Error(fmt::format("object '{}' has vertex colors that are not finite", object.name));
   for (const Triangle& triangle : mesh.triangles)
     for (const std::uint32_t index : triangle)
       if (index >= mesh.positionsMm.size())

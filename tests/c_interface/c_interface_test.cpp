@@ -9,121 +9,17 @@
 #include <thread>
 #include <vector>
 
-#include "opaline/media.h"
-#include "opaline/mesh.h"
-#include "opaline/opaline_c.h"
-#include "opaline/renderer.h"
+#include "c_interface/c_fixture.h"
 
+namespace opaline_c_test {
 namespace {
-
-struct SceneDeleter {
-  void operator()(OpalineScene* scene) const { opalineDestroyScene(scene); }
-};
-struct RendererDeleter {
-  void operator()(OpalineRenderer* renderer) const { opalineDestroyRenderer(renderer); }
-};
-struct ViewDeleter {
-  void operator()(OpalineView* view) const { opalineDestroyView(view); }
-};
-using Scene = std::unique_ptr<OpalineScene, SceneDeleter>;
-using Renderer = std::unique_ptr<OpalineRenderer, RendererDeleter>;
-using View = std::unique_ptr<OpalineView, ViewDeleter>;
-
-constexpr int edge = 24;
-constexpr std::size_t floats = std::size_t{4} * edge * edge;
-
-/// An octahedron of 20 mm, in vertices with four floats more than they need.
-struct Body {
-  static constexpr std::size_t count = 6;
-  std::array<std::array<float, 7>, count> vertices{};
-  std::array<std::uint32_t, 24> triangles{0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
-                                          2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
-
-  Body() {
-    for (std::size_t i = 0; i < count; ++i) vertices[i][i / 2] = i % 2 == 0 ? 10.F : -10.F;
-  }
-  OpalineObject object() const {
-    OpalineObject object{};
-    object.size = sizeof object;
-    object.name = "octahedron";
-    object.positionsMm = vertices[0].data();
-    object.positionStrideBytes = sizeof vertices[0];
-    object.vertexCount = count;
-    object.triangles = triangles.data();
-    object.triangleCount = triangles.size() / 3;
-    return object;
-  }
-};
-
-OpalineRenderOptions smallDipole() {
-  OpalineRenderOptions options{};
-  options.size = sizeof options;
-  EXPECT_EQ(opalineDefaultRenderOptions(&options), OpalineOk);
-  options.width = options.height = edge;
-  options.transport = OpalineTransportDipole;
-  return options;
-}
-
-Scene sceneOf(const Body& body) {
-  OpalineScene* scene = nullptr;
-  EXPECT_EQ(opalineCreateScene(&scene), OpalineOk);
-  const OpalineObject object = body.object();
-  EXPECT_EQ(opalineAddObject(scene, &object, nullptr), OpalineOk) << opalineLastError();
-  EXPECT_EQ(opalineUseDefaultLights(scene), OpalineOk);
-  OpalineCamera camera{};
-  camera.size = sizeof camera;
-  const std::array<float, 3> towards{0.3F, 0.4F, 1};
-  EXPECT_EQ(opalineDefaultCamera(scene, towards.data(), 30, &camera), OpalineOk);
-  EXPECT_EQ(opalineSetSceneCamera(scene, &camera), OpalineOk);
-  return Scene(scene);
-}
-
-struct Drawn {
-  Renderer renderer;
-  View view;
-
-  explicit Drawn(const Scene& scene) {
-    OpalineRenderer* made = nullptr;
-    EXPECT_EQ(opalineCreateRenderer(nullptr, &made), OpalineOk) << opalineLastError();
-    renderer.reset(made);
-    EXPECT_EQ(opalineSetScene(made, scene.get()), OpalineOk) << opalineLastError();
-    const OpalineRenderOptions options = smallDipole();
-    OpalineView* drawn = nullptr;
-    EXPECT_EQ(opalineCreateView(made, &options, &drawn), OpalineOk);
-    view.reset(drawn);
-  }
-
-  std::vector<float> picture(OpalineAov aov = OpalineAovExitance) const {
-    std::vector<float> rgba(floats);
-    const OpalineTarget target{sizeof target, aov, rgba.data(), rgba.size()};
-    EXPECT_EQ(opalineRender(view.get(), &target, 1), OpalineOk) << opalineLastError();
-    return rgba;
-  }
-};
 
 TEST(CInterface, DrawsWhatTheCppInterfaceDraws) {
   const Body body;
-  const std::vector<float> drawn = Drawn(sceneOf(body)).picture();
-
-  opaline::Scene scene;
-  std::vector<opaline::Vec3> positions;
-  for (const auto& vertex : body.vertices) positions.push_back({vertex[0], vertex[1], vertex[2]});
-  std::vector<opaline::Triangle> triangles;
-  for (std::size_t i = 0; i < body.triangles.size(); i += 3) {
-    triangles.push_back({body.triangles[i], body.triangles[i + 1], body.triangles[i + 2]});
-  }
-  scene.objects.push_back({"octahedron", opaline::makeMesh(positions, triangles),
-                           opaline::findMedium("marble").value()});
-  scene.lighting = opaline::defaultLighting();
-  scene.camera = opaline::defaultCamera(scene, {0.3F, 0.4F, 1});
-  opaline::Renderer renderer;
-  renderer.setScene(scene);
-  opaline::RenderOptions options;
-  options.width = options.height = edge;
-  options.transport = opaline::Transport::Dipole;
-  const auto expected = renderer.render(options, {opaline::Aov::Exitance}).images[0].rgba;
-  EXPECT_EQ(drawn, expected);
-  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0);
+  const Drawn drawn(sceneOf(body));
+  const std::vector<float> picture = drawn.picture();
+  EXPECT_EQ(picture, samePicture(sameScene(body), drawn));
+  EXPECT_GT(*std::max_element(picture.begin(), picture.end()), 0);
 }
 
 TEST(CInterface, MovesVerticesOfAnyStride) {
@@ -301,3 +197,4 @@ TEST(CInterface, NamesItsMedia) {
 }
 
 }  // namespace
+}  // namespace opaline_c_test

@@ -11,13 +11,13 @@ import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-HEADER = ROOT / "include" / "opaline" / "opaline_c.h"
+HEADERS = sorted((ROOT / "include" / "opaline" / "c").glob("*.h"))
 RECORD = HERE / "layouts.txt"
 INCLUDE = os.environ.get("INCLUDE", f"{ROOT}/include:{ROOT}/build/release/include").split(":")
 
 
 def uncommented():
-    return re.sub(r"//[^\n]*", "", re.sub(r"/\*.*?\*/", "", HEADER.read_text(), flags=re.DOTALL))
+    return re.sub(r"//[^\n]*", "", re.sub(r"/\*.*?\*/", "", "".join(path.read_text() for path in HEADERS), flags=re.DOTALL))
 
 
 def layouts():

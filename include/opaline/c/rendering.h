@@ -1,0 +1,188 @@
+#pragma once
+
+/// Renderers and views in C; part of opaline/opaline_c.h.
+
+#include "opaline/c/media.h"
+#include "opaline/c/scenes.h"
+#include "opaline/c/status.h"
+
+OPALINE_C_BEGIN
+
+struct OpalineGivenVulkan;
+
+/// A device with one scene at a time.
+typedef struct OpalineRenderer OpalineRenderer;
+
+/// How much a message matters.
+typedef enum OpalineLogLevel {
+  OpalineDebug = 0,
+  OpalineNote = 1,
+  OpalineWarning = 2
+} OpalineLogLevel;
+
+/// Receives all messages; the library prints nothing. Called on the thread that called the library.
+typedef void (*OpalineLog)(void* context, OpalineLogLevel level, const char* message);
+
+/// How many Vulkan devices this machine has.
+OPALINE_API OpalineStatus opalineDeviceCount(size_t* count);
+/// The name of one, cut off where it has no room.
+OPALINE_API OpalineStatus opalineDeviceName(size_t device, char* name, size_t nameBytes);
+
+/// Which device a renderer uses, and how.
+typedef struct OpalineRendererOptions {
+  size_t size;         ///< sizeof(OpalineRendererOptions)
+  const char* device;  ///< index or part of a name; NULL: the best there is
+  int32_t validation;  ///< 1: run Vulkan's validation layer
+  int32_t
+      rayQueries;    ///< 1 or 0: with or without; -1: where the device has them and is no software
+  OpalineLog log;    ///< may be NULL
+  void* logContext;  ///< for the log
+  float memoryLimitMegabytes;              ///< of the device, in [64, 1e7]; 0: what the device has
+  const struct OpalineGivenVulkan* given;  ///< a device of the caller's; NULL: its own
+  const void* pipelineCache;               ///< what opalinePipelineCache gave in an earlier run
+  size_t pipelineCacheBytes;               ///< 0 without one
+} OpalineRendererOptions;
+
+/// Fills a struct whose size has been set.
+OPALINE_API OpalineStatus opalineDefaultRendererOptions(OpalineRendererOptions* options);
+
+/// `options` may be NULL.
+OPALINE_API OpalineStatus opalineCreateRenderer(const OpalineRendererOptions* options,
+                                                OpalineRenderer** renderer);
+/// Its views are destroyed before it.
+OPALINE_API void opalineDestroyRenderer(OpalineRenderer* renderer);
+
+/// Bytes of the device's memory that the renderer and its views take now.
+OPALINE_API OpalineStatus opalineMemoryInUse(const OpalineRenderer* renderer, uint64_t* bytes);
+
+/// Copies the pipelines that were compiled so far to `data`, which has room for `*bytes`, and says
+/// in `*bytes` how many they are; only that if `data` is NULL.
+OPALINE_API OpalineStatus opalinePipelineCache(const OpalineRenderer* renderer, void* data,
+                                               size_t* bytes);
+
+/// Takes what it needs of the scene, which may be changed or destroyed afterwards.
+OPALINE_API OpalineStatus opalineSetScene(OpalineRenderer* renderer, const OpalineScene* scene);
+
+/// Edits of what is rendered, from the next frame on. They remake only what depends on them.
+OPALINE_API OpalineStatus opalineSetTime(OpalineRenderer* renderer, double seconds, int32_t clip);
+OPALINE_API OpalineStatus opalineSetCamera(OpalineRenderer* renderer, const OpalineCamera* camera);
+OPALINE_API OpalineStatus opalineSetMedium(OpalineRenderer* renderer, size_t object,
+                                           const OpalineMedium* medium);
+/// What the object of that index in a scene is made of: medium, paint and surface, or its opaque
+/// material. What is opaque stays so, and so does what is translucent.
+OPALINE_API OpalineStatus opalineSetMaterial(OpalineRenderer* renderer, size_t object,
+                                             const OpalineScene* scene);
+/// All lights, or all deformers, of a scene instead of those at hand.
+OPALINE_API OpalineStatus opalineSetLights(OpalineRenderer* renderer, const OpalineScene* scene);
+OPALINE_API OpalineStatus opalineSetDeformers(OpalineRenderer* renderer, const OpalineScene* scene);
+
+/// Where an object's vertices are, in their order: three floats each, copied. Normals follow.
+/// `strideBytes` is from one to the next; 0: 12.
+OPALINE_API OpalineStatus opalineSetPositions(OpalineRenderer* renderer, size_t object,
+                                              const float* positionsMm, size_t vertexCount,
+                                              size_t strideBytes);
+/// Undoes opalineSetPositions.
+OPALINE_API OpalineStatus opalineRestorePositions(OpalineRenderer* renderer, size_t object);
+
+/// How light travels in bodies; see Transport in opaline/render_options.h.
+typedef enum OpalineTransport {
+  OpalineTransportDipole = 0,
+  OpalineTransportBetterDipole = 1,
+  OpalineTransportBoundary = 2
+} OpalineTransport;
+
+/// The sources of the sum; see Sum there.
+typedef enum OpalineSum { OpalineSumPattern = 0, OpalineSumTree = 1, OpalineSumAll = 2 } OpalineSum;
+
+/// Where the sum is evaluated; see Site there.
+typedef enum OpalineSite {
+  OpalineSiteAuto = 0,
+  OpalineSiteVertex = 1,
+  OpalineSiteFragment = 2
+} OpalineSite;
+
+/// What a picture shows; see Aov in opaline/render_options.h.
+typedef enum OpalineAov {
+  OpalineAovRadiance = 0,
+  OpalineAovExitance = 1,
+  OpalineAovIrradiance = 2,
+  OpalineAovPosition = 3,
+  OpalineAovNormal = 4,
+  OpalineAovDepth = 5,
+  OpalineAovEvaluations = 6,
+  OpalineAovObject = 7,
+  OpalineAovSurfels = 8
+} OpalineAov;
+
+/// See RenderOptions in opaline/render_options.h, which has ranges and defaults.
+typedef struct OpalineRenderOptions {
+  size_t size;  ///< sizeof(OpalineRenderOptions)
+  int32_t width;
+  int32_t height;
+  OpalineTransport transport;
+  OpalineSum sum;
+  OpalineSite site;
+  float tolerance;
+  int32_t maxSurfels;
+  int32_t maxClusters;
+  int32_t bounces;
+  int32_t ambientOcclusion;  ///< 1 or 0
+  int32_t shadowSize;
+  int32_t specular;  ///< 1 or 0
+  float roughness;
+  int32_t antialias;
+  int32_t environmentBehind;  ///< 1 or 0
+} OpalineRenderOptions;
+
+/// Fills a struct whose size has been set.
+OPALINE_API OpalineStatus opalineDefaultRenderOptions(OpalineRenderOptions* options);
+
+/// A picture that is made again and again. It keeps its images, so that frames allocate nothing.
+typedef struct OpalineView OpalineView;
+
+/// `options` may be NULL. The renderer must outlive the view.
+OPALINE_API OpalineStatus opalineCreateView(OpalineRenderer* renderer,
+                                            const OpalineRenderOptions* options,
+                                            OpalineView** view);
+OPALINE_API void opalineDestroyView(OpalineView* view);
+
+/// From the next frame on. Another size makes new images.
+OPALINE_API OpalineStatus opalineSetViewOptions(OpalineView* view,
+                                                const OpalineRenderOptions* options);
+/// NULL: the scene's again.
+OPALINE_API OpalineStatus opalineSetViewCamera(OpalineView* view, const OpalineCamera* camera);
+
+/// A camera as programs have it that draw by themselves; see CameraMatrices in opaline/view.h.
+typedef struct OpalineCameraMatrices {
+  size_t size;            ///< sizeof(OpalineCameraMatrices)
+  float worldToView[16];  ///< from millimetres, one column after the other
+  float viewToClip[16];   ///< to Vulkan's clip space
+  float jitterPixels[2];  ///< to the right and down, if viewToClip does not have it yet
+} OpalineCameraMatrices;
+
+/// Instead of a camera, until opalineSetViewCamera().
+OPALINE_API OpalineStatus opalineSetViewMatrices(OpalineView* view,
+                                                 const OpalineCameraMatrices* matrices);
+
+/// Where a variable of a frame goes: linear R G B A, rows from top to bottom, A is coverage.
+typedef struct OpalineTarget {
+  size_t size;  ///< sizeof(OpalineTarget)
+  OpalineAov aov;
+  float* rgba;        ///< 4 · width · height floats
+  size_t floatCount;  ///< how many floats there is room for, at least as many
+} OpalineTarget;
+
+/// Renders one frame and waits for it.
+OPALINE_API OpalineStatus opalineRender(OpalineView* view, const OpalineTarget* targets,
+                                        size_t targetCount);
+
+/// Submits one frame with the variables that opalineCollect() is to give, and returns while the
+/// device works. At most two frames wait to be collected.
+OPALINE_API OpalineStatus opalineSubmit(OpalineView* view, const OpalineAov* aovs, size_t aovCount);
+
+/// Waits for the oldest submitted frame and copies its variables, in the order of opalineSubmit().
+/// `milliseconds`, of the device, may be NULL.
+OPALINE_API OpalineStatus opalineCollect(OpalineView* view, const OpalineTarget* targets,
+                                         size_t targetCount, double* milliseconds);
+
+OPALINE_C_END
