@@ -49,7 +49,8 @@ void ShadePass::record(gpu::CommandList& commands, const Inputs& inputs,
        .alpha = inputs.roughness * inputs.roughness,
        .specular = inputs.specular,
        .skyIsMirrored = inputs.mirrorsSky,
-       .bodiesAreMirrored = inputs.mirrorsBodies});
+       .bodiesAreMirrored = inputs.mirrorsBodies,
+       .leavesSmooth = inputs.leavesSmooth});
   commands.endPass();
 }
 

@@ -35,6 +35,7 @@ class ShadePass {
     bool specular;
     bool mirrorsSky;     ///< VisibleSurfaces::light says how much of it
     bool mirrorsBodies;  ///< VisibleSurfaces::materials says what is seen of them
+    bool leavesSmooth;   ///< light leaves as through a smooth surface, whatever the roughness
   };
   /// Leaves the radiance of translucent surfaces, by coverage, in VisibleSurfaces::light.
   void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;

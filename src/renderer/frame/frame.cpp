@@ -316,8 +316,10 @@ struct FrameContext {
                                   static_cast<std::uint32_t>(plan.samples), plan.roughness},
                                  firstRow, seen());
     const passes::ShadePass::Inputs inputs{resources.tables, resources.shadows, resources.exitance,
-                                           resources.sky,    plan.roughness,    atFragments(),
-                                           plan.specular,    plan.mirrorsSky,   plan.mirrorsBodies};
+                                           resources.sky, plan.roughness, atFragments(),
+                                           plan.specular, plan.mirrorsSky, plan.mirrorsBodies,
+                                           // Jensen et al. 2001, Eq. 5.
+                                           plan.transport == Transport::Dipole};
     if (plan.specular && (carriesOpaque() || plan.mirrorsBodies))
       passes.mirroredScene.record(commands,
                                   {resources.tables, scene.surfels, scene.rays, scene.clusters,

@@ -38,6 +38,7 @@ layout(push_constant) uniform Push {
   uint specular;
   uint skyIsMirrored;  // some of it, as `light` has it; else all or none
   uint bodiesAreMirrored;  // `materials` has what is mirrored of them, where that is known
+  uint leavesSmooth;  // light leaves as through a smooth surface, whatever is mirrored (Eq. 5)
 };
 
 // The sky is seen through the lobe already.
@@ -101,10 +102,12 @@ vec3 radianceOf(Seen seen, MeshPlace place) {
   float cosine = clamp(dot(normal, toCamera), 1e-3, 1.0);
   // By reciprocity a surface lets out towards the camera what it does not mirror from there: a rough one, where it is
   // grazed, more than a smooth one.
-  float mirrored = specular == 0u ? fresnelReflectance(medium.boundary.x, cosine) : mirroredShare(medium, mirror, cosine);
+  float mirrored = mirroredShare(medium, mirror, cosine);
+  bool smoothly = specular == 0u || leavesSmooth != 0u;
+  float kept = smoothly ? fresnelReflectance(medium.boundary.x, cosine) : mirrored;
   vec4 found = light[seen.entry];
   vec3 left = atFragments != 0u ? found.rgb : meshExitanceAt(place).rgb;
-  vec3 scattered = left * ((1.0 - mirrored) * medium.boundary.y);
+  vec3 scattered = left * ((1.0 - kept) * medium.boundary.y);
   if (withPaint != 0u) scattered *= paint[seen.entry].rgb;
   if (specular == 0u) return scattered;
   float sky = skyIsMirrored != 0u ? found.w : 1.0;
