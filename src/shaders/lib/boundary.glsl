@@ -1,6 +1,7 @@
 // What the shaders of boundary transport share. Needs, before it, BINDING_OBJECTS and BINDING_MEDIA.
 #ifndef OPALINE_LIB_BOUNDARY
 #define OPALINE_LIB_BOUNDARY
+#include "lib/lesser.glsl"
 #include "lib/material.glsl"
 #include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
@@ -65,14 +66,6 @@ vec3 fluenceAtSurface(vec3 entered, float thicknessMm, BoundaryMedium medium) {
 // Of the light that entered through a cluster, what its first collisions are given as sources of fluence.
 vec3 shareOfFirst(Cluster cluster) {
   return 1.0 - cluster.second.rgb;
-}
-
-float leastOf(vec3 v) {
-  return min(min(v.x, v.y), v.z);
-}
-
-float largestOf(vec3 v) {
-  return max(max(v.x, v.y), v.z);
 }
 
 // (1 - e^{-σ l}) / σ, also for σ = 0.

@@ -43,7 +43,7 @@ float nearestSquared(vec3 place) {
   float least = 3e38;
   [[unroll]] for (uint t = 0u; t < maxClustersOfTile; ++t) {
     vec3 offset = place - targets[t].xyz;
-    least = min(least, dot(offset, offset));
+    least = lesser(least, dot(offset, offset));
   }
   return least;
 }

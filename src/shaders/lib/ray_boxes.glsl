@@ -6,14 +6,16 @@
 // corners, or those only nearly, slack sees to it.
 #ifndef OPALINE_LIB_RAY_BOXES
 #define OPALINE_LIB_RAY_BOXES
+#include "lib/lesser.glsl"
 
 layout(set = 0, binding = BINDING_RAYS) uniform samplerBuffer rayHierarchy;  // RayBox
 
 struct Ray {
   vec3 origin;
-  vec3 inverse;  // of the direction
-  mat3 turn;     // its rows: two directions across, and that of which `distance` is in lengths
-  float reach;   // largest coordinate of the origin, mm
+  vec3 inverse;     // of the direction
+  bvec3 backwards;  // where that is below 0
+  mat3 turn;        // its rows: two directions across, and that of which `distance` is in lengths
+  float reach;      // largest coordinate of the origin, mm
 };
 
 // Smaller components of a direction, 0 too, are this, so that none has no inverse. Boxes are wide
@@ -32,20 +34,18 @@ Ray makeRay(vec3 origin, vec3 direction) {
   vec3 across = vec3(1.0 + s * unit.x * unit.x * a, s * b, -s * unit.x);
   vec3 up = vec3(b, s + unit.y * unit.y * a, -unit.y);
   vec3 places = abs(origin);
-  return Ray(origin, inverse, transpose(mat3(across, up, direction / dot(direction, direction))),
-             max(max(places.x, places.y), places.z));
+  return Ray(origin, inverse, lessThan(inverse, vec3(0.0)),
+             transpose(mat3(across, up, direction / dot(direction, direction))), largestOf(places));
 }
 
 // Whether some of the box may lie between the ray's origin and `furthest`.
 bool meetsBox(Ray ray, vec3 low, vec3 high, float furthest) {
-  vec3 toLow = (low - ray.origin) * ray.inverse;
-  vec3 toHigh = (high - ray.origin) * ray.inverse;
-  vec3 enters = min(toLow, toHigh);
-  vec3 leaves = max(toLow, toHigh);
+  vec3 enters = (mix(low, high, ray.backwards) - ray.origin) * ray.inverse;
+  vec3 leaves = (mix(high, low, ray.backwards) - ray.origin) * ray.inverse;
   const float rounded = 1.0 + 1.0 / float(1u << 21u);
-  float enter = max(max(enters.x, enters.y), max(enters.z, 0.0));
-  float leave = min(min(leaves.x, leaves.y), leaves.z) * rounded;
-  return enter <= min(leave, furthest);
+  float enter = max(largestOf(enters), 0.0);
+  float leave = leastOf(leaves) * rounded;
+  return enter <= leave && enter <= furthest;
 }
 
 // Makes the piece the hit if the ray meets it further than `minDistance` and nearer than that.
@@ -62,8 +62,8 @@ void meetPiece(Ray ray, uint piece, float minDistance, inout RayHit hit) {
   // rounding gives one of the wrong sign, as long as none is left out.
   precise vec3 areas = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
   float slack = b4.w * ray.reach + c4.w;
-  float least = min(min(areas.x, areas.y), areas.z);
-  float most = max(max(areas.x, areas.y), areas.z);
+  float least = leastOf(areas);
+  float most = largestOf(areas);
   if (least < -slack && most > slack) return;
   // A mean of the corners' distances, whatever the piece is like.
   vec3 parts = least >= -slack ? max(areas, 0.0) : max(-areas, 0.0);
@@ -80,21 +80,22 @@ RayHit meetPieces(vec3 origin, vec3 direction, float minDistance, float maxDista
   RayHit hit = RayHit(maxDistance, noPiece);
   uint node = target.firstNode;
   while (node < target.endNode && !(anyWillDo && hit.piece != noPiece)) {
-    uint piece = 0u;
-    uint end = 0u;
+    uint met = 0u;       // link of a leaf, which is not 0
+    float pieces = 0.0;  // of each of its surfels
     do {
       vec4 low = texelFetch(rayHierarchy, 2 * int(node));
       vec4 high = texelFetch(rayHierarchy, 2 * int(node) + 1);
       uint link = floatBitsToUint(low.w);
-      bool met = meetsBox(ray, low.xyz, high.xyz, hit.distance);
+      bool meets = meetsBox(ray, low.xyz, high.xyz, hit.distance);
       bool leaf = isLeaf(link);
-      if (met && leaf) {
-        uint pieces = uint(high.w);
-        piece = firstSurfelOf(link) * pieces;
-        end = piece + surfelCountOf(link) * pieces;
+      if (meets && leaf) {
+        met = link;
+        pieces = high.w;
       }
-      node = met || leaf ? node + 1u : afterNode(node, link);
-    } while (node < target.endNode && piece == end);
+      node = meets || leaf ? node + 1u : afterNode(node, link);
+    } while (node < target.endNode && met == 0u);
+    uint piece = firstSurfelOf(met) * uint(pieces);
+    uint end = piece + surfelCountOf(met) * uint(pieces);
     for (; piece < end; ++piece) meetPiece(ray, piece, minDistance, hit);
   }
   return hit;

@@ -6,6 +6,7 @@
 // profile. What is left out decides whether the node is taken or opened.
 #ifndef OPALINE_LIB_TREE_SUM
 #define OPALINE_LIB_TREE_SUM
+#include "lib/lesser.glsl"
 #include "lib/multipole.glsl"
 #include "lib/surfel_sum.glsl"
 #include "lib/pi.glsl"
@@ -50,7 +51,7 @@ const float negligiblePart = 0.1;
 
 // Squared distance that no source below a node is nearer than, mm².
 float nearestSquare(vec3 squared, float radius) {
-  float nearest = max(sqrt(min(min(squared.r, squared.g), squared.b)) - radius, 0.0);
+  float nearest = max(sqrt(leastOf(squared)) - radius, 0.0);
   return nearest * nearest;
 }
 
@@ -69,7 +70,7 @@ bool takeNode(TreeNode node, vec3 position, Profile profile, float reach, vec3 t
     sum.a += 1.0;
     return true;
   }
-  if (min(min(squared.r, squared.g), squared.b) <= nearestInRadii2 * node.radius * node.radius ||
+  if (leastOf(squared) <= nearestInRadii2 * node.radius * node.radius ||
       nearestSquare(squared, node.radius) <= reach * reach)
     return false;
 
@@ -130,7 +131,7 @@ vec3 roughProfile(ObjectData body, Profile profile, float squared) {
 const float widestInLengths = 2.0;
 
 bool isWide(TreeNode node, ObjectData body, Profile profile) {
-  float least = min(min(profile.sigmaTr.r, profile.sigmaTr.g), profile.sigmaTr.b);
+  float least = leastOf(profile.sigmaTr);
   return node.radius * least > widestInLengths ||
          body.darkest.w > 0.0 && node.radius > body.darkest.w;
 }
