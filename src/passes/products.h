@@ -259,10 +259,10 @@ struct Solver {
 
 /// What else is kept of surfaces that the camera sees.
 struct KeptOfSeen {
-  bool materials = false;    ///< of opaque ones, of translucent surfaces of their own, or what
-                             ///< translucent ones mirror of bodies
-  bool paint = false;        ///< of painted ones
-  bool lightShares = false;  ///< of opaque ones
+  bool materials = false;  ///< of opaque ones, of translucent surfaces of their own, or what
+                           ///< translucent ones mirror of bodies
+  bool paint = false;      ///< of painted ones
+  bool ofPixels = false;   ///< for passes that look at neighbours
 
   bool operator==(const KeptOfSeen&) const = default;
 };
@@ -281,9 +281,8 @@ struct VisibleSurfaces {
                            ///< their own
   gpu::Buffer paint;  ///< vec4 for each: what has entered at the surface of painted bodies, then
                       ///< of what leaves the part that goes towards the camera, over that without
-  std::array<gpu::Buffer, 2>
-      lightShares;          ///< uvec4 for each pixel of a band: how much of area lights its
-                            ///< first surface sees (scatter/opaque_area_lights.comp)
+  std::array<gpu::Buffer, 2> ofPixels;  ///< 16 bytes for each pixel of a band: what passes find
+                                        ///< that look at neighbours
   KeptOfSeen kept;          ///< there is room for these
   gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: how much of what they mirror is sky, or unknown
   gpu::Buffer askedOfSky;   ///< surfaces in blocks of which that is unknown, as entries of the list

@@ -30,7 +30,7 @@ class OpaqueLightsPass {
   /// Where the site is the vertices.
   void overVertices(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
                     const Places& vertices) const;
-  /// Where it is the fragments. Has VisibleSurfaces::lightShares as room.
+  /// Where it is the fragments.
   void overFragments(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
                      std::uint32_t firstRow, const SeenSurfaces& seen) const;
 

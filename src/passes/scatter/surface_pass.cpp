@@ -88,9 +88,8 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
   made.materials = makeRoom<shared::SeenMaterial>(device, "materials of seen surfaces",
                                                   kept.materials ? room : 0);
   made.paint = makeRoom<shared::vec4>(device, "paint of seen surfaces", kept.paint ? room : 0);
-  for (gpu::Buffer& shares : made.lightShares)
-    shares =
-        makeRoom<shared::uvec4>(device, "shares of area lights", kept.lightShares ? pixels : 0);
+  for (gpu::Buffer& found : made.ofPixels)
+    found = makeRoom<shared::vec4>(device, "what pixels have found", kept.ofPixels ? pixels : 0);
   made.kept = kept;
   made.skyBlocks = {device,
                     {.name = "blocks of reflected sky",

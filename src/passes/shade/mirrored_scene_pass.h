@@ -27,7 +27,8 @@ class MirroredScenePass {
     float roughness;     ///< of translucent surfaces that state none
   };
   /// Completes VisibleSurfaces::materials.
-  void record(gpu::CommandList& commands, const Inputs& inputs, const SeenSurfaces& seen) const;
+  void record(gpu::CommandList& commands, const Inputs& inputs, std::uint32_t firstRow,
+              const SeenSurfaces& seen) const;
 
  private:
   gpu::Sampler nearest_;

@@ -324,7 +324,7 @@ struct FrameContext {
       passes.mirroredScene.record(commands,
                                   {resources.tables, scene.surfels, scene.rays, scene.clusters,
                                    plan.mirrorsBodies, boundary(), plan.roughness},
-                                  seen());
+                                  firstRow, seen());
     passes.shade.record(commands, inputs, seen());
     if (carriesOpaque()) passes.shade.recordOpaque(commands, inputs, scene.opaque, seen());
     if (plan.specular && plan.areaLights > 0)

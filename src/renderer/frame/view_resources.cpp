@@ -113,7 +113,7 @@ void ViewResources::makeRoom(const FramePlan& plan, bool areaLights) {
   const passes::KeptOfSeen kept{
       .materials = surfaces.kept.materials || plan.opaque || plan.ownSurfaces || plan.mirrorsBodies,
       .paint = surfaces.kept.paint || plan.painted,
-      .lightShares = surfaces.kept.lightShares || (plan.opaque && areaLights)};
+      .ofPixels = surfaces.kept.ofPixels || plan.mirrorsBodies || (plan.opaque && areaLights)};
   if (!surfaces.words || surfaces.words.options().layers < samples || surfaces.kept != kept) {
     surfaces = {};  // before memory for the next is taken
     surfaces = passes::SurfacePass::makeSurfaces(device_, extent, samples, kept);

@@ -35,6 +35,8 @@ layout(push_constant) uniform Push {
   uint round;
 };
 
+#include "lib/neighbours.glsl"
+
 // The rounds, OpaqueLightsPass.
 const uint askingFirst = 0u;
 const uint comparing = 1u;
@@ -74,38 +76,17 @@ uint areaLights() {
   return frame.counts.w - firstAreaLight();
 }
 
-uint indexOf(ivec2 pixel) {
-  return uint(pixel.y - int(firstRow)) * uint(textureSize(seenWords, 0).x) + uint(pixel.x);
-}
-
-ivec2 endOfBand() {
-  return ivec2(textureSize(seenWords, 0).x, firstRow + rows);
-}
-
-// Around a pixel, inside the band.
-ivec2 windowAround(ivec2 pixel) {
-  return max(min(pixel - width / 2, endOfBand() - width), ivec2(0, firstRow));
-}
-
-ivec2 pixelOfWindow(ivec2 window, uint i) {
-  return window + ivec2(int(i) % width, int(i) / width);
-}
-
 bool hasShares(MeshPlace place) {
   return isOpaque(objects[place.object]) && isSummedAtFragments(objects[place.object], site);
 }
 
 // Whether the first surface of a pixel has shares.
 bool isAsked(ivec2 pixel) {
-  if (any(lessThan(pixel, ivec2(0, firstRow))) || any(greaterThanEqual(pixel, endOfBand()))) return false;
+  if (!isInBand(pixel)) return false;
   uint word = seenWord(pixel, 0u);
   if (samplesOf(word) == 0u) return false;
   ObjectData body = objects[objectOfTriangle(triangleOf(word))];
   return isOpaque(body) && isSummedAtFragments(body, site);
-}
-
-bool isFirstSurface(Seen seen) {
-  return seenList[seen.entry] >> seenLayerShift == 0u;
 }
 
 Receiver receiverOf(MeshPlace place, uint entry) {
@@ -159,8 +140,8 @@ void look(ivec2 pixel, inout Around around) {
 // What a window agrees on; where it does not, half.
 uvec4 comparedShares(ivec2 pixel) {
   Around around = Around(0u, 0u);
-  ivec2 window = windowAround(pixel);
-  for (uint i = 0u; i < uint(width * width); ++i) look(pixelOfWindow(window, i), around);
+  ivec2 window = windowAround(pixel, width);
+  for (uint i = 0u; i < uint(width * width); ++i) look(pixelOfWindow(window, i, width), around);
   uvec4 shares = uvec4(0u);
   for (uint light = 0u; light < areaLights(); ++light) {
     bool visible = bitfieldExtract(around.visible, int(light), 1) != 0u;
@@ -202,16 +183,6 @@ uvec4 askedShares(Seen seen, MeshPlace place) {
   return shares;
 }
 
-// Cosine of normals, and sine of the angle by which the way between may leave the surface, within which pixels see one.
-const float leastCosine = 0.9;
-const float mostOffPlane = 0.3;
-
-bool isOneSurface(MeshPlace a, MeshPlace b) {
-  vec3 between = b.position - a.position;
-  return a.object == b.object && a.side == b.side && dot(a.normal, b.normal) >= leastCosine &&
-         abs(dot(a.facet, between)) <= mostOffPlane * length(between);
-}
-
 bool goesOnAt(MeshPlace place, ivec2 pixel) {
   return isAsked(pixel) && isOneSurface(place, seenPlace(pixel, seenWord(pixel, 0u)));
 }
@@ -219,21 +190,21 @@ bool goesOnAt(MeshPlace place, ivec2 pixel) {
 // Of the pixels of a window, a bit for each whose first surface is this one. Where all have found the same, one is
 // enough.
 uint alikeAround(Seen seen, MeshPlace place) {
-  ivec2 window = windowAround(seen.pixel);
+  ivec2 window = windowAround(seen.pixel, width);
   ivec2 away = seen.pixel - window;
   bool same = isFirstSurface(seen);
   uint alike = same ? 1u << uint(away.y * width + away.x) : 0u;
   uvec4 found = sharesBefore[indexOf(seen.pixel)];
   uint asked = 0u;
   for (uint i = 0u; i < uint(width * width); ++i) {
-    ivec2 other = pixelOfWindow(window, i);
+    ivec2 other = pixelOfWindow(window, i, width);
     if (!isAsked(other)) continue;
     asked |= 1u << i;
     same = same && sharesBefore[indexOf(other)] == found;
   }
   if (same) return alike;
   for (uint rest = asked & ~alike; rest != 0u; rest &= rest - 1u)
-    if (goesOnAt(place, pixelOfWindow(window, uint(findLSB(rest))))) alike |= rest & -rest;
+    if (goesOnAt(place, pixelOfWindow(window, uint(findLSB(rest)), width))) alike |= rest & -rest;
   return alike;
 }
 
@@ -246,11 +217,11 @@ struct Shares {
 };
 
 Shares sharesAround(uint light, ivec2 pixel, uint alike) {
-  ivec2 window = windowAround(pixel);
+  ivec2 window = windowAround(pixel, width);
   Shares found = Shares(0.0, 0.0, 0.0, 0.0);
   float nearCount = 0.0;
   for (uint rest = alike; rest != 0u; rest &= rest - 1u) {
-    ivec2 other = pixelOfWindow(window, uint(findLSB(rest)));
+    ivec2 other = pixelOfWindow(window, uint(findLSB(rest)), width);
     uint bits = shareOf(sharesBefore[indexOf(other)], light);
     if (bits == unasked) continue;
     float share = float(bits) / float(whole);

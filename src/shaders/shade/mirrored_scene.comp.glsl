@@ -1,5 +1,6 @@
 // What surfaces mirror of the scene towards the camera: rays of the GGX lobe, and the light of the clusters
-// that they meet. Where there are few rays, it is interpolated between clusters.
+// that they meet. Where there are few rays, it is interpolated between clusters. Where the lobe is wide, 2×2 pixels
+// of a translucent surface share its rays: each sends a quarter, and takes what those around it have found.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -25,6 +26,9 @@ layout(std430, set = 0, binding = 13) readonly buffer Exitances { vec4 exitances
 layout(std430, set = 0, binding = 14) readonly buffer OpaqueExitances { vec4 opaqueExitances[]; };
 layout(std430, set = 0, binding = 17) readonly buffer Light { vec4 light[]; };
 
+// Of the first surfaces of a band's pixels: radiance of the bodies that some rays meet, by how many in w.
+layout(std430, set = 0, binding = 18) buffer Met { vec4 met[]; };
+
 layout(push_constant) uniform Push {
   uint first;
   uint nodeCount;  // of all surfels' trees
@@ -33,7 +37,22 @@ layout(push_constant) uniform Push {
   uint insides;      // 1: light that leaves bodies with an inside is known
   float alpha;       // of translucent surfaces that have none of their own
   uint ownSurfaces;  // 1: `materials` has the roughness and the normal of translucent surfaces too
+  uint firstRow;     // of the band
+  uint rows;
+  uint round;
 };
+
+#include "lib/neighbours.glsl"
+
+// The rounds, MirroredScenePass.
+const uint askingSome = 0u;
+const uint takingAll = 1u;
+
+// Of the lobe, from which on pixels need not tell apart what they mirror.
+const float leastAlphaShared = 0.04;
+const int widthOfSharing = 2;
+const uint sharing = 4u;
+const float asked = 1e-6;  // tells pixels whose rays meet nothing from those that send none
 
 uint firstPieceOf(uint object) {
   return objects[object].table.y * piecesPerSurfel;
@@ -101,13 +120,24 @@ vec4 mirrored(MeshPlace place, SeenMaterial material) {
   return sent > 0.0 ? sum / sent : vec4(0.0, 0.0, 0.0, 1.0);
 }
 
-// Of what the rays of a translucent surface meet, without the sky.
-vec4 bodiesAround(MeshPlace place, float itsAlpha, vec3 normal) {
-  uint count = raysOf(itsAlpha);
+// What mirrors of a translucent surface.
+struct Mirror {
+  float alpha;
+  vec3 normal;
+};
+
+Mirror mirrorOf(Seen seen, MeshPlace place) {
+  if (ownSurfaces != 0u) return Mirror(materials[seen.entry].diffuse.w, materials[seen.entry].normal.xyz);
+  return Mirror(alpha, place.normal);
+}
+
+// Of what every so many of the rays of a translucent surface meet, without the sky, by how many in w.
+vec4 bodiesMet(MeshPlace place, Mirror mirror, uint firstRay, uint every) {
+  uint count = raysOf(mirror.alpha);
   float start = startAbove(place.position);
   vec4 sum = vec4(0.0);
-  for (uint i = 0u; i < count; ++i) {
-    vec3 direction = reflectedDirection(i, count, itsAlpha, normal, place);
+  for (uint i = firstRay; i < count; i += every) {
+    vec3 direction = reflectedDirection(i, count, mirror.alpha, mirror.normal, place);
     if (direction == vec3(0.0)) continue;
     vec3 origin = place.position + start * place.facet;
     RayHit hit = nearestHit(origin, direction, start, 3e38, RayTarget(0u, nodeCount, everyObject));
@@ -115,7 +145,43 @@ vec4 bodiesAround(MeshPlace place, float itsAlpha, vec3 normal) {
     vec4 radiance = radianceAt(origin + hit.distance * direction, hit.piece, direction, count);
     sum += radiance.w * vec4(radiance.rgb, 1.0);
   }
-  return sum.w > 0.0 ? vec4(sum.rgb / sum.w, 1.0) : vec4(0.0);
+  return sum;
+}
+
+// Else nothing but sky.
+bool mirrorsBodies(Seen seen) {
+  return light[seen.entry].w < 1.0;
+}
+
+vec4 bodiesAround(Seen seen, MeshPlace place, Mirror mirror) {
+  if (!mirrorsBodies(seen)) return vec4(0.0);
+  vec4 sum = vec4(0.0);
+  bool shares = isFirstSurface(seen) && mirror.alpha >= leastAlphaShared;
+  ivec2 window = windowAround(seen.pixel, widthOfSharing);
+  for (uint i = 0u; shares && i < sharing; ++i) {
+    ivec2 other = pixelOfWindow(window, i, widthOfSharing);
+    if (!isInBand(other)) continue;
+    uint word = seenWord(other, 0u);
+    if (samplesOf(word) == 0u) continue;
+    if (other == seen.pixel || isOneSurface(place, seenPlace(other, word))) sum += met[indexOf(other)];
+  }
+  if (sum.w == 0.0) sum = bodiesMet(place, mirror, 0u, 1u);
+  return sum.w > sharing * asked ? vec4(sum.rgb / sum.w, 1.0) : vec4(0.0);
+}
+
+// Which of 2×2 pixels it is.
+uint cellOf(ivec2 pixel) {
+  return uint(pixel.x & 1) + 2u * uint(pixel.y & 1);
+}
+
+void askOfTranslucent(Seen seen, MeshPlace place) {
+  Mirror mirror = mirrorOf(seen, place);
+  if (round == takingAll) {
+    materials[seen.entry].around = bodiesAround(seen, place, mirror);
+  } else if (isFirstSurface(seen)) {
+    bool shares = mirrorsBodies(seen) && mirror.alpha >= leastAlphaShared;
+    met[indexOf(seen.pixel)] = shares ? bodiesMet(place, mirror, cellOf(seen.pixel), sharing) + vec4(0.0, 0.0, 0.0, asked) : vec4(0.0);
+  }
 }
 
 void main() {
@@ -123,14 +189,10 @@ void main() {
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   if (!isOpaque(objects[place.object])) {
-    if (translucent == 0u) return;
-    bool own = ownSurfaces != 0u;
-    float itsAlpha = own ? materials[seen.entry].diffuse.w : alpha;
-    vec3 normal = own ? materials[seen.entry].normal.xyz : place.normal;
-    materials[seen.entry].around =
-        light[seen.entry].w < 1.0 ? bodiesAround(place, itsAlpha, normal) : vec4(0.0);
+    if (translucent != 0u) askOfTranslucent(seen, place);
     return;
   }
+  if (round == askingSome) return;
   SeenMaterial material = materials[seen.entry];
   // What mirrors next to nothing needs no rays.
   if (material.specular.w <= 0.0 && material.specular.rgb == vec3(0.0)) return;
