@@ -4,6 +4,7 @@ import math
 
 import bpy
 import parts
+from mathutils import Vector
 
 # Of each finger: where it begins, its direction in the palm's plane, the lengths of its bones and its thickness, metres.
 FINGERS = {
@@ -27,33 +28,42 @@ def joints(name):
     return places
 
 
-def skeleton():
-    """The hand's edges, and how thick it is at each."""
-    vertices, edges, radii = [(*WRIST, 0), (0, 0.03, 0)], [(0, 1)], [(0.026, 0.015), (0.033, 0.013)]
-    for name, (_, _, _, thickness) in FINGERS.items():
-        before = 1 if name != "thumb" else 0
-        for i, place in enumerate(joints(name)):
-            vertices.append(place)
-            radii.append((thickness * (1.08 - 0.1 * i),) * 2)
-            edges.append((before, len(vertices) - 1))
-            before = len(vertices) - 1
-    return vertices, edges, radii
+def limb(start, end, thick_at_start, thick_at_end):
+    """A ball at either end and a cone between them."""
+    start, end = (Vector((place[0], place[1], 0)) for place in (start, end))
+    along = end - start
+    for place, radius in ((start, thick_at_start), (end, thick_at_end)):
+        bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=3, radius=radius, location=place)
+        yield bpy.context.object
+    bpy.ops.mesh.primitive_cone_add(vertices=24, radius1=thick_at_start, radius2=thick_at_end, depth=along.length,
+                                    location=(start + end) / 2, rotation=along.to_track_quat("Z", "Y").to_euler())
+    yield bpy.context.object
+
+
+def pieces():
+    """Fingers of cones, and a palm of a flat ball below each."""
+    for name, (root, _, lengths, thickness) in FINGERS.items():
+        places = joints(name)
+        for i in range(len(lengths)):
+            yield from limb(places[i], places[i + 1], thickness * (1.05 - 0.1 * i), thickness * (0.95 - 0.1 * i))
+        yield from limb(WRIST, root, 0.013, 1.1 * thickness)
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=4, radius=1, location=(0, 0.04, 0), scale=(0.036, 0.056, 0.012))
+    yield bpy.context.object
+    yield from limb((0, -0.07), WRIST, 0.019, 0.017)
 
 
 def body():
-    vertices, edges, radii = skeleton()
-    mesh = bpy.data.meshes.new("Hand")
-    mesh.from_pydata(vertices, edges, [])
-    hand = parts.add("Hand", mesh)
-    bpy.context.view_layer.objects.active = hand
-    hand.select_set(True)
-    hand.modifiers.new("Skin", "SKIN").use_smooth_shade = True
-    for layer, radius in zip(mesh.skin_vertices[0].data, radii):
-        layer.radius = radius
-    mesh.skin_vertices[0].data[0].use_root = True
+    made = list(pieces())
+    for piece in made:
+        piece.select_set(True)
+    bpy.context.view_layer.objects.active = made[0]
+    bpy.ops.object.join()
+    hand = bpy.context.object
+    hand.name = "Hand"
+    bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
     remesh = hand.modifiers.new("Remesh", "REMESH")
-    remesh.mode, remesh.voxel_size, remesh.use_smooth_shade = "VOXEL", 0.0022, True
-    hand.modifiers.new("Smooth", "SMOOTH").iterations = 8
+    remesh.mode, remesh.voxel_size, remesh.use_smooth_shade = "VOXEL", 0.0018, True
+    hand.modifiers.new("Smooth", "SMOOTH").iterations = 12
     for name in [modifier.name for modifier in hand.modifiers]:
         bpy.ops.object.modifier_apply(modifier=name)
     return hand
@@ -75,9 +85,24 @@ def armature(hand):
             bone.head, bone.tail, bone.parent = places[i], places[i + 1], before
             before = bone
     bpy.ops.object.mode_set(mode="OBJECT")
-    hand.select_set(True)
-    bpy.ops.object.parent_set(type="ARMATURE_AUTO")
+    weigh(hand, bones)
+    hand.modifiers.new("Bones", "ARMATURE").object = rig
+    hand.parent = rig
     return rig
+
+
+def weigh(hand, bones):
+    """Each place follows the bones that are nearest to it, the nearer the more."""
+    groups = {bone.name: hand.vertex_groups.new(name=bone.name) for bone in bones.bones}
+    for vertex in hand.data.vertices:
+        near = []
+        for bone in bones.bones:
+            head, tail = bone.head_local, bone.tail_local
+            along = max(0.0, min(1.0, (vertex.co - head).dot(tail - head) / (tail - head).length_squared))
+            near.append(((vertex.co - head.lerp(tail, along)).length ** -6, bone.name))
+        near = sorted(near, reverse=True)[:3]
+        for weight, name in near:
+            groups[name].add([vertex.index], weight / sum(one for one, _ in near), "REPLACE")
 
 
 def make():

@@ -1,6 +1,7 @@
-"""blender -b --factory-startup --python truth.py -- SCENE FILE.exr EDGE SECONDS
+"""blender -b --factory-startup --python truth.py -- SCENE TRUTH.exr FOUND.exr EDGE SECONDS
 
-Follows light through a scene of this folder, by the path reference of the Python module. The add-on must be installed."""
+Follows light through a scene of this folder, by the path reference of the Python module, and makes the same picture
+by the renderer. Neither has the reflection on translucent surfaces. The add-on must be installed."""
 
 import pathlib
 import sys
@@ -11,7 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 
 
 def main():
-    name, file, edge, seconds = sys.argv[sys.argv.index("--") + 1:]
+    name, truth_file, found_file, edge, seconds = sys.argv[sys.argv.index("--") + 1:]
     scene = __import__(name).make()
     bpy.ops.preferences.addon_enable(module="opaline_blender")
     import opaline
@@ -28,8 +29,10 @@ def main():
     width, height, part = final.picture_size(scene)
     made.camera = final.camera_of(depsgraph, scene, width, height, part, mm_per_unit)
     truth = opaline.path(made, width, height, "radiance", longest_seconds=float(seconds), error=0.001)
-    opaline.write_exr(file, truth["radiance"])
-    print("block error", truth.facts.get("block_error"))
+    opaline.write_exr(truth_file, truth["radiance"])
+    print("block error of the truth", truth.facts.get("block_error"))
+    found = opaline.Renderer(made).render(width, height, ["radiance"], specular=False)
+    opaline.write_exr(found_file, found["radiance"])
 
 
 main()
