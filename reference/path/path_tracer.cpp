@@ -87,8 +87,9 @@ Exitance PathTracer::exitanceOfCell(std::size_t cell) const {
   Exitance exitance;
   const double area = std::max(cells_.areaMm2(cell), 1e-300);
   for (std::size_t c = 0; c < 3; ++c) {
-    const double count = static_cast<double>(counts_[slot(c, Order::Single, cell)]) +
-                         static_cast<double>(counts_[slot(c, Order::Multiple, cell)]);
+    double count = 0;
+    if (options_.shown != Scattered::Multiple) count += counts_[slot(c, Order::Single, cell)];
+    if (options_.shown != Scattered::Single) count += counts_[slot(c, Order::Multiple, cell)];
     exitance.value[c] = count * fluxOfParticle(c) / area;
     exitance.error[c] = std::sqrt(count) * fluxOfParticle(c) / area;
   }

@@ -17,10 +17,14 @@
 
 namespace opaline::reference {
 
+/// Light that leaves media, by how often it scattered since it entered.
+enum class Scattered { Single, Multiple, Both };
+
 struct PathOptions {
   int bounces = 1000;  ///< how often light that left a body may meet one again, ≥ 0
   std::uint64_t seed = 1;
   double cellMm = 0;  ///< edge of the cells that what leaves is counted on; 0: see cellEdgeMm()
+  Scattered shown = Scattered::Both;  ///< of what is counted, what the exitance is of
 };
 
 /// A quarter of the shortest diffusion length of the scene's media, but between 1/400 and 1/60 of
@@ -47,7 +51,7 @@ class PathTracer {
                        [](const Emitter& emitter) { return emitter.flux() > 0; });
   }
 
-  /// What left at a cell, or at that of a point: light that scattered, once or more; `error` is one
+  /// What left at a cell, or at that of a point, of the light that is shown; `error` is one
   /// standard error.
   Exitance exitanceOfCell(std::size_t cell) const;
   Exitance exitance(const SurfacePoint& point) const { return exitanceOfCell(cells_.at(point)); }

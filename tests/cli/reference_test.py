@@ -201,6 +201,8 @@ class Refusals(Reference):
             ((), ("method", "--integral")),
             (("--integral", "--path"), "one method"),
             (("--integral", "--samples", "9"), "belong to --path"),
+            (("--integral", "--scattered", "once"), "belong to --path"),
+            (("--path", "--scattered", "twice"), "once"),
             (("--path", "--tolerance", ".1"), "belong to --integral"),
             (("--path", "--g", "1"), "from -0.99 to 0.99"),
             (("--integral", "--frames", "0:3"), ("--frames",)),

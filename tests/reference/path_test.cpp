@@ -404,6 +404,29 @@ TEST(PathTest, SameSeedSamePictureWhateverTheThreads) {
   EXPECT_EQ(trace(1, {9000}), trace(2, {4000, 5000}));
 }
 
+TEST(PathTest, ExitanceOfLightThatScatteredOnceOrMoreIsItsFlux) {
+  Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 4, 2), 1, 0.3, 1.3));
+  scene.lighting.directional = {{{0, 0, 1}, {1, 1, 1}}};
+  const Geometry geometry(scene);
+  const auto fluxShown = [&](Scattered shown) {
+    PathTracer tracer(geometry, {.seed = 5, .shown = shown});
+    tracer.run(8000);
+    double flux = 0;
+    for (std::size_t cell = 0; cell < tracer.cells().count(); ++cell)
+      flux += tracer.cells().areaMm2(cell) * tracer.exitanceOfCell(cell).value[0];
+    return flux;
+  };
+  PathTracer both(geometry, {.seed = 5});
+  both.run(8000);
+  const double once = both.leftFlux(0, Order::Single);
+  const double more = both.leftFlux(0, Order::Multiple);
+  EXPECT_GT(once, 0);
+  EXPECT_GT(more, once);
+  EXPECT_NEAR(fluxShown(Scattered::Both), once + more, 1e-9 * more);
+  EXPECT_NEAR(fluxShown(Scattered::Single), once, 1e-9 * more);
+  EXPECT_NEAR(fluxShown(Scattered::Multiple), more, 1e-9 * more);
+}
+
 // There is nothing that more particles could make more exact.
 TEST(PathTest, DarknessIsKnownAtOnce) {
   Scene scene = sceneOf(bodyOf(test::sphere({0, 0, 0}, 4, 2), 1, 0.02, 1.3));

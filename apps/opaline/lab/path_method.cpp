@@ -65,6 +65,10 @@ void PathMethod::addTo(CommandLine& line) {
   });
   value("--bounces", "N", "how often light may enter again [1000]",
         [this](const Given& given) { options_.bounces = readInteger(given, 0, 1000000); });
+  value("--scattered", "HOW", "once or more: shows that light alone", [this](const Given& given) {
+    options_.shown = readChoice<rf::Scattered>(
+        given, {{"once", rf::Scattered::Single}, {"more", rf::Scattered::Multiple}});
+  });
   value("--cell-mm", "X", "edge of the cells that count light [by medium]",
         [this](const Given& given) {
           options_.cellMm = readNumber(given, {1e-4, 1e6, "mm"});
@@ -82,8 +86,8 @@ void PathMethod::check(const std::filesystem::path& output,
                        const std::optional<std::filesystem::path>& report) const {
   if (any_ && !wanted_) {
     throw UsageError(
-        "--samples, --seconds, --error, --bounces, --cell-mm, --paths, --seed and --checkpoint "
-        "belong to --path");
+        "--samples, --seconds, --error, --bounces, --scattered, --cell-mm, --paths, --seed and "
+        "--checkpoint belong to --path");
   }
   const auto isCheckpoint = [&](const std::filesystem::path& file) {
     return checkpoint_ && checkpoint_->lexically_normal() == file.lexically_normal();
