@@ -11,7 +11,10 @@ bl_info = {
 }
 
 import os
+import shutil
 import sys
+
+import bpy
 
 # The Python module, for which it was built, beside this file.
 _LIBRARY = os.path.join(os.path.dirname(__file__), "library")
@@ -19,8 +22,11 @@ _LIBRARY = os.path.join(os.path.dirname(__file__), "library")
 
 def _module_problem():
     """Why the Python module cannot be used; empty where it can."""
-    if _LIBRARY not in sys.path and os.path.isdir(_LIBRARY):
-        sys.path.insert(0, _LIBRARY)
+    if "opaline" not in sys.modules and os.path.isdir(_LIBRARY):
+        # Whoever installs another version writes over the files here, which must not be those that are loaded.
+        loaded = os.path.join(bpy.app.tempdir, "opaline_library")
+        shutil.copytree(_LIBRARY, loaded, dirs_exist_ok=True)
+        sys.path.insert(0, loaded)
     try:
         import opaline  # noqa: F401
     except ImportError as error:

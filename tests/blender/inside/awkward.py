@@ -1,5 +1,6 @@
 """What artists do to an engine: switched off and on, no camera, nothing to see, much to see, cancelled."""
 
+import os
 import pathlib
 import sys
 import time
@@ -105,3 +106,10 @@ del engine.test_break
 time.sleep(0.5)
 scene.render.resolution_x = scene.render.resolution_y = 32
 common.check(np.abs(common.render("after") - whole).max() < 1e-4, "after a cancelled render the picture is another")
+
+# Another version is installed over the one that is in use.
+bpy.ops.preferences.addon_install(filepath=os.environ["OPALINE_ADDON"], overwrite=True)
+bpy.ops.preferences.addon_enable(module="opaline_blender")
+common.empty_scene(32)
+common.camera((0.05, -0.2, 0.08))
+common.check(np.isfinite(common.render("after")).all(), "nothing is rendered after an update")
