@@ -89,17 +89,21 @@ struct FrameOrder {
                           ///< use the old division while another thread makes the new one
   bool reuseLight = false;  ///< if only the camera changed since the view's last frame, reuse its
                             ///< light: the same picture, sooner
+  /// Left on the device as well, as View::picture(Aov). Not those of the diffusion source map.
+  std::vector<Aov> aovsOnDevice;
 };
 
 /// A matrix, one column after the other, that is multiplied with columns.
 using Matrix = std::array<float, 16>;
 
 /// A camera as programs have it that draw by themselves: any perspective, with the projection's
-/// middle wherever it likes.
+/// middle wherever it likes, or an orthographic projection, which shows what is behind its near
+/// plane.
 struct CameraMatrices {
   Matrix worldToView{};  ///< from millimetres
   /// To Vulkan's clip space: x to the right and y down of -w to w, z of 0 to w. Depth may be
-  /// reversed, with or without a far plane.
+  /// reversed, with or without a far plane. An orthographic picture is not mirrored: what is to the
+  /// right, what is below and the line of sight are a right-handed system.
   Matrix viewToClip{};
   Vec2
       jitterPixels{};  ///< by which the picture is moved right and down, if viewToClip does not yet
@@ -132,7 +136,7 @@ class OPALINE_API View {
   /// sees nothing.
   void setCamera(const std::optional<Camera>& camera);
 
-  /// The same by matrices. Throws UsageError for what is no perspective.
+  /// The same by matrices. Throws UsageError for what is no projection.
   void setCamera(const CameraMatrices& matrices);
 
   /// Renders one frame and waits for it. Throws UsageError for a variable that the method does not
@@ -167,6 +171,10 @@ class OPALINE_API View {
   /// The radiance of the frame submitted last, if it was to leave it on the device. Throws
   /// UsageError if it was not.
   DeviceImage picture() const;
+
+  /// The same of one of FrameOrder::aovsOnDevice. All but the radiance are as View::collect() has
+  /// them, also in alpha, and live until another scene or size is set, or the view goes away.
+  DeviceImage picture(Aov aov) const;
 
   /// Of an object, what the frame submitted or recorded last has left, if it was to leave it.
   /// Throws UsageError if it was not, or for an object that there is not.

@@ -106,7 +106,7 @@ struct DeviceBuffer {
   VkDeviceSize bytes = 0;  ///< 16 a vertex
 };
 
-/// An image of the caller's that is drawn into, as large as the view, with one sample a pixel.
+/// An image of the caller's that is drawn into, as large as the view.
 /// It is in the layout `layout` before and afterwards: VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL, the one
 /// for colour or depth, or VK_IMAGE_LAYOUT_GENERAL. What was drawn into it as an attachment, by
 /// earlier commands on the queue, is waited for. Other uses before need a barrier to these stages,
@@ -116,11 +116,14 @@ struct DeviceTarget {
   VkImageView view = VK_NULL_HANDLE;
   VkFormat format = VK_FORMAT_UNDEFINED;
   VkImageLayout layout = VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL;
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;  ///< the same of colour and depth
 };
 
 /// Lays the picture over what the caller has drawn with the same CameraMatrices. Edges of bodies
 /// are blended with it, so draw what is opaque first. A pixel has the depth of the nearest surface
 /// that it sees, in the sense of viewToClip, reversed or not; lights and sky are behind everything.
+/// Where targets have several samples, each is tested against its own depth, and all that pass get
+/// the pixel's colour, coverage and depth.
 struct Composition {
   DeviceTarget color;
   DeviceTarget depth;       ///< tested and written; without an image the picture lies on top

@@ -12,6 +12,11 @@
 
 namespace opaline::c {
 
+template <>
+inline constexpr std::size_t firstSize<OpalineDeviceTarget> = 32;
+template <>
+inline constexpr std::size_t firstSize<OpalineDeviceFrame> = 96;
+
 namespace {
 
 // Structs of another size than this version's lie so far apart.
@@ -34,7 +39,8 @@ std::vector<TimelinePoint> pointsOf(const OpalineTimelinePoint* points, std::siz
 
 DeviceTarget targetOf(const OpalineDeviceTarget* given, const char* name) {
   const OpalineDeviceTarget whole = wholeOf(given, {}, name);
-  return {whole.image, whole.view, whole.format, whole.layout};
+  return {whole.image, whole.view, whole.format, whole.layout,
+          static_cast<VkSampleCountFlagBits>(std::max(whole.samples, 1U))};
 }
 
 // A frame as it was given, with what its parts point to.
@@ -49,6 +55,7 @@ class DeviceFrame {
               });
     if (given_.over) compose(wholeOf(given_.over, {}, "over"));
     order.aovs = aovsOf(given_.aovs, given_.aovCount);
+    order.aovsOnDevice = aovsOf(given_.aovsOnDevice, given_.aovOnDeviceCount);
     order.onDevice = given_.onDevice != 0;
     order.exitance = given_.exitance != 0;
   }
@@ -74,6 +81,17 @@ class DeviceFrame {
   std::vector<DeviceExitance> exitances_;
   std::optional<Composition> composition_;
 };
+
+void giveImage(const DeviceImage& made, OpalineDeviceImage* to) {
+  give({.size = 0,
+        .image = made.image,
+        .view = made.view,
+        .format = made.format,
+        .layout = made.layout,
+        .width = made.extent.width,
+        .height = made.extent.height},
+       to, "image");
+}
 
 }  // namespace
 
@@ -176,17 +194,13 @@ OpalineStatus opalineRecordFrame(OpalineView* view, const OpalineDeviceFrame* fr
 }
 
 OpalineStatus opalineViewPicture(const OpalineView* view, OpalineDeviceImage* picture) {
-  return guarded([&] {
-    const DeviceImage made = required(view, "view").view.picture();
-    c::give({.size = 0,
-             .image = made.image,
-             .view = made.view,
-             .format = made.format,
-             .layout = made.layout,
-             .width = made.extent.width,
-             .height = made.extent.height},
-            picture, "picture");
-  });
+  return guarded([&] { c::giveImage(required(view, "view").view.picture(), picture); });
+}
+
+OpalineStatus opalineViewVariable(const OpalineView* view, OpalineAov aov,
+                                  OpalineDeviceImage* variable) {
+  return guarded(
+      [&] { c::giveImage(required(view, "view").view.picture(c::aovOf(aov)), variable); });
 }
 
 OpalineStatus opalineViewExitance(const OpalineView* view, size_t object,

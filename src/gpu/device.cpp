@@ -83,6 +83,12 @@ const char* toString(DeviceType type) {
 }
 
 void Device::destroyObjects() {
+  if (vk_.vkDestroyDevice == nullptr) {  // of a device that has just been opened, if at all
+    if (!ownInstance_ || device_ == VK_NULL_HANDLE) return;
+    const PFN_vkVoidFunction destroy = ofInstance_.vkGetDeviceProcAddr(device_, "vkDestroyDevice");
+    if (destroy != nullptr) reinterpret_cast<PFN_vkDestroyDevice>(destroy)(device_, nullptr);
+    return;
+  }
   retired_.destroyUpTo(UINT64_MAX, device_, vk_, rays_);
   vk_.vkDestroyPipelineCache(device_, pipelineCache_, nullptr);
   vk_.vkDestroySemaphore(device_, timeline_, nullptr);

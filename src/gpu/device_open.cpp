@@ -80,11 +80,11 @@ std::vector<DeviceInfo> Device::list() {
 }
 
 Device::Device(const DeviceOptions& options) : mostMemoryBytes_(options.mostMemoryBytes) {
-  if (options.given != nullptr)
-    takeGiven(options);
-  else
-    openOwn(options);
   try {
+    if (options.given != nullptr)
+      takeGiven(options);
+    else
+      openOwn(options);
     setName(VK_OBJECT_TYPE_QUEUE, reinterpret_cast<std::uint64_t>(queue_), "queue");
     createTimeline();
     createPipelineCache(options.pipelineCache);

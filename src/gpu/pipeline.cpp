@@ -167,7 +167,7 @@ VkPipeline createGraphics(const Device& device, const std::string& name, const S
   const VkPipelineRasterizationStateCreateInfo rasterization = rasterizationOf(options.cull);
   VkPipelineMultisampleStateCreateInfo samples{};
   samples.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
-  samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+  samples.rasterizationSamples = options.samples;
   const VkPipelineDepthStencilStateCreateInfo depth = depthOf(options.depth);
   std::array<VkPipelineColorBlendAttachmentState, maxColors> blends;
   blends.fill(blendOf(options.blend));

@@ -42,6 +42,7 @@ struct GraphicsOptions {
   DepthMode depth = DepthMode::Off;  ///< reversed depth: Write passes what is nearer
   Blend blend = Blend::Off;
   CullMode cull = CullMode::None;  ///< front is counter-clockwise as seen
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 
 /// A pipeline without vertex input (vertices are pulled from storage buffers), with dynamic

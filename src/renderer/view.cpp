@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <utility>
 
 #include "gpu/command_list.h"
@@ -159,9 +160,15 @@ class View::Implementation {
 
   DeviceImage picture() const {
     if (!shown_) throw UsageError("the last frame did not leave its picture on the device");
-    const gpu::GpuImage& radiance = resources_.made().radiance;
-    return {radiance.handle(), radiance.view(), radiance.options().format,
-            gpu::scopeOf(gpu::Access::Sampled).layout, radiance.extent()};
+    return shownAs(resources_.made().radiance);
+  }
+
+  DeviceImage picture(Aov aov) const {
+    const auto index = static_cast<std::size_t>(aov);
+    if (index >= variablesOfCentres || !shownAovs_.test(index))
+      throw UsageError("the last frame did not leave that variable on the device");
+    const FrameResources& made = resources_.made();
+    return shownAs(aov == Aov::Radiance ? made.radiance : made.variables[index]);
   }
 
   RenderReport report() const {
@@ -190,15 +197,23 @@ class View::Implementation {
   }
 
  private:
+  static DeviceImage shownAs(const gpu::GpuImage& image) {
+    return {image.handle(), image.view(), image.options().format,
+            gpu::scopeOf(gpu::Access::Sampled).layout, image.extent()};
+  }
+
   FramePlan planOf(const FrameOrder& order, const DeviceOutputs& outputs) {
     validate(options_, order.aovs);
+    validate(options_, order.aovsOnDevice);
+    if (std::any_of(order.aovsOnDevice.begin(), order.aovsOnDevice.end(), showsMap))
+      throw UsageError("FrameOrder::aovsOnDevice has a variable of the diffusion source map");
     validate(outputs, options_, matrices_.has_value());
     if (order.exitance && options_.site != Site::Vertex)
       throw UsageError("FrameOrder::exitance needs RenderOptions::site Site::Vertex");
     EditedScene& edited = context_.edited;
     edited.beginFrame();
     if (options_.sum == Sum::Pattern) requireKnownToPattern(edited.scene());
-    FramePlan plan = planFor(options_, order.aovs, order.onDevice || outputs.over != nullptr,
+    FramePlan plan = planFor(options_, order, order.onDevice || outputs.over != nullptr,
                              order.exitance || !outputs.exitances.empty());
     plan.time = edited.time();
     plan.opaque = hasOpaque(edited.scene());
@@ -214,6 +229,7 @@ class View::Implementation {
     FramePlan plan = planOf(order, outputs);
     queue_.requireRoom();
     shown_ = exitanceShown_ = false;
+    shownAovs_.reset();
     if (std::exchange(scene_, context_.edited.number()) != context_.edited.number()) times_.clear();
     orAnew([&] {
       const SceneChanges changes = follow(plan, order);
@@ -224,6 +240,7 @@ class View::Implementation {
       hand();
     });
     shown_ = order.onDevice;
+    for (const Aov aov : order.aovsOnDevice) shownAovs_.set(static_cast<std::size_t>(aov));
     exitanceShown_ = order.exitance;
   }
 
@@ -279,8 +296,9 @@ class View::Implementation {
     slot.readback.record(slot.commands, resources, solves ? plan_.bounces + 1 : 0, prepared.solver);
     if (order.onDevice) slot.commands.use(resources.radiance, gpu::Access::Sampled);
     if (order.exitance) slot.commands.use(resources.exitance.vertices, gpu::Access::Lent);
-    outputs_.record(slot.commands, outputs,
-                    {prepared.mesh, resources, context_.edited.motion().ranges(), given.depth});
+    outputs_.record(slot.commands, order, outputs,
+                    {prepared.mesh, resources, context_.edited.motion().ranges(), given.depth,
+                     camera, context_.edited.origin()});
   }
 
   GivenCamera givenCamera() const {
@@ -302,8 +320,9 @@ class View::Implementation {
   ViewResources resources_;
   bool exitanceShown_ = false;  // the last frame's exitance was left for others to read
   bool shown_ = false;          // the last frame's picture was left for others to sample
-  std::uint64_t scene_ = 0;     // number of the scene that was rendered last
-  FramePlan plan_;              // of the frame submitted last
+  std::bitset<variablesOfCentres> shownAovs_;  // the same of other variables
+  std::uint64_t scene_ = 0;                    // number of the scene that was rendered last
+  FramePlan plan_;                             // of the frame submitted last
   FrameTimes times_;
   gpu::CommandCounts counts_;        // of the last frame
   std::vector<Solution> solutions_;  // of the frame collected last
@@ -361,6 +380,10 @@ void View::collect(Frame& frame) {
 
 DeviceImage View::picture() const {
   return implementation_->picture();
+}
+
+DeviceImage View::picture(Aov aov) const {
+  return implementation_->picture(aov);
 }
 
 RenderReport View::report() const {

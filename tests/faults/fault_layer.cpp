@@ -23,6 +23,7 @@ FaultLayer::FaultLayer() {
   void* library = dlopen(OPALINE_FAULT_LAYER, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) throw std::runtime_error(dlerror());
   find(library, "opalineArmFault", arm_);
+  find(library, "opalineHideFunction", hide_);
   find(library, "opalineFaultedFunction", faulted_);
   find(library, "opalineLivingObjects", living_);
   find(library, "opalineDescribeLivingObjects", describe_);

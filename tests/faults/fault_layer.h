@@ -16,6 +16,8 @@ class FaultLayer {
   /// Of the calls that may return `result`, the n-th from now on does.
   void arm(VkResult result, std::uint64_t nth) { arm_(result, nth, nullptr); }
   void disarm() { arm_(VK_SUCCESS, 0, nullptr); }
+  /// The driver has no such function of devices; null: it has all of them again.
+  void hide(const char* function) { hide_(function); }
   /// The function that failed since then; empty if none has.
   std::string faulted() const;
   /// Objects that were created and not destroyed.
@@ -24,6 +26,7 @@ class FaultLayer {
 
  private:
   void (*arm_)(std::int32_t, std::uint64_t, const char*) = nullptr;
+  void (*hide_)(const char*) = nullptr;
   const char* (*faulted_)() = nullptr;
   std::int64_t (*living_)() = nullptr;
   const char* (*describe_)() = nullptr;

@@ -92,6 +92,22 @@ TEST_P(Faults, OpeningLeavesNothing) {
   });
 }
 
+// The device is open by then, and has to be closed before its instance.
+TEST(FaultsOfDrivers, ADriverWithoutAFunctionIsRefusedAndLeavesNothing) {
+  faultLayer();
+  for (const char* function : {"vkCreateSemaphore", "vkCmdPipelineBarrier2", "vkQueueSubmit2"}) {
+    faultLayer().hide(function);
+    try {
+      const Renderer renderer;
+      ADD_FAILURE() << "opened without " << function;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(function), std::string::npos) << error.what();
+    }
+    faultLayer().hide(nullptr);
+    EXPECT_EQ(faultLayer().living(), 0) << faultLayer().describeLiving();
+  }
+}
+
 class FaultsOfMemory : public Faults {};
 
 TEST_P(FaultsOfMemory, SceneAndPictureComeOutAfterwards) {

@@ -254,7 +254,8 @@ Engine::HostBuffer Engine::makeBuffer(std::size_t bytes, VkBufferUsageFlags usag
   return made;
 }
 
-Engine::Target Engine::makeTarget(VkFormat format, VkExtent2D extent) {
+Engine::Target Engine::makeTarget(VkFormat format, VkExtent2D extent,
+                                  VkSampleCountFlagBits samples) {
   const bool isDepth = format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_D16_UNORM;
   Target target{.format = format,
                 .extent = extent,
@@ -266,9 +267,9 @@ Engine::Target Engine::makeTarget(VkFormat format, VkExtent2D extent) {
   info.format = format;
   info.extent = {extent.width, extent.height, 1};
   info.mipLevels = info.arrayLayers = 1;
-  info.samples = VK_SAMPLE_COUNT_1_BIT;
+  info.samples = samples;
   info.usage =
-      VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+      VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
       (isDepth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
   require(vkCreateImage(device_, &info, nullptr, &target.image), "make an image");
   VkMemoryRequirements requirements{};
@@ -364,25 +365,52 @@ void Engine::clear(VkCommandBuffer commands, const Target& color, const VkClearC
   vkCmdEndRendering(commands);
 }
 
-std::vector<float> Engine::read(const Target& target) {
-  const bool four = target.format == VK_FORMAT_R32G32B32A32_SFLOAT;
-  const std::size_t count =
-      std::size_t{target.extent.width} * target.extent.height * (four ? 4 : 1);
-  const HostBuffer buffer = makeBuffer(count * sizeof(float), VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+void Engine::copy(const Target& target, VkImageLayout layout, const HostBuffer& buffer) {
   run([&](VkCommandBuffer commands) {
-    change(commands, {barrierOf(target, VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL,
-                                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL)});
+    change(commands, {barrierOf(target, layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL)});
     VkBufferImageCopy region{};
     region.imageSubresource = {target.aspect, 0, 0, 1};
     region.imageExtent = {target.extent.width, target.extent.height, 1};
     vkCmdCopyImageToBuffer(commands, target.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                            buffer.buffer, 1, &region);
-    change(commands, {barrierOf(target, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL)});
+    change(commands, {barrierOf(target, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout)});
   });
+}
+
+std::vector<float> Engine::read(const Target& target) {
+  return readAs(target, VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL);
+}
+
+std::vector<float> Engine::read(const DeviceImage& image) {
+  return readAs({.image = image.image, .format = image.format, .extent = image.extent},
+                image.layout);
+}
+
+std::vector<float> Engine::readAs(const Target& target, VkImageLayout layout) {
+  const bool four = target.format == VK_FORMAT_R32G32B32A32_SFLOAT;
+  const std::size_t count =
+      std::size_t{target.extent.width} * target.extent.height * (four ? 4 : 1);
+  const HostBuffer buffer = makeBuffer(count * sizeof(float), VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  copy(target, layout, buffer);
   std::vector<float> texels(count);
   std::memcpy(texels.data(), buffer.mapped, count * sizeof(float));
   return texels;
+}
+
+void Engine::resolve(const Target& from, const Target& to) {
+  run([&](VkCommandBuffer commands) {
+    change(
+        commands,
+        {barrierOf(from, VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL),
+         barrierOf(to, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL)});
+    VkImageResolve region{};
+    region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.extent = {from.extent.width, from.extent.height, 1};
+    vkCmdResolveImage(commands, from.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to.image,
+                      VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    change(commands, {barrierOf(to, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL)});
+  });
 }
 
 }  // namespace opaline::test

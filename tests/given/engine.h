@@ -61,7 +61,8 @@ class Engine {
     VkExtent2D extent{};
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
   };
-  Target makeTarget(VkFormat format, VkExtent2D extent);
+  Target makeTarget(VkFormat format, VkExtent2D extent,
+                    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT);
 
   /// A command buffer that has begun, from a pool of the engine.
   VkCommandBuffer begin();
@@ -77,10 +78,16 @@ class Engine {
                     const Target& depth, float depthValue);
   /// The texels of a target that was left as an attachment, four bytes or four floats each.
   std::vector<float> read(const Target& target);
+  /// The same of what the library leaves in R G B A of four floats, in the layout that it says.
+  std::vector<float> read(const DeviceImage& image);
+  /// The mean over the samples of a colour, into a target with one.
+  void resolve(const Target& from, const Target& to);
 
  private:
   void makeInstance();
   void makeDevice();
+  void copy(const Target& target, VkImageLayout layout, const HostBuffer& buffer);
+  std::vector<float> readAs(const Target& target, VkImageLayout layout);
   Memory allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags flags);
 
   VkInstance instance_ = VK_NULL_HANDLE;

@@ -187,12 +187,107 @@ TEST_F(GivenFramesTest, JitterMovesThePicture) {
   EXPECT_GT(covered, std::size_t{size} * size / 8);
 }
 
-TEST_F(GivenFramesTest, RefusesWhatIsNoPerspective) {
+// Of an orthographic projection what a camera of that height sees, with depths as even steps.
+TEST_F(GivenFramesTest, OrthographicMatricesSeeWhatTheOrthographicCameraSees) {
+  constexpr float heightMm = 24;
+  Camera camera = scene_.camera;
+  camera.orthographicHeightMm = heightMm;
+  View view(renderer(), options());
+  view.setCamera(camera);
+  const std::vector<Aov> aovs{Aov::Radiance, Aov::Position, Aov::Depth};
+  const std::vector<Image> expected = view.render({.aovs = aovs}).images;
+  const Engine::Target color = engine().makeTarget(VK_FORMAT_R32G32B32A32_SFLOAT, {size, size});
+  const Engine::Target depth = engine().makeTarget(VK_FORMAT_D32_SFLOAT, {size, size});
+  for (const bool reversed : {false, true}) {
+    SCOPED_TRACE(reversed ? "reversed" : "ordinary");
+    CameraMatrices given = matrices(reversed);
+    given.viewToClip = {};
+    given.viewToClip[0] = given.viewToClip[5] = 2 / heightMm;
+    given.viewToClip[15] = 1;
+    const double slope = 1 / (farMm - nearMm);
+    given.viewToClip[10] = static_cast<float>(reversed ? -slope : slope);
+    given.viewToClip[14] = static_cast<float>(slope * (reversed ? farMm : -nearMm));
+    view.setCamera(given);
+    engine().run([&](VkCommandBuffer commands) {
+      Engine::clear(commands, color, {{0, 0, 0, 0}}, depth, reversed ? 0.F : 1.F);
+    });
+    const Composition over{.color = {color.image, color.view, color.format},
+                           .depth = {depth.image, depth.view, depth.format}};
+    runFrame(view, {.over = &over}, {.aovs = aovs});
+    Frame frame;
+    view.collect(frame);
+    std::size_t covered = 0;
+    const std::vector<float> depths = engine().read(depth);
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+      const float* seen = &frame.images[2].rgba[4 * i];
+      if (seen[3] == 0 || expected[2].rgba[4 * i + 3] == 0) continue;
+      ++covered;
+      EXPECT_NEAR(seen[0], expected[2].rgba[4 * i], 1e-3F);
+      for (std::size_t j = 4 * i; j < 4 * i + 3; ++j)
+        EXPECT_NEAR(frame.images[1].rgba[j], expected[1].rgba[j], 1e-3F);
+    }
+    EXPECT_GT(covered, std::size_t{size} * size / 8);
+    for (std::size_t y = 1; y + 1 < size; ++y)
+      for (std::size_t x = 1; x + 1 < size; ++x) {
+        const std::size_t i = y * size + x;
+        // The nearest of a pixel's samples; where its neighbours see the body, within its slope.
+        if (frame.images[2].rgba[4 * i + 3] == 0) continue;
+        const double mm = static_cast<double>(frame.images[2].rgba[4 * i]);
+        const double ordinary = (mm - nearMm) * slope;
+        EXPECT_NEAR(reversed ? 1 - static_cast<double>(depths[i]) : static_cast<double>(depths[i]),
+                    ordinary, 2 * slope);
+      }
+    std::size_t different = 0;
+    for (std::size_t j = 0; j < expected[0].rgba.size(); ++j)
+      if (std::abs(frame.images[0].rgba[j] - expected[0].rgba[j]) >
+          1e-3F * std::max(1.0F, std::abs(expected[0].rgba[j])))
+        ++different;
+    EXPECT_LE(different, expected[0].rgba.size() / 500) << "at silhouettes alone";
+  }
+}
+
+// Numbers as View::collect has them, but for rounding of the depth; far from the origin too.
+TEST_F(GivenFramesTest, VariablesOnTheDeviceAreThoseOfTheHost) {
+  const std::vector<Aov> aovs{Aov::Exitance, Aov::Irradiance, Aov::Position,    Aov::Normal,
+                              Aov::Depth,    Aov::Object,     Aov::Evaluations, Aov::Surfels};
+  const std::vector<Aov> onDevice{Aov::Irradiance, Aov::Position,    Aov::Normal,  Aov::Depth,
+                                  Aov::Object,     Aov::Evaluations, Aov::Surfels, Aov::Exitance};
+  for (const float offsetMm : {0.F, 65536.F}) {
+    SCOPED_TRACE(offsetMm);
+    Scene moved = scene_;
+    for (Vec3& position : moved.objects[0].mesh.positionsMm) position[0] += offsetMm;
+    moved.camera.positionMm[0] += offsetMm;
+    moved.camera.targetMm[0] += offsetMm;
+    renderer().setScene(moved);
+    View view(renderer(), options());
+    view.submit({.aovs = aovs, .aovsOnDevice = onDevice});
+    Frame frame;
+    view.collect(frame);
+    for (std::size_t i = 0; i < aovs.size(); ++i) {
+      SCOPED_TRACE(static_cast<int>(aovs[i]));
+      const std::vector<float> left = engine().read(view.picture(aovs[i]));
+      ASSERT_EQ(left.size(), frame.images[i].rgba.size());
+      for (std::size_t j = 0; j < left.size(); ++j) {
+        const float error = aovs[i] == Aov::Depth ? 1e-5F * std::abs(left[j]) : 0;
+        ASSERT_NEAR(left[j], frame.images[i].rgba[j], error);
+      }
+    }
+    EXPECT_THROW(static_cast<void>(view.picture(Aov::Radiance)), UsageError);
+    view.submit({.aovs = {}, .aovsOnDevice = {Aov::Radiance}});
+    EXPECT_EQ(view.picture(Aov::Radiance).extent.width, size);
+    EXPECT_THROW(static_cast<void>(view.picture(Aov::Normal)), UsageError);
+    EXPECT_THROW(view.submit({.aovs = {}, .aovsOnDevice = {Aov::DsmArea}}), UsageError);
+  }
+}
+
+TEST_F(GivenFramesTest, RefusesWhatIsNoProjection) {
   View view(renderer(), options());
   CameraMatrices given = matrices(true);
   given.viewToClip[11] = 0;
-  given.viewToClip[15] = 1;
   EXPECT_THROW(view.setCamera(given), UsageError);
+  given.viewToClip[15] = 1;
+  given.viewToClip[10] = 0;
+  EXPECT_THROW(view.setCamera(given), UsageError) << "no depth";
   given = matrices(true);
   given.worldToView[5] = NAN;
   EXPECT_THROW(view.setCamera(given), UsageError);
@@ -245,6 +340,48 @@ TEST_F(GivenFramesTest, TheBodyIsComposedWithTheCallersDrawingByDepth) {
     EXPECT_GT(seen[1], 0U);
     EXPECT_GT(seen[2], seen[1]);
   }
+}
+
+TEST_F(GivenFramesTest, TargetsMayHaveSeveralSamples) {
+  constexpr VkSampleCountFlagBits four = VK_SAMPLE_COUNT_4_BIT;
+  const VkExtent2D extent{size, size};
+  const Engine::Target plain = engine().makeTarget(VK_FORMAT_R32G32B32A32_SFLOAT, extent);
+  const Engine::Target plainDepth = engine().makeTarget(VK_FORMAT_D32_SFLOAT, extent);
+  const Engine::Target color = engine().makeTarget(VK_FORMAT_R32G32B32A32_SFLOAT, extent, four);
+  const Engine::Target depth = engine().makeTarget(VK_FORMAT_D32_SFLOAT, extent, four);
+  const double distance =
+      length(toVector(scene_.camera.positionMm) - toVector(scene_.camera.targetMm));
+  const auto wallDepth = static_cast<float>(depthAt(distance - 3, true));
+  View view(renderer(), options());
+  view.setCamera(matrices(true));
+  const auto composed = [&](const Engine::Target& onto, const Engine::Target& tested,
+                            VkSampleCountFlagBits samples) {
+    engine().run([&](VkCommandBuffer commands) {
+      Engine::clear(commands, onto, {{0.25F, 0.5F, 0.75F, 1}}, tested, wallDepth);
+    });
+    const Composition over{.color = {.image = onto.image,
+                                     .view = onto.view,
+                                     .format = onto.format,
+                                     .samples = samples},
+                           .depth = {.image = tested.image,
+                                     .view = tested.view,
+                                     .format = tested.format,
+                                     .samples = samples}};
+    runFrame(view, {.over = &over}, {.aovs = {}});
+  };
+  composed(plain, plainDepth, VK_SAMPLE_COUNT_1_BIT);
+  const std::vector<float> expected = engine().read(plain);
+  composed(color, depth, four);
+  engine().resolve(color, plain);
+  EXPECT_EQ(engine().read(plain), expected);
+  EXPECT_NE(*std::max_element(expected.begin(), expected.end()), 1);
+
+  Composition over{
+      .color = {.image = color.image, .view = color.view, .format = color.format, .samples = four},
+      .depth = {depth.image, depth.view, depth.format}};
+  EXPECT_THROW(view.submit({.outputs = {.over = &over}}, {}), UsageError);
+  over.color.samples = static_cast<VkSampleCountFlagBits>(3);
+  EXPECT_THROW(view.submit({.outputs = {.over = &over}}, {}), UsageError);
 }
 
 TEST_F(GivenFramesTest, DepthOfTheCallersNeedsItsMatrices) {

@@ -73,6 +73,7 @@ typedef struct OpalineDeviceTarget {
   VkImageView view;
   VkFormat format;
   VkImageLayout layout;
+  uint32_t samples;  ///< of a pixel; 0: one
 } OpalineDeviceTarget;
 
 /// See Composition.
@@ -106,6 +107,8 @@ typedef struct OpalineDeviceFrame {
   int32_t exitance;        ///< 1: leave the exitance of vertices, for opalineViewExitance()
   const OpalineAov* aovs;  ///< for opalineCollect()
   size_t aovCount;
+  const OpalineAov* aovsOnDevice;  ///< for opalineViewVariable()
+  size_t aovOnDeviceCount;
 } OpalineDeviceFrame;
 
 /// Makes all that such a frame needs, so that opalineRecordFrame() submits nothing.
@@ -126,6 +129,10 @@ typedef struct OpalineDeviceImage {
 
 /// Of the last frame that was to leave it.
 OPALINE_API OpalineStatus opalineViewPicture(const OpalineView* view, OpalineDeviceImage* picture);
+
+/// One of the last frame's `aovsOnDevice`; see View::picture.
+OPALINE_API OpalineStatus opalineViewVariable(const OpalineView* view, OpalineAov aov,
+                                              OpalineDeviceImage* variable);
 
 /// See DeviceBuffer.
 typedef struct OpalineDeviceBuffer {

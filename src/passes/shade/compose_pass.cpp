@@ -13,15 +13,18 @@ const ComposePass::Pipeline& ComposePass::pipelineFor(const Target& target) {
       target.depth != nullptr ? target.depth->options().format : VK_FORMAT_UNDEFINED;
   const bool isReversed = target.depth != nullptr && target.how.isReversed;
   for (const Made& made : made_)
-    if (made.color == color && made.depth == depth && made.isReversed == isReversed)
+    if (made.color == color && made.depth == depth && made.isReversed == isReversed &&
+        made.samples == target.samples)
       return *made.pipeline;
-  gpu::GraphicsOptions options{
-      .colorFormats = {color}, .depthFormat = depth, .blend = gpu::Blend::Over};
+  gpu::GraphicsOptions options{.colorFormats = {color},
+                               .depthFormat = depth,
+                               .blend = gpu::Blend::Over,
+                               .samples = target.samples};
   if (target.depth != nullptr)
     options.depth =
         isReversed ? gpu::DepthMode::WriteOrEqual : gpu::DepthMode::WriteOrEqualOrdinary;
-  made_.push_back(
-      {color, depth, isReversed, std::make_unique<const Pipeline>(device_, "compose", options)});
+  made_.push_back({color, depth, isReversed, target.samples,
+                   std::make_unique<const Pipeline>(device_, "compose", options)});
   return *made_.back().pipeline;
 }
 

@@ -30,7 +30,8 @@ class ComposePass {
     gpu::GpuImage& color;
     gpu::GpuImage* depth = nullptr;  ///< none: the picture lies over everything
     Depth how;
-    float scale = 1;  ///< of the radiance
+    float scale = 1;                                        ///< of the radiance
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;  ///< of both
   };
   /// VisibleSurfaces still holds what the picture's pixels see.
   void record(gpu::CommandList& commands, const SeenSurfaces& seen, gpu::GpuImage& radiance,
@@ -42,6 +43,7 @@ class ComposePass {
     VkFormat color;
     VkFormat depth;
     bool isReversed;
+    VkSampleCountFlagBits samples;
     std::unique_ptr<const Pipeline> pipeline;
   };
   const Pipeline& pipelineFor(const Target& target);

@@ -13,7 +13,8 @@ gpu::GpuImage SeenIrradiancePass::makeImage(gpu::Device& device, VkExtent2D exte
            .width = extent.width,
            .height = extent.height,
            .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-           .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
+           .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                    VK_IMAGE_USAGE_TRANSFER_SRC_BIT}};
 }
 
 void SeenIrradiancePass::record(gpu::CommandList& commands, SeenSurfels& seen, Surfels& surfels,

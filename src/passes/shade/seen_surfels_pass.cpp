@@ -9,12 +9,12 @@ SeenSurfelsPass::SeenSurfelsPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest), pipeline_(device, "seen surfels") {}
 
 SeenSurfels SeenSurfelsPass::makeSeen(gpu::Device& device, VkExtent2D extent) {
-  return {gpu::GpuImage(device,
-                        {.name = "seen surfels",
-                         .width = extent.width,
-                         .height = extent.height,
-                         .format = VK_FORMAT_R32G32B32A32_SFLOAT,
-                         .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT})};
+  return {gpu::GpuImage(device, {.name = "seen surfels",
+                                 .width = extent.width,
+                                 .height = extent.height,
+                                 .format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                                 .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                          VK_IMAGE_USAGE_TRANSFER_SRC_BIT})};
 }
 
 void SeenSurfelsPass::record(gpu::CommandList& commands, const Inputs& inputs,

@@ -6,6 +6,8 @@
 #include "gpu/command_list.h"
 #include "opaline/vulkan.h"
 #include "passes/shade/compose_pass.h"
+#include "passes/shade/variable_pass.h"
+#include "renderer/frame/camera_view.h"
 #include "renderer/frame/frame_resources.h"
 #include "renderer/motion/motion_tables.h"
 
@@ -23,23 +25,30 @@ struct ExitanceRange {
 };
 ExitanceRange exitanceRange(const std::vector<ObjectRange>& ranges, std::size_t object);
 
-/// What a view's frames leave in memory of the caller's.
+/// What a view's frames leave for the caller on the device, or in memory of the caller's.
 class OutputRecorder {
  public:
-  explicit OutputRecorder(gpu::Device& device) : compose_(device) {}
+  explicit OutputRecorder(gpu::Device& device)
+      : device_(device), variable_(device), compose_(device) {}
 
   struct Inputs {
     passes::DeformedMesh& mesh;
     FrameResources& resources;
     const std::vector<ObjectRange>& ranges;
     passes::ComposePass::Depth depth;
+    const CameraView& camera;
+    const Vec3& originMm;  ///< that the scene has been moved to
   };
   /// In a part of its own at the end of a frame.
-  void record(gpu::CommandList& commands, const DeviceOutputs& outputs, const Inputs& inputs);
+  void record(gpu::CommandList& commands, const FrameOrder& order, const DeviceOutputs& outputs,
+              const Inputs& inputs);
 
  private:
+  void leave(gpu::CommandList& commands, Aov aov, const Inputs& inputs);
   void compose(gpu::CommandList& commands, const Composition& over, const Inputs& inputs);
 
+  gpu::Device& device_;
+  passes::VariablePass variable_;
   passes::ComposePass compose_;
 };
 

@@ -11,10 +11,6 @@ namespace opaline {
 
 namespace {
 
-bool needsMap(const RenderOptions& options, const std::vector<Aov>& aovs) {
-  return options.sum == Sum::Pattern || std::any_of(aovs.begin(), aovs.end(), showsMap);
-}
-
 // Whether light in translucent bodies is summed at vertices alone.
 bool sumsAtVertices(const FramePlan& plan, const SceneResources& scene) {
   if (plan.site != Site::Auto) return plan.site == Site::Vertex;
@@ -37,11 +33,13 @@ Site chooseSite(const FramePlan& plan, const SceneResources& scene) {
 
 }  // namespace
 
-FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture,
+FramePlan planFor(const RenderOptions& options, const FrameOrder& order, bool picture,
                   bool exitance) {
-  const auto asked = [&](Aov aov) {
-    return std::find(aovs.begin(), aovs.end(), aov) != aovs.end();
+  const auto any = [&](const auto& is) {
+    return std::any_of(order.aovs.begin(), order.aovs.end(), is) ||
+           std::any_of(order.aovsOnDevice.begin(), order.aovsOnDevice.end(), is);
   };
+  const auto asked = [&](Aov aov) { return any([&](Aov other) { return other == aov; }); };
   return {
       .transport = options.transport,
       .sum = options.sum,
@@ -49,10 +47,10 @@ FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bo
       .tolerance = options.tolerance,
       .bounces = options.bounces,
       .ambientOcclusion = options.ambientOcclusion,
-      .scatter = picture || exitance || std::any_of(aovs.begin(), aovs.end(), needsScattering),
-      .map = needsMap(options, aovs),
+      .scatter = picture || exitance || any(needsScattering),
+      .map = options.sum == Sum::Pattern || any(showsMap),
       .samples = picture || asked(Aov::Radiance) ? options.antialias : 0,
-      .centre = std::any_of(aovs.begin(), aovs.end(), needsCentre),
+      .centre = any(needsCentre),
       .seenSurfels = asked(Aov::Surfels) || (asked(Aov::Irradiance) && options.sum != Sum::Pattern),
       .irradiance = asked(Aov::Irradiance),
       .treeLevel = options.treeLevel,

@@ -48,8 +48,8 @@ struct FramePlan {
 
 /// What follows from what is asked for alone. `picture`: the radiance is wanted, whether or not it
 /// is among the variables; `exitance`: that of vertices is.
-FramePlan planFor(const RenderOptions& options, const std::vector<Aov>& aovs, bool picture,
-                  bool exitance = false);
+FramePlan planFor(const RenderOptions& options, const FrameOrder& order, bool picture,
+                  bool exitance);
 
 /// Whether what the plan makes needs clusters to tell how much of the sky is hidden.
 bool occludesSky(const FramePlan& plan, const Lighting& lighting);

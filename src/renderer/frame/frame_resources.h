@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -19,6 +21,9 @@ namespace opaline {
 
 struct Passes;
 
+/// Those that are seen at the pixels' centres, and the radiance.
+constexpr std::size_t variablesOfCentres = static_cast<std::size_t>(Aov::Surfels) + 1;
+
 /// What the passes of a frame read and write; depends on scene and view, not on the frame.
 struct FrameResources {
   passes::SceneTables tables;
@@ -32,6 +37,7 @@ struct FrameResources {
   passes::SeenCentres centres;  ///< these four are empty until a plan asks for them
   passes::SeenSurfels seenSurfels;
   gpu::GpuImage seenIrradiance;
+  std::array<gpu::GpuImage, variablesOfCentres> variables;  ///< by Aov: left for others
   std::optional<paper::Map> map;
   std::unique_ptr<MaterialMotion> materials;  ///< where a clip changes what objects are made of
 };

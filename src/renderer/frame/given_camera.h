@@ -13,7 +13,7 @@ struct GivenCamera {
 };
 
 /// Of a scene that has been moved to that origin. Throws UsageError for matrices that are no
-/// perspective, or not finite.
+/// projection, or not finite.
 GivenCamera makeGivenCamera(const CameraMatrices& matrices, const Vec3& originMm, int width,
                             int height);
 

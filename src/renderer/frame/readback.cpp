@@ -16,36 +16,6 @@ namespace {
 
 using Halves = std::array<std::uint16_t, 4>;
 
-// The images that a variable is made from.
-std::array<gpu::GpuImage*, 2> imagesOf(Aov aov, FrameResources& resources) {
-  gpu::GpuImage* const position = &resources.centres.position;
-  switch (aov) {
-    case Aov::Radiance:
-      return {&resources.radiance, nullptr};
-    case Aov::Exitance:
-    case Aov::Evaluations:
-      return {position, &resources.centres.exitance};
-    case Aov::Irradiance:
-      return {position, &resources.seenIrradiance};
-    case Aov::Position:
-    case Aov::Depth:
-    case Aov::Object:
-      return {position};
-    case Aov::Normal:
-      return {position, &resources.centres.normal};
-    case Aov::Surfels:
-      return {position, &resources.seenSurfels.image};
-    case Aov::DsmPosition:
-    case Aov::DsmArea:
-      return {&resources.map->sources.coverage, &resources.map->sources.positionArea};
-    case Aov::DsmNormal:
-      return {&resources.map->sources.coverage, &resources.map->sources.normal};
-    case Aov::DsmIrradiance:
-      return {&resources.map->sources.coverage, &resources.map->sources.irradianceObject};
-  }
-  return {};
-}
-
 std::size_t bytesOf(const gpu::GpuImage& image) {
   constexpr std::size_t alignment = 16;
   const std::size_t bytes = std::size_t{image.extent().width} * image.extent().height *
@@ -91,6 +61,35 @@ void makeRadiance(Image& image, const glm::vec4* sums) {
 }
 
 }  // namespace
+
+std::array<gpu::GpuImage*, 2> imagesOf(Aov aov, FrameResources& resources) {
+  gpu::GpuImage* const position = &resources.centres.position;
+  switch (aov) {
+    case Aov::Radiance:
+      return {&resources.radiance, nullptr};
+    case Aov::Exitance:
+    case Aov::Evaluations:
+      return {position, &resources.centres.exitance};
+    case Aov::Irradiance:
+      return {position, &resources.seenIrradiance};
+    case Aov::Position:
+    case Aov::Depth:
+    case Aov::Object:
+      return {position};
+    case Aov::Normal:
+      return {position, &resources.centres.normal};
+    case Aov::Surfels:
+      return {position, &resources.seenSurfels.image};
+    case Aov::DsmPosition:
+    case Aov::DsmArea:
+      return {&resources.map->sources.coverage, &resources.map->sources.positionArea};
+    case Aov::DsmNormal:
+      return {&resources.map->sources.coverage, &resources.map->sources.normal};
+    case Aov::DsmIrradiance:
+      return {&resources.map->sources.coverage, &resources.map->sources.irradianceObject};
+  }
+  return {};
+}
 
 bool showsMap(Aov aov) {
   return aov == Aov::DsmPosition || aov == Aov::DsmNormal || aov == Aov::DsmIrradiance ||

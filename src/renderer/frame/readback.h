@@ -18,6 +18,10 @@ bool needsCentre(Aov aov);
 /// Whether a variable tells of light that was scattered, or of what scatters it.
 bool needsScattering(Aov aov);
 
+/// The images that a variable is made from: what is seen, or where the map has surface, and its
+/// values.
+std::array<gpu::GpuImage*, 2> imagesOf(Aov aov, FrameResources& resources);
+
 /// Brings output variables of a frame to the host: copies at the frame's end what they are made
 /// from, and makes pictures of it when the frame has finished. Reused for the same variables it
 /// allocates nothing.

@@ -94,6 +94,7 @@ void ViewResources::makeImages(const RenderOptions& options, const SceneResource
   made_.centres = {};
   made_.seenSurfels = {};
   made_.seenIrradiance = {};
+  made_.variables = {};
   const bool fits = made_.radiance && made_.radiance.extent().width == width &&
                     made_.radiance.extent().height == height;
   if (!fits) made_.radiance = {};

@@ -367,12 +367,15 @@ VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice gone, const VkAllocationCallba
 
 PFN_vkVoidFunction ours(std::string_view name);
 
+std::string hiddenFunction;
+
 }  // namespace
 
 #define OPALINE_EXPORT extern "C" __attribute__((visibility("default")))
 
 OPALINE_EXPORT VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL opalineGetDeviceProcAddr(VkDevice of,
                                                                                  const char* name) {
+  if (hiddenFunction == name) return nullptr;
   const PFN_vkVoidFunction next = nextOfDevice(of, name);
   const PFN_vkVoidFunction here = ours(name);
   return here != nullptr && next != nullptr ? here : next;
@@ -412,6 +415,10 @@ PFN_vkVoidFunction ours(std::string_view name) {
 
 OPALINE_EXPORT void opalineArmFault(std::int32_t result, std::uint64_t nth, const char* function) {
   state().arm(static_cast<VkResult>(result), nth, function);
+}
+
+OPALINE_EXPORT void opalineHideFunction(const char* function) {
+  hiddenFunction = function == nullptr ? "" : function;
 }
 
 OPALINE_EXPORT std::uint64_t opalineCallsSinceArmed() {

@@ -18,6 +18,8 @@ extern "C" {
 void opalineArmFault(std::int32_t result, std::uint64_t nth, const char* function);
 /// The calls since then that might have returned it.
 std::uint64_t opalineCallsSinceArmed();
+/// The driver has no such function of devices; null: it has all of them again.
+void opalineHideFunction(const char* function);
 /// The function that failed; null if none has.
 const char* opalineFaultedFunction();
 /// Objects that have been created and not destroyed, memory and devices among them.

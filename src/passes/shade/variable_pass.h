@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "gpu/command_list.h"
+#include "gpu/pipeline.h"
+#include "passes/products.h"
+#include "shaders/shade/variable.comp.h"
+
+namespace opaline::gpu {
+class Device;
+}
+
+namespace opaline::passes {
+
+/// Leaves a variable of the pixels' centres for others to read.
+class VariablePass {
+ public:
+  explicit VariablePass(gpu::Device& device);
+
+  /// For set-up, not for frames: a texel a pixel.
+  static gpu::GpuImage makeImage(gpu::Device& device, VkExtent2D extent);
+
+  struct Inputs {
+    SeenCentres& centres;
+    gpu::GpuImage& values;   ///< read or not, as the kind says
+    std::uint32_t kind = 0;  ///< shared::variableValues and so on
+    glm::vec4 depth{0};      ///< xyz: the camera's axis; w: less how far along it the camera stands
+    glm::vec3 origin{0};     ///< that the scene has been moved to, mm
+  };
+  void record(gpu::CommandList& commands, const Inputs& inputs, gpu::GpuImage& variable) const;
+
+ private:
+  gpu::Sampler nearest_;
+  gpu::Compute<shaders::ShadeVariable> pipeline_;
+};
+
+}  // namespace opaline::passes
