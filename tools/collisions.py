@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""What leaves a half-space after so many collisions, exactly, and what diffusion makes of it from the first, second,
+third or fourth collision on: how much too much it has. Scattering is even, light arrives along the normal,
+the boundary is a smooth dielectric. Needs NumPy.
+
+  tools/collisions.py [ETA]
+"""
+
+import sys
+
+import numpy as np
+
+CELLS = 600
+DEEPEST = 30.0  # free paths
+ALBEDOS = (0.9585, 0.838, 0.678)  # of skin1: red, green, blue
+
+
+def reflectance(eta, cosine):
+    """Fresnel's, unpolarised, from a side to one that is eta times as dense."""
+    squared = (1 - cosine * cosine) / (eta * eta)
+    other = np.sqrt(np.maximum(1 - squared, 0))
+    across = (cosine - eta * other) / (cosine + eta * other)
+    along = (eta * cosine - other) / (eta * cosine + other)
+    return np.where(squared >= 1, 1, (across ** 2 + along ** 2) / 2)
+
+
+def directions(eta):
+    """Cosines inside, their weights and how much is mirrored there, apart below and above the critical angle."""
+    points, weights = np.polynomial.legendre.leggauss(64)
+    critical = np.sqrt(1 - 1 / eta ** 2)
+    half = (points + 1) / 2
+    cosines = np.concatenate([critical * half, critical + (1 - critical) * half])
+    weights = np.concatenate([critical * weights, (1 - critical) * weights]) / 2
+    return cosines, weights, reflectance(1 / eta, cosines)
+
+
+def transfer(edges, eta):
+    """Where light from one layer collides next, by layer and layer it comes from, and how much of it leaves."""
+    thick = np.diff(edges)
+    below = np.tril(np.ones((CELLS, CELLS)), -1)
+    apart = np.maximum(np.subtract.outer(edges[:-1], edges[1:]), 0)
+    collides = np.zeros((CELLS, CELLS))
+    leaves = np.zeros(CELLS)
+    for cosine, weight, mirrored in zip(*directions(eta)):
+        within = 1 - np.exp(-thick / cosine)
+        out = cosine / thick * within  # mean of what gets to the edge of its own layer
+        between = below * np.exp(-apart / cosine)
+        to_surface = out * np.exp(-edges[:-1] / cosine)
+        collides += weight / 2 * np.outer(within, out) * (between + between.T)
+        collides += weight / 2 * mirrored * np.outer(np.exp(-edges[:-1] / cosine) * within, to_surface)
+        collides[np.diag_indices(CELLS)] += weight * (1 - out)
+        leaves += weight / 2 * (1 - mirrored) * to_surface
+    return collides, leaves
+
+
+def by_diffusion(albedo, eta, edges, collisions):
+    """Exitance albedo φ / 2A of diffusion from these collisions, with Grosjean's diffusion coefficient."""
+    diffusion = (2 * (1 - albedo) + albedo) / 3
+    sigma = np.sqrt((1 - albedo) / diffusion)
+    points, weights = np.polynomial.legendre.leggauss(200)
+    cosines = (points + 1) / 2
+    mirrored = weights / 2 * reflectance(1 / eta, cosines) * cosines
+    robin = (1 + 3 * (mirrored * cosines).sum()) / (1 - 2 * mirrored.sum())
+    falls = -np.diff(np.exp(-sigma * edges)) / (sigma * np.diff(edges))
+    fluence = (collisions * falls).sum() / (sigma * diffusion + 1 / (2 * robin))
+    return albedo * fluence / (2 * robin)
+
+
+def main():
+    eta = float(sys.argv[1]) if len(sys.argv) > 1 else 1.3
+    edges = DEEPEST * np.linspace(0, 1, CELLS + 1) ** 2.5
+    collides, leaves = transfer(edges, eta)
+    print("albedo   leaves after 1, 2, 3 and more collisions   diffusion from the 1st, 2nd, 3rd, 4th over exact")
+    for albedo in ALBEDOS:
+        collisions = [-np.diff(np.exp(-edges))]
+        while collisions[-1].sum() > 1e-9:
+            collisions.append(collides @ (albedo * collisions[-1]))
+        orders = np.array([albedo * (leaves * each).sum() for each in collisions])
+        over = [by_diffusion(albedo, eta, edges, collisions[k]) / orders[k:].sum() for k in range(4)]
+        print(f"{albedo:<8} {orders[0]:.4f} {orders[1]:.4f} {orders[2:].sum():.4f}" + " " * 24 +
+              " ".join(f"{each:.3f}" for each in over))
+
+
+if __name__ == "__main__":
+    main()
