@@ -283,7 +283,7 @@ struct VisibleSurfaces {
                       ///< of what leaves the part that goes towards the camera, over that without
   std::array<gpu::Buffer, 2> ofPixels;  ///< 16 bytes for each pixel of a band: what passes find
                                         ///< that look at neighbours
-  KeptOfSeen kept;          ///< there is room for these
+  KeptOfSeen kept;                      ///< there is room for these
   gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: how much of what they mirror is sky, or unknown
   gpu::Buffer askedOfSky;   ///< surfaces in blocks of which that is unknown, as entries of the list
   gpu::Buffer askedCounts;  ///< shared::SeenCount, of all of those and of parts
