@@ -1,7 +1,7 @@
 """blender -b --factory-startup --python truth.py -- SCENE TRUTH.exr FOUND.exr EDGE SECONDS
 
 Follows light through a scene of this folder, by the path reference of the Python module, and makes the same picture
-by the renderer. Neither has the reflection on translucent surfaces. The add-on must be installed."""
+by the renderer, of the first object alone. Neither has the reflection on its surface. The add-on must be installed."""
 
 import pathlib
 import sys
@@ -31,8 +31,10 @@ def main():
     truth = opaline.path(made, width, height, "radiance", longest_seconds=float(seconds), error=0.001)
     opaline.write_exr(truth_file, truth["radiance"])
     print("block error of the truth", truth.facts.get("block_error"))
-    found = opaline.Renderer(made).render(width, height, ["radiance"], specular=False)
-    opaline.write_exr(found_file, found["radiance"])
+    found = opaline.Renderer(made).render(width, height, ["radiance", "object"], specular=False)
+    body = found["radiance"].copy()
+    body[found["object"][..., 0] != 0] = 0
+    opaline.write_exr(found_file, body)
 
 
 main()
