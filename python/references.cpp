@@ -44,16 +44,19 @@ auto interruptible(Work work) {
   return result.get();
 }
 
-rf::PictureOptions pictureOf(int width, int height, const std::string& aov, int antialias) {
+rf::PictureOptions pictureOf(int width, int height, const std::string& aov, int antialias,
+                             const rf::EyePathOptions& eye = {}) {
   rf::PictureOptions picture;
   picture.width = width;
   picture.height = height;
   picture.aov = aovOf(aov);
   picture.antialias = antialias;
+  picture.eye = eye;
   RenderOptions like;
   like.width = width;
   like.height = height;
   like.antialias = antialias;
+  like.roughness = static_cast<float>(eye.roughness);
   const std::string complaint = options::complaintAbout(like);
   if (!complaint.empty()) throw UsageError(complaint);
   if (showsMap(picture.aov) || picture.aov == Aov::Surfels || picture.aov == Aov::Evaluations) {
@@ -97,14 +100,16 @@ py::object integral(const SharedScene& shared, int width, int height, const std:
 py::object path(const SharedScene& shared, int width, int height, const std::string& aov,
                 const std::optional<double>& error, const std::optional<double>& longestSeconds,
                 const std::optional<std::uint64_t>& particles, int bounces, std::uint64_t seed,
-                double cellMm, int antialias, double seconds, int clip) {
+                double cellMm, bool specular, double roughness, int antialias, double seconds,
+                int clip) {
   struct Made {
     Image image;
     double error = 0;
     std::uint64_t particles = 0;
   };
   const Scene scene = shared.whole();
-  const rf::PictureOptions picture = pictureOf(width, height, aov, antialias);
+  const rf::PictureOptions picture =
+      pictureOf(width, height, aov, antialias, {specular, roughness});
   if (bounces < 0 || !(cellMm >= 0)) throw UsageError("bounces and cell_mm are not negative.");
   if ((error && !(*error > 0)) || (longestSeconds && !(*longestSeconds > 0)) ||
       (particles && *particles == 0)) {
@@ -147,12 +152,13 @@ The interpreter's lock is released meanwhile, and Ctrl C ends it.)");
   module.def("path", &path, arg("scene"), arg("width") = 1024, arg("height") = 1024,
              arg("aov") = "radiance", py::kw_only(), arg("error") = py::none(),
              arg("longest_seconds") = py::none(), arg("particles") = py::none(),
-             arg("bounces") = 1000, arg("seed") = 1, arg("cell_mm") = 0.0, arg("antialias") = 4,
-             arg("seconds") = 0.0, arg("clip") = 0,
+             arg("bounces") = 1000, arg("seed") = 1, arg("cell_mm") = 0.0, arg("specular") = true,
+             arg("roughness") = 0.25, arg("antialias") = 4, arg("seconds") = 0.0, arg("clip") = 0,
              R"(Light followed through the bodies particle by particle, on the CPU; returns a Frame.
 
 It ends at the first of: error, the relative rms error of blocks of 8x8 pixels; longest_seconds; particles of each
 channel. Without any of them at an error of 0.02. bounces: how often light may enter again; seed: of the random numbers; cell_mm: edge of the cells that count light, 0: by medium.
+specular: whether radiance has what surfaces mirror; roughness: of translucent ones that state none.
 The interpreter's lock is released meanwhile, and Ctrl C ends it.)");
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <mutex>
 #include <numbers>
 
 #include "bssrdf/fresnel.h"
@@ -16,41 +18,20 @@ constexpr int rows = 48;     // of roughness
 constexpr int columns = 64;  // of the cosine to the eye
 constexpr int lattice = 21;  // of facets, squared
 
-// Visits facets that are seen at that cosine by what part of even light they mirror if they mirror
-// all, and the cosine to them.
-template <typename Visit>
-void forEachFacet(double alpha, double cosine, const Visit& visit) {
+double integrated(double alpha, double cosine, const std::function<double(double)>& reflectance) {
   const Vector eye{std::sqrt(1 - cosine * cosine), 0, cosine};
+  const double hidden = ggxHidden(alpha, cosine);
+  double sum = 0;
   for (int i = 0; i < lattice; ++i)
     for (int j = 0; j < lattice; ++j) {
       const Vector facet = visibleFacet(alpha, eye, (i + 0.5) / lattice, (j + 0.5) / lattice);
       const double toFacet = dot(eye, facet);
       const double cosineIn = 2 * toFacet * facet[2] - eye[2];
       if (cosineIn <= 0 || toFacet <= 0) continue;
-      const double hidden = ggxHidden(alpha, cosine);
-      visit((1 + hidden) / (1 + hidden + ggxHidden(alpha, cosineIn)) / (lattice * lattice),
-            std::min(toFacet, 1.0));
+      const double seen = (1 + hidden) / (1 + hidden + ggxHidden(alpha, cosineIn));
+      sum += seen * reflectance(std::min(toFacet, 1.0));
     }
-}
-
-MirroredShares integrated(double alpha, double cosine) {
-  MirroredShares shares;
-  forEachFacet(alpha, cosine, [&](double seen, double toFacet) {
-    const double grazing = std::pow(1 - toFacet, 5);
-    shares.base += seen * (1 - grazing);
-    shares.grazing += seen * grazing;
-  });
-  return shares;
-}
-
-std::vector<MirroredShares> tabulated() {
-  std::vector<MirroredShares> table;
-  for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column) {
-      const double roughness = std::max((row + 0.0) / (rows - 1), 0.02);
-      table.push_back(integrated(roughness * roughness, (column + 0.5) / columns));
-    }
-  return table;
+  return sum / (lattice * lattice);
 }
 
 }  // namespace
@@ -82,34 +63,37 @@ Vector visibleFacet(double alpha, const Vector& toEye, double u1, double u2) {
   return unitOr({alpha * facet[0], alpha * facet[1], std::max(facet[2], 0.0)}, {0, 0, 1});
 }
 
-MirroredShares mirroredShares(double alpha, double cosine) {
-  static const std::vector<MirroredShares> table = tabulated();
+MirroredShare::MirroredShare(const std::function<double(double)>& reflectance) {
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const double roughness = std::max((row + 0.0) / (rows - 1), 0.02);
+      table_.push_back(integrated(roughness * roughness, (column + 0.5) / columns, reflectance));
+    }
+}
+
+double MirroredShare::operator()(double alpha, double cosine) const {
   const double row = std::clamp(std::sqrt(alpha) * (rows - 1), 0.0, rows - 1.001);
   const double column = std::clamp(cosine * columns - 0.5, 0.0, columns - 1.001);
-  const auto at = [&](int i, int j) { return table[static_cast<std::size_t>(i * columns + j)]; };
   const int i = static_cast<int>(row);
   const int j = static_cast<int>(column);
-  const auto mean = [&](double MirroredShares::*part) {
-    return std::lerp(std::lerp(at(i, j).*part, at(i, j + 1).*part, column - j),
-                     std::lerp(at(i + 1, j).*part, at(i + 1, j + 1).*part, column - j), row - i);
-  };
-  return {mean(&MirroredShares::base), mean(&MirroredShares::grazing)};
+  const auto at = [&](int y, int x) { return table_[static_cast<std::size_t>(y * columns + x)]; };
+  return std::lerp(std::lerp(at(i, j), at(i, j + 1), column - j),
+                   std::lerp(at(i + 1, j), at(i + 1, j + 1), column - j), row - i);
 }
 
-MediumMirror::MediumMirror(double eta, double alpha) {
-  for (int column = 0; column < columns; ++column) {
-    double share = 0;
-    forEachFacet(alpha, (column + 0.5) / columns, [&](double seen, double toFacet) {
-      share += seen * bssrdf::fresnelReflectance(eta, toFacet);
-    });
-    table_.push_back(share);
-  }
+const MirroredShare& mirroredShareOfMedium(double eta) {
+  static std::mutex mutex;
+  static std::map<double, MirroredShare> known;
+  const std::lock_guard lock(mutex);
+  const auto fresnel = [&](double toFacet) { return bssrdf::fresnelReflectance(eta, toFacet); };
+  return known.try_emplace(eta, fresnel).first->second;
 }
 
-double MediumMirror::share(double cosine) const {
-  const double column = std::clamp(cosine * columns - 0.5, 0.0, columns - 1.001);
-  const auto i = static_cast<std::size_t>(column);
-  return std::lerp(table_[i], table_[i + 1], column - static_cast<double>(i));
+MirroredShares mirroredShares(double alpha, double cosine) {
+  const auto grazingOf = [](double toFacet) { return std::pow(1 - toFacet, 5); };
+  static const MirroredShare base([&](double toFacet) { return 1 - grazingOf(toFacet); });
+  static const MirroredShare grazing(grazingOf);
+  return {base(alpha, cosine), grazing(alpha, cosine)};
 }
 
 }  // namespace opaline::reference

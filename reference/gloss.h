@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "reference/vector.h"
@@ -16,23 +17,26 @@ double ggxHidden(double alpha, double cosine);
 /// All in the surface's frame, with the z axis as its normal.
 Vector visibleFacet(double alpha, const Vector& toEye, double u1, double u2);
 
-/// Of even light, what facets mirror once towards the eye: F₀ times `base` and F₉₀ times
+/// Of even light, what facets mirror once towards the eye, whose reflectance depends on the cosine
+/// to them alone. By a table of roughnesses and cosines.
+class MirroredShare {
+ public:
+  explicit MirroredShare(const std::function<double(double)>& reflectance);
+  double operator()(double alpha, double cosine) const;
+
+ private:
+  std::vector<double> table_;
+};
+
+/// The same of the surface of a medium, by Fresnel's formula. Kept for ever.
+const MirroredShare& mirroredShareOfMedium(double eta);
+
+/// The same of opaque surfaces: F₀ times `base` and F₉₀ times
 /// `grazing`, with Fresnel's reflectance by Schlick 1994.
 struct MirroredShares {
   double base = 0;
   double grazing = 0;
 };
 MirroredShares mirroredShares(double alpha, double cosine);
-
-/// Of even light, what the surface of a medium mirrors once towards the eye, with Fresnel's
-/// formula.
-class MediumMirror {
- public:
-  MediumMirror(double eta, double alpha);
-  double share(double cosine) const;
-
- private:
-  std::vector<double> table_;  ///< by the cosine
-};
 
 }  // namespace opaline::reference

@@ -62,29 +62,6 @@ double mattShare(const OpaqueSurface& surface, std::size_t channel) {
   return mirrored + (1 - mirrored) * surface.diffuse[channel];
 }
 
-Vector opaqueNormalAt(const Body& body, const SurfacePoint& point) {
-  const Vector& normal = point.shadingNormal;
-  const std::optional<Texture>& texture = body.opaque->normalTexture;
-  if (!texture || body.tangents.empty()) return normal;
-  const auto told = [&](std::size_t channel) {
-    return 2 * textureAt(body, point, texture, channel, TexelKind::Number) - 1;
-  };
-  const double scale{body.opaque->normalScale};
-  const scene::TriangleTangents& tangents = body.tangents[point.triangle];
-  const Triangle& corners = body.triangles[point.triangle];
-  const Vector& first = body.positionsMm[corners[0]];
-  const Vector toSecond = body.positionsMm[corners[1]] - first;
-  const Vector toThird = body.positionsMm[corners[2]] - first;
-  Vector tangent{};
-  for (std::size_t k = 0; k < 3; ++k)
-    tangent += point.weights[k] * unitOr(double{tangents.corners[k][0]} * toSecond +
-                                             double{tangents.corners[k][1]} * toThird,
-                                         {});
-  const Vector along = unitOr(tangent - dot(tangent, normal) * normal, {});
-  const Vector across = double{tangents.side} * cross(normal, along);
-  return unitOr(scale * told(0) * along + scale * told(1) * across + told(2) * normal, normal);
-}
-
 bool isCutOut(const Body& body, std::uint32_t triangle, const std::array<double, 3>& weights) {
   const OpaqueMaterial& material = *body.opaque;
   SurfacePoint point;

@@ -23,9 +23,6 @@ OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point);
 /// All that it gives back of light from everywhere in one channel, as if it were matt.
 double mattShare(const OpaqueSurface& surface, std::size_t channel);
 
-/// The normal that the body's normal texture tells; without one, the interpolated normal.
-Vector opaqueNormalAt(const Body& body, const SurfacePoint& point);
-
 /// Whether alpha is less than its cutoff, so that there is no surface.
 bool isCutOut(const Body& body, std::uint32_t triangle, const std::array<double, 3>& weights);
 

@@ -15,6 +15,7 @@
 #include "opaline/error.h"
 #include "reference/camera_rays.h"
 #include "reference/opaque_surface.h"
+#include "reference/own_surface.h"
 
 namespace opaline::reference {
 
@@ -105,8 +106,9 @@ class Painter {
   }
 
   Exitance look(const SurfacePoint& point, const Ray& ray, std::uint64_t number) const {
-    if (showsExitance(aov_) && isOpaque(point))
-      return light_.opaque({point, -ray.direction, aov_ == Aov::Radiance, number});
+    const bool radiant = aov_ == Aov::Radiance;
+    if (isOpaque(point) ? showsExitance(aov_) : radiant && light_.looksAtMedia)
+      return light_.look({point, -ray.direction, radiant, number});
     switch (aov_) {
       case Aov::Exitance:
         return light_.exitance(point);
@@ -222,13 +224,13 @@ std::vector<double> exitFactors(const Scene& scene, Transport transport) {
   return factors;
 }
 
-Exitance directLightOf(const Scene& scene, const Irradiance& irradiance, const OpaqueLook& look) {
+Exitance directLightOf(const Scene& scene, const Irradiance& irradiance, const Look& look) {
   const Body& body = scene.bodies[look.point.body];
   const OpaqueSurface surface = opaqueSurfaceAt(body, look.point);
   if (look.radiance && surface.unlit) return {surface.emission, {}};
   SurfacePoint seen = look.point;
   const double side = dot(seen.facetNormal, look.toEye) < 0 ? -1 : 1;
-  seen.shadingNormal = side * opaqueNormalAt(body, look.point);
+  seen.shadingNormal = side * normalAt(body, look.point, look.point.shadingNormal);
   seen.facetNormal = side * seen.facetNormal;
   const Colour arrives = irradiance(seen);
   Exitance given;

@@ -22,10 +22,10 @@ struct Region {
   int height = 0;
 };
 
-/// Of paths from the eye to opaque bodies.
+/// Of paths from the eye.
 struct EyePathOptions {
   bool specular = true;     ///< whether what is seen shows what it mirrors
-  double roughness = 0.25;  ///< of the surface of media, as it mirrors light to other bodies
+  double roughness = 0.25;  ///< of the surface of media that state none
 };
 
 /// Which pixels of which variable; those left out are not covered.
@@ -37,15 +37,15 @@ struct PictureOptions {
   bool environmentBehind = false;  ///< of Aov::Radiance, where no surface is
   std::optional<Region> region;
   int every = 1;          ///< only columns and rows whose number is a multiple of this
-  int pathsOfPixel = 64;  ///< of path tracing, from the eye to opaque bodies, in [1, 1e6]
+  int pathsOfPixel = 64;  ///< of path tracing, from the eye, in [1, 1e6]
   EyePathOptions eye;
 };
 
 /// Throws UsageError for options out of range.
 void requireSound(const PictureOptions& options);
 
-/// A look at a point of an opaque body.
-struct OpaqueLook {
+/// A look at a point of a surface.
+struct Look {
   const SurfacePoint& point;
   Vector toEye;
   bool radiance;         ///< else exitance: of what arrives, the share that is given back diffusely
@@ -61,11 +61,13 @@ struct LeavingLight {
   /// Eq. 5 of Gong et al. 2008.
   std::vector<double> exitFactor;
   /// Of an opaque body, its mean and one standard error.
-  std::function<Exitance(const OpaqueLook& look)> opaque;
+  std::function<Exitance(const Look& look)> look;
+  /// Whether that knows radiance of media too, with what they mirror.
+  bool looksAtMedia = false;
 };
 
 /// What opaque bodies give back of the light of lights and sky alone, but for reflections.
-Exitance directLightOf(const Scene& scene, const Irradiance& irradiance, const OpaqueLook& look);
+Exitance directLightOf(const Scene& scene, const Irradiance& irradiance, const Look& look);
 
 /// 1/π for the classic dipole; with the energy-conserving exit of d'Eon 2012, 1/(π F̄_t).
 std::vector<double> exitFactors(const Scene& scene, Transport transport);

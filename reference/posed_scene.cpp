@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "deform/deformed_vertices.h"
+#include "reference/own_surface.h"
 #include "scene/changes.h"
 #include "scene/mesh/normals.h"
 
@@ -60,14 +61,17 @@ Scene posedScene(const opaline::Scene& scene, const SceneTime& time,
     body.triangles = object.mesh.triangles;
     body.medium = scene::mediumAt(scene, i, time);
     body.opaque = scene::opaqueAt(scene, i, time);
-    if (!object.opaque) body.paint = object.paint;
+    if (!body.opaque) {
+      body.paint = object.paint;
+      body.surface = object.surface;
+    }
     body.isGround = object.isGround;
-    if (!body.opaque && !body.paint) continue;
+    if (!body.opaque && !body.paint && !body.surface) continue;
     body.textureCoordinates = object.mesh.textureCoordinates;
     body.colors = object.mesh.colors;
-    if (body.opaque && body.opaque->normalTexture)
-      body.tangents = scene::tangentsOf(
-          object.mesh, static_cast<std::size_t>(body.opaque->normalTexture->coordinates));
+    if (const std::optional<Texture>& normals = normalTextureOf(body))
+      body.tangents =
+          scene::tangentsOf(object.mesh, static_cast<std::size_t>(normals->coordinates));
   }
   result.lighting = scene.lighting;
   scene::takeLightsAt(scene, time, result.lighting);

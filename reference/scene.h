@@ -17,7 +17,8 @@ struct Body {
   std::vector<Vector> normals;      ///< unit, one per position
   std::vector<Triangle> triangles;  ///< counter-clockwise seen from outside
   Medium medium;
-  std::optional<Paint> paint{};            ///< path tracing knows it, the integral does not
+  std::optional<Paint> paint{};                 ///< path tracing knows it, the integral does not
+  std::optional<TranslucentSurface> surface{};  ///< path tracing knows it, the integral does not
   std::optional<OpaqueMaterial> opaque{};  ///< if set, light does not enter: `medium` is not used
   bool isGround = false;                   ///< counts for no size
   // What textures read of the vertices, as opaline::Mesh has it.

@@ -21,7 +21,7 @@ IntegralTruth integralTruth(const Geometry& geometry, const Irradiance& irradian
   const LeavingLight light{
       [&](const SurfacePoint& point) { return exact->at(point); },
       exitFactors(geometry.scene(), integral.transport),
-      [&](const OpaqueLook& look) { return directLightOf(geometry.scene(), irradiance, look); }};
+      [&](const Look& look) { return directLightOf(geometry.scene(), irradiance, look); }};
   return {makePicture(geometry, irradiance, light, picture, progress),
           exact ? exact->patchCount() : 0};
 }
@@ -29,7 +29,7 @@ IntegralTruth integralTruth(const Geometry& geometry, const Irradiance& irradian
 namespace {
 
 // By many paths, from a sequence of random numbers for each look.
-Exitance seenByPaths(const EyePaths& paths, const Scene& scene, const OpaqueLook& look, int number,
+Exitance seenByPaths(const EyePaths& paths, const Scene& scene, const Look& look, int number,
                      std::uint64_t seed) {
   constexpr std::uint64_t apartFromParticles = 0x5EED0FE7E;
   Random random(seed + apartFromParticles, look.number);
@@ -67,10 +67,11 @@ Picture pathTruth(const PathTracer& tracer, const Geometry& geometry, const Irra
   const int ofLook = picture.aov == Aov::Radiance ? number : picture.pathsOfPixel;
   const LeavingLight light{[&](const SurfacePoint& point) { return tracer.exitance(point); },
                            exitFactors(geometry.scene(), Transport::BetterDipole),
-                           [&](const OpaqueLook& look) {
+                           [&](const Look& look) {
                              return seenByPaths(paths, geometry.scene(), look, ofLook,
                                                 tracer.options().seed);
-                           }};
+                           },
+                           picture.eye.specular};
   return makePicture(geometry, irradiance, light, picture, progress);
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "reference/own_surface.h"
 #include "reference/picture.h"
 
 namespace opaline::reference {
@@ -30,8 +31,7 @@ struct Sides {
 // A normal that turns away from the eye is turned back.
 Sides sidesOf(const Body& body, const SurfacePoint& point, const Vector& toEye) {
   const double side = dot(point.facetNormal, toEye) < 0 ? -1 : 1;
-  const Vector told = body.opaque ? opaqueNormalAt(body, point) : point.shadingNormal;
-  Vector normal = side * told;
+  Vector normal = side * normalAt(body, point, point.shadingNormal);
   constexpr double least = 0.01;
   const double facing = dot(normal, toEye);
   if (facing < least) normal = unitOr(normal + (least - facing) * toEye, toEye);
@@ -58,8 +58,13 @@ EyePaths::EyePaths(const Geometry& geometry, const PathTracer& tracer,
       options_(options),
       lights_(geometry.scene()),
       exitFactors_(exitFactors(geometry.scene(), Transport::BetterDipole)) {
-  for (const Body& body : geometry.scene().bodies)
-    mirrors_.emplace_back(body.medium.eta, options.roughness * options.roughness);
+  for (const Body& body : geometry_.scene().bodies)
+    mirrored_.push_back(body.opaque ? nullptr : &mirroredShareOfMedium(body.medium.eta));
+}
+
+// Of even light inside, as much goes towards the eye as is not mirrored of even light outside.
+double EyePaths::leaving(std::uint32_t body, double alpha, double cosine) const {
+  return exitFactors_[body] * (1 - (*mirrored_[body])(alpha, cosine));
 }
 
 EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toEye,
@@ -67,12 +72,10 @@ EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toE
   const Body& body = geometry_.scene().bodies[point.body];
   const Sides sides = sidesOf(body, point, toEye);
   if (!body.opaque) {
-    const double eta = body.medium.eta;
     const double cosine = std::clamp(dot(sides.normal, toEye), 1e-3, 1.0);
-    const double leaves = exitFactors_[point.body] * (1 - mirrors_[point.body].share(cosine));
-    const double alpha = options_.roughness * options_.roughness;
-    return {point, Reflection::ofMedium(eta, alpha, sides.normal, sides.outside, toEye),
-            leaves * tracer_.exitance(point).value};
+    const double alpha = alphaAt(body, point, options_.roughness);
+    return {point, Reflection::ofMedium(body.medium.eta, alpha, sides.normal, sides.outside, toEye),
+            leaving(point.body, alpha, cosine) * tracer_.exitance(point).value};
   }
   OpaqueSurface surface = opaqueSurfaceAt(body, point);
   if (first && !options_.specular) {

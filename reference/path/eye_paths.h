@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "reference/geometry.h"
@@ -12,17 +13,17 @@
 
 namespace opaline::reference {
 
-/// Light of opaque surfaces, by paths from the eye: at each point that a path meets every light is
-/// sampled, and one direction is followed. Where a path meets a medium, what leaves there is what
-/// particles have counted.
+/// Light of opaque surfaces and of what media mirror, by paths from the eye: at each point that a
+/// path meets every light is sampled, and one direction is followed. Where a path meets a medium,
+/// what leaves there is what particles have counted.
 class EyePaths {
  public:
   /// All must live as long.
   EyePaths(const Geometry& geometry, const PathTracer& tracer, const EyePathOptions& options);
 
-  /// Radiance of a point of an opaque body, by one path.
+  /// Radiance of a point, by one path.
   Colour radiance(const SurfacePoint& point, const Vector& toEye, Random& random) const;
-  /// Irradiance there, on the side of the eye.
+  /// Irradiance of an opaque body there, on the side of the eye.
   Colour irradiance(const SurfacePoint& point, const Vector& toEye, Random& random) const;
 
  private:
@@ -37,13 +38,15 @@ class EyePaths {
   Vertex vertexAt(const SurfacePoint& point, const Vector& toEye, bool first) const;
   Colour follow(Vertex vertex, Random& random) const;
   Colour lightAt(const Vertex& vertex, Random& random) const;
+  /// Radiance per exitance of a medium, towards an eye at that cosine to its surface.
+  double leaving(std::uint32_t body, double alpha, double cosine) const;
 
   const Geometry& geometry_;
   const PathTracer& tracer_;
   EyePathOptions options_;
   LightSamples lights_;
   std::vector<double> exitFactors_;
-  std::vector<MediumMirror> mirrors_;  ///< of bodies
+  std::vector<const MirroredShare*> mirrored_;  ///< of bodies; none of opaque ones
 };
 
 }  // namespace opaline::reference

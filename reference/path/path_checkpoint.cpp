@@ -4,6 +4,7 @@
 #include "core/digest.h"
 #include "lights/area.h"
 #include "opaline/error.h"
+#include "reference/own_surface.h"
 #include "reference/path/path_tracer.h"
 
 namespace opaline::reference {
@@ -21,6 +22,13 @@ struct Header {
   std::array<std::uint64_t, 3> lost{};
 };
 
+void add(const std::optional<Texture>& texture, core::Digest& print) {
+  print.add(texture.has_value());
+  if (!texture) return;
+  print.add(texture->transform);
+  print.add(texture->pixels->rgba);
+}
+
 void add(const OpaqueMaterial& material, core::Digest& print) {
   print.add(material.baseColor);
   print.add(material.metallic);
@@ -32,13 +40,7 @@ void add(const OpaqueMaterial& material, core::Digest& print) {
   print.add(material.alphaCutoff);
   print.add(material.alpha);
   print.add(material.unlit);
-  for (const TextureOfMaterial& of : texturesOfMaterial) {
-    const std::optional<Texture>& texture = material.*of.texture;
-    print.add(texture.has_value());
-    if (!texture) continue;
-    print.add(texture->transform);
-    print.add(texture->pixels->rgba);
-  }
+  for (const TextureOfMaterial& of : texturesOfMaterial) add(material.*of.texture, print);
 }
 
 }  // namespace
@@ -56,6 +58,13 @@ std::uint64_t PathTracer::fingerprint() const {
     print.add(body.medium.sigmaAPerMm);
     print.add(body.medium.eta);
     print.add(body.medium.g);
+    if (body.paint) {
+      print.add(body.paint->color);
+      add(body.paint->colorTexture, print);
+    }
+    if (!normalTextureOf(body)) continue;
+    print.add(body.surface->normalScale);
+    add(body.surface->normalTexture, print);
   }
   const Lighting& lighting = geometry_.scene().lighting;
   print.add(lighting.directional);

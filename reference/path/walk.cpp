@@ -45,6 +45,31 @@ void Walk::reflect(const Particle& particle, Random& random, std::vector<Particl
   });
 }
 
+// A particle stands for light that falls on the facet. On the tilted surface falls more or less of
+// it, so several particles go on or none.
+void Walk::meetTilted(const Particle& particle, Random& random,
+                      std::vector<Particle>& others) const {
+  constexpr double mostParticles = 1000;  // of one that grazes the facet
+  const SurfacePoint& point = particle.surface;
+  const Vector& facet = point.facetNormal;
+  const Vector normal = normalAt(geometry_.scene().bodies[point.body], point, facet);
+  const double cosine = std::min(-dot(particle.direction, normal), 1.0);
+  if (cosine <= 0) return;
+  const double falling = std::min(cosine / -dot(particle.direction, facet), mostParticles);
+  const double eta = interiors_[point.body].eta;
+  const double reflectance = bssrdf::fresnelReflectance(eta, cosine);
+  Particle next = particle;
+  next.direction = mirrored(particle.direction, normal);
+  if (dot(next.direction, facet) > 0)
+    for (double left = falling * reflectance + random(); left >= 1; left -= 1)
+      others.push_back(next);
+  next.inside = true;
+  next.direction = refracted(particle.direction, normal, eta);
+  if (dot(next.direction, facet) >= 0) next.direction = refracted(particle.direction, facet, eta);
+  for (double left = falling * (1 - reflectance) + random(); left >= 1; left -= 1)
+    others.push_back(next);
+}
+
 bool Walk::reflectMatt(Particle& particle, Random& random) const {
   const Body& body = geometry_.scene().bodies[particle.surface.body];
   if (random() >= mattShare(opaqueSurfaceAt(body, particle.surface), channel_)) return false;

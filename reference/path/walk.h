@@ -10,6 +10,7 @@
 
 #include "bssrdf/fresnel.h"
 #include "reference/geometry.h"
+#include "reference/own_surface.h"
 #include "reference/path/distance_bound.h"
 #include "reference/path/layer.h"
 #include "reference/path/random.h"
@@ -47,7 +48,8 @@ enum class End {
 
 /// Follows single particles through bodies with smooth dielectric boundaries: exact Fresnel terms
 /// from both sides, decided by chance, so that every particle keeps its weight; free flights,
-/// absorption and scattering likewise. Boundaries are the triangles themselves.
+/// absorption and scattering likewise. Boundaries are the triangles themselves; light enters
+/// them by the normals that a texture tells.
 class Walk {
  public:
   /// `interiors` of one channel, one a body. `bounces`: how often light that has left a body, or
@@ -73,6 +75,7 @@ class Walk {
     bool fromSurface = false;
     int met = 0;                                               ///< bodies
     double reachMm = std::numeric_limits<double>::infinity();  ///< until the first is met
+    bool inside = false;                                       ///< of that surface's body
   };
 
   /// One particle, until it ends or becomes several.
@@ -81,7 +84,10 @@ class Walk {
                 std::vector<Particle>& others) const;
   /// Of light that an opaque surface is met by, what goes on.
   void reflect(const Particle& particle, Random& random, std::vector<Particle>& others) const;
-  /// The same inside a body, where the surface counts as matt.
+  /// The same where a medium has a normal texture: of what falls on the tilted surface, the parts
+  /// that enter and that are mirrored.
+  void meetTilted(const Particle& particle, Random& random, std::vector<Particle>& others) const;
+  /// Of light inside a body that meets an opaque surface, which counts as matt there.
   bool reflectMatt(Particle& particle, Random& random) const;
 
   enum class Inside { Left, Absorbed, Lost };
@@ -176,27 +182,35 @@ template <typename Leave>
 End Walk::followOne(Particle particle, Random& random, const Leave& leave,
                     std::vector<Particle>& others) const {
   while (true) {
-    const std::optional<Geometry::Hit> hit = next(particle);
-    if (!hit || hit->distanceMm > particle.reachMm) return End::Away;
-    particle.reachMm = std::numeric_limits<double>::infinity();
-    if (particle.met++ > bounces_) return End::Dropped;
-    particle.surface = hit->point;
-    particle.position = hit->point.position;
-    particle.fromSurface = true;
-    if (geometry_.scene().bodies[hit->point.body].opaque) {
-      reflect(particle, random, others);
-      return End::Absorbed;
+    if (!particle.inside) {
+      const std::optional<Geometry::Hit> hit = next(particle);
+      if (!hit || hit->distanceMm > particle.reachMm) return End::Away;
+      particle.reachMm = std::numeric_limits<double>::infinity();
+      if (particle.met++ > bounces_) return End::Dropped;
+      particle.surface = hit->point;
+      particle.position = hit->point.position;
+      particle.fromSurface = true;
+      const Body& body = geometry_.scene().bodies[hit->point.body];
+      if (body.opaque) {
+        reflect(particle, random, others);
+        return End::Absorbed;
+      }
+      const double cosine = -dot(particle.direction, hit->point.facetNormal);
+      if (cosine <= 0) return End::Lost;  // the back of an open surface
+      if (normalTextureOf(body)) {
+        meetTilted(particle, random, others);
+        return End::Absorbed;
+      }
+      const double eta = interiors_[hit->point.body].eta;
+      if (random() < bssrdf::fresnelReflectance(eta, std::min(cosine, 1.0))) {
+        particle.direction = mirrored(particle.direction, hit->point.facetNormal);
+        continue;
+      }
+      particle.direction = refracted(particle.direction, hit->point.facetNormal, eta);
     }
-    const double cosine = -dot(particle.direction, hit->point.facetNormal);
-    if (cosine <= 0) return End::Lost;  // the back of an open surface
-    const double eta = interiors_[hit->point.body].eta;
-    if (random() < bssrdf::fresnelReflectance(eta, std::min(cosine, 1.0))) {
-      particle.direction = mirrored(particle.direction, hit->point.facetNormal);
-      continue;
-    }
-    particle.direction = refracted(particle.direction, hit->point.facetNormal, eta);
-    if (!passes(interiors_[hit->point.body], hit->point,
-                -dot(particle.direction, hit->point.facetNormal), random))
+    particle.inside = false;
+    if (!passes(interiors_[particle.surface.body], particle.surface,
+                -dot(particle.direction, particle.surface.facetNormal), random))
       return End::Absorbed;
     const Inside inside = passThrough(particle, random, leave);
     if (inside == Inside::Absorbed) return End::Absorbed;

@@ -40,9 +40,16 @@ class References(unittest.TestCase):
         np.testing.assert_array_equal(once, again)
         self.assertFalse(np.array_equal(once, other))
 
+    def test_radiance_has_what_surfaces_mirror_unless_told_otherwise(self):
+        made = scene()
+        with_reflection, without = (opaline.path(made, 16, 12, particles=2000, specular=specular)["radiance"][..., :3].sum()
+                                    for specular in (True, False))
+        self.assertGreater(with_reflection, 1.01 * without)
+
     def test_what_is_refused(self):
         made = scene()
-        for wrong in ({"aov": "surfels"}, {"width": 0}, {"aov": "radiance", "antialias": 5}, {"error": 0}, {"particles": 0}):
+        for wrong in ({"aov": "surfels"}, {"width": 0}, {"aov": "radiance", "antialias": 5}, {"error": 0}, {"particles": 0},
+                      {"roughness": 2}):
             with self.subTest(wrong), self.assertRaises(opaline.UsageError):
                 opaline.path(made, **{"width": 8, "height": 8, **wrong})
         for wrong in ({"transport": "boundary"}, {"tolerance": 2}, {"aov": "dsm-area"}):

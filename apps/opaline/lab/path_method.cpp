@@ -73,7 +73,7 @@ void PathMethod::addTo(CommandLine& line) {
         [this](const Given& given) {
           options_.cellMm = readNumber(given, {1e-4, 1e6, "mm"});
         });
-  value("--paths", "N", "from the eye to a pixel of an opaque body [64]",
+  value("--paths", "N", "from the eye to a pixel, of radiance [64]",
         [this](const Given& given) { pathsOfPixel_ = readInteger(given, 1, 1000000); });
   value("--seed", "N", "of the random numbers [1]", [this](const Given& given) {
     options_.seed = static_cast<std::uint64_t>(readInteger(given, 0, 1'000'000'000));

@@ -200,13 +200,10 @@ ReferenceJob prepareReference(const ReferenceCommand& command, Target output,
   for (const std::string& note : notesOnSize(scene)) log(LogLevel::Note, note);
   showAll(scene,
           {time.clip, aspectOf(options), sequence.get(), momentOf(time.seconds, sequence.get())});
-  if (options.specular && command.picture.aov() == Aov::Radiance) {
+  if (command.integral && options.specular && command.picture.aov() == Aov::Radiance) {
     log(LogLevel::Note,
-        command.integral
-            ? "the integral leaves out the reflection on surfaces; compare it with render "
-              "--no-specular"
-            : "the reference leaves out the reflection on the surface of media; "
-              "compare these with render --no-specular");
+        "the integral leaves out the reflection on surfaces; compare it with render "
+        "--no-specular");
   }
   requireNoInput(command.outputs(), filesOf(source));
   const ToneOptions tone = command.picture.tone(settings, scene);

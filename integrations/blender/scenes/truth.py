@@ -28,7 +28,7 @@ def main():
     made = live.scene_of(seen)
     width, height, part = final.picture_size(scene)
     made.camera = final.camera_of(depsgraph, scene, width, height, part, mm_per_unit)
-    truth = opaline.path(made, width, height, "radiance", longest_seconds=float(seconds), error=0.001)
+    truth = opaline.path(made, width, height, "radiance", longest_seconds=float(seconds), error=0.001, specular=False)
     opaline.write_exr(truth_file, truth["radiance"])
     print("block error of the truth", truth.facts.get("block_error"))
     found = opaline.Renderer(made).render(width, height, ["radiance", "object"], specular=False)
