@@ -88,25 +88,28 @@ bool takeNode(TreeNode node, vec3 position, Profile profile, float reach, vec3 t
 // The invocations of a subgroup go through the tree in step, each taking part in the nodes it has
 // itself to look at: what one finds does not depend on its neighbours. Those with nothing to sum
 // call it with noNode as root. `tolerated` is of each node. The fourth component counts evaluations
-// of the profile.
+// of the profile. Leaves are opened outside the walk: a device that does both sides of every branch
+// would evaluate a source at each node.
 vec4 treeSum(vec3 position, uint root, uint end, Profile profile, float reach, vec3 tolerated) {
   vec4 sum = vec4(0.0);
   uint next = root;
   while (true) {
-    uint at = subgroupMin(next);
-    if (at == noNode) break;
-    if (next == at) {
-      TreeNode node = readNode(at);
-      bool dark = node.flux == vec3(0.0);
-      bool taken = dark || takeNode(node, position, profile, reach, tolerated, sum);
-      if (!taken && isLeaf(node.link)) {
-        uint first = firstSurfelOf(node.link);
-        uint count = surfelCountOf(node.link);
-        sum += surfelSum(position, profile, reach, first, first + count);
-        taken = true;
+    uint at;
+    uint opened = 0u;  // link of a leaf, which is not 0
+    do {
+      at = subgroupMin(next);
+      if (next == at && at != noNode) {
+        TreeNode node = readNode(at);
+        bool taken = node.flux == vec3(0.0) || takeNode(node, position, profile, reach, tolerated, sum);
+        if (!taken && isLeaf(node.link)) opened = node.link;
+        next = taken ? afterNode(at, node.link) : at + 1u;
+        if (next >= end) next = noNode;
       }
-      next = taken ? afterNode(at, node.link) : at + 1u;
-      if (next >= end) next = noNode;
+    } while (at != noNode && subgroupMax(opened) == 0u);
+    if (at == noNode) break;
+    if (opened != 0u) {
+      uint first = firstSurfelOf(opened);
+      sum += surfelSum(position, profile, reach, first, first + surfelCountOf(opened));
     }
   }
   return sum;
