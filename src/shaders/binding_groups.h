@@ -20,8 +20,8 @@ struct SeenPlaces {
   gpu::Uniform frame;
   gpu::Sampled seenWords;
   gpu::Read meshIndices;
-  gpu::Read meshPositions;
-  gpu::Read meshNormals;
+  gpu::Texels meshPositions;
+  gpu::Texels meshNormals;
   gpu::Read meshObjects;
 };
 

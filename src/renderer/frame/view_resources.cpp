@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "passes/mechanics.h"
 #include "renderer/frame/frame.h"
 #include "renderer/frame/light_views.h"
 #include "renderer/scene/scene_tables.h"
@@ -101,7 +102,7 @@ void ViewResources::makeImages(const RenderOptions& options, const SceneResource
   made_.exitance.vertices = gpu::Buffer(
       device_, {.name = "exitance of vertices",
                 .bytes = std::max<std::size_t>(scene.mesh.vertexCount, 1) * sizeof(shared::vec4),
-                .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                .usage = passes::roomUsage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
                 .lent = true});
   if (!fits) made_.radiance = passes::ShadePass::makeRadiance(device_, width, height);
 }

@@ -18,6 +18,7 @@
 #include "passes/boundary/ray_pass.h"
 #include "passes/boundary/solver_pass.h"
 #include "passes/gather/surfel_pass.h"
+#include "passes/mechanics.h"
 #include "renderer/scene/device_room.h"
 #include "renderer/scene/opaque_tables.h"
 #include "scene/changes.h"
@@ -145,11 +146,10 @@ void findHoles(const Scene& scene, passes::DeformedMesh& mesh) {
 void makeMesh(gpu::Device& device, const Scene& scene, SceneResources& resources) {
   const scene::MergedMesh& merged = *resources.merged;
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-  const std::size_t vectorBytes = merged.positionsMm.size() * sizeof(glm::vec4);
   passes::DeformedMesh& mesh = resources.mesh;
   mesh.positions =
-      gpu::Buffer(device, {.name = "positions", .bytes = vectorBytes, .usage = storage});
-  mesh.normals = gpu::Buffer(device, {.name = "normals", .bytes = vectorBytes, .usage = storage});
+      passes::makeRoom<shared::vec4>(device, "positions", merged.positionsMm.size());
+  mesh.normals = passes::makeRoom<shared::vec4>(device, "normals", merged.positionsMm.size());
   mesh.bounds =
       gpu::Buffer(device, {.name = "bounds", .bytes = 6 * sizeof(std::uint32_t), .usage = storage});
   mesh.objectOf = gpu::makeBuffer(device, "objects of vertices", objectsOf(merged), storage);

@@ -5,8 +5,8 @@
 #include "lib/unit.glsl"
 
 layout(std430, set = 0, binding = MESH_BINDING) readonly buffer MeshIndices { uint meshIndices[]; };
-layout(std430, set = 0, binding = MESH_BINDING + 1) readonly buffer MeshPositions { vec4 meshPositions[]; };
-layout(std430, set = 0, binding = MESH_BINDING + 2) readonly buffer MeshNormals { vec4 meshNormals[]; };
+layout(set = 0, binding = MESH_BINDING + 1) uniform samplerBuffer meshPositions;
+layout(set = 0, binding = MESH_BINDING + 2) uniform samplerBuffer meshNormals;
 layout(std430, set = 0, binding = MESH_BINDING + 3) readonly buffer MeshObjects { uint meshObjects[]; };
 
 struct MeshPlace {
@@ -18,6 +18,15 @@ struct MeshPlace {
   float side;     // -1 where that is the inside, else 1
   vec3 facet;     // unit, at right angles to the triangle, towards the camera
 };
+
+vec3 positionOf(uint vertex) {
+  return texelFetch(meshPositions, int(vertex)).xyz;
+}
+
+// Unit; w is below 0 where the body is mirrored.
+vec4 normalOf(uint vertex) {
+  return texelFetch(meshNormals, int(vertex));
+}
 
 uvec3 verticesOf(uint triangle) {
   return uvec3(meshIndices[3u * triangle], meshIndices[3u * triangle + 1u], meshIndices[3u * triangle + 2u]);
@@ -36,7 +45,7 @@ float cross2(vec2 a, vec2 b) {
 vec3 weightsOn(uvec3 vertices, vec2 clip) {
   vec2 off[3];
   for (int i = 0; i < 3; ++i) {
-    vec4 corner = frame.worldToClip * vec4(meshPositions[vertices[i]].xyz, 1.0);
+    vec4 corner = frame.worldToClip * vec4(positionOf(vertices[i]), 1.0);
     off[i] = corner.xy - clip * corner.w;
   }
   vec3 areas = vec3(cross2(off[1], off[2]), cross2(off[2], off[0]), cross2(off[0], off[1]));
@@ -55,7 +64,7 @@ vec3 weightsNear(uvec3 vertices, vec2 clip) {
 
 // Interpolated, to the side to which those of the vertices are.
 vec3 normalOn(uvec3 vertices, vec3 weights) {
-  return unitOr(mat3(meshNormals[vertices.x].xyz, meshNormals[vertices.y].xyz, meshNormals[vertices.z].xyz) *
+  return unitOr(mat3(normalOf(vertices.x).xyz, normalOf(vertices.y).xyz, normalOf(vertices.z).xyz) *
                     weights, vec3(0.0, 1.0, 0.0));
 }
 
@@ -63,16 +72,16 @@ MeshPlace placeOn(uint triangle, vec2 clip) {
   MeshPlace place;
   place.vertices = verticesOf(triangle);
   place.weights = weightsNear(place.vertices, clip);
-  vec3 a = meshPositions[place.vertices.x].xyz;
-  vec3 b = meshPositions[place.vertices.y].xyz;
-  vec3 c = meshPositions[place.vertices.z].xyz;
+  vec3 a = positionOf(place.vertices.x);
+  vec3 b = positionOf(place.vertices.y);
+  vec3 c = positionOf(place.vertices.z);
   place.position = mat3(a, b, c) * place.weights;
   place.object = meshObjects[place.vertices.x];
   vec3 normal = normalOn(place.vertices, place.weights);
   vec3 facet = unitOr(cross(unitOr(b - a, vec3(0.0)), unitOr(c - a, vec3(0.0))), normal);
   bool front = dot(facet, toCameraFrom(a)) > 0.0;
   place.facet = front ? facet : -facet;
-  bool mirrored = meshNormals[place.vertices.x].w < 0.0;
+  bool mirrored = normalOf(place.vertices.x).w < 0.0;
   place.side = front != mirrored ? 1.0 : -1.0;
   place.normal = place.side * normal;
   return place;
@@ -83,20 +92,20 @@ MeshPlace placeOn(uint triangle, vec2 clip) {
 vec3 liftedPlace(MeshPlace place) {
   vec3 lifted = place.position;
   for (int i = 0; i < 3; ++i) {
-    vec3 normal = place.side * meshNormals[place.vertices[i]].xyz;
-    float below = min(dot(place.position - meshPositions[place.vertices[i]].xyz, normal), 0.0);
+    vec3 normal = place.side * normalOf(place.vertices[i]).xyz;
+    float below = min(dot(place.position - positionOf(place.vertices[i]), normal), 0.0);
     lifted -= clamp(place.weights[i], 0.0, 1.0) * below * normal;
   }
   return lifted;
 }
 
 #ifdef BINDING_MESH_EXITANCES
-layout(std430, set = 0, binding = BINDING_MESH_EXITANCES) readonly buffer MeshExitances { vec4 meshExitances[]; };
+layout(set = 0, binding = BINDING_MESH_EXITANCES) uniform samplerBuffer meshExitances;
 
 vec4 meshExitanceAt(MeshPlace place) {
-  return place.weights.x * meshExitances[place.vertices.x] +
-         place.weights.y * meshExitances[place.vertices.y] +
-         place.weights.z * meshExitances[place.vertices.z];
+  return place.weights.x * texelFetch(meshExitances, int(place.vertices.x)) +
+         place.weights.y * texelFetch(meshExitances, int(place.vertices.y)) +
+         place.weights.z * texelFetch(meshExitances, int(place.vertices.z));
 }
 #endif
 

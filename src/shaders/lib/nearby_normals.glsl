@@ -14,9 +14,9 @@ float sizeOf(MaterialPlace read, OpaqueData material) {
 
 // Over a disc of that radius, mm, around it in the plane of its triangle.
 MaterialPlace materialPlaceAround(MeshPlace place, float radius) {
-  vec3 first = meshPositions[place.vertices.x].xyz;
-  vec3 toSecond = meshPositions[place.vertices.y].xyz - first;
-  vec3 toThird = meshPositions[place.vertices.z].xyz - first;
+  vec3 first = positionOf(place.vertices.x);
+  vec3 toSecond = positionOf(place.vertices.y) - first;
+  vec3 toThird = positionOf(place.vertices.z) - first;
   vec3 facet = cross(toSecond, toThird);
   float squared = max(dot(facet, facet), 1e-30);
   vec3 along = 2.0 * radius * unitOr(toSecond, vec3(0.0));

@@ -26,9 +26,9 @@ struct SeenNormal {
 };
 
 SeenNormal mappedNormalAt(Seen seen, MeshPlace place, OpaqueData material, MaterialPlace read) {
-  vec3 first = meshPositions[place.vertices.x].xyz;
-  vec3 toSecond = meshPositions[place.vertices.y].xyz - first;
-  vec3 toThird = meshPositions[place.vertices.z].xyz - first;
+  vec3 first = positionOf(place.vertices.x);
+  vec3 toSecond = positionOf(place.vertices.y) - first;
+  vec3 toThird = positionOf(place.vertices.z) - first;
   SeenNormal mapped;
   mapped.normal = place.side * mappedNormal(material, read, triangleOf(seen.word), place.weights, toSecond, toThird,
                                             place.side * place.normal, mapped.widened);

@@ -72,15 +72,12 @@ uint samplesWithFirst(ivec2 pixel, uint pending, out bool several) {
   uint triangle = triangleSeen(pixel, first);
   uint within = 1u << first;
   several = false;
-  MeshPlace place;
-  bool known = false;
+  MeshPlace place = sampledPlace(pixel, triangle, first);
   for (uint rest = pending & (pending - 1u); rest != 0u; rest &= rest - 1u) {
     int other = findLSB(rest);
     uint next = triangleSeen(pixel, other);
     bool same = next == triangle;
     if (!same) {
-      if (!known) place = sampledPlace(pixel, triangle, first);
-      known = true;
       same = isOneSurface(place, sampledPlace(pixel, next, other));
       several = several || same;
     }
