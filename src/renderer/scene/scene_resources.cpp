@@ -147,8 +147,7 @@ void makeMesh(gpu::Device& device, const Scene& scene, SceneResources& resources
   const scene::MergedMesh& merged = *resources.merged;
   constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
   passes::DeformedMesh& mesh = resources.mesh;
-  mesh.positions =
-      passes::makeRoom<shared::vec4>(device, "positions", merged.positionsMm.size());
+  mesh.positions = passes::makeRoom<shared::vec4>(device, "positions", merged.positionsMm.size());
   mesh.normals = passes::makeRoom<shared::vec4>(device, "normals", merged.positionsMm.size());
   mesh.bounds =
       gpu::Buffer(device, {.name = "bounds", .bytes = 6 * sizeof(std::uint32_t), .usage = storage});
