@@ -13,7 +13,7 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan fuzz faults properties soak package package-check install python wheel blender dependencies configure
+.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan tsan fuzz faults properties soak package package-check install python wheel blender dependencies configure
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -28,6 +28,7 @@ help:
 	@echo 'make contact-sheet  every model and ten awkward bodies, of every medium and three sizes, to look at: hours'
 	@echo 'make format    clang-format everything'
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
+	@echo 'make tsan      run what has threads of the library, files and the atlas, with the thread sanitizer'
 	@echo 'make fuzz      every fuzz target for 60 seconds each; SECONDS=600 lets them run longer; needs clang 14'
 	@echo 'make faults    every Vulkan call and allocation of a scene and of a frame fails once: an hour; STRIDE=10 tries every tenth'
 	@echo 'make properties  what holds of every scene, of a thousand drawn at random; SCENES=100 SEED=7 draws others'
@@ -113,6 +114,12 @@ asan: dependencies
 	cmake --preset asan $(LAUNCHER)
 	cmake --build --preset asan
 	LSAN_OPTIONS=suppressions=$(CURDIR)/tools/lsan.supp $(PYTHON) tools/run_tests.py asan
+
+tsan: dependencies
+	cmake --preset tsan $(LAUNCHER)
+	cmake --build --preset tsan --target test_core test_atlas
+	build/tsan/bin/test_core
+	build/tsan/bin/test_atlas --gtest_filter=Atlas.IsTheSameEveryTime:Atlas.FlatSheet*:Atlas.Gutter*
 
 fuzz: dependencies
 	$(PYTHON) tools/fuzz.py --seconds $(or $(SECONDS),60)

@@ -16,7 +16,10 @@ if(OPALINE_FUZZ)
     -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(opaline_warnings INTERFACE -fsanitize=address,undefined)
 endif()
-if(OPALINE_SANITIZE)
+if(OPALINE_SANITIZE STREQUAL "thread")
+  target_compile_options(opaline_warnings INTERFACE -fsanitize=thread -fno-omit-frame-pointer -Wno-tsan)
+  target_link_options(opaline_warnings INTERFACE -fsanitize=thread)
+elseif(OPALINE_SANITIZE)
   target_compile_options(opaline_warnings INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
     -Wno-maybe-uninitialized)
