@@ -25,7 +25,7 @@ layout(push_constant) uniform Push {
   uint light;
 };
 
-const uint raysOfPoint = 8u;
+const uint raysOfPoint = 16u;
 const uint neighbours = 16u;
 
 // Of neighbours, whether some place sees the light, and whether some does not.
