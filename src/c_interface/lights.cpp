@@ -63,11 +63,7 @@ OpalineStatus opalineUseDefaultLights(OpalineScene* scene) {
 
 OpalineStatus opalineAddDirectionalLight(OpalineScene* scene, const float directionToLight[3],
                                          const float irradiance[3]) {
-  return guarded([&] {
-    c::add(scene, &Lighting::directional,
-           DirectionalLight{vectorOf(directionToLight, "directionToLight"),
-                            vectorOf(irradiance, "irradiance")});
-  });
+  return opalineAddSun(scene, directionToLight, irradiance, 0);
 }
 
 OpalineStatus opalineAddPointLight(OpalineScene* scene, const float positionMm[3],
@@ -133,11 +129,7 @@ OpalineStatus opalineAddTubeLight(OpalineScene* scene, const float fromMm[3], co
 OpalineStatus opalineSetAreaLight(OpalineScene* scene, size_t light, int32_t twoSided,
                                   int32_t visible) {
   return guarded([&] {
-    std::vector<AreaLight>& areas = c::lightingOf(scene).areas;
-    if (light >= areas.size()) {
-      throw UsageError(
-          fmt::format("There is no area light {}: the scene has {}.", light, areas.size()));
-    }
+    AreaLight& area = c::oneOf(c::lightingOf(scene).areas, light, "area light");
     std::visit(
         [&](auto& of) {
           if constexpr (requires { of.twoSided; }) {
@@ -147,7 +139,7 @@ OpalineStatus opalineSetAreaLight(OpalineScene* scene, size_t light, int32_t two
           }
           of.visible = visible != 0;
         },
-        areas[light]);
+        area);
   });
 }
 

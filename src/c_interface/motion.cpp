@@ -26,10 +26,8 @@ OpalineStatus opalineClipCount(const OpalineScene* scene, size_t* count) {
 
 OpalineStatus opalineClipFacts(const OpalineScene* scene, size_t clip, OpalineClipFacts* facts) {
   return guarded([&] {
-    const std::vector<Clip>& clips = required(scene, "scene").scene.clips;
-    if (clip >= clips.size())
-      throw UsageError(fmt::format("There is no clip {}: the scene has {}.", clip, clips.size()));
-    c::give({0, clips[clip].name.c_str(), clips[clip].seconds}, facts, "facts");
+    const Clip& of = c::oneOf(required(scene, "scene").scene.clips, clip, "clip");
+    c::give({0, of.name.c_str(), of.seconds}, facts, "facts");
   });
 }
 

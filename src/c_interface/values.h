@@ -138,14 +138,18 @@ struct OpalineScene {
 
 namespace opaline::c {
 
+/// One of the things that a scene has several of.
+template <typename List>
+auto& oneOf(List& list, std::size_t index, const char* name) {
+  if (index >= list.size()) {
+    throw UsageError(fmt::format("There is no {} {}: the scene has {}.", name, index, list.size()));
+  }
+  return list[index];
+}
+
 template <typename AScene>
 auto& objectOf(AScene* scene, std::size_t index) {
-  auto& objects = required(scene, "scene").scene.objects;
-  if (index >= objects.size()) {
-    throw UsageError(
-        fmt::format("There is no object {}: the scene has {}.", index, objects.size()));
-  }
-  return objects[index];
+  return oneOf(required(scene, "scene").scene.objects, index, "object");
 }
 
 /// A scene that the caller will destroy.

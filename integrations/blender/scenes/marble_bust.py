@@ -28,16 +28,8 @@ def make():
     for place, axes, turn in ELLIPSOIDS:
         bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=4, radius=1, location=place, rotation=(turn, 0, 0), scale=axes)
         pieces.append(bpy.context.object)
-    for piece in pieces:
-        piece.select_set(True)
-    bpy.context.view_layer.objects.active = pieces[0]
-    bpy.ops.object.join()
-    bust = bpy.context.object
-    bust.name = "Bust"
-    bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
-    remesh = bust.modifiers.new("Remesh", "REMESH")
-    remesh.mode, remesh.voxel_size, remesh.use_smooth_shade = "VOXEL", 0.0045, True
-    bust.modifiers.new("Smooth", "SMOOTH").iterations = 6
+    bust = parts.joined(pieces, "Bust")
+    parts.cast(bust, 0.0045, 6)
     bust.rotation_euler = (0, 0, 0.5)
     bust.data.materials.append(parts.material("Marble", (0.83, 0.79, 0.75), (0.0085, 0.0056, 0.0040), roughness=0.3))
     parts.plane("Sill", (0, 0, -0.11), (0, 0, 1), 2, parts.material("Sill", (0.45, 0.40, 0.34), roughness=0.8))

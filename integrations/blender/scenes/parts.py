@@ -92,3 +92,22 @@ def smooth(thing, levels=1):
     if levels:
         thing.modifiers.new("Smoother", "SUBSURF")
         thing.modifiers["Smoother"].levels = thing.modifiers["Smoother"].render_levels = levels
+
+
+def joined(pieces, name):
+    """One object of several, which overlap."""
+    for piece in pieces:
+        piece.select_set(True)
+    bpy.context.view_layer.objects.active = pieces[0]
+    bpy.ops.object.join()
+    whole = bpy.context.object
+    whole.name = name
+    bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
+    return whole
+
+
+def cast(thing, voxel, iterations):
+    """Makes one skin of what overlaps, and smooths it."""
+    remesh = thing.modifiers.new("Remesh", "REMESH")
+    remesh.mode, remesh.voxel_size, remesh.use_smooth_shade = "VOXEL", voxel, True
+    thing.modifiers.new("Smooth", "SMOOTH").iterations = iterations

@@ -53,17 +53,8 @@ def pieces():
 
 
 def body():
-    made = list(pieces())
-    for piece in made:
-        piece.select_set(True)
-    bpy.context.view_layer.objects.active = made[0]
-    bpy.ops.object.join()
-    hand = bpy.context.object
-    hand.name = "Hand"
-    bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
-    remesh = hand.modifiers.new("Remesh", "REMESH")
-    remesh.mode, remesh.voxel_size, remesh.use_smooth_shade = "VOXEL", 0.0018, True
-    hand.modifiers.new("Smooth", "SMOOTH").iterations = 12
+    hand = parts.joined(list(pieces()), "Hand")
+    parts.cast(hand, 0.0018, 12)
     for name in [modifier.name for modifier in hand.modifiers]:
         bpy.ops.object.modifier_apply(modifier=name)
     return hand

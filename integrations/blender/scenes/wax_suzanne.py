@@ -12,9 +12,7 @@ def make():
     head.rotation_euler = (-0.3, 0, 0.45)
     parts.smooth(head, 2)
     # Her eyes are parts of their own; wax is cast in one.
-    cast = head.modifiers.new("Cast", "REMESH")
-    cast.mode, cast.voxel_size, cast.use_smooth_shade = "VOXEL", 0.0006, True
-    head.modifiers.new("Smooth", "SMOOTH").iterations = 4
+    parts.cast(head, 0.0006, 4)
     head.data.materials.append(parts.material("Wax", (0.85, 0.62, 0.38), (0.004, 0.0025, 0.0014), roughness=0.35))
     parts.plane("Table", (0, 0, -0.0235), (0, 0, 1), 0.6, parts.material("Table", (0.35, 0.35, 0.36), roughness=0.9))
     parts.area_light("Behind", (0.08, 0.16, 0.12), (0, 0, 0.005), (0.08, 0.08), 1.2, (1, 0.95, 0.9))

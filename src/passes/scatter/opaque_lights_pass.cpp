@@ -13,6 +13,9 @@ namespace {
 // As scatter/opaque_area_lights.comp has them.
 enum Round : std::uint32_t { AskingFirst, Comparing, AskingAgain, Averaging, Summing };
 
+// To each light, as scatter/opaque_area_vertices.comp sends them.
+constexpr std::uint32_t raysOfVertex = 16;
+
 }  // namespace
 
 OpaqueLightsPass::OpaqueLightsPass(gpu::Device& device)
@@ -39,7 +42,7 @@ void OpaqueLightsPass::overVertices(gpu::CommandList& commands, const Inputs& in
                  .site = site,
                  .nodeCount = inputs.surfels.tree.nodeCount,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
-  commands.dispatchLinear(vertices.count, roundsOfWalk);
+  commands.dispatchLinear(vertices.count, raysOfVertex * inputs.areaLights * roundsOfWalk);
   commands.endPass();
 }
 

@@ -25,6 +25,7 @@ class OpaqueLightsPass {
     SceneTables& tables;
     Surfels& surfels;
     RayHierarchy& rays;
+    std::uint32_t areaLights;  ///< how many
   };
 
   /// Where the site is the vertices.

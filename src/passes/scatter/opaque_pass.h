@@ -16,7 +16,8 @@ class Device;
 namespace opaline::passes {
 
 /// Light on opaque bodies, and what they give back of it. Places find what comes from lights with
-/// shadow maps by themselves; clusters find the rest, and what they send to each other.
+/// shadow maps by themselves, and OpaqueLightsPass what comes from area lights; clusters find the
+/// rest, and what they send to each other.
 class OpaquePass {
  public:
   explicit OpaquePass(gpu::Device& device);

@@ -141,7 +141,7 @@ struct FrameContext {
   }
 
   passes::OpaqueLightsPass::Inputs onOpaque(SceneResources& scene) const {
-    return {resources.view, resources.tables, scene.surfels, scene.rays};
+    return {resources.view, resources.tables, scene.surfels, scene.rays, plan.areaLights};
   }
 
   void giveBack(passes::OpaquePass::From from, SceneResources& scene) const {

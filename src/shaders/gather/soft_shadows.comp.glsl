@@ -8,6 +8,7 @@
 #define BINDING_RAYS 7
 #include "lib/frame.glsl"
 #include "lib/area_shadow.glsl"
+#include "lib/lattice.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
 

@@ -18,11 +18,6 @@ struct Share {
   float visible;
 };
 
-// The i-th of a lattice of low discrepancy (Roberts 2018) over the light.
-vec2 latticePlace(uint i) {
-  return fract(float(i) * vec2(0.7548776662, 0.5698402910));
-}
-
 // The i-th of a net over the light (Sobol 1967): each four, sixteen, … that follow each other have one in each part of
 // it that is as large.
 vec2 netPlace(uint i) {

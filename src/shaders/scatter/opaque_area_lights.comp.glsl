@@ -76,17 +76,15 @@ uint areaLights() {
   return frame.counts.w - firstAreaLight();
 }
 
-bool hasShares(MeshPlace place) {
-  return isOpaque(objects[place.object]) && isSummedAtFragments(objects[place.object], site);
+bool hasShares(ObjectData body) {
+  return isOpaque(body) && isSummedAtFragments(body, site);
 }
 
 // Whether the first surface of a pixel has shares.
 bool isAsked(ivec2 pixel) {
   if (!isInBand(pixel)) return false;
   uint word = seenWord(pixel, 0u);
-  if (samplesOf(word) == 0u) return false;
-  ObjectData body = objects[objectOfTriangle(triangleOf(word))];
-  return isOpaque(body) && isSummedAtFragments(body, site);
+  return samplesOf(word) != 0u && hasShares(objects[objectOfTriangle(triangleOf(word))]);
 }
 
 Receiver receiverOf(MeshPlace place, uint entry) {
@@ -307,7 +305,7 @@ void main() {
   Seen seen = seenOfInvocation(first);
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
-  if (!hasShares(place)) return;
+  if (!hasShares(objects[place.object])) return;
   if (round == summing) {
     irradiances[seen.entry].rgb += irradianceAt(seen, place);
   } else if (isFirstSurface(seen)) {

@@ -1,5 +1,6 @@
 // Of opaque surfaces that pixels see: what they are made of, and the irradiance there of lights with
-// shadow maps, where the site is the fragments. Clusters have the rest.
+// shadow maps, where the site is the fragments. That of area lights is added to it (opaque_area_lights.comp);
+// clusters have the rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1

@@ -1,4 +1,5 @@
-// Irradiance of lights with shadow maps at the vertices of opaque bodies. Clusters have the rest.
+// Irradiance of lights with shadow maps at the vertices of opaque bodies. That of area lights is added to it
+// (opaque_area_vertices.comp); clusters have the rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 3

@@ -13,6 +13,7 @@
 #include "lib/frame.glsl"
 #include "lib/area_light.glsl"
 #include "lib/gloss.glsl"
+#include "lib/lattice.glsl"
 #include "lib/material.glsl"
 #include "lib/mesh.glsl"
 #include "lib/rays.glsl"
@@ -78,9 +79,9 @@ mat3 toCosineLobe(Lobe lobe) {
                         lobe.across / lobe.shape.z, lobe.axis));
 }
 
-// The i-th direction of the lobe, by a lattice of low discrepancy (Roberts 2018).
+// The i-th direction of the lobe.
 vec3 directionIn(Lobe lobe, uint i) {
-  vec2 at = fract(0.5 + float(i) * vec2(0.7548776662, 0.5698402910));
+  vec2 at = fract(0.5 + latticePlace(i));
   float radius = sqrt(at.x);
   vec2 place = radius * vec2(cos(2.0 * pi * at.y), sin(2.0 * pi * at.y));
   float height = sqrt(1.0 - at.x);
