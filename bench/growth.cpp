@@ -94,9 +94,9 @@ std::vector<Cost> costsOf(const Family& family, std::uint32_t count) {
   const std::vector<double> spacing(scene.objects.size(), spacingMm);
   const surfels::SurfelDivision division = measured(
       "surfels", costs, [&] { return surfels::makeSurfels(surface, spacing, maxSurfels); });
-  const std::vector<double> largest(scene.objects.size(), largestClusterMm);
+  const std::vector<surfels::ClusterOrder> orders(scene.objects.size(), {largestClusterMm});
   measured("clusters", costs,
-           [&] { return surfels::makeClusters(surface, division, largest, maxClusters); });
+           [&] { return surfels::makeClusters(surface, division, orders, maxClusters); });
   measured("atlas", costs, [&] { return atlas::makeAtlas(surface); });
   return costs;
 }

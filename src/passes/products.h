@@ -207,7 +207,7 @@ struct Beams {
 /// Clusters of surfels, their tree, and what boundary transport makes of them in a frame.
 struct Clusters {
   gpu::Buffer ranges;           ///< shared::ClusterRange
-  gpu::Buffer clusterOfSurfel;  ///< one a surfel
+  gpu::Buffer clusterOfSurfel;  ///< one a surfel, of its front
   FittedTree tree;
   std::uint32_t count = 0;  ///< of clusters
   std::uint32_t tileCount = 0;

@@ -41,6 +41,7 @@ constexpr double edgeOverTriangle = 1.5;
 struct Edges {
   double usual = 0;
   double largest = 0;
+  std::size_t sides = 1;  // that have clusters
 
   bool areAsItsTriangles() const { return largest == asItsTriangles; }
 };
@@ -90,9 +91,9 @@ struct Need {
 class Divider {
  public:
   Divider(const core::RestSurface& surface, const SurfelDivision& surfels,
-          std::span<const double> largestMm)
+          std::span<const ClusterOrder> orders)
       : surfels_(surfels) {
-    measure(surface, largestMm);
+    measure(surface, orders);
     below_.resize(surfels_.tree.links.size());
     const std::vector<std::uint32_t>& roots = surfels_.tree.rootOfObject;
     for (std::uint32_t object = 0; object + 1 < roots.size(); ++object)
@@ -108,7 +109,7 @@ class Divider {
     std::size_t clusters = 0;
     std::priority_queue<Need> needs;
     const auto take = [&](std::uint32_t node) {
-      ++clusters;
+      clusters += sidesOf(node);
       if (!linkOf(surfels_.tree, node).leaf && below_[node].isTooLarge()) needs.push(needOf(node));
     };
     const std::vector<std::uint32_t>& roots = surfels_.tree.rootOfObject;
@@ -118,10 +119,10 @@ class Divider {
       const std::uint32_t node = needs.top().node;
       std::size_t children = 0;
       forEachChild(node, [&](std::uint32_t) { ++children; });
-      if (clusters + children - 1 > maxClusters) break;
+      if (clusters + (children - 1) * sidesOf(node) > maxClusters) break;
       needs.pop();
       opened_[node] = true;
-      --clusters;
+      clusters -= sidesOf(node);
       forEachChild(node, take);
     }
     return clusters;
@@ -134,19 +135,24 @@ class Divider {
     for (std::size_t object = 0; object + 1 < roots.size(); ++object) {
       made_.firstOfObject.push_back(count());
       made_.tree.rootOfObject.push_back(nodeCount());
-      if (roots[object] < roots[object + 1]) add(roots[object]);
+      if (roots[object] == roots[object + 1]) continue;
+      if (edges_[object].sides == 1)
+        add(roots[object], false);
+      else
+        addBothSides(roots[object]);
     }
     made_.firstOfObject.push_back(count());
     made_.tree.rootOfObject.push_back(nodeCount());
-    made_.firstSurfel.push_back(surfels_.count());
     return std::move(made_);
   }
 
  private:
-  std::uint32_t count() const { return static_cast<std::uint32_t>(made_.firstSurfel.size()); }
+  std::uint32_t count() const { return static_cast<std::uint32_t>(made_.clusters.size()); }
   std::uint32_t nodeCount() const { return static_cast<std::uint32_t>(made_.tree.links.size()); }
 
-  void measure(const core::RestSurface& surface, std::span<const double> largestMm) {
+  std::size_t sidesOf(std::uint32_t node) const { return edges_[below_[node].object].sides; }
+
+  void measure(const core::RestSurface& surface, std::span<const ClusterOrder> orders) {
     thicknessMm_ = thicknessMm(surface, surfels_);
     shapes_.reserve(surfels_.count());
     for (std::uint32_t surfel = 0; surfel < surfels_.count(); ++surfel)
@@ -156,7 +162,8 @@ class Divider {
       for (std::uint32_t i = surfels_.firstOfObject[object]; i < surfels_.firstOfObject[object + 1];
            ++i)
         area += shapes_[i].areaMm2;
-      edges_.push_back({usualClusterMm(area), largestMm[object]});
+      edges_.push_back({usualClusterMm(area), orders[object].largestMm,
+                        orders[object].bothSides ? std::size_t{2} : std::size_t{1}});
     }
   }
 
@@ -271,16 +278,25 @@ class Divider {
     return need(true, edge / edges.usual * std::pow(thin, thinPower));
   }
 
+  // One below the other, under a root of their own.
+  void addBothSides(std::uint32_t root) {
+    const std::uint32_t made = nodeCount();
+    made_.tree.links.push_back(0);
+    add(root, false);
+    add(root, true);
+    made_.tree.links[made] = Tree::setBit | nodeCount();
+  }
+
   // The node or, where that is opened, what is below it.
-  void add(std::uint32_t node) {
+  void add(std::uint32_t node, bool isBack) {
     const std::uint32_t made = nodeCount();
     made_.tree.links.push_back(0);
     if (!opened_[node]) {
       made_.tree.links[made] = Tree::leafBit | Tree::setBit | count();
-      made_.firstSurfel.push_back(below_[node].firstSurfel);
+      made_.clusters.push_back({below_[node].firstSurfel, below_[node].endSurfel, isBack});
       return;
     }
-    forEachChild(node, [this](std::uint32_t child) { add(child); });
+    forEachChild(node, [&](std::uint32_t child) { add(child, isBack); });
     made_.tree.links[made] = Tree::setBit | nodeCount();
   }
 
@@ -300,8 +316,8 @@ double usualClusterMm(double areaOfObjectMm2) {
 }
 
 ClusterDivision makeClusters(const core::RestSurface& surface, const SurfelDivision& surfels,
-                             std::span<const double> largestMm, std::size_t maxClusters) {
-  Divider divider(surface, surfels, largestMm);
+                             std::span<const ClusterOrder> orders, std::size_t maxClusters) {
+  Divider divider(surface, surfels, orders);
   const std::size_t wanted = divider.open(std::numeric_limits<std::size_t>::max());
   if (wanted > maxClusters) divider.open(maxClusters);
   ClusterDivision clusters = divider.collect();

@@ -40,11 +40,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   expectWhole(division, shape.triangles.size());
   for (const double mm : surfels::thicknessMm(surface, division)) EXPECT_GE(mm, 0);
   surfels::makeTreelets(division.tree);
-  const std::vector<double> largest(spacingMm.size(), largestMm);
+  const bool bothSides = input.below(2) == 0;
+  const std::vector<surfels::ClusterOrder> orders(spacingMm.size(), {largestMm, bothSides});
   const surfels::ClusterDivision clusters =
-      surfels::makeClusters(surface, division, largest, mostClusters);
-  EXPECT_GE(clusters.count(), spacingMm.size());
-  EXPECT_LE(clusters.count(), std::max(mostClusters, spacingMm.size()));
-  EXPECT_EQ(clusters.firstSurfel.back(), division.count());
+      surfels::makeClusters(surface, division, orders, mostClusters);
+  const std::size_t least = spacingMm.size() * (bothSides ? 2 : 1);
+  EXPECT_GE(clusters.count(), least);
+  EXPECT_LE(clusters.count(), std::max(mostClusters, least));
+  EXPECT_EQ(clusters.clusters.back().endSurfel, division.count());
   return 0;
 }

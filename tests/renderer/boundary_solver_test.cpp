@@ -110,8 +110,8 @@ TEST_F(BoundarySolverTest, TooFewUnknownsForAThinBodyAreNoted) {
 TEST(Division, AnOpenFloorTakesNoClustersFromABody) {
   Scene scene = sceneOf(box({0, 0, 0}, {5, 5, 5}, 4), marble(), {0, 10, 40}, 15);
   const auto clusters = [&](const std::vector<bool>& hasInside) {
-    return *divide(scene::mergedMesh(scene), divisionFor(scene, hasInside, 1'000'000, 9000))
-                .clusters;
+    const Insides insides{hasInside, std::vector<bool>(hasInside.size(), false)};
+    return *divide(scene::mergedMesh(scene), divisionFor(scene, insides, 1'000'000, 9000)).clusters;
   };
   const auto alone = clusters({true});
   scene.objects.push_back(scene.objects.front());

@@ -125,7 +125,9 @@ SurfelRange rangeOf(const surfels::Tree& tree, std::uint32_t node) {
 Division divisionOf(const Scene& scene, const RenderOptions& options) {
   const bool boundary = options.transport == Transport::Boundary;
   return divide(scene::mergedMesh(scene),
-                divisionFor(scene, std::vector<bool>(scene.objects.size(), true),
+                divisionFor(scene,
+                            {std::vector<bool>(scene.objects.size(), true),
+                             std::vector<bool>(scene.objects.size(), false)},
                             static_cast<std::size_t>(options.maxSurfels),
                             boundary ? std::optional(options.maxClusters) : std::nullopt));
 }
@@ -149,9 +151,9 @@ void expectTrue(const std::vector<Image>& images, const Division& division, cons
     const float cluster = images[0].rgba[i + 1];
     if (division.clusters) {
       ASSERT_GE(cluster, 0);
-      const auto& first = division.clusters->firstSurfel;
-      EXPECT_LE(first.at(static_cast<std::size_t>(cluster)), surfel);
-      EXPECT_GT(first.at(static_cast<std::size_t>(cluster) + 1), surfel);
+      const auto& its = division.clusters->clusters.at(static_cast<std::size_t>(cluster));
+      EXPECT_LE(its.firstSurfel, surfel);
+      EXPECT_GT(its.endSurfel, surfel);
     } else {
       EXPECT_EQ(cluster, -1);
     }

@@ -19,9 +19,9 @@ namespace {
 // However large.
 ClusterDivision clustersOf(const core::RestSurface& surface, const SurfelDivision& surfels,
                            std::size_t budget) {
-  const std::vector<double> unlimitedMm(surfels.spacingOfObjectMm.size(),
-                                        std::numeric_limits<double>::infinity());
-  return makeClusters(surface, surfels, unlimitedMm, budget);
+  const std::vector<ClusterOrder> orders(surfels.spacingOfObjectMm.size(),
+                                         {std::numeric_limits<double>::infinity()});
+  return makeClusters(surface, surfels, orders, budget);
 }
 
 using namespace test;
@@ -77,12 +77,19 @@ void expectTree(const ClusterDivision& made) {
 /// Every surfel in exactly one cluster, those of a cluster together and of one object.
 void expectPartition(const SurfelDivision& surfels, const ClusterDivision& made) {
   ASSERT_EQ(made.firstOfObject.size(), surfels.firstOfObject.size());
-  ASSERT_EQ(made.firstSurfel.size(), std::size_t{made.count()} + 1);
+  ASSERT_EQ(made.clusters.size(), std::size_t{made.count()});
   ASSERT_EQ(made.firstOfObject.front(), 0U);
-  for (std::size_t object = 0; object < made.firstOfObject.size(); ++object)
-    ASSERT_EQ(made.firstSurfel[made.firstOfObject[object]], surfels.firstOfObject[object]);
-  for (std::uint32_t i = 0; i < made.count(); ++i)
-    ASSERT_LT(made.firstSurfel[i], made.firstSurfel[i + 1]);
+  std::uint32_t next = 0;
+  for (std::size_t object = 0; object + 1 < made.firstOfObject.size(); ++object) {
+    ASSERT_EQ(next, surfels.firstOfObject[object]);
+    for (std::uint32_t i = made.firstOfObject[object]; i < made.firstOfObject[object + 1]; ++i) {
+      ASSERT_EQ(made.clusters[i].firstSurfel, next);
+      next = made.clusters[i].endSurfel;
+      ASSERT_LT(made.clusters[i].firstSurfel, next);
+      ASSERT_FALSE(made.clusters[i].isBack);
+    }
+  }
+  ASSERT_EQ(next, surfels.count());
 }
 
 std::size_t objectsWithSurfels(const SurfelDivision& surfels) {
@@ -114,7 +121,7 @@ TEST(Clusters, AreAlwaysTheSame) {
   const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.05), 100'000);
   const ClusterDivision once = clustersOf(body.surface(), surfels, 1000);
   const ClusterDivision again = clustersOf(body.surface(), surfels, 1000);
-  EXPECT_EQ(once.firstSurfel, again.firstSurfel);
+  EXPECT_TRUE(once.clusters == again.clusters);
   EXPECT_EQ(once.tree.links, again.tree.links);
 }
 
@@ -132,8 +139,8 @@ std::vector<Patch> patchesOf(const Body& body, const SurfelDivision& surfels,
   std::vector<Patch> patches(made.count());
   for (std::uint32_t i = 0; i < made.count(); ++i) {
     Patch& patch = patches[i];
-    for (std::size_t k = std::size_t{made.firstSurfel[i]} * surfels.piecesPerSurfel;
-         k < std::size_t{made.firstSurfel[i + 1]} * surfels.piecesPerSurfel; ++k) {
+    for (std::size_t k = std::size_t{made.clusters[i].firstSurfel} * surfels.piecesPerSurfel;
+         k < std::size_t{made.clusters[i].endSurfel} * surfels.piecesPerSurfel; ++k) {
       const Piece& piece = surfels.pieces[k];
       const Point cross = crossOf(body.surface(), piece.triangle);
       const std::array<Point, 3> corners = placesOf(body, piece);
@@ -305,12 +312,32 @@ TEST(Clusters, WhatAMediumAsksForTakesNoneFromAnotherShape) {
   const Body body = together(bodyOf(awkward::sphere()), floor);
   const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), 200'000);
   const ClusterDivision ofShape = clustersOf(body.surface(), surfels, unlimited);
-  const std::vector<double> largestMm{std::numeric_limits<double>::infinity(), 0.5};
+  const std::vector<ClusterOrder> orders{{std::numeric_limits<double>::infinity()}, {0.5}};
   const ClusterDivision made =
-      makeClusters(body.surface(), surfels, largestMm, ofShape.count() + std::size_t{500});
+      makeClusters(body.surface(), surfels, orders, ofShape.count() + std::size_t{500});
   EXPECT_EQ(made.firstOfObject[1], ofShape.firstOfObject[1]);
   EXPECT_GT(made.count(), ofShape.count() + 400U);
   EXPECT_GT(made.coarseness(), 1.5);
+}
+
+TEST(Clusters, OfABackAreThoseOfItsFront) {
+  const Body body = together(bodyOf(awkward::sphere()), box(80, 8, 80));
+  const SurfelDivision surfels = makeSurfels(body.surface(), body.spacing(0.02), 20'000);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<ClusterOrder> orders{{infinity}, {infinity, true}};
+  for (const std::size_t budget : {std::size_t{300}, unlimited}) {
+    const ClusterDivision made = makeClusters(body.surface(), surfels, orders, budget);
+    expectTree(made);
+    EXPECT_LE(made.count(), budget);
+    const std::uint32_t backs = (made.firstOfObject[2] - made.firstOfObject[1]) / 2;
+    ASSERT_GT(backs, 20U);
+    for (std::uint32_t i = made.firstOfObject[1]; i < made.firstOfObject[1] + backs; ++i) {
+      const ClusterDivision::Cluster& front = made.clusters[i];
+      EXPECT_TRUE(made.clusters[i + backs] ==
+                  (ClusterDivision::Cluster{front.firstSurfel, front.endSurfel, true}));
+      EXPECT_FALSE(front.isBack);
+    }
+  }
 }
 
 }  // namespace

@@ -50,8 +50,7 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
   const std::size_t perSurfel = surfels.piecesPerSurfel;
   std::vector<shared::ClusterRange> ranges;
   for (std::uint32_t i = 0; i < made.count(); ++i) {
-    const std::uint32_t first = made.firstSurfel[i];
-    const std::uint32_t end = made.firstSurfel[i + 1];
+    const auto [first, end, isBack] = made.clusters[i];
     const std::span<const surfels::Piece> pieces =
         std::span(surfels.pieces).subspan(first * perSurfel, (end - first) * perSurfel);
     const std::uint32_t object = surface.objectOfTriangle[pieces.front().triangle];
@@ -60,15 +59,19 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
       const bool inside = std::all_of(pieces.begin(), pieces.end(), hasInside);
       kind = inside ? shared::bodyWithInside : shared::openBody;
     }
-    ranges.push_back({first, end, object, leaf[i], kind});
+    ranges.push_back({first, end, object, leaf[i], kind, isBack ? -1.0F : 1.0F});
   }
   return ranges;
 }
 
-std::vector<std::uint32_t> clusterOfSurfel(const surfels::ClusterDivision& made) {
-  std::vector<std::uint32_t> cluster(made.firstSurfel.back());
-  for (std::uint32_t i = 0; i < made.count(); ++i)
-    for (std::uint32_t s = made.firstSurfel[i]; s < made.firstSurfel[i + 1]; ++s) cluster[s] = i;
+// That of the front.
+std::vector<std::uint32_t> clusterOfSurfel(const surfels::ClusterDivision& made,
+                                           std::uint32_t surfels) {
+  std::vector<std::uint32_t> cluster(surfels);
+  for (std::uint32_t i = 0; i < made.count(); ++i) {
+    const auto [first, end, isBack] = made.clusters[i];
+    if (!isBack) std::fill(cluster.begin() + first, cluster.begin() + end, i);
+  }
   return cluster;
 }
 
@@ -155,8 +158,8 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.tree = makeFittedTree(device, made.tree);
   clusters.ranges = gpu::makeBuffer(device, "ranges of clusters",
                                     rangesOf(made, surface, surfels, kinds), clusterBuffer);
-  clusters.clusterOfSurfel =
-      gpu::makeBuffer(device, "cluster of each surfel", clusterOfSurfel(made), clusterBuffer);
+  clusters.clusterOfSurfel = gpu::makeBuffer(device, "cluster of each surfel",
+                                             clusterOfSurfel(made, surfels.count()), clusterBuffer);
   std::vector<shared::ClusterTile> tiles = tilesOf(made);
   const std::vector<shared::ClusterGroup> groups = groupsOf(tiles);
   clusters.tileCount = static_cast<std::uint32_t>(tiles.size());

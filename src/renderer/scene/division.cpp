@@ -66,8 +66,8 @@ void noteClusters(const Division& division, const DeviceRoom& room, const LogCal
 
 }  // namespace
 
-DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHasInside,
-                          std::size_t maxSurfels, std::optional<std::size_t> maxClusters) {
+DivisionOrder divisionFor(const Scene& scene, const Insides& insides, std::size_t maxSurfels,
+                          std::optional<std::size_t> maxClusters) {
   DivisionOrder order{.maxSurfels = maxSurfels};
   const double sceneMm{diagonalMm(scene)};
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -81,11 +81,12 @@ DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHas
   order.maxClusters = *maxClusters;
   // In an open body nothing is solved: what it sends to others has only its shape.
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    order.largestClusterOfObjectMm.push_back(scene.objects[i].isGround ? surfels::asItsTriangles
-                                             : scene.objects[i].opaque ? opaqueCluster * sceneMm
-                                             : objectHasInside[i]
-                                                 ? clusterInFreePaths * longestInAnyClipMm(scene, i)
-                                                 : infinity);
+    order.clustersOfObject.push_back({scene.objects[i].isGround ? surfels::asItsTriangles
+                                      : scene.objects[i].opaque ? opaqueCluster * sceneMm
+                                      : insides.objectHasInside[i]
+                                          ? clusterInFreePaths * longestInAnyClipMm(scene, i)
+                                          : infinity,
+                                      insides.objectIsSheet[i]});
   return order;
 }
 
@@ -94,8 +95,8 @@ Division divide(const scene::MergedMesh& merged, const DivisionOrder& order) {
   Division made{order, surfels::makeSurfels(surface, order.spacingOfObjectMm, order.maxSurfels),
                 std::nullopt};
   if (order.maxClusters > 0)
-    made.clusters = surfels::makeClusters(surface, made.surfels, order.largestClusterOfObjectMm,
-                                          order.maxClusters);
+    made.clusters =
+        surfels::makeClusters(surface, made.surfels, order.clustersOfObject, order.maxClusters);
   return made;
 }
 

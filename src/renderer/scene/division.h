@@ -16,17 +16,23 @@ namespace opaline {
 
 /// How finely a scene's surface is to be divided for the media it is of.
 struct DivisionOrder {
-  std::vector<double> spacingOfObjectMm;         ///< of surfels
-  std::vector<double> largestClusterOfObjectMm;  ///< empty without clusters
+  std::vector<double> spacingOfObjectMm;                ///< of surfels
+  std::vector<surfels::ClusterOrder> clustersOfObject;  ///< empty without clusters
   std::size_t maxSurfels = 0;
   std::size_t maxClusters = 0;
 
   bool operator==(const DivisionOrder&) const = default;
 };
 
-/// Clusters where `maxClusters` says so; only then is it asked which objects have an inside.
-DivisionOrder divisionFor(const Scene& scene, const std::vector<bool>& objectHasInside,
-                          std::size_t maxSurfels, std::optional<std::size_t> maxClusters);
+/// Of each object; only known where there are clusters.
+struct Insides {
+  std::vector<bool> objectHasInside;  ///< it is translucent, and some part of it closed
+  std::vector<bool> objectIsSheet;    ///< it is opaque, and some part of it open: it has a back
+};
+
+/// Clusters where `maxClusters` says so; only then are insides asked for.
+DivisionOrder divisionFor(const Scene& scene, const Insides& insides, std::size_t maxSurfels,
+                          std::optional<std::size_t> maxClusters);
 
 /// A surface in surfels and, where they were ordered, clusters of them; on the host.
 struct Division {

@@ -203,18 +203,21 @@ void findInsides(const Scene& scene, SceneResources& resources, const LogCallbac
   for (const Object& object : scene.objects) {
     resources.kinds.objectIsOpaque.push_back(object.opaque.has_value());
     std::vector<bool>& all = resources.kinds.triangleHasInside;
+    // Nobody sees a ground from below.
+    const std::vector<bool> inside =
+        object.isGround
+            ? std::vector<bool>(object.mesh.triangles.size(), true)
+            : scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
+    const bool any = std::find(inside.begin(), inside.end(), true) != inside.end();
+    const bool isOpen = std::find(inside.begin(), inside.end(), false) != inside.end();
+    resources.insides.objectHasInside.push_back(any && !object.opaque);
+    resources.insides.objectIsSheet.push_back(isOpen && object.opaque);
     if (object.opaque) {
-      all.insert(all.end(), object.mesh.triangles.size(), false);
-      resources.objectHasInside.push_back(false);
+      all.insert(all.end(), inside.size(), false);
       continue;
     }
-    const std::vector<bool> inside =
-        scene::trianglesWithInside(object.mesh.positionsMm, object.mesh.triangles);
     all.insert(all.end(), inside.begin(), inside.end());
-    const bool any = std::find(inside.begin(), inside.end(), true) != inside.end();
-    resources.objectHasInside.push_back(any);
-    if (std::find(inside.begin(), inside.end(), false) != inside.end())
-      (any ? openInParts : open).emplace_back(object.name);
+    if (isOpen) (any ? openInParts : open).emplace_back(object.name);
   }
   noteOpen(open, false, log);
   noteOpen(openInParts, true, log);
@@ -232,7 +235,9 @@ void takeClusters(gpu::Device& device, const core::RestSurface& surface, const D
     SurfelsOfObject& object = resources.surfelsOfObject[i];
     object.clusterRoot = made.tree.rootOfObject[i];
     object.clusterEndNode = made.tree.rootOfObject[i + 1];
-    object.hasInside = resources.objectHasInside[i];
+    object.hasInside = resources.insides.objectHasInside[i];
+    if (division.order.clustersOfObject[i].bothSides)
+      object.backClusters = (made.firstOfObject[i + 1] - made.firstOfObject[i]) / 2;
   }
   resources.clusters =
       passes::ClusterPass::makeClusters(device, made, surface, division.surfels, resources.kinds);
@@ -351,7 +356,7 @@ DivisionOrder orderFor(const gpu::Device& device, const Scene& scene,
   std::optional<std::size_t> clusters;
   if (needs.maxClusters)
     clusters = std::min(static_cast<std::size_t>(*needs.maxClusters), room.clusters);
-  return divisionFor(scene, resources.objectHasInside,
+  return divisionFor(scene, resources.insides,
                      std::min(static_cast<std::size_t>(*needs.maxSurfels), room.surfels), clusters);
 }
 

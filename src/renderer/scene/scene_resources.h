@@ -40,6 +40,7 @@ struct SurfelsOfObject {
   std::uint32_t clusterRoot = 0;     ///< among the nodes of clusters
   std::uint32_t clusterEndNode = 0;  ///< the node after its tree
   bool hasInside = false;            ///< in some part; only found out where there are clusters
+  std::uint32_t backClusters = 0;    ///< of its back, which follow those of its front
 };
 
 /// Of an object at rest.
@@ -77,8 +78,8 @@ struct SceneResources {
   std::vector<std::uint32_t> materialOfObject;      ///< where it has one, else 0
   std::vector<std::uint32_t> mediumOfObject;
   std::vector<SizeOfObject> sizeOfObject;
-  passes::BodyKinds kinds;               ///< these two where clusters are needed
-  std::vector<bool> objectHasInside;     ///< in some part
+  passes::BodyKinds kinds;  ///< these two where clusters are needed
+  Insides insides;
   DivisionOrder divided;                 ///< that the surfels were made for
   std::optional<paper::FlatScene> flat;  ///< none until the paper's map is asked for
 

@@ -36,7 +36,8 @@ void main() {
   vec4 known = found[seen.entry];
   bool opaque = isOpaque(body);
   bool painted = withPaint != 0u && mediumAt(body, place.position).tables.z != 0u;
-  vec3 better = corrected(known.rgb, place.position, place.side * place.normal, insideOf(body),
+  vec3 normal = hasBack(body) ? place.normal : place.side * place.normal;
+  vec3 better = corrected(known.rgb, place.position, normal, insideOf(body),
                           opaque, painted, here ? body.clusters.x : noNode, body.clusters.y);
   if (here && opaque) better = mix(known.rgb, better, materials[seen.entry].normal.w);
   if (here) found[seen.entry] = vec4(better, known.a);

@@ -52,6 +52,9 @@ struct PieceShape {
   vec3 across;
 };
 
+// Of the cluster, ClusterRange::side.
+float facing = 1.0;
+
 PieceShape shapeOf(SurfelPiece piece) {
   PieceShape shape;
   vec3 origin = positions[piece.a].xyz;
@@ -61,11 +64,11 @@ PieceShape shapeOf(SurfelPiece piece) {
   for (int i = 0; i < 3; ++i)
     shape.corners[i] = origin + shape.places[i].x * along + shape.places[i].y * across;
   vec4 a = normals[piece.a];
-  shape.vectorArea = a.w * 0.5 * max(piece.fraction, 0.0) * cross(along, across);
+  shape.vectorArea = facing * a.w * 0.5 * max(piece.fraction, 0.0) * cross(along, across);
   shape.area = length(shape.vectorArea);
   shape.along = along;
   shape.across = across;
-  shape.itsNormals = mat3(a.xyz, normals[piece.b].xyz, normals[piece.c].xyz);
+  shape.itsNormals = facing * mat3(a.xyz, normals[piece.b].xyz, normals[piece.c].xyz);
   return shape;
 }
 
@@ -141,7 +144,8 @@ void main() {
   if (i >= clusterCount) return;
   ClusterRange range = ranges[i];
   // A mirrored body's triangles go round the other way.
-  float side = normals[pieces[range.firstSurfel * piecesPerSurfel].a].w;
+  float side = range.side * normals[pieces[range.firstSurfel * piecesPerSurfel].a].w;
+  facing = range.side;
   ObjectData body = objects[range.object];
   uint first = range.firstSurfel * piecesPerSurfel;
   uint end = range.endSurfel * piecesPerSurfel;

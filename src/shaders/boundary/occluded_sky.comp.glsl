@@ -97,6 +97,7 @@ void main() {
   uint cluster = linearIndex() / gl_WorkGroupSize.x;
   if (cluster >= clusterCount) return;
   ClusterRange range = ranges[cluster];
+  if (range.side < 0.0) return;  // surfels are of the front
   ObjectData body = objects[range.object];
   uint count = findFelt(body, clusters[cluster].centroidArea.xyz, spreadOf(range.node).x);
   for (uint surfel = range.firstSurfel + gl_LocalInvocationIndex; surfel < range.endSurfel;

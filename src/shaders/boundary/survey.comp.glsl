@@ -124,7 +124,7 @@ SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
   vec3 all = vec3(0.0);
   float slant = 0.0;
   float nearness = 0.0;
-  float met = 0.0;
+  float meets = 0.0;
   float freeEven = 0.0;  // of even light
   float allEven = 0.0;
   for (uint k = 0u; k < raysOutwards; ++k) {
@@ -155,10 +155,15 @@ SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
       freeEven += entering;
     } else {
       nearness += 1.0 / max(hit.distance, least);
-      met += 1.0;
-      MediumData other = mediumAt(objects[objectOfPiece(hit.piece)], place.middle + hit.distance * direction);
+      meets += 1.0;
+      ObjectData met = objects[objectOfPiece(hit.piece)];
+      MediumData other = mediumAt(met, place.middle + hit.distance * direction);
       uint cluster = clusterOfSurfel[hit.piece / piecesPerSurfel];
       float cosine = -clusters[cluster].along.w * dot(facetNormal(hit.piece), direction);
+      if (cosine < 0.0 && hasBack(met)) {
+        cluster = backOf(cluster, met);
+        cosine = -cosine;
+      }
       if (cosine > 0.0)
         meetings[i * raysOutwards + k] = Meeting(cluster, entering / (other.inside.extinction.w * pi),
                                                  transmittedInto(other.boundary.x, cosine));
@@ -173,7 +178,7 @@ SkySeen lookAround(uint i, Cluster cluster, ClusterRange range) {
   float evenShare = allEven > 0.0 ? freeEven / allEven : 0.0;
   // Where it is dark in a channel, whatever the others do is right.
   return SkySeen(mix(vec3(evenShare), overOr0(free, all), greaterThan(all, vec3(1e-30))),
-                 all.r + all.g + all.b, sum > 1e-30 ? slant / sum : mean, met > 0.0 ? met / nearness : 3e38);
+                 all.r + all.g + all.b, sum > 1e-30 ? slant / sum : mean, meets > 0.0 ? meets / nearness : 3e38);
 }
 
 void main() {

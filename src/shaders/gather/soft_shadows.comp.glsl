@@ -41,6 +41,8 @@ uint firstPieceOf(uint object) {
 Receiver receiverAt(PiecePlace place, ObjectData body, uint point) {
   vec3 position = positionAt(place, pointOf(place.corners, point));
   vec3 outside = place.side * unitOr(facetOf(place), vec3(0.0));
+  // Of a sheet the side that the light is on.
+  if (hasBack(body) && dot(outside, frame.lights[light].place.xyz - position) < 0.0) outside = -outside;
   return Receiver(position, outside, outside, mediumAt(body, position).boundary.x);
 }
 

@@ -54,9 +54,10 @@ vec3 normalOf(uint piece, PiecePlace place, vec2 at) {
   return withNormals == 0u ? normal : tiltedNormal(piece, place.along, place.across, normal);
 }
 
-// Of a light on the side of a piece that its triangle's corners go around.
-float visibilityOn(PiecePlace place, vec3 position, IncidentLight light) {
+// Of a light on the side of a piece that its triangle's corners go around. Of a sheet the light is on one side.
+float visibilityOn(uint piece, PiecePlace place, vec3 position, IncidentLight light) {
   vec3 outside = place.side * unitOr(facetOf(place), vec3(0.0));
+  if (hasBack(objects[pieces[piece].object]) && dot(outside, light.direction) < 0.0) outside = -outside;
   return dot(outside, light.direction) > 0.0 ? visibilityOf(light, position, outside) : 0.0;
 }
 
@@ -65,7 +66,7 @@ void keepVisibility(uint piece) {
   for (uint i = 0u; i < pointsPerPiece; ++i) {
     vec3 position = positionAt(place, pointOf(place.corners, i));
     for (uint k = 0u; k < lightsAt(position); ++k)
-      keep(visibilityOn(place, position, incidentLight(k, position)), k, piece, i);
+      keep(visibilityOn(piece, place, position, incidentLight(k, position)), k, piece, i);
   }
 }
 
@@ -84,7 +85,7 @@ vec3 irradianceAndVisibility(uint piece, PiecePlace place, uint point) {
     if (part > 0.0)
       visible = visibilityOf(light, position, outside);
     else if (keepsVisibility != 0u)
-      visible = visibilityOn(place, position, light);
+      visible = visibilityOn(piece, place, position, light);
     if (keepsVisibility != 0u) keep(visible, k, piece, point);
     sum += light.irradiance * (part * visible);
   }

@@ -15,4 +15,14 @@ bool isOpaque(ObjectData body) {
   return body.clusters.w != 0u;
 }
 
+// Whether its back takes light of its own.
+bool hasBack(ObjectData body) {
+  return body.tree.z != 0u;
+}
+
+// Of the cluster of the front of such a body.
+uint backOf(uint cluster, ObjectData body) {
+  return cluster + body.tree.z;
+}
+
 #endif

@@ -87,8 +87,9 @@ vec4 radianceAt(vec3 place, uint piece, vec3 direction, uint rays) {
   ObjectData body = objects[objectOfPiece(piece)];
   bool opaque = isOpaque(body);
   float known = opaque ? 1.0 : insides != 0u ? clusters[cluster].second.w : 0.0;
-  if (rays >= raysThatSmooth || body.clusters.z == 0u) return vec4(exitanceOf(cluster, opaque) / pi, known);
   vec3 facet = facetNormal(piece);
+  if (hasBack(body) && clusters[cluster].along.w * dot(facet, direction) > 0.0) cluster = backOf(cluster, body);
+  if (rays >= raysThatSmooth || body.clusters.z == 0u) return vec4(exitanceOf(cluster, opaque) / pi, known);
   vec3 normal = dot(facet, direction) > 0.0 ? -facet : facet;
   return vec4(exitanceAt(place, normal, body, cluster) / pi, known);
 }

@@ -21,8 +21,9 @@ struct ClusterRange {
   uint firstSurfel;
   uint endSurfel;
   uint object;
-  uint node;  // its leaf in the tree of clusters
-  uint kind;  // of its body there
+  uint node;   // its leaf in the tree of clusters
+  uint kind;   // of its body there
+  float side;  // -1 where it is of the back of a sheet, else 1
 };
 
 /// Kinds of bodies. Only in one with an inside light diffuses; the others have no area to it.
@@ -42,10 +43,11 @@ struct Cluster {
   vec4 normal;        // unit, of the vector area; w: ρ = √(a/π), mm
   vec4 vectorArea;  // A = Σ a n, mm²; w: share of the solid angle that the body fills there, c, as
                     // the other clusters give it
-  vec4 start;  // a place on the surface near the centroid, mm; w: thickness of the body, or before
-               // an opaque one harmonic mean of how far it is to what lies there, mm
-  vec4 along;  // unit, in the surface there, moving with it; w: 1, or -1 where the body is mirrored
-  vec4 facet;  // unit, outwards there; w: mean cosine inside of the sky's light that enters
+  vec4 start;   // a place on the surface near the centroid, mm; w: thickness of the body, or before
+                // an opaque one harmonic mean of how far it is to what lies there, mm
+  vec4 along;   // unit, in the surface there, moving with it; w: the side to which its triangles go
+                // round, 1, or -1 where the body is mirrored or it is of the back
+  vec4 facet;   // unit, outwards there; w: mean cosine inside of the sky's light that enters
   vec4 second;  // rgb: part of the light that is followed to its second collision; w: 0 in an
                 // open body
 };

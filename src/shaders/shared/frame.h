@@ -65,7 +65,8 @@ struct FrameData {
 struct ObjectData {
   uvec4 table;  // x: medium; y: first surfel; z: number of surfels; w: 1 where light is summed at
                 // fragments, 0 at vertices
-  uvec4 tree;   // x: root, among the nodes; y: the node after all of its tree
+  uvec4 tree;   // x: root, among the nodes; y: the node after all of its tree; z: how many clusters
+               // an opaque sheet has of its back, each so many after that of the front, 0 of others
   uvec4 clusters;  // of boundary transport, x: root among their nodes; y: the node after their
                    // tree; z: 1 where they have what is seen of some part of the body; w: 1 where
                    // it is opaque
