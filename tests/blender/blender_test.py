@@ -41,27 +41,47 @@ class Blender(BlenderTest):
         return self.run_blender([BLENDER, "-b", "--factory-startup", "--python-exit-code", "7", "--python",
                                  HERE / "inside" / f"{script}.py", "--", self.folder], **environment)
 
-    def compare(self, a, b):
-        done = subprocess.run([PROGRAM, "compare", a, b, "--block", "8", "--json"], capture_output=True, text=True, check=True)
-        return json.loads(done.stdout)
+    def opaline(self, *words):
+        return subprocess.run([PROGRAM, *words], cwd=self.folder, capture_output=True, check=True).stdout
+
+    def expect_same(self, a, b):
+        """Blocks of the pictures are within 3 %."""
+        found = json.loads(self.opaline("compare", a, b, "--block", "8", "--json"))
+        self.assertLess(found["block"]["covered_rel_rmse"], 0.03, found)
 
     def test_an_animation_is_whole_and_its_gltf_looks_the_same(self):
         self.run_inside("animation")
-        facts = json.loads(subprocess.run([PROGRAM, "info", "frame2.glb", "--json"], cwd=self.folder, capture_output=True,
-                                          check=True).stdout)
+        facts = json.loads(self.opaline("info", "frame2.glb", "--json"))
         centre = [(low + high) / 2 for low, high in zip(facts["bounds_min_mm"], facts["bounds_max_mm"])]
         # 0.4 W over four times 0.05 m by 0.05 m, 100 mm above the origin, shining down.
         lamp = ",".join(str(at - middle) for at, middle in zip((0, 100, 0), centre)) + ":25,0,0:0,0,25:40"
-        subprocess.run([PROGRAM, "render", "frame2.glb", "--medium", "marble", "--rectangle", lamp, "--size", "96x96", "--antialias",
-                        "1", "--roughness", "0.5", "--quiet", "-o", "gltf.exr"], cwd=self.folder, check=True)
-        found = self.compare(self.folder / "frame0002.exr", self.folder / "gltf.exr")
-        self.assertLess(found["block"]["rel_rmse"], 0.03, found)
+        self.opaline("render", "frame2.glb", "--medium", "marble", "--rectangle", lamp, "--size", "96x96", "--antialias", "1",
+                     "--roughness", "0.5", "--quiet", "-o", "gltf.exr")
+        self.expect_same("frame0002.exr", "gltf.exr")
+
+    def test_what_the_exporter_of_gltf_writes(self):
+        self.run_inside("exported")
+        # Frame 9 at 24 frames a second.
+        self.opaline("render", "moving.glb", "--medium", "marble", "--time", "0.375", "--directional", "0.3,1,0.5:3,3,3", "--size",
+                     "96x96", "--antialias", "1", "--roughness", "0.5", "--quiet", "-o", "gltf.exr")
+        self.expect_same("moment.exr", "gltf.exr")
+        plain, told = (json.loads(self.opaline("info", f"{name}.glb", "--json")) for name in ("plain", "told"))
+        self.assertEqual([facts["materials"][0]["kind"] for facts in (plain, told)], ["opaque", "translucent"])
+        lengths = told["objects"][0]["medium"]["mean_free_path_mm"]
+        for channel, length in zip("rgb", (2, 1, 0.5)):
+            self.assertAlmostEqual(lengths[channel], length, places=5)
 
     def test_lamps_and_the_world_are_as_bright_as_in_cycles(self):
         self.run_inside("lamps")
 
+    def test_shapes_and_instances_look_as_in_cycles(self):
+        self.run_inside("shapes")
+
     def test_pictures_on_inputs_look_as_in_cycles(self):
         self.run_inside("textures")
+
+    def test_light_spreads_as_far_as_in_cycles(self):
+        self.run_inside("spread")
 
     def test_names_of_newer_blenders_mean_what_they_say(self):
         self.run_inside("newer_names")

@@ -27,7 +27,7 @@ def empty_scene(edge=64):
     for thing in list(bpy.data.objects):
         bpy.data.objects.remove(thing)
     scene = use()
-    scene.opaline.samples = "1"
+    scene.opaline.samples, scene.opaline.bounces = "1", 2
     scene.render.resolution_x = scene.render.resolution_y = edge
     scene.render.resolution_percentage = 100
     scene.render.image_settings.file_format = "OPEN_EXR"
@@ -76,6 +76,18 @@ def material(name, medium=None, color=(0.8, 0.8, 0.8), **inputs):
     return made
 
 
+def matt(name, color):
+    """Lambert's surface: the diffuse part of a Principled BSDF of 3.x is that of Burley 2012."""
+    made = bpy.data.materials.new(name)
+    made.use_nodes = True
+    nodes = made.node_tree.nodes
+    nodes.remove(nodes["Principled BSDF"])
+    shader = nodes.new("ShaderNodeBsdfDiffuse")
+    shader.inputs["Color"].default_value = (*color, 1)
+    made.node_tree.links.new(shader.outputs["BSDF"], nodes["Material Output"].inputs["Surface"])
+    return made
+
+
 def cube(name="Cube", half=0.02, made=None, levels=0):
     mesh = bpy.data.meshes.new(name)
     corners = [(x, y, z) for x in (-half, half) for y in (-half, half) for z in (-half, half)]
@@ -118,16 +130,17 @@ def picture(file):
     return values.reshape(height, width, -1)[::-1]
 
 
-def both_engines(name, samples=64):
+def both_engines(name, samples=64, bounces=0):
     """Pictures of Opaline and of Cycles."""
     scene = bpy.context.scene
+    scene.opaline.bounces = 0
     pictures = []
     for engine in ("OPALINE", "CYCLES"):
         scene.render.engine = engine
         if engine == "CYCLES":
             scene.cycles.samples = samples
             scene.cycles.use_adaptive_sampling = scene.cycles.use_denoising = False
-            scene.cycles.max_bounces = 0
+            scene.cycles.max_bounces = bounces
             scene.cycles.pixel_filter_type = "BOX"  # so that blocks share nothing
         pictures.append(render(f"{name}_{engine.lower()}")[..., :3])
     scene.render.engine = "OPALINE"

@@ -16,13 +16,7 @@ common.install()
 def stage():
     """A matt floor of a metre, seen from above."""
     common.empty_scene(16)
-    matt = common.material("Floor")
-    nodes = matt.node_tree.nodes
-    nodes.remove(nodes["Principled BSDF"])
-    shader = nodes.new("ShaderNodeBsdfDiffuse")
-    shader.inputs["Color"].default_value = (0.8, 0.5, 0.3, 1)
-    matt.node_tree.links.new(shader.outputs["BSDF"], nodes["Material Output"].inputs["Surface"])
-    common.plane(half=0.5, made=matt)
+    common.plane(half=0.5, made=common.matt("Floor", (0.8, 0.5, 0.3)))
     common.camera((0, 0, 1.0), 72)
 
 

@@ -18,7 +18,7 @@ from opaline_blender.notes import Notes
 from opaline_blender.reading import looks
 
 
-def principled(method="RANDOM_WALK_SKIN", **inputs):
+def principled(method="RANDOM_WALK_SKIN", distribution="MULTI_GGX", **inputs):
     """With the inputs of 4.x that are read, and its defaults."""
     values = {"Base Color": (0.8, 0.5, 0.3, 1), "Metallic": 0.0, "Roughness": 0.5, "IOR": 1.5, "Alpha": 1.0,
               "Normal": (0, 0, 0), "Subsurface Weight": 0.0, "Subsurface Radius": (1, 0.2, 0.1), "Subsurface Scale": 0.05,
@@ -28,7 +28,7 @@ def principled(method="RANDOM_WALK_SKIN", **inputs):
     values.update(inputs)
     sockets = [types.SimpleNamespace(name=name, default_value=value, is_linked=False, links=[], enabled=True)
                for name, value in values.items()]
-    return types.SimpleNamespace(type="BSDF_PRINCIPLED", inputs=sockets, subsurface_method=method)
+    return types.SimpleNamespace(type="BSDF_PRINCIPLED", inputs=sockets, subsurface_method=method, distribution=distribution)
 
 
 def look_of(node):
@@ -63,3 +63,8 @@ near(subsurface.mean_free_path(1, 0.5, subsurface.FIXED, 1.4), 1 / (4 * math.pi)
 _, said = look_of(principled(**{"Subsurface Weight": 0.5, "Coat Weight": 0.2, "Sheen Weight": 0.1, "Transmission Weight": 1.0}))
 for word in ("weight below 1", "clearcoat", "sheen", "transmission"):
     common.check(any(word in sentence for sentence in said), f"nothing is said of {word}: {said}")
+
+metal = {"Metallic": 1.0, "Roughness": 0.7}
+common.check(not look_of(principled(**metal))[1], "something is said of rough metal whose facets send on light")
+_, said = look_of(principled(distribution="GGX", **metal))
+common.check(any("Multiscatter" in sentence for sentence in said), f"nothing is said of rough metal: {said}")

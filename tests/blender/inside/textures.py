@@ -81,5 +81,37 @@ def holes():
     common.compare_with_cycles("holes")
 
 
-for test in (colors, glow, holes):
+def polish():
+    """Where facets send little on to each other, which the Principled BSDF of 3.x leaves out unless it is asked."""
+    tree, shader = stage(Base_Color=(0.8, 0.7, 0.5, 1), Metallic=1.0)
+    node = texture(tree, image("Roughness", [[(0.2,) * 3, (0.35,) * 3], [(0.3,) * 3, (0.25,) * 3]]))
+    tree.links.new(node.outputs["Color"], shader.inputs["Roughness"])
+    common.compare_with_cycles("roughness")
+    # As a colour the same number is a darker one: 0.6 is 0.319.
+    node.image = image("Roughness of a colour", [[(0.6,) * 3]], is_color=True)
+    common.compare_with_cycles("roughness of a colour")
+
+    # Roughness is green; metallic is blue, then red.
+    tree, shader = stage(Base_Color=(0.8, 0.7, 0.5, 1), Specular=0.5)
+    packed = texture(tree, image("Packed", [[(1, 0.2, 1), (0, 0.35, 0)], [(1, 0.3, 0), (0, 0.25, 1)]]))
+    split = tree.nodes.new("ShaderNodeSeparateColor")
+    tree.links.new(packed.outputs["Color"], split.inputs["Color"])
+    tree.links.new(split.outputs["Green"], shader.inputs["Roughness"])
+    tree.links.new(split.outputs["Blue"], shader.inputs["Metallic"])
+    common.compare_with_cycles("a packed picture")
+    tree.links.new(split.outputs["Red"], shader.inputs["Metallic"])
+    common.compare_with_cycles("another channel")
+
+
+def tilt():
+    """A normal map that leans to the right and to the back."""
+    tree, shader = stage()
+    node = texture(tree, image("Normals", [[(0.5, 0.5, 1), (0.8, 0.5, 0.9)], [(0.5, 0.8, 0.9), (0.35, 0.35, 0.95)]]))
+    mapped = tree.nodes.new("ShaderNodeNormalMap")
+    tree.links.new(node.outputs["Color"], mapped.inputs["Color"])
+    tree.links.new(mapped.outputs["Normal"], shader.inputs["Normal"])
+    common.compare_with_cycles("normals")
+
+
+for test in (colors, glow, holes, polish, tilt):
     test()

@@ -97,6 +97,17 @@ def _alpha(node, color_picture, notes, name):
     return alpha, alpha < 0.5
 
 
+MATT_METAL = 0.4  # roughness, beyond which facets send on more than 3 % of the light
+
+
+def _note_metal(node, notes, name, metallic, roughness):
+    """Each a number and the picture that it multiplies."""
+    is_metal = metallic[0] > 0 or metallic[1] is not None
+    is_rough = roughness[0] > MATT_METAL or roughness[1] is not None
+    if getattr(node, "distribution", "") == "GGX" and is_metal and is_rough:
+        notes.add("rough metal is shown as by Multiscatter GGX", name)
+
+
 def _note_what_is_left(node, notes, name):
     for what, *names in (("clearcoat", "Clearcoat", "Coat Weight"), ("sheen", "Sheen", "Sheen Weight")):
         if nodes.number(node, 0, *names) > 0:
@@ -148,6 +159,7 @@ def _principled(node, name, mm_per_unit, notes):
         notes.add("pictures of metallic and roughness lie as that of roughness does", name)
     alpha, is_cut_out = _alpha(node, color_picture, notes, name)
     _note_what_is_left(node, notes, name)
+    _note_metal(node, notes, name, (metallic, metallic_picture), (roughness, roughness_picture))
     look = Look(name=name, color=nodes.vector(node, (0.8, 0.8, 0.8), "Base Color"), color_picture=color_picture,
                 metallic=metallic, metallic_picture=metallic_picture, roughness=roughness, roughness_picture=roughness_picture,
                 ior=ior, specular=specular,
