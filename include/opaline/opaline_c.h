@@ -15,11 +15,13 @@
 /// renderer, or a view of it, come from one thread at a time, as do those with one scene.
 
 #include "opaline/c/lights.h"
+#include "opaline/c/log.h"
 #include "opaline/c/materials.h"
 #include "opaline/c/media.h"
 #include "opaline/c/motion.h"
 #include "opaline/c/pictures.h"
 #include "opaline/c/rendering.h"
+#include "opaline/c/reports.h"
 #include "opaline/c/scenes.h"
 #include "opaline/c/soft_body.h"
 #include "opaline/c/status.h"

@@ -81,23 +81,12 @@ const char* opalineMediumName(size_t index) {
   return index < c::namedMedia().size() ? c::namedMedia()[index].name.c_str() : nullptr;
 }
 
-OpalineStatus opalineMediumOfAppearance(const double color[3], const double meanFreePathMm[3],
-                                        double g, double eta, OpalineMedium* medium) {
-  return guarded([&] {
-    Appearance appearance;
-    std::copy_n(&required(color, "color"), 3, appearance.color.begin());
-    std::copy_n(&required(meanFreePathMm, "meanFreePathMm"), 3, appearance.meanFreePathMm.begin());
-    appearance.g = g;
-    appearance.eta = eta;
-    c::give(opaline::mediumOf(c::sound(appearance)), medium);
-  });
-}
-
 OpalineStatus opalineDefaultAppearance(OpalineAppearance* appearance) {
   return guarded([&] { c::give(c::given(Appearance{}), appearance, "appearance"); });
 }
 
-OpalineStatus opalineMediumThatLooks(const OpalineAppearance* appearance, OpalineMedium* medium) {
+OpalineStatus opalineMediumOfAppearance(const OpalineAppearance* appearance,
+                                        OpalineMedium* medium) {
   return guarded([&] {
     const OpalineAppearance whole = c::wholeOf(appearance, c::given(Appearance{}), "appearance");
     Appearance wanted;

@@ -17,7 +17,7 @@ namespace {
 static_assert(static_cast<int>(Transport::Boundary) == OpalineTransportBoundary);
 static_assert(static_cast<int>(Sum::All) == OpalineSumAll);
 static_assert(static_cast<int>(Site::Fragment) == OpalineSiteFragment);
-static_assert(static_cast<int>(Aov::Surfels) == OpalineAovSurfels);
+static_assert(static_cast<int>(Aov::DsmArea) == OpalineAovDsmArea);
 static_assert(static_cast<int>(LogLevel::Warning) == OpalineWarning);
 static_assert(sizeof(OpalineAov) == 4 && sizeof(OpalineTransport) == 4);
 
@@ -41,13 +41,17 @@ RendererOptions rendererOptionsOf(const OpalineRendererOptions* given) {
     required(bytes, "pipelineCache");
     options.pipelineCache.assign(bytes, bytes + whole.pipelineCacheBytes);
   }
-  if (whole.log) {
-    options.log = [log = whole.log, context = whole.logContext](LogLevel level,
-                                                                std::string_view message) {
-      log(context, static_cast<OpalineLogLevel>(level), std::string(message).c_str());
-    };
-  }
+  options.log = logOf(whole.log, whole.logContext);
+  options.instanceExtensions =
+      stringsOf(whole.instanceExtensions, whole.instanceExtensionCount, "instanceExtensions");
+  options.deviceExtensions =
+      stringsOf(whole.deviceExtensions, whole.deviceExtensionCount, "deviceExtensions");
   return options;
+}
+
+OpalinePattern patternOf(const RenderOptions& options) {
+  return {0, options.pattern.nearRings, options.pattern.nearSpacing, options.pattern.farDistance,
+          options.dsmSize};
 }
 
 OpalineRenderOptions given(const RenderOptions& options) {
@@ -66,7 +70,9 @@ OpalineRenderOptions given(const RenderOptions& options) {
           options.specular ? 1 : 0,
           options.roughness,
           options.antialias,
-          options.environmentBehind ? 1 : 0};
+          options.environmentBehind ? 1 : 0,
+          nullptr,
+          options.treeLevel};
 }
 
 RenderOptions renderOptionsOf(const OpalineRenderOptions* from) {
@@ -88,6 +94,12 @@ RenderOptions renderOptionsOf(const OpalineRenderOptions* from) {
   options.roughness = whole.roughness;
   options.antialias = whole.antialias;
   options.environmentBehind = whole.environmentBehind != 0;
+  options.treeLevel = whole.treeLevel;
+  if (whole.pattern) {
+    const OpalinePattern pattern = wholeOf(whole.pattern, patternOf(options), "pattern");
+    options.pattern = {pattern.nearRings, pattern.nearSpacing, pattern.farDistance};
+    options.dsmSize = pattern.dsmSize;
+  }
   return options;
 }
 
@@ -127,16 +139,25 @@ void copy(const std::vector<Image>& images, const std::vector<OpalineTarget>& ta
   }
 }
 
-FrameOrder orderOf(std::vector<Aov> aovs) {
-  FrameOrder order;
-  order.aovs = std::move(aovs);
-  return order;
-}
-
 }  // namespace
 
 Aov aovOf(OpalineAov given) {
-  return choiceOf<Aov>(given, OpalineAovSurfels, "variable");
+  return choiceOf<Aov>(given, OpalineAovDsmArea, "variable");
+}
+
+DeviceDescription deviceOf(std::size_t index) {
+  const std::vector<DeviceDescription> devices = listDevices();
+  if (index >= devices.size())
+    throw UsageError(fmt::format("There is no device {}: there are {}.", index, devices.size()));
+  return devices[index];
+}
+
+FrameOrder orderOf(std::vector<Aov> aovs, std::int32_t reuseLight, std::int32_t impatient) {
+  FrameOrder order;
+  order.aovs = std::move(aovs);
+  order.reuseLight = reuseLight != 0;
+  order.patient = impatient == 0;
+  return order;
 }
 
 std::vector<Aov> aovsOf(const OpalineAov* aovs, std::size_t count) {
@@ -159,17 +180,7 @@ OpalineStatus opalineDeviceCount(size_t* count) {
 }
 
 OpalineStatus opalineDeviceName(size_t device, char* name, size_t nameBytes) {
-  return guarded([&] {
-    const std::vector<DeviceDescription> devices = listDevices();
-    if (device >= devices.size()) {
-      throw UsageError(fmt::format("There is no device {}: there are {}.", device, devices.size()));
-    }
-    required(name, "name");
-    if (nameBytes == 0) throw UsageError("A name has at least one byte.");
-    const std::size_t length = std::min(devices[device].name.size(), nameBytes - 1);
-    std::copy_n(devices[device].name.begin(), length, name);
-    name[length] = '\0';
-  });
+  return guarded([&] { c::give(c::deviceOf(device).name, name, nameBytes, "name"); });
 }
 
 OpalineStatus opalineDefaultRendererOptions(OpalineRendererOptions* options) {
@@ -245,13 +256,16 @@ OpalineStatus opalineDefaultRenderOptions(OpalineRenderOptions* options) {
   return guarded([&] { c::give(c::given(RenderOptions{}), options, "options"); });
 }
 
+OpalineStatus opalineDefaultPattern(OpalinePattern* pattern) {
+  return guarded([&] { c::give(c::patternOf(RenderOptions{}), pattern, "pattern"); });
+}
+
 OpalineStatus opalineCreateView(OpalineRenderer* renderer, const OpalineRenderOptions* options,
                                 OpalineView** view) {
   return guarded([&] {
     required(view, "view");
     const RenderOptions wanted = c::renderOptionsOf(options);
-    *view = new OpalineView{
-        View(required(renderer, "renderer").renderer, wanted), {}, wanted.width, wanted.height};
+    *view = new OpalineView{View(required(renderer, "renderer").renderer, wanted), {}, {}};
   });
 }
 
@@ -264,8 +278,6 @@ OpalineStatus opalineSetViewOptions(OpalineView* view, const OpalineRenderOption
     required(options, "options");
     const RenderOptions wanted = c::renderOptionsOf(options);
     required(view, "view").view.setOptions(wanted);
-    view->width = wanted.width;
-    view->height = wanted.height;
   });
 }
 
@@ -292,6 +304,12 @@ OpalineStatus opalineMemoryInUse(const OpalineRenderer* renderer, uint64_t* byte
       [&] { required(bytes, "bytes") = required(renderer, "renderer").renderer.memoryBytes(); });
 }
 
+OpalineStatus opalineValidationMessages(const OpalineRenderer* renderer, uint64_t* count) {
+  return guarded([&] {
+    required(count, "count") = required(renderer, "renderer").renderer.validationMessages();
+  });
+}
+
 OpalineStatus opalinePipelineCache(const OpalineRenderer* renderer, void* data, size_t* bytes) {
   return guarded([&] {
     required(bytes, "bytes");
@@ -313,16 +331,29 @@ OpalineStatus opalineRender(OpalineView* view, const OpalineTarget* targets, siz
     std::vector<Aov> aovs;
     for (const OpalineTarget& target : to) {
       aovs.push_back(c::aovOf(target.aov));
-      if (!showsMap(aovs.back())) c::requireRoom(target, view->width, view->height);
+      const RenderOptions& options = view->view.options();
+      if (showsMap(aovs.back()))
+        c::requireRoom(target, options.dsmSize, options.dsmSize);
+      else
+        c::requireRoom(target, options.width, options.height);
     }
-    c::copy(view->view.render(c::orderOf(std::move(aovs))).images, to);
+    c::copy(view->view.render(c::orderOf(std::move(aovs), 0, 0)).images, to);
   });
 }
 
 OpalineStatus opalineSubmit(OpalineView* view, const OpalineAov* aovs, size_t aovCount) {
   return guarded([&] {
     required(view, "view");
-    view->view.submit(c::orderOf(c::aovsOf(aovs, aovCount)));
+    view->view.submit(c::orderOf(c::aovsOf(aovs, aovCount), 0, 0));
+  });
+}
+
+OpalineStatus opalineSubmitOrder(OpalineView* view, const OpalineFrameOrder* order) {
+  return guarded([&] {
+    const OpalineFrameOrder whole = c::wholeOf(order, {}, "order");
+    required(view, "view")
+        .view.submit(
+            c::orderOf(c::aovsOf(whole.aovs, whole.aovCount), whole.reuseLight, whole.impatient));
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include "c_interface/status.h"
 #include "c_interface/values.h"
+#include "opaline/framing.h"
 #include "opaline/material.h"
 #include "opaline/media.h"
 #include "opaline/mesh.h"
@@ -45,6 +46,7 @@ LoadOptions loadOptionsOf(const OpalineLoadOptions* given) {
   if (whole.medium) options.medium = mediumOf(whole.medium);
   if (whole.colorModel) options.colorModel = colorModelOf(*whole.colorModel);
   if (whole.morphTo) options.morphTo = whole.morphTo;
+  options.log = logOf(whole.log, whole.logContext);
   return options;
 }
 
@@ -168,6 +170,17 @@ OpalineStatus opalineDefaultCamera(const OpalineScene* scene, const float direct
         defaultCamera(required(scene, "scene").scene,
                       c::vectorOf(directionFromCentre, "directionFromCentre"), verticalFovDegrees),
         camera);
+  });
+}
+
+OpalineStatus opalineCameraThatSees(const OpalineCamera* camera, double aspect, double margin,
+                                    const float* pointsMm, size_t pointCount, size_t strideBytes,
+                                    OpalineCamera* moved) {
+  return guarded([&] {
+    Framing framing(c::cameraOf(camera), aspect, margin);
+    for (const Vec3& point : c::vectorsOf<Vec3>(pointsMm, pointCount, strideBytes, "pointsMm"))
+      framing.add(point);
+    c::give(framing.camera(), moved);
   });
 }
 

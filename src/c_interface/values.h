@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "opaline/error.h"
 #include "opaline/image.h"
+#include "opaline/log.h"
 #include "opaline/medium.h"
 #include "opaline/opaline_c.h"
 #include "opaline/options/scene.h"
@@ -28,6 +31,8 @@ template <typename T>
 constexpr std::size_t firstSize = sizeof(T);
 template <>
 inline constexpr std::size_t firstSize<OpalineRendererOptions> = 48;
+template <>
+inline constexpr std::size_t firstSize<OpalineRenderOptions> = 72;
 template <>
 inline constexpr std::size_t firstSize<OpalineLoadOptions> = 24;
 template <>
@@ -96,6 +101,14 @@ void requirePictureSize(int width, int height);
 
 /// Of 4 · width · height floats.
 Image imageOf(const float* rgba, int width, int height, const char* name);
+
+LogCallback logOf(OpalineLog log, void* context);
+
+/// The strings of an array, as they are given in C.
+std::vector<std::string> stringsOf(const char* const* strings, std::size_t count, const char* name);
+
+/// As much of a text as there is room for.
+void give(std::string_view text, char* to, std::size_t roomBytes, const char* name);
 
 LoadOptions loadOptionsOf(const OpalineLoadOptions* given);
 

@@ -54,7 +54,7 @@ class DeviceFrame {
                 exitances_.push_back({exitance.object, exitance.buffer, exitance.offsetBytes});
               });
     if (given_.over) compose(wholeOf(given_.over, {}, "over"));
-    order.aovs = aovsOf(given_.aovs, given_.aovCount);
+    order = orderOf(aovsOf(given_.aovs, given_.aovCount), given_.reuseLight, given_.impatient);
     order.aovsOnDevice = aovsOf(given_.aovsOnDevice, given_.aovOnDeviceCount);
     order.onDevice = given_.onDevice != 0;
     order.exitance = given_.exitance != 0;
@@ -81,6 +81,17 @@ class DeviceFrame {
   std::vector<DeviceExitance> exitances_;
   std::optional<Composition> composition_;
 };
+
+void replacePositions(OpalineRenderer* renderer, std::size_t object,
+                      const OpalineDevicePositions* positions, bool live) {
+  const OpalineDevicePositions whole = wholeOf(positions, {}, "positions");
+  required(renderer, "renderer")
+      .renderer.replacePositions(
+          object, DevicePositions{.buffer = whole.buffer,
+                                  .offsetBytes = whole.offsetBytes,
+                                  .strideBytes = whole.strideBytes == 0 ? 12 : whole.strideBytes,
+                                  .live = live});
+}
 
 void giveImage(const DeviceImage& made, OpalineDeviceImage* to) {
   give({.size = 0,
@@ -139,25 +150,30 @@ OpalineStatus opalineVulkanNeeds(OpalineVulkanNeeds* needs) {
 OpalineStatus opalineWhatIsMissing(VkInstance instance, VkPhysicalDevice physicalDevice,
                                    char* sentence, size_t sentenceBytes) {
   return guarded([&] {
-    const std::string missing = whatIsMissing(instance, physicalDevice);
-    required(sentence, "sentence");
-    if (sentenceBytes == 0) throw UsageError("A sentence has at least one byte.");
-    const std::size_t length = std::min(missing.size(), sentenceBytes - 1);
-    std::copy_n(missing.begin(), length, sentence);
-    sentence[length] = '\0';
+    c::give(whatIsMissing(instance, physicalDevice), sentence, sentenceBytes, "sentence");
   });
 }
 
 OpalineStatus opalineSetDevicePositions(OpalineRenderer* renderer, size_t object,
                                         const OpalineDevicePositions* positions) {
+  return guarded([&] { c::replacePositions(renderer, object, positions, true); });
+}
+
+OpalineStatus opalineSetStillDevicePositions(OpalineRenderer* renderer, size_t object,
+                                             const OpalineDevicePositions* positions) {
+  return guarded([&] { c::replacePositions(renderer, object, positions, false); });
+}
+
+OpalineStatus opalineVulkanDevice(const OpalineRenderer* renderer, OpalineVulkanDevice* device) {
   return guarded([&] {
-    const OpalineDevicePositions whole = c::wholeOf(positions, {}, "positions");
-    required(renderer, "renderer")
-        .renderer.replacePositions(
-            object, DevicePositions{.buffer = whole.buffer,
-                                    .offsetBytes = whole.offsetBytes,
-                                    .strideBytes = whole.strideBytes == 0 ? 12 : whole.strideBytes,
-                                    .live = true});
+    const VulkanDevice of = required(renderer, "renderer").renderer.vulkanDevice();
+    c::give({.size = 0,
+             .instance = of.instance,
+             .physicalDevice = of.physicalDevice,
+             .device = of.device,
+             .queueFamily = of.queueFamily,
+             .queue = of.queue},
+            device, "device");
   });
 }
 

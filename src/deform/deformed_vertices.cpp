@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/possible_position.h"
 #include "deform/deformer.h"
 #include "deform/smooth_groups.h"
 #include "opaline/error.h"
@@ -130,11 +131,15 @@ void requireTime(const Scene& scene, const SceneTime& time) {
 
 void requireFit(const Scene& scene, const PositionsByObject& positionsMm) {
   for (const auto& [object, positions] : positionsMm) {
-    if (object < scene.objects.size() &&
-        positions.size() == scene.objects[object].mesh.positionsMm.size())
-      continue;
-    throw UsageError(
-        fmt::format("the {} positions given do not fit object {}", positions.size(), object));
+    if (object >= scene.objects.size() ||
+        positions.size() != scene.objects[object].mesh.positionsMm.size())
+      throw UsageError(
+          fmt::format("the {} positions given do not fit object {}", positions.size(), object));
+    const auto bad = std::find_if_not(positions.begin(), positions.end(), core::isPossible);
+    if (bad != positions.end())
+      throw UsageError(fmt::format(
+          "the position given for vertex {} of object {} is not finite, or beyond 1e18 mm",
+          bad - positions.begin(), object));
   }
 }
 

@@ -19,7 +19,8 @@ struct DeformedVertices {
 /// Throws UsageError for a time out of range, and for a clip that the scene does not have.
 void requireTime(const Scene& scene, const SceneTime& time);
 
-/// Throws UsageError unless the positions have an object each, and one for each of its vertices.
+/// Throws UsageError unless the positions have an object each, and one for each of its vertices
+/// that is finite and within 1e18 mm.
 void requireFit(const Scene& scene, const PositionsByObject& positionsMm);
 
 /// Whether an object's normals have to be taken from its moved triangles: where they are those of

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/possible_position.h"
 #include "opaline/error.h"
 
 namespace opaline::soft_body {
@@ -23,11 +24,6 @@ struct Box {
   double extent(std::uint32_t axis) const { return high[axis] - low[axis]; }
 };
 
-bool isUsable(const Vec3& p) {
-  constexpr float limitMm = 1e18F;
-  return std::abs(p[0]) < limitMm && std::abs(p[1]) < limitMm && std::abs(p[2]) < limitMm;
-}
-
 Point toPoint(const Vec3& p) {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
@@ -40,7 +36,7 @@ Box boxOf(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles
       if (v >= positionsMm.size())
         throw UsageError(fmt::format("a soft body's triangle has a vertex {}, but there are {}", v,
                                      positionsMm.size()));
-      if (!isUsable(positionsMm[v]))
+      if (!core::isPossible(positionsMm[v]))
         throw UsageError(fmt::format(
             "the position of a soft body's vertex {} is not finite, or beyond 1e18 mm", v));
       const Point p = toPoint(positionsMm[v]);

@@ -177,9 +177,9 @@ TEST(CInterfaceMaterials, MediaOfEitherColorModelAreThoseOfTheCppInterface) {
   OpalineMedium observed{};
   observed.size = sizeof observed;
   OpalineMedium khr = observed;
-  ASSERT_EQ(opalineMediumThatLooks(&appearance, &observed), OpalineOk);
+  ASSERT_EQ(opalineMediumOfAppearance(&appearance, &observed), OpalineOk);
   appearance.colorModel = OpalineColorKhr;
-  ASSERT_EQ(opalineMediumThatLooks(&appearance, &khr), OpalineOk);
+  ASSERT_EQ(opalineMediumOfAppearance(&appearance, &khr), OpalineOk);
   opaline::Appearance same;
   same.color[0] = 0.5;
   same.meanFreePathMm[2] = 2;

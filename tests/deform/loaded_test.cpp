@@ -3,8 +3,8 @@
 
 #include <random>
 
+#include "allocations.h"
 #include "core/temporary_folder.h"
-#include "deform/allocations.h"
 #include "deform/deformed_vertices.h"
 #include "opaline/error.h"
 #include "scene/gltf/builder.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "opaline/error.h"
 #include "opaline/mesh.h"
 
@@ -61,6 +63,8 @@ TEST(PositionsAt, RefusesWhatDoesNotFit) {
   EXPECT_THROW(positionsAt(scene, {.clip = -2}), UsageError);
   EXPECT_THROW(positionsAt(scene, {}, {{0, {{0, 0, 1}}}}), UsageError);
   EXPECT_THROW(positionsAt(scene, {}, {{2, {}}}), UsageError);
+  for (const float bad : {NAN, INFINITY, 2e18F})
+    EXPECT_THROW(positionsAt(scene, {}, {{1, {{0, 0, 1}, {0, bad, 0}, {1, 0, 0}}}}), UsageError);
 }
 
 }  // namespace

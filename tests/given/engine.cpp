@@ -88,10 +88,11 @@ VkRenderingAttachmentInfo attachmentOf(const Engine::Target& target, VkClearValu
 
 }  // namespace
 
-Engine::Engine() {
+Engine::Engine(bool validated) {
   submitted = waitedForIdle = 0;
   isLost = false;
-  makeInstance();
+  makeInstance(validated);
+  if (validated) listen();
   makeDevice();
   VkSemaphoreTypeCreateInfo type{};
   type.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO;
@@ -116,13 +117,15 @@ Engine::~Engine() {
   vkDestroyCommandPool(device_, pool_, nullptr);
   vkDestroySemaphore(device_, timeline_, nullptr);
   vkDestroyDevice(device_, nullptr);
-  const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
-      vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
-  destroy(instance_, messenger_, nullptr);
+  if (messenger_ != VK_NULL_HANDLE) {
+    const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
+    destroy(instance_, messenger_, nullptr);
+  }
   vkDestroyInstance(instance_, nullptr);
 }
 
-void Engine::makeInstance() {
+void Engine::makeInstance(bool validated) {
   VkApplicationInfo application{};
   application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
   application.apiVersion = vulkanNeeds().apiVersion;
@@ -136,22 +139,24 @@ void Engine::makeInstance() {
   const char* const extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
   VkInstanceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
-  info.pNext = &features;
+  info.pNext = validated ? &features : nullptr;
   info.pApplicationInfo = &application;
-  info.enabledLayerCount = 1;
+  info.enabledLayerCount = info.enabledExtensionCount = validated ? 1 : 0;
   info.ppEnabledLayerNames = &layer;
-  info.enabledExtensionCount = 1;
   info.ppEnabledExtensionNames = &extension;
   require(vkCreateInstance(&info, nullptr, &instance_), "make an instance");
-  VkDebugUtilsMessengerCreateInfoEXT listen{};
-  listen.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
-  listen.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
-                           VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-  listen.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
-  listen.pUserData = this;
-  listen.pfnUserCallback =
-      [](VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
-         const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) -> VkBool32 {
+}
+
+void Engine::listen() {
+  VkDebugUtilsMessengerCreateInfoEXT info{};
+  info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+  info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                         VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
+  info.pUserData = this;
+  info.pfnUserCallback = [](VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                            const VkDebugUtilsMessengerCallbackDataEXT* data,
+                            void* user) -> VkBool32 {
     auto* engine = static_cast<Engine*>(user);
     const std::lock_guard lock(engine->messageMutex_);
     engine->messages_.emplace_back(data->pMessage);
@@ -159,7 +164,7 @@ void Engine::makeInstance() {
   };
   const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
       vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
-  require(create(instance_, &listen, nullptr, &messenger_), "listen to the validation layer");
+  require(create(instance_, &info, nullptr, &messenger_), "listen to the validation layer");
 }
 
 void Engine::makeDevice() {

@@ -15,10 +15,10 @@
 namespace opaline::test {
 
 /// A program with a Vulkan device of its own, made as vulkanNeeds() says, under the validation
-/// layer with synchronization validation. Counts what the library does with the queue.
+/// layer with synchronization validation or without. Counts what the library does with the queue.
 class Engine {
  public:
-  Engine();
+  explicit Engine(bool validated = true);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
@@ -84,7 +84,8 @@ class Engine {
   void resolve(const Target& from, const Target& to);
 
  private:
-  void makeInstance();
+  void makeInstance(bool validated);
+  void listen();
   void makeDevice();
   void copy(const Target& target, VkImageLayout layout, const HostBuffer& buffer);
   std::vector<float> readAs(const Target& target, VkImageLayout layout);

@@ -14,7 +14,8 @@ namespace opaline::test {
 /// when its device goes and finds objects that were left.
 class EngineTest : public testing::Test {
  protected:
-  void SetUp() override { engine_ = std::make_unique<Engine>(); }
+  explicit EngineTest(bool validated = true) : validated_(validated) {}
+  void SetUp() override { engine_ = std::make_unique<Engine>(validated_); }
   void TearDown() override {
     if (engine_) reportMessages();
   }
@@ -43,6 +44,7 @@ class EngineTest : public testing::Test {
   }
 
  private:
+  bool validated_;
   std::unique_ptr<Engine> engine_;
 };
 

@@ -120,6 +120,11 @@ TEST_F(GivenCTest, ARecordedFrameIsTheRenderedOne) {
   EXPECT_EQ(recorded, rendered);
   frame.signalCount = 0;
   EXPECT_EQ(opalineRecordFrame(view, &frame), OpalineBadUse);
+  OpalineVulkanDevice device{};
+  device.size = sizeof device;
+  ASSERT_EQ(opalineVulkanDevice(renderer, &device), OpalineOk);
+  EXPECT_EQ(device.device, engine().device());
+  EXPECT_EQ(device.queue, given.queue);
   uint64_t bytes = 0;
   EXPECT_EQ(opalineMemoryInUse(renderer, &bytes), OpalineOk);
   EXPECT_GT(bytes, 0U);
@@ -127,6 +132,67 @@ TEST_F(GivenCTest, ARecordedFrameIsTheRenderedOne) {
   ASSERT_EQ(opalinePipelineCache(renderer, nullptr, &size), OpalineOk);
   std::vector<char> cache(size);
   EXPECT_EQ(opalinePipelineCache(renderer, cache.data(), &size), OpalineOk);
+}
+
+// Of a buffer that only changes when it is given again, light can be reused.
+TEST_F(GivenCTest, PositionsOfABufferThatStandsStillKeepTheirLight) {
+  OpalineScene* scene = nullptr;
+  ASSERT_EQ(opalineCreateTeapot(nullptr, &scene), OpalineOk);
+  const Owned<OpalineScene, opalineDestroyScene> ofScene(scene);
+  OpalineObjectFacts facts{};
+  facts.size = sizeof facts;
+  ASSERT_EQ(opalineObjectFacts(scene, 0, &facts), OpalineOk);
+  const std::size_t floats = 3 * facts.vertexCount;
+  const Engine::HostBuffer buffer =
+      engine().makeBuffer(floats * sizeof(float), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  ASSERT_EQ(
+      opalineObjectPositions(scene, 0, reinterpret_cast<float*>(buffer.mapped), facts.vertexCount),
+      OpalineOk);
+  const OpalineGivenVulkan given = givenInC(engine().given(), engine());
+  OpalineRendererOptions options{};
+  options.size = sizeof options;
+  ASSERT_EQ(opalineDefaultRendererOptions(&options), OpalineOk);
+  options.given = &given;
+  OpalineRenderer* renderer = nullptr;
+  ASSERT_EQ(opalineCreateRenderer(&options, &renderer), OpalineOk) << opalineLastError();
+  const Owned<OpalineRenderer, opalineDestroyRenderer> ofRenderer(renderer);
+  ASSERT_EQ(opalineSetScene(renderer, scene), OpalineOk);
+  OpalineRenderOptions picture{};
+  picture.size = sizeof picture;
+  ASSERT_EQ(opalineDefaultRenderOptions(&picture), OpalineOk);
+  picture.width = picture.height = 24;
+  picture.transport = OpalineTransportBetterDipole;
+  picture.shadowSize = 128;
+  OpalineView* view = nullptr;
+  ASSERT_EQ(opalineCreateView(renderer, &picture, &view), OpalineOk);
+  const Owned<OpalineView, opalineDestroyView> ofView(view);
+  OpalineDevicePositions positions{};
+  positions.size = sizeof positions;
+  positions.buffer = buffer.buffer;
+  OpalineDeviceFrame frame{};
+  frame.size = sizeof frame;
+  const OpalineAov aov = OpalineAovExitance;
+  frame.aovs = &aov;
+  frame.aovCount = 1;
+  frame.reuseLight = 1;
+  std::vector<float> rgba(std::size_t{4} * 24 * 24);
+  const OpalineTarget target{sizeof target, aov, rgba.data(), rgba.size()};
+  OpalineFrameReport report{};
+  report.size = sizeof report;
+  const auto passesOfSecondFrame = [&] {
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_EQ(opalineSubmitFrame(view, &frame), OpalineOk) << opalineLastError();
+      EXPECT_EQ(opalineCollect(view, &target, 1, nullptr), OpalineOk);
+    }
+    EXPECT_EQ(opalineFrameReport(view, &report), OpalineOk);
+    return report.passCount;
+  };
+  ASSERT_EQ(opalineSetDevicePositions(renderer, 0, &positions), OpalineOk);
+  const std::size_t ofLive = passesOfSecondFrame();
+  const std::vector<float> expected = rgba;
+  ASSERT_EQ(opalineSetStillDevicePositions(renderer, 0, &positions), OpalineOk);
+  EXPECT_LT(passesOfSecondFrame(), ofLive);
+  EXPECT_EQ(rgba, expected);
 }
 
 TEST_F(GivenCTest, EnvironmentsComeFromMemory) {

@@ -73,14 +73,8 @@ TEST_F(GivenFramesTest, OrthographicMatricesSeeWhatTheOrthographicCameraSees) {
   const Engine::Target depth = engine().makeTarget(VK_FORMAT_D32_SFLOAT, {size, size});
   for (const bool reversed : {false, true}) {
     SCOPED_TRACE(reversed ? "reversed" : "ordinary");
-    CameraMatrices given = matrices(reversed);
-    given.viewToClip = {};
-    given.viewToClip[0] = given.viewToClip[5] = 2 / heightMm;
-    given.viewToClip[15] = 1;
     const double slope = 1 / (farMm - nearMm);
-    given.viewToClip[10] = static_cast<float>(reversed ? -slope : slope);
-    given.viewToClip[14] = static_cast<float>(slope * (reversed ? farMm : -nearMm));
-    view.setCamera(given);
+    view.setCamera(orthographic(reversed, heightMm));
     engine().run([&](VkCommandBuffer commands) {
       Engine::clear(commands, color, {{0, 0, 0, 0}}, depth, reversed ? 0.F : 1.F);
     });

@@ -13,6 +13,7 @@ constexpr double farMm = 200;
 
 class GivenFramesTest : public EngineTest {
  protected:
+  using EngineTest::EngineTest;
   void SetUp() override {
     EngineTest::SetUp();
     scene_ = wobblyBall();
@@ -63,6 +64,17 @@ class GivenFramesTest : public EngineTest {
     const double b = (reversed ? farMm : -farMm) * nearMm / (farMm - nearMm);
     made.viewToClip[10] = static_cast<float>(a);
     made.viewToClip[14] = static_cast<float>(b);
+    return made;
+  }
+  /// What an orthographic camera of that height sees, as matrices() otherwise.
+  CameraMatrices orthographic(bool reversed, float heightMm) const {
+    CameraMatrices made = matrices(reversed);
+    made.viewToClip = {};
+    made.viewToClip[0] = made.viewToClip[5] = 2 / heightMm;
+    made.viewToClip[15] = 1;
+    const double slope = 1 / (farMm - nearMm);
+    made.viewToClip[10] = static_cast<float>(reversed ? -slope : slope);
+    made.viewToClip[14] = static_cast<float>(slope * (reversed ? farMm : -nearMm));
     return made;
   }
   /// Of something at that distance along the axis.

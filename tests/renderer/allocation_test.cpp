@@ -1,58 +1,16 @@
-// The frame loop takes no memory from the heap once it has warmed up. A program of its own, because
-// it replaces the allocator.
+// The frame loop takes no memory from the heap once it has warmed up.
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <memory>
-#include <new>
 #include <vector>
 
+#include "allocations.h"
 #include "caller.h"
 #include "opaline/renderer.h"
 #include "opaline/scene.h"
 #include "opaline/soft_body.h"
 #include "renderer/shapes.h"
-
-namespace {
-
-thread_local bool counting = false;
-thread_local std::size_t allocations = 0;
-
-void* counted(std::size_t bytes, std::size_t alignment) {
-  if (counting) ++allocations;
-  void* memory = alignment == 0 ? std::malloc(bytes == 0 ? 1 : bytes)
-                                : std::aligned_alloc(
-                                      alignment, (bytes + alignment - 1) / alignment * alignment);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-
-}  // namespace
-
-// The forms for arrays and without exceptions call these. Inlined, GCC takes the pair for a
-// mistake.
-[[gnu::noinline]] void* operator new(std::size_t bytes) {
-  return counted(bytes, 0);
-}
-[[gnu::noinline]] void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return counted(bytes, static_cast<std::size_t>(alignment));
-}
-[[gnu::noinline]] void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
-  return counted(bytes, 0);
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
 
 namespace opaline {
 namespace {
@@ -135,17 +93,17 @@ std::size_t allocationsOfSteadyFrames(Renderer& renderer, const RenderOptions& o
                                       const FrameOrder& order, const BeforeFrame& before) {
   View view(renderer, options);
   Frame frame;
-  allocations = 0;
+  std::size_t atFirst = 0;
   for (int i = 0; i < warmUp + steady; ++i) {
-    counting = i >= warmUp;
+    if (i == warmUp) atFirst = allocations();
     renderer.setTime({.seconds = 0.1 * i});
     before();
     view.submit(order);
     if (i > 0) view.collect(frame);
-    counting = false;
   }
+  const std::size_t found = allocations() - atFirst;
   view.collect(frame);
-  return allocations;
+  return found;
 }
 
 TEST(AllocationTest, ClipsThatChangeLightsAndMaterialsAllocateNothing) {
@@ -233,27 +191,25 @@ TEST(AllocationTest, RecordedFramesAllocateNothing) {
   View view(renderer, options);
   bench::Caller caller(renderer);
   const FrameOrder order{.aovs = {}, .onDevice = true, .exitance = true};
-  allocations = 0;
+  std::size_t found = 0;
   for (int i = 0; i < warmUp + steady; ++i) {
     renderer.setTime({.seconds = 0.1 * i});
     const FrameRecording recording = caller.begin();
-    counting = i >= warmUp;
+    const std::size_t before = allocations();
     view.record(recording, order);
-    counting = false;
+    if (i >= warmUp) found += allocations() - before;
     caller.submit(recording);
   }
   Frame frame;
   for (int i = 0; i < View::framesInFlight; ++i) view.collect(frame);
-  EXPECT_EQ(allocations, 0U);
+  EXPECT_EQ(found, 0U);
 }
 
 TEST(AllocationTest, TheCounterCounts) {
-  allocations = 0;
-  counting = true;
+  const std::size_t before = allocations();
   delete new int(3);
   const std::vector<double> numbers(7);
-  counting = false;
-  EXPECT_GE(allocations + numbers.size(), 8U);
+  EXPECT_GE(allocations() - before + numbers.size(), 8U);
 }
 
 }  // namespace

@@ -39,13 +39,8 @@ typedef struct OpalineAppearance {
 OPALINE_API OpalineStatus opalineDefaultAppearance(OpalineAppearance* appearance);
 
 /// The medium that looks like that.
-OPALINE_API OpalineStatus opalineMediumThatLooks(const OpalineAppearance* appearance,
-                                                 OpalineMedium* medium);
-
-/// The same with an observed colour.
-OPALINE_API OpalineStatus opalineMediumOfAppearance(const double color[3],
-                                                    const double meanFreePathMm[3], double g,
-                                                    double eta, OpalineMedium* medium);
+OPALINE_API OpalineStatus opalineMediumOfAppearance(const OpalineAppearance* appearance,
+                                                    OpalineMedium* medium);
 
 /// The other way: the observed colour of a thick body of it.
 OPALINE_API OpalineStatus opalineColorOfMedium(const OpalineMedium* medium, float color[3]);

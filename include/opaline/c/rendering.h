@@ -2,6 +2,7 @@
 
 /// Renderers and views in C; part of opaline/opaline_c.h.
 
+#include "opaline/c/log.h"
 #include "opaline/c/media.h"
 #include "opaline/c/scenes.h"
 #include "opaline/c/status.h"
@@ -12,16 +13,6 @@ struct OpalineGivenVulkan;
 
 /// A device with one scene at a time.
 typedef struct OpalineRenderer OpalineRenderer;
-
-/// How much a message matters.
-typedef enum OpalineLogLevel {
-  OpalineDebug = 0,
-  OpalineNote = 1,
-  OpalineWarning = 2
-} OpalineLogLevel;
-
-/// Receives all messages; the library prints nothing. Called on the thread that called the library.
-typedef void (*OpalineLog)(void* context, OpalineLogLevel level, const char* message);
 
 /// How many Vulkan devices this machine has.
 OPALINE_API OpalineStatus opalineDeviceCount(size_t* count);
@@ -41,6 +32,10 @@ typedef struct OpalineRendererOptions {
   const struct OpalineGivenVulkan* given;  ///< a device of the caller's; NULL: its own
   const void* pipelineCache;               ///< what opalinePipelineCache gave in an earlier run
   size_t pipelineCacheBytes;               ///< 0 without one
+  const char* const* instanceExtensions;   ///< of Vulkan, that the caller needs too, as for windows
+  size_t instanceExtensionCount;
+  const char* const* deviceExtensions;  ///< the same
+  size_t deviceExtensionCount;
 } OpalineRendererOptions;
 
 /// Fills a struct whose size has been set.
@@ -54,6 +49,10 @@ OPALINE_API void opalineDestroyRenderer(OpalineRenderer* renderer);
 
 /// Bytes of the device's memory that the renderer and its views take now.
 OPALINE_API OpalineStatus opalineMemoryInUse(const OpalineRenderer* renderer, uint64_t* bytes);
+
+/// Messages of the validation layer so far; 0 without `validation`.
+OPALINE_API OpalineStatus opalineValidationMessages(const OpalineRenderer* renderer,
+                                                    uint64_t* count);
 
 /// Copies the pipelines that were compiled so far to `data`, which has room for `*bytes`, and says
 /// in `*bytes` how many they are; only that if `data` is NULL.
@@ -111,8 +110,25 @@ typedef enum OpalineAov {
   OpalineAovDepth = 5,
   OpalineAovEvaluations = 6,
   OpalineAovObject = 7,
-  OpalineAovSurfels = 8
+  OpalineAovSurfels = 8,
+  // The diffusion source map, which OpalineSumPattern makes.
+  OpalineAovDsmPosition = 9,
+  OpalineAovDsmNormal = 10,
+  OpalineAovDsmIrradiance = 11,
+  OpalineAovDsmArea = 12
 } OpalineAov;
+
+/// What only OpalineSumPattern and the map read; see PatternOptions and `dsmSize` there.
+typedef struct OpalinePattern {
+  size_t size;  ///< sizeof(OpalinePattern)
+  int32_t nearRings;
+  float nearSpacing;
+  float farDistance;
+  int32_t dsmSize;  ///< edge of the map, texels
+} OpalinePattern;
+
+/// Fills a struct whose size has been set.
+OPALINE_API OpalineStatus opalineDefaultPattern(OpalinePattern* pattern);
 
 /// See RenderOptions in opaline/render_options.h, which has ranges and defaults.
 typedef struct OpalineRenderOptions {
@@ -131,7 +147,9 @@ typedef struct OpalineRenderOptions {
   int32_t specular;  ///< 1 or 0
   float roughness;
   int32_t antialias;
-  int32_t environmentBehind;  ///< 1 or 0
+  int32_t environmentBehind;      ///< 1 or 0
+  const OpalinePattern* pattern;  ///< NULL: as opalineDefaultPattern() has it
+  int32_t treeLevel;              ///< of OpalineAovSurfels
 } OpalineRenderOptions;
 
 /// Fills a struct whose size has been set.
@@ -168,7 +186,7 @@ OPALINE_API OpalineStatus opalineSetViewMatrices(OpalineView* view,
 typedef struct OpalineTarget {
   size_t size;  ///< sizeof(OpalineTarget)
   OpalineAov aov;
-  float* rgba;        ///< 4 · width · height floats
+  float* rgba;        ///< 4 · width · height floats; of the map 4 · dsmSize²
   size_t floatCount;  ///< how many floats there is room for, at least as many
 } OpalineTarget;
 
@@ -180,8 +198,20 @@ OPALINE_API OpalineStatus opalineRender(OpalineView* view, const OpalineTarget* 
 /// device works. At most two frames wait to be collected.
 OPALINE_API OpalineStatus opalineSubmit(OpalineView* view, const OpalineAov* aovs, size_t aovCount);
 
-/// Waits for the oldest submitted frame and copies its variables, in the order of opalineSubmit().
-/// `milliseconds`, of the device, may be NULL.
+/// What a frame is to give, and how; see FrameOrder in opaline/view.h.
+typedef struct OpalineFrameOrder {
+  size_t size;             ///< sizeof(OpalineFrameOrder)
+  const OpalineAov* aovs;  ///< for opalineCollect()
+  size_t aovCount;
+  int32_t reuseLight;  ///< 1: if only the camera changed since the last frame, reuse its light
+  int32_t impatient;   ///< 1: do not wait until the surface is divided for changed media
+} OpalineFrameOrder;
+
+/// The same as opalineSubmit() with more of a choice.
+OPALINE_API OpalineStatus opalineSubmitOrder(OpalineView* view, const OpalineFrameOrder* order);
+
+/// Waits for the oldest submitted frame and copies its variables, in the order in which they were
+/// wanted. `milliseconds`, of the device, may be NULL; opaline/c/reports.h has more.
 OPALINE_API OpalineStatus opalineCollect(OpalineView* view, const OpalineTarget* targets,
                                          size_t targetCount, double* milliseconds);
 

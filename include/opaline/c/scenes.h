@@ -2,6 +2,7 @@
 
 /// Scenes, objects and cameras in C; part of opaline/opaline_c.h.
 
+#include "opaline/c/log.h"
 #include "opaline/c/media.h"
 #include "opaline/c/status.h"
 
@@ -17,6 +18,8 @@ typedef struct OpalineLoadOptions {
   const OpalineMedium* medium;          ///< of all that is no metal; NULL: as the file says
   const OpalineColorModel* colorModel;  ///< of media that files give by colour; NULL: as they say
   const char* morphTo;  ///< a model of the same topology that a clip turns it into; NULL: none
+  OpalineLog log;       ///< receives notes, as of what a file has and is not shown; may be NULL
+  void* logContext;     ///< for the log
 } OpalineLoadOptions;
 
 /// A scene without anything in it.
@@ -99,6 +102,14 @@ typedef struct OpalineCamera {
 OPALINE_API OpalineStatus opalineDefaultCamera(const OpalineScene* scene,
                                                const float directionFromCentre[3],
                                                float verticalFovDegrees, OpalineCamera* camera);
+/// The camera that just sees all of some points, three floats each, looking as the given one looks.
+/// `aspect` is the picture's width over its height, of which the part `margin` stays free at each
+/// side, in [0, 1). `strideBytes` is from one point to the next; 0: 12. See Framing in
+/// opaline/framing.h.
+OPALINE_API OpalineStatus opalineCameraThatSees(const OpalineCamera* camera, double aspect,
+                                                double margin, const float* pointsMm,
+                                                size_t pointCount, size_t strideBytes,
+                                                OpalineCamera* moved);
 OPALINE_API OpalineStatus opalineSceneCamera(const OpalineScene* scene, OpalineCamera* camera);
 OPALINE_API OpalineStatus opalineSetSceneCamera(OpalineScene* scene, const OpalineCamera* camera);
 

@@ -59,6 +59,25 @@ typedef struct OpalineDevicePositions {
 OPALINE_API OpalineStatus opalineSetDevicePositions(OpalineRenderer* renderer, size_t object,
                                                     const OpalineDevicePositions* positions);
 
+/// The same from a buffer that changes only before another such call, so that frames can still
+/// reuse light; see DevicePositions::live.
+OPALINE_API OpalineStatus opalineSetStillDevicePositions(OpalineRenderer* renderer, size_t object,
+                                                         const OpalineDevicePositions* positions);
+
+/// What a renderer works with, to fill buffers of its device; see VulkanDevice.
+typedef struct OpalineVulkanDevice {
+  size_t size;  ///< sizeof(OpalineVulkanDevice)
+  VkInstance instance;
+  VkPhysicalDevice physicalDevice;
+  VkDevice device;
+  uint32_t queueFamily;
+  VkQueue queue;
+} OpalineVulkanDevice;
+
+/// Whether the renderer has opened it or it was given.
+OPALINE_API OpalineStatus opalineVulkanDevice(const OpalineRenderer* renderer,
+                                              OpalineVulkanDevice* device);
+
 /// A value of a timeline semaphore.
 typedef struct OpalineTimelinePoint {
   size_t size;  ///< sizeof(OpalineTimelinePoint)
@@ -109,6 +128,8 @@ typedef struct OpalineDeviceFrame {
   size_t aovCount;
   const OpalineAov* aovsOnDevice;  ///< for opalineViewVariable()
   size_t aovOnDeviceCount;
+  int32_t reuseLight;  ///< as in OpalineFrameOrder
+  int32_t impatient;   ///< the same
 } OpalineDeviceFrame;
 
 /// Makes all that such a frame needs, so that opalineRecordFrame() submits nothing.

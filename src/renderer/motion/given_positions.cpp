@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <utility>
 
+#include "core/possible_position.h"
 #include "gpu/device.h"
 #include "opaline/error.h"
 #include "renderer/scene/scene_origin.h"
@@ -17,12 +17,6 @@ namespace opaline {
 namespace {
 
 constexpr std::size_t bytesPerPosition = sizeof(Vec3);
-
-// What the deform pass takes; false for NaN too.
-bool isUsable(const Vec3& p) {
-  constexpr float limitMm = 1e18F;
-  return std::abs(p[0]) < limitMm && std::abs(p[1]) < limitMm && std::abs(p[2]) < limitMm;
-}
 
 }  // namespace
 
@@ -55,7 +49,7 @@ void GivenPositions::give(std::size_t object, std::span<const Vec3> positionsMm,
   if (positionsMm.size() != ranges_[object].vertexCount)
     throw UsageError(fmt::format("object {} has {} vertices, but {} positions are given", object,
                                  ranges_[object].vertexCount, positionsMm.size()));
-  const auto bad = std::find_if_not(positionsMm.begin(), positionsMm.end(), isUsable);
+  const auto bad = std::find_if_not(positionsMm.begin(), positionsMm.end(), core::isPossible);
   if (bad != positionsMm.end())
     throw UsageError(
         fmt::format("the position given for vertex {} of object {} is not finite, or "

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
+#include "core/possible_position.h"
 #include "opaline/error.h"
 #include "scene/mesh/insides.h"
 #include "scene/mesh/merged_mesh.h"
@@ -18,14 +18,12 @@ namespace opaline {
 namespace scene {
 
 void requireSound(std::span<const Vec3> positionsMm, std::span<const Triangle> triangles) {
-  constexpr float farthest = 1e18F;
   for (std::size_t i = 0; i < positionsMm.size(); ++i) {
-    for (const float x : positionsMm[i]) {
-      if (std::abs(x) <= farthest) continue;
-      throw UsageError(fmt::format(
-          "The position of vertex {} has a coordinate of {}; it must be finite and within 1e18 mm.",
-          i, x));
-    }
+    const Vec3& p = positionsMm[i];
+    if (core::isPossible(p)) continue;
+    throw UsageError(fmt::format(
+        "The position of vertex {} is ({}, {}, {}); it must be finite and within 1e18 mm.", i, p[0],
+        p[1], p[2]));
   }
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (const std::uint32_t vertex : triangles[i]) {

@@ -4,7 +4,7 @@
 
 namespace opaline::test {
 
-/// How often this program has asked for memory.
+/// How often this thread has asked for memory.
 std::size_t allocations();
 
 }  // namespace opaline::test

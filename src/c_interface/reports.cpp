@@ -1,0 +1,102 @@
+#include <string_view>
+#include <vector>
+
+#include "c_interface/handles.h"
+#include "c_interface/status.h"
+#include "c_interface/values.h"
+#include "opaline/view.h"
+
+namespace opaline::c {
+
+namespace {
+
+void giveDevice(const DeviceDescription& device, OpalineDeviceFacts* to) {
+  OpalineDeviceFacts whole{};
+  give(device.name, whole.name, sizeof whole.name, "name");
+  give(device.type, whole.type, sizeof whole.type, "type");
+  give(device.driver, whole.driver, sizeof whole.driver, "driver");
+  whole.rayQueries = device.rayQueries ? 1 : 0;
+  give(whole, to, "facts");
+}
+
+void givePass(const std::vector<PassTime>& passes, std::size_t pass, OpalinePassTime* to) {
+  if (pass >= passes.size())
+    throw UsageError(fmt::format("There is no pass {}: there are {}.", pass, passes.size()));
+  give({0, passes[pass].name.c_str(), passes[pass].milliseconds}, to, "time");
+}
+
+}  // namespace
+}  // namespace opaline::c
+
+using namespace opaline;
+using opaline::c::guarded;
+using opaline::c::required;
+
+extern "C" {
+
+OpalineStatus opalineDeviceFacts(size_t device, OpalineDeviceFacts* facts) {
+  return guarded([&] { c::giveDevice(c::deviceOf(device), facts); });
+}
+
+OpalineStatus opalineFrameReport(const OpalineView* view, OpalineFrameReport* report) {
+  return guarded([&] {
+    const Frame& frame = required(view, "view").frame;
+    c::give({0, frame.milliseconds, frame.provisional ? 1 : 0, frame.passes.size(),
+             frame.solutions.size()},
+            report, "report");
+  });
+}
+
+OpalineStatus opalineFramePass(const OpalineView* view, size_t pass, OpalinePassTime* time) {
+  return guarded([&] { c::givePass(required(view, "view").frame.passes, pass, time); });
+}
+
+OpalineStatus opalineFrameSolution(const OpalineView* view, size_t index,
+                                   OpalineSolution* solution) {
+  return guarded([&] {
+    const std::vector<Solution>& solutions = required(view, "view").frame.solutions;
+    if (index >= solutions.size())
+      throw UsageError(
+          fmt::format("There is no solution {}: there are {}.", index, solutions.size()));
+    OpalineSolution whole{};
+    whole.steps = solutions[index].steps;
+    std::copy_n(solutions[index].residual.begin(), 3, whole.residual);
+    c::give(whole, solution, "solution");
+  });
+}
+
+OpalineStatus opalineViewReport(OpalineView* view, OpalineViewReport* report) {
+  return guarded([&] {
+    RenderReport& made = required(view, "view").report;
+    made = view->view.report();
+    c::give({.size = 0,
+             .transport = static_cast<OpalineTransport>(made.transport),
+             .sum = static_cast<OpalineSum>(made.sum),
+             .site = static_cast<OpalineSite>(made.site),
+             .triangles = made.triangles,
+             .vertices = made.vertices,
+             .sources = made.sources,
+             .clusters = made.clusters,
+             .frameMilliseconds = made.frameMilliseconds,
+             .dispatches = made.dispatches,
+             .barriers = made.barriers,
+             .recordings = made.recordings,
+             .peakMemoryMegabytes = made.peakMemoryMegabytes,
+             .passCount = made.passes.size()},
+            report, "report");
+  });
+}
+
+OpalineStatus opalineViewPass(OpalineView* view, size_t pass, OpalinePassTime* time) {
+  return guarded([&] {
+    RenderReport& made = required(view, "view").report;
+    made = view->view.report();
+    c::givePass(made.passes, pass, time);
+  });
+}
+
+OpalineStatus opalineViewDevice(OpalineView* view, OpalineDeviceFacts* facts) {
+  return guarded([&] { c::giveDevice(required(view, "view").view.report().device, facts); });
+}
+
+}  // extern "C"
