@@ -144,7 +144,7 @@ package: build
 package-check: dependencies
 	cmake --preset library -B build/shared -DBUILD_SHARED_LIBS=ON $(LAUNCHER)
 	cmake --build build/shared
-	cd tests/package && BUILD=$(CURDIR)/build/shared $(PYTHON) -m unittest package_test
+	cd tests/package && BUILD=$(CURDIR)/build/shared $(PYTHON) -m unittest package_test same_pictures_test
 
 install: configure
 	cmake --build --preset release --target opaline opaline_library opaline_python

@@ -220,6 +220,15 @@ def fields_of(struct, members):
     return f"  struct {struct} {{\n{lines}  }};\n"
 
 
+def require_few_buffers(shader, variants):
+    """Each within what is asked of a device."""
+    choice = pathlib.Path(__file__).resolve().parents[1] / "src/gpu/device_choice.h"
+    most = int(re.search(r"storageBuffersOfStage = (\d+);", choice.read_text())[1])
+    count = max(sum(kind[1] == "StorageBuffer" for _, kind in found.values()) for found in variants)
+    if count > most:
+        fail(f"{shader} has {count} storage buffers, and devices may have {most}: storageBuffersOfStage in {choice.name}")
+
+
 def header_text(arguments, modules, shared):
     variants = [bindings_of(module) for _, _, module in modules]
     push, push_bytes = push_of(modules[0][2], shared)
@@ -227,6 +236,7 @@ def header_text(arguments, modules, shared):
     for _, _, module in modules[1:]:
         if push_of(module, shared)[0] != push or constants_of(module) != constants:
             fail("the variants of a shader have the same push constants and specialization constants")
+    require_few_buffers(arguments.type, variants)
     fields = merged(variants)
     prefix, groups_file = arguments.groups.split("=")
     members, places = grouped(fields, groups_in(groups_file))

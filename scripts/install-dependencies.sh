@@ -1,29 +1,52 @@
 #!/usr/bin/env bash
 # Installs what is needed to build, test and run Opaline and is not there yet, with the system's own
-# package manager. Does nothing, quickly, when nothing is missing.
+# package manager. Does nothing, quickly, when nothing is missing. With --library it installs what the
+# preset `library` needs and a software device, and nothing else.
 set -euo pipefail
 export LC_ALL=C
 
-apt_packages=(
-  g++ cmake ninja-build make git python3
-  libvulkan-dev mesa-vulkan-drivers vulkan-validationlayers glslc libglfw3-dev libimgui-dev libfontconfig-dev
+apt_library=(
+  g++ cmake ninja-build python3
+  libvulkan-dev mesa-vulkan-drivers glslc
   libeigen3-dev libglm-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev libtinyobjloader-dev
   libtomlplusplus-dev nlohmann-json3-dev
-  libopenexr-dev libstb-dev libwebp-dev libfmt-dev libcli11-dev libembree-dev libtbb-dev libgtest-dev libgmock-dev ffmpeg
-  pybind11-dev python3-dev python3-numpy
+  libopenexr-dev libstb-dev libwebp-dev libfmt-dev
+)
+apt_packages=(
+  "${apt_library[@]}"
+  make git pkg-config vulkan-validationlayers
+  libglfw3-dev libimgui-dev libfontconfig-dev libcli11-dev libembree-dev libtbb-dev libgtest-dev libgmock-dev ffmpeg
+  pybind11-dev python3-dev python3-numpy python3-scipy
   xvfb xauth xdotool imagemagick x11-utils
 )
 # The checks of `make test` are written for version 14; see tools/clang_tools.py.
 apt_checkers=(clang-format clang-tidy)
 
-dnf_packages=(
-  gcc-c++ cmake ninja-build make git python3
-  vulkan-headers vulkan-loader-devel mesa-vulkan-drivers vulkan-validation-layers glslc glfw-devel imgui-devel fontconfig-devel
+dnf_library=(
+  gcc-c++ cmake ninja-build python3
+  vulkan-headers vulkan-loader-devel mesa-vulkan-drivers glslc
   eigen3-devel glm-devel tinygltf-devel meshoptimizer-devel draco-devel tinyobjloader-devel tomlplusplus-devel json-devel
-  openexr-devel stb-devel libwebp-devel fmt-devel cli11-devel embree3-devel tbb-devel gtest-devel gmock-devel clang-tools-extra ffmpeg-free
-  pybind11-devel python3-devel python3-numpy
+  openexr-devel stb-devel libwebp-devel fmt-devel
+)
+dnf_packages=(
+  "${dnf_library[@]}"
+  make git pkgconf vulkan-validation-layers
+  glfw-devel imgui-devel fontconfig-devel cli11-devel embree3-devel tbb-devel gtest-devel gmock-devel clang-tools-extra ffmpeg-free
+  pybind11-devel python3-devel python3-numpy python3-scipy
   xorg-x11-server-Xvfb xauth xdotool xprop ImageMagick
 )
+
+case ${1:-} in
+  --library)
+    apt_packages=("${apt_library[@]}") apt_checkers=()
+    dnf_packages=("${dnf_library[@]}")
+    ;;
+  "") ;;
+  *)
+    echo "install-dependencies: '$1' is unknown; there is --library" >&2
+    exit 2
+    ;;
+esac
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then
@@ -81,7 +104,7 @@ on_unknown_system() {
   cat >&2 <<END
 install-dependencies: this system has neither apt nor dnf. Opaline needs a C++20 compiler, CMake 3.22,
 Ninja, git, Python 3, glslc, a Vulkan 1.3 driver with loader and validation layers, and the headers of
-Vulkan, GLFW, Dear ImGui, fontconfig, Eigen, glm, tinygltf, meshoptimizer, Draco, tinyobjloader, toml++, nlohmann-json, OpenEXR, stb, libwebp, fmt, CLI11, Embree 3, TBB, pybind11, GoogleTest; NumPy.
+Vulkan, GLFW, Dear ImGui, fontconfig, Eigen, glm, tinygltf, meshoptimizer, Draco, tinyobjloader, toml++, nlohmann-json, OpenEXR, stb, libwebp, fmt, CLI11, Embree 3, TBB, pybind11, GoogleTest; NumPy, SciPy.
 END
   if [ "${#missing[@]}" -gt 0 ]; then
     echo "install-dependencies: not found here: ${missing[*]}" >&2

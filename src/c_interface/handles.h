@@ -21,7 +21,7 @@ struct OpalineView {
 
 namespace opaline::c {
 
-Aov aovOf(OpalineAov given);
+Aov aovOf(const OpalineAov& given);
 /// One of the machine's.
 DeviceDescription deviceOf(std::size_t index);
 /// How a frame is ordered beside its variables, in C as ints.

@@ -34,7 +34,7 @@ OpalineAppearance given(const Appearance& appearance) {
 
 }  // namespace
 
-ColorModel colorModelOf(OpalineColorModel given) {
+ColorModel colorModelOf(const OpalineColorModel& given) {
   return choiceOf<ColorModel>(given, OpalineColorKhr, "colour model");
 }
 

@@ -141,7 +141,7 @@ void copy(const std::vector<Image>& images, const std::vector<OpalineTarget>& ta
 
 }  // namespace
 
-Aov aovOf(OpalineAov given) {
+Aov aovOf(const OpalineAov& given) {
   return choiceOf<Aov>(given, OpalineAovDsmArea, "variable");
 }
 

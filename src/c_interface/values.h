@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -65,11 +66,14 @@ void give(T whole, T* to, const char* name) {
   std::memcpy(to, &whole, to->size);
 }
 
-/// One of an enumeration whose values go from 0 to `last`.
+/// One of an enumeration whose values go from 0 to `last`. C programs may give any number, which is
+/// no value of that type in C++ and must not be read as one.
 template <typename Choice, typename Given>
-Choice choiceOf(Given given, Given last, const char* name) {
-  const auto number = static_cast<long long>(given);
-  if (number < 0 || number > static_cast<long long>(last)) {
+Choice choiceOf(const Given& given, Given last, const char* name) {
+  std::int32_t number = 0;
+  static_assert(sizeof number == sizeof given);
+  std::memcpy(&number, &given, sizeof number);
+  if (number < 0 || number > static_cast<std::int32_t>(last)) {
     throw UsageError(fmt::format("There is no {} {}.", name, number));
   }
   return static_cast<Choice>(number);
@@ -92,7 +96,7 @@ inline Vec3 vectorOf(const float* values, const char* name) {
 Medium mediumOf(const OpalineMedium* given);
 void give(const Medium& medium, OpalineMedium* to);
 
-ColorModel colorModelOf(OpalineColorModel given);
+ColorModel colorModelOf(const OpalineColorModel& given);
 
 Camera cameraOf(const OpalineCamera* given);
 void give(const Camera& camera, OpalineCamera* to);

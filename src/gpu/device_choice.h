@@ -20,8 +20,9 @@ DeviceInfo describe(const InstanceFunctions& vk, VkPhysicalDevice physical, std:
 /// What is said of a device that lacks something.
 std::string unfitMessage(const DeviceInfo& device);
 
-/// Most storage buffers of a pass; Pipeline asserts it of each.
-constexpr std::uint32_t storageBuffersOfStage = 12;
+/// Most storage buffers of a shader, which cmake/shader_interface.py watches, and of a pipeline,
+/// which asserts it.
+constexpr std::uint32_t storageBuffersOfStage = 16;
 
 /// What a device lacks of limits and of features of formats, which it may have by `featuresOf`;
 /// empty: nothing.

@@ -2,17 +2,11 @@
 
 BUILD names the build folder, which is whole. `make package-check` runs this on a shared library."""
 
-import json
 import os
-import pathlib
 import shutil
-import subprocess
-import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BUILD = pathlib.Path(os.environ.get("BUILD", ROOT / "build" / "release"))
-CMAKE = os.environ.get("CMAKE", "cmake")
+from installed import BUILD, CMAKE, ROOT, Installed, cached, run
 
 PROJECT = """cmake_minimum_required(VERSION 3.24)
 project(picture LANGUAGES CXX)
@@ -42,34 +36,7 @@ int main() try {
 """
 
 
-def run(*words, **more):
-    return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False, **more)
-
-
-def cached(name):
-    """What CMake's cache of the build says."""
-    for line in (BUILD / "CMakeCache.txt").read_text().splitlines():
-        if line.startswith(name + ":"):
-            return line.partition("=")[2]
-    return ""
-
-
-class Package(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        temporary = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(temporary.cleanup)
-        cls.folder = pathlib.Path(temporary.name)
-        cls.prefix = cls.folder / "prefix"
-        done = run(CMAKE, "--install", BUILD, "--prefix", cls.prefix)
-        assert done.returncode == 0, done.stderr
-        cls.shared = cached("BUILD_SHARED_LIBS") in ("ON", "TRUE", "1")
-
-    def succeed(self, *words, **more):
-        done = run(*words, **more)
-        self.assertEqual(done.returncode, 0, f"{words}: {done.stdout}{done.stderr}")
-        return done.stdout
-
+class Package(Installed):
     def project(self, name):
         folder = self.folder / name
         folder.mkdir()
@@ -134,19 +101,6 @@ class Package(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("Opaline", done.stderr)
 
-    def built_examples(self, language):
-        """The folder with the programs of examples/LANGUAGE, copied elsewhere and built there."""
-        folder = self.folder / f"examples_{language}"
-        if not folder.exists():
-            shutil.copytree(ROOT / "examples" / language, folder)
-            self.succeed(CMAKE, "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
-            self.succeed(CMAKE, "--build", folder / "build")
-        return folder / "build"
-
-    def run_example(self, program, *words):
-        return self.succeed(program, *words, cwd=program.parent,
-                            env=os.environ | {"LD_LIBRARY_PATH": str(self.prefix / "lib")})
-
     def test_meshes_of_examples_move(self):
         for language in ("cpp", "c"):
             program = self.built_examples(language) / "moving_mesh"
@@ -162,23 +116,6 @@ class Package(unittest.TestCase):
             said = self.run_example(program, frames, picture, "--validate")  # fails if the layer says anything
             self.assertIn(f"{frames} frames", said)
         self.assertNotEqual(*(picture.read_bytes() for picture in pictures))
-
-    def test_the_same_picture_in_every_language(self):
-        pictures = {}
-        for language in ("cpp", "c"):
-            program = self.built_examples(language) / "still"
-            files = [program.parent / name for name in ("still.png", "radiance.exr", "exitance.exr")]
-            self.assertIn("exitance in the middle", self.run_example(program, *files))
-            pictures[language] = [path.read_bytes() for path in files]
-        self.assertEqual(pictures["cpp"], pictures["c"])
-        program = self.prefix / "bin" / "opaline"
-        if not program.exists():
-            return
-        ours = self.folder / "radiance.exr"
-        self.succeed(program, "render", "--medium", "jade", "--size", "320x320", "--directional", "0.6,0,-0.8:6,6,5",
-                     "--directional", "0,1,0:0.5,0.5,0.6", "--ambient", "0.05,0.05,0.05", "--aov", "radiance", "-o", ours)
-        theirs = self.built_examples("cpp") / "radiance.exr"
-        self.assertEqual(json.loads(self.succeed(program, "compare", ours, theirs, "--json"))["max_abs"], 0)
 
     @unittest.skipUnless(shutil.which("pkg-config"), "pkg-config is not there")
     def test_pkg_config_knows_it(self):

@@ -29,7 +29,7 @@ AS_USER = '#!/bin/sh\nexec "$@"\n'
 
 
 class InstallDependencies(unittest.TestCase):
-    def asked_for(self, installed):
+    def asked_for(self, installed, *words):
         with tempfile.TemporaryDirectory() as folder:
             stubs = {"dpkg-query": DPKG_QUERY, "apt-get": APT_GET, "apt-cache": NOTHING,
                      "clang-format-14": NOTHING, "clang-tidy-14": NOTHING, "sudo": AS_USER}
@@ -41,14 +41,17 @@ class InstallDependencies(unittest.TestCase):
             log.touch()
             environment = dict(os.environ, PATH=f"{folder}:{os.environ['PATH']}",
                                INSTALLED=" ".join(installed), APT_LOG=str(log))
-            subprocess.run([SCRIPT], check=True, env=environment, stderr=subprocess.PIPE)
+            subprocess.run([SCRIPT, *words], check=True, env=environment, stderr=subprocess.PIPE)
             lines = [line.split() for line in log.read_text().splitlines()]
         return {word for line in lines if line[0] == "install" for word in line[1:]
                 if not word.startswith("-")}
 
+    def of_library(self):
+        return SCRIPT.read_text().split("apt_library=(")[1].split(")")[0].split()
+
     def wanted(self):
-        text = SCRIPT.read_text()
-        return text.split("apt_packages=(")[1].split(")")[0].split()
+        rest = SCRIPT.read_text().split("\napt_packages=(")[1].split(")")[0].split()
+        return self.of_library() + rest[1:]  # the first word stands for the library's
 
     def test_a_machine_that_has_none_of_them_gets_all(self):
         self.assertEqual(self.asked_for([]), set(self.wanted()))
@@ -58,6 +61,13 @@ class InstallDependencies(unittest.TestCase):
 
     def test_a_machine_that_has_all_is_left_alone(self):
         self.assertEqual(self.asked_for(self.wanted()), set())
+
+    def test_the_library_alone_needs_less(self):
+        asked = self.asked_for([], "--library")
+        self.assertEqual(asked, set(self.of_library()))
+        for package in ("libglfw3-dev", "libimgui-dev", "libembree-dev", "libtbb-dev", "libcli11-dev", "libgtest-dev", "xvfb", "ffmpeg"):
+            self.assertNotIn(package, asked)
+            self.assertIn(package, self.wanted())
 
 
 if __name__ == "__main__":

@@ -39,9 +39,9 @@ class ShaderInterface(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.groups = ROOT / "src/shaders/binding_groups.h"
 
-    def interface(self, push=PUSH):
+    def interface(self, push=PUSH, shader=SHADER):
         """What the tool answers of the shader with these push constants."""
-        (self.folder / "sum.comp").write_text(SHADER % push)
+        (self.folder / "sum.comp").write_text(shader % push)
         subprocess.run(["glslc", "--target-env=vulkan1.3", "-O0", "-o", self.folder / "sum.spv",
                         self.folder / "sum.comp"], check=True)
         return subprocess.run(
@@ -111,6 +111,15 @@ class ShaderInterface(unittest.TestCase):
         self.assertEqual(answer.returncode, 1)
         self.assertEqual(answer.stderr, "shader_interface: push constants are numbers, vectors and structs of "
                                         "shared folders\n")
+
+    def test_more_buffers_than_devices_have_are_refused(self):
+        def with_buffers(count):
+            declared = "".join(f"layout(std430, set = 0, binding = {i}) buffer B{i} {{ float b{i}[]; }};\n" for i in range(4, 4 + count))
+            used = "".join(f"b{i}[0] = 1; " for i in range(4, 4 + count))
+            return SHADER.replace("void main() {", declared + "void main() { " + used)
+
+        self.assertEqual(self.interface(shader=with_buffers(14)).returncode, 0)
+        self.assertIn("Sum has 17 storage buffers", self.interface(shader=with_buffers(15)).stderr)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,23 @@
+// Usage: draw_cpp SCENE SECONDS RADIANCE.exr EXITANCE.exr
+
+#include <opaline/opaline.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+int main(int count, char** values) try {
+  if (count != 5) return 2;
+  opaline::Renderer renderer;
+  renderer.setScene(opaline::loadScene(values[1]));
+  renderer.setTime({.seconds = std::atof(values[2])});
+  opaline::RenderOptions options;
+  options.width = 96;
+  options.height = 64;
+  const auto images =
+      renderer.render(options, {opaline::Aov::Radiance, opaline::Aov::Exitance}).images;
+  opaline::writeExr({values[3]}, images[0]);
+  opaline::writeExr({values[4]}, images[1]);
+} catch (const opaline::Error& error) {
+  std::fprintf(stderr, "draw: %s\n", error.what());
+  return 1;
+}
