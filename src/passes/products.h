@@ -285,8 +285,11 @@ struct VisibleSurfaces {
                                         ///< that look at neighbours
   KeptOfSeen kept;                      ///< there is room for these
   gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: how much of what they mirror is sky, or unknown
-  gpu::Buffer askedOfSky;   ///< surfaces in blocks of which that is unknown, as entries of the list
-  gpu::Buffer askedCounts;  ///< shared::SeenCount, of all of those and of parts
+  gpu::Buffer entryOfPixel;  ///< uint for each pixel of a band: its first surface in the list
+  std::array<gpu::Buffer, 2> blocks;  ///< uint for each narrow block (lib/blocks.glsl) of a band,
+                                      ///< at first and after light of wide ones is interpolated
+  gpu::Buffer asked;         ///< surfaces that a pass looks at, as entries of the list
+  gpu::Buffer askedCounts;   ///< shared::SeenCount, of all of those and of parts
   std::uint32_t rowsOfBand = 0;
   std::uint32_t parts = 0;  ///< of the list, at most
 };

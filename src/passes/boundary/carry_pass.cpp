@@ -48,10 +48,10 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
   commands.endPass();
 }
 
-void CarryPass::overFragments(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
-                              Clusters& clusters, const SeenSurfaces& seen) const {
+void CarryPass::overFragments(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
+                              const SeenSurfaces& seen) const {
   commands.beginPass("carry");
-  dispatchParts(commands, seen.surfaces, fragments_.of(tables.paint.any),
+  dispatchAsked(commands, seen.surfaces, fragments_.of(tables.paint.any),
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .media = tables.media,
                  .clusters = clusters.clusters,
@@ -62,8 +62,10 @@ void CarryPass::overFragments(gpu::CommandList& commands, ScatterSite site, Scen
                  .found = seen.surfaces.light,
                  .materials = seen.surfaces.materials,
                  .bareLights = clusters.bareLights,
-                 .paint = seen.surfaces.paint},
-                {.first = 0, .site = site});
+                 .paint = seen.surfaces.paint,
+                 .asked = seen.surfaces.asked,
+                 .askedCount = seen.surfaces.askedCounts},
+                {.first = 0});
   commands.endPass();
 }
 

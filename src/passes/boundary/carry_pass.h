@@ -27,9 +27,9 @@ class CarryPass {
 
   void overVertices(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
                     Clusters& clusters, const Places& vertices) const;
-  /// Of painted bodies, what is below the paint.
-  void overFragments(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
-                     Clusters& clusters, const SeenSurfaces& seen) const;
+  /// Of surfaces that are asked; of painted bodies, what is below the paint.
+  void overFragments(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
+                     const SeenSurfaces& seen) const;
 
  private:
   gpu::Sampler nearest_;

@@ -97,8 +97,14 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                      .height = (extent.height + 1) / 2,
                      .format = VK_FORMAT_R32_SFLOAT,
                      .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT}};
-  made.askedOfSky = makeRoom<std::uint32_t>(device, "list of surfaces that mirror some sky", room);
-  made.askedCounts = countsOfParts("number of surfaces that mirror some sky");
+  made.entryOfPixel = makeRoom<std::uint32_t>(device, "first surfaces of pixels", pixels);
+  constexpr std::uint32_t across = shared::widthOfBlock;
+  for (gpu::Buffer& blocks : made.blocks)
+    blocks = makeRoom<std::uint32_t>(device, "blocks of one surface",
+                                     std::size_t{(extent.width + across - 1) / across} *
+                                         ((made.rowsOfBand + across - 1) / across));
+  made.asked = makeRoom<std::uint32_t>(device, "list of surfaces asked", room);
+  made.askedCounts = countsOfParts("number of surfaces asked");
   return made;
 }
 
@@ -153,13 +159,14 @@ void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std
   const VkExtent2D extent = surfaces.words.extent();
   const std::uint32_t rows = std::min(surfaces.rowsOfBand, extent.height - firstRow);
   commands.beginPass("surface");
-  commands.fill({surfaces.counts, surfaces.mixedCount, surfaces.askedCounts}, 0);
+  commands.fill({surfaces.counts, surfaces.mixedCount}, 0);
   commands.bind(seen_,
                 {.words = surfaces.words,
                  .surfaces = surfaces.list,
                  .surfaceCounts = surfaces.counts,
                  .mixed = surfaces.mixed,
-                 .mixedCount = surfaces.mixedCount},
+                 .mixedCount = surfaces.mixedCount,
+                 .entryOfPixel = surfaces.entryOfPixel},
                 {.samples = samples, .firstRow = firstRow});
   commands.dispatch((extent.width + tile - 1) / tile, (rows + tile - 1) / tile);
   if (samples > 1) {
@@ -174,8 +181,9 @@ void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std
                    .meshIndices = seen.mesh.indices,
                    .meshPositions = seen.mesh.positions,
                    .meshNormals = seen.mesh.normals,
-                   .meshObjects = seen.mesh.objectOf},
-                  {.samples = samples});
+                   .meshObjects = seen.mesh.objectOf,
+                   .entryOfPixel = surfaces.entryOfPixel},
+                  {.samples = samples, .firstRow = firstRow});
     commands.dispatchIndirect(surfaces.mixedCount, 0);
   }
   commands.endPass();

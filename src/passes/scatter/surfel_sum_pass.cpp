@@ -70,15 +70,17 @@ void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& o
                                       const Fragments& over) const {
   const SeenSurfaces& seen = over.seen;
   commands.beginPass("scatter");
-  dispatchParts(commands, seen.surfaces, pipelines(order.transport).treeFragments,
+  dispatchAsked(commands, seen.surfaces, pipelines(order.transport).treeFragments,
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .exitances = seen.surfaces.light,
                  .meshExitances = over.exitance.vertices,
                  .objects = over.tables.objects,
                  .media = over.tables.media,
                  .nodes = over.surfels.nodes,
-                 .sources = over.surfels.sources},
-                {.first = 0, .tolerance = order.tolerance, .site = order.site});
+                 .sources = over.surfels.sources,
+                 .asked = seen.surfaces.asked,
+                 .askedCount = seen.surfaces.askedCounts},
+                {.first = 0, .tolerance = order.tolerance});
   commands.endPass();
 }
 
@@ -107,15 +109,15 @@ void SurfelSumPass::allOverFragments(gpu::CommandList& commands, const Order& or
   const SeenSurfaces& seen = over.seen;
   commands.beginPass("scatter");
   forEachRange(over.surfels.count, [&](std::uint32_t firstSurfel, std::uint32_t endSurfel) {
-    dispatchParts(
-        commands, seen.surfaces, pipelines(order.transport).allFragments,
-        {.listedPlaces = listedPlaces(seen, nearest_),
-         .exitances = seen.surfaces.light,
-         .meshExitances = over.exitance.vertices,
-         .objects = over.tables.objects,
-         .media = over.tables.media,
-         .sources = over.surfels.sources},
-        {.first = 0, .firstSurfel = firstSurfel, .endSurfel = endSurfel, .site = order.site});
+    dispatchAsked(commands, seen.surfaces, pipelines(order.transport).allFragments,
+                  {.listedPlaces = listedPlaces(seen, nearest_),
+                   .exitances = seen.surfaces.light,
+                   .objects = over.tables.objects,
+                   .media = over.tables.media,
+                   .sources = over.surfels.sources,
+                   .asked = seen.surfaces.asked,
+                   .askedCount = seen.surfaces.askedCounts},
+                  {.first = 0, .firstSurfel = firstSurfel, .endSurfel = endSurfel});
   });
   commands.endPass();
 }

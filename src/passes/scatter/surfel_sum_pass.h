@@ -35,7 +35,7 @@ class SurfelSumPass {
     Surfels& surfels;
     Places places;
   };
-  /// Objects that are summed at vertices keep what those have.
+  /// Surfaces that are asked.
   struct Fragments {
     SceneTables& tables;
     Surfels& surfels;

@@ -41,6 +41,7 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
   const bool own = inputs.tables.surfaces.any;
   const std::uint32_t nodeCount = inputs.surfels.tree.nodeCount;
   commands.beginPass("reflected sky");
+  commands.fill({surfaces.askedCounts}, 0);
   commands.bind(blocks_.of(own),
                 {.seenPlaces = seenPlaces(seen, nearest_),
                  .objects = inputs.tables.objects,
@@ -60,16 +61,16 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .objects = inputs.tables.objects,
                  .light = surfaces.light,
                  .skyBlocks = {surfaces.skyBlocks, nearest_},
-                 .surfaces = surfaces.askedOfSky,
+                 .surfaces = surfaces.asked,
                  .surfaceCounts = surfaces.askedCounts});
   const shaders::ShadeReflectedSky::Bindings bindings{.listedPlaces = listedPlaces(seen, nearest_),
                                                       .objects = inputs.tables.objects,
                                                       .pieceCorners = inputs.rays.corners,
                                                       .rayHierarchy = passes::rays(inputs.rays),
                                                       .light = surfaces.light,
-                                                      .asked = surfaces.askedOfSky,
-                                                      .askedCount = surfaces.askedCounts,
-                                                      .materials = surfaces.materials};
+                                                      .materials = surfaces.materials,
+                                                      .asked = surfaces.asked,
+                                                      .askedCount = surfaces.askedCounts};
   const shaders::ShadeReflectedSky::Push push{.first = 0,
                                               .nodeCount = nodeCount,
                                               .piecesPerSurfel = inputs.surfels.piecesPerSurfel,

@@ -249,17 +249,24 @@ struct FrameContext {
 
   passes::SeenSurfaces seen() const { return {resources.view, mesh, resources.surfaces}; }
 
-  void scatterAtFragments(SceneResources& scene) const {
-    passes::Surfels& surfels = scene.surfels;
-    if (plan.sum == Sum::Pattern)
-      return passes.paper->scatterAtFragments(commands, scatterTransport(plan.transport),
-                                              onPaper(scene));
-    const passes::SurfelSumPass::Fragments over{resources.tables, surfels, seen(),
+  // The sum of the half-space at the surfaces that are asked.
+  void sumWhereAsked(SceneResources& scene) const {
+    const passes::SurfelSumPass::Fragments over{resources.tables, scene.surfels, seen(),
                                                 resources.exitance};
     if (plan.sum == Sum::Tree)
       passes.sum.treeOverFragments(commands, order(), over);
     else
       passes.sum.allOverFragments(commands, order(), over);
+  }
+
+  passes::InterpolationPass::Inputs between(std::uint32_t firstRow, SceneResources& scene) const {
+    return {resources.tables, scene.surfels,  resources.exitance,
+            firstRow,         order().site, plan.tolerance};
+  }
+
+  void scatterAtFragments(SceneResources& scene) const {
+    passes::Surfels& surfels = scene.surfels;
+    sumWhereAsked(scene);
     if (surfels.coarse)
       passes.nearby.overFragments(commands, order().transport, order().site, nearbyInputs(scene),
                                   seen());
@@ -290,20 +297,38 @@ struct FrameContext {
   }
 
   bool atFragments() const { return plan.scatter && plan.site != Site::Vertex; }
+  bool onSurfelsAtFragments() const { return atFragments() && plan.sum != Sum::Pattern; }
+
+  void carryWhereAsked(SceneResources& scene) const {
+    passes.carry.overFragments(commands, resources.tables, scene.clusters, seen());
+  }
 
   // The surfaces of a band of the picture, and what is summed there.
   void findSurfaces(std::uint32_t firstRow, int samples, SceneResources& scene) const {
     passes.surface.list(commands, seen(), firstRow, static_cast<std::uint32_t>(samples));
-    if (atFragments()) scatterAtFragments(scene);
+    const bool interpolates = plan.sum == Sum::Tree;
+    if (onSurfelsAtFragments()) {
+      passes.interpolation.listKnots(commands, between(firstRow, scene), interpolates, seen());
+      scatterAtFragments(scene);
+    } else if (atFragments()) {
+      passes.paper->scatterAtFragments(commands, scatterTransport(plan.transport), onPaper(scene));
+    }
     if (carriesOpaque()) {
       passes.opaque.overFragments(commands, ofOpaque(), scene.opaque, order().site, seen());
       if (plan.areaLights > 0 && atFragments())
         passes.opaqueLights.overFragments(commands, onOpaque(scene), order().site, firstRow,
                                           seen());
     }
-    if (atFragments() && carries() && plan.sum != Sum::Pattern)
-      passes.carry.overFragments(commands, order().site, resources.tables, scene.clusters, seen());
-    if (atFragments() && plan.painted && plan.sum != Sum::Pattern)
+    if (!onSurfelsAtFragments()) return;
+    if (carries()) carryWhereAsked(scene);
+    using Blocks = passes::InterpolationPass::Blocks;
+    for (const Blocks blocks : {Blocks::Wide, Blocks::Narrow}) {
+      if (!interpolates) break;
+      passes.interpolation.interpolate(commands, between(firstRow, scene), blocks, seen());
+      sumWhereAsked(scene);
+      if (carries()) carryWhereAsked(scene);
+    }
+    if (plan.painted)
       passes.paint.overFragments(commands, resources.tables, scene.opaque, carries(), seen());
   }
 
@@ -378,6 +403,7 @@ Passes::Passes(gpu::Device& device)
       areaLights(device),
       surface(device),
       sum(device),
+      interpolation(device),
       nearby(device),
       opaque(device),
       opaqueLights(device),

@@ -19,6 +19,7 @@
 #include "passes/gather/fit_pass.h"
 #include "passes/gather/shadow_pass.h"
 #include "passes/gather/surfel_pass.h"
+#include "passes/scatter/interpolation_pass.h"
 #include "passes/scatter/nearby_pass.h"
 #include "passes/scatter/opaque_lights_pass.h"
 #include "passes/scatter/opaque_pass.h"
@@ -53,6 +54,7 @@ struct Passes {
   passes::AreaLightPass areaLights;
   passes::SurfacePass surface;
   passes::SurfelSumPass sum;
+  passes::InterpolationPass interpolation;
   passes::NearbyPass nearby;
   passes::OpaquePass opaque;
   passes::OpaqueLightsPass opaqueLights;

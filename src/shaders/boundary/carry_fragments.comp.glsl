@@ -1,4 +1,4 @@
-// Corrects the exitance of surfaces that pixels see, for objects whose light is summed there.
+// Corrects the exitance of surfaces that pixels see.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -12,10 +12,11 @@
 #define BINDING_BARE_LIGHTS 16
 #define MESH_BINDING 9
 #define BINDING_SEEN_LIST 13
+#define BINDING_ASKED 18
 #include "lib/carry.glsl"
 #include "lib/frame.glsl"
 #include "lib/material.glsl"
-#include "lib/seen_list.glsl"
+#include "lib/asked_list.glsl"
 #include "shared/opaque.h"
 
 layout(std430, set = 0, binding = 8) buffer Found { vec4 found[]; };
@@ -25,14 +26,13 @@ layout(std430, set = 0, binding = 17) writeonly buffer Paint { vec4 paint[]; };
 
 layout(push_constant) uniform Push {
   uint first;
-  uint site;
 };
 
 void main() {
-  Seen seen = seenOfInvocation(first);
+  Seen seen = askedOfInvocation(first);
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   ObjectData body = objects[place.object];
-  bool here = seen.there && body.clusters.z != 0u && isSummedAtFragments(body, site);
+  bool here = seen.there && body.clusters.z != 0u;
   vec4 known = found[seen.entry];
   bool opaque = isOpaque(body);
   bool painted = withPaint != 0u && mediumAt(body, place.position).tables.z != 0u;

@@ -35,8 +35,4 @@ uint placesForSurfaces(uint added) {
   return subgroupMax(start) + before;
 }
 
-void listSurface(uint place, uint pixel, uint layer) {
-  surfaces[place] = pixel | layer << seenLayerShift;
-}
-
 #endif

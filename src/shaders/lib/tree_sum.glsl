@@ -6,14 +6,13 @@
 // profile. What is left out decides whether the node is taken or opened.
 #ifndef OPALINE_LIB_TREE_SUM
 #define OPALINE_LIB_TREE_SUM
+#include "lib/darkest.glsl"
 #include "lib/lesser.glsl"
 #include "lib/multipole.glsl"
 #include "lib/surfel_sum.glsl"
 #include "lib/pi.glsl"
 #include "lib/tree_node.glsl"
 #include "shared/nearby.h"
-
-layout(set = 0, binding = BINDING_NODES) uniform samplerBuffer nodes;  // TreeNode
 
 // A node is opened nearer than this many of its radii, squared: there the series would not converge.
 const float nearestInRadii2 = 2.0;
@@ -113,11 +112,6 @@ vec4 treeSum(vec3 position, uint root, uint end, Profile profile, float reach, v
     }
   }
   return sum;
-}
-
-// Exitance below which differences in a body do not count.
-vec3 darkestOf(ObjectData body, uint root) {
-  return root == noNode ? vec3(0.0) : body.darkest.rgb * texelFetch(nodes, 5 * int(root) + 3).rgb;
 }
 
 // The profile for a rough sum: what coarse sources lack is spread over their reach.

@@ -1,5 +1,4 @@
-// A range of all surfels, added to the exitance of every surface that pixels see whose object wants it there;
-// others keep what their vertices have.
+// A range of all surfels, added to the exitance of surfaces that pixels see.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SEEN 1
@@ -8,9 +7,9 @@
 #define BINDING_SOURCES 6
 #define MESH_BINDING 7
 #define BINDING_SEEN_LIST 11
-#define BINDING_MESH_EXITANCES 3
+#define BINDING_ASKED 13
 #include "lib/frame.glsl"
-#include "lib/seen_list.glsl"
+#include "lib/asked_list.glsl"
 #include "lib/surfel_sum.glsl"
 
 layout(std430, set = 0, binding = 2) buffer Exitances { vec4 exitances[]; };
@@ -19,20 +18,14 @@ layout(push_constant) uniform Push {
   uint first;
   uint firstSurfel;
   uint endSurfel;
-  uint site;
 };
 
 void main() {
-  Seen seen = seenOfInvocation(first);
+  Seen seen = askedOfInvocation(first);
   if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   ObjectData body = objects[place.object];
   if (isOpaque(body)) return;
-  vec4 value = firstSurfel == 0u ? vec4(0.0) : exitances[seen.entry];
-  if (isSummedAtFragments(body, site)) {
-    value += surfelSumOf(place.position, body, firstSurfel, endSurfel);
-  } else if (firstSurfel == 0u) {
-    value = meshExitanceAt(place);
-  }
-  exitances[seen.entry] = value;
+  vec4 before = firstSurfel == 0u ? vec4(0.0) : exitances[seen.entry];
+  exitances[seen.entry] = before + surfelSumOf(place.position, body, firstSurfel, endSurfel);
 }

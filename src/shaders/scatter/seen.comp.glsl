@@ -4,8 +4,9 @@
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #define BINDING_SURFACES 1
-#include "lib/listing.glsl"
+#define BINDING_ENTRIES 5
 #include "lib/tile.glsl"
+#include "shared/seen.h"
 
 layout(set = 0, binding = 0, r32ui) uniform uimage2DArray words;  // the samples' triangles, plus one
 layout(std430, set = 0, binding = 3) writeonly buffer Mixed { uint mixed[]; };
@@ -15,6 +16,8 @@ layout(push_constant) uniform Push {
   uint samples;
   uint firstRow;
 };
+
+#include "lib/surface_listing.glsl"
 
 void listMixed(bool several, uint pixel) {
   uint added = several ? 1u : 0u;
@@ -43,6 +46,6 @@ void main() {
   bool one = !several && triangle != 0u;
   if (one) imageStore(words, ivec3(pixel, 0), uvec4(triangle | 0xffu << seenSamplesShift));
   uint place = placesForSurfaces(one ? 1u : 0u);
-  if (one) listSurface(place, index, 0u);
+  if (one) listSurface(place, uint(size.x), pixel, 0u);
   listMixed(several, index);
 }

@@ -5,10 +5,10 @@
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #define BINDING_SURFACES 2
+#define BINDING_ENTRIES 10
 #define MESH_BINDING 6
 #include "lib/frame.glsl"
 #include "lib/linear.glsl"
-#include "lib/listing.glsl"
 #include "lib/mesh.glsl"
 #include "lib/samples.glsl"
 
@@ -18,7 +18,10 @@ layout(std140, set = 0, binding = 5) uniform MixedCount { SeenCount mixedCount; 
 
 layout(push_constant) uniform Push {
   uint samples;
+  uint firstRow;
 };
+
+#include "lib/surface_listing.glsl"
 
 // Of the normals of one surface, seen head on; where it is grazed, less: light changes faster there.
 const float mostTurned = 0.1;
@@ -112,5 +115,5 @@ void main() {
     if (there && triangleSeen(pixel, int(s)) != 0u) pending |= 1u << s;
   uint seen = writeSurfaces(pixel, pending);
   uint place = placesForSurfaces(seen);
-  for (uint layer = 0u; layer < seen; ++layer) listSurface(place + layer, index, layer);
+  for (uint layer = 0u; layer < seen; ++layer) listSurface(place + layer, uint(width), pixel, layer);
 }

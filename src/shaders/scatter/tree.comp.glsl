@@ -1,5 +1,4 @@
-// The sum over the tree at every surface that pixels see whose object wants it there; others keep what their
-// vertices have. How bright a place is, roughly, comes interpolated from the vertices.
+// The sum over the tree at surfaces that pixels see. How bright a place is, roughly, comes interpolated from the vertices.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -11,8 +10,9 @@
 #define BINDING_SOURCES 7
 #define MESH_BINDING 8
 #define BINDING_SEEN_LIST 12
+#define BINDING_ASKED 14
 #include "lib/frame.glsl"
-#include "lib/seen_list.glsl"
+#include "lib/asked_list.glsl"
 #include "lib/tree_sum.glsl"
 #include "lib/tolerance.glsl"
 
@@ -21,22 +21,20 @@ layout(std430, set = 0, binding = 2) writeonly buffer Exitances { vec4 exitances
 layout(push_constant) uniform Push {
   uint first;
   float tolerance;
-  uint site;
 };
 
 void main() {
-  Seen seen = seenOfInvocation(first);
+  Seen seen = askedOfInvocation(first);
   MeshPlace place = seenPlace(seen.pixel, seen.word);
-  vec4 known = meshExitanceAt(place);
   ObjectData body = objects[place.object];
-  bool here = seen.there && isSummedAtFragments(body, site) && !isOpaque(body);
+  bool here = seen.there && !isOpaque(body);
   uint root = here && body.tree.x < body.tree.y ? body.tree.x : noNode;
   Profile profile = mediumAt(body, place.position).profile;
   // Vertices far apart know nothing of what lies between them.
   bool coarse = here && body.table.w != 0u;
   vec3 there = roughSum(place.position, body, coarse ? root : noNode, profile);
-  vec3 about = max(coarse ? there : known.rgb, darkestOf(body, root));
+  vec3 about = max(coarse ? there : meshExitanceAt(place).rgb, darkestOf(body, root));
   vec4 sum = treeSum(place.position, root, body.tree.y, profile, body.darkest.w,
                      toleratedAt(about, tolerance));
-  if (seen.there) exitances[seen.entry] = here ? sum : known;
+  if (here) exitances[seen.entry] = sum;
 }

@@ -8,19 +8,18 @@
 #define BINDING_OBJECTS 4
 #define BINDING_PIECE_CORNERS 5
 #define BINDING_RAYS 6
+#define BINDING_ASKED 13
 #include "lib/bodies.glsl"
 #include "lib/frame.glsl"
-#include "lib/seen_list.glsl"
+#include "lib/asked_list.glsl"
 #include "lib/sky_rays.glsl"
 #include "shared/opaque.h"
 
 layout(std430, set = 0, binding = 7) buffer Light { vec4 light[]; };  // the share in w
-layout(std430, set = 0, binding = 8) readonly buffer Asked { uint asked[]; };  // entries of the list of surfaces
-layout(std140, set = 0, binding = 13) uniform AskedCounts { SeenCount askedCount; };
 
 // Some translucent surfaces have a roughness or normals of their own.
 layout(constant_id = 0) const uint withOwnSurfaces = 0u;
-layout(std430, set = 0, binding = 14) readonly buffer Materials { SeenMaterial materials[]; };
+layout(std430, set = 0, binding = 8) readonly buffer Materials { SeenMaterial materials[]; };
 
 // The widest go first: where those agree, so do the others within the lobe.
 float shareOfSky(MeshPlace place, Mirror mirror, uint seeing) {
@@ -43,9 +42,8 @@ float shareOfSky(MeshPlace place, Mirror mirror, uint seeing) {
 }
 
 void main() {
-  uint i = first + linearIndex();
-  if (i >= askedCount.groupsEntries.w) return;
-  Seen seen = seenOfEntry(asked[i]);
+  Seen seen = askedOfInvocation(first);
+  if (!seen.there) return;
   MeshPlace place = seenPlace(seen.pixel, seen.word);
   Mirror mirror = Mirror(alpha, place.normal);
   if (withOwnSurfaces != 0u) mirror = Mirror(materials[seen.entry].diffuse.w, materials[seen.entry].normal.xyz);

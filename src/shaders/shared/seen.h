@@ -25,6 +25,9 @@ OPALINE_SEEN_CONSTANT seenLayerShift = 28u;
 /// What takes long goes over the list of surfaces by several dispatches of so many.
 OPALINE_SEEN_CONSTANT seenOfPart = 1u << 18u;
 
+/// Light is interpolated in blocks of so many pixels across, or twice as many (lib/blocks.glsl).
+OPALINE_SEEN_CONSTANT widthOfBlock = 4u;
+
 /// Groups of a dispatch over a list, x y z, and w: entries. The list of surfaces has one for the
 /// whole and then one for each part, which has no w.
 struct SeenCount {

@@ -1,0 +1,14 @@
+// Below which exitance differences do not count. Needs, before it, BINDING_NODES and what lib/bodies.glsl needs.
+#ifndef OPALINE_LIB_DARKEST
+#define OPALINE_LIB_DARKEST
+#include "lib/bodies.glsl"
+#include "lib/tree_node.glsl"
+
+layout(set = 0, binding = BINDING_NODES) uniform samplerBuffer nodes;  // TreeNode
+
+// In a body whose tree has that root.
+vec3 darkestOf(ObjectData body, uint root) {
+  return root == noNode ? vec3(0.0) : body.darkest.rgb * texelFetch(nodes, 5 * int(root) + 3).rgb;
+}
+
+#endif

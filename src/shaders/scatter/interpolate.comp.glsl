@@ -1,0 +1,120 @@
+// Interpolates light between the knots of a block where it changes evenly from each to the next. Where it does not, lists
+// surfaces to sum: of a wide block the knots of its quarters, of a narrow one all.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#define BINDING_SEEN 1
+#define BINDING_OBJECTS 2
+#define BINDING_SURFACES 3
+#define BINDING_NODES 5
+#define MESH_BINDING 10
+#define BINDING_SEEN_LIST 14
+#include "lib/frame.glsl"
+#include "lib/darkest.glsl"
+#include "lib/listing.glsl"
+#include "lib/seen_list.glsl"
+#include "lib/tolerance.glsl"
+
+layout(std430, set = 0, binding = 6) readonly buffer Blocks { uint blocks[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Entries { uint entryOfPixel[]; };
+layout(std430, set = 0, binding = 8) buffer Exitances { vec4 exitances[]; };
+layout(std430, set = 0, binding = 9) buffer Paint { vec4 paint[]; };
+layout(std430, set = 0, binding = 16) writeonly buffer BlocksAfter { uint blocksAfter[]; };
+
+layout(constant_id = 0) const uint withPaint = 0u;
+
+layout(push_constant) uniform Push {
+  uint firstRow;  // of the band
+  uint rows;
+  float tolerance;
+  uint wide;  // 1: wide blocks, 0: narrow ones
+};
+
+#include "lib/neighbours.glsl"
+#include "lib/blocks.glsl"
+
+// Of the tolerance of a node: so much a straight line between two knots may be off.
+const float partTolerated = 0.25;
+
+int blockWidth() {
+  return wide != 0u ? wideBlock : narrowBlock;
+}
+
+ivec2 firstOfBlock(ivec2 pixel) {
+  return pixel - (pixel - ivec2(0, firstRow)) % blockWidth();
+}
+
+struct Knots {
+  uint entries[9];  // from left to right and downwards
+};
+
+Knots knotsOf(ivec2 first) {
+  Knots knots;
+  for (int i = 0; i < 9; ++i)
+    knots.entries[i] = entryOfPixel[indexOf(first + blockWidth() / 2 * ivec2(i % 3, i / 3))];
+  return knots;
+}
+
+// How far off a straight line is in the middle between two of three knots, as their parabola has it.
+vec3 errorOfLine(vec3 a, vec3 b, vec3 c) {
+  return abs(a - 2.0 * b + c) / 8.0;
+}
+
+bool changesEvenly(Knots knots, ObjectData body) {
+  vec3 light[9];
+  vec3 least = vec3(3e38);
+  for (int i = 0; i < 9; ++i) {
+    light[i] = exitances[knots.entries[i]].rgb;
+    least = min(least, light[i]);
+  }
+  vec3 error = vec3(0.0);
+  for (int i = 0; i < 3; ++i) {
+    error = max(error, errorOfLine(light[3 * i], light[3 * i + 1], light[3 * i + 2]));
+    error = max(error, errorOfLine(light[i], light[i + 3], light[i + 6]));
+  }
+  vec3 about = max(least, darkestOf(body, body.tree.x));
+  return all(lessThanEqual(error, toleratedAt(about, partTolerated * tolerance)));
+}
+
+// Of three knots, at so many of their distances from the first, by their parabola.
+vec3 weightsAt(float t) {
+  return vec3(0.5 * (t - 1.0) * (t - 2.0), t * (2.0 - t), 0.5 * t * (t - 1.0));
+}
+
+void interpolate(Seen seen, Knots knots) {
+  vec2 at = vec2(seen.pixel - firstOfBlock(seen.pixel)) / float(blockWidth() / 2);
+  vec3 across = weightsAt(at.x);
+  vec3 down = weightsAt(at.y);
+  vec3 light = vec3(0.0);
+  vec4 entered = vec4(0.0);
+  for (int i = 0; i < 9; ++i) {
+    float weight = across[i % 3] * down[i / 3];
+    light += weight * exitances[knots.entries[i]].rgb;
+    if (withPaint != 0u) entered += weight * paint[knots.entries[i]];
+  }
+  // No profile is evaluated for it.
+  exitances[seen.entry] = vec4(max(light, vec3(0.0)), 0.0);
+  if (withPaint != 0u) paint[seen.entry] = max(entered, vec4(0.0));
+}
+
+bool isKnotOfQuarter(ivec2 pixel) {
+  return wide == 0u || isKnot(pixel, narrowBlock);
+}
+
+void main() {
+  Seen seen = seenOfInvocation(0u);
+  uint block = seen.there ? blocks[blockOf(seen.pixel)] : 0u;
+  bool asks = false;
+  if (block == (wide != 0u ? isWide : isNarrow)) {
+    Knots knots = knotsOf(firstOfBlock(seen.pixel));
+    bool knot = isKnot(seen.pixel, blockWidth());
+    bool even = changesEvenly(knots, objects[objectOfTriangle(triangleOf(seen.word))]);
+    if (even && !knot) interpolate(seen, knots);
+    asks = !even && !knot && isKnotOfQuarter(seen.pixel);
+    block = even ? isDone : isNarrow;
+  }
+  if (wide != 0u && seen.there && isKnot(seen.pixel, wideBlock)) blocksAfter[blockOf(seen.pixel)] = block;
+  uint place = placesForSurfaces(asks ? 1u : 0u);
+  if (asks) surfaces[place] = seen.entry;
+}
