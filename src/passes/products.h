@@ -208,6 +208,9 @@ struct Beams {
 struct Clusters {
   gpu::Buffer ranges;           ///< shared::ClusterRange
   gpu::Buffer clusterOfSurfel;  ///< one a surfel, of its front
+  std::uint32_t patchCount = 0;
+  gpu::Buffer patches;        ///< vec4 a patch: its middle, mm, and its area, mm²
+  gpu::Buffer objectOfPatch;  ///< uint a patch
   FittedTree tree;
   std::uint32_t count = 0;  ///< of clusters
   std::uint32_t tileCount = 0;
@@ -245,7 +248,7 @@ struct Clusters {
                               ///< that surfaces do not find for themselves
   gpu::Buffer bareLights;     ///< shared::BareLight, of painted bodies
   gpu::Buffer means;          ///< vec4 a cluster: exitance of a half-space
-  gpu::Buffer exitancesOfSurfels;  ///< vec4 a surfel: of a half-space
+  gpu::Buffer exitancesWithin;  ///< vec4 a patch or surfel: of a half-space
 };
 
 /// What the solver of boundary transport works with.
@@ -267,6 +270,11 @@ struct KeptOfSeen {
   bool operator==(const KeptOfSeen&) const = default;
 };
 
+/// Some of the surfaces that the camera sees: where light is summed at first, where it is summed
+/// since it cannot be interpolated, and where it has to be asked whether sky is mirrored.
+enum class Asked : std::uint32_t { Knots, InWideBlocks, InNarrowBlocks, OfSky };
+constexpr std::size_t askedLists = 4;
+
 /// Which surfaces the camera sees (shared/seen.h), and what is found of them. The lists are those
 /// of one band of the picture after the other, since a pixel may see as many as it has samples.
 struct VisibleSurfaces {
@@ -284,14 +292,16 @@ struct VisibleSurfaces {
   std::array<gpu::Buffer, 2> ofPixels;  ///< 16 bytes for each pixel of a band: what passes find
                                         ///< that look at neighbours
   KeptOfSeen kept;                      ///< there is room for these
-  gpu::GpuImage skyBlocks;  ///< of 2×2 pixels: how much of what they mirror is sky, or unknown
+  gpu::GpuImage skyBlocks;   ///< of 2×2 pixels: how much of what they mirror is sky, or unknown
   gpu::Buffer entryOfPixel;  ///< uint for each pixel of a band: its first surface in the list
   std::array<gpu::Buffer, 2> blocks;  ///< uint for each narrow block (lib/blocks.glsl) of a band,
                                       ///< at first and after light of wide ones is interpolated
-  gpu::Buffer asked;         ///< surfaces that a pass looks at, as entries of the list
-  gpu::Buffer askedCounts;   ///< shared::SeenCount, of all of those and of parts
+  gpu::Buffer asked;  ///< one of the lists of Asked after the other, as entries of the list of all
+  std::array<gpu::Buffer, askedLists> askedCounts;  ///< shared::SeenCount, of all and of parts
   std::uint32_t rowsOfBand = 0;
   std::uint32_t parts = 0;  ///< of the list, at most
+
+  gpu::Buffer& countsOf(Asked list) { return askedCounts[static_cast<std::size_t>(list)]; }
 };
 
 /// The surfaces on the list, with what tells where they lie (lib/seen_list.glsl).
@@ -339,9 +349,15 @@ inline Places verticesOf(DeformedMesh& mesh, Surfels& surfels, Exitance& exitanc
           surfels.vertexOrder, exitance.vertices, mesh.vertexCount};
 }
 
-inline Places placesOf(Surfels& surfels, gpu::Buffer& exitances) {
-  return {surfels.places, surfels.normals, surfels.objectOf,
-          surfels.order,  exitances,       surfels.count};
+inline Places surfelsOf(Surfels& surfels, Clusters& clusters) {
+  return {surfels.places, surfels.normals,          surfels.objectOf,
+          surfels.order,  clusters.exitancesWithin, surfels.count};
+}
+
+/// Of bodies whose surfels are not coarse; nobody asks for normals there.
+inline Places patchesOf(Surfels& surfels, Clusters& clusters) {
+  return {clusters.patches, surfels.normals,          clusters.objectOfPatch,
+          surfels.order,    clusters.exitancesWithin, clusters.patchCount};
 }
 
 }  // namespace opaline::passes

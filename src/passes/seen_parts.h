@@ -41,12 +41,12 @@ void dispatchParts(gpu::CommandList& commands, VisibleSurfaces& surfaces,
   dispatchParts(commands, surfaces.counts, surfaces.parts, pipeline, bindings, push);
 }
 
-/// The same for those that are asked.
+/// The same for some of them.
 template <typename S>
-void dispatchAsked(gpu::CommandList& commands, VisibleSurfaces& surfaces,
+void dispatchAsked(gpu::CommandList& commands, VisibleSurfaces& surfaces, Asked asked,
                    const gpu::Compute<S>& pipeline, const typename S::Bindings& bindings,
                    const typename S::Push& push) {
-  dispatchParts(commands, surfaces.askedCounts, surfaces.parts, pipeline, bindings, push);
+  dispatchParts(commands, surfaces.countsOf(asked), surfaces.parts, pipeline, bindings, push);
 }
 
 }  // namespace opaline::passes

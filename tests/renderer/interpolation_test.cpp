@@ -1,5 +1,5 @@
-// Light between sums at fragments, against the sum of all sources at every pixel: most pixels need none, nothing is
-// taken across an edge, and details that lie between are found.
+// Light between sums at fragments, against the sum of all sources at every pixel: most pixels need
+// none, nothing is taken across an edge, and details that lie between are found.
 
 #include <gtest/gtest.h>
 
@@ -53,12 +53,12 @@ TEST_F(InterpolationTest, PixelsFartherApartThanFreePathsEachHaveTheirSum) {
   Medium dense = marble();
   for (std::size_t c = 0; c < 3; ++c) dense.sigmaSPrimePerMm[c] *= 4;
   renderer().setScene(ballLitFromTheSide(dense));
-  const Image evaluations =
-      render(atFragments(64, Transport::Dipole), {Aov::Evaluations})[0];
+  const Image evaluations = render(atFragments(64, Transport::Dipole), {Aov::Evaluations})[0];
   EXPECT_EQ(shareOfCoveredBelow(evaluations, 1), 0);
 }
 
-// One half of the picture shows a lit box before another in the dark. The edge between them lies between pixels.
+// One half of the picture shows a lit box before another in the dark. The edge between them lies
+// between pixels.
 TEST_F(InterpolationTest, NothingIsTakenAcrossAnEdge) {
   Scene scene = sceneOf(together(box({-3, 0, 3}, {3, 6, 1}), box({3, 0, -6}, {6, 6, 1})), marble(),
                         {0, 0, 40}, 4);

@@ -8,21 +8,38 @@ namespace opaline::passes {
 
 CarryPass::CarryPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
-      meansOfVertices_(device, "means over clusters", {.ofVertices = 1}),
-      meansOfSurfels_(device, "means over clusters", {.ofVertices = 0}),
+      patches_(device, "patches of clusters"),
+      means_{
+          {{device, "means over clusters", {.from = static_cast<std::uint32_t>(From::Vertices)}},
+           {device, "means over clusters", {.from = static_cast<std::uint32_t>(From::Surfels)}},
+           {device, "means over clusters", {.from = static_cast<std::uint32_t>(From::Patches)}}}},
       vertices_(device, "clusters to vertices"),
       fragments_{{device, "clusters to fragments", {.withPaint = 0}},
                  {device, "clusters to fragments", {.withPaint = 1}}} {}
 
+void CarryPass::recordPatches(gpu::CommandList& commands, Surfels& surfels,
+                              Clusters& clusters) const {
+  commands.beginPass("carry");
+  commands.bind(patches_,
+                {.ranges = clusters.ranges,
+                 .sources = surfels.sources,
+                 .places = surfels.places,
+                 .patches = clusters.patches},
+                {.clusterCount = clusters.count});
+  commands.dispatchLinear(clusters.count);
+  commands.endPass();
+}
+
 void CarryPass::recordMeans(gpu::CommandList& commands, From from, gpu::Buffer& exitances,
                             Surfels& surfels, Clusters& clusters) const {
   commands.beginPass("carry");
-  commands.bind(from == From::Vertices ? meansOfVertices_ : meansOfSurfels_,
+  commands.bind(means_[static_cast<std::size_t>(from)],
                 {.ranges = clusters.ranges,
                  .pieces = surfels.pieces,
                  .sources = surfels.sources,
                  .exitances = exitances,
-                 .means = clusters.means},
+                 .means = clusters.means,
+                 .patches = clusters.patches},
                 {.clusterCount = clusters.count, .piecesPerSurfel = surfels.piecesPerSurfel});
   commands.dispatchLinear(clusters.count);
   commands.endPass();
@@ -49,9 +66,9 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
 }
 
 void CarryPass::overFragments(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
-                              const SeenSurfaces& seen) const {
+                              Asked asked, const SeenSurfaces& seen) const {
   commands.beginPass("carry");
-  dispatchAsked(commands, seen.surfaces, fragments_.of(tables.paint.any),
+  dispatchAsked(commands, seen.surfaces, asked, fragments_.of(tables.paint.any),
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .media = tables.media,
                  .clusters = clusters.clusters,
@@ -64,7 +81,7 @@ void CarryPass::overFragments(gpu::CommandList& commands, SceneTables& tables, C
                  .bareLights = clusters.bareLights,
                  .paint = seen.surfaces.paint,
                  .asked = seen.surfaces.asked,
-                 .askedCount = seen.surfaces.askedCounts},
+                 .askedCount = seen.surfaces.countsOf(asked)},
                 {.first = 0});
   commands.endPass();
 }

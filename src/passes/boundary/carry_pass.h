@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "gpu/command_list.h"
 #include "gpu/pipeline.h"
 #include "passes/products.h"
@@ -7,6 +10,7 @@
 #include "shaders/boundary/carry_fragments.comp.h"
 #include "shaders/boundary/carry_vertices.comp.h"
 #include "shaders/boundary/means.comp.h"
+#include "shaders/boundary/patches.comp.h"
 
 namespace opaline::gpu {
 class Device;
@@ -20,21 +24,24 @@ class CarryPass {
  public:
   explicit CarryPass(gpu::Device& device);
 
-  /// The mean of the half-space's exitance over every cluster, from vertices or from surfels.
-  enum class From { Vertices, Surfels };
+  /// Finds the patches of clusters.
+  void recordPatches(gpu::CommandList& commands, Surfels& surfels, Clusters& clusters) const;
+
+  /// The mean of the half-space's exitance over every cluster.
+  enum class From : std::uint32_t { Vertices, Surfels, Patches };
   void recordMeans(gpu::CommandList& commands, From from, gpu::Buffer& exitances, Surfels& surfels,
                    Clusters& clusters) const;
 
   void overVertices(gpu::CommandList& commands, ScatterSite site, SceneTables& tables,
                     Clusters& clusters, const Places& vertices) const;
-  /// Of surfaces that are asked; of painted bodies, what is below the paint.
+  /// Of painted bodies, what is below the paint.
   void overFragments(gpu::CommandList& commands, SceneTables& tables, Clusters& clusters,
-                     const SeenSurfaces& seen) const;
+                     Asked asked, const SeenSurfaces& seen) const;
 
  private:
   gpu::Sampler nearest_;
-  gpu::Compute<shaders::BoundaryMeans> meansOfVertices_;
-  gpu::Compute<shaders::BoundaryMeans> meansOfSurfels_;
+  gpu::Compute<shaders::BoundaryPatches> patches_;
+  std::array<gpu::Compute<shaders::BoundaryMeans>, 3> means_;  ///< by From
   gpu::Compute<shaders::BoundaryCarryVertices> vertices_;
   Variants<shaders::BoundaryCarryFragments> fragments_;
 };

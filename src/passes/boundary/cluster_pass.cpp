@@ -39,6 +39,19 @@ std::vector<std::uint32_t> leafOfCluster(const surfels::ClusterDivision& made) {
   return leaf;
 }
 
+std::uint32_t patchesOf(const shared::ClusterRange& range) {
+  if (range.kind == shared::opaqueBody) return 0;
+  return (range.endSurfel - range.firstSurfel + shared::surfelsOfPatch - 1) /
+         shared::surfelsOfPatch;
+}
+
+std::vector<std::uint32_t> objectsOfPatches(const std::vector<shared::ClusterRange>& ranges) {
+  std::vector<std::uint32_t> objects;
+  for (const shared::ClusterRange& range : ranges)
+    objects.insert(objects.end(), patchesOf(range), range.object);
+  return objects;
+}
+
 std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
                                            const core::RestSurface& surface,
                                            const surfels::SurfelDivision& surfels,
@@ -49,6 +62,7 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
   const std::vector<std::uint32_t> leaf = leafOfCluster(made);
   const std::size_t perSurfel = surfels.piecesPerSurfel;
   std::vector<shared::ClusterRange> ranges;
+  std::uint32_t firstPatch = 0;
   for (std::uint32_t i = 0; i < made.count(); ++i) {
     const auto [first, end, isBack] = made.clusters[i];
     const std::span<const surfels::Piece> pieces =
@@ -59,7 +73,8 @@ std::vector<shared::ClusterRange> rangesOf(const surfels::ClusterDivision& made,
       const bool inside = std::all_of(pieces.begin(), pieces.end(), hasInside);
       kind = inside ? shared::bodyWithInside : shared::openBody;
     }
-    ranges.push_back({first, end, object, leaf[i], kind, isBack ? -1.0F : 1.0F});
+    ranges.push_back({first, end, object, leaf[i], kind, isBack ? -1.0F : 1.0F, firstPatch});
+    firstPatch += patchesOf(ranges.back());
   }
   return ranges;
 }
@@ -156,8 +171,13 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.count = made.count();
   clusters.raysOutwards = raysOutwards;
   clusters.tree = makeFittedTree(device, made.tree);
-  clusters.ranges = gpu::makeBuffer(device, "ranges of clusters",
-                                    rangesOf(made, surface, surfels, kinds), clusterBuffer);
+  const std::vector<shared::ClusterRange> ranges = rangesOf(made, surface, surfels, kinds);
+  clusters.ranges = gpu::makeBuffer(device, "ranges of clusters", ranges, clusterBuffer);
+  const std::vector<std::uint32_t> objectOfPatch = objectsOfPatches(ranges);
+  clusters.patchCount = static_cast<std::uint32_t>(objectOfPatch.size());
+  clusters.objectOfPatch =
+      gpu::makeBuffer(device, "object of each patch", objectOfPatch, clusterBuffer);
+  clusters.patches = makeRoom<shared::vec4>(device, "patches", clusters.patchCount);
   clusters.clusterOfSurfel = gpu::makeBuffer(device, "cluster of each surfel",
                                              clusterOfSurfel(made, surfels.count()), clusterBuffer);
   std::vector<shared::ClusterTile> tiles = tilesOf(made);
@@ -208,8 +228,8 @@ Clusters ClusterPass::makeClusters(gpu::Device& device, const surfels::ClusterDi
   clusters.exitances = makeRoom<shared::vec4>(device, "exitances of clusters", count);
   clusters.means = makeRoom<shared::vec4>(device, "means over clusters", count);
   clusters.bareLights = makeRoom<shared::BareLight>(device, "light below paint", count);
-  clusters.exitancesOfSurfels =
-      makeRoom<shared::vec4>(device, "exitances of surfels", surfels.count());
+  clusters.exitancesWithin =
+      makeRoom<shared::vec4>(device, "exitances within clusters", surfels.count());
   return clusters;
 }
 

@@ -35,7 +35,6 @@ void InterpolationPass::listKnots(gpu::CommandList& commands, const Inputs& inpu
   VisibleSurfaces& surfaces = seen.surfaces;
   const std::uint32_t rows = rowsFrom(inputs.firstRow, surfaces);
   commands.beginPass("interpolate");
-  commands.fill({surfaces.askedCounts}, 0);
   if (interpolates) {
     commands.bind(blocks_,
                   {.listedPlaces = listedPlaces(seen, nearest_),
@@ -51,7 +50,7 @@ void InterpolationPass::listKnots(gpu::CommandList& commands, const Inputs& inpu
                  .meshExitances = inputs.exitance.vertices,
                  .objects = inputs.tables.objects,
                  .surfaces = surfaces.asked,
-                 .surfaceCounts = surfaces.askedCounts,
+                 .surfaceCounts = surfaces.countsOf(Asked::Knots),
                  .blocks = surfaces.blocks[0],
                  .exitances = surfaces.light,
                  .paint = surfaces.paint},
@@ -62,28 +61,27 @@ void InterpolationPass::listKnots(gpu::CommandList& commands, const Inputs& inpu
   commands.endPass();
 }
 
-void InterpolationPass::interpolate(gpu::CommandList& commands, const Inputs& inputs,
-                                    Blocks blocks, const SeenSurfaces& seen) const {
+void InterpolationPass::interpolate(gpu::CommandList& commands, const Inputs& inputs, Blocks blocks,
+                                    const SeenSurfaces& seen) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("interpolate");
   const bool wide = blocks == Blocks::Wide;
-  commands.fill({surfaces.askedCounts}, 0);
-  if (wide) commands.fill({surfaces.blocks[1]}, 0);
-  dispatchWhole(commands, surfaces.counts, interpolate_.of(inputs.tables.paint.any),
-                {.listedPlaces = listedPlaces(seen, nearest_),
-                 .objects = inputs.tables.objects,
-                 .surfaces = surfaces.asked,
-                 .surfaceCounts = surfaces.askedCounts,
-                 .nodes = inputs.surfels.nodes,
-                 .blocks = surfaces.blocks[wide ? 0 : 1],
-                 .entryOfPixel = surfaces.entryOfPixel,
-                 .exitances = surfaces.light,
-                 .paint = surfaces.paint,
-                 .blocksAfter = surfaces.blocks[wide ? 1 : 0]},
-                {.firstRow = inputs.firstRow,
-                 .rows = rowsFrom(inputs.firstRow, surfaces),
-                 .tolerance = inputs.tolerance,
-                 .wide = wide});
+  dispatchWhole(
+      commands, surfaces.counts, interpolate_.of(inputs.tables.paint.any),
+      {.listedPlaces = listedPlaces(seen, nearest_),
+       .objects = inputs.tables.objects,
+       .surfaces = surfaces.asked,
+       .surfaceCounts = surfaces.countsOf(wide ? Asked::InWideBlocks : Asked::InNarrowBlocks),
+       .nodes = inputs.surfels.nodes,
+       .blocks = surfaces.blocks[wide ? 0 : 1],
+       .entryOfPixel = surfaces.entryOfPixel,
+       .exitances = surfaces.light,
+       .paint = surfaces.paint,
+       .blocksAfter = surfaces.blocks[wide ? 1 : 0]},
+      {.firstRow = inputs.firstRow,
+       .rows = rowsFrom(inputs.firstRow, surfaces),
+       .tolerance = inputs.tolerance,
+       .wide = wide});
   commands.endPass();
 }
 

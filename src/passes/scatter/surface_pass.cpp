@@ -104,7 +104,7 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                                      std::size_t{(extent.width + across - 1) / across} *
                                          ((made.rowsOfBand + across - 1) / across));
   made.asked = makeRoom<std::uint32_t>(device, "list of surfaces asked", room);
-  made.askedCounts = countsOfParts("number of surfaces asked");
+  for (gpu::Buffer& counts : made.askedCounts) counts = countsOfParts("number of surfaces asked");
   return made;
 }
 
@@ -159,7 +159,10 @@ void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std
   const VkExtent2D extent = surfaces.words.extent();
   const std::uint32_t rows = std::min(surfaces.rowsOfBand, extent.height - firstRow);
   commands.beginPass("surface");
-  commands.fill({surfaces.counts, surfaces.mixedCount}, 0);
+  commands.fill({surfaces.counts, surfaces.mixedCount, surfaces.countsOf(Asked::Knots),
+                 surfaces.countsOf(Asked::InWideBlocks), surfaces.countsOf(Asked::InNarrowBlocks),
+                 surfaces.countsOf(Asked::OfSky), surfaces.blocks[1]},
+                0);
   commands.bind(seen_,
                 {.words = surfaces.words,
                  .surfaces = surfaces.list,

@@ -70,7 +70,7 @@ void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& o
                                       const Fragments& over) const {
   const SeenSurfaces& seen = over.seen;
   commands.beginPass("scatter");
-  dispatchAsked(commands, seen.surfaces, pipelines(order.transport).treeFragments,
+  dispatchAsked(commands, seen.surfaces, over.asked, pipelines(order.transport).treeFragments,
                 {.listedPlaces = listedPlaces(seen, nearest_),
                  .exitances = seen.surfaces.light,
                  .meshExitances = over.exitance.vertices,
@@ -79,8 +79,8 @@ void SurfelSumPass::treeOverFragments(gpu::CommandList& commands, const Order& o
                  .nodes = over.surfels.nodes,
                  .sources = over.surfels.sources,
                  .asked = seen.surfaces.asked,
-                 .askedCount = seen.surfaces.askedCounts},
-                {.first = 0, .tolerance = order.tolerance});
+                 .askedCount = seen.surfaces.countsOf(over.asked)},
+                {.first = 0, .tolerance = order.tolerance, .estimated = order.estimate ? 1U : 0U});
   commands.endPass();
 }
 
@@ -109,14 +109,14 @@ void SurfelSumPass::allOverFragments(gpu::CommandList& commands, const Order& or
   const SeenSurfaces& seen = over.seen;
   commands.beginPass("scatter");
   forEachRange(over.surfels.count, [&](std::uint32_t firstSurfel, std::uint32_t endSurfel) {
-    dispatchAsked(commands, seen.surfaces, pipelines(order.transport).allFragments,
+    dispatchAsked(commands, seen.surfaces, over.asked, pipelines(order.transport).allFragments,
                   {.listedPlaces = listedPlaces(seen, nearest_),
                    .exitances = seen.surfaces.light,
                    .objects = over.tables.objects,
                    .media = over.tables.media,
                    .sources = over.surfels.sources,
                    .asked = seen.surfaces.asked,
-                   .askedCount = seen.surfaces.askedCounts},
+                   .askedCount = seen.surfaces.countsOf(over.asked)},
                   {.first = 0, .firstSurfel = firstSurfel, .endSurfel = endSurfel});
   });
   commands.endPass();

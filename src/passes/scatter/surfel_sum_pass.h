@@ -26,7 +26,7 @@ class SurfelSumPass {
     ScatterTransport transport = ScatterTransport::Dipole;
     ScatterSite site = ScatterSite::PerObject;
     float tolerance = 0.01F;  ///< of the tree: error of a node relative to the sum
-    /// Over places: whether the tolerance needs an estimate of the sum. Else a node is taken
+    /// Whether the tolerance needs an estimate of the sum. Else a node is taken
     /// wherever its series converges; that has an error of 0.6 % rms (bunny of marble).
     bool estimate = true;
   };
@@ -35,12 +35,12 @@ class SurfelSumPass {
     Surfels& surfels;
     Places places;
   };
-  /// Surfaces that are asked.
   struct Fragments {
     SceneTables& tables;
     Surfels& surfels;
     SeenSurfaces seen;
     Exitance& exitance;
+    Asked asked = Asked::Knots;
   };
 
   /// A rough sum at all places, then one to the tolerance where it is wanted there.

@@ -41,7 +41,6 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
   const bool own = inputs.tables.surfaces.any;
   const std::uint32_t nodeCount = inputs.surfels.tree.nodeCount;
   commands.beginPass("reflected sky");
-  commands.fill({surfaces.askedCounts}, 0);
   commands.bind(blocks_.of(own),
                 {.seenPlaces = seenPlaces(seen, nearest_),
                  .objects = inputs.tables.objects,
@@ -62,15 +61,16 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .light = surfaces.light,
                  .skyBlocks = {surfaces.skyBlocks, nearest_},
                  .surfaces = surfaces.asked,
-                 .surfaceCounts = surfaces.askedCounts});
-  const shaders::ShadeReflectedSky::Bindings bindings{.listedPlaces = listedPlaces(seen, nearest_),
-                                                      .objects = inputs.tables.objects,
-                                                      .pieceCorners = inputs.rays.corners,
-                                                      .rayHierarchy = passes::rays(inputs.rays),
-                                                      .light = surfaces.light,
-                                                      .materials = surfaces.materials,
-                                                      .asked = surfaces.asked,
-                                                      .askedCount = surfaces.askedCounts};
+                 .surfaceCounts = surfaces.countsOf(Asked::OfSky)});
+  const shaders::ShadeReflectedSky::Bindings bindings{
+      .listedPlaces = listedPlaces(seen, nearest_),
+      .objects = inputs.tables.objects,
+      .pieceCorners = inputs.rays.corners,
+      .rayHierarchy = passes::rays(inputs.rays),
+      .light = surfaces.light,
+      .materials = surfaces.materials,
+      .asked = surfaces.asked,
+      .askedCount = surfaces.countsOf(Asked::OfSky)};
   const shaders::ShadeReflectedSky::Push push{.first = 0,
                                               .nodeCount = nodeCount,
                                               .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
@@ -79,9 +79,10 @@ void ReflectedSkyPass::record(gpu::CommandList& commands, const Inputs& inputs,
   // Surfaces of their own are all on the list, and may be of any roughness.
   const auto rays = static_cast<std::uint32_t>(shared::skyRaysOfSample(alpha));
   if (!own && rays * inputs.samples <= raysAtOnce)
-    dispatchWhole(commands, surfaces.askedCounts, pixels_.of(own), bindings, push);
+    dispatchWhole(commands, surfaces.countsOf(Asked::OfSky), pixels_.of(own), bindings, push);
   else
-    dispatchParts(commands, surfaces.askedCounts, surfaces.parts, pixels_.of(own), bindings, push);
+    dispatchParts(commands, surfaces.countsOf(Asked::OfSky), surfaces.parts, pixels_.of(own),
+                  bindings, push);
   commands.endPass();
 }
 

@@ -122,8 +122,10 @@ struct FrameContext {
             resources.exitance, *scene.flat,   *resources.map};
   }
 
-  passes::SurfelSumPass::Order order() const {
-    return {scatterTransport(plan.transport), scatterSite(plan.site), plan.tolerance};
+  passes::ScatterSite site() const { return scatterSite(plan.site); }
+
+  passes::SurfelSumPass::Order order(const SceneResources& scene) const {
+    return {scatterTransport(plan.transport), site(), plan.tolerance, wantsEstimate(scene)};
   }
 
   bool boundary() const { return plan.transport == Transport::Boundary; }
@@ -201,14 +203,16 @@ struct FrameContext {
     if (plan.sumsAtVertices)
       return passes.carry.recordMeans(commands, From::Vertices, resources.exitance.vertices,
                                       scene.surfels, scene.clusters);
-    const passes::Places surfels =
-        passes::placesOf(scene.surfels, scene.clusters.exitancesOfSurfels);
-    sumOver(
-        surfels, Sum::Tree,
-        {order().transport, passes::ScatterSite::Vertices, plan.tolerance, wantsEstimate(scene)},
-        scene);
-    passes.carry.recordMeans(commands, From::Surfels, surfels.exitances, scene.surfels,
-                             scene.clusters);
+    // Coarse surfels are as large as what they resolve.
+    const bool bySurfels = scene.surfels.coarse;
+    if (!bySurfels) passes.carry.recordPatches(commands, scene.surfels, scene.clusters);
+    const passes::Places places = bySurfels ? passes::surfelsOf(scene.surfels, scene.clusters)
+                                            : passes::patchesOf(scene.surfels, scene.clusters);
+    passes::SurfelSumPass::Order how = order(scene);
+    how.site = passes::ScatterSite::Vertices;
+    sumOver(places, Sum::Tree, how, scene);
+    passes.carry.recordMeans(commands, bySurfels ? From::Surfels : From::Patches, places.exitances,
+                             scene.surfels, scene.clusters);
   }
 
   void sumOver(const passes::Places& places, Sum sum, const passes::SurfelSumPass::Order& how,
@@ -231,45 +235,42 @@ struct FrameContext {
           plan.site == Site::Vertex ? Part::Everything : Part::FarSamples, onPaper(scene));
     }
     const passes::Places vertices = passes::verticesOf(mesh, scene.surfels, resources.exitance);
-    // The tree's rough sum is wanted by fragments too.
-    passes::SurfelSumPass::Order how = order();
-    how.estimate = !plan.sumsAtVertices || wantsEstimate(scene);
+    const passes::SurfelSumPass::Order how = order(scene);
     if (plan.sum == Sum::Tree || plan.site != Site::Fragment)
       sumOver(vertices, plan.sum, how, scene);
     if (carriesOpaque()) {
-      passes.opaque.overVertices(commands, ofOpaque(), order().site, vertices);
+      passes.opaque.overVertices(commands, ofOpaque(), site(), vertices);
       if (plan.areaLights > 0 && plan.site != Site::Fragment)
-        passes.opaqueLights.overVertices(commands, onOpaque(scene), order().site, vertices);
+        passes.opaqueLights.overVertices(commands, onOpaque(scene), site(), vertices);
     }
     if (!carries()) return;
     if (boundary()) meansOverClusters(scene);
     if (plan.site != Site::Fragment)
-      passes.carry.overVertices(commands, order().site, resources.tables, scene.clusters, vertices);
+      passes.carry.overVertices(commands, site(), resources.tables, scene.clusters, vertices);
   }
 
   passes::SeenSurfaces seen() const { return {resources.view, mesh, resources.surfaces}; }
 
-  // The sum of the half-space at the surfaces that are asked.
-  void sumWhereAsked(SceneResources& scene) const {
+  // The sum of the half-space.
+  void sumWhereAsked(passes::Asked asked, SceneResources& scene) const {
     const passes::SurfelSumPass::Fragments over{resources.tables, scene.surfels, seen(),
-                                                resources.exitance};
+                                                resources.exitance, asked};
     if (plan.sum == Sum::Tree)
-      passes.sum.treeOverFragments(commands, order(), over);
+      passes.sum.treeOverFragments(commands, order(scene), over);
     else
-      passes.sum.allOverFragments(commands, order(), over);
+      passes.sum.allOverFragments(commands, order(scene), over);
   }
 
   passes::InterpolationPass::Inputs between(std::uint32_t firstRow, SceneResources& scene) const {
-    return {resources.tables, scene.surfels,  resources.exitance,
-            firstRow,         order().site, plan.tolerance};
+    return {resources.tables, scene.surfels, resources.exitance, firstRow, site(), plan.tolerance};
   }
 
   void scatterAtFragments(SceneResources& scene) const {
     passes::Surfels& surfels = scene.surfels;
-    sumWhereAsked(scene);
+    sumWhereAsked(passes::Asked::Knots, scene);
     if (surfels.coarse)
-      passes.nearby.overFragments(commands, order().transport, order().site, nearbyInputs(scene),
-                                  seen());
+      passes.nearby.overFragments(commands, scatterTransport(plan.transport), site(),
+                                  nearbyInputs(scene), seen());
   }
 
   passes::NearbyPass::Inputs nearbyInputs(SceneResources& scene) const {
@@ -299,8 +300,8 @@ struct FrameContext {
   bool atFragments() const { return plan.scatter && plan.site != Site::Vertex; }
   bool onSurfelsAtFragments() const { return atFragments() && plan.sum != Sum::Pattern; }
 
-  void carryWhereAsked(SceneResources& scene) const {
-    passes.carry.overFragments(commands, resources.tables, scene.clusters, seen());
+  void carryWhereAsked(passes::Asked asked, SceneResources& scene) const {
+    passes.carry.overFragments(commands, resources.tables, scene.clusters, asked, seen());
   }
 
   // The surfaces of a band of the picture, and what is summed there.
@@ -314,19 +315,20 @@ struct FrameContext {
       passes.paper->scatterAtFragments(commands, scatterTransport(plan.transport), onPaper(scene));
     }
     if (carriesOpaque()) {
-      passes.opaque.overFragments(commands, ofOpaque(), scene.opaque, order().site, seen());
+      passes.opaque.overFragments(commands, ofOpaque(), scene.opaque, site(), seen());
       if (plan.areaLights > 0 && atFragments())
-        passes.opaqueLights.overFragments(commands, onOpaque(scene), order().site, firstRow,
-                                          seen());
+        passes.opaqueLights.overFragments(commands, onOpaque(scene), site(), firstRow, seen());
     }
     if (!onSurfelsAtFragments()) return;
-    if (carries()) carryWhereAsked(scene);
+    if (carries()) carryWhereAsked(passes::Asked::Knots, scene);
     using Blocks = passes::InterpolationPass::Blocks;
     for (const Blocks blocks : {Blocks::Wide, Blocks::Narrow}) {
       if (!interpolates) break;
       passes.interpolation.interpolate(commands, between(firstRow, scene), blocks, seen());
-      sumWhereAsked(scene);
-      if (carries()) carryWhereAsked(scene);
+      const passes::Asked asked =
+          blocks == Blocks::Wide ? passes::Asked::InWideBlocks : passes::Asked::InNarrowBlocks;
+      sumWhereAsked(asked, scene);
+      if (carries()) carryWhereAsked(asked, scene);
     }
     if (plan.painted)
       passes.paint.overFragments(commands, resources.tables, scene.opaque, carries(), seen());

@@ -1,29 +1,27 @@
-// The half-space's exitance as its mean over every cluster, from that of surfels or of vertices.
+// The half-space's exitance as its mean over every cluster, from that of vertices, of surfels or of patches.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define BINDING_SOURCES 2
 #include "lib/linear.glsl"
+#include "lib/patch.glsl"
+#include "lib/surfel_area.glsl"
 #include "shared/boundary.h"
-#include "shared/surfels.h"
 
-layout(constant_id = 0) const uint ofVertices = 1u;
+// CarryPass::From
+const uint fromVertices = 0u;
+const uint fromPatches = 2u;
+layout(constant_id = 0) const uint from = fromVertices;
 
 layout(std430, set = 0, binding = 0) readonly buffer Ranges { ClusterRange ranges[]; };
 layout(std430, set = 0, binding = 1) readonly buffer Pieces { SurfelPiece pieces[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Sources { Source sources[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = 4) writeonly buffer Means { vec4 means[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Patches { vec4 patches[]; };
 
 layout(push_constant) uniform Push {
   uint clusterCount;
   uint piecesPerSurfel;
 };
-
-float areaOf(uint surfel) {
-  float area = 0.0;
-  for (uint s = 0u; s < sourcesPerSurfel; ++s)
-    area += sources[sourcesPerSurfel * surfel + s].positionArea.w;
-  return area;
-}
 
 // Interpolated in the middle of its pieces.
 vec3 atVertices(uint surfel) {
@@ -39,15 +37,26 @@ vec3 atVertices(uint surfel) {
   return parts > 0.0 ? sum / parts : vec3(0.0);
 }
 
+// Exitance and area.
+vec4 overSurfels(ClusterRange range) {
+  vec4 sum = vec4(0.0);
+  for (uint surfel = range.firstSurfel; surfel < range.endSurfel; ++surfel) {
+    vec3 exitance = from == fromVertices ? atVertices(surfel) : exitances[surfel].rgb;
+    sum += areaOfSurfel(surfel) * vec4(exitance, 1.0);
+  }
+  return sum;
+}
+
+vec4 overPatches(ClusterRange range) {
+  vec4 sum = vec4(0.0);
+  for (uint i = range.firstPatch; i < range.firstPatch + patchesOf(range); ++i)
+    sum += patches[i].w * vec4(exitances[i].rgb, 1.0);
+  return sum;
+}
+
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount) return;
-  vec3 sum = vec3(0.0);
-  float all = 0.0;
-  for (uint surfel = ranges[i].firstSurfel; surfel < ranges[i].endSurfel; ++surfel) {
-    float area = areaOf(surfel);
-    sum += area * (ofVertices != 0u ? atVertices(surfel) : exitances[surfel].rgb);
-    all += area;
-  }
-  means[i] = vec4(all > 0.0 ? sum / all : vec3(0.0), 0.0);
+  vec4 sum = from == fromPatches ? overPatches(ranges[i]) : overSurfels(ranges[i]);
+  means[i] = vec4(sum.w > 0.0 ? sum.rgb / sum.w : vec3(0.0), 0.0);
 }

@@ -1,4 +1,4 @@
-// The sum over the tree at surfaces that pixels see. How bright a place is, roughly, comes interpolated from the vertices.
+// The sum over the tree at surfaces that pixels see.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -21,7 +21,15 @@ layout(std430, set = 0, binding = 2) writeonly buffer Exitances { vec4 exitances
 layout(push_constant) uniform Push {
   uint first;
   float tolerance;
+  uint estimated;  // else a node is taken wherever its series converges
 };
+
+// About how bright the place is. Vertices far apart know nothing of what lies between them.
+vec3 estimateAt(MeshPlace place, ObjectData body, uint root, Profile profile) {
+  bool coarse = estimated != 0u && body.table.w != 0u;
+  vec3 there = roughSum(place.position, body, coarse ? root : noNode, profile);
+  return max(coarse ? there : meshExitanceAt(place).rgb, darkestOf(body, root));
+}
 
 void main() {
   Seen seen = askedOfInvocation(first);
@@ -30,11 +38,8 @@ void main() {
   bool here = seen.there && !isOpaque(body);
   uint root = here && body.tree.x < body.tree.y ? body.tree.x : noNode;
   Profile profile = mediumAt(body, place.position).profile;
-  // Vertices far apart know nothing of what lies between them.
-  bool coarse = here && body.table.w != 0u;
-  vec3 there = roughSum(place.position, body, coarse ? root : noNode, profile);
-  vec3 about = max(coarse ? there : meshExitanceAt(place).rgb, darkestOf(body, root));
+  vec3 about = estimateAt(place, body, root, profile);
   vec4 sum = treeSum(place.position, root, body.tree.y, profile, body.darkest.w,
-                     toleratedAt(about, tolerance));
+                     toleratedIn(about, tolerance, estimated != 0u));
   if (here) exitances[seen.entry] = sum;
 }

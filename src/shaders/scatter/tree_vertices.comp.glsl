@@ -25,10 +25,6 @@ layout(push_constant) uniform Push {
   uint site;
 };
 
-vec3 toleratedHere(vec3 estimate) {
-  return estimated != 0u ? toleratedAt(estimate, tolerance) : vec3(3e38);
-}
-
 void main() {
   uint i = linearIndex();
   bool inside = i < vertexCount;
@@ -41,6 +37,6 @@ void main() {
   vec4 sum = rough != 0u
                  ? vec4(max(roughSum(position, body, root, profile), darkestOf(body, root)), 0.0)
                  : treeSum(position, root, body.tree.y, profile, body.darkest.w,
-                           toleratedHere(exitances[vertex].rgb));
+                           toleratedIn(exitances[vertex].rgb, tolerance, estimated != 0u));
   if (here) exitances[vertex] = sum;
 }

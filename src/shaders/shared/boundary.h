@@ -24,7 +24,12 @@ struct ClusterRange {
   uint node;   // its leaf in the tree of clusters
   uint kind;   // of its body there
   float side;  // -1 where it is of the back of a sheet, else 1
+  uint firstPatch;
 };
+
+/// A patch is of so many surfels that follow each other, or of what is left of a cluster. Opaque
+/// bodies have none.
+OPALINE_BOUNDARY_CONSTANT surfelsOfPatch = 4u;
 
 /// Kinds of bodies. Only in one with an inside light diffuses; the others have no area to it.
 OPALINE_BOUNDARY_CONSTANT openBody = 0u;

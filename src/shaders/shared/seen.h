@@ -23,7 +23,7 @@ OPALINE_SEEN_CONSTANT maxTriangles = (1u << seenSamplesShift) - 2u;
 OPALINE_SEEN_CONSTANT seenLayerShift = 28u;
 
 /// What takes long goes over the list of surfaces by several dispatches of so many.
-OPALINE_SEEN_CONSTANT seenOfPart = 1u << 18u;
+OPALINE_SEEN_CONSTANT seenOfPart = 1u << 20u;
 
 /// Light is interpolated in blocks of so many pixels across, or twice as many (lib/blocks.glsl).
 OPALINE_SEEN_CONSTANT widthOfBlock = 4u;

@@ -1,0 +1,15 @@
+// The area of a surfel in this frame. Needs, before it, BINDING_SOURCES.
+#ifndef OPALINE_LIB_SURFEL_AREA
+#define OPALINE_LIB_SURFEL_AREA
+#include "shared/surfels.h"
+
+layout(std430, set = 0, binding = BINDING_SOURCES) readonly buffer Sources { Source sources[]; };
+
+// mm²
+float areaOfSurfel(uint surfel) {
+  float area = 0.0;
+  for (uint s = 0u; s < sourcesPerSurfel; ++s) area += sources[sourcesPerSurfel * surfel + s].positionArea.w;
+  return area;
+}
+
+#endif
