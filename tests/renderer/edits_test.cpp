@@ -154,6 +154,28 @@ TEST_P(EditTest, ReusedLightIsTheSameLight) {
   expectSame(again.images, render(scene, optionsOf(GetParam()), asked()));
 }
 
+// A picture of another size and with other samples is made of the same light.
+TEST_P(EditTest, AnotherSizeKeepsTheLight) {
+  const Scene scene = wobblyBall();
+  RenderOptions options = optionsOf(GetParam());
+  renderer().setScene(scene);
+  View view(renderer(), options);
+  view.render({});
+  options.width *= 2;
+  options.height += 7;
+  options.antialias = 4;
+  view.setOptions(options);
+  const RenderResult larger = view.render({.reuseLight = true});
+  if (GetParam().sum != Sum::Pattern) {  // whose map is of the picture's size
+    for (const PassTime& pass : larger.report.passes) {
+      EXPECT_NE(pass.name, "shadow");
+      EXPECT_NE(pass.name, "deform");
+      EXPECT_NE(pass.name, "solve");
+    }
+  }
+  expectSame(larger.images, render(scene, options, {Aov::Radiance}));
+}
+
 // What shows no light waits for none, is the same beside a picture, and does not pass for one.
 TEST_P(EditTest, VariablesWithoutLightFindNone) {
   const std::vector<Aov> plain{Aov::Position, Aov::Depth, Aov::DsmArea};

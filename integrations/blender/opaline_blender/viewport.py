@@ -21,6 +21,7 @@ class Viewport:
     def __init__(self, engine):
         self._worker = Worker(engine)
         self._said = set()
+        self._seen = None
         self._texture = None
         self._drawn = None
 
@@ -35,6 +36,11 @@ class Viewport:
             if sentence not in self._said:
                 self._said.add(sentence)
                 engine.report({"WARNING"}, f"Opaline: {sentence}")
+        # A scene that looks as before is not begun anew, so that its picture gets finer meanwhile.
+        if self._seen is not None and self._seen.is_same(seen):
+            seen = None
+        else:
+            self._seen = seen
         self._worker.take(Wish(context, depsgraph), seen)
 
     def draw(self, engine, context, depsgraph):

@@ -48,14 +48,15 @@ void ViewResources::follow(const RenderOptions& options, const FramePlan& plan,
 
   if (whole) dropAllButPicture();
   if (size || media || transport || pattern) made_.map.reset();
-  if (size || shadows || surface || pattern) lit.reset();
+  if (shadows || surface || pattern) lit.reset();
   if (whole) made_.view = passes::FitPass::makeView(device_);
   if (media || transport || surface)
     makeTables(device_, passes_, scene, options, edited.scene(), made_);
   if (sky) makeSky(device_, passes_, lighting, options, glossy, made_);
   const bool behind = sky || before->options.environmentBehind != options.environmentBehind;
   makeBackdrop(plan, edited, behind);
-  if (size) makeImages(options, scene);
+  if (whole) makeExitance(scene);
+  if (size) makeImages(options);
   makeRoom(plan, !lighting.areas.empty());
   if (shadows) makeShadows(device_, lighting, options, made_);
   if (plan.map && !made_.map) makeMap(options, scene);
@@ -87,7 +88,15 @@ void ViewResources::makeBackdrop(const FramePlan& plan, const EditedScene& edite
       device_, plan.environmentBehind ? given.environment.get() : nullptr);
 }
 
-void ViewResources::makeImages(const RenderOptions& options, const SceneResources& scene) {
+void ViewResources::makeExitance(const SceneResources& scene) {
+  made_.exitance.vertices = gpu::Buffer(
+      device_, {.name = "exitance of vertices",
+                .bytes = std::max<std::size_t>(scene.mesh.vertexCount, 1) * sizeof(shared::vec4),
+                .usage = passes::roomUsage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                .lent = true});
+}
+
+void ViewResources::makeImages(const RenderOptions& options) {
   const auto width = static_cast<std::uint32_t>(options.width);
   const auto height = static_cast<std::uint32_t>(options.height);
   // Before memory for the next is taken.
@@ -98,13 +107,9 @@ void ViewResources::makeImages(const RenderOptions& options, const SceneResource
   made_.variables = {};
   const bool fits = made_.radiance && made_.radiance.extent().width == width &&
                     made_.radiance.extent().height == height;
-  if (!fits) made_.radiance = {};
-  made_.exitance.vertices = gpu::Buffer(
-      device_, {.name = "exitance of vertices",
-                .bytes = std::max<std::size_t>(scene.mesh.vertexCount, 1) * sizeof(shared::vec4),
-                .usage = passes::roomUsage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
-                .lent = true});
-  if (!fits) made_.radiance = passes::ShadePass::makeRadiance(device_, width, height);
+  if (fits) return;
+  made_.radiance = {};
+  made_.radiance = passes::ShadePass::makeRadiance(device_, width, height);
 }
 
 // For as many samples as any frame has had.

@@ -47,7 +47,8 @@ class ViewResources {
   };
   void dropAllButPicture();
   void makeBackdrop(const FramePlan& plan, const EditedScene& edited, bool anew);
-  void makeImages(const RenderOptions& options, const SceneResources& scene);
+  void makeExitance(const SceneResources& scene);
+  void makeImages(const RenderOptions& options);
   void makeRoom(const FramePlan& plan, bool areaLights);
   void makeMap(const RenderOptions& options, SceneResources& scene);
 

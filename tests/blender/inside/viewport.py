@@ -39,6 +39,11 @@ def differs(before, after):
     return float(np.abs(middle(before) - middle(after)).mean())
 
 
+def is_fine(shown):
+    """Whether an edge is as sharp as in the last of the pictures that get finer: in that before it, steps are half as high."""
+    return np.abs(np.diff(middle(shown), axis=1)).max() > 0.2
+
+
 def stage():
     scene = common.empty_scene()
     body = common.cube(half=0.02, made=common.material("Body", "jade"), levels=2)
@@ -70,7 +75,7 @@ def steps():
     """Yields between what it does, until the window has had time to draw."""
     common.install()
     body, view = stage()
-    before = yield from settled("begin", lambda shown: middle(shown).std() > 0.03)
+    before = yield from settled("begin", lambda shown: middle(shown).std() > 0.03 and is_fine(shown))
     changes = (
         ("turned", lambda: turn(view)),
         ("floor", lambda: set_color((0.05, 0.5, 0.1, 1))),

@@ -20,6 +20,10 @@ class Mesh:
                 (self.coordinates is None) == (other.coordinates is None) and
                 (self.coordinates is None or np.array_equal(self.coordinates, other.coordinates)))
 
+    def is_same(self, other):
+        return (self.is_like(other) and np.array_equal(self.positions, other.positions) and
+                np.array_equal(self.normals, other.normals))
+
 
 def _taken(collection, name, kind, width):
     values = np.empty(len(collection) * width, dtype=kind)

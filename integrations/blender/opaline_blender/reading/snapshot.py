@@ -16,12 +16,26 @@ class Body:
     mesh: meshes.Mesh  # in our axes, mm
     look: looks.Look
 
+    def is_same(self, other):
+        return self.name == other.name and self.look == other.look and self.mesh.is_same(other.mesh)
+
+
+def _properties(light):
+    """Of an opaline light."""
+    return [(name, np.asarray(getattr(light, name)).tolist()) for name in dir(light) if not name.startswith("_")]
+
 
 @dataclasses.dataclass
 class Snapshot:
     bodies: list
     lights: list
     world: world.World
+
+    def is_same(self, other):
+        """Whether it looks the same: Blender tells of many changes that nobody sees."""
+        return (self.world == other.world and len(self.bodies) == len(other.bodies) and len(self.lights) == len(other.lights) and
+                all(type(a) is type(b) and _properties(a) == _properties(b) for a, b in zip(self.lights, other.lights)) and
+                all(a.is_same(b) for a, b in zip(self.bodies, other.bodies)))
 
 
 def _placed(part, matrix, mm_per_unit):
