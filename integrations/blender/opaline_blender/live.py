@@ -44,6 +44,11 @@ class LiveRenderer:
     def is_empty(self):
         return self._shown is None or not self._shown.bodies
 
+    @property
+    def bounds(self):
+        """Of what is shown, where it is not empty."""
+        return self._shown.bounds
+
     def show(self, snapshot):
         """From the next picture on."""
         if not snapshot.bodies:

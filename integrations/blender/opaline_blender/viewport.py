@@ -139,7 +139,7 @@ class Worker:
         if live.is_empty:
             return np.zeros((1, 1, 4), dtype=np.float32)
         width, height = (max(length // share, 1) for length in wish.size)
-        frame = live.render(width, height, ["radiance"], wish.camera(), not wish.transparent, reuse_light=same_scene,
+        frame = live.render(width, height, ["radiance"], wish.camera(live.bounds), not wish.transparent, reuse_light=same_scene,
                             antialias=4 if share == 1 else 1, bounces=wish.bounces)
         return premultiplied(frame["radiance"], wish.transparent)
 
@@ -164,5 +164,5 @@ class Wish:
 
     __hash__ = None
 
-    def camera(self):
-        return camera.camera_of(self.matrix, self.projection, self.mm_per_unit)
+    def camera(self, bounds):
+        return camera.camera_of(self.matrix, self.projection, self.mm_per_unit, bounds)

@@ -7,8 +7,18 @@ import numpy as np
 from .. import units
 
 
-def camera_of(to_world, projection, mm_per_unit):
-    """opaline.Camera of the camera's matrix and its projection, as OpenGL has them: looking along -z, y up."""
+def _before(place, ahead, bounds):
+    """So far back, in mm, that nothing of the bounds is behind."""
+    low, high = bounds
+    nearest = np.where(ahead > 0, low, high)
+    return 1.01 * max(float(np.dot(place - nearest, ahead)), 0)
+
+
+def camera_of(to_world, projection, mm_per_unit, bounds=None):
+    """opaline.Camera of the camera's matrix and its projection, as OpenGL has them: looking along -z, y up.
+
+    The near plane of a parallel projection may lie behind its place, as in viewports. What is there is shown if the bounds of all
+    that there is are given, in our axes and mm."""
     import opaline
 
     matrix, projection = np.array(to_world, dtype=float), np.array(projection, dtype=float)
@@ -17,6 +27,9 @@ def camera_of(to_world, projection, mm_per_unit):
     up = units.turned(matrix[:3, 1] / np.linalg.norm(matrix[:3, 1]))
     target = place + ahead * max(100.0, float(np.abs(place).max()) * 0.1)
     if projection[3, 3] == 1:
+        near = (1 + projection[2, 3]) / projection[2, 2] * mm_per_unit
+        if near < 0 and bounds is not None:
+            place, target = (point - ahead * min(-near, _before(place, ahead, bounds)) for point in (place, target))
         return opaline.Camera(place, target, up, shift_x=-projection[0, 3] / 2, shift_y=-projection[1, 3] / 2,
                               orthographic_height_mm=2 / projection[1, 1] * mm_per_unit)
     fov = math.degrees(2 * math.atan(1 / projection[1, 1]))

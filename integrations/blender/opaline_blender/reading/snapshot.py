@@ -1,6 +1,7 @@
 """A scene at one moment, as plain descriptions."""
 
 import dataclasses
+import functools
 
 import numpy as np
 
@@ -30,6 +31,12 @@ class Snapshot:
     bodies: list
     lights: list
     world: world.World
+
+    @functools.cached_property
+    def bounds(self):
+        """The corners of the box around all bodies, mm; there is one at least."""
+        positions = [body.mesh.positions for body in self.bodies if len(body.mesh.positions)]
+        return np.min([each.min(axis=0) for each in positions], axis=0), np.max([each.max(axis=0) for each in positions], axis=0)
 
     def is_same(self, other):
         """Whether it looks the same: Blender tells of many changes that nobody sees."""
