@@ -4,7 +4,6 @@
 
 #include "gpu/device.h"
 #include "passes/mechanics.h"
-#include "passes/seen_parts.h"
 #include "shaders/shared/seen.h"
 
 namespace opaline::passes {
@@ -15,16 +14,18 @@ std::uint32_t rowsFrom(std::uint32_t firstRow, const VisibleSurfaces& surfaces) 
   return std::min(surfaces.rowsOfBand, surfaces.words.extent().height - firstRow);
 }
 
-std::uint32_t wideBlocksAcross(std::uint32_t pixels) {
-  constexpr std::uint32_t width = 2 * shared::widthOfBlock;
-  return (pixels + width - 1) / width;
+// A work group has a square of blocks.
+void dispatchBlocks(gpu::CommandList& commands, std::uint32_t rows,
+                    const VisibleSurfaces& surfaces) {
+  constexpr std::uint32_t width = shared::widthOfBlock * shared::blocksOfGroup;
+  const auto groups = [](std::uint32_t pixels) { return (pixels + width - 1) / width; };
+  commands.dispatch(groups(surfaces.words.extent().width), groups(rows));
 }
 
 }  // namespace
 
 InterpolationPass::InterpolationPass(gpu::Device& device)
     : nearest_(device, gpu::Filter::Nearest),
-      blocks_(device, "blocks of one surface"),
       knots_{{device, "surfaces to sum at first", {.withPaint = 0}},
              {device, "surfaces to sum at first", {.withPaint = 1}}},
       interpolate_{{device, "light between sums", {.withPaint = 0}},
@@ -35,29 +36,22 @@ void InterpolationPass::listKnots(gpu::CommandList& commands, const Inputs& inpu
   VisibleSurfaces& surfaces = seen.surfaces;
   const std::uint32_t rows = rowsFrom(inputs.firstRow, surfaces);
   commands.beginPass("interpolate");
-  if (interpolates) {
-    commands.bind(blocks_,
-                  {.listedPlaces = listedPlaces(seen, nearest_),
-                   .objects = inputs.tables.objects,
-                   .media = inputs.tables.media,
-                   .blocks = surfaces.blocks[0]},
-                  {.firstRow = inputs.firstRow, .rows = rows, .site = inputs.site});
-    commands.dispatchLinear(wideBlocksAcross(surfaces.words.extent().width) *
-                            wideBlocksAcross(rows));
-  }
-  dispatchWhole(commands, surfaces.counts, knots_.of(inputs.tables.paint.any),
-                {.listedPlaces = listedPlaces(seen, nearest_),
+  commands.bind(knots_.of(inputs.tables.paint.any),
+                {.seenPlaces = seenPlaces(seen, nearest_),
                  .meshExitances = inputs.exitance.vertices,
                  .objects = inputs.tables.objects,
                  .surfaces = surfaces.asked,
                  .surfaceCounts = surfaces.countsOf(Asked::Knots),
                  .blocks = surfaces.blocks[0],
                  .exitances = surfaces.light,
-                 .paint = surfaces.paint},
+                 .paint = surfaces.paint,
+                 .media = inputs.tables.media,
+                 .entryOfPixel = surfaces.entryOfPixel},
                 {.firstRow = inputs.firstRow,
                  .rows = rows,
                  .site = inputs.site,
                  .interpolates = interpolates});
+  dispatchBlocks(commands, rows, surfaces);
   commands.endPass();
 }
 
@@ -66,9 +60,10 @@ void InterpolationPass::interpolate(gpu::CommandList& commands, const Inputs& in
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("interpolate");
   const bool wide = blocks == Blocks::Wide;
-  dispatchWhole(
-      commands, surfaces.counts, interpolate_.of(inputs.tables.paint.any),
-      {.listedPlaces = listedPlaces(seen, nearest_),
+  const std::uint32_t rows = rowsFrom(inputs.firstRow, surfaces);
+  commands.bind(
+      interpolate_.of(inputs.tables.paint.any),
+      {.seenPlaces = seenPlaces(seen, nearest_),
        .objects = inputs.tables.objects,
        .surfaces = surfaces.asked,
        .surfaceCounts = surfaces.countsOf(wide ? Asked::InWideBlocks : Asked::InNarrowBlocks),
@@ -78,10 +73,8 @@ void InterpolationPass::interpolate(gpu::CommandList& commands, const Inputs& in
        .exitances = surfaces.light,
        .paint = surfaces.paint,
        .blocksAfter = surfaces.blocks[wide ? 1 : 0]},
-      {.firstRow = inputs.firstRow,
-       .rows = rowsFrom(inputs.firstRow, surfaces),
-       .tolerance = inputs.tolerance,
-       .wide = wide});
+      {.firstRow = inputs.firstRow, .rows = rows, .tolerance = inputs.tolerance, .wide = wide});
+  dispatchBlocks(commands, rows, surfaces);
   commands.endPass();
 }
 

@@ -6,7 +6,6 @@
 #include "gpu/pipeline.h"
 #include "passes/products.h"
 #include "passes/variants.h"
-#include "shaders/scatter/blocks.comp.h"
 #include "shaders/scatter/interpolate.comp.h"
 #include "shaders/scatter/knots.comp.h"
 
@@ -44,7 +43,6 @@ class InterpolationPass {
 
  private:
   gpu::Sampler nearest_;
-  gpu::Compute<shaders::ScatterBlocks> blocks_;
   Variants<shaders::ScatterKnots> knots_;
   Variants<shaders::ScatterInterpolate> interpolate_;
 };

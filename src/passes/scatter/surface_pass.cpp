@@ -161,7 +161,7 @@ void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std
   commands.beginPass("surface");
   commands.fill({surfaces.counts, surfaces.mixedCount, surfaces.countsOf(Asked::Knots),
                  surfaces.countsOf(Asked::InWideBlocks), surfaces.countsOf(Asked::InNarrowBlocks),
-                 surfaces.countsOf(Asked::OfSky), surfaces.blocks[1]},
+                 surfaces.countsOf(Asked::OfSky)},
                 0);
   commands.bind(seen_,
                 {.words = surfaces.words,

@@ -1,27 +1,58 @@
 // Blocks of pixels whose light is interpolated from 3×3 knots: of 8×8 pixels, and of 4×4, which are quarters of those.
-// Knots on a block's last side are the first of the next. Needs, before it, lib/neighbours.glsl.
+// Knots on a block's last side are the first of the next. An invocation has a narrow block, and a work group a square of
+// them. Needs, before it, lib/listing.glsl and lib/neighbours.glsl.
 #ifndef OPALINE_LIB_BLOCKS
 #define OPALINE_LIB_BLOCKS
+#include "lib/morton.glsl"
 
 const int narrowBlock = int(widthOfBlock);
 const int wideBlock = 2 * narrowBlock;
+const int pixelsOfBlock = narrowBlock * narrowBlock;
 
 // What is known of a narrow block, or zero: every pixel has a sum of its own.
 const uint isNarrow = 1u;  // one smooth surface fills it
 const uint isWide = 2u;    // it is a quarter of a wide one that such a surface fills
 const uint isDone = 3u;    // its light is known
 
-uint narrowBlocksAcross() {
-  return uint(textureSize(seenWords, 0).x + narrowBlock - 1) / uint(narrowBlock);
-}
-
 uint blockOf(ivec2 pixel) {
+  uint across = uint(textureSize(seenWords, 0).x + narrowBlock - 1) / uint(narrowBlock);
   ivec2 block = (pixel - ivec2(0, firstRow)) / narrowBlock;
-  return uint(block.y) * narrowBlocksAcross() + uint(block.x);
+  return uint(block.y) * across + uint(block.x);
 }
 
 bool isKnot(ivec2 pixel, int width) {
   return all(equal(pixel % (width / 2), ivec2(0)));
+}
+
+// The first pixel of the invocation's block.
+ivec2 firstOfInvocation() {
+  uvec2 block = gl_WorkGroupID.xy * blocksOfGroup + placeOfMorton(gl_LocalInvocationIndex);
+  return narrowBlock * ivec2(block) + ivec2(0, firstRow);
+}
+
+ivec2 pixelOfBlock(ivec2 first, int i) {
+  return first + ivec2(i % narrowBlock, i / narrowBlock);
+}
+
+shared uint countsOfBlocks[gl_WorkGroupSize.x];
+shared uint startOfGroup;
+
+// Of a work group, all at once and in order, so that neighbours stay together: the first entry of each invocation's
+// that wants `added` of them.
+uint placesForBlock(uint added) {
+  uint i = gl_LocalInvocationIndex;
+  countsOfBlocks[i] = added;
+  for (uint away = 1u; away < gl_WorkGroupSize.x; away *= 2u) {
+    barrier();
+    uint before = i >= away ? countsOfBlocks[i - away] : 0u;
+    barrier();
+    countsOfBlocks[i] += before;
+  }
+  barrier();
+  uint all = countsOfBlocks[gl_WorkGroupSize.x - 1u];
+  if (i == 0u && all != 0u) startOfGroup = takePlaces(all);
+  barrier();
+  return startOfGroup + countsOfBlocks[i] - added;
 }
 
 #endif

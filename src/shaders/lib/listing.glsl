@@ -19,19 +19,23 @@ void dispatchAtLeast(uint which, uint entries) {
   atomicMax(surfaceCounts[which].groupsEntries.z, 1u);
 }
 
+// The first of so many entries.
+uint takePlaces(uint all) {
+  uint start = atomicAdd(surfaceCounts[0].groupsEntries.w, all);
+  uint last = start + all - 1u;
+  dispatchAtLeast(0u, last + 1u);
+  uint part = last / seenOfPart;
+  dispatchAtLeast(1u + part, last % seenOfPart + 1u);
+  if (start / seenOfPart != part) dispatchAtLeast(part, seenOfPart);
+  return start;
+}
+
 // Of a subgroup, all at once: the first entry of each invocation's that wants `added` of them.
 uint placesForSurfaces(uint added) {
   uint before = subgroupExclusiveAdd(added);
   uint all = subgroupAdd(added);
   uint start = 0u;
-  if (subgroupElect() && all != 0u) {
-    start = atomicAdd(surfaceCounts[0].groupsEntries.w, all);
-    uint last = start + all - 1u;
-    dispatchAtLeast(0u, last + 1u);
-    uint part = last / seenOfPart;
-    dispatchAtLeast(1u + part, last % seenOfPart + 1u);
-    if (start / seenOfPart != part) dispatchAtLeast(part, seenOfPart);
-  }
+  if (subgroupElect() && all != 0u) start = takePlaces(all);
   return subgroupMax(start) + before;
 }
 

@@ -1,4 +1,4 @@
-// What neighbouring pixels of a band have found of their first surfaces. Needs, before it, lib/seen_list.glsl, and after
+// What neighbouring pixels of a band have found of their first surfaces. Needs, before it, lib/seen.glsl, and after
 // that the first row of the band and how many it has, as `firstRow` and `rows`.
 #ifndef OPALINE_LIB_NEIGHBOURS
 #define OPALINE_LIB_NEIGHBOURS
@@ -22,10 +22,6 @@ ivec2 windowAround(ivec2 pixel, int width) {
 
 ivec2 pixelOfWindow(ivec2 window, uint i, int width) {
   return window + ivec2(int(i) % width, int(i) / width);
-}
-
-bool isFirstSurface(Seen seen) {
-  return seenList[seen.entry] >> seenLayerShift == 0u;
 }
 
 // Cosine of normals, and sine of the angle by which the way between may leave the surface, within which pixels see one.

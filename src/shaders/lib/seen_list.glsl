@@ -35,4 +35,9 @@ Seen seenOfInvocation(uint first) {
   return seen;
 }
 
+// Whether it is the first that its pixel sees.
+bool isFirstSurface(Seen seen) {
+  return seenList[seen.entry] >> seenLayerShift == 0u;
+}
+
 #endif

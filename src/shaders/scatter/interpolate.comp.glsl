@@ -9,18 +9,18 @@
 #define BINDING_SURFACES 3
 #define BINDING_NODES 5
 #define MESH_BINDING 10
-#define BINDING_SEEN_LIST 14
+layout(local_size_x = 64) in;
 #include "lib/frame.glsl"
 #include "lib/darkest.glsl"
+#include "lib/seen.glsl"
 #include "lib/listing.glsl"
-#include "lib/seen_list.glsl"
 #include "lib/tolerance.glsl"
 
 layout(std430, set = 0, binding = 6) readonly buffer Blocks { uint blocks[]; };
 layout(std430, set = 0, binding = 7) readonly buffer Entries { uint entryOfPixel[]; };
 layout(std430, set = 0, binding = 8) buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = 9) buffer Paint { vec4 paint[]; };
-layout(std430, set = 0, binding = 16) writeonly buffer BlocksAfter { uint blocksAfter[]; };
+layout(std430, set = 0, binding = 14) writeonly buffer BlocksAfter { uint blocksAfter[]; };
 
 layout(constant_id = 0) const uint withPaint = 0u;
 
@@ -39,10 +39,6 @@ const float partTolerated = 0.25;
 
 int blockWidth() {
   return wide != 0u ? wideBlock : narrowBlock;
-}
-
-ivec2 firstOfBlock(ivec2 pixel) {
-  return pixel - (pixel - ivec2(0, firstRow)) % blockWidth();
 }
 
 struct Knots {
@@ -82,8 +78,7 @@ vec3 weightsAt(float t) {
   return vec3(0.5 * (t - 1.0) * (t - 2.0), t * (2.0 - t), 0.5 * t * (t - 1.0));
 }
 
-void interpolate(Seen seen, Knots knots) {
-  vec2 at = vec2(seen.pixel - firstOfBlock(seen.pixel)) / float(blockWidth() / 2);
+void interpolate(ivec2 pixel, vec2 at, Knots knots) {
   vec3 across = weightsAt(at.x);
   vec3 down = weightsAt(at.y);
   vec3 light = vec3(0.0);
@@ -93,28 +88,39 @@ void interpolate(Seen seen, Knots knots) {
     light += weight * exitances[knots.entries[i]].rgb;
     if (withPaint != 0u) entered += weight * paint[knots.entries[i]];
   }
+  uint entry = entryOfPixel[indexOf(pixel)];
   // No profile is evaluated for it.
-  exitances[seen.entry] = vec4(max(light, vec3(0.0)), 0.0);
-  if (withPaint != 0u) paint[seen.entry] = max(entered, vec4(0.0));
+  exitances[entry] = vec4(max(light, vec3(0.0)), 0.0);
+  if (withPaint != 0u) paint[entry] = max(entered, vec4(0.0));
 }
 
-bool isKnotOfQuarter(ivec2 pixel) {
-  return wide == 0u || isKnot(pixel, narrowBlock);
+// Of the invocation's pixels, those that are summed where light does not change evenly.
+bool isListed(ivec2 pixel) {
+  return !isKnot(pixel, blockWidth()) && (wide == 0u || isKnot(pixel, narrowBlock));
 }
 
 void main() {
-  Seen seen = seenOfInvocation(0u);
-  uint block = seen.there ? blocks[blockOf(seen.pixel)] : 0u;
-  bool asks = false;
-  if (block == (wide != 0u ? isWide : isNarrow)) {
-    Knots knots = knotsOf(firstOfBlock(seen.pixel));
-    bool knot = isKnot(seen.pixel, blockWidth());
-    bool even = changesEvenly(knots, objects[objectOfTriangle(triangleOf(seen.word))]);
-    if (even && !knot) interpolate(seen, knots);
-    asks = !even && !knot && isKnotOfQuarter(seen.pixel);
+  ivec2 first = firstOfInvocation();
+  uint block = isInBand(first) ? blocks[blockOf(first)] : 0u;
+  bool here = block == (wide != 0u ? isWide : isNarrow);
+  bool even = false;
+  if (here) {
+    ivec2 start = first - (first - ivec2(0, firstRow)) % blockWidth();
+    Knots knots = knotsOf(start);
+    even = changesEvenly(knots, objects[objectOfTriangle(triangleOf(seenWord(first, 0u)))]);
+    for (int i = 0; even && i < pixelsOfBlock; ++i) {
+      ivec2 pixel = pixelOfBlock(first, i);
+      if (!isKnot(pixel, blockWidth())) interpolate(pixel, vec2(pixel - start) / float(blockWidth() / 2), knots);
+    }
     block = even ? isDone : isNarrow;
   }
-  if (wide != 0u && seen.there && isKnot(seen.pixel, wideBlock)) blocksAfter[blockOf(seen.pixel)] = block;
-  uint place = placesForSurfaces(asks ? 1u : 0u);
-  if (asks) surfaces[place] = seen.entry;
+  if (wide != 0u && isInBand(first)) blocksAfter[blockOf(first)] = block;
+  bool lists = here && !even;
+  uint count = 0u;
+  for (int i = 0; i < pixelsOfBlock; ++i) count += lists && isListed(pixelOfBlock(first, i)) ? 1u : 0u;
+  uint place = placesForBlock(count);
+  for (int i = 0; i < pixelsOfBlock; ++i) {
+    ivec2 pixel = pixelOfBlock(first, i);
+    if (lists && isListed(pixel)) surfaces[place++] = entryOfPixel[indexOf(pixel)];
+  }
 }

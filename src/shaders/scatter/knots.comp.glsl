@@ -1,5 +1,6 @@
-// Lists the surfaces that pixels see where light is summed at first: of those in blocks the knots, and all others. Surfaces
-// of bodies whose light is summed at vertices have what these have.
+// Finds the blocks of pixels that are filled by one smooth surface of a translucent body, and so small that its light
+// changes slowly over them. Then lists the surfaces where light is summed at first: of those in blocks the knots, and all
+// others. Surfaces of bodies whose light is summed at vertices have what these have.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -9,15 +10,18 @@
 #define BINDING_OBJECTS 3
 #define BINDING_SURFACES 4
 #define MESH_BINDING 9
-#define BINDING_SEEN_LIST 13
+#define BINDING_MEDIA 13
+layout(local_size_x = 64) in;
 #include "lib/frame.glsl"
-#include "lib/bodies.glsl"
+#include "lib/lesser.glsl"
+#include "lib/material.glsl"
+#include "lib/seen.glsl"
 #include "lib/listing.glsl"
-#include "lib/seen_list.glsl"
 
-layout(std430, set = 0, binding = 6) readonly buffer Blocks { uint blocks[]; };
+layout(std430, set = 0, binding = 6) writeonly buffer Blocks { uint blocks[]; };
 layout(std430, set = 0, binding = 7) writeonly buffer Exitances { vec4 exitances[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Paint { vec4 paint[]; };
+layout(std430, set = 0, binding = 14) readonly buffer Entries { uint entryOfPixel[]; };
 
 layout(constant_id = 0) const uint withPaint = 0u;
 
@@ -31,18 +35,131 @@ layout(push_constant) uniform Push {
 #include "lib/neighbours.glsl"
 #include "lib/blocks.glsl"
 
-bool isBetweenKnots(Seen seen) {
-  if (interpolates == 0u) return false;
-  uint block = blocks[blockOf(seen.pixel)];
-  return block != 0u && !isKnot(seen.pixel, block == isWide ? wideBlock : narrowBlock);
+// Between knots, in mean free paths of the channel whose light changes fastest.
+const float farthestApart = 1.5;
+
+// Knots of a narrow block that are the first of other blocks.
+const ivec2 otherKnots[5] = ivec2[5](ivec2(4, 0), ivec2(4, 2), ivec2(4, 4), ivec2(2, 4), ivec2(0, 4));
+
+ivec2 offsetOf(int i) {
+  return i < pixelsOfBlock ? pixelOfBlock(ivec2(0), i) : otherKnots[i - pixelsOfBlock];
+}
+
+bool areWhole(ivec2 first) {
+  if (any(greaterThanEqual(first + narrowBlock, endOfBand()))) return false;
+  for (int i = 0; i < pixelsOfBlock + otherKnots.length(); ++i)
+    if (samplesOf(seenWord(first + offsetOf(i), 0u)) != everySample) return false;
+  return true;
+}
+
+MeshPlace placeAt(ivec2 pixel) {
+  return seenPlace(pixel, seenWord(pixel, 0u));
+}
+
+bool isOneWith(MeshPlace middle, uint triangle, ivec2 pixel) {
+  uint word = seenWord(pixel, 0u);
+  return triangleOf(word) == triangle || isOneSurface(middle, seenPlace(pixel, word));
+}
+
+// Whether knots that far from the middle of a block are near enough to each other.
+bool areNear(MeshPlace middle, ivec2 pixel, int away) {
+  float reach = farthestApart / largestOf(insideOf(objects[middle.object]).extinction.rgb);
+  for (int i = 0; i < 4; ++i) {
+    ivec2 knot = pixel + away * ivec2(i % 2 * (i - 2), (i + 1) % 2 * (i - 1));
+    if (distance(middle.position, placeAt(knot).position) > reach) return false;
+  }
+  return true;
+}
+
+bool isSummedHere(ObjectData body) {
+  // Sums over coarse sources have steps, which the sums over those nearby take away.
+  return !isOpaque(body) && isSummedAtFragments(body, site) && body.darkest.w == 0.0;
+}
+
+bool isSmooth(ivec2 first) {
+  if (!areWhole(first)) return false;
+  ivec2 pixel = first + narrowBlock / 2;
+  uint triangle = triangleOf(seenWord(pixel, 0u));
+  MeshPlace middle = placeAt(pixel);
+  if (!isSummedHere(objects[middle.object]) || !areNear(middle, pixel, narrowBlock / 2)) return false;
+  for (int i = 0; i < pixelsOfBlock + otherKnots.length(); ++i)
+    if (!isOneWith(middle, triangle, first + offsetOf(i))) return false;
+  return true;
+}
+
+// Each quarter goes on where it meets the next, and all of them as the middle does.
+bool isSmoothAsAWhole(ivec2 first) {
+  ivec2 pixel = first + wideBlock / 2;
+  MeshPlace middle = placeAt(pixel);
+  for (int i = 0; i < 4; ++i)
+    if (!isOneSurface(middle, placeAt(first + narrowBlock / 2 + narrowBlock * ivec2(i & 1, i >> 1)))) return false;
+  return areNear(middle, pixel, wideBlock / 2);
+}
+
+shared bool smoothBlocks[gl_WorkGroupSize.x];
+shared bool wideBlocks[gl_WorkGroupSize.x / 4u];
+
+// What is known of the invocation's block.
+uint findBlock(ivec2 first) {
+  uint i = gl_LocalInvocationIndex;
+  smoothBlocks[i] = interpolates != 0u && isInBand(first) && isSmooth(first);
+  barrier();
+  if (i % 4u == 0u)
+    wideBlocks[i / 4u] = smoothBlocks[i] && smoothBlocks[i + 1u] && smoothBlocks[i + 2u] && smoothBlocks[i + 3u] &&
+                         isSmoothAsAWhole(first);
+  barrier();
+  return wideBlocks[i / 4u] ? isWide : smoothBlocks[i] ? isNarrow : 0u;
+}
+
+struct SeenHere {
+  bool there;
+  bool summed;  // at fragments
+  uint entry;
+  uint word;
+};
+
+SeenHere surfaceSeen(ivec2 pixel, uint layer) {
+  SeenHere seen = SeenHere(false, false, 0u, 0u);
+  if (!isInBand(pixel)) return seen;
+  seen.word = seenWord(pixel, layer);
+  if (samplesOf(seen.word) == 0u) return seen;
+  seen.there = true;
+  seen.entry = entryOfPixel[indexOf(pixel)] + layer;
+  seen.summed = isSummedAtFragments(objects[objectOfTriangle(triangleOf(seen.word))], site);
+  return seen;
+}
+
+void giveKnown(ivec2 pixel, SeenHere seen) {
+  if (!seen.summed) exitances[seen.entry] = meshExitanceAt(seenPlace(pixel, seen.word));
+  if (withPaint != 0u) paint[seen.entry] = vec4(0.0);
+}
+
+bool isBetweenKnots(ivec2 pixel, uint block) {
+  return block != 0u && !isKnot(pixel, block == isWide ? wideBlock : narrowBlock);
+}
+
+// All of the block's surfaces once, and then, where they are listed, again; says how many are.
+uint goThrough(ivec2 first, uint block, bool lists, uint start) {
+  uint count = 0u;
+  for (int i = 0; i < pixelsOfBlock; ++i) {
+    ivec2 pixel = pixelOfBlock(first, i);
+    for (uint layer = 0u; layer < uint(textureSize(seenWords, 0).z); ++layer) {
+      SeenHere seen = surfaceSeen(pixel, layer);
+      if (!seen.there) break;
+      if (!lists) giveKnown(pixel, seen);
+      if (!seen.summed || isBetweenKnots(pixel, block)) continue;
+      if (lists) surfaces[start + count] = seen.entry;
+      ++count;
+    }
+  }
+  return count;
 }
 
 void main() {
-  Seen seen = seenOfInvocation(0u);
-  bool here = seen.there && isSummedAtFragments(objects[objectOfTriangle(triangleOf(seen.word))], site);
-  if (seen.there && !here) exitances[seen.entry] = meshExitanceAt(seenPlace(seen.pixel, seen.word));
-  if (withPaint != 0u && seen.there) paint[seen.entry] = vec4(0.0);
-  bool asks = here && !isBetweenKnots(seen);
-  uint place = placesForSurfaces(asks ? 1u : 0u);
-  if (asks) surfaces[place] = seen.entry;
+  ivec2 first = firstOfInvocation();
+  uint block = findBlock(first);
+  if (isInBand(first)) blocks[blockOf(first)] = block;
+  uint count = goThrough(first, block, false, 0u);
+  uint start = placesForBlock(count);
+  if (count != 0u) goThrough(first, block, true, start);
 }

@@ -12,6 +12,7 @@
 #define BINDING_RAYS 4
 #define BINDING_MEDIA 6
 #include "lib/material.glsl"
+#include "lib/morton.glsl"
 #include "lib/frame.glsl"
 #include "lib/seen.glsl"
 #include "lib/sky_block.glsl"
@@ -50,13 +51,6 @@ const uint noObject = 0xffffffffu;
 shared uint rayOfCorner[corners];
 shared uint objectOfCorner[corners];  // noObject where no single surface fills the pixel
 shared vec3 normalOfCorner[corners];
-
-uvec2 placeOfMorton(uint i) {
-  uvec2 place = uvec2(0u);
-  for (int bit = 0; bit < 4; ++bit)
-    place |= uvec2(bitfieldExtract(i, 2 * bit, 1), bitfieldExtract(i, 2 * bit + 1, 1)) << bit;
-  return place;
-}
 
 ivec2 firstPixel() {
   return 2 * ivec2(gl_WorkGroupID.xy * widthOfGroup) + ivec2(0, first);

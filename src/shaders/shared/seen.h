@@ -27,6 +27,8 @@ OPALINE_SEEN_CONSTANT seenOfPart = 1u << 20u;
 
 /// Light is interpolated in blocks of so many pixels across, or twice as many (lib/blocks.glsl).
 OPALINE_SEEN_CONSTANT widthOfBlock = 4u;
+/// A work group has so many of the smaller ones across.
+OPALINE_SEEN_CONSTANT blocksOfGroup = 8u;
 
 /// Groups of a dispatch over a list, x y z, and w: entries. The list of surfaces has one for the
 /// whole and then one for each part, which has no w.
