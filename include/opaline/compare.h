@@ -27,7 +27,8 @@ struct Plane {
 /// Which pixels count, 1 or 0, rows from top to bottom.
 using Selection = std::vector<std::uint8_t>;
 
-/// Pixels that both images cover: alpha above 0. Both have the same size, here and below.
+/// Pixels that both images cover: alpha above 0. Here and below, images of different sizes, numbers
+/// out of range, and selected values that are not finite are a UsageError.
 OPALINE_API Selection commonPixels(const Image& a, const Image& b);
 
 /// Pixels that the mask covers and where its largest channel is above 0.5.

@@ -1,9 +1,10 @@
 #include "opaline/compare.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
+
+#include "opaline/error.h"
 
 namespace opaline::compare {
 
@@ -125,18 +126,33 @@ float paintable(double error, double mean) {
   return static_cast<float>(std::min(ratio(error, mean), 1e30));
 }
 
-void requireSameSize(const Image& a, const Image& b, const Selection& selection) {
-  assert(a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size());
-  assert(4 * selection.size() == a.rgba.size());
-  static_cast<void>(a);
-  static_cast<void>(b);
-  static_cast<void>(selection);
+void require(bool met, const char* otherwise) {
+  if (!met) throw UsageError(otherwise);
+}
+
+void requireOneSize(const Image& a, const Image& b) {
+  require(a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size(),
+          "images that are compared have the same size");
+}
+
+void requireComparable(const Image& a, const Image& b, const Selection& selection) {
+  requireOneSize(a, b);
+  require(4 * selection.size() == a.rgba.size(), "a selection has one number a pixel");
+  forEachSelected(selection, [&](std::size_t i) {
+    for (std::size_t c = 0; c < channels; ++c)
+      require(std::isfinite(valueOf(a, i, c)) && std::isfinite(valueOf(b, i, c)),
+              "what is compared is finite");
+  });
+}
+
+void requireEdge(int edgePixels) {
+  require(edgePixels > 0, "blocks are at least one pixel wide");
 }
 
 }  // namespace
 
 Selection commonPixels(const Image& a, const Image& b) {
-  assert(a.rgba.size() == b.rgba.size());
+  requireOneSize(a, b);
   Selection selection(a.rgba.size() / 4);
   for (std::size_t i = 0; i < selection.size(); ++i) {
     selection[i] = a.rgba[4 * i + 3] > 0 && b.rgba[4 * i + 3] > 0 ? 1 : 0;
@@ -161,7 +177,7 @@ std::size_t countOf(const Selection& selection) {
 
 std::optional<Figures> figuresOver(const Image& a, const Image& b, const Selection& selection,
                                    std::optional<double> peak) {
-  requireSameSize(a, b, selection);
+  requireComparable(a, b, selection);
   Figures figures;
   figures.coveredPixels = countOf(selection);
   if (figures.coveredPixels == 0) return {};
@@ -193,8 +209,8 @@ std::optional<Figures> figuresOver(const Image& a, const Image& b, const Selecti
 
 std::optional<BlockFigures> blockFiguresOver(const Image& a, const Image& b,
                                              const Selection& selection, int edgePixels) {
-  requireSameSize(a, b, selection);
-  assert(edgePixels > 0);
+  requireComparable(a, b, selection);
+  requireEdge(edgePixels);
   if (countOf(selection) == 0) return {};
 
   const Blocks blocks(a, edgePixels);
@@ -223,7 +239,7 @@ std::optional<BlockFigures> blockFiguresOver(const Image& a, const Image& b,
 }
 
 Plane relativeErrors(const Image& a, const Image& b, const Selection& selection) {
-  requireSameSize(a, b, selection);
+  requireComparable(a, b, selection);
   const double mean = meanMagnitude(b, selection);
   Plane plane(a.width, a.height);
   forEachSelected(selection, [&](std::size_t i) {
@@ -238,8 +254,8 @@ Plane relativeErrors(const Image& a, const Image& b, const Selection& selection)
 
 Plane relativeBlockErrors(const Image& a, const Image& b, const Selection& selection,
                           int edgePixels) {
-  requireSameSize(a, b, selection);
-  assert(edgePixels > 0);
+  requireComparable(a, b, selection);
+  requireEdge(edgePixels);
   const Blocks blocks(a, edgePixels);
   std::vector<double> errors(blocks.count);
   for (std::size_t c = 0; c < channels; ++c) {
@@ -256,7 +272,7 @@ Plane relativeBlockErrors(const Image& a, const Image& b, const Selection& selec
 }
 
 double meanOver(const Plane& plane, const Selection& selection) {
-  assert(plane.values.size() == selection.size());
+  require(plane.values.size() == selection.size(), "a selection has one number a pixel");
   double sum = 0;
   forEachSelected(selection, [&](std::size_t i) { sum += static_cast<double>(plane.values[i]); });
   const std::size_t count = countOf(selection);

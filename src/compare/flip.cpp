@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
 #include "compare/cie_color.h"
 #include "compare/plane.h"
 #include "opaline/compare.h"
+#include "opaline/error.h"
 #include "opaline/tone.h"
 
 namespace opaline::compare {
@@ -191,8 +191,10 @@ Seen look(const Image8& picture, double pixelsPerDegree) {
 }  // namespace
 
 Plane flipMap(const Image8& a, const Image8& b, double pixelsPerDegree) {
-  assert(a.width == b.width && a.height == b.height);
-  assert(pixelsPerDegree >= 1 && pixelsPerDegree <= 1000);
+  if (a.width != b.width || a.height != b.height)
+    throw UsageError("images that are compared have the same size");
+  if (!(pixelsPerDegree >= 1 && pixelsPerDegree <= 1000))
+    throw UsageError("pixels per degree must be from 1 to 1000");
   const Seen seenA = look(a, pixelsPerDegree);
   const Seen seenB = look(b, pixelsPerDegree);
   Plane map(a.width, a.height);

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <string>
 
 #include "compare/color_map.h"
 #include "compare/digits.h"
+#include "opaline/error.h"
 
 namespace opaline::compare {
 
@@ -93,7 +93,8 @@ double heatmapTop(const Plane& errors, const Selection& selection) {
 }
 
 Image8 drawHeatmap(const Plane& errors, const Selection& selection, double top) {
-  assert(errors.values.size() == selection.size() && top > 0);
+  if (errors.values.size() != selection.size() || !(top > 0))
+    throw UsageError("a heat map has a selection of its size and a top above 0");
   const Layout layout = layOut(errors.width, errors.height);
   Image8 picture{layout.width, layout.height, {}};
   picture.rgba.assign(std::size_t{4} * static_cast<std::size_t>(layout.width) *

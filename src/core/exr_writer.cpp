@@ -7,11 +7,11 @@
 #include <ImfStringAttribute.h>
 
 #include <array>
-#include <cassert>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 
+#include "core/sound_image.h"
 #include "opaline/file.h"
 #include "opaline/image_file.h"
 
@@ -42,9 +42,7 @@ void writePixels(Imf::OStream& stream, const Image& image, std::string_view note
 }  // namespace
 
 std::filesystem::path writeExr(const Target& target, const Image& image, std::string_view note) {
-  assert(image.width > 0 && image.height > 0);
-  assert(image.rgba.size() == std::size_t{4} * static_cast<std::size_t>(image.width) *
-                                  static_cast<std::size_t>(image.height));
+  core::requireSound(image);
   return writeWhole(target, [&](const std::filesystem::path& temporary) {
     std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
     try {

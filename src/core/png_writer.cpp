@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 #include <stb_image_write.h>
 
-#include <cassert>
 #include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
 
+#include "core/sound_image.h"
 #include "opaline/error.h"
 #include "opaline/file.h"
 #include "opaline/image_file.h"
@@ -44,9 +44,7 @@ std::string textChunk(std::string_view note) {
 std::filesystem::path writePng(const Target& target, const Image8& image, std::string_view note) {
   constexpr std::size_t headerEnd = 8 + 25;  // the signature and IHDR, which come first
   constexpr int channels = 4;
-  assert(image.width > 0 && image.height > 0);
-  assert(image.rgba.size() == std::size_t{channels} * static_cast<std::size_t>(image.width) *
-                                  static_cast<std::size_t>(image.height));
+  core::requireSound(image);
   // stb_image_write counts bytes in int; its compressor may need a little more than the pixels.
   if (image.rgba.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()) / 4 * 3) {
     throw Error(fmt::format("Cannot write {}: {}x{} pixels are too many for PNG; use EXR.",

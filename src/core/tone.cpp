@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "core/sound_image.h"
 #include "opaline/error.h"
 
 namespace opaline {
@@ -68,8 +68,7 @@ float decodeSrgb(float encoded) {
 Image8 toneMap(const Image& radiance, const ToneOptions& options) {
   requireValid(options);
   const std::size_t values = radiance.rgba.size();
-  assert(values == std::size_t{4} * static_cast<std::size_t>(radiance.width) *
-                       static_cast<std::size_t>(radiance.height));
+  if (values > 0) core::requireSound(radiance);
   const float factor = std::exp2(options.exposureStops);
   Image8 result{radiance.width, radiance.height, std::vector<std::uint8_t>(values)};
   for (std::size_t i = 0; i < values; i += 4) {

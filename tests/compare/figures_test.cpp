@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "opaline/error.h"
+
 namespace opaline::compare {
 namespace {
 
@@ -25,6 +27,25 @@ Image filled(int width, int height, float value) {
   Image image(width, height);
   for (std::size_t i = 0; i < image.rgba.size(); ++i) image.rgba[i] = i % 4 == 3 ? 1.0F : value;
   return image;
+}
+
+TEST(Figures, RefusesWhatCannotBeCompared) {
+  const Image a = row({1, 2, 3});
+  const Image longer = row({1, 2, 3, 4});
+  const Selection all{1, 1, 1};
+  EXPECT_THROW(commonPixels(a, longer), UsageError);
+  EXPECT_THROW(figuresOver(a, longer, all), UsageError);
+  EXPECT_THROW(figuresOver(a, a, {1, 1}), UsageError);
+  EXPECT_THROW(blockFiguresOver(a, a, all, 0), UsageError);
+  EXPECT_THROW(relativeErrors(a, longer, all), UsageError);
+  for (const float bad : {NAN, INFINITY}) {
+    EXPECT_THROW(figuresOver(row({1, bad, 3}), a, all), UsageError);
+    EXPECT_THROW(blockFiguresOver(a, row({1, 2, bad}), all, 2), UsageError);
+    EXPECT_TRUE(figuresOver(row({1, bad, 3}), a, {1, 0, 1}).has_value()) << "where it counts";
+  }
+  EXPECT_THROW(flipMap(Image8(2, 1), Image8(1, 2)), UsageError);
+  EXPECT_THROW(drawHeatmap(Plane(3, 1), {1, 1}, 0.2), UsageError);
+  EXPECT_THROW(flipMap(Image8(2, 1), Image8(2, 1), NAN), UsageError);
 }
 
 TEST(Figures, EqualImagesDifferByNothing) {

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "opaline/error.h"
+#include "opaline/image_file.h"
 
 namespace opaline::core {
 namespace {
@@ -30,6 +32,17 @@ TEST(EncodeSrgb, InvertsTheStandardsDecoding) {
   }
   EXPECT_FLOAT_EQ(encodeSrgb(0.0F), 0.0F);
   EXPECT_FLOAT_EQ(encodeSrgb(1.0F), 1.0F);
+}
+
+// Nor are they written.
+TEST(ToneMap, ImagesThatAreNotWholeAreRefused) {
+  Image image(2, 2);
+  image.rgba.pop_back();
+  EXPECT_THROW(toneMap(image), UsageError);
+  EXPECT_THROW(writeExr({"never.exr"}, image), UsageError);
+  EXPECT_THROW(writeExr({"never.exr"}, Image()), UsageError);
+  EXPECT_THROW(writePng({"never.png"}, Image8{1, 1, {0, 0, 0}}), UsageError);
+  EXPECT_FALSE(std::filesystem::exists("never.exr"));
 }
 
 TEST(ToneMap, NoneClipsAndEncodes) {

@@ -3,6 +3,7 @@
 BUILD names the build folder, which is whole. `make package-check` runs this on a shared library."""
 
 import os
+import re
 import shutil
 import unittest
 
@@ -86,6 +87,23 @@ class Package(Installed):
         self.succeed(CMAKE, "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
         self.succeed(CMAKE, "--build", folder / "build")
         self.assert_draws(folder / "build" / "picture")
+
+    def test_the_page_of_the_library_is_right(self):
+        page = (ROOT / "docs" / "library.md").read_text()
+        lists, program = (re.search(rf"```{language}\n(.*?)```", page, re.DOTALL)[1] for language in ("cmake", "cpp"))
+        commands = re.search(r"```\n(cmake -G Ninja .*?)```", page, re.DOTALL)[1]
+        folder = self.folder / "page"
+        folder.mkdir()
+        (folder / "CMakeLists.txt").write_text(lists)
+        (folder / "your_program.cpp").write_text("#include <opaline/opaline.h>\nint main() {\n" + program + "}\n")
+        (folder / "bunny.ply").write_text("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                                          "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+                                          "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+        (self.folder / "opaline").symlink_to(self.prefix)
+        self.succeed("sh", "-e", "-c", commands, cwd=folder, env=os.environ | {"HOME": str(self.folder)})
+        self.succeed(folder / "build" / "your_program", cwd=folder,
+                     env=os.environ | {"LD_LIBRARY_PATH": str(self.prefix / "lib")})
+        self.assertTrue((folder / "bunny.png").is_file())
 
     def test_it_moves_as_a_whole(self):
         moved = self.folder / "moved"

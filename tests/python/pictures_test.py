@@ -143,7 +143,9 @@ class Comparing(unittest.TestCase):
         mask[0, 0] = True
         self.assertEqual(opaline.compare(a, b, mask)["max_abs"], 0)
         self.assertEqual(opaline.compare(a, b)["max_abs"], 1)
-        for wrong in ((a, b[:3]), (a, b, mask[:2]), (a, b, np.zeros((4, 4))), (a[..., :2], b), (a[0], b)):
+        broken = b.copy()
+        broken[2, 1, 0] = np.nan
+        for wrong in ((a, broken), (a, b[:3]), (a, b, mask[:2]), (a, b, np.zeros((4, 4))), (a[..., :2], b), (a[0], b)):
             with self.assertRaises(opaline.UsageError):
                 opaline.compare(*wrong)
 
