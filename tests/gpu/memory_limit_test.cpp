@@ -21,6 +21,8 @@ using testing::HasSubstr;
 
 constexpr std::size_t megabyte = 1'000'000;
 
+#ifndef __SANITIZE_ADDRESS__  // which takes terabytes of address space itself
+
 /// Of address space, which a limit counts.
 std::size_t bytesTaken() {
   std::size_t pages = 0;
@@ -61,6 +63,7 @@ TEST(HostMemoryDeathTest, AnErrorSaysThatThereIsTooLittleForADevice) {
   EXPECT_EXIT(exitWithZeroIfNoDeviceIsOpenedWith(roomToOpenDevice / 2), testing::ExitedWithCode(0),
               "raise the limit of its memory");
 }
+#endif
 
 TEST(MemoryLimit, HoldsForAllBuffersTogetherUntilTheyAreGone) {
   Device device({.mostMemoryBytes = 10 * megabyte});
