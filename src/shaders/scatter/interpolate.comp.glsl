@@ -35,7 +35,7 @@ layout(push_constant) uniform Push {
 #include "lib/blocks.glsl"
 
 // Of the tolerance of a node: so much a straight line between two knots may be off.
-const float partTolerated = 0.25;
+const float partTolerated = 0.1;
 
 int blockWidth() {
   return wide != 0u ? wideBlock : narrowBlock;
