@@ -102,6 +102,33 @@ def cube(name="Cube", half=0.02, made=None, levels=0):
     return thing
 
 
+def column(name, half, made, levels):
+    """Twice as high as wide."""
+    body = cube(name, half, made, levels)
+    for vertex in body.data.vertices:
+        vertex.co.z *= 2
+    return body
+
+
+def rig_of(body, half_height):
+    """An armature that holds the lower half of a body still and moves the upper one with the bone "Tip"."""
+    bpy.ops.object.armature_add(location=(0, 0, -half_height))
+    rig = bpy.context.object
+    bpy.ops.object.mode_set(mode="EDIT")
+    root = rig.data.edit_bones[0]
+    root.name, root.tail = "Root", (0, 0, half_height)
+    tip = rig.data.edit_bones.new("Tip")
+    tip.head, tip.tail, tip.parent = root.tail, (0, 0, 2 * half_height), root
+    bpy.ops.object.mode_set(mode="OBJECT")
+    for name, low in (("Root", True), ("Tip", False)):
+        body.vertex_groups.new(name=name).add([v.index for v in body.data.vertices if (v.co.z < 0) == low], 1, "REPLACE")
+    body.modifiers.new("Armature", "ARMATURE").object = rig
+    body.parent = rig
+    body.matrix_parent_inverse = rig.matrix_world.inverted()
+    rig.pose.bones["Tip"].rotation_mode = "XYZ"
+    return rig
+
+
 def plane(name="Plane", half=1.0, made=None, place=(0, 0, 0)):
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata([(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)], [], [(0, 1, 2, 3)])

@@ -23,28 +23,11 @@ def keyed(data, path, values):
 
 def bent(made):
     """A rounded column that a bone bends."""
-    body = common.cube("Column", half=0.015, made=made, levels=3)
-    for vertex in body.data.vertices:
-        vertex.co.z *= 2
+    body = common.column("Column", 0.015, made, levels=3)
     bpy.context.view_layer.objects.active = body
     bpy.ops.object.modifier_apply(modifier="Subdivision")
-    bpy.ops.object.armature_add(location=(0, 0, -0.03))
-    rig = bpy.context.object
-    rig.name = "Rig"
-    bpy.ops.object.mode_set(mode="EDIT")
-    root = rig.data.edit_bones[0]
-    root.name, root.tail = "Root", (0, 0, 0.03)
-    tip = rig.data.edit_bones.new("Tip")
-    tip.head, tip.tail, tip.parent = root.tail, (0, 0, 0.06), root
-    bpy.ops.object.mode_set(mode="OBJECT")
-    for name, low in (("Root", True), ("Tip", False)):
-        body.vertex_groups.new(name=name).add([v.index for v in body.data.vertices if (v.co.z < 0) == low], 1, "REPLACE")
-    body.modifiers.new("Armature", "ARMATURE").object = rig
-    body.parent = rig
-    body.matrix_parent_inverse = rig.matrix_world.inverted()
-    bone = rig.pose.bones["Tip"]
-    bone.rotation_mode = "XYZ"
-    keyed(bone, "rotation_euler", ((1, (0, 0, 0)), (17, (0.9, 0, 0.3))))
+    rig = common.rig_of(body, 0.03)
+    keyed(rig.pose.bones["Tip"], "rotation_euler", ((1, (0, 0, 0)), (17, (0.9, 0, 0.3))))
     rig.location.x = -0.025
 
 

@@ -46,6 +46,19 @@ def shape_keys():
     common.check(np.array_equal(followed, common.render("key_anew")), "a key that was followed looks otherwise than anew")
 
 
+def bones():
+    """The cage bends, and the surface is subdivided after it."""
+    stage()
+    body = common.column("Column", 0.025, common.matt("Matt", (0.8, 0.5, 0.3)), levels=3)
+    rig = common.rig_of(body, 0.05)
+    with bpy.context.temp_override(object=body):
+        bpy.ops.object.modifier_move_to_index(modifier="Armature", index=0)
+    straight = common.render("straight")
+    rig.pose.bones["Tip"].rotation_euler = (0.9, 0, 0.3)
+    compare("an armature")
+    common.check(np.abs(common.render("bent") - straight).max() > 0.05, "a bone moves nothing")
+
+
 def particles():
     stage()
     piece = common.cube("Piece", 0.006, common.matt("Piece", (0.2, 0.6, 0.8)))
@@ -99,5 +112,5 @@ def medium_names():
     return opaline.media()
 
 
-for test in (shape_keys, particles, instances, slots):
+for test in (shape_keys, bones, particles, instances, slots):
     test()
