@@ -221,12 +221,20 @@ Flight Emitter::startedBy(const Source& source, Random& random) const {
   return throughDisc(environment_->direction(random), random);
 }
 
+bool Emitter::isInfinitelyFar(const Source& source) {
+  return source.kind == Kind::Directional || source.kind == Kind::Ambient ||
+         source.kind == Kind::Environment;
+}
+
 Flight Emitter::emit(Random& random) const {
   const double wanted = random() * flux_;
   const auto source = std::find_if(sources_.begin(), sources_.end() - 1,
                                    [&](const Source& known) { return wanted < known.fluxSoFar; });
   Flight flight = startedBy(*source, random);
-  if (source->lightsFarGround && farGround_)
+  if (!farGround_) return flight;
+  if (isInfinitelyFar(*source) && farGround_->hides(flight.origin, flight.direction))
+    return nowhere();
+  if (source->lightsFarGround)
     flight.reachMm = (1 - 1e-6) * farGround_->distanceAlong(flight.origin, flight.direction);
   return flight;
 }

@@ -60,6 +60,7 @@ class Emitter {
   Flight nowhere() const;
   Flight fromAround(double radiusMm, Random& random) const;
   Flight fromGround(Random& random) const;
+  static bool isInfinitelyFar(const Source& source);
   Flight startedBy(const Source& source, Random& random) const;
   Flight fromSurface(const Surface& surface, Random& random) const;
 

@@ -66,6 +66,11 @@ bool FarGround::isFar(const Vector& place) const {
   return dot(offset, offset) > nearMm_ * nearMm_;
 }
 
+// A plane without an end does so for all that comes from its other side.
+bool FarGround::hides(const Vector& place, const Vector& direction) const {
+  return (place[1] - heightMm_) * direction[1] > 0;
+}
+
 double FarGround::distanceAlong(const Vector& origin, const Vector& direction) const {
   constexpr double never = std::numeric_limits<double>::infinity();
   const double above = origin[1] - heightMm_;

@@ -19,6 +19,9 @@ class FarGround {
   /// Whether a light there is so far away that it counts. Others do not.
   bool counts(const Vector& positionMm, double reachMm = 0) const;
 
+  /// Whether it hides from a place what is infinitely far away and shines in a direction.
+  bool hides(const Vector& place, const Vector& direction) const;
+
   /// How far along a ray it is met from above; infinite where it is not.
   double distanceAlong(const Vector& origin, const Vector& direction) const;
   /// Radiance that it sends through a place above it in a direction; a sample of that, between 0

@@ -275,6 +275,34 @@ TEST(OpaqueTruthTest, AnEndlessGroundLightsABall) {
   EXPECT_NEAR(leftOf() / (pi * 25), 1 + 0.5 * std::sqrt(2.0), 0.03);
 }
 
+// Of light from everywhere half comes from below a black ground, and none of that reaches a ball on
+// it; nor do lights from there.
+TEST(OpaqueTruthTest, AnEndlessGroundHidesWhatIsBelow) {
+  const Medium white{"white", {1, 1, 1}, {0, 0, 0}, 1.01};
+  Scene scene = test::sceneOfBodies({test::bodyOf(test::sphere({0, 5, 0}, 5, 4), white)});
+  scene.lighting.ambient = {1, 1, 1};
+  const auto leftOf = [&] {
+    Eye eye(scene, 1);
+    eye.tracer().run(80'000);
+    return fluxThatLeft(eye.tracer());
+  };
+  const double everywhere = leftOf();
+  EXPECT_NEAR(everywhere / (pi * 4 * pi * 25), 1, 0.01);
+  Body ground = test::bodyOf(test::sheet({0, -0.001F, 0}, {0, 0, 9000}, {9000, 0, 0}, 1));
+  ground.opaque = mattMaterial({0, 0, 0});
+  ground.isGround = true;
+  scene.bodies.push_back(ground);
+  EXPECT_NEAR(leftOf() / everywhere, 0.5, 0.015);
+  Image even(8, 4);
+  for (float& value : even.rgba) value = 1;
+  scene.lighting.ambient = {0, 0, 0};
+  scene.lighting.environment = std::make_shared<const Image>(even);
+  EXPECT_NEAR(leftOf() / everywhere, 0.5, 0.015);
+  scene.lighting.environment = nullptr;
+  scene.lighting.directional = {{{1, -0.1F, 0}, {1, 1, 1}}};
+  EXPECT_EQ(leftOf(), 0);
+}
+
 // A ground counts for no size.
 TEST(OpaqueTruthTest, AGroundCountsForNoSize) {
   Scene scene = test::sceneOfBodies({test::bodyOf(test::sphere({0, 0, 0}, 5, 3))});
