@@ -32,7 +32,8 @@ InterpolationPass::InterpolationPass(gpu::Device& device)
                    {device, "light between sums", {.withPaint = 1}}} {}
 
 void InterpolationPass::listKnots(gpu::CommandList& commands, const Inputs& inputs,
-                                  bool interpolates, const SeenSurfaces& seen) const {
+                                  std::uint32_t samples, bool interpolates,
+                                  const SeenSurfaces& seen) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   const std::uint32_t rows = rowsFrom(inputs.firstRow, surfaces);
   commands.beginPass("interpolate");
@@ -50,7 +51,8 @@ void InterpolationPass::listKnots(gpu::CommandList& commands, const Inputs& inpu
                 {.firstRow = inputs.firstRow,
                  .rows = rows,
                  .site = inputs.site,
-                 .interpolates = interpolates});
+                 .interpolates = interpolates,
+                 .samples = samples});
   dispatchBlocks(commands, rows, surfaces);
   commands.endPass();
 }

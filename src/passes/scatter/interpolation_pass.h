@@ -32,9 +32,9 @@ class InterpolationPass {
   };
 
   /// Lists where light is summed first: with `interpolates` not between knots.
-  /// Surfaces whose light is summed at vertices get what those have.
-  void listKnots(gpu::CommandList& commands, const Inputs& inputs, bool interpolates,
-                 const SeenSurfaces& seen) const;
+  /// Surfaces whose light is summed at vertices get what those have. `samples` are of a pixel.
+  void listKnots(gpu::CommandList& commands, const Inputs& inputs, std::uint32_t samples,
+                 bool interpolates, const SeenSurfaces& seen) const;
   enum class Blocks : std::uint32_t { Narrow = 0, Wide = 1 };
   /// After the sums there, first of wide blocks, then of narrow ones. Lists the surfaces in them
   /// that need sums all the same.

@@ -309,7 +309,8 @@ struct FrameContext {
     passes.surface.list(commands, seen(), firstRow, static_cast<std::uint32_t>(samples));
     const bool interpolates = plan.sum == Sum::Tree;
     if (onSurfelsAtFragments()) {
-      passes.interpolation.listKnots(commands, between(firstRow, scene), interpolates, seen());
+      passes.interpolation.listKnots(commands, between(firstRow, scene),
+                                     static_cast<std::uint32_t>(samples), interpolates, seen());
       scatterAtFragments(scene);
     } else if (atFragments()) {
       passes.paper->scatterAtFragments(commands, scatterTransport(plan.transport), onPaper(scene));

@@ -30,6 +30,7 @@ layout(push_constant) uniform Push {
   uint rows;
   uint site;
   uint interpolates;  // 0: no block does
+  uint samples;       // of a pixel; words of further layers are of another picture
 };
 
 #include "lib/neighbours.glsl"
@@ -143,7 +144,7 @@ uint goThrough(ivec2 first, uint block, bool lists, uint start) {
   uint count = 0u;
   for (int i = 0; i < pixelsOfBlock; ++i) {
     ivec2 pixel = pixelOfBlock(first, i);
-    for (uint layer = 0u; layer < uint(textureSize(seenWords, 0).z); ++layer) {
+    for (uint layer = 0u; layer < samples; ++layer) {
       SeenHere seen = surfaceSeen(pixel, layer);
       if (!seen.there) break;
       if (!lists) giveKnown(pixel, seen);
