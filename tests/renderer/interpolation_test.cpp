@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "opaline/view.h"
 #include "renderer/renderer_fixture.h"
 #include "renderer/shapes.h"
 #include "renderer/sums.h"
@@ -77,6 +78,18 @@ TEST_F(InterpolationTest, CarriedLightIsAsWithASumForEveryPixel) {
   const SumErrors errors = errorsOf(images.tree, images.all);
   EXPECT_LT(errors.rms, 0.01);
   EXPECT_LT(errors.localLargest, 0.03);
+}
+
+// Pictures of more samples leave surfaces in layers that others do not have.
+TEST_F(InterpolationTest, APictureOfMoreSamplesLeavesNothingBehind) {
+  renderer().setScene(ballLitFromTheSide(skin()));
+  RenderOptions options = atFragments(64, Transport::Boundary);
+  options.antialias = 4;
+  View view(renderer(), options);
+  view.render({.aovs = {Aov::Radiance}});
+  const Image after = view.render({.aovs = {Aov::Exitance}}).images[0];
+  const Image fresh = View(renderer(), options).render({.aovs = {Aov::Exitance}}).images[0];
+  EXPECT_EQ(after.rgba, fresh.rgba);
 }
 
 }  // namespace
