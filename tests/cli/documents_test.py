@@ -185,7 +185,7 @@ class Documents(ProgramTest):
         helps = {command: documents.options(self.succeed(command, "--help").out) | {"--help"} for command in COMMANDS}
         of_others = {"--preset", "--build", "--install", "--prefix", "--cflags", "--libs", "--static",
                      "--system-site-packages", "--chunks", "--rounds", "--sbatch", "--ssh", "--partition",
-                     "--gres"}  # CMake, pkg-config, venv, opaline-film, sbatch
+                     "--gres", "--library"}  # CMake, pkg-config, venv, opaline-film, sbatch, install-dependencies.sh
         anywhere = set().union(*helps.values()) | {"--version"} | of_others
         for page, text in documents.pages().items():
             self.assertEqual(documents.options(text) - anywhere, set(), page)
