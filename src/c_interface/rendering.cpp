@@ -147,9 +147,7 @@ Aov aovOf(const OpalineAov& given) {
 
 DeviceDescription deviceOf(std::size_t index) {
   const std::vector<DeviceDescription> devices = listDevices();
-  if (index >= devices.size())
-    throw UsageError(fmt::format("There is no device {}: there are {}.", index, devices.size()));
-  return devices[index];
+  return oneOf(devices, index, "device", "there are");
 }
 
 FrameOrder orderOf(std::vector<Aov> aovs, std::int32_t reuseLight, std::int32_t impatient) {

@@ -20,9 +20,8 @@ void giveDevice(const DeviceDescription& device, OpalineDeviceFacts* to) {
 }
 
 void givePass(const std::vector<PassTime>& passes, std::size_t pass, OpalinePassTime* to) {
-  if (pass >= passes.size())
-    throw UsageError(fmt::format("There is no pass {}: there are {}.", pass, passes.size()));
-  give({0, passes[pass].name.c_str(), passes[pass].milliseconds}, to, "time");
+  const PassTime& time = oneOf(passes, pass, "pass", "there are");
+  give({0, time.name.c_str(), time.milliseconds}, to, "time");
 }
 
 }  // namespace
@@ -54,13 +53,11 @@ OpalineStatus opalineFramePass(const OpalineView* view, size_t pass, OpalinePass
 OpalineStatus opalineFrameSolution(const OpalineView* view, size_t index,
                                    OpalineSolution* solution) {
   return guarded([&] {
-    const std::vector<Solution>& solutions = required(view, "view").frame.solutions;
-    if (index >= solutions.size())
-      throw UsageError(
-          fmt::format("There is no solution {}: there are {}.", index, solutions.size()));
+    const Solution& found =
+        c::oneOf(required(view, "view").frame.solutions, index, "solution", "there are");
     OpalineSolution whole{};
-    whole.steps = solutions[index].steps;
-    std::copy_n(solutions[index].residual.begin(), 3, whole.residual);
+    whole.steps = found.steps;
+    std::copy_n(found.residual.begin(), 3, whole.residual);
     c::give(whole, solution, "solution");
   });
 }

@@ -155,12 +155,11 @@ struct OpalineScene {
 
 namespace opaline::c {
 
-/// One of the things that a scene has several of.
+/// One of the things that a scene, or what `has` says, has several of.
 template <typename List>
-auto& oneOf(List& list, std::size_t index, const char* name) {
-  if (index >= list.size()) {
-    throw UsageError(fmt::format("There is no {} {}: the scene has {}.", name, index, list.size()));
-  }
+auto& oneOf(List& list, std::size_t index, const char* name, const char* has = "the scene has") {
+  if (index >= list.size())
+    throw UsageError(fmt::format("There is no {} {}: {} {}.", name, index, has, list.size()));
   return list[index];
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -301,6 +303,10 @@ struct VisibleSurfaces {
   std::uint32_t rowsOfBand = 0;
   std::uint32_t parts = 0;  ///< of the list, at most
 
+  /// Of the band that begins there.
+  std::uint32_t rowsFrom(std::uint32_t firstRow) const {
+    return std::min(rowsOfBand, words.extent().height - firstRow);
+  }
   gpu::Buffer& countsOf(Asked list) { return askedCounts[static_cast<std::size_t>(list)]; }
 };
 

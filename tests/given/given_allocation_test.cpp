@@ -61,11 +61,7 @@ TEST_F(GivenAllocationTest, RecordedFramesAllocateNothing) {
   camera_ = orthographic(true, 24);
   for (const Method& method : methods) {
     SCOPED_TRACE(method.name);
-    RenderOptions wanted = options();
-    wanted.transport = method.transport;
-    wanted.sum = method.sum;
-    wanted.site = method.site;
-    View view(renderer(), wanted);
+    View view(renderer(), optionsOf(method));
     EXPECT_EQ(allocationsOver(view, VK_SAMPLE_COUNT_1_BIT), 0U);
     EXPECT_EQ(allocationsOver(view, VK_SAMPLE_COUNT_4_BIT), 0U);
     FrameOrder order{.aovs = {},

@@ -40,6 +40,28 @@ OpalineGivenVulkan givenInC(const GivenVulkan& given, Engine& engine) {
   return made;
 }
 
+using OwnedRenderer = Owned<OpalineRenderer, opalineDestroyRenderer>;
+
+/// On the caller's device, with the scene.
+void makeRenderer(const OpalineGivenVulkan& given, const OpalineScene* scene, OwnedRenderer& made) {
+  OpalineRendererOptions options{};
+  options.size = sizeof options;
+  ASSERT_EQ(opalineDefaultRendererOptions(&options), OpalineOk);
+  options.given = &given;
+  OpalineRenderer* renderer = nullptr;
+  ASSERT_EQ(opalineCreateRenderer(&options, &renderer), OpalineOk) << opalineLastError();
+  made.reset(renderer);
+  ASSERT_EQ(opalineSetScene(renderer, scene), OpalineOk);
+}
+
+void makeSmall(OpalineRenderOptions& picture) {
+  picture.size = sizeof picture;
+  ASSERT_EQ(opalineDefaultRenderOptions(&picture), OpalineOk);
+  picture.width = picture.height = 24;
+  picture.transport = OpalineTransportBetterDipole;
+  picture.shadowSize = 128;
+}
+
 TEST_F(GivenCTest, NeedsAreThoseOfTheCppInterface) {
   OpalineVulkanNeeds needs{};
   needs.size = sizeof needs;
@@ -58,21 +80,12 @@ TEST_F(GivenCTest, ARecordedFrameIsTheRenderedOne) {
   ASSERT_EQ(opalineCreateTeapot(nullptr, &scene), OpalineOk);
   const Owned<OpalineScene, opalineDestroyScene> ofScene(scene);
   const OpalineGivenVulkan given = givenInC(engine().given(), engine());
-  OpalineRendererOptions options{};
-  options.size = sizeof options;
-  ASSERT_EQ(opalineDefaultRendererOptions(&options), OpalineOk);
-  options.given = &given;
-  OpalineRenderer* renderer = nullptr;
-  ASSERT_EQ(opalineCreateRenderer(&options, &renderer), OpalineOk) << opalineLastError();
-  const Owned<OpalineRenderer, opalineDestroyRenderer> ofRenderer(renderer);
-  ASSERT_EQ(opalineSetScene(renderer, scene), OpalineOk);
+  OwnedRenderer ofRenderer;
   OpalineRenderOptions picture{};
-  picture.size = sizeof picture;
-  ASSERT_EQ(opalineDefaultRenderOptions(&picture), OpalineOk);
-  picture.width = picture.height = 24;
-  picture.transport = OpalineTransportBetterDipole;
+  ASSERT_NO_FATAL_FAILURE(makeRenderer(given, scene, ofRenderer));
+  ASSERT_NO_FATAL_FAILURE(makeSmall(picture));
+  OpalineRenderer* const renderer = ofRenderer.get();
   picture.site = OpalineSiteVertex;
-  picture.shadowSize = 128;
   OpalineView* view = nullptr;
   ASSERT_EQ(opalineCreateView(renderer, &picture, &view), OpalineOk);
   const Owned<OpalineView, opalineDestroyView> ofView(view);
@@ -149,20 +162,11 @@ TEST_F(GivenCTest, PositionsOfABufferThatStandsStillKeepTheirLight) {
       opalineObjectPositions(scene, 0, reinterpret_cast<float*>(buffer.mapped), facts.vertexCount),
       OpalineOk);
   const OpalineGivenVulkan given = givenInC(engine().given(), engine());
-  OpalineRendererOptions options{};
-  options.size = sizeof options;
-  ASSERT_EQ(opalineDefaultRendererOptions(&options), OpalineOk);
-  options.given = &given;
-  OpalineRenderer* renderer = nullptr;
-  ASSERT_EQ(opalineCreateRenderer(&options, &renderer), OpalineOk) << opalineLastError();
-  const Owned<OpalineRenderer, opalineDestroyRenderer> ofRenderer(renderer);
-  ASSERT_EQ(opalineSetScene(renderer, scene), OpalineOk);
+  OwnedRenderer ofRenderer;
   OpalineRenderOptions picture{};
-  picture.size = sizeof picture;
-  ASSERT_EQ(opalineDefaultRenderOptions(&picture), OpalineOk);
-  picture.width = picture.height = 24;
-  picture.transport = OpalineTransportBetterDipole;
-  picture.shadowSize = 128;
+  ASSERT_NO_FATAL_FAILURE(makeRenderer(given, scene, ofRenderer));
+  ASSERT_NO_FATAL_FAILURE(makeSmall(picture));
+  OpalineRenderer* const renderer = ofRenderer.get();
   OpalineView* view = nullptr;
   ASSERT_EQ(opalineCreateView(renderer, &picture, &view), OpalineOk);
   const Owned<OpalineView, opalineDestroyView> ofView(view);

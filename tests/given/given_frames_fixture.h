@@ -32,6 +32,13 @@ class GivenFramesTest : public EngineTest {
     options.width = options.height = size;
     return options;
   }
+  static RenderOptions optionsOf(const Method& method) {
+    RenderOptions made = options();
+    made.transport = method.transport;
+    made.sum = method.sum;
+    made.site = method.site;
+    return made;
+  }
 
   /// Records a frame, submits it and waits.
   void runFrame(View& view, const DeviceOutputs& outputs, const FrameOrder& order) {

@@ -30,11 +30,7 @@ TEST_F(GivenFramesTest, WhatIsRecordedIsWhatIsRendered) {
 TEST_F(GivenFramesTest, AFrameThatWasPreparedIsRecordedWithoutSubmissions) {
   for (const Method& method : methods) {
     SCOPED_TRACE(method.name);
-    RenderOptions wanted = options();
-    wanted.transport = method.transport;
-    wanted.sum = method.sum;
-    wanted.site = method.site;
-    View view(renderer(), wanted);
+    View view(renderer(), optionsOf(method));
     const FrameOrder order{.aovs = {}, .onDevice = true};
     view.prepare(order);
     const int before = Engine::submissions();
@@ -46,7 +42,7 @@ TEST_F(GivenFramesTest, AFrameThatWasPreparedIsRecordedWithoutSubmissions) {
     view.collect(frame);
     view.collect(frame);
     EXPECT_EQ(view.report().recordings, 0U);
-    expectSame(view.render().images, renderer().render(wanted).images);
+    expectSame(view.render().images, renderer().render(optionsOf(method)).images);
   }
 }
 

@@ -1,7 +1,5 @@
 #include "passes/scatter/interpolation_pass.h"
 
-#include <algorithm>
-
 #include "gpu/device.h"
 #include "passes/mechanics.h"
 #include "shaders/shared/seen.h"
@@ -9,10 +7,6 @@
 namespace opaline::passes {
 
 namespace {
-
-std::uint32_t rowsFrom(std::uint32_t firstRow, const VisibleSurfaces& surfaces) {
-  return std::min(surfaces.rowsOfBand, surfaces.words.extent().height - firstRow);
-}
 
 // A work group has a square of blocks.
 void dispatchBlocks(gpu::CommandList& commands, std::uint32_t rows,
@@ -35,7 +29,7 @@ void InterpolationPass::listKnots(gpu::CommandList& commands, const Inputs& inpu
                                   std::uint32_t samples, bool interpolates,
                                   const SeenSurfaces& seen) const {
   VisibleSurfaces& surfaces = seen.surfaces;
-  const std::uint32_t rows = rowsFrom(inputs.firstRow, surfaces);
+  const std::uint32_t rows = surfaces.rowsFrom(inputs.firstRow);
   commands.beginPass("interpolate");
   commands.bind(knots_.of(inputs.tables.paint.any),
                 {.seenPlaces = seenPlaces(seen, nearest_),
@@ -62,7 +56,7 @@ void InterpolationPass::interpolate(gpu::CommandList& commands, const Inputs& in
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("interpolate");
   const bool wide = blocks == Blocks::Wide;
-  const std::uint32_t rows = rowsFrom(inputs.firstRow, surfaces);
+  const std::uint32_t rows = surfaces.rowsFrom(inputs.firstRow);
   commands.bind(
       interpolate_.of(inputs.tables.paint.any),
       {.seenPlaces = seenPlaces(seen, nearest_),

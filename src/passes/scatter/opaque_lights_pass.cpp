@@ -1,7 +1,5 @@
 #include "passes/scatter/opaque_lights_pass.h"
 
-#include <algorithm>
-
 #include "gpu/device.h"
 #include "passes/mechanics.h"
 #include "passes/seen_parts.h"
@@ -50,7 +48,6 @@ void OpaqueLightsPass::overFragments(gpu::CommandList& commands, const Inputs& i
                                      ScatterSite site, std::uint32_t firstRow,
                                      const SeenSurfaces& seen) const {
   VisibleSurfaces& surfaces = seen.surfaces;
-  const std::uint32_t height = surfaces.words.extent().height;
   commands.beginPass("lights on opaque");
   for (const Round round : {AskingFirst, Comparing, AskingAgain, Averaging, Summing}) {
     const bool even = round % 2 == 0;
@@ -69,7 +66,7 @@ void OpaqueLightsPass::overFragments(gpu::CommandList& commands, const Inputs& i
                    .nodeCount = inputs.surfels.tree.nodeCount,
                    .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                    .firstRow = firstRow,
-                   .rows = std::min(surfaces.rowsOfBand, height - firstRow),
+                   .rows = surfaces.rowsFrom(firstRow),
                    .round = round});
   }
   commands.endPass();

@@ -157,7 +157,7 @@ void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std
                        std::uint32_t samples) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   const VkExtent2D extent = surfaces.words.extent();
-  const std::uint32_t rows = std::min(surfaces.rowsOfBand, extent.height - firstRow);
+  const std::uint32_t rows = surfaces.rowsFrom(firstRow);
   commands.beginPass("surface");
   commands.fill({surfaces.counts, surfaces.mixedCount, surfaces.countsOf(Asked::Knots),
                  surfaces.countsOf(Asked::InWideBlocks), surfaces.countsOf(Asked::InNarrowBlocks),

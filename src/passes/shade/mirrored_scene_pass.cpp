@@ -48,7 +48,7 @@ void MirroredScenePass::record(gpu::CommandList& commands, const Inputs& inputs,
          .alpha = inputs.roughness * inputs.roughness,
          .ownSurfaces = inputs.tables.surfaces.any,
          .firstRow = firstRow,
-         .rows = std::min(surfaces.rowsOfBand, surfaces.words.extent().height - firstRow),
+         .rows = surfaces.rowsFrom(firstRow),
          .round = round});
   }
   commands.endPass();

@@ -40,7 +40,9 @@ layout(push_constant) uniform Push {
 const float farthestApart = 1.5;
 
 // Knots of a narrow block that are the first of other blocks.
-const ivec2 otherKnots[5] = ivec2[5](ivec2(4, 0), ivec2(4, 2), ivec2(4, 4), ivec2(2, 4), ivec2(0, 4));
+const ivec2 otherKnots[5] =
+    ivec2[5](ivec2(narrowBlock, 0), ivec2(narrowBlock, narrowBlock / 2), ivec2(narrowBlock),
+             ivec2(narrowBlock / 2, narrowBlock), ivec2(0, narrowBlock));
 
 ivec2 offsetOf(int i) {
   return i < pixelsOfBlock ? pixelOfBlock(ivec2(0), i) : otherKnots[i - pixelsOfBlock];
@@ -62,13 +64,13 @@ bool isOneWith(MeshPlace middle, uint triangle, ivec2 pixel) {
   return triangleOf(word) == triangle || isOneSurface(middle, seenPlace(pixel, word));
 }
 
+const ivec2 sides[4] = ivec2[4](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
+
 // Whether knots that far from the middle of a block are near enough to each other.
 bool areNear(MeshPlace middle, ivec2 pixel, int away) {
   float reach = farthestApart / largestOf(insideOf(objects[middle.object]).extinction.rgb);
-  for (int i = 0; i < 4; ++i) {
-    ivec2 knot = pixel + away * ivec2(i % 2 * (i - 2), (i + 1) % 2 * (i - 1));
-    if (distance(middle.position, placeAt(knot).position) > reach) return false;
-  }
+  for (int i = 0; i < 4; ++i)
+    if (distance(middle.position, placeAt(pixel + away * sides[i]).position) > reach) return false;
   return true;
 }
 
