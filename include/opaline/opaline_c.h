@@ -8,8 +8,10 @@
 ///     OpalineRenderOptions options = {.size = sizeof options};
 ///     opalineDefaultRenderOptions(&options);
 ///
-/// Every call that can fail returns a status; opalineLastError() has the reason. A handle is made
-/// by one call and destroyed by another, which takes NULL too. Unless said otherwise pointers are
+/// Every call that can fail returns a status; opalineLastError() has the reason, and what the call
+/// was to fill stays as it was. A handle is made by one call and destroyed by another, which takes
+/// NULL too. One that was destroyed, or is of another kind, is refused as OpalineBadUse as long as
+/// no new handle has taken its place in memory. Unless said otherwise pointers are
 /// needed only during the call, texts are UTF-8 and end with a zero byte, and lengths are
 /// millimetres. Calls with different renderers may come from different threads; those with one
 /// renderer, or a view of it, come from one thread at a time, as do those with one scene.

@@ -10,7 +10,7 @@
 #include "c_interface/status.h"
 #include "c_interface/values.h"
 
-struct OpalinePixels {
+struct OpalinePixels : opaline::c::Handle<OpalinePixels> {
   std::shared_ptr<const opaline::TexturePixels> pixels;
 };
 
@@ -168,12 +168,13 @@ OpalineStatus opalineCreatePixels(const void* rgba, int32_t bitsPerChannel, int3
   return guarded([&] {
     required(pixels, "pixels");
     *pixels = new OpalinePixels{
+        {},
         std::make_shared<const TexturePixels>(c::pixelsOf(rgba, bitsPerChannel, width, height))};
   });
 }
 
 void opalineDestroyPixels(OpalinePixels* pixels) {
-  delete pixels;
+  c::destroy(pixels);
 }
 
 OpalineStatus opalineDefaultTexture(OpalineTexture* texture) {

@@ -8,7 +8,7 @@
 #include "opaline/positions.h"
 #include "opaline/sequence.h"
 
-struct OpalineSequence {
+struct OpalineSequence : opaline::c::Handle<OpalineSequence> {
   opaline::MeshSequence sequence;
 };
 
@@ -57,13 +57,13 @@ OpalineStatus opalineOpenSequence(const char* pattern, const OpalineLoadOptions*
                                   OpalineSequence** sequence) {
   return guarded([&] {
     required(sequence, "sequence");
-    *sequence =
-        new OpalineSequence{MeshSequence(&required(pattern, "pattern"), c::loadOptionsOf(options))};
+    *sequence = new OpalineSequence{
+        {}, MeshSequence(&required(pattern, "pattern"), c::loadOptionsOf(options))};
   });
 }
 
 void opalineDestroySequence(OpalineSequence* sequence) {
-  delete sequence;
+  c::destroy(sequence);
 }
 
 OpalineStatus opalineSequenceNumbers(const OpalineSequence* sequence, int32_t* first,

@@ -8,7 +8,7 @@
 #include "opaline/image_file.h"
 #include "opaline/tone.h"
 
-struct OpalineImage {
+struct OpalineImage : opaline::c::Handle<OpalineImage> {
   opaline::Image image;
 };
 
@@ -80,24 +80,24 @@ OpalineStatus opalineWriteExr(const char* file, const float* rgba, int32_t width
 OpalineStatus opalineReadImage(const char* file, OpalineImage** image) {
   return guarded([&] {
     required(image, "image");
-    *image = new OpalineImage{readHdrImage(&required(file, "file"), Negatives::Stay)};
+    *image = new OpalineImage{{}, readHdrImage(&required(file, "file"), Negatives::Stay)};
   });
 }
 
 void opalineDestroyImage(OpalineImage* image) {
-  delete image;
+  c::destroy(image);
 }
 
 int32_t opalineImageWidth(const OpalineImage* image) {
-  return image ? image->image.width : 0;
+  return c::isLiving(image) ? image->image.width : 0;
 }
 
 int32_t opalineImageHeight(const OpalineImage* image) {
-  return image ? image->image.height : 0;
+  return c::isLiving(image) ? image->image.height : 0;
 }
 
 const float* opalineImagePixels(const OpalineImage* image) {
-  return image ? image->image.rgba.data() : nullptr;
+  return c::isLiving(image) ? image->image.rgba.data() : nullptr;
 }
 
 OpalineStatus opalineCompare(const float* rgbaOfA, const float* rgbaOfB, int32_t width,

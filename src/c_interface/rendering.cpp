@@ -21,6 +21,9 @@ static_assert(static_cast<int>(Aov::DsmArea) == OpalineAovDsmArea);
 static_assert(static_cast<int>(LogLevel::Warning) == OpalineWarning);
 static_assert(sizeof(OpalineAov) == 4 && sizeof(OpalineTransport) == 4);
 
+// A frame may give one of them twice.
+constexpr std::size_t mostVariables = 64;
+
 OpalineRendererOptions defaultRendererOptions() {
   OpalineRendererOptions options{};
   options.rayQueries = -1;
@@ -104,14 +107,11 @@ RenderOptions renderOptionsOf(const OpalineRenderOptions* from) {
 }
 
 std::vector<OpalineTarget> targetsOf(const OpalineTarget* targets, std::size_t count) {
-  if (count == 0) throw UsageError("A frame has at least one target.");
   std::vector<OpalineTarget> whole;
-  // Structs of another size lie so far apart.
-  const auto* at = reinterpret_cast<const char*>(&required(targets, "targets"));
-  for (std::size_t i = 0; i < count; ++i, at += targets->size) {
-    whole.push_back(wholeOf(reinterpret_cast<const OpalineTarget*>(at), {}, "target"));
-    required(whole.back().rgba, "rgba");
-  }
+  forEachOf(targets, count, mostVariables, "targets", [&](const OpalineTarget& target) {
+    required(target.rgba, "rgba");
+    whole.push_back(target);
+  });
   return whole;
 }
 
@@ -124,17 +124,14 @@ void requireRoom(const OpalineTarget& target, int width, int height) {
   }
 }
 
-void requireFit(const std::vector<Image>& images, const std::vector<OpalineTarget>& targets) {
+void copy(const std::vector<Image>& images, const std::vector<OpalineTarget>& targets) {
   if (images.size() != targets.size()) {
     throw UsageError(fmt::format("There are {} targets, but the frame has {} variables.",
                                  targets.size(), images.size()));
   }
-}
-
-void copy(const std::vector<Image>& images, const std::vector<OpalineTarget>& targets) {
-  requireFit(images, targets);
-  for (std::size_t i = 0; i < images.size(); ++i) {
+  for (std::size_t i = 0; i < images.size(); ++i)
     requireRoom(targets[i], images[i].width, images[i].height);
+  for (std::size_t i = 0; i < images.size(); ++i) {
     std::copy(images[i].rgba.begin(), images[i].rgba.end(), targets[i].rgba);
   }
 }
@@ -159,10 +156,16 @@ FrameOrder orderOf(std::vector<Aov> aovs, std::int32_t reuseLight, std::int32_t 
 }
 
 std::vector<Aov> aovsOf(const OpalineAov* aovs, std::size_t count) {
+  requireCount(count, mostVariables, "aovs");
   if (count > 0) required(aovs, "aovs");
   std::vector<Aov> wanted;
   for (std::size_t i = 0; i < count; ++i) wanted.push_back(aovOf(aovs[i]));
   return wanted;
+}
+
+View& changing(OpalineView* view) {
+  required(view, "view").report.reset();
+  return view->view;
 }
 
 }  // namespace opaline::c
@@ -189,17 +192,23 @@ OpalineStatus opalineCreateRenderer(const OpalineRendererOptions* options,
                                     OpalineRenderer** renderer) {
   return guarded([&] {
     required(renderer, "renderer");
-    *renderer = new OpalineRenderer{Renderer(c::rendererOptionsOf(options))};
+    *renderer = new OpalineRenderer{{}, Renderer(c::rendererOptionsOf(options)), {}, {}, {}};
   });
 }
 
 void opalineDestroyRenderer(OpalineRenderer* renderer) {
-  delete renderer;
+  c::destroy(renderer);
 }
 
 OpalineStatus opalineSetScene(OpalineRenderer* renderer, const OpalineScene* scene) {
-  return guarded(
-      [&] { required(renderer, "renderer").renderer.setScene(required(scene, "scene").scene); });
+  return guarded([&] {
+    const Scene& given = required(scene, "scene").scene;
+    std::vector<std::size_t> counts;
+    for (const Object& object : given.objects) counts.push_back(object.mesh.positionsMm.size());
+    required(renderer, "renderer").renderer.setScene(given);
+    renderer->vertexCounts = std::move(counts);
+    for (const auto& view : renderer->views) view->report.reset();
+  });
 }
 
 OpalineStatus opalineSetTime(OpalineRenderer* renderer, double seconds, int32_t clip) {
@@ -240,9 +249,12 @@ OpalineStatus opalineSetPositions(OpalineRenderer* renderer, size_t object,
                                   const float* positionsMm, size_t vertexCount,
                                   size_t strideBytes) {
   return guarded([&] {
-    required(renderer, "renderer")
-        .renderer.replacePositions(
-            object, c::vectorsOf<Vec3>(positionsMm, vertexCount, strideBytes, "positionsMm"));
+    const std::vector<std::size_t>& counts = required(renderer, "renderer").vertexCounts;
+    if (object < counts.size() && vertexCount != counts[object])  // before any are read
+      throw UsageError(fmt::format("object {} has {} vertices, but {} positions are given", object,
+                                   counts[object], vertexCount));
+    renderer->renderer.replacePositions(
+        object, c::vectorsOf<Vec3>(positionsMm, vertexCount, strideBytes, "positionsMm"));
   });
 }
 
@@ -263,12 +275,14 @@ OpalineStatus opalineCreateView(OpalineRenderer* renderer, const OpalineRenderOp
   return guarded([&] {
     required(view, "view");
     const RenderOptions wanted = c::renderOptionsOf(options);
-    *view = new OpalineView{View(required(renderer, "renderer").renderer, wanted), {}, {}};
+    View made(required(renderer, "renderer").renderer, wanted);
+    c::keep(new OpalineView{{}, renderer, std::move(made), {}, false, {}}, &OpalineRenderer::views,
+            view);
   });
 }
 
 void opalineDestroyView(OpalineView* view) {
-  delete view;
+  c::destroyPart(view, &OpalineRenderer::views);
 }
 
 OpalineStatus opalineSetViewOptions(OpalineView* view, const OpalineRenderOptions* options) {
@@ -324,44 +338,43 @@ OpalineStatus opalinePipelineCache(const OpalineRenderer* renderer, void* data, 
 
 OpalineStatus opalineRender(OpalineView* view, const OpalineTarget* targets, size_t targetCount) {
   return guarded([&] {
-    required(view, "view");
+    View& rendered = c::changing(view);
     const std::vector<OpalineTarget> to = c::targetsOf(targets, targetCount);
+    if (to.empty()) throw UsageError("A picture has at least one target.");
     std::vector<Aov> aovs;
     for (const OpalineTarget& target : to) {
       aovs.push_back(c::aovOf(target.aov));
-      const RenderOptions& options = view->view.options();
+      const RenderOptions& options = rendered.options();
       if (showsMap(aovs.back()))
         c::requireRoom(target, options.dsmSize, options.dsmSize);
       else
         c::requireRoom(target, options.width, options.height);
     }
-    c::copy(view->view.render(c::orderOf(std::move(aovs), 0, 0)).images, to);
+    c::copy(rendered.render(c::orderOf(std::move(aovs), 0, 0)).images, to);
   });
 }
 
 OpalineStatus opalineSubmit(OpalineView* view, const OpalineAov* aovs, size_t aovCount) {
-  return guarded([&] {
-    required(view, "view");
-    view->view.submit(c::orderOf(c::aovsOf(aovs, aovCount), 0, 0));
-  });
+  return guarded([&] { c::changing(view).submit(c::orderOf(c::aovsOf(aovs, aovCount), 0, 0)); });
 }
 
 OpalineStatus opalineSubmitOrder(OpalineView* view, const OpalineFrameOrder* order) {
   return guarded([&] {
     const OpalineFrameOrder whole = c::wholeOf(order, {}, "order");
-    required(view, "view")
-        .view.submit(
-            c::orderOf(c::aovsOf(whole.aovs, whole.aovCount), whole.reuseLight, whole.impatient));
+    c::changing(view).submit(
+        c::orderOf(c::aovsOf(whole.aovs, whole.aovCount), whole.reuseLight, whole.impatient));
   });
 }
 
 OpalineStatus opalineCollect(OpalineView* view, const OpalineTarget* targets, size_t targetCount,
                              double* milliseconds) {
   return guarded([&] {
-    required(view, "view");
+    View& collected = c::changing(view);
     const std::vector<OpalineTarget> to = c::targetsOf(targets, targetCount);
-    view->view.collect(view->frame);
+    if (!view->isFrameWaiting) collected.collect(view->frame);
+    view->isFrameWaiting = true;
     c::copy(view->frame.images, to);
+    view->isFrameWaiting = false;
     if (milliseconds) *milliseconds = view->frame.milliseconds;
   });
 }

@@ -1,3 +1,4 @@
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,13 @@ void giveDevice(const DeviceDescription& device, OpalineDeviceFacts* to) {
   give(device.driver, whole.driver, sizeof whole.driver, "driver");
   whole.rayQueries = device.rayQueries ? 1 : 0;
   give(whole, to, "facts");
+}
+
+/// The one at hand, as long as no frame has come since.
+const RenderReport& reportOf(OpalineView* view) {
+  std::optional<RenderReport>& report = required(view, "view").report;
+  if (!report) report = view->view.report();
+  return *report;
 }
 
 void givePass(const std::vector<PassTime>& passes, std::size_t pass, OpalinePassTime* to) {
@@ -64,8 +72,7 @@ OpalineStatus opalineFrameSolution(const OpalineView* view, size_t index,
 
 OpalineStatus opalineViewReport(OpalineView* view, OpalineViewReport* report) {
   return guarded([&] {
-    RenderReport& made = required(view, "view").report;
-    made = view->view.report();
+    const RenderReport& made = required(view, "view").report.emplace(view->view.report());
     c::give({.size = 0,
              .transport = static_cast<OpalineTransport>(made.transport),
              .sum = static_cast<OpalineSum>(made.sum),
@@ -85,15 +92,11 @@ OpalineStatus opalineViewReport(OpalineView* view, OpalineViewReport* report) {
 }
 
 OpalineStatus opalineViewPass(OpalineView* view, size_t pass, OpalinePassTime* time) {
-  return guarded([&] {
-    RenderReport& made = required(view, "view").report;
-    made = view->view.report();
-    c::givePass(made.passes, pass, time);
-  });
+  return guarded([&] { c::givePass(c::reportOf(view).passes, pass, time); });
 }
 
 OpalineStatus opalineViewDevice(OpalineView* view, OpalineDeviceFacts* facts) {
-  return guarded([&] { c::giveDevice(required(view, "view").view.report().device, facts); });
+  return guarded([&] { c::giveDevice(c::reportOf(view).device, facts); });
 }
 
 }  // extern "C"

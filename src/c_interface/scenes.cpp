@@ -52,13 +52,14 @@ LoadOptions loadOptionsOf(const OpalineLoadOptions* given) {
 
 void giveScene(Scene scene, OpalineScene** to) {
   required(to, "scene");
-  *to = std::make_unique<OpalineScene>(OpalineScene{std::move(scene)}).release();
+  *to = new OpalineScene{{}, std::move(scene)};
 }
 
 namespace {
 
 Object makeObject(const OpalineObject* given) {
   const OpalineObject whole = wholeOf(given, {}, "object");
+  requireCount(whole.triangleCount, mostVectors, "triangles");
   if (whole.triangleCount > 0) required(whole.triangles, "triangles");
   std::vector<Triangle> triangles(whole.triangleCount);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -103,7 +104,7 @@ OpalineStatus opalineCreateTeapot(const OpalineLoadOptions* options, OpalineScen
 }
 
 void opalineDestroyScene(OpalineScene* scene) {
-  delete scene;
+  c::destroy(scene);
 }
 
 OpalineStatus opalineAddObject(OpalineScene* scene, const OpalineObject* object, size_t* index) {

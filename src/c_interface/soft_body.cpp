@@ -1,12 +1,10 @@
 #include "opaline/soft_body.h"
 
+#include <utility>
+
 #include "c_interface/handles.h"
 #include "c_interface/status.h"
 #include "c_interface/values.h"
-
-struct OpalineSoftBody {
-  opaline::SoftBody body;
-};
 
 namespace opaline::c {
 
@@ -55,14 +53,14 @@ OpalineStatus opalineCreateSoftBody(OpalineRenderer* renderer, const OpalineScen
   return guarded([&] {
     required(body, "body");
     const Mesh& mesh = c::objectOf(scene, object).mesh;
-    *body = new OpalineSoftBody{SoftBody(required(renderer, "renderer").renderer, object,
-                                         mesh.positionsMm, mesh.triangles,
-                                         c::softBodyOptionsOf(options))};
+    SoftBody made(required(renderer, "renderer").renderer, object, mesh.positionsMm, mesh.triangles,
+                  c::softBodyOptionsOf(options));
+    c::keep(new OpalineSoftBody{{}, renderer, std::move(made)}, &OpalineRenderer::softBodies, body);
   });
 }
 
 void opalineDestroySoftBody(OpalineSoftBody* body) {
-  delete body;
+  c::destroyPart(body, &OpalineRenderer::softBodies);
 }
 
 OpalineStatus opalineGrabSoftBody(OpalineSoftBody* body, const float pointMm[3], float radiusMm) {

@@ -9,8 +9,15 @@ LogCallback logOf(OpalineLog log, void* context) {
   };
 }
 
+void requireCount(std::size_t count, std::size_t most, const char* name) {
+  if (count > most)
+    throw UsageError(fmt::format("{}: {} are given; there may be {}.", name, count, most));
+}
+
 std::vector<std::string> stringsOf(const char* const* strings, std::size_t count,
                                    const char* name) {
+  constexpr std::size_t most = 1024;  // Vulkan has some hundred extensions
+  requireCount(count, most, name);
   if (count > 0) required(strings, name);
   std::vector<std::string> made;
   for (std::size_t i = 0; i < count; ++i) made.emplace_back(&required(strings[i], name));

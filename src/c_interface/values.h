@@ -8,8 +8,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "c_interface/living.h"
 #include "opaline/error.h"
 #include "opaline/image.h"
 #include "opaline/log.h"
@@ -20,9 +22,16 @@
 
 namespace opaline::c {
 
+/// What is pointed to. A handle has to be one that lives.
 template <typename T>
 T& required(T* pointer, const char* name) {
   if (!pointer) throw UsageError(fmt::format("{} is NULL.", name));
+  constexpr const char* kind = kindOf<std::remove_const_t<T>>;
+  if constexpr (kind != nullptr) {
+    if (!isLiving(pointer))
+      throw UsageError(fmt::format(
+          "{} is no {} that was made and is still there; it may have been destroyed.", name, kind));
+  }
   return *pointer;
 }
 
@@ -116,10 +125,36 @@ void give(std::string_view text, char* to, std::size_t roomBytes, const char* na
 
 LoadOptions loadOptionsOf(const OpalineLoadOptions* given);
 
+/// Of an array in the caller's memory, before any of it is read.
+void requireCount(std::size_t count, std::size_t most, const char* name);
+
+/// The structs of an array. Those of another size than this version's lie as far apart as the first
+/// says.
+template <typename T, typename Use>
+void forEachOf(const T* first, std::size_t count, std::size_t most, const char* name,
+               const Use& use) {
+  requireCount(count, most, name);
+  if (count == 0) return;
+  requireSize(required(first, name), name);
+  const std::size_t bytes = first->size;
+  const auto* at = reinterpret_cast<const char*>(first);
+  for (std::size_t i = 0; i < count; ++i, at += bytes) {
+    const auto* structure = reinterpret_cast<const T*>(at);
+    if (structure->size != bytes)
+      throw UsageError(
+          fmt::format("{} has structs of {} and of {} bytes.", name, bytes, structure->size));
+    use(wholeOf(structure, {}, name));
+  }
+}
+
+/// More than any mesh has, so a mistake that is seen before the array is read.
+constexpr std::size_t mostVectors = INT32_MAX;
+
 /// Vectors of an array of floats with a stride in bytes; 0: packed.
 template <typename Vector>
 std::vector<Vector> vectorsOf(const float* values, std::size_t count, std::size_t strideBytes,
                               const char* name) {
+  requireCount(count, mostVectors, name);
   if (count > 0) required(values, name);
   if (strideBytes == 0) strideBytes = sizeof(Vector);
   if (strideBytes < sizeof(Vector)) {
@@ -149,7 +184,7 @@ void give(const std::vector<Vector>& vectors, typename Vector::value_type* to, s
 }  // namespace opaline::c
 
 /// What handles of scenes stand for.
-struct OpalineScene {
+struct OpalineScene : opaline::c::Handle<OpalineScene> {
   opaline::Scene scene;
 };
 

@@ -19,19 +19,13 @@ inline constexpr std::size_t firstSize<OpalineDeviceFrame> = 96;
 
 namespace {
 
-// Structs of another size than this version's lie so far apart.
-template <typename T, typename Use>
-void forEachOf(const T* first, std::size_t count, const char* name, const Use& use) {
-  if (count == 0) return;
-  const auto* at = reinterpret_cast<const char*>(&required(first, name));
-  for (std::size_t i = 0; i < count; ++i, at += first->size)
-    use(wholeOf(reinterpret_cast<const T*>(at), {}, name));
-}
+// More than any frame has, so a mistake that is seen before the array is read.
+constexpr std::size_t mostParts = 65536;
 
 std::vector<TimelinePoint> pointsOf(const OpalineTimelinePoint* points, std::size_t count,
                                     const char* name) {
   std::vector<TimelinePoint> made;
-  forEachOf(points, count, name, [&](const OpalineTimelinePoint& point) {
+  forEachOf(points, count, mostParts, name, [&](const OpalineTimelinePoint& point) {
     made.push_back({point.semaphore, point.value});
   });
   return made;
@@ -49,7 +43,7 @@ class DeviceFrame {
   explicit DeviceFrame(const OpalineDeviceFrame* given) : given_(wholeOf(given, {}, "frame")) {
     waits = pointsOf(given_.waits, given_.waitCount, "waits");
     signals = pointsOf(given_.signals, given_.signalCount, "signals");
-    forEachOf(given_.exitances, given_.exitanceCount, "exitances",
+    forEachOf(given_.exitances, given_.exitanceCount, mostParts, "exitances",
               [&](const OpalineDeviceExitance& exitance) {
                 exitances_.push_back({exitance.object, exitance.buffer, exitance.offsetBytes});
               });
@@ -108,7 +102,7 @@ void giveImage(const DeviceImage& made, OpalineDeviceImage* to) {
 
 Given givenOf(const OpalineGivenVulkan& from) {
   const OpalineGivenVulkan whole = wholeOf(&from, {}, "given");
-  if (whole.enabledExtensionCount > 0) required(whole.enabledExtensions, "enabledExtensions");
+  stringsOf(whole.enabledExtensions, whole.enabledExtensionCount, "enabledExtensions");
   GivenVulkan given{.instance = whole.instance,
                     .physicalDevice = whole.physicalDevice,
                     .device = whole.device,
@@ -180,18 +174,16 @@ OpalineStatus opalineVulkanDevice(const OpalineRenderer* renderer, OpalineVulkan
 OpalineStatus opalinePrepareFrame(OpalineView* view, const OpalineDeviceFrame* frame) {
   return guarded([&] {
     const c::DeviceFrame whole(frame);
-    required(view, "view").view.prepare(whole.order);
+    c::changing(view).prepare(whole.order);
   });
 }
 
 OpalineStatus opalineSubmitFrame(OpalineView* view, const OpalineDeviceFrame* frame) {
   return guarded([&] {
     const c::DeviceFrame whole(frame);
-    required(view, "view")
-        .view.submit(
-            FrameSubmission{
-                .waits = whole.waits, .signals = whole.signals, .outputs = whole.outputs()},
-            whole.order);
+    c::changing(view).submit(
+        FrameSubmission{.waits = whole.waits, .signals = whole.signals, .outputs = whole.outputs()},
+        whole.order);
   });
 }
 
@@ -201,11 +193,10 @@ OpalineStatus opalineRecordFrame(OpalineView* view, const OpalineDeviceFrame* fr
     if (!whole.waits.empty()) throw UsageError("Who submits a recorded frame gives its waits.");
     if (whole.signals.size() != 1)
       throw UsageError("A recorded frame has one signal: the point that its submission signals.");
-    required(view, "view")
-        .view.record(FrameRecording{.commands = whole.given().commands,
-                                    .finished = whole.signals[0],
-                                    .outputs = whole.outputs()},
-                     whole.order);
+    c::changing(view).record(FrameRecording{.commands = whole.given().commands,
+                                            .finished = whole.signals[0],
+                                            .outputs = whole.outputs()},
+                             whole.order);
   });
 }
 

@@ -238,6 +238,8 @@ std::size_t choose(const std::vector<DeviceInfo>& devices, const std::string& se
 namespace opaline {
 
 std::string whatIsMissing(VkInstance instance, VkPhysicalDevice physicalDevice) {
+  if (instance == VK_NULL_HANDLE || physicalDevice == VK_NULL_HANDLE)
+    throw UsageError("whatIsMissing() needs an instance and a physical device");
   const gpu::InstanceFunctions vk = gpu::loadInstanceFunctions(vkGetInstanceProcAddr, instance);
   const gpu::DeviceInfo info = gpu::describe(vk, physicalDevice, 0);
   return info.missing.empty() ? std::string() : gpu::unfitMessage(info);

@@ -54,6 +54,9 @@ void requireWhole(const DeviceOptions& options) {
     refuse(
         "device, validation and extensions of RendererOptions are for devices of the renderer's "
         "own");
+  if (std::any_of(given.enabledExtensions.begin(), given.enabledExtensions.end(),
+                  [](const char* name) { return name == nullptr; }))
+    refuse("enabledExtensions has a name that is null");
   const std::string off = joined(extensionsOff(neededExtensions, given.enabledExtensions),
                                  featuresOff(FeatureUse::Always, *given.enabledFeatures));
   if (!off.empty()) refuse("the device was made without " + off);

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <string_view>
 
 #include "gpu/device.h"
+#include "opaline/error.h"
 #include "opaline/renderer.h"
 #include "opaline/view.h"
 #include "renderer/frame/frame.h"
@@ -11,6 +16,13 @@
 #include "renderer/scene/prepared_scenes.h"
 
 namespace opaline {
+
+/// What a renderer, a view or a soft body consists of. One that was moved away has nothing.
+template <typename T>
+T& present(const std::unique_ptr<T>& part, std::string_view whole) {
+  if (!part) throw UsageError(fmt::format("this {} has been moved into another", whole));
+  return *part;
+}
 
 /// What the views of a renderer share.
 class RendererContext {

@@ -58,12 +58,13 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::setScene(const Scene& scene) {
   validate(scene);
-  context_->prepared.clear();
-  context_->edited.set(context_->device, scene);
+  RendererContext& context = present(context_, "renderer");
+  context.prepared.clear();
+  context.edited.set(context.device, scene);
 }
 
 RenderResult Renderer::render(const RenderOptions& options, const std::vector<Aov>& aovs) {
-  std::optional<View>& view = context_->view;
+  std::optional<View>& view = present(context_, "renderer").view;
   if (view)
     view->setOptions(options);
   else
@@ -72,61 +73,61 @@ RenderResult Renderer::render(const RenderOptions& options, const std::vector<Ao
 }
 
 void Renderer::setTime(const SceneTime& time) {
-  context_->edited.setTime(time);
+  present(context_, "renderer").edited.setTime(time);
 }
 
 void Renderer::setCamera(const Camera& camera) {
-  context_->edited.setCamera(camera);
+  present(context_, "renderer").edited.setCamera(camera);
 }
 
 void Renderer::setLighting(const Lighting& lighting) {
-  context_->edited.setLighting(lighting);
+  present(context_, "renderer").edited.setLighting(lighting);
 }
 
 const std::vector<DirectionalLight>& Renderer::suns() const {
-  return context_->edited.suns();
+  return present(context_, "renderer").edited.suns();
 }
 
 void Renderer::setMedium(std::size_t object, const Medium& medium) {
-  context_->edited.setMedium(object, medium);
+  present(context_, "renderer").edited.setMedium(object, medium);
 }
 
 void Renderer::setMaterial(std::size_t object, const Material& material) {
-  context_->edited.setMaterial(object, material);
+  present(context_, "renderer").edited.setMaterial(object, material);
 }
 
 void Renderer::setDeformers(const std::vector<Deformer>& deformers) {
-  context_->edited.setDeformers(deformers);
+  present(context_, "renderer").edited.setDeformers(deformers);
 }
 
 void Renderer::replacePositions(std::size_t object, std::span<const Vec3> positionsMm) {
-  context_->edited.replacePositions(object, positionsMm);
+  present(context_, "renderer").edited.replacePositions(object, positionsMm);
 }
 
 void Renderer::replacePositions(std::size_t object, const DevicePositions& positions) {
-  context_->edited.replacePositions(object, positions);
+  present(context_, "renderer").edited.replacePositions(object, positions);
 }
 
 void Renderer::restorePositions(std::size_t object) {
-  context_->edited.restorePositions(object);
+  present(context_, "renderer").edited.restorePositions(object);
 }
 
 VulkanDevice Renderer::vulkanDevice() const {
-  const gpu::Device& device = context_->device;
+  const gpu::Device& device = present(context_, "renderer").device;
   return {device.instance(), device.physical(), device.handle(), device.queueFamily(),
           device.queue()};
 }
 
 std::vector<std::byte> Renderer::pipelineCache() const {
-  return context_->device.pipelineCache();
+  return present(context_, "renderer").device.pipelineCache();
 }
 
 std::size_t Renderer::memoryBytes() const {
-  return context_->device.memoryBytes();
+  return present(context_, "renderer").device.memoryBytes();
 }
 
 std::size_t Renderer::validationMessages() const {
-  return context_->device.validationMessages();
+  return present(context_, "renderer").device.validationMessages();
 }
 
 }  // namespace opaline

@@ -5,7 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
+#include <cmath>
+#include <limits>
 #include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 
 #include "gpu/command_list.h"
 #include "gpu/transfer.h"
@@ -69,6 +75,19 @@ shared::FrameData makeFrameData(const Lighting& lighting, const CameraView& came
   return frame;
 }
 
+// Whether numbers of the shaders' size hold it.
+bool fitsFloats(const CameraView& view) {
+  const auto areFinite = [](const auto& of) {
+    const float* const first = glm::value_ptr(of);
+    return std::all_of(first, first + sizeof of / sizeof *first,
+                       [](float value) { return std::isfinite(value); });
+  };
+  const glm::mat4 rows = glm::transpose(view.worldToClip);
+  constexpr float least = std::numeric_limits<float>::min();
+  return areFinite(rows) && areFinite(view.position) && areFinite(view.axis) &&
+         glm::length(glm::vec3(rows[0])) > least && glm::length(glm::vec3(rows[1])) > least;
+}
+
 // Points on timelines as the device takes them.
 class PointsOf {
  public:
@@ -76,7 +95,11 @@ class PointsOf {
     if (count_ > points_.size())
       throw UsageError(
           fmt::format("{} has {} points; there may be {}", name, count_, points_.size()));
-    for (std::size_t i = 0; i < count_; ++i) points_[i] = {given[i].semaphore, given[i].value};
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (given[i].semaphore == VK_NULL_HANDLE)
+        throw UsageError(fmt::format("{}: point {} has no semaphore", name, i));
+      points_[i] = {given[i].semaphore, given[i].value};
+    }
   }
   std::span<const gpu::SemaphoreValue> points() const { return std::span(points_).first(count_); }
 
@@ -111,8 +134,10 @@ class View::Implementation {
   }
 
   void setCamera(const CameraMatrices& matrices) {
-    // Or refuses it.
-    makeGivenCamera(matrices, context_.edited.origin(), options_.width, options_.height);
+    const GivenCamera camera =
+        makeGivenCamera(matrices, context_.edited.origin(), options_.width, options_.height);
+    if (!fitsFloats(camera.view))
+      throw UsageError("CameraMatrices: what they show is too large or too small for a camera");
     matrices_ = matrices;
   }
 
@@ -335,59 +360,59 @@ View::View(View&&) noexcept = default;
 View& View::operator=(View&&) noexcept = default;
 
 void View::setOptions(const RenderOptions& options) {
-  implementation_->setOptions(options);
+  present(implementation_, "view").setOptions(options);
 }
 
 const RenderOptions& View::options() const {
-  return implementation_->options();
+  return present(implementation_, "view").options();
 }
 
 void View::setCamera(const std::optional<Camera>& camera) {
-  implementation_->setCamera(camera);
+  present(implementation_, "view").setCamera(camera);
 }
 
 RenderResult View::render(const FrameOrder& order) {
-  return implementation_->render(order);
+  return present(implementation_, "view").render(order);
 }
 
 void View::setCamera(const CameraMatrices& matrices) {
-  implementation_->setCamera(matrices);
+  present(implementation_, "view").setCamera(matrices);
 }
 
 void View::submit(const FrameOrder& order) {
-  implementation_->submit({}, order);
+  present(implementation_, "view").submit({}, order);
 }
 
 void View::submit(const FrameSubmission& submission, const FrameOrder& order) {
-  implementation_->submit(submission, order);
+  present(implementation_, "view").submit(submission, order);
 }
 
 void View::prepare(const FrameOrder& order) {
-  implementation_->prepare(order);
+  present(implementation_, "view").prepare(order);
 }
 
 void View::record(const FrameRecording& recording, const FrameOrder& order) {
-  implementation_->record(recording, order);
+  present(implementation_, "view").record(recording, order);
 }
 
 DeviceBuffer View::exitance(std::size_t object) const {
-  return implementation_->exitance(object);
+  return present(implementation_, "view").exitance(object);
 }
 
 void View::collect(Frame& frame) {
-  implementation_->collect(frame);
+  present(implementation_, "view").collect(frame);
 }
 
 DeviceImage View::picture() const {
-  return implementation_->picture();
+  return present(implementation_, "view").picture();
 }
 
 DeviceImage View::picture(Aov aov) const {
-  return implementation_->picture(aov);
+  return present(implementation_, "view").picture(aov);
 }
 
 RenderReport View::report() const {
-  return implementation_->report();
+  return present(implementation_, "view").report();
 }
 
 }  // namespace opaline

@@ -56,7 +56,7 @@ Camera defaultCamera(const Scene& scene, Vec3 directionFromCentre, float vertica
   const scene::Double3 direction = scene::toDouble(directionFromCentre);
   const double size = scene::length(direction);
   if (!scene::isFinite(direction) || !(size > 1e-30)) {
-    throw UsageError("the camera's direction must not be zero");
+    throw UsageError("the camera's direction must be finite and not zero");
   }
   const scene::Double3 centre = scene::exactMiddleOf(boundsOf(scene));
   const double distance = 1.4 * double{diagonalMm(scene)};

@@ -94,16 +94,24 @@ Engine::Engine(bool validated) {
   makeInstance(validated);
   if (validated) listen();
   makeDevice();
+}
+
+Engine::Lane& Engine::lane() {
+  const std::lock_guard lock(laneMutex_);
+  const auto [at, isNew] = lanes_.try_emplace(std::this_thread::get_id());
+  Lane& own = at->second;
+  if (!isNew) return own;
   VkSemaphoreTypeCreateInfo type{};
   type.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO;
   type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
   VkSemaphoreCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
   info.pNext = &type;
-  require(vkCreateSemaphore(device_, &info, nullptr, &timeline_), "make a timeline");
+  require(vkCreateSemaphore(device_, &info, nullptr, &own.timeline), "make a timeline");
   VkCommandPoolCreateInfo pool{};
   pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-  require(vkCreateCommandPool(device_, &pool, nullptr, &pool_), "make a command pool");
+  require(vkCreateCommandPool(device_, &pool, nullptr, &own.pool), "make a command pool");
+  return own;
 }
 
 Engine::~Engine() {
@@ -114,8 +122,10 @@ Engine::~Engine() {
   }
   for (const VkBuffer buffer : buffers_) vkDestroyBuffer(device_, buffer, nullptr);
   for (const VkDeviceMemory memory : memories_) vkFreeMemory(device_, memory, nullptr);
-  vkDestroyCommandPool(device_, pool_, nullptr);
-  vkDestroySemaphore(device_, timeline_, nullptr);
+  for (const auto& [thread, lane] : lanes_) {
+    vkDestroyCommandPool(device_, lane.pool, nullptr);
+    vkDestroySemaphore(device_, lane.timeline, nullptr);
+  }
   vkDestroyDevice(device_, nullptr);
   if (messenger_ != VK_NULL_HANDLE) {
     const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
@@ -295,7 +305,7 @@ Engine::Target Engine::makeTarget(VkFormat format, VkExtent2D extent,
 VkCommandBuffer Engine::begin() {
   VkCommandBufferAllocateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-  info.commandPool = pool_;
+  info.commandPool = lane().pool;
   info.commandBufferCount = 1;
   VkCommandBuffer commands = VK_NULL_HANDLE;
   require(vkAllocateCommandBuffers(device_, &info, &commands), "make a command buffer");
@@ -342,6 +352,14 @@ void Engine::waitFor(const TimelinePoint& point) const {
   info.pSemaphores = &point.semaphore;
   info.pValues = &point.value;
   require(vkWaitSemaphores(device_, &info, UINT64_MAX), "wait");
+}
+
+void Engine::signal(const TimelinePoint& point) const {
+  VkSemaphoreSignalInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SIGNAL_INFO;
+  info.semaphore = point.semaphore;
+  info.value = point.value;
+  require(vkSignalSemaphore(device_, &info), "signal");
 }
 
 void Engine::run(const std::function<void(VkCommandBuffer)>& record) {

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "opaline/renderer.h"
@@ -16,6 +18,7 @@ namespace opaline::test {
 
 /// A program with a Vulkan device of its own, made as vulkanNeeds() says, under the validation
 /// layer with synchronization validation or without. Counts what the library does with the queue.
+/// Command buffers, submissions, timelines and buffers may be made on any thread: each has its own.
 class Engine {
  public:
   explicit Engine(bool validated = true);
@@ -32,7 +35,7 @@ class Engine {
   /// Calls of vkQueueSubmit2 by the library, and of vkDeviceWaitIdle and vkQueueWaitIdle.
   static int submissions();
   static int waitsForIdle();
-  /// The library's submissions fail from now on as if the device were lost, or no more.
+  /// The library's submissions and waits fail from now on as if the device were lost, or no more.
   static void loseDevice(bool lost);
   /// How often the library held the lock.
   int locks() const { return locks_; }
@@ -40,9 +43,12 @@ class Engine {
   VkDevice device() const { return device_; }
   VkPhysicalDevice physicalDevice() const { return physical_; }
   VkInstance instance() const { return instance_; }
-  VkSemaphore timeline() const { return timeline_; }
+  VkSemaphore timeline() { return lane().timeline; }
   /// A new value of the timeline, for something that will signal it.
-  TimelinePoint nextPoint() { return {timeline_, ++lastPoint_}; }
+  TimelinePoint nextPoint() {
+    Lane& own = lane();
+    return {own.timeline, ++own.lastPoint};
+  }
 
   /// Memory for anyone to see, freed with the engine.
   struct Memory {
@@ -70,6 +76,8 @@ class Engine {
   void submit(VkCommandBuffer commands, const TimelinePoint& point,
               const std::vector<TimelinePoint>& waits = {});
   void waitFor(const TimelinePoint& point) const;
+  /// From the host, for work that waits for it.
+  void signal(const TimelinePoint& point) const;
   /// Records commands, submits them and waits.
   void run(const std::function<void(VkCommandBuffer)>& record);
 
@@ -84,6 +92,13 @@ class Engine {
   void resolve(const Target& from, const Target& to);
 
  private:
+  /// What a thread has for itself.
+  struct Lane {
+    VkSemaphore timeline = VK_NULL_HANDLE;
+    VkCommandPool pool = VK_NULL_HANDLE;
+    std::uint64_t lastPoint = 0;
+  };
+  Lane& lane();
   void makeInstance(bool validated);
   void listen();
   void makeDevice();
@@ -96,9 +111,8 @@ class Engine {
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
-  VkSemaphore timeline_ = VK_NULL_HANDLE;
-  VkCommandPool pool_ = VK_NULL_HANDLE;
-  std::uint64_t lastPoint_ = 0;
+  std::mutex laneMutex_;
+  std::map<std::thread::id, Lane> lanes_;
   std::mutex queueMutex_;
   int locks_ = 0;
   mutable std::mutex messageMutex_;

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <functional>
+#include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "given/engine_fixture.h"
@@ -56,6 +59,9 @@ TEST_F(GivenDeviceTest, RefusesWhatIsNotWhole) {
   given = whole;
   given.enabledExtensions = {};
   EXPECT_NE(complaintAbout(given).find("VK_KHR_push_descriptor"), std::string::npos);
+  const char* const none = nullptr;
+  given.enabledExtensions = {&none, 1};
+  EXPECT_NE(complaintAbout(given).find("enabledExtensions"), std::string::npos);
   given = whole;
   given.unlockQueue = nullptr;
   EXPECT_NE(complaintAbout(given).find("unlockQueue"), std::string::npos);
@@ -67,6 +73,23 @@ TEST_F(GivenDeviceTest, RefusesWhatIsNotWhole) {
   EXPECT_NE(complaintAbout(given).find("enabledFeatures"), std::string::npos);
   EXPECT_THROW(Renderer({.validation = true, .given = whole}), UsageError);
   EXPECT_THROW(Renderer({.rayQueries = true, .given = whole}), UsageError);
+  EXPECT_THROW(static_cast<void>(whatIsMissing(engine().instance(), VK_NULL_HANDLE)), UsageError);
+}
+
+TEST_F(GivenDeviceTest, WhatCannotBeUsedSaysSo) {
+  Renderer renderer(engine().options());
+  const Renderer kept(std::move(renderer));
+  EXPECT_THROW(renderer.setTime({}), UsageError);  // NOLINT(bugprone-use-after-move): its subject
+  EXPECT_THROW(static_cast<void>(renderer.memoryBytes()), UsageError);
+  renderer = Renderer(engine().options());
+  renderer.setScene(wobblyBall());
+  View view(renderer, tinyOptions());
+  const TimelinePoint nowhere{VK_NULL_HANDLE, 1};
+  EXPECT_THROW(view.submit({.waits = {&nowhere, 1}}, {}), UsageError);
+  EXPECT_THROW(view.submit({.signals = {&nowhere, 1}}, {}), UsageError);
+  const View moved(std::move(view));
+  EXPECT_THROW(view.submit(), UsageError);  // NOLINT(bugprone-use-after-move)
+  EXPECT_THROW(static_cast<void>(view.options()), UsageError);
 }
 
 // Structures of Vulkan versions and of single extensions turn on the same features.
@@ -92,6 +115,50 @@ TEST_F(GivenDeviceTest, FindsFeaturesInWhicheverStructureHasThem) {
   EXPECT_NE(complaint.find("imageCubeArray, timelineSemaphore"), std::string::npos) << complaint;
 }
 
+// The engine submits from a third. Frames of several sizes are under way when their views change
+// or go; some are submitted by the library, others recorded.
+TEST_F(GivenDeviceTest, ViewsOfTwoRenderersChangeAndGoWhileThreeThreadsUseTheQueue) {
+  const Scene scene = wobblyBall();
+  const auto work = [&] {
+    Renderer renderer(engine().options());
+    renderer.setScene(scene);
+    std::optional<View> view;
+    TimelinePoint last;
+    for (int i = 0; i < 6; ++i) {
+      if (i % 3 == 0) view.emplace(renderer, tinyOptions());
+      RenderOptions options = tinyOptions();
+      options.width = 16 + 8 * (i % 2);
+      view->setOptions(options);
+      renderer.setTime({.seconds = 0.1 * i});
+      last = engine().nextPoint();
+      const FrameOrder order{.aovs = {}, .onDevice = true};
+      if (i % 4 < 2) {
+        view->submit({.signals = {&last, 1}}, order);
+      } else {
+        const VkCommandBuffer commands = engine().begin();
+        view->record({.commands = commands, .finished = last}, order);
+        engine().submit(commands, last);
+      }
+    }
+    RenderOptions plain = tinyOptions();
+    view->setOptions(plain);
+    Frame frame;
+    view->submit();
+    do view->collect(frame);
+    while (frame.images.empty());
+    const RenderResult alike = renderer.render(plain);
+    EXPECT_EQ(frame.images[0].rgba, alike.images[0].rgba);
+    view.reset();
+    engine().waitFor(last);
+  };
+  std::thread first(work);
+  std::thread second(work);
+  for (int i = 0; i < 40; ++i) engine().run([](VkCommandBuffer) {});
+  first.join();
+  second.join();
+  EXPECT_EQ(Engine::waitsForIdle(), 0);
+}
+
 // The engine submits from a third.
 TEST_F(GivenDeviceTest, RenderersOnTwoThreadsShareTheQueueUnderItsLock) {
   const Scene scene = wobblyBall();
@@ -110,6 +177,21 @@ TEST_F(GivenDeviceTest, RenderersOnTwoThreadsShareTheQueueUnderItsLock) {
   second.join();
 }
 
+void expectLost(const std::function<void()>& call) {
+  try {
+    call();
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const UsageError& error) {
+    ADD_FAILURE() << "counts as a mistake of the caller: " << error.what();
+  } catch (const Error& error) {
+    const std::string sentence = error.what();
+    EXPECT_NE(sentence.find("device was lost"), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+  }
+}
+
+// Only the calls fail: afterwards the device finishes what it has, so that the validation layer can
+// tell what is destroyed too early, and what is left.
 TEST_F(GivenDeviceTest, ALostDeviceIsOneSentenceAndNothingIsLeft) {
   Renderer renderer(engine().options());
   renderer.setScene(wobblyBall());
@@ -117,18 +199,55 @@ TEST_F(GivenDeviceTest, ALostDeviceIsOneSentenceAndNothingIsLeft) {
   view.submit();
   Engine::loseDevice(true);
   Frame frame;
-  const auto messageOf = [](const auto& call) {
-    try {
-      call();
-    } catch (const Error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  EXPECT_NE(messageOf([&] { view.collect(frame); }).find("device was lost"), std::string::npos);
-  EXPECT_NE(messageOf([&] { view.render(); }).find("device was lost"), std::string::npos);
-  Engine::loseDevice(false);  // only the calls failed: what is destroyed must not be in use
+  expectLost([&] { view.collect(frame); });
+  expectLost([&] { view.render(); });
+  Engine::loseDevice(false);
   engine().run([](VkCommandBuffer) {});
+}
+
+// Two frames are under way, recorded and submitted by the engine. What is left of the renderer goes
+// while its calls still fail.
+TEST_F(GivenDeviceTest, ADeviceLostDuringRecordedFramesIsOneSentenceAndNothingIsLeft) {
+  for (const bool hasFinished : {false, true}) {
+    SCOPED_TRACE(hasFinished ? "lost between frames" : "lost during frames");
+    const TimelinePoint go = engine().nextPoint();
+    TimelinePoint last = go;
+    const auto proceed = [&] {
+      engine().signal(go);
+      engine().waitFor(last);
+    };
+    {
+      Renderer renderer(engine().options());
+      renderer.setScene(wobblyBall());
+      View view(renderer, tinyOptions());
+      const FrameOrder order{.aovs = {}, .onDevice = true};
+      for (int i = 0; i < View::framesInFlight; ++i) {
+        const VkCommandBuffer commands = engine().begin();
+        const TimelinePoint point = engine().nextPoint();
+        view.record({.commands = commands, .finished = point}, order);
+        engine().submit(commands, point, {std::exchange(last, point)});
+      }
+      if (hasFinished) proceed();
+      Engine::loseDevice(true);
+      if (!hasFinished) {
+        const VkCommandBuffer commands = engine().begin();
+        const TimelinePoint never = engine().nextPoint();
+        expectLost([&] { view.record({.commands = commands, .finished = never}, order); });
+        Frame frame;
+        expectLost([&] { view.collect(frame); });
+      }
+      RenderOptions larger = tinyOptions();
+      larger.width = 48;
+      view.setOptions(larger);
+      expectLost([&] { view.submit(order); });
+      expectLost([&] { view.render({.aovs = {Aov::Exitance}}); });
+      expectLost([&] { renderer.render(tinyOptions()); });
+      expectLost([&] { view.prepare(); });
+      expectLost([&] { renderer.setScene(wobblyBall()); });
+      if (!hasFinished) proceed();
+    }
+    Engine::loseDevice(false);
+  }
 }
 
 TEST_F(GivenDeviceTest, ThePipelineCacheComesBackWhateverItHolds) {

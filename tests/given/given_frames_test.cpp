@@ -54,11 +54,7 @@ TEST_F(GivenFramesTest, SubmittedFramesWaitForPointsAndSignalThem) {
   std::uint64_t value = 0;
   vkGetSemaphoreCounterValue(engine().device(), engine().timeline(), &value);
   EXPECT_LT(value, go.value);
-  VkSemaphoreSignalInfo signal{};
-  signal.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SIGNAL_INFO;
-  signal.semaphore = go.semaphore;
-  signal.value = go.value;
-  vkSignalSemaphore(engine().device(), &signal);
+  engine().signal(go);
   engine().waitFor(done);
   Frame frame;
   view.collect(frame);

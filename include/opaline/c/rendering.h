@@ -44,7 +44,7 @@ OPALINE_API OpalineStatus opalineDefaultRendererOptions(OpalineRendererOptions* 
 /// `options` may be NULL.
 OPALINE_API OpalineStatus opalineCreateRenderer(const OpalineRendererOptions* options,
                                                 OpalineRenderer** renderer);
-/// Its views are destroyed before it.
+/// Destroys the views and soft bodies that are left of it, too.
 OPALINE_API void opalineDestroyRenderer(OpalineRenderer* renderer);
 
 /// Bytes of the device's memory that the renderer and its views take now.
@@ -158,7 +158,7 @@ OPALINE_API OpalineStatus opalineDefaultRenderOptions(OpalineRenderOptions* opti
 /// A picture that is made again and again. It keeps its images, so that frames allocate nothing.
 typedef struct OpalineView OpalineView;
 
-/// `options` may be NULL. The renderer must outlive the view.
+/// `options` may be NULL. The view goes with its renderer at the latest.
 OPALINE_API OpalineStatus opalineCreateView(OpalineRenderer* renderer,
                                             const OpalineRenderOptions* options,
                                             OpalineView** view);
@@ -211,7 +211,8 @@ typedef struct OpalineFrameOrder {
 OPALINE_API OpalineStatus opalineSubmitOrder(OpalineView* view, const OpalineFrameOrder* order);
 
 /// Waits for the oldest submitted frame and copies its variables, in the order in which they were
-/// wanted. `milliseconds`, of the device, may be NULL; opaline/c/reports.h has more.
+/// wanted. If they do not fit, the next call gives the same frame again. A frame without variables
+/// has no targets. `milliseconds`, of the device, may be NULL; opaline/c/reports.h has more.
 OPALINE_API OpalineStatus opalineCollect(OpalineView* view, const OpalineTarget* targets,
                                          size_t targetCount, double* milliseconds);
 

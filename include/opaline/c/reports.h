@@ -69,7 +69,8 @@ typedef struct OpalineViewReport {
   size_t passCount;  ///< for opalineViewPass()
 } OpalineViewReport;
 
-/// Bad use before the first frame. A pass has its median over the frames after the first.
+/// Bad use before the first frame. A pass has its median over the frames after the first. Passes
+/// and device are those of the report that is at hand, or of a new one after another frame.
 OPALINE_API OpalineStatus opalineViewReport(OpalineView* view, OpalineViewReport* report);
 OPALINE_API OpalineStatus opalineViewPass(OpalineView* view, size_t pass, OpalinePassTime* time);
 /// The device that they were made on.

@@ -25,8 +25,8 @@ OPALINE_API OpalineStatus opalineDefaultSoftBodyOptions(OpalineSoftBodyOptions* 
 typedef struct OpalineSoftBody OpalineSoftBody;
 
 /// `scene` is the one that the renderer has; the object is at rest as its mesh has it there.
-/// `options` may be NULL. The renderer must outlive it. After opalineSetScene() it may only be
-/// destroyed, which returns the object to its mesh.
+/// `options` may be NULL. It goes with the renderer at the latest. After opalineSetScene() it may
+/// only be destroyed, which returns the object to its mesh.
 OPALINE_API OpalineStatus opalineCreateSoftBody(OpalineRenderer* renderer,
                                                 const OpalineScene* scene, size_t object,
                                                 const OpalineSoftBodyOptions* options,

@@ -73,23 +73,23 @@ SoftBody::SoftBody(SoftBody&&) noexcept = default;
 SoftBody& SoftBody::operator=(SoftBody&&) noexcept = default;
 
 void SoftBody::grab(const Vec3& pointMm, float radiusMm) {
-  implementation_->motion().grab(pointMm, radiusMm);
+  present(implementation_, "soft body").motion().grab(pointMm, radiusMm);
 }
 
 void SoftBody::pull(const Vec3& toMm) {
-  implementation_->motion().pull(toMm);
+  present(implementation_, "soft body").motion().pull(toMm);
 }
 
 void SoftBody::release() {
-  implementation_->motion().release();
+  present(implementation_, "soft body").motion().release();
 }
 
 void SoftBody::step(double seconds) {
-  implementation_->step(seconds);
+  present(implementation_, "soft body").step(seconds);
 }
 
 bool SoftBody::moves() const {
-  return implementation_->motion().moves();
+  return present(implementation_, "soft body").motion().moves();
 }
 
 }  // namespace opaline
