@@ -16,7 +16,7 @@ namespace opaline_c_test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr std::array<float, 3> someVector{1, 2, 3};
+constexpr std::array<float, 4> someVector{1, 2, 3, 1};  // or a pixel
 constexpr std::array<float, 3> brokenVector{nan, 0, 0};
 // What 32 bits take for negative, and what no memory holds.
 constexpr std::array<std::size_t, 2> absurdCounts{std::size_t{1} << 31, SIZE_MAX};

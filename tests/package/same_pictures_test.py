@@ -94,10 +94,10 @@ target_mm = [0, 0, 0]
 """
 
 PYTHON = """import sys, opaline
-scene, seconds, *files = sys.argv[1:]
+scene, seconds, site, *files = sys.argv[1:]
 renderer = opaline.Renderer(opaline.load(scene))
 renderer.set_time(float(seconds))
-frame = renderer.render(96, 64, ["radiance", "exitance"])
+frame = renderer.render(96, 64, ["radiance", "exitance"], site=site)
 for file, name in zip(files, frame):
     frame.save(file, name)
 """
@@ -127,23 +127,35 @@ class SamePictures(Installed):
         scene.with_name("sky.hdr").write_bytes(sky())
         scene.write_text(SCENE.format("body.gltf"))
         programs = self.built(ROOT / "tests" / "package" / "drawn_file")
-        files = {by: [self.folder / f"{by}_{name}.exr" for name in ("radiance", "exitance")] for by in ("cpp", "c", "python", "at_rest")}
-        for by, seconds in (("cpp", 1.3), ("c", 1.3), ("at_rest", 0)):
-            self.run_example(programs / f"draw_{by.replace('at_rest', 'cpp')}", scene, seconds, *files[by])
-        pictures = {by: [file.read_bytes() for file in files[by]] for by in ("cpp", "c", "at_rest")}
-        self.assertEqual(pictures["cpp"], pictures["c"])
-        for moved, still in zip(pictures["cpp"], pictures["at_rest"]):
-            self.assertNotEqual(moved, still, "the clip moves them")
+
+        def drawn(language, seconds, site):
+            files = [self.folder / f"{language}_{seconds}_{site}_{name}.exr" for name in ("radiance", "exitance")]
+            if language == "python":
+                folder, = (self.prefix / "lib").glob("python3*/site-packages")
+                self.succeed(cached("OPALINE_PYTHON_EXECUTABLE"), "-c", PYTHON, scene, seconds, site, *files,
+                             env=os.environ | {"PYTHONPATH": str(folder)})
+            else:
+                self.run_example(programs / f"draw_{language}", scene, seconds, site, *files)
+            return files
+
+        def contents(files):
+            return [file.read_bytes() for file in files]
+
+        # Where light leaves is chosen for each body, or found at each pixel: by boundary transport both.
+        moved = {site: drawn("cpp", 1.3, site) for site in ("auto", "fragment")}
         program = self.prefix / "bin" / "opaline"
-        if program.exists():
-            ours = self.folder / "program.exr"
-            self.succeed(program, "render", scene, "--time", 1.3, "--size", "96x64", "--aov", "radiance", "-o", ours, "--quiet")
-            self.assertEqual(json.loads(self.succeed(program, "compare", ours, files["cpp"][0], "--json"))["max_abs"], 0)
-        if cached("OPALINE_BUILD_PYTHON") == "ON":
-            site, = (self.prefix / "lib").glob("python3*/site-packages")
-            self.succeed(cached("OPALINE_PYTHON_EXECUTABLE"), "-c", PYTHON, scene, 1.3, *files["python"],
-                         env=os.environ | {"PYTHONPATH": str(site)})
-            self.assertEqual(pictures["cpp"], [file.read_bytes() for file in files["python"]])
+        for site, files in moved.items():
+            with self.subTest(site=site):
+                self.assertEqual(contents(files), contents(drawn("c", 1.3, site)))
+                if cached("OPALINE_BUILD_PYTHON") == "ON":
+                    self.assertEqual(contents(files), contents(drawn("python", 1.3, site)))
+                if program.exists():
+                    ours = self.folder / f"program_{site}.exr"
+                    self.succeed(program, "render", scene, "--time", 1.3, "--size", "96x64", "--site", site, "--aov", "radiance",
+                                 "-o", ours, "--quiet")
+                    self.assertEqual(json.loads(self.succeed(program, "compare", ours, files[0], "--json"))["max_abs"], 0)
+        for now, still in zip(contents(moved["auto"]), contents(drawn("cpp", 0, "auto"))):
+            self.assertNotEqual(now, still, "the clip moves them")
 
 
 if __name__ == "__main__":

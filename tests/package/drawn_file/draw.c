@@ -1,8 +1,9 @@
-// Usage: draw_c SCENE SECONDS RADIANCE.exr EXITANCE.exr
+// Usage: draw_c SCENE SECONDS auto|fragment RADIANCE.exr EXITANCE.exr
 
 #include <opaline/opaline_c.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { width = 96, height = 64, floats = 4 * width * height };
 
@@ -13,7 +14,7 @@ static void check(OpalineStatus status) {
 }
 
 int main(int count, char** values) {
-  if (count != 5) return 2;
+  if (count != 6) return 2;
   OpalineScene* scene = NULL;
   OpalineRenderer* renderer = NULL;
   OpalineView* view = NULL;
@@ -26,6 +27,7 @@ int main(int count, char** values) {
   check(opalineDefaultRenderOptions(&options));
   options.width = width;
   options.height = height;
+  if (strcmp(values[3], "fragment") == 0) options.site = OpalineSiteFragment;
   check(opalineCreateView(renderer, &options, &view));
   float* pictures = malloc(2 * floats * sizeof(float));
   if (!pictures) return 1;
@@ -34,7 +36,7 @@ int main(int count, char** values) {
       {sizeof(OpalineTarget), OpalineAovExitance, pictures + floats, floats}};
   check(opalineRender(view, targets, 2));
   for (int i = 0; i < 2; ++i)
-    check(opalineWriteExr(values[3 + i], pictures + (size_t)i * floats, width, height));
+    check(opalineWriteExr(values[4 + i], pictures + (size_t)i * floats, width, height));
   free(pictures);
   opalineDestroyView(view);
   opalineDestroyRenderer(renderer);

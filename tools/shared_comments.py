@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""For Doxygen, a filter of public headers: a comment above a group of declarations is that of each of them, and the first
+comment of a header is the file's."""
+
+import pathlib
+import re
+import sys
+
+from check_documented import blanked, declarations
+
+
+def comment_above(lines, line):
+    """The comment that ends right before a line, from 1 on, as one that Doxygen reads."""
+    first = line - 1
+    while first > 0 and lines[first - 1].strip().startswith("//"):
+        first -= 1
+    return [re.sub(r"//+", "///", text, count=1) for text in lines[first:line - 1]]
+
+
+def shared(text):
+    lines = text.splitlines()
+    above = {}  # line -> the comment that goes before it
+    group, until = [], 0
+    for _, first, last in declarations(blanked(text)):
+        own = comment_above(lines, first)
+        if own:
+            group, until = own, last
+        elif any("///" in line for line in lines[first - 1:last]):
+            group, until = [], last
+        elif until == first - 1 and group:
+            above[first] = [re.match(r"\s*", lines[first - 1])[0] + line.strip() for line in group]
+            until = last
+        else:
+            group = []
+    out = ["/// @file"]
+    for number, line in enumerate(lines, 1):
+        out += above.get(number, []) + [line]
+    return "\n".join(out) + "\n"
+
+
+if __name__ == "__main__":
+    sys.stdout.write(shared(pathlib.Path(sys.argv[1]).read_text()))
