@@ -2,19 +2,17 @@
 beside the system's: the tests of rays, of pictures with and without, and the program's option."""
 
 import os
-import pathlib
 import subprocess
 import unittest
 
 import images
+import newer_device
 from program import ProgramTest
 
-FETCHED = pathlib.Path(__file__).resolve().parents[2] / "build" / "ray-query-device"
-HAS_QUERIES = {**os.environ, "VK_DRIVER_FILES": str(FETCHED / "device.json"), "LD_LIBRARY_PATH": str(FETCHED)}
+HAS_QUERIES = newer_device.ENVIRONMENT
 
 
-@unittest.skipUnless((FETCHED / "device.json").exists(),
-                     f"no {FETCHED}: scripts/fetch-ray-query-device.sh says why")
+@unittest.skipUnless(newer_device.IS_THERE, newer_device.WHY_NOT)
 class RayQueries(ProgramTest):
     def pass_all(self, program, tests):
         run = subprocess.run([os.environ[program], f"--gtest_filter={tests}"], env=HAS_QUERIES, check=False,
