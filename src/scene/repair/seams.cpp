@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
+#include <span>
 #include <vector>
 
 #include "scene/repair/topology.h"
@@ -48,19 +48,34 @@ double extentOf(const RawMesh& mesh) {
 /// Places so far apart that each is one, by cells as wide as what counts as near.
 class Places {
  public:
-  explicit Places(double within) : within_(within) {}
+  /// For all of these vertices.
+  Places(double within, const RawMesh& mesh, std::span<const std::uint32_t> vertices)
+      : within_(within) {
+    cells_.reserve(vertices.size());
+    for (const std::uint32_t v : vertices) cells_.push_back(cellOf(mesh.positions[v]));
+    std::sort(cells_.begin(), cells_.end());
+    cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
+    places_.resize(cells_.size());
+  }
 
   /// The place that is near, which this becomes where there is none.
-  const Vec3& placeFor(const Vec3& position) {
+  Vec3 placeFor(const Vec3& position) {
     const Cell at = cellOf(position);
-    for (int i = 0; i < 27; ++i) {
-      const auto found =
-          places_.find({at[0] + i % 3 - 1, at[1] + i / 3 % 3 - 1, at[2] + i / 9 - 1});
-      if (found == places_.end()) continue;
-      for (const Vec3& place : found->second)
-        if (length(toDouble(place) - toDouble(position)) <= within_) return place;
+    const Vec3* near = nullptr;
+    std::int64_t nearest = 27;  // of the cells around, the first that has one
+    for (int row = 0; row < 9; ++row) {
+      const Cell begin{at[0] + row % 3 - 1, at[1] + row / 3 - 1, at[2] - 1};
+      const Cell end{begin[0], begin[1], at[2] + 2};
+      for (std::size_t cell = firstFrom(begin); cell < cells_.size() && cells_[cell] < end;
+           ++cell) {
+        const std::int64_t order = row + 9 * (cells_[cell][2] - begin[2]);
+        const Vec3* found = order < nearest ? nearIn(cell, position) : nullptr;
+        if (found == nullptr) continue;
+        near = found;
+        nearest = order;
+      }
     }
-    return places_[at].emplace_back(position);
+    return near != nullptr ? *near : places_[firstFrom(at)].emplace_back(position);
   }
 
  private:
@@ -71,8 +86,20 @@ class Places {
     return cell;
   }
 
+  std::size_t firstFrom(const Cell& cell) const {
+    return static_cast<std::size_t>(std::lower_bound(cells_.begin(), cells_.end(), cell) -
+                                    cells_.begin());
+  }
+
+  const Vec3* nearIn(std::size_t cell, const Vec3& position) const {
+    for (const Vec3& place : places_[cell])
+      if (length(toDouble(place) - toDouble(position)) <= within_) return &place;
+    return nullptr;
+  }
+
   double within_;
-  std::map<Cell, std::vector<Vec3>> places_;
+  std::vector<Cell> cells_;                ///< that have vertices, ascending
+  std::vector<std::vector<Vec3>> places_;  ///< in each of them
 };
 
 }  // namespace
@@ -86,7 +113,7 @@ std::size_t closeSeams(RawMesh& mesh, std::span<const std::uint32_t> points) {
   for (const std::uint32_t v : open)
     furthest = std::max(furthest, length(toDouble(mesh.positions[v])));
   if (!(within > 0) || furthest / within > largestCell) return 0;
-  Places places(within);
+  Places places(within, mesh, open);
   std::size_t moved = 0;
   for (const std::uint32_t v : open) {
     const Vec3 place = places.placeFor(mesh.positions[v]);
