@@ -28,7 +28,7 @@ void BackdropPass::record(gpu::CommandList& commands, const Inputs& inputs,
                  .radiance = radiance},
                 {.ambient = glm::vec4(glm::make_vec3(inputs.ambient.data()), 0),
                  .samples = inputs.samples,
-                 .fills = inputs.fills});
+                 .fills = inputs.fills ? 1.0F : 0.0F});
   commands.dispatchTiles(radiance);
   commands.endPass();
 }

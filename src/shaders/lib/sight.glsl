@@ -10,7 +10,7 @@ struct Sight {
 // Through a place of the picture, in clip space over w.
 Sight sightThrough(vec2 clip) {
   mat4 rows = transpose(frame.worldToClip);
-  bool isParallel = frame.cameraPosition.w == 0.0;
+  bool isParallel = frame.cameraPosition.w == 0.0 && !isinf(clip.x);  // not by uniforms alone: see lightsAt()
   vec3 axis = isParallel ? frame.cameraAxis.xyz : rows[3].xyz;
   // Pictures whose middle is not on the axis have a part of it in the others.
   vec2 off = vec2(dot(rows[0].xyz, axis), dot(rows[1].xyz, axis)) / dot(axis, axis);

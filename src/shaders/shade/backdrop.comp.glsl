@@ -15,26 +15,25 @@ layout(set = 0, binding = 3, rgba32f) writeonly uniform image2D radiance;
 layout(push_constant) uniform Push {
   vec4 ambient;  // rgb: radiance on top of the environment's
   uint samples;
-  uint fills;  // 1: the environment is seen, else nothing
+  float fills;  // 1: the environment is seen; 0: nothing
 };
 
 vec4 seenAlong(Sight sight, float level) {
   vec3 ofLight;
   if (!isinf(distanceToLights(sight.origin, sight.direction, ofLight))) return vec4(ofLight, 1.0);
-  if (fills == 0u) return vec4(0.0);
-  return vec4(textureLod(environment, latLongCoordinates(sight.direction), level).rgb + ambient.rgb, 1.0);
+  return fills * vec4(textureLod(environment, latLongCoordinates(sight.direction), level).rgb + ambient.rgb, 1.0);
 }
 
 void main() {
   ivec2 pixel = pixelOfInvocation();
   ivec2 size = imageSize(radiance);
-  if (any(greaterThanEqual(pixel, size))) return;
+  bool inside = all(lessThan(pixel, size));
   // Texels as large as what a sample stands for.
   float texel = pi / float(textureSize(environment, 0).y);
   float level = max(log2(angleOfPixel(size.y) / (texel * sqrt(float(samples)))), 0.0);
   vec4 sum = vec4(0.0);
-  for (uint i = 0u; i < samples; ++i)
+  for (uint i = 0u; i < (inside ? samples : 0u); ++i)  // not by uniforms alone: see lightsAt()
     if (imageLoad(words, ivec3(pixel, i)).r == 0u)
       sum += seenAlong(sightThrough(clipAt(pixel, size, frame.samples[i].xy)), level);
-  imageStore(radiance, pixel, sum / float(samples));
+  if (inside) imageStore(radiance, pixel, sum / float(samples));
 }
