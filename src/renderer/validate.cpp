@@ -7,6 +7,7 @@
 
 #include "opaline/error.h"
 #include "opaline/options/picture.h"
+#include "scene/finish.h"
 #include "shaders/shared/seen.h"
 
 namespace opaline {
@@ -107,6 +108,11 @@ void validate(const Scene& scene) {
     triangles += object.mesh.triangles.size();
   }
   if (triangles == 0) throw Error(fmt::format("scene '{}' has no triangles", scene.name));
+  if (const double diagonal = diagonalMm(scene); !(diagonal <= scene::longestDiagonalMm))
+    throw Error(
+        fmt::format("scene '{}' has a diagonal of {:.3g} mm, but {:.3g} mm is the longest "
+                    "there may be",
+                    scene.name, diagonal, scene::longestDiagonalMm));
   if (triangles > shared::maxTriangles)
     throw Error(fmt::format("scene '{}' has {} triangles, but {} are the most there may be",
                             scene.name, triangles, shared::maxTriangles));

@@ -23,6 +23,9 @@ Bounds boundsOf(const RawScene& raw);
 double diagonalOf(const Bounds& bounds);
 Double3 exactMiddleOf(const Bounds& bounds);
 
+/// Of a scene. Beyond a few times that, products of areas leave the range of a float.
+constexpr double longestDiagonalMm = 1e9;
+
 /// Applies options and defaults to a scene in millimetres.
 Scene finished(RawScene raw, const std::filesystem::path& file, std::vector<Repair> repairs,
                const LoadOptions& options);

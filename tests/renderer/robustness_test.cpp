@@ -127,6 +127,7 @@ TEST_F(RobustnessTest, ScenesThatMakeNoSenseAreRefused) {
       changedScene([](Scene& s) { s.objects[0].mesh = {}; }),
       changedScene([](Scene& s) { s.objects[0].mesh.positionsMm[7][1] = nan; }),
       changedScene([](Scene& s) { s.objects[0].mesh.positionsMm[0][2] = infinity; }),
+      changedScene([](Scene& s) { s.objects[0].mesh.positionsMm[0][2] = 1e30F; }),
       changedScene([](Scene& s) { s.objects[0].mesh.normals[3][0] = nan; }),
       changedScene([](Scene& s) { s.objects[0].mesh.normals.pop_back(); }),
       changedScene([](Scene& s) { s.objects[0].mesh.triangles[5][1] = 1'000'000; }),
