@@ -13,7 +13,7 @@ SCENE_bear := --builtin bear --medium gummy-red --seconds 60
 # ccache takes precompiled headers where it knows that no time stamp of theirs matters.
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 
-.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan tsan fuzz faults properties soak package package-check install python wheel blender dependencies configure
+.PHONY: help demo build everything test quick check lint bench bench-gpu figures accuracy contact-sheet format asan tsan fuzz hostile faults properties soak package package-check install python wheel blender dependencies configure
 
 help:
 	@echo 'make demo      build, render the built-in bear: a still, a film, how its light is gathered'
@@ -30,6 +30,7 @@ help:
 	@echo 'make asan      run the tests with the address and undefined-behaviour sanitizers'
 	@echo 'make tsan      run what has threads of the library, files and the atlas, with the thread sanitizer'
 	@echo 'make fuzz      every fuzz target for 60 seconds each; SECONDS=600 lets them run longer; needs clang 14'
+	@echo 'make hostile   600 wrong, awkward and damaged files, in a table: sentences, pictures, time, memory'
 	@echo 'make faults    every Vulkan call and allocation of a scene and of a frame fails once: an hour; STRIDE=10 tries every tenth'
 	@echo 'make properties  what holds of every scene, of a thousand drawn at random; SCENES=100 SEED=7 draws others'
 	@echo 'make soak      a million small frames with random edits; FRAMES=10000 SEED=2 makes others'
@@ -123,6 +124,9 @@ tsan: dependencies
 
 fuzz: dependencies
 	$(PYTHON) tools/fuzz.py --seconds $(or $(SECONDS),60)
+
+hostile: build
+	$(PYTHON) tools/hostile.py --program $(OPALINE) --models $(MODELS)
 
 faults: configure
 	cmake --build --preset release --target test_faults test_allocation_faults

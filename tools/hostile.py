@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+"""Shows hostile files to the program: `info`, a picture, and a picture by the paper's method, which makes an atlas. Each
+run has to end in one sentence and status 1, or in a picture whose values are numbers, none of them negative, within
+5 seconds of one core and 1 GB of memory. `make hostile` runs it; the last line counts, and findings make the status."""
+
+import argparse
+import collections
+import os
+import pathlib
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+import hostile_files
+import images
+from repository import ROOT
+
+SECONDS = 5
+MEGABYTES = 1000
+TRIES = 3  # where one takes longer: the machine may have much else to do
+LONGEST_SECONDS = 60  # of one core, and ten times that by the clock
+PICTURE = ("--size", "48x48", "--antialias", "1", "--quiet")
+# Time by the number of surfels is no fault of a file's.
+BOUNDARY = (*PICTURE, "--max-surfels", "32768")
+PAPER = (*PICTURE, "--method", "paper", "--medium", "marble")
+SKY_MODEL = "cube.obj"
+
+
+class Run:
+    """Of the program, with what it took and left behind."""
+
+    def __init__(self, program, arguments, folder):
+        self.arguments = arguments
+        with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+            process = subprocess.Popen([program, *arguments], cwd=folder, stdout=out, stderr=err, stdin=subprocess.DEVNULL,
+                                       preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (LONGEST_SECONDS,) * 2))
+            alarm = threading.Timer(10 * LONGEST_SECONDS, process.kill)
+            alarm.start()
+            _, status, used = os.wait4(process.pid, 0)
+            alarm.cancel()
+            # 2: a mistake of the caller's, who asks for a method that shows less.
+            self.refusals = (1, 2) if "paper" in arguments else (1,)
+            self.status = process.returncode = os.waitstatus_to_exitcode(status)
+            self.seconds = used.ru_utime + used.ru_stime
+            self.megabytes = used.ru_maxrss * 1024 / 1e6
+            for stream in (out, err):
+                stream.seek(0)
+            self.out = out.read().decode(errors="replace")
+            self.err = err.read().decode(errors="replace")
+
+    def faults(self, output):
+        """What a run must not do, whatever the file is."""
+        if self.seconds > SECONDS:
+            yield f"took {self.seconds:.1f} s of one core"
+        if self.megabytes > MEGABYTES:
+            yield f"took {self.megabytes:.0f} MB"
+        if self.status != 0 and self.status not in self.refusals:
+            yield f"ended with status {self.status}: {self.err.strip()[-300:]}"
+        elif self.status != 0:
+            said = [line for line in self.err.splitlines() if not line.startswith(("note: ", "warning: "))]
+            if len(said) != 1 or not said[0].startswith("opaline: "):
+                yield f"refused by {len(said)} sentences: {self.err.strip()[-300:]}"
+            if self.out or (output and output.exists()):
+                yield "was refused, and has an output"
+        elif output:
+            yield from faults_of_picture(output)
+
+
+def faults_of_picture(path):
+    if not path.exists():
+        yield "has no picture"
+        return
+    values = [value for pixel in images.read_exr(path.read_bytes()).pixels() for value in pixel]
+    if any(not abs(value) < 1e38 for value in values):
+        yield "has a value that is no number"
+    if any(value < 0 for value in values):
+        yield "has a negative value"
+
+
+def commands(hostile):
+    """Arguments, and whether they make a picture."""
+    path = str(hostile.path)
+    if hostile.path.suffix in hostile_files.SKIES:
+        return [(("render", SKY_MODEL, "--environment", path, *BOUNDARY), True),
+                (("compare", path, path), False)]
+    return [(("info", path), False), (("render", path, *BOUNDARY), True), (("render", path, *PAPER), True)]
+
+
+def judged(program, hostile, folder):
+    """Its runs, and what is wrong with them. The paper's method may refuse sound files: it shows less."""
+    output = folder / f"picture-{threading.get_ident()}.exr"
+    runs, faults = [], []
+    for arguments, pictured in commands(hostile):
+        output.unlink(missing_ok=True)
+        outputs = ("-o", str(output)) if pictured else ()
+        for _ in range(TRIES):
+            run = Run(program, (*arguments, *outputs), folder)
+            if run.seconds <= SECONDS:
+                break
+        runs.append(run)
+        faults += [f"{' '.join(map(str, arguments))}: {fault}" for fault in run.faults(output if pictured else None)]
+        shown = run.status == 0
+        if "paper" not in arguments and hostile.must and shown != (hostile.must == "read"):
+            faults.append(f"{' '.join(map(str, arguments))}: has to be {hostile.must}: {run.err.strip()}")
+    output.unlink(missing_ok=True)
+    return runs, faults
+
+
+def print_table(results):
+    kinds = collections.defaultdict(list)
+    for hostile, runs, faults in results:
+        kinds[hostile.kind].append((runs, faults))
+    print(f"{'files':<28}{'number':>7}{'runs':>7}{'refused':>9}{'shown':>7}{'longest s':>11}{'most MB':>9}{'findings':>10}")
+    for kind, rows in kinds.items():
+        runs = [run for row, _ in rows for run in row]
+        print(f"{kind:<28}{len(rows):>7}{len(runs):>7}{sum(run.status in run.refusals for run in runs):>9}"
+              f"{sum(run.status == 0 for run in runs):>7}{max(run.seconds for run in runs):>11.1f}"
+              f"{max(run.megabytes for run in runs):>9.0f}{sum(len(faults) for _, faults in rows):>10}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "release" / "bin" / "opaline")
+    default = os.environ.get("OPALINE_MODELS") or ROOT.parent / "shared" / "models"
+    parser.add_argument("--models", type=pathlib.Path, default=pathlib.Path(default),
+                        help="a folder whose small files are damaged too, where there is one")
+    parser.add_argument("--copies", type=int, default=6, help="damaged ones of each sound file [6]")
+    parser.add_argument("--every", type=int, default=1, help="tries one in so many [1]")
+    parser.add_argument("--keep", type=pathlib.Path, default=ROOT / "build" / "hostile", help="where files with findings go")
+    arguments = parser.parse_args()
+    begin = time.monotonic()
+    results = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for hostile in hostile_files.write_all(folder, arguments.models, arguments.copies)[::arguments.every]:
+            runs, faults = judged(arguments.program.resolve(), hostile, folder)
+            results.append((hostile, runs, faults))
+            for fault in faults:
+                print(fault, file=sys.stderr, flush=True)
+            if faults and hostile.path.is_file():
+                arguments.keep.mkdir(parents=True, exist_ok=True)
+                shutil.copy(hostile.path, arguments.keep)
+    print_table(results)
+    findings = sum(len(faults) for _, _, faults in results)
+    print(f"{len(results)} files, {sum(len(runs) for _, runs, _ in results)} runs, {findings} findings, "
+          f"{time.monotonic() - begin:.0f} s")
+    sys.exit(findings > 0)
+
+
+if __name__ == "__main__":
+    main()
