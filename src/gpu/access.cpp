@@ -1,6 +1,7 @@
 #include "gpu/access.h"
 
 #include <cassert>
+#include <utility>
 
 namespace opaline::gpu {
 
@@ -100,6 +101,10 @@ AccessScope together(const AccessScope& a, const AccessScope& b) {
 }
 
 std::optional<AccessBarrier> advance(AccessState& state, const AccessScope& next) {
+  const bool wasPrepared = std::exchange(state.isPrepared, false);
+  if (wasPrepared && next.writes && next.stages == state.writeStages &&
+      next.accesses == state.writeAccesses && next.layout == state.layout)
+    return std::nullopt;
   if (next.stages == 0) {  // Access::None: forget the contents, but not who is still busy with them
     state.layout = VK_IMAGE_LAYOUT_UNDEFINED;
     return std::nullopt;
@@ -110,7 +115,7 @@ std::optional<AccessBarrier> advance(AccessState& state, const AccessScope& next
   if (next.writes || layoutChanges) {
     barrier.fromStages |= state.readStages;
     // A change of layout is itself a write; later reads chain to it through the stages that waited.
-    state = {next.layout, next.stages, next.writes ? next.accesses : 0, 0, 0};
+    state = {next.layout, next.stages, next.writes ? next.accesses : 0};
     if (!next.writes) addRead(state, next);
     if (layoutChanges || barrier.fromStages != 0) return barrier;
     return std::nullopt;
@@ -118,6 +123,13 @@ std::optional<AccessBarrier> advance(AccessState& state, const AccessScope& next
   if (covers(state, next)) return std::nullopt;
   addRead(state, next);
   if (state.writeStages == 0) return std::nullopt;
+  return barrier;
+}
+
+std::optional<AccessBarrier> prepare(AccessState& state, const AccessScope& next) {
+  assert(next.writes);
+  const std::optional<AccessBarrier> barrier = advance(state, next);
+  state.isPrepared = true;
   return barrier;
 }
 

@@ -47,6 +47,7 @@ struct AccessState {
   VkAccessFlags2 writeAccesses = 0;
   VkPipelineStageFlags2 readStages = 0;
   VkAccessFlags2 readAccesses = 0;
+  bool isPrepared = false;  ///< the last write has been ordered, and is yet to be recorded
 };
 
 struct AccessBarrier {
@@ -63,5 +64,9 @@ struct AccessBarrier {
 /// Moves `state` on to the next access and returns the barrier that has to stand before it, if any.
 /// For a buffer `next.layout` is VK_IMAGE_LAYOUT_UNDEFINED.
 std::optional<AccessBarrier> advance(AccessState& state, const AccessScope& next);
+
+/// The same for a write that follows later, with no other access between. When it comes, advance()
+/// has no barrier for it.
+std::optional<AccessBarrier> prepare(AccessState& state, const AccessScope& next);
 
 }  // namespace opaline::gpu

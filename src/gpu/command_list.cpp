@@ -242,8 +242,15 @@ void CommandList::order(Buffer& buffer, AccessScope scope) {
 }
 
 void CommandList::order(GpuImage& image, const AccessScope& scope) {
+  add(image, advance(image.state_, scope));
+}
+
+void CommandList::prepare(GpuImage& image, Access write) {
+  add(image, gpu::prepare(image.state_, scopeOf(write)));
+}
+
+void CommandList::add(GpuImage& image, const std::optional<AccessBarrier>& barrier) {
   if (image.isBorrowed()) parts_[part_].borrows = true;
-  const auto barrier = advance(image.state_, scope);
   if (!barrier) return;
   assert(imageBarrierCount_ < imageBarriers_.size());
   imageBarriers_[imageBarrierCount_++] = {image.handle(), image.aspect(), *barrier};

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -172,6 +173,9 @@ class CommandList {
   /// Orders an access that no other call speaks of, such as Index or HostRead.
   void use(Buffer& buffer, Access access);
   void use(GpuImage& image, Access access);
+  /// Orders a write along with whatever waits before the next command, so that it need not wait
+  /// when it comes. Nothing else may use the image in between.
+  void prepare(GpuImage& image, Access write);
 
  private:
   static constexpr std::size_t maxSlots = CommandTape::maxResources;
@@ -200,6 +204,7 @@ class CommandList {
 
   void order(Buffer& buffer, AccessScope scope);
   void order(GpuImage& image, const AccessScope& scope);
+  void add(GpuImage& image, const std::optional<AccessBarrier>& barrier);
   void flushBarriers();
   void dispatchRows(std::uint32_t groupsX, std::uint32_t groupsY, std::uint32_t rounds);
   void bindPipeline(const Pipeline& pipeline);

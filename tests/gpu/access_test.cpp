@@ -188,5 +188,23 @@ TEST(Access, TwoAccessesOfOneCommandAddUp) {
   EXPECT_EQ(reads.accesses, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_UNIFORM_READ_BIT);
 }
 
+TEST(Access, AWriteThatWasPreparedHasNoBarrierOfItsOwn) {
+  AccessState state;
+  advance(state, scopeOf(Access::Sampled));
+  const auto barrier = prepare(state, scopeOf(Access::StorageWrite));
+  ASSERT_TRUE(barrier);
+  EXPECT_EQ(barrier->fromStages, shaders);
+  EXPECT_EQ(barrier->newLayout, VK_IMAGE_LAYOUT_GENERAL);
+  EXPECT_FALSE(advance(state, scopeOf(Access::StorageWrite)));
+  EXPECT_TRUE(advance(state, scopeOf(Access::StorageWrite)));
+}
+
+TEST(Access, AnotherAccessThanWasPreparedWaits) {
+  AccessState state;
+  prepare(state, scopeOf(Access::StorageWrite));
+  EXPECT_TRUE(advance(state, scopeOf(Access::TransferWrite)));
+  EXPECT_TRUE(advance(state, scopeOf(Access::StorageWrite)));
+}
+
 }  // namespace
 }  // namespace opaline::gpu

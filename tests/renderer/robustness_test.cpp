@@ -326,6 +326,21 @@ TEST_F(RobustnessTest, AwkwardBodiesAreBorne) {
     }
 }
 
+// Work groups list what pixels see in any order. What is found must not depend on it.
+TEST_F(RobustnessTest, TheSamePictureIsTheSameBitByBit) {
+  Scene scene = sceneOf(sphere({0, 0, 0}, 40), marble(), {0, 0, 160}, 45);
+  scene.lighting.ambient = {0.5F, 0.4F, 0.3F};
+  renderer().setScene(scene);
+  RenderOptions options = smallOptions();
+  options.width = options.height = 48;
+  options.site = Site::Fragment;
+  options.maxSurfels = 1024;
+  View view(renderer(), options);
+  const auto radiance = [&] { return view.render({.aovs = {Aov::Radiance}}).images[0].rgba; };
+  const std::vector<float> first = radiance();
+  for (int i = 0; i < 30; ++i) ASSERT_EQ(radiance(), first) << i;
+}
+
 // Every shared model, open and closed ones.
 TEST_F(RobustnessTest, SharedModelsAreBorne) {
   const std::vector<fs::path> models = sharedModels();

@@ -24,10 +24,14 @@ std::uint32_t depthsOf(VkExtent2D extent, std::uint32_t samples) {
   return std::uint64_t{extent.width} * extent.height * samples <= mostWithDepths ? samples : 1;
 }
 
+std::uint32_t tilesFor(std::uint32_t pixels) {
+  return (pixels + tile - 1) / tile;
+}
+
 std::uint32_t rowsOfBand(VkExtent2D extent, std::uint32_t samples, bool opaque) {
   const std::uint32_t surfaces = opaque ? surfacesOfOpaqueBand : surfacesOfBand;
   const std::uint32_t tiles = surfaces / (extent.width * samples * tile);
-  return tile * std::clamp(tiles, 1U, (extent.height + tile - 1) / tile);
+  return tile * std::clamp(tiles, 1U, tilesFor(extent.height));
 }
 
 gpu::GraphicsOptions ofWords() {
@@ -39,11 +43,13 @@ gpu::GraphicsOptions ofWords() {
 }  // namespace
 
 SurfacePass::SurfacePass(gpu::Device& device)
-    : triangles_(device, "triangles", ofWords()),
+    : nearest_(device, gpu::Filter::Nearest),
+      triangles_(device, "triangles", ofWords()),
       cutOut_(device, "triangles with holes", ofWords()),
       lights_(device, "visible lights", ofWords()),
       seen_(device, "seen pixels"),
-      surfaces_(device, "seen surfaces") {}
+      surfaces_(device, "seen surfaces"),
+      listed_(device, "list of seen surfaces") {}
 
 VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent,
                                           std::uint32_t samples, KeptOfSeen kept) {
@@ -70,7 +76,8 @@ VisibleSurfaces SurfacePass::makeSurfaces(gpu::Device& device, VkExtent2D extent
                  .kind = gpu::ImageKind::Array}};
   made.rowsOfBand = rowsOfBand(extent, samples, kept.materials);
   const std::uint32_t pixels = extent.width * made.rowsOfBand;
-  const std::uint32_t room = pixels * samples;
+  // Whole tiles: a work group fills up its last subgroup.
+  const std::uint32_t room = tile * tilesFor(extent.width) * made.rowsOfBand * samples;
   made.parts = (room + shared::seenOfPart - 1) / shared::seenOfPart;
   made.mixed = makeRoom<std::uint32_t>(device, "pixels of several triangles", pixels);
   made.mixedCount = {device,
@@ -163,32 +170,32 @@ void SurfacePass::list(gpu::CommandList& commands, const SeenSurfaces& seen, std
                  surfaces.countsOf(Asked::InWideBlocks), surfaces.countsOf(Asked::InNarrowBlocks),
                  surfaces.countsOf(Asked::OfSky)},
                 0);
-  commands.bind(seen_,
-                {.words = surfaces.words,
-                 .surfaces = surfaces.list,
-                 .surfaceCounts = surfaces.counts,
-                 .mixed = surfaces.mixed,
-                 .mixedCount = surfaces.mixedCount,
-                 .entryOfPixel = surfaces.entryOfPixel},
-                {.samples = samples, .firstRow = firstRow});
-  commands.dispatch((extent.width + tile - 1) / tile, (rows + tile - 1) / tile);
+  const auto dispatchTiles = [&] { commands.dispatch(tilesFor(extent.width), tilesFor(rows)); };
+  commands.bind(
+      seen_, {.words = surfaces.words, .mixed = surfaces.mixed, .mixedCount = surfaces.mixedCount},
+      {.samples = samples, .firstRow = firstRow});
+  dispatchTiles();
   if (samples > 1) {
     commands.use(surfaces.mixedCount, gpu::Access::Indirect);
     commands.bind(surfaces_,
                   {.frame = seen.frame.data,
                    .words = surfaces.words,
-                   .surfaces = surfaces.list,
-                   .surfaceCounts = surfaces.counts,
                    .mixed = surfaces.mixed,
                    .mixedCount = surfaces.mixedCount,
                    .meshIndices = seen.mesh.indices,
                    .meshPositions = seen.mesh.positions,
                    .meshNormals = seen.mesh.normals,
-                   .meshObjects = seen.mesh.objectOf,
-                   .entryOfPixel = surfaces.entryOfPixel},
-                  {.samples = samples, .firstRow = firstRow});
+                   .meshObjects = seen.mesh.objectOf},
+                  {.samples = samples});
     commands.dispatchIndirect(surfaces.mixedCount, 0);
   }
+  commands.bind(listed_,
+                {.words = {surfaces.words, nearest_},
+                 .surfaces = surfaces.list,
+                 .surfaceCounts = surfaces.counts,
+                 .entryOfPixel = surfaces.entryOfPixel},
+                {.samples = samples, .firstRow = firstRow});
+  dispatchTiles();
   commands.endPass();
 }
 

@@ -8,6 +8,7 @@
 #include "passes/products.h"
 #include "shaders/scatter/cutout_surface.frag.h"
 #include "shaders/scatter/cutout_surface.vert.h"
+#include "shaders/scatter/listed_surfaces.comp.h"
 #include "shaders/scatter/seen.comp.h"
 #include "shaders/scatter/surface.frag.h"
 #include "shaders/scatter/surface.vert.h"
@@ -45,11 +46,13 @@ class SurfacePass {
   void bindCutOut(gpu::CommandList& commands, const SeenSurfaces& seen, const CutOuts& cutOuts,
                   shared::vec2 jitter) const;
 
+  gpu::Sampler nearest_;
   gpu::Graphics<shaders::ScatterSurfaceVert, shaders::ScatterSurfaceFrag> triangles_;
   gpu::Graphics<shaders::ScatterCutoutSurfaceVert, shaders::ScatterCutoutSurfaceFrag> cutOut_;
   gpu::Graphics<shaders::ScatterVisibleLightsVert, shaders::ScatterVisibleLightsFrag> lights_;
   gpu::Compute<shaders::ScatterSeen> seen_;
   gpu::Compute<shaders::ScatterSurfaces> surfaces_;
+  gpu::Compute<shaders::ScatterListedSurfaces> listed_;
 };
 
 /// Calls `record(firstRow)` for one band of the picture after the other.

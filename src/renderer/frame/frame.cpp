@@ -372,6 +372,8 @@ struct FrameContext {
   }
 
   void makePicture(SceneResources& scene) const {
+    commands.prepare(resources.radiance,
+                     plan.backdrop ? gpu::Access::StorageWrite : gpu::Access::TransferWrite);
     passes.surface.draw(commands, seen(), cutOuts(scene), samplePattern(plan.samples),
                         plan.visibleLights);
     beginPicture();

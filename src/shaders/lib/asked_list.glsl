@@ -9,7 +9,7 @@ layout(std140, set = 0, binding = BINDING_ASKED + 1) uniform AskedCounts { SeenC
 
 Seen askedOfInvocation(uint first) {
   uint i = first + linearIndex();
-  bool there = i < askedCount.groupsEntries.w;
+  bool there = i < askedCount.groupsEntries.w && asked[i] != noSurface;
   Seen seen = seenOfEntry(there ? asked[i] : 0u);
   seen.there = there;
   return seen;

@@ -1,6 +1,6 @@
 // Blocks of pixels whose light is interpolated from 3×3 knots: of 8×8 pixels, and of 4×4, which are quarters of those.
 // Knots on a block's last side are the first of the next. An invocation has a narrow block, and a work group a square of
-// them. Needs, before it, lib/listing.glsl and lib/neighbours.glsl.
+// them. Needs, before it, lib/neighbours.glsl.
 #ifndef OPALINE_LIB_BLOCKS
 #define OPALINE_LIB_BLOCKS
 #include "lib/morton.glsl"
@@ -32,27 +32,6 @@ ivec2 firstOfInvocation() {
 
 ivec2 pixelOfBlock(ivec2 first, int i) {
   return first + ivec2(i % narrowBlock, i / narrowBlock);
-}
-
-shared uint countsOfBlocks[gl_WorkGroupSize.x];
-shared uint startOfGroup;
-
-// Of a work group, all at once and in order, so that neighbours stay together: the first entry of each invocation's
-// that wants `added` of them.
-uint placesForBlock(uint added) {
-  uint i = gl_LocalInvocationIndex;
-  countsOfBlocks[i] = added;
-  for (uint away = 1u; away < gl_WorkGroupSize.x; away *= 2u) {
-    barrier();
-    uint before = i >= away ? countsOfBlocks[i - away] : 0u;
-    barrier();
-    countsOfBlocks[i] += before;
-  }
-  barrier();
-  uint all = countsOfBlocks[gl_WorkGroupSize.x - 1u];
-  if (i == 0u && all != 0u) startOfGroup = takePlaces(all);
-  barrier();
-  return startOfGroup + countsOfBlocks[i] - added;
 }
 
 #endif

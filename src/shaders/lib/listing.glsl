@@ -1,7 +1,10 @@
-// Adds to the lists of shared/seen.h. Their order is whatever it happens to be. Needs, before it,
-// BINDING_SURFACES, the first of two bindings.
+// Adds to the lists of shared/seen.h. Work groups come in any order, but each adds whole subgroups, the last of them filled
+// up, so that the neighbours in a subgroup that goes over the list are always the same: a device's filter of cubes may round
+// otherwise where a neighbour is at a corner. Needs, before it, BINDING_SURFACES, the first of two bindings, and the size of
+// a work group, 64.
 #ifndef OPALINE_LIB_LISTING
 #define OPALINE_LIB_LISTING
+#include "lib/group_place.glsl"
 #include "shared/seen.h"
 
 layout(std430, set = 0, binding = BINDING_SURFACES) writeonly buffer Surfaces { uint surfaces[]; };
@@ -30,13 +33,20 @@ uint takePlaces(uint all) {
   return start;
 }
 
-// Of a subgroup, all at once: the first entry of each invocation's that wants `added` of them.
+shared uint startOfGroup;
+
+// Of a work group, all at once and in order, so that neighbours stay together: the first entry of each invocation's
+// that wants `added` of them.
 uint placesForSurfaces(uint added) {
-  uint before = subgroupExclusiveAdd(added);
-  uint all = subgroupAdd(added);
-  uint start = 0u;
-  if (subgroupElect() && all != 0u) start = takePlaces(all);
-  return subgroupMax(start) + before;
+  uint all;
+  uint before = groupPlaceFor(added, all);
+  if (all == 0u) return 0u;
+  uint width = min(gl_SubgroupSize, gl_WorkGroupSize.x);
+  uint filled = (all + width - 1u) / width * width;
+  if (gl_LocalInvocationIndex == 0u) startOfGroup = takePlaces(filled);
+  barrier();
+  if (all + gl_LocalInvocationIndex < filled) surfaces[startOfGroup + all + gl_LocalInvocationIndex] = noSurface;
+  return startOfGroup + before;
 }
 
 #endif

@@ -29,7 +29,7 @@ Seen seenOfEntry(uint entry) {
 
 Seen seenOfInvocation(uint first) {
   uint i = first + linearIndex();
-  bool there = i < seenCount.groupsEntries.w;
+  bool there = i < seenCount.groupsEntries.w && seenList[i] != noSurface;
   Seen seen = seenOfEntry(there ? i : 0u);
   seen.there = there;
   return seen;

@@ -118,7 +118,7 @@ void main() {
   bool lists = here && !even;
   uint count = 0u;
   for (int i = 0; i < pixelsOfBlock; ++i) count += lists && isListed(pixelOfBlock(first, i)) ? 1u : 0u;
-  uint place = placesForBlock(count);
+  uint place = placesForSurfaces(count);
   for (int i = 0; i < pixelsOfBlock; ++i) {
     ivec2 pixel = pixelOfBlock(first, i);
     if (lists && isListed(pixel)) surfaces[place++] = entryOfPixel[indexOf(pixel)];

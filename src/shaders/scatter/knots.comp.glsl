@@ -163,6 +163,6 @@ void main() {
   uint block = findBlock(first);
   if (isInBand(first)) blocks[blockOf(first)] = block;
   uint count = goThrough(first, block, false, 0u);
-  uint start = placesForBlock(count);
+  uint start = placesForSurfaces(count);
   if (count != 0u) goThrough(first, block, true, start);
 }

@@ -1,23 +1,20 @@
-// Which pixels see anything, and which of them several triangles: for a piece of the picture.
+// Lists, in any order, the pixels of a band whose samples see several triangles. Others that see anything get the word of
+// their surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#define BINDING_SURFACES 1
-#define BINDING_ENTRIES 5
 #include "lib/tile.glsl"
 #include "shared/seen.h"
 
 layout(set = 0, binding = 0, r32ui) uniform uimage2DArray words;  // the samples' triangles, plus one
-layout(std430, set = 0, binding = 3) writeonly buffer Mixed { uint mixed[]; };
-layout(std430, set = 0, binding = 4) buffer MixedCount { SeenCount mixedCount; };
+layout(std430, set = 0, binding = 1) writeonly buffer Mixed { uint mixed[]; };
+layout(std430, set = 0, binding = 2) buffer MixedCount { SeenCount mixedCount; };
 
 layout(push_constant) uniform Push {
   uint samples;
   uint firstRow;
 };
-
-#include "lib/surface_listing.glsl"
 
 void listMixed(bool several, uint pixel) {
   uint added = several ? 1u : 0u;
@@ -26,7 +23,7 @@ void listMixed(bool several, uint pixel) {
   uint start = 0u;
   if (subgroupElect() && all != 0u) {
     start = atomicAdd(mixedCount.groupsEntries.w, all);
-    atomicMax(mixedCount.groupsEntries.x, groupsFor(start + all));
+    atomicMax(mixedCount.groupsEntries.x, (start + all + 63u) / 64u);
     atomicMax(mixedCount.groupsEntries.y, 1u);
     atomicMax(mixedCount.groupsEntries.z, 1u);
   }
@@ -43,9 +40,6 @@ void main() {
   bool several = false;
   for (uint i = 1u; i < samples; ++i)
     several = several || inside && imageLoad(words, ivec3(pixel, i)).r != triangle;
-  bool one = !several && triangle != 0u;
-  if (one) imageStore(words, ivec3(pixel, 0), uvec4(triangle | 0xffu << seenSamplesShift));
-  uint place = placesForSurfaces(one ? 1u : 0u);
-  if (one) listSurface(place, uint(size.x), pixel, 0u);
+  if (!several && triangle != 0u) imageStore(words, ivec3(pixel, 0), uvec4(triangle | 0xffu << seenSamplesShift));
   listMixed(several, index);
 }

@@ -2,26 +2,20 @@
 // all of it smooth, take part in one sum and one shading. In place: of triangles, words of surfaces.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_basic : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
-#define BINDING_SURFACES 2
-#define BINDING_ENTRIES 10
-#define MESH_BINDING 6
+#define MESH_BINDING 4
 #include "lib/frame.glsl"
 #include "lib/linear.glsl"
 #include "lib/mesh.glsl"
 #include "lib/samples.glsl"
+#include "shared/seen.h"
 
 layout(set = 0, binding = 1, r32ui) uniform uimage2DArray words;
-layout(std430, set = 0, binding = 4) readonly buffer Mixed { uint mixed[]; };  // pixels
-layout(std140, set = 0, binding = 5) uniform MixedCount { SeenCount mixedCount; };
+layout(std430, set = 0, binding = 2) readonly buffer Mixed { uint mixed[]; };  // pixels
+layout(std140, set = 0, binding = 3) uniform MixedCount { SeenCount mixedCount; };
 
 layout(push_constant) uniform Push {
   uint samples;
-  uint firstRow;
 };
-
-#include "lib/surface_listing.glsl"
 
 // Of the normals of one surface, seen head on; where it is grazed, less: light changes faster there.
 const float mostTurned = 0.1;
@@ -90,18 +84,16 @@ uint samplesWithFirst(ivec2 pixel, uint pending, out bool several) {
 }
 
 // Words go to layers that have been read: a surface's first sample is none before its own layer.
-uint writeSurfaces(ivec2 pixel, uint pending) {
+void writeSurfaces(ivec2 pixel, uint pending) {
   uint all = (1u << samples) - 1u;
-  uint surface = 0u;
-  for (; pending != 0u; ++surface) {
+  for (int layer = 0; pending != 0u; ++layer) {
     bool several;
     uint within = samplesWithFirst(pixel, pending, several);
     pending &= ~within;
     uint triangle = several ? triangleInMiddle(pixel, within) : triangleSeen(pixel, findLSB(within));
     uint seeing = within == all ? everySample : within;
-    imageStore(words, ivec3(pixel, surface), uvec4(triangle | seeing << seenSamplesShift));
+    imageStore(words, ivec3(pixel, layer), uvec4(triangle | seeing << seenSamplesShift));
   }
-  return surface;
 }
 
 void main() {
@@ -113,7 +105,5 @@ void main() {
   uint pending = 0u;
   for (uint s = 0u; s < samples; ++s)
     if (there && triangleSeen(pixel, int(s)) != 0u) pending |= 1u << s;
-  uint seen = writeSurfaces(pixel, pending);
-  uint place = placesForSurfaces(seen);
-  for (uint layer = 0u; layer < seen; ++layer) listSurface(place + layer, uint(width), pixel, layer);
+  writeSurfaces(pixel, pending);
 }

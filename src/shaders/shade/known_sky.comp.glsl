@@ -10,8 +10,8 @@
 #define BINDING_SURFACES 7
 #include "lib/bodies.glsl"
 #include "lib/frame.glsl"
-#include "lib/listing.glsl"
 #include "lib/seen_list.glsl"
+#include "lib/listing.glsl"
 #include "lib/sky_block.glsl"
 
 layout(std430, set = 0, binding = 5) buffer Light { vec4 light[]; };  // the share in w

@@ -10,6 +10,10 @@ layout(std140, set = 0, binding = 1) uniform SeenCounts { SeenCount seenCount; }
 layout(std430, set = 0, binding = 2) readonly buffer Light { vec4 light[]; };  // radiance by coverage
 layout(set = 0, binding = 3, rgba32f) uniform image2D radiance;
 
+bool isFurtherSurface(uint listed) {
+  return listed >> seenLayerShift != 0u && listed != noSurface;
+}
+
 void main() {
   uint entries = seenCount.groupsEntries.w;
   uint i = linearIndex();
@@ -18,7 +22,7 @@ void main() {
   int width = imageSize(radiance).x;
   ivec2 pixel = ivec2(index % width, index / width);
   vec4 sum = imageLoad(radiance, pixel) + light[i];
-  for (uint next = i + 1u; next < entries && seenList[next] >> seenLayerShift != 0u; ++next)
+  for (uint next = i + 1u; next < entries && isFurtherSurface(seenList[next]); ++next)
     sum += light[next];
   imageStore(radiance, pixel, sum);
 }

@@ -1,5 +1,4 @@
-// What pixels see, as lists: of pixels whose antialiasing samples see several triangles, and of the
-// surfaces that pixels see. Included by C++ and GLSL.
+// What pixels see, as lists of surfaces. Included by C++ and GLSL.
 #ifndef OPALINE_SHARED_SEEN_H
 #define OPALINE_SHARED_SEEN_H
 
@@ -21,6 +20,8 @@ OPALINE_SEEN_CONSTANT maxTriangles = (1u << seenSamplesShift) - 2u;
 /// An entry of the list of surfaces has the pixel's index in the picture below, and from this bit
 /// which of its surfaces it is.
 OPALINE_SEEN_CONSTANT seenLayerShift = 28u;
+/// An entry that fills up a subgroup.
+OPALINE_SEEN_CONSTANT noSurface = ~0u;
 
 /// What takes long goes over the list of surfaces by several dispatches of so many.
 OPALINE_SEEN_CONSTANT seenOfPart = 1u << 20u;
@@ -30,8 +31,8 @@ OPALINE_SEEN_CONSTANT widthOfBlock = 4u;
 /// A work group has so many of the smaller ones across.
 OPALINE_SEEN_CONSTANT blocksOfGroup = 8u;
 
-/// Groups of a dispatch over a list, x y z, and w: entries. The list of surfaces has one for the
-/// whole and then one for each part, which has no w.
+/// Groups of a dispatch over a list, x y z, and w: entries, with those that fill up. The list of
+/// surfaces has one for the whole and then one for each part, which has no w.
 struct SeenCount {
   uvec4 groupsEntries;
 };
