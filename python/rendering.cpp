@@ -100,8 +100,14 @@ class PythonRenderer {
       const auto found = std::find(clips_.begin(), clips_.end(), name);
       if (found == clips_.end()) throw UsageError(fmt::format("There is no clip '{}'.", name));
       time.clip = static_cast<int>(found - clips_.begin());
+    } else if (py::isinstance<py::int_>(clip)) {
+      int isBeyond = 0;
+      const long index = PyLong_AsLongAndOverflow(clip.ptr(), &isBeyond);
+      if (isBeyond != 0 || index != static_cast<int>(index))
+        throw UsageError(fmt::format("There is no clip {}.", py::str(clip).cast<std::string>()));
+      time.clip = static_cast<int>(index);
     } else {
-      time.clip = clip.cast<int>();
+      throw py::type_error("clip is an index, a name or None");
     }
     change([&] { renderer_.setTime(time); });
   }

@@ -82,6 +82,11 @@ def name_of(words, owner):
     return function[1]
 
 
+def opens(lines, line):
+    """Whether the line opens a type or function: what follows is within it, not beside it."""
+    return blanked(lines[line - 1]).rstrip().endswith("{")
+
+
 def undocumented(path, text):
     lines = text.splitlines()
     findings, documented_until = [], 0
@@ -90,7 +95,7 @@ def undocumented(path, text):
         inside = any("///" in line for line in lines[first - 1:last])
         documented = above.startswith(("///", "//", "* ", "*/")) or inside or documented_until == first - 1
         if documented:
-            documented_until = last
+            documented_until = 0 if opens(lines, last) else last
         elif name is not None:
             findings.append(f"{path}:{first}: {name} has no comment")
         elif documented_until != first - 1:

@@ -6,7 +6,7 @@ import pathlib
 import re
 import sys
 
-from check_documented import blanked, declarations
+from check_documented import blanked, declarations, opens
 
 
 def comment_above(lines, line):
@@ -24,7 +24,7 @@ def shared(text):
     for _, first, last in declarations(blanked(text)):
         own = comment_above(lines, first)
         if own:
-            group, until = own, last
+            group, until = [] if opens(lines, last) else own, last
         elif any("///" in line for line in lines[first - 1:last]):
             group, until = [], last
         elif until == first - 1 and group:

@@ -110,6 +110,7 @@ OPALINE_API std::optional<Ground> describeGround(const Scene& scene);
 
 /// Everything that a .toml scene can say.
 struct SceneDescription {
+  /// What an object is made of.
   struct ObjectMedium {
     std::string object;
     Medium medium;

@@ -56,6 +56,17 @@ class Frames(unittest.TestCase):
             with self.subTest(wrong), self.assertRaises(opaline.UsageError):
                 self.renderer.render(*wrong)
 
+    def test_clips_that_there_are_not(self):
+        for clip in (1, 2**40, -2**70, "walk"):
+            with self.subTest(clip), self.assertRaisesRegex(opaline.UsageError, f"(?i)there is no clip '?{clip}"):
+                self.renderer.set_time(0, clip)
+        for clip in (1.5, [0], b"walk"):
+            with self.subTest(clip), self.assertRaises(TypeError):
+                self.renderer.set_time(0, clip)
+        with self.assertRaises(opaline.UsageError):
+            self.renderer.set_time(float("nan"))
+        self.renderer.set_time(0)
+
     def test_a_notebook_shows_them(self):
         frame = small(self.renderer, "radiance")
         data = frame._repr_png_()

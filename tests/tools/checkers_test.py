@@ -51,9 +51,16 @@ int behind();  ///< like this
 
 enum class Kind { One, Two };
 
+/// Told.
+struct Outer {
+  struct Inner {
+    int member = 0;
+  };
+};
+
 class Elsewhere;
 }
-"""), ["Bare", "alone", "loose", "Kind"])
+"""), ["Bare", "alone", "loose", "Kind", "Inner"])
 
     def test_c_is_read_too(self):
         self.assertEqual(self.names("""

@@ -24,6 +24,8 @@ class Doxygen(unittest.TestCase):
         self.assertEqual(shared_comments.shared("#pragma once\n\n/// Both.\nint one();\nint two();\n\nint bare();\nint own();  ///< Its own.\n"),
                          "/// @file\n#pragma once\n\n/// Both.\nint one();\n/// Both.\nint two();\n\nint bare();\n"
                          "int own();  ///< Its own.\n")
+        within = "/// Outer.\nstruct Outer {\n  int member;\n};\n"
+        self.assertEqual(shared_comments.shared(within), "/// @file\n" + within)
 
     @unittest.skipUnless(shutil.which("doxygen"), "Doxygen is not there")
     def test_it_reads_the_headers(self):
