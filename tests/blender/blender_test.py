@@ -87,7 +87,8 @@ class Blender(BlenderTest):
         self.run_inside("newer_names")
 
     def test_awkward_scenes(self):
-        self.run_inside("awkward")
+        text = self.run_inside("awkward")
+        self.assertIn("the camera's clip distances cut nothing off: Camera", text)
 
     def test_without_a_device_there_is_a_sentence(self):
         text = self.run_inside("no_device", VK_ICD_FILENAMES="/none", VK_DRIVER_FILES="/none")

@@ -4,6 +4,7 @@ import os
 import pathlib
 import secrets
 import shutil
+import signal
 import socket
 import subprocess
 import time
@@ -31,9 +32,9 @@ def free_ports(count):
 
 
 class Cluster:
-    """Has so many places for tasks at once."""
+    """Has so many places for tasks at once. A node that is silent for `seconds_to_miss` counts as lost."""
 
-    def __init__(self, folder, places):
+    def __init__(self, folder, places, seconds_to_miss=300):
         self.folder = pathlib.Path(folder)
         self._processes = []
         self._started = []
@@ -43,9 +44,9 @@ class Cluster:
         (self.folder / "key").write_bytes(secrets.token_bytes(128))
         (self.folder / "key").chmod(0o600)
         self.environment = {**os.environ, "PATH": SEARCHED, "SLURM_CONF": str(self.folder / "slurm.conf")}
-        self._write_configuration(places)
+        self._write_configuration(places, seconds_to_miss)
 
-    def _write_configuration(self, places):
+    def _write_configuration(self, places, seconds_to_miss):
         ctld, d = free_ports(2)
         host = socket.gethostname().split(".")[0]
         (self.folder / "slurm.conf").write_text(f"""
@@ -70,6 +71,7 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 SchedulerParameters=sched_interval=1,sched_min_interval=0,batch_sched_delay=0,bf_interval=1
 KillWait=1
+SlurmdTimeout={seconds_to_miss}
 MinJobAge=300
 ReturnToService=2
 SlurmdParameters=config_overrides
@@ -107,6 +109,31 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
         """Of all tasks, by job and task: '7_3' -> 'RUNNING'."""
         lines = self.run("squeue", "--noheader", "--array", "--states=all", "--format=%i %T").stdout.split("\n")
         return dict(line.split() for line in lines if line.strip())
+
+    def processes(self):
+        """Whatever runs with the cluster's configuration, but for this process: (number, environment, words)."""
+        ours = f"SLURM_CONF={self.folder}/slurm.conf".encode()
+        for entry in pathlib.Path("/proc").iterdir():
+            if not entry.name.isdigit() or int(entry.name) == os.getpid():
+                continue
+            try:
+                environment = (entry / "environ").read_bytes().split(b"\0")
+                if ours in environment:
+                    yield int(entry.name), environment, (entry / "cmdline").read_bytes().split(b"\0")
+            except OSError:
+                continue
+
+    def lose_node(self):
+        """As by a loss of power: the daemon and all tasks are gone at once, until the controller has seen it."""
+        node = self._processes.pop()
+        kept = {process.pid for process in self._processes}
+        lost = [process for process, _, _ in self.processes() if process not in kept]
+        for number in (signal.SIGSTOP, signal.SIGKILL):  # nobody is there to tell of another's end
+            for process in lost:
+                os.kill(process, number)
+        node.wait()
+        self.wait_for(lambda: "down" in self.run("sinfo", "--noheader", "--format=%t").stdout)
+        self._start("slurmd", "-D")
 
     def stop(self):
         for process in reversed(self._processes):

@@ -43,36 +43,32 @@ class Films(unittest.TestCase):
 @unittest.skipIf(cluster.missing(), cluster.missing())
 @unittest.skipUnless(HAVE_FFMPEG, "ffmpeg is not installed")
 class Slurm(Films):
-    FRAMES, CHUNKS = 60, 6
+    FRAMES, CHUNKS, SECONDS_TO_MISS = 60, 6, 300
 
     def setUp(self):
         super().setUp()
         (self.folder / "slurm").mkdir()
-        self.cluster = cluster.Cluster(self.folder / "slurm", self.CHUNKS)
+        self.cluster = cluster.Cluster(self.folder / "slurm", self.CHUNKS, self.SECONDS_TO_MISS)
         self.addCleanup(self.cluster.stop)
         self.cluster.start()
 
     def processes_of(self, task):
         """The renderers of a task."""
-        found = []
-        for entry in pathlib.Path("/proc").iterdir():
-            if not entry.name.isdigit():
-                continue
-            try:
-                environment = (entry / "environ").read_bytes().split(b"\0")
-                is_ours = f"SLURM_CONF={self.folder}/slurm/slurm.conf".encode() in environment
-                if is_ours and f"SLURM_ARRAY_TASK_ID={task}".encode() in environment and (
-                        b"render" in (entry / "cmdline").read_bytes().split(b"\0")):
-                    found.append(int(entry.name))
-            except OSError:
-                continue
-        return found
+        wanted = f"SLURM_ARRAY_TASK_ID={task}".encode()
+        return [process for process, environment, words in self.cluster.processes() if wanted in environment and b"render" in words]
 
     def kill(self, task):
         self.cluster.wait_for(lambda: self.processes_of(task))
         for process in self.processes_of(task):
             os.kill(process, signal.SIGKILL)
 
+    def expect_film(self):
+        self.cluster.wait_for(lambda: (self.folder / "film.mp4").exists(), 300)
+        self.expect_whole("frames", self.FRAMES)
+        self.assertEqual(len(list(self.folder.glob("frames/.opaline*"))), 0)
+
+
+class KilledTasks(Slurm):
     def test_killed_and_doubled_tasks(self):
         done = self.film("--frames", f"0:{self.FRAMES - 1}", "--chunks", str(self.CHUNKS), environment=self.cluster.environment)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -82,12 +78,25 @@ class Slurm(Films):
         self.cluster.run("scancel", f"{first}_5", check=True)
         # The third once more beside itself.
         self.cluster.run("sbatch", "--array=3", "--output=/dev/null", self.folder / "frames" / "chunk.sh", check=True)
-        self.cluster.wait_for(lambda: (self.folder / "film.mp4").exists(), 300)
+        self.expect_film()
         states = self.cluster.states()
-        self.assertEqual(sum(state in ("FAILED", "CANCELLED") for task, state in states.items() if task.startswith(first + "_")),
-                         2, states)
-        self.expect_whole("frames", self.FRAMES)
-        self.assertEqual(len(list(self.folder.glob("frames/.opaline*"))), 0)
+        ended_badly = sum(state in ("FAILED", "CANCELLED") for task, state in states.items() if task.startswith(first + "_"))
+        self.assertEqual(ended_badly, 2, states)
+
+
+class LostNode(Slurm):
+    SECONDS_TO_MISS = 9
+
+    def test_a_lost_node(self):
+        done = self.film("--frames", f"0:{self.FRAMES - 1}", "--chunks", str(self.CHUNKS), environment=self.cluster.environment)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.cluster.wait_for(lambda: self.processes_of(4))
+        first = done.stdout.split()[2].split(":")[0]
+        self.cluster.lose_node()
+        # Slurm would begin again after two minutes. Before that the node refuses tasks it had, and the next round makes their frames.
+        self.cluster.wait_for(lambda: "PENDING" in self.cluster.states().get(f"{first}_4", ""))
+        self.cluster.run("scontrol", "update", f"JobId={first}", "StartTime=now", check=True)
+        self.expect_film()
 
 
 class Ssh(Films):

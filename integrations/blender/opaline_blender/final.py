@@ -44,13 +44,13 @@ def picture_size(scene):
     return width, height, (left, bottom, max(right, left + 1), max(top, bottom + 1))
 
 
-def camera_of(depsgraph, scene, width, height, part, mm_per_unit):
+def matrices_of(depsgraph, scene, width, height, part):
+    """Of the scene's camera: where it is, and how it projects that part of the picture."""
     view = scene.camera.evaluated_get(depsgraph)
     render = scene.render
     projection = camera.projection_of(view, depsgraph, width, height, render.pixel_aspect_x, render.pixel_aspect_y)
     left, bottom, right, top = part
-    projection = camera.cropped(projection, left / width, bottom / height, right / width, top / height)
-    return camera.camera_of(view.matrix_world, projection, mm_per_unit)
+    return view.matrix_world, camera.cropped(projection, left / width, bottom / height, right / width, top / height)
 
 
 def premultiplied(picture, transparent):
@@ -67,7 +67,7 @@ def _depths(picture, mm_per_unit):
 
 
 def _normals(picture):
-    return picture[::-1, :, :3].astype(np.float64) @ units.AXES  # the way back, as its rows are orthonormal
+    return units.turned_back(picture[::-1, :, :3])
 
 
 class Cancelled(Exception):
@@ -122,7 +122,10 @@ class FinalRender:
         if not seen.bodies and seen.world.image is not None:
             notes.add("without a body the world's picture is not shown")
         width, height, part = picture_size(self._scene)
-        view = camera_of(self._depsgraph, self._scene, width, height, part, mm_per_unit)
+        matrices = matrices_of(self._depsgraph, self._scene, width, height, part)
+        view = camera.camera_of(*matrices, mm_per_unit)
+        if any(camera.clips(*matrices, mm_per_unit, body.mesh.positions) for body in seen.bodies):
+            notes.add("the camera's clip distances cut nothing off", self._scene.camera.name)
         self._say(notes, session)
         size = part[2] - part[0], part[3] - part[1]
         wanted = self._wanted()

@@ -10,7 +10,7 @@ class Materials:
     """Makes what an opaline.Object is made of, and keeps the pictures that it has read."""
 
     def __init__(self):
-        self._textures = {}
+        self._textures = {}  # by what they show and how it lies; with the state of the picture that was read
         self._brightest = {}
 
     def keywords(self, look):
@@ -57,17 +57,23 @@ class Materials:
 
         if picture is None:
             return None
-        key = (read.__name__, *picture.key())
-        if key not in self._textures:
+
+        def make():
             pixels = read(picture.image)
-            self._textures[key] = None
-            if pixels is not None:
-                colors = images.decoded(pixels[..., :3].reshape(-1, 3))
-                self._brightest[picture.key()] = np.percentile(colors, 99.5, axis=0)
-                self._textures[key] = opaline.Texture(np.clip(np.nan_to_num(pixels), 0, 1), wrap=picture.wrap,
-                                                      interpolated=picture.interpolated, transform=picture.transform,
-                                                      name=picture.image.name)
-        return self._textures[key]
+            if pixels is None:
+                return None
+            colors = images.decoded(pixels[..., :3].reshape(-1, 3))
+            self._brightest[picture.key()] = np.percentile(colors, 99.5, axis=0)
+            return opaline.Texture(np.clip(np.nan_to_num(pixels), 0, 1), wrap=picture.wrap, interpolated=picture.interpolated,
+                                   transform=picture.transform, name=picture.image.name)
+
+        return self._kept((read.__name__, *picture.key()), picture.state, make)
+
+    def _kept(self, key, state, make):
+        """What was made before, unless the pictures have changed since."""
+        if self._textures.get(key, (None, None))[0] != state:
+            self._textures[key] = state, make()
+        return self._textures[key][1]
 
     def _metallic_roughness(self, look):
         """Both in one picture, as glTF has them: green is roughness, blue metallic."""
@@ -76,18 +82,19 @@ class Materials:
         picture = look.roughness_picture or look.metallic_picture
         if picture is None:
             return None
-        key = ("metallic-roughness", look.roughness_picture and look.roughness_picture.key(),
-               look.metallic_picture and look.metallic_picture.key())
-        if key not in self._textures:
-            self._textures[key] = None
-            parts = [images.values_of(part.image, part.channel) if part else None
-                     for part in (look.roughness_picture, look.metallic_picture)]
+        pictures = look.roughness_picture, look.metallic_picture
+
+        def make():
+            parts = [images.values_of(part.image, part.channel) if part else None for part in pictures]
             shape = np.max([part.shape for part in parts if part is not None] or [(0, 0)], axis=0)
-            if shape.all():
-                pixels = np.ones((*shape, 3), dtype=np.float32)
-                for channel, part in ((1, parts[0]), (2, parts[1])):
-                    if part is not None:
-                        pixels[..., channel] = images.resampled(part, *shape)
-                self._textures[key] = opaline.Texture(np.clip(pixels, 0, 1), wrap=picture.wrap, interpolated=picture.interpolated,
-                                                      transform=picture.transform, name=picture.image.name)
-        return self._textures[key]
+            if not shape.all():
+                return None
+            pixels = np.ones((*shape, 3), dtype=np.float32)
+            for channel, part in ((1, parts[0]), (2, parts[1])):
+                if part is not None:
+                    pixels[..., channel] = images.resampled(part, *shape)
+            return opaline.Texture(np.clip(pixels, 0, 1), wrap=picture.wrap, interpolated=picture.interpolated,
+                                   transform=picture.transform, name=picture.image.name)
+
+        return self._kept(("metallic-roughness", *(each and each.key() for each in pictures)),
+                          tuple(each and each.state for each in pictures), make)

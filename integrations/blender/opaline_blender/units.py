@@ -15,3 +15,8 @@ def mm_per_unit(scene):
 def turned(vectors):
     """Directions, or places in Blender's units, in our axes: (..., 3)."""
     return np.asarray(vectors, dtype=np.float64) @ AXES.T
+
+
+def turned_back(vectors):
+    """From our axes to Blender's."""
+    return np.asarray(vectors, dtype=np.float64) @ AXES

@@ -18,7 +18,7 @@ def main():
     import opaline
     from opaline_blender import final, live, units
     from opaline_blender.notes import Notes
-    from opaline_blender.reading import snapshot
+    from opaline_blender.reading import camera, snapshot
 
     scene.render.engine = "OPALINE"
     scene.render.resolution_x = scene.render.resolution_y = int(edge)
@@ -27,7 +27,7 @@ def main():
     seen = snapshot.Reader(depsgraph, mm_per_unit, Notes()).read()
     made = live.scene_of(seen)
     width, height, part = final.picture_size(scene)
-    made.camera = final.camera_of(depsgraph, scene, width, height, part, mm_per_unit)
+    made.camera = camera.camera_of(*final.matrices_of(depsgraph, scene, width, height, part), mm_per_unit)
     truth = opaline.path(made, width, height, "radiance", longest_seconds=float(seconds), error=0.001, specular=False)
     opaline.write_exr(truth_file, truth["radiance"])
     print("block error of the truth", truth.facts.get("block_error"))

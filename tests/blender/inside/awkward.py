@@ -97,6 +97,10 @@ same = np.abs(part - whole[:16, 8:24])[..., :3].mean() / whole[:16, 8:24, :3].me
 common.check(same < 0.02, f"a part differs from the whole by {same}")
 scene.render.use_border = False
 
+# Clip distances would cut everything off.
+scene.camera.data.clip_start, scene.camera.data.clip_end = 10, 20
+common.check(np.abs(common.render("clipped") - whole).max() < 1e-4, "clip distances change the picture")
+
 # Cancelled by the engine's own question whether it is: what was begun is left.
 engine = next(kind for kind in bpy.types.RenderEngine.__subclasses__() if kind.bl_idname == "OPALINE")
 engine.test_break = lambda self: True

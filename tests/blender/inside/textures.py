@@ -113,5 +113,20 @@ def tilt():
     common.compare_with_cycles("normals")
 
 
-for test in (colors, glow, holes, polish, tilt):
+def repaint():
+    """Pictures that change between two renders."""
+    tree, shader = stage()
+    picture = image("Painted", [[(0.9, 0.1, 0.1), (0.1, 0.9, 0.1)]], is_color=True)
+    node = texture(tree, picture)
+    tree.links.new(node.outputs["Color"], shader.inputs["Base Color"])
+    common.compare_with_cycles("before painting")
+    picture.pixels.foreach_set(np.array((0.1, 0.1, 0.9, 1, 0.8, 0.8, 0.2, 1), dtype=np.float32))
+    picture.update()
+    common.compare_with_cycles("painted")
+    picture.pixels.foreach_set(np.array((0.5, 0.2, 0.7, 1, 0.1, 0.6, 0.2, 1), dtype=np.float32))
+    picture.pack()
+    common.compare_with_cycles("packed")
+
+
+for test in (colors, glow, holes, polish, tilt, repaint):
     test()

@@ -36,6 +36,14 @@ def camera_of(to_world, projection, mm_per_unit, bounds=None):
     return opaline.Camera(place, target, up, min(max(fov, 1), 170), shift_x=projection[0, 2] / 2, shift_y=projection[1, 2] / 2)
 
 
+def clips(to_world, projection, mm_per_unit, positions):
+    """Whether some of these places, in our axes and mm, would be in the picture but for the clip distances."""
+    places = units.turned_back(positions) / mm_per_unit
+    places = np.concatenate([places, np.ones((len(places), 1))], axis=1)
+    x, y, z, w = (np.array(projection) @ np.linalg.inv(np.array(to_world)) @ places.T)
+    return bool(np.any((w > 0) & (np.abs(x) <= w) & (np.abs(y) <= w) & (np.abs(z) > w)))
+
+
 def cropped(projection, left, bottom, right, top):
     """The projection of a part of the picture, whose edges are shares of its width and height."""
     width, height = right - left, top - bottom

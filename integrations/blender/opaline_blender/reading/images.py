@@ -1,5 +1,8 @@
 """Pictures of Blender as arrays."""
 
+import os
+import zlib
+
 import numpy as np
 
 
@@ -31,6 +34,23 @@ def pixels_of(image):
 def _loads(image):
     len(image.pixels)  # reads the file
     return image.has_data
+
+
+def state_of(image):
+    """Another one when the picture's pixels have changed: painted, packed, made anew or loaded from another file."""
+    if image.is_dirty:
+        values = np.empty(len(image.pixels), dtype=np.float32)
+        image.pixels.foreach_get(values)
+        return "painted", zlib.crc32(values)
+    if image.packed_file is not None:
+        return "packed", zlib.crc32(image.packed_file.data)
+    if image.source == "GENERATED":
+        return image.generated_type, *image.size, *image.generated_color
+    path = image.filepath_from_user()
+    try:
+        return path, os.stat(path).st_mtime_ns
+    except OSError:
+        return (path,)
 
 
 def stored_as_colors(image):

@@ -2,6 +2,8 @@
 
 import dataclasses
 
+from . import images
+
 
 @dataclasses.dataclass(frozen=True)
 class Picture:
@@ -12,6 +14,7 @@ class Picture:
     interpolated: bool
     transform: tuple  # two rows, from coordinates with v down
     channel: int = None  # red, green, blue or alpha, where it is one of them
+    state: tuple = ()  # of its pixels
 
     def place(self):
         """How it lies on a surface."""
@@ -103,4 +106,4 @@ def picture(of, notes, name):
         notes.add("nodes but image textures, colours and values are not shown; the socket's own value is used", name)
         return None
     return Picture(node.image, WRAPS.get(node.extension, "repeat"), node.interpolation != "Closest", _transform(node, notes, name),
-                   channel)
+                   channel, images.state_of(node.image))

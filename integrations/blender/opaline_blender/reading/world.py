@@ -14,9 +14,10 @@ class World:
     image: object = None  # bpy.types.Image, latitude by longitude
     strength: float = 1.0
     turn_degrees: float = 0.0  # about the vertical, counter-clockwise seen from above
+    state: tuple = ()  # of the picture's pixels
 
     def key(self):
-        return (self.image.name_full, self.strength, self.turn_degrees) if self.image else None
+        return (self.image.name_full, self.strength, self.turn_degrees, self.state) if self.image else None
 
     def picture(self):
         """Radiance as an environment of ours has it: the top is up, and the middle looks along Blender's y."""
@@ -52,7 +53,8 @@ def world_of(world, notes):
     if behind.node.type != "TEX_ENVIRONMENT" or behind.node.image is None or behind.node.projection != "EQUIRECTANGULAR":
         notes.add("nodes of worlds but colours and equirectangular pictures are not shown", world.name)
         return World(ambient=tuple(strength * np.array(tuple(color.default_value)[:3])))
-    return World(image=behind.node.image, strength=strength, turn_degrees=_turn(behind.node, notes, world.name))
+    return World(image=behind.node.image, strength=strength, turn_degrees=_turn(behind.node, notes, world.name),
+                 state=images.state_of(behind.node.image))
 
 
 def _turn(node, notes, name):
