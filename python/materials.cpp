@@ -98,49 +98,62 @@ void bindOpaque(py::module_& module) {
   using py::arg;
   py::class_<OpaqueMaterial>(
       module, "OpaqueMaterial",
-      R"(A surface that lets no light in: metallic-roughness, as glTF has it. It never changes.
+      R"(A surface without an inside: metallic-roughness, as glTF has it. It never changes.
 
 A texture multiplies the number beside it. base_color: linear RGB in [0, 1]; metallic, roughness, specular, alpha,
 alpha_cutoff: in [0, 1]; ior: in [1, 10]; specular_color: in [0, 1000]; emission: radiance, in [0, 1e30].
-metallic_roughness_texture: green is roughness, blue metallic; normal_texture: in tangent space, green up.)")
-      .def(
-          py::init([](const py::object& baseColor, const MaybeTexture& baseColorTexture,
-                      float metallic, float roughness, const MaybeTexture& metallicRoughnessTexture,
-                      float ior, float specular, const py::object& specularColor,
-                      const MaybeTexture& normalTexture, float normalScale,
-                      const py::object& emission, const MaybeTexture& emissionTexture, float alpha,
-                      float alphaCutoff, bool unlit, const std::string& name) {
-            OpaqueMaterial made;
-            made.name = name;
-            made.baseColor = vectorOf(baseColor, "base_color");
-            made.baseColorTexture = baseColorTexture;
-            made.metallic = metallic;
-            made.roughness = roughness;
-            made.metallicRoughnessTexture = metallicRoughnessTexture;
-            made.ior = ior;
-            made.specular = specular;
-            made.specularColor = vectorOf(specularColor, "specular_color");
-            made.normalTexture = normalTexture;
-            made.normalScale = normalScale;
-            made.emission = vectorOf(emission, "emission");
-            made.emissionTexture = emissionTexture;
-            made.alpha = alpha;
-            made.alphaCutoff = alphaCutoff;
-            made.unlit = unlit;
-            return sound(std::move(made));
-          }),
-          py::kw_only(), arg("base_color") = py::make_tuple(0.5, 0.5, 0.5),
-          arg("base_color_texture") = py::none(), arg("metallic") = 0.F, arg("roughness") = 1.F,
-          arg("metallic_roughness_texture") = py::none(), arg("ior") = 1.5F, arg("specular") = 1.F,
-          arg("specular_color") = py::make_tuple(1, 1, 1), arg("normal_texture") = py::none(),
-          arg("normal_scale") = 1.F, arg("emission") = py::make_tuple(0, 0, 0),
-          arg("emission_texture") = py::none(), arg("alpha") = 1.F, arg("alpha_cutoff") = 0.F,
-          arg("unlit") = false, arg("name") = "")
+metallic_roughness_texture: green is roughness, blue metallic; normal_texture: in tangent space, green up.
+diffuse_transmission, in [0, 1]: so much of the diffuse light goes through instead, as through a leaf or paper, in
+diffuse_transmission_color; alpha of diffuse_transmission_texture multiplies it.)")
+      .def(py::init(
+               [](const py::object& baseColor, const MaybeTexture& baseColorTexture, float metallic,
+                  float roughness, const MaybeTexture& metallicRoughnessTexture, float ior,
+                  float specular, const py::object& specularColor,
+                  const MaybeTexture& normalTexture, float normalScale, const py::object& emission,
+                  const MaybeTexture& emissionTexture, float alpha, float alphaCutoff, bool unlit,
+                  float diffuseTransmission, const MaybeTexture& diffuseTransmissionTexture,
+                  const py::object& diffuseTransmissionColor,
+                  const MaybeTexture& diffuseTransmissionColorTexture, const std::string& name) {
+                 OpaqueMaterial made;
+                 made.name = name;
+                 made.baseColor = vectorOf(baseColor, "base_color");
+                 made.baseColorTexture = baseColorTexture;
+                 made.metallic = metallic;
+                 made.roughness = roughness;
+                 made.metallicRoughnessTexture = metallicRoughnessTexture;
+                 made.ior = ior;
+                 made.specular = specular;
+                 made.specularColor = vectorOf(specularColor, "specular_color");
+                 made.normalTexture = normalTexture;
+                 made.normalScale = normalScale;
+                 made.emission = vectorOf(emission, "emission");
+                 made.emissionTexture = emissionTexture;
+                 made.alpha = alpha;
+                 made.alphaCutoff = alphaCutoff;
+                 made.unlit = unlit;
+                 made.diffuseTransmission = diffuseTransmission;
+                 made.diffuseTransmissionTexture = diffuseTransmissionTexture;
+                 made.diffuseTransmissionColor =
+                     vectorOf(diffuseTransmissionColor, "diffuse_transmission_color");
+                 made.diffuseTransmissionColorTexture = diffuseTransmissionColorTexture;
+                 return sound(std::move(made));
+               }),
+           py::kw_only(), arg("base_color") = py::make_tuple(0.5, 0.5, 0.5),
+           arg("base_color_texture") = py::none(), arg("metallic") = 0.F, arg("roughness") = 1.F,
+           arg("metallic_roughness_texture") = py::none(), arg("ior") = 1.5F, arg("specular") = 1.F,
+           arg("specular_color") = py::make_tuple(1, 1, 1), arg("normal_texture") = py::none(),
+           arg("normal_scale") = 1.F, arg("emission") = py::make_tuple(0, 0, 0),
+           arg("emission_texture") = py::none(), arg("alpha") = 1.F, arg("alpha_cutoff") = 0.F,
+           arg("unlit") = false, arg("diffuse_transmission") = 0.F,
+           arg("diffuse_transmission_texture") = py::none(),
+           arg("diffuse_transmission_color") = py::make_tuple(1, 1, 1),
+           arg("diffuse_transmission_color_texture") = py::none(), arg("name") = "")
       .def_property_readonly(
           "base_color", [](const OpaqueMaterial& of) { return tupleOf(of.baseColor); },
           "Linear RGB.")
       .def_readonly("metallic", &OpaqueMaterial::metallic, "In [0, 1].")
       .def_readonly("roughness", &OpaqueMaterial::roughness, "In [0, 1].")
+      .def_readonly("diffuse_transmission", &OpaqueMaterial::diffuseTransmission, "In [0, 1].")
       .def_property_readonly(
           "emission", [](const OpaqueMaterial& of) { return tupleOf(of.emission); }, "Radiance.");
 }

@@ -42,10 +42,16 @@ OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point) {
   const double roughness = std::clamp(double{material.roughness} * number(shine, green), 0.02, 1.0);
   const double strength = double{material.specular} * number(material.specularTexture, alpha);
   const Colour tint = colorAt(body, point, material.specularColor, material.specularColorTexture);
+  const double through = std::clamp(
+      double{material.diffuseTransmission} * number(material.diffuseTransmissionTexture, alpha),
+      0.0, 1.0);
+  const Colour behind = colorAt(body, point, material.diffuseTransmissionColor,
+                                material.diffuseTransmissionColorTexture);
   const double ior{material.ior};
   const double headOn = std::pow((ior - 1) / (ior + 1), 2);
   for (std::size_t c = 0; c < 3; ++c) {
-    surface.diffuse[c] = (1 - metallic) * base[c];
+    surface.diffuse[c] = (1 - metallic) * (1 - through) * base[c];
+    surface.through[c] = (1 - metallic) * through * std::min(behind[c], 1.0);
     surface.mirrored[c] = std::lerp(std::min(headOn * tint[c], 1.0) * strength, base[c], metallic);
   }
   surface.grazing = std::lerp(strength, 1.0, metallic);
@@ -56,10 +62,22 @@ OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point) {
   return surface;
 }
 
+namespace {
+
+// Mean over the hemisphere of the reflectance by Schlick 1994.
+double mirroredShare(const OpaqueSurface& surface, std::size_t channel) {
+  return std::lerp(surface.mirrored[channel], surface.grazing, 1.0 / 21);
+}
+
+}  // namespace
+
 double mattShare(const OpaqueSurface& surface, std::size_t channel) {
-  // Mean over the hemisphere of the reflectance by Schlick 1994.
-  const double mirrored = std::lerp(surface.mirrored[channel], surface.grazing, 1.0 / 21);
+  const double mirrored = mirroredShare(surface, channel);
   return mirrored + (1 - mirrored) * surface.diffuse[channel];
+}
+
+double mattThrough(const OpaqueSurface& surface, std::size_t channel) {
+  return (1 - mirroredShare(surface, channel)) * surface.through[channel];
 }
 
 bool isCutOut(const Body& body, std::uint32_t triangle, const std::array<double, 3>& weights) {

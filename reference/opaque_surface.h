@@ -6,9 +6,10 @@
 namespace opaline::reference {
 
 /// What an opaque body is made of at a point: glTF 2.0, section 3.9 and appendix B, with
-/// KHR_materials_ior, _specular, _emissive_strength and _unlit.
+/// KHR_materials_ior, _specular, _emissive_strength, _diffuse_transmission and _unlit.
 struct OpaqueSurface {
   Colour diffuse{};      ///< share of light given back diffusely, less by what is mirrored
+  Colour through{};      ///< share of light on the other side that leaves here diffusely, the same
   Colour mirrored{};     ///< head on: F₀
   double grazing = 0;    ///< F₉₀
   double alpha = 1;      ///< roughness²
@@ -19,6 +20,10 @@ struct OpaqueSurface {
 
 /// The body must be opaque.
 OpaqueSurface opaqueSurfaceAt(const Body& body, const SurfacePoint& point);
+
+/// Of light that goes through a body's surface, the share of diffuse light in one channel, less by
+/// what is mirrored of even light.
+double mattThrough(const OpaqueSurface& surface, std::size_t channel);
 
 /// All that it gives back of light from everywhere in one channel, as if it were matt.
 double mattShare(const OpaqueSurface& surface, std::size_t channel);

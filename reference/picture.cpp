@@ -233,9 +233,15 @@ Exitance directLightOf(const Scene& scene, const Irradiance& irradiance, const L
   seen.shadingNormal = side * normalAt(body, look.point, look.point.shadingNormal);
   seen.facetNormal = side * seen.facetNormal;
   const Colour arrives = irradiance(seen);
+  Colour behind{};
+  if (surface.through != Colour{}) {
+    seen.shadingNormal = -seen.shadingNormal;
+    seen.facetNormal = -seen.facetNormal;
+    behind = irradiance(seen);
+  }
   Exitance given;
   for (std::size_t c = 0; c < 3; ++c) {
-    given.value[c] = surface.diffuse[c] * arrives[c];
+    given.value[c] = surface.diffuse[c] * arrives[c] + surface.through[c] * behind[c];
     if (look.radiance) given.value[c] = given.value[c] / std::numbers::pi + surface.emission[c];
   }
   return given;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "reference/opaque_surface.h"
 #include "reference/path/eye_paths.h"
 
 namespace opaline::reference {
@@ -29,30 +28,26 @@ IntegralTruth integralTruth(const Geometry& geometry, const Irradiance& irradian
 namespace {
 
 // By many paths, from a sequence of random numbers for each look.
-Exitance seenByPaths(const EyePaths& paths, const Scene& scene, const Look& look, int number,
-                     std::uint64_t seed) {
+Exitance seenByPaths(const EyePaths& paths, const Look& look, int number, std::uint64_t seed) {
   constexpr std::uint64_t apartFromParticles = 0x5EED0FE7E;
   Random random(seed + apartFromParticles, look.number);
   Colour sum{};
   Colour squares{};
   for (int i = 0; i < number; ++i) {
     const Colour found = look.radiance ? paths.radiance(look.point, look.toEye, random)
-                                       : paths.irradiance(look.point, look.toEye, random);
+                                       : paths.exitance(look.point, look.toEye, random);
     for (std::size_t c = 0; c < 3; ++c) {
       sum[c] += found[c];
       squares[c] += found[c] * found[c];
     }
   }
-  const Colour diffuse = look.radiance
-                             ? Colour{1, 1, 1}
-                             : opaqueSurfaceAt(scene.bodies[look.point.body], look.point).diffuse;
   Exitance seen;
   const auto count = static_cast<double>(number);
   for (std::size_t c = 0; c < 3; ++c) {
     const double mean = sum[c] / count;
     const double variance = std::max(squares[c] / count - mean * mean, 0.0) / count;
-    seen.value[c] = diffuse[c] * mean;
-    seen.error[c] = diffuse[c] * std::sqrt(variance);
+    seen.value[c] = mean;
+    seen.error[c] = std::sqrt(variance);
   }
   return seen;
 }
@@ -65,13 +60,11 @@ Picture pathTruth(const PathTracer& tracer, const Geometry& geometry, const Irra
   const int number =
       (picture.pathsOfPixel + picture.antialias - 1) / std::max(picture.antialias, 1);
   const int ofLook = picture.aov == Aov::Radiance ? number : picture.pathsOfPixel;
-  const LeavingLight light{[&](const SurfacePoint& point) { return tracer.exitance(point); },
-                           exitFactors(geometry.scene(), Transport::BetterDipole),
-                           [&](const Look& look) {
-                             return seenByPaths(paths, geometry.scene(), look, ofLook,
-                                                tracer.options().seed);
-                           },
-                           picture.eye.specular};
+  const LeavingLight light{
+      [&](const SurfacePoint& point) { return tracer.exitance(point); },
+      exitFactors(geometry.scene(), Transport::BetterDipole),
+      [&](const Look& look) { return seenByPaths(paths, look, ofLook, tracer.options().seed); },
+      picture.eye.specular};
   return makePicture(geometry, irradiance, light, picture, progress);
 }
 

@@ -29,9 +29,10 @@ struct Texture {
   bool operator==(const Texture&) const = default;
 };
 
-/// A surface that lets no light in: metallic-roughness as in glTF 2.0, section 3.9, with
-/// KHR_materials_ior, KHR_materials_specular, KHR_materials_emissive_strength and
-/// KHR_materials_unlit. A texture multiplies the number beside it.
+/// A surface without an inside: metallic-roughness as in glTF 2.0, section 3.9, with
+/// KHR_materials_ior, KHR_materials_specular, KHR_materials_emissive_strength,
+/// KHR_materials_unlit and, as a sheet without thickness has it,
+/// KHR_materials_diffuse_transmission. A texture multiplies the number beside it.
 struct OpaqueMaterial {
   std::string name;
   Rgb baseColor{0.5F, 0.5F,
@@ -54,6 +55,12 @@ struct OpaqueMaterial {
   float alphaCutoff = 0;  ///< in [0, 1]; where alpha is less there is no surface
   float alpha = 1;        ///< in [0, 1]
   bool unlit = false;     ///< its radiance is the base colour, whatever the light
+  /// In [0, 1]: so much of the light that would be given back diffusely goes through instead, and
+  /// leaves the other side diffusely.
+  float diffuseTransmission = 0;
+  std::optional<Texture> diffuseTransmissionTexture;       ///< a: share, linear
+  Rgb diffuseTransmissionColor{1, 1, 1};                   ///< of what goes through, in [0, 1]
+  std::optional<Texture> diffuseTransmissionColorTexture;  ///< rgb: sRGB
 
   bool operator==(const OpaqueMaterial&) const = default;
 };
@@ -73,14 +80,17 @@ struct TextureOfMaterial {
 };
 
 /// All of them.
-inline constexpr std::array<TextureOfMaterial, 7> texturesOfMaterial{
+inline constexpr std::array<TextureOfMaterial, 9> texturesOfMaterial{
     {{"base color", &OpaqueMaterial::baseColorTexture, TexelMeaning::Color},
      {"metallic-roughness", &OpaqueMaterial::metallicRoughnessTexture, TexelMeaning::Number},
      {"specular", &OpaqueMaterial::specularTexture, TexelMeaning::Number},
      {"specular color", &OpaqueMaterial::specularColorTexture, TexelMeaning::Color},
      {"normal", &OpaqueMaterial::normalTexture, TexelMeaning::Normal},
      {"occlusion", &OpaqueMaterial::occlusionTexture, TexelMeaning::Number},
-     {"emission", &OpaqueMaterial::emissionTexture, TexelMeaning::Color}}};
+     {"emission", &OpaqueMaterial::emissionTexture, TexelMeaning::Color},
+     {"diffuse transmission", &OpaqueMaterial::diffuseTransmissionTexture, TexelMeaning::Number},
+     {"diffuse transmission color", &OpaqueMaterial::diffuseTransmissionColorTexture,
+      TexelMeaning::Color}}};
 
 /// Why the material cannot be rendered, as a sentence; empty if it can.
 OPALINE_API std::string complaintAbout(const OpaqueMaterial& material);

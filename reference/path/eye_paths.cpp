@@ -43,10 +43,10 @@ double balanced(double density, double other) {
   return density > 0 ? density / (density + other) : 1;
 }
 
-OpaqueSurface whiteSurface() {
-  OpaqueSurface white;
-  white.diffuse = {1, 1, 1};
-  return white;
+OpaqueSurface withoutMirror(OpaqueSurface surface) {
+  surface.mirrored = {};
+  surface.grazing = 0;
+  return surface;
 }
 
 }  // namespace
@@ -78,10 +78,7 @@ EyePaths::Vertex EyePaths::vertexAt(const SurfacePoint& point, const Vector& toE
             leaving(point.body, alpha, cosine) * tracer_.exitance(point).value};
   }
   OpaqueSurface surface = opaqueSurfaceAt(body, point);
-  if (first && !options_.specular) {
-    surface.mirrored = {};
-    surface.grazing = 0;
-  }
+  if (first && !options_.specular) surface = withoutMirror(surface);
   return {point, Reflection(surface, sides.normal, sides.outside, toEye), surface.emission,
           surface.occlusion, surface.unlit};
 }
@@ -133,13 +130,12 @@ Colour EyePaths::radiance(const SurfacePoint& point, const Vector& toEye, Random
   return follow(vertexAt(point, toEye, true), random);
 }
 
-Colour EyePaths::irradiance(const SurfacePoint& point, const Vector& toEye, Random& random) const {
+Colour EyePaths::exitance(const SurfacePoint& point, const Vector& toEye, Random& random) const {
   const Body& body = geometry_.scene().bodies[point.body];
   const Sides sides = sidesOf(body, point, toEye);
-  const Vertex vertex{point,
-                      Reflection(whiteSurface(), sides.normal, sides.outside, toEye),
-                      {},
-                      opaqueSurfaceAt(body, point).occlusion};
+  const OpaqueSurface surface = withoutMirror(opaqueSurfaceAt(body, point));
+  const Vertex vertex{
+      point, Reflection(surface, sides.normal, sides.outside, toEye), {}, surface.occlusion};
   return pi * follow(vertex, random);
 }
 

@@ -23,8 +23,8 @@ class EyePaths {
 
   /// Radiance of a point, by one path.
   Colour radiance(const SurfacePoint& point, const Vector& toEye, Random& random) const;
-  /// Irradiance of an opaque body there, on the side of the eye.
-  Colour irradiance(const SurfacePoint& point, const Vector& toEye, Random& random) const;
+  /// What leaves an opaque body there diffusely, on the side of the eye.
+  Colour exitance(const SurfacePoint& point, const Vector& toEye, Random& random) const;
 
  private:
   /// A point that a path has met.

@@ -40,6 +40,8 @@ void add(const OpaqueMaterial& material, core::Digest& print) {
   print.add(material.alphaCutoff);
   print.add(material.alpha);
   print.add(material.unlit);
+  print.add(material.diffuseTransmission);
+  print.add(material.diffuseTransmissionColor);
   for (const TextureOfMaterial& of : texturesOfMaterial) add(material.*of.texture, print);
 }
 

@@ -63,8 +63,12 @@ Reflection::Reflection(const OpaqueSurface& surface, const Vector& normal, const
   Colour given{};
   for (std::size_t c = 0; c < 3; ++c) given[c] = surface.diffuse[c] * (1 - even.share[c]);
   diffuse_ = (1 / pi) * given;
-  const double all = sumOf(given) + sumOf(even.share);
+  Colour through{};
+  for (std::size_t c = 0; c < 3; ++c) through[c] = surface.through[c] * (1 - even.share[c]);
+  through_ = (1 / pi) * through;
+  const double all = sumOf(given) + sumOf(through) + sumOf(even.share);
   matt_ = all > 0 ? sumOf(given) / all : 1;
+  behind_ = all > 0 ? sumOf(through) / all : 0;
 }
 
 Reflection Reflection::ofMedium(double eta, double alpha, const Vector& normal,
@@ -88,9 +92,10 @@ Colour Reflection::fresnel(double cosine) const {
 
 Colour Reflection::value(const Vector& toLight) const {
   const Vector light{dot(across_[0], toLight), dot(across_[1], toLight), dot(normal_, toLight)};
+  if (light[2] < 0 && dot(outside_, toLight) < 0) return -light[2] * through_;
   if (light[2] <= 0 || dot(outside_, toLight) <= 0) return {};
   Colour value = light[2] * diffuse_;
-  if (matt_ >= 1) return value;
+  if (matt_ + behind_ >= 1) return value;
   const Vector half = unitOr(light + eye_, {0, 0, 1});
   const double facets =
       ggxDensity(alpha_, half[2]) /
@@ -102,9 +107,10 @@ Colour Reflection::value(const Vector& toLight) const {
 
 Vector Reflection::direction(Random& random) const {
   Vector local;
-  if (random() < matt_) {
+  const double kind = random();
+  if (kind < matt_ + behind_) {
     const double cosine = std::sqrt(random());
-    local = around({0, 0, 1}, cosine, 2 * pi * random());
+    local = around({0, 0, kind < matt_ ? 1.0 : -1.0}, cosine, 2 * pi * random());
   } else {
     const double u = random();
     const Vector facet = visibleFacet(alpha_, unitOr(eye_, {0, 0, 1}), u, random());
@@ -115,12 +121,12 @@ Vector Reflection::direction(Random& random) const {
 
 double Reflection::density(const Vector& toLight) const {
   const Vector light{dot(across_[0], toLight), dot(across_[1], toLight), dot(normal_, toLight)};
-  if (light[2] <= 0) return 0;
+  if (light[2] <= 0) return behind_ * -light[2] / pi;
   double density = matt_ * light[2] / pi;
-  if (matt_ >= 1) return density;
+  if (matt_ + behind_ >= 1) return density;
   const Vector half = unitOr(light + eye_, {0, 0, 1});
-  density +=
-      (1 - matt_) * ggxDensity(alpha_, half[2]) / (4 * eye_[2] * (1 + ggxHidden(alpha_, eye_[2])));
+  density += (1 - matt_ - behind_) * ggxDensity(alpha_, half[2]) /
+             (4 * eye_[2] * (1 + ggxHidden(alpha_, eye_[2])));
   return density;
 }
 

@@ -13,7 +13,7 @@ namespace opaline::reference {
 
 /// What a surface reflects towards the eye: light that it gives back diffusely, less by what it
 /// mirrors of even light towards there, and GGX with what facets send on to each other (Turquin
-/// 2019).
+/// 2019). Light of the other side that gets through leaves diffusely, less by the same.
 class Reflection {
  public:
   /// `normal` on the side of the eye; `outside` is the facet's, on that side as well.
@@ -39,8 +39,10 @@ class Reflection {
   Vector eye_{};  ///< in the surface's frame
   double eta_ = 0;
   double alpha_ = 1;
-  double matt_ = 0;   ///< share of directions that are chosen for diffuse light
-  Colour diffuse_{};  ///< over π
+  double matt_ = 0;    ///< share of directions that are chosen for diffuse light
+  double behind_ = 0;  ///< and for light of the other side
+  Colour diffuse_{};   ///< over π
+  Colour through_{};   ///< over π
   Colour headOn_{};
   double grazing_ = 0;
   Colour sentOn_{1, 1, 1};
@@ -85,6 +87,11 @@ void reflectParticle(const OpaqueSurface& surface, std::size_t channel, const Ve
   const Vector matt = around({0, 0, 1}, cosine, 2 * std::numbers::pi * random());
   if (random() < surface.diffuse[channel] * (1 - evenMirrored(surface, cosine).share[channel]))
     send(matt);
+  if (const double through = surface.through[channel]; through > 0) {
+    const double cosineBehind = std::sqrt(random());
+    const Vector beyond = around({0, 0, -1}, cosineBehind, 2 * std::numbers::pi * random());
+    if (random() < through * (1 - evenMirrored(surface, cosineBehind).share[channel])) send(beyond);
+  }
   if (surface.grazing <= 0 && surface.mirrored[channel] <= 0) return;
   const MirroredCandidate candidate = mirroredCandidate(surface.alpha, light, random);
   if (candidate.seen <= 0) return;

@@ -72,9 +72,13 @@ void Walk::meetTilted(const Particle& particle, Random& random,
 
 bool Walk::reflectMatt(Particle& particle, Random& random) const {
   const Body& body = geometry_.scene().bodies[particle.surface.body];
-  if (random() >= mattShare(opaqueSurfaceAt(body, particle.surface), channel_)) return false;
+  const OpaqueSurface surface = opaqueSurfaceAt(body, particle.surface);
+  const double given = mattShare(surface, channel_);
+  const double chance = random();
+  if (chance >= given + mattThrough(surface, channel_)) return false;
   const Vector& facet = particle.surface.facetNormal;
-  const Vector normal = dot(facet, particle.direction) > 0 ? -facet : facet;
+  const bool turned = dot(facet, particle.direction) > 0;
+  const Vector normal = turned == (chance < given) ? -facet : facet;
   const double cosine = std::sqrt(random());
   particle.direction = around(normal, cosine, 2 * std::numbers::pi * random());
   return true;

@@ -97,7 +97,7 @@ struct NumberOfMaterial {
   float OpaqueMaterial::*ours;
   float OpalineOpaqueMaterial::*given;
 };
-constexpr std::array<NumberOfMaterial, 8> numbers{
+constexpr std::array<NumberOfMaterial, 9> numbers{
     {{&OpaqueMaterial::metallic, &OpalineOpaqueMaterial::metallic},
      {&OpaqueMaterial::roughness, &OpalineOpaqueMaterial::roughness},
      {&OpaqueMaterial::ior, &OpalineOpaqueMaterial::ior},
@@ -105,24 +105,31 @@ constexpr std::array<NumberOfMaterial, 8> numbers{
      {&OpaqueMaterial::normalScale, &OpalineOpaqueMaterial::normalScale},
      {&OpaqueMaterial::occlusionStrength, &OpalineOpaqueMaterial::occlusionStrength},
      {&OpaqueMaterial::alphaCutoff, &OpalineOpaqueMaterial::alphaCutoff},
-     {&OpaqueMaterial::alpha, &OpalineOpaqueMaterial::alpha}}};
+     {&OpaqueMaterial::alpha, &OpalineOpaqueMaterial::alpha},
+     {&OpaqueMaterial::diffuseTransmission, &OpalineOpaqueMaterial::diffuseTransmission}}};
 
 struct ColorOfMaterial {
   Rgb OpaqueMaterial::*ours;
   float (OpalineOpaqueMaterial::*given)[3];
 };
-constexpr std::array<ColorOfMaterial, 3> colors{
+constexpr std::array<ColorOfMaterial, 4> colors{
     {{&OpaqueMaterial::baseColor, &OpalineOpaqueMaterial::baseColor},
      {&OpaqueMaterial::specularColor, &OpalineOpaqueMaterial::specularColor},
-     {&OpaqueMaterial::emission, &OpalineOpaqueMaterial::emission}}};
+     {&OpaqueMaterial::emission, &OpalineOpaqueMaterial::emission},
+     {&OpaqueMaterial::diffuseTransmissionColor,
+      &OpalineOpaqueMaterial::diffuseTransmissionColor}}};
 
 // In the order of texturesOfMaterial.
 constexpr std::array<const OpalineTexture * OpalineOpaqueMaterial::*, texturesOfMaterial.size()>
-    textures{
-        &OpalineOpaqueMaterial::baseColorTexture, &OpalineOpaqueMaterial::metallicRoughnessTexture,
-        &OpalineOpaqueMaterial::specularTexture,  &OpalineOpaqueMaterial::specularColorTexture,
-        &OpalineOpaqueMaterial::normalTexture,    &OpalineOpaqueMaterial::occlusionTexture,
-        &OpalineOpaqueMaterial::emissionTexture};
+    textures{&OpalineOpaqueMaterial::baseColorTexture,
+             &OpalineOpaqueMaterial::metallicRoughnessTexture,
+             &OpalineOpaqueMaterial::specularTexture,
+             &OpalineOpaqueMaterial::specularColorTexture,
+             &OpalineOpaqueMaterial::normalTexture,
+             &OpalineOpaqueMaterial::occlusionTexture,
+             &OpalineOpaqueMaterial::emissionTexture,
+             &OpalineOpaqueMaterial::diffuseTransmissionTexture,
+             &OpalineOpaqueMaterial::diffuseTransmissionColorTexture};
 
 OpalineOpaqueMaterial given(const OpaqueMaterial& material) {
   OpalineOpaqueMaterial whole{};

@@ -77,6 +77,10 @@ const std::vector<Field<OpaqueMaterial>>& fieldsOf() {
       field<OpaqueMaterial, &OpaqueMaterial::emission>("emission", {power}, "radiance of its own"),
       field<OpaqueMaterial, &OpaqueMaterial::normalScale>("normal_scale", {slope},
                                                           "of its normal texture"),
+      field<OpaqueMaterial, &OpaqueMaterial::diffuseTransmission>(
+          "diffuse_transmission", {share}, "share of diffuse light that goes through"),
+      field<OpaqueMaterial, &OpaqueMaterial::diffuseTransmissionColor>(
+          "diffuse_transmission_color", {share}, "of the light that goes through"),
   };
   return table;
 }

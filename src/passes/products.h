@@ -113,11 +113,14 @@ struct SceneTables {
                                  ///< at the surface itself has it; see lib/boundary.glsl
   gpu::Buffer specularAlbedo;    ///< float, see MediumData::tables.w
   gpu::Buffer reflectionLobes;   ///< vec4, by the cosine of the view (lights/reflection_lobe.h)
+  bool anyBacks = false;         ///< some opaque bodies have clusters of their back
   gpu::Buffer opaqueShares;      ///< shared::OpaqueShare a cluster, where something is opaque
   gpu::Buffer opaqueExitances;   ///< vec4 a cluster of an opaque body: of all light
   PaintTables paint;
   OwnSurfaces surfaces;
   std::vector<double> etas;  ///< the different ones, see MediumData::tables.x
+
+  std::uint32_t sidesOfVertices() const { return anyBacks ? 2 : 1; }
 };
 
 /// All light that comes from everywhere, and all that passes know of it (lib/sky.glsl).
@@ -340,7 +343,8 @@ struct SeenCentres {
 };
 
 /// Exitance B of the vertices, of opaque bodies irradiance, all of it or, for the paper's
-/// fragments, the far samples' part. What is summed at fragments is VisibleSurfaces::light.
+/// fragments, the far samples' part. Where something is opaque, irradiance on the backs of sheets
+/// follows. What is summed at fragments is VisibleSurfaces::light.
 struct Exitance {
   gpu::Buffer vertices;
 };

@@ -4,6 +4,7 @@
 
 #include "bssrdf/profile.h"
 #include "opaline/moment.h"
+#include "scene/material.h"
 #include "scene/pose.h"
 #include "scene/track_sample.h"
 #include "scene/vector_math.h"
@@ -73,6 +74,8 @@ struct Blend {
     (*this)(a.emission, b.emission, to.emission);
     (*this)(a.alphaCutoff, b.alphaCutoff, to.alphaCutoff);
     (*this)(a.alpha, b.alpha, to.alpha);
+    (*this)(a.diffuseTransmission, b.diffuseTransmission, to.diffuseTransmission);
+    (*this)(a.diffuseTransmissionColor, b.diffuseTransmissionColor, to.diffuseTransmissionColor);
     for (const TextureOfMaterial& of : texturesOfMaterial) {
       const auto& from = a.*of.texture;
       const auto& next = b.*of.texture;
@@ -169,6 +172,17 @@ bool changesMaterial(const Scene& scene, std::size_t object) {
   for (const ClipChanges& changes : scene.changes)
     if (names(changes.media) || names(changes.surfaces)) return true;
   return false;
+}
+
+bool letsLightThrough(const Scene& scene, std::size_t object) {
+  const std::optional<OpaqueMaterial>& material = scene.objects[object].opaque;
+  if (!material) return false;
+  bool any = letsLightThrough(*material);
+  for (const ClipChanges& changes : scene.changes)
+    for (const Keys<OpaqueMaterial>& keys : changes.surfaces)
+      if (keys.index == object)
+        for (const OpaqueMaterial& of : keys.values) any = any || letsLightThrough(of);
+  return any;
 }
 
 const Medium& finestMedium(const Scene& scene, std::size_t object) {

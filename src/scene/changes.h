@@ -32,6 +32,9 @@ std::optional<OpaqueMaterial> opaqueAt(const Scene& scene, std::size_t object,
 /// Whether a clip changes what an object is made of.
 bool changesMaterial(const Scene& scene, std::size_t object);
 
+/// Whether an opaque object lets light through in some clip, or as it stands.
+bool letsLightThrough(const Scene& scene, std::size_t object);
+
 /// Of all that an object is made of in any clip, as it stands too, that with the shortest mean free
 /// path: the surface is divided for that.
 const Medium& finestMedium(const Scene& scene, std::size_t object);

@@ -57,9 +57,11 @@ void addNumbers(Digest& digest, const OpaqueMaterial& material) {
   const auto& [name, baseColor, baseColorTexture, metallic, roughness, metallicRoughnessTexture,
                ior, specular, specularColor, specularTexture, specularColorTexture, normalTexture,
                normalScale, occlusionTexture, occlusionStrength, emission, emissionTexture,
-               alphaCutoff, alpha, unlit] = material;
+               alphaCutoff, alpha, unlit, diffuseTransmission, diffuseTransmissionTexture,
+               diffuseTransmissionColor, diffuseTransmissionColorTexture] = material;
   addAll(digest, baseColor, metallic, roughness, ior, specular, specularColor, normalScale,
-         occlusionStrength, emission, alphaCutoff, alpha, unlit);
+         occlusionStrength, emission, alphaCutoff, alpha, unlit, diffuseTransmission,
+         diffuseTransmissionColor);
   for (const TextureOfMaterial& of : texturesOfMaterial)
     addIfThere(digest, material.*of.texture,
                [&](const Texture& texture) { digest.add(texture.transform); });

@@ -44,6 +44,10 @@ bool isMetal(const OpaqueMaterial& material) {
   return mean * double{material.metallic} > 0.5;
 }
 
+bool letsLightThrough(const OpaqueMaterial& material) {
+  return !material.unlit && material.diffuseTransmission > 0;
+}
+
 std::optional<TranslucentSurface> surfaceFrom(const OpaqueMaterial& material) {
   if (!material.metallicRoughnessTexture && !material.normalTexture) return std::nullopt;
   TranslucentSurface surface;

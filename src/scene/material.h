@@ -10,6 +10,9 @@ namespace opaline::scene {
 /// Whether most of what it gives back is what metal reflects.
 bool isMetal(const OpaqueMaterial& material);
 
+/// Whether some light goes through it to its other side.
+bool letsLightThrough(const OpaqueMaterial& material);
+
 /// What a translucent object is made of.
 struct Translucent {
   Medium medium;

@@ -125,6 +125,9 @@ TEST(CInterfaceMaterials, SurfacesAndOpaqueMaterialsAreThoseOfTheCppInterface) {
   opaque.roughness = 0.5F;
   opaque.baseColor[1] = 0.9F;
   opaque.emission[2] = 0.125F;
+  opaque.diffuseTransmission = 0.5F;
+  opaque.diffuseTransmissionColor[0] = 0.25F;
+  opaque.diffuseTransmissionTexture = &texture;
   ASSERT_EQ(opalineSetObjectOpaque(scene.get(), 0, &opaque), OpalineOk) << opalineLastError();
   ASSERT_EQ(opalineSetScene(drawn.renderer.get(), scene.get()), OpalineOk);
   opaline::OpaqueMaterial& sameOpaque = same.objects[0].opaque.emplace();
@@ -133,6 +136,9 @@ TEST(CInterfaceMaterials, SurfacesAndOpaqueMaterialsAreThoseOfTheCppInterface) {
   sameOpaque.roughness = 0.5F;
   sameOpaque.baseColor[1] = 0.9F;
   sameOpaque.emission[2] = 0.125F;
+  sameOpaque.diffuseTransmission = 0.5F;
+  sameOpaque.diffuseTransmissionColor[0] = 0.25F;
+  sameOpaque.diffuseTransmissionTexture = sameTexture();
   EXPECT_EQ(drawn.picture(OpalineAovRadiance), samePicture(same, drawn, opaline::Aov::Radiance));
 
   ASSERT_EQ(opalineSetObjectOpaque(scene.get(), 0, nullptr), OpalineOk);

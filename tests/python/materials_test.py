@@ -36,6 +36,21 @@ class Materials(unittest.TestCase):
         found = picture_of(opaline.Object(SQUARE, HALVES, material=glow))
         np.testing.assert_allclose(found[8, 8, :3], (1, 2, 3), rtol=1e-3)
 
+    def test_light_goes_through_a_leaf(self):
+        leaf = opaline.OpaqueMaterial(base_color=(1, 1, 1), specular=0, diffuse_transmission=0.5,
+                                      diffuse_transmission_color=(0.5, 1, 0))
+        self.assertEqual(leaf.diffuse_transmission, 0.5)
+        for triangles in (HALVES, HALVES[:, ::-1]):
+            lit = picture_of(opaline.Object(SQUARE, triangles, material=leaf))
+            np.testing.assert_allclose(lit[8, 8, :3] * np.pi, 0.5, atol=1e-3)
+        body = opaline.Object(SQUARE * (1, 1, -1), HALVES, material=leaf)
+        made = opaline.Scene([body])
+        made.lights = [opaline.DirectionalLight((0, 0, -1), irradiance=(1, 1, 1))]
+        made.ambient = (0, 0, 0)
+        made.camera = opaline.Camera((0, 0, 100), orthographic_height_mm=20)
+        behind = opaline.Renderer(made).render(16, 16, antialias=1, specular=False)["radiance"]
+        np.testing.assert_allclose(behind[8, 8, :3] * np.pi, (0.25, 0.5, 0), atol=1e-3)
+
     def test_normals_are_those_given(self):
         # Turned by 60 degrees from the light: half as bright.
         tilted = np.tile((np.sin(np.pi / 3), 0, 0.5), (4, 1)) * 7

@@ -312,6 +312,56 @@ TEST(OpaqueTruthTest, AGroundCountsForNoSize) {
   EXPECT_EQ(boxOf(scene).diagonalMm(), alone);
 }
 
+OpaqueMaterial paper(double through, const Rgb& color) {
+  OpaqueMaterial material = mattMaterial({1, 1, 1});
+  material.diffuseTransmission = static_cast<float>(through);
+  material.diffuseTransmissionColor = color;
+  return material;
+}
+
+// Lambert's law on the other side, by paths and by the exact integral's direct light.
+TEST(OpaqueTruthTest, LightGoesThroughASheet) {
+  Scene scene = test::sceneOfBodies({opaqueBody(square({0, 0, 0}, 10), paper(0.4, {1, 0.5F, 0}))});
+  scene.lighting.directional = {{{0.6F, 0, 0.8F}, {3, 3, 3}}};
+  const Colour behind = Eye(scene).radianceFrom({0, 0, -40}, {1, 1, 0}, 1);
+  EXPECT_NEAR(behind[0], 0.4 * 0.8 * 3 / pi, 1e-6);
+  EXPECT_NEAR(behind[1], 0.2 * 0.8 * 3 / pi, 1e-6);
+  EXPECT_EQ(behind[2], 0);
+  EXPECT_NEAR(Eye(scene).radianceFrom({0, 0, 40}, {1, 1, 0}, 1)[2], 0.6 * 0.8 * 3 / pi, 1e-6);
+  const Geometry geometry(scene);
+  const Irradiance irradiance(geometry);
+  const auto hit = geometry.closestHit(Vector{1, 1, -40}, Vector{0, 0, 1});
+  const Look look{hit->point, {0, 0, -1}, true, 0};
+  EXPECT_NEAR(directLightOf(scene, irradiance, look).value[1], 0.2 * 0.8 * 3 / pi, 1e-6);
+}
+
+// In a white furnace a white lantern is not seen, mirror or none, nor is it by a ball inside.
+TEST(OpaqueTruthTest, ALanternIsNotSeenInAWhiteFurnace) {
+  for (const float specular : {0.0F, 1.0F}) {
+    OpaqueMaterial material = paper(0.5, {1, 1, 1});
+    material.specular = specular;
+    material.roughness = 0.4F;
+    Scene scene = test::sceneOfBodies({opaqueBody(test::sphere({0, 0, 0}, 8, 4), material)});
+    scene.lighting.ambient = {1, 1, 1};
+    for (const double across : {0.0, 4.0, 6.0})
+      EXPECT_NEAR(Eye(scene).radianceFrom({across, 0, 60}, {across, 0, 0}, 30'000)[1], 1, 0.015)
+          << specular << " " << across;
+    const Medium white{"white", {1, 1, 1}, {0, 0, 0}, 1.01};
+    scene.bodies.push_back(test::bodyOf(test::sphere({0, 0, 0}, 5, 4), white));
+    Eye eye(scene);
+    eye.tracer().run(60'000);
+    EXPECT_NEAR(fluxThatLeft(eye.tracer()) / (pi * 4 * pi * 25), 1, 0.02) << specular;
+  }
+}
+
+// All the light of a lamp in a white lantern gets out, evenly.
+TEST(OpaqueTruthTest, ALampInALantern) {
+  Scene scene =
+      test::sceneOfBodies({opaqueBody(test::sphere({0, 0, 0}, 10, 4), paper(0.3, {1, 1, 1}))});
+  scene.lighting.points = {{{0, 0, 0}, {100, 100, 100}}};
+  EXPECT_NEAR(Eye(scene).radianceFrom({3, 0, 40}, {3, 0, 0}, 200'000)[0], 1 / pi, 0.01 / pi);
+}
+
 TEST(OpaqueTruthTest, EqualPicturesOnAnyNumberOfThreads) {
   Scene scene =
       test::sceneOfBodies({opaqueBody(test::sphere({0, 0, 0}, 5, 2), luminous(0.1, 0.5))});

@@ -1,8 +1,10 @@
-// Open opaque surfaces, whose two sides see different light.
+// Open opaque surfaces, whose two sides see different light, and what goes through them.
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 
@@ -28,15 +30,17 @@ std::shared_ptr<const Image> skyAbove(float radiance, int height = 32) {
 
 class SheetTest : public RendererTest {
  protected:
-  static RenderOptions options() {
+  RenderOptions options() const {
     RenderOptions options = smallOptions();
     options.transport = Transport::Boundary;
     options.width = options.height = 32;
     options.antialias = 1;
     options.specular = false;
-    options.maxSurfels = 8192;
+    options.maxSurfels = maxSurfels_;
     return options;
   }
+
+  int maxSurfels_ = 8192;
 
   // Level and white, with its front up.
   static Object level(float heightMm, float half = halfMm) {
@@ -59,7 +63,11 @@ class SheetTest : public RendererTest {
     for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   }
 
-  Image irradiance(const Scene& scene) { return render(scene, options(), {Aov::Exitance})[0]; }
+  Image irradiance(const Scene& scene, Site site = Site::Auto) const {
+    RenderOptions how = options();
+    how.site = site;
+    return render(scene, how, {Aov::Exitance})[0];
+  }
 };
 
 TEST_F(SheetTest, ItsUpperSideSeesTheSkyAndItsLowerSideWhatIsBelow) {
@@ -67,13 +75,31 @@ TEST_F(SheetTest, ItsUpperSideSeesTheSkyAndItsLowerSideWhatIsBelow) {
   above.lighting.environment = skyAbove(2);
   Scene below = above;
   below.camera.positionMm = {0, -40, 0};
-  const Image ofAbove = irradiance(above);
-  const Image ofBelow = irradiance(below);
-  int count = forEachCovered(
-      ofAbove, [&](std::size_t i) { EXPECT_NEAR(double{ofAbove.rgba[i]}, 2 * pi, 0.02 * pi); });
-  count += forEachCovered(
-      ofBelow, [&](std::size_t i) { EXPECT_NEAR(double{ofBelow.rgba[i]}, 0, 0.02 * pi); });
-  EXPECT_GT(count, 800);
+  for (const Site site : {Site::Fragment, Site::Vertex}) {
+    const Image ofAbove = irradiance(above, site);
+    const Image ofBelow = irradiance(below, site);
+    int count = forEachCovered(
+        ofAbove, [&](std::size_t i) { EXPECT_NEAR(double{ofAbove.rgba[i]}, 2 * pi, 0.02 * pi); });
+    count += forEachCovered(
+        ofBelow, [&](std::size_t i) { EXPECT_NEAR(double{ofBelow.rgba[i]}, 0, 0.02 * pi); });
+    EXPECT_GT(count, 800);
+  }
+}
+
+// Nor do lamps of either kind shine on the side that is turned from them.
+TEST_F(SheetTest, LampsShineOnOneSideAlone) {
+  Scene scene = seen({level(0)}, {0, 40, 0});
+  scene.lighting.directional = {{{0, 1, 0}, {1, 0, 0}}};
+  scene.lighting.areas = {DiscLight{{0, 30, 0}, {0, -1, 0}, 3, {0, 9, 0}}};
+  for (const Site site : {Site::Fragment, Site::Vertex}) {
+    scene.camera.positionMm = {0, 40, 0};
+    const Vector above = toVector(irradiance(scene, site).pixel(16, 16));
+    EXPECT_NEAR(above[0], 1, 1e-3);
+    EXPECT_NEAR(above[1], 9 * pi * 9 / (9 + 900), 0.01 * pi * 9 * 9 / 909);
+    scene.camera.positionMm = {0, -40, 0};
+    const Vector below = toVector(irradiance(scene, site).pixel(16, 16));
+    EXPECT_EQ(below[0] + below[1], 0);
+  }
 }
 
 // A square that faces another, over its middle (Howell, B-4, four times).
@@ -121,6 +147,155 @@ TEST_F(SheetTest, TurnedOverItIsTheSame) {
     ASSERT_GT(count, 100);
     EXPECT_LT(std::sqrt(squares / count), 0.01 * sum / count) << camera[0];
   }
+}
+
+/// Sheets that let light through.
+class TransmissionTest : public SheetTest {
+ protected:
+  TransmissionTest() { maxSurfels_ = 2048; }
+
+  static OpaqueMaterial leaf(const Rgb& base, float through, const Rgb& color) {
+    OpaqueMaterial material = mattMaterial(base);
+    material.diffuseTransmission = through;
+    material.diffuseTransmissionColor = color;
+    return material;
+  }
+
+  static Object leafAt(float heightMm, const OpaqueMaterial& material, float half = halfMm) {
+    Object object = level(heightMm, half);
+    object.opaque = material;
+    return object;
+  }
+
+  static Object ball(const OpaqueMaterial& material) {
+    Object object{.name = "ball", .mesh = sphere({0, 0, 0}, halfMm, 3), .medium = marble()};
+    object.opaque = material;
+    return object;
+  }
+
+  static void expectMiddle(const Image& image, const Vector& expected, double tolerance) {
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(double{image.pixel(16, 16)[c]}, expected[c], tolerance * expected[c] + 1e-6) << c;
+  }
+};
+
+// Lambert's law: of E, (1 - t) times the base colour leaves the side that the lamp is on, and t
+// times the colour of transmission the other.
+TEST_F(TransmissionTest, LightOfALampLeavesBothSides) {
+  for (const bool turned : {false, true}) {
+    Object sheet = leafAt(0, leaf({0.5F, 0.25F, 1}, 0.4F, {0.25F, 1, 0.5F}));
+    if (turned) turnOver(sheet.mesh);
+    Scene scene = seen({sheet}, {0, 40, 0});
+    scene.lighting.directional = {{{0.6F, 0.8F, 0}, {3, 2, 1}}};
+    Scene below = scene;
+    below.camera.positionMm = {0, -40, 0};
+    for (const Site site : {Site::Fragment, Site::Vertex}) {
+      expectMiddle(irradiance(scene, site), {0.6 * 0.5 * 2.4, 0.6 * 0.25 * 1.6, 0.6 * 1 * 0.8},
+                   1e-4);
+      expectMiddle(irradiance(below, site), {0.4 * 0.25 * 2.4, 0.4 * 1 * 1.6, 0.4 * 0.5 * 0.8},
+                   1e-4);
+    }
+  }
+}
+
+// What the dielectric layer mirrors towards the camera is taken from both.
+TEST_F(TransmissionTest, RadianceIsThatOfTheExitanceLessTheMirror) {
+  Scene scene = seen({leafAt(0, leaf({0, 0, 0}, 1, {1, 1, 1}))}, {0, -40, 0});
+  scene.lighting.directional = {{{0, 1, 0}, {1, 1, 1}}};
+  RenderOptions how = options();
+  expectMiddle(render(scene, how, {Aov::Radiance})[0], {1 / pi, 1 / pi, 1 / pi}, 1e-4);
+  how.specular = true;
+  scene.objects[0].opaque->specular = 1;
+  scene.objects[0].opaque->roughness = 0.1F;
+  expectMiddle(render(scene, how, {Aov::Radiance})[0], {0.96 / pi, 0.96 / pi, 0.96 / pi}, 0.001);
+}
+
+TEST_F(TransmissionTest, LightOfTheSkyAndOfAreaLightsGoesThrough) {
+  Scene scene = seen({leafAt(0, leaf({0, 0, 0}, 0.5F, {1, 0.5F, 0}))}, {0, -40, 0});
+  scene.lighting.environment = skyAbove(2);
+  const double sky = 2 * pi;
+  for (const Site site : {Site::Fragment, Site::Vertex})
+    expectMiddle(irradiance(scene, site), {0.5 * sky, 0.25 * sky, 0}, 0.01);
+  // A disc over the middle: E = π L r² / (r² + h²).
+  scene.lighting = {};
+  scene.lighting.areas = {DiscLight{{0, 4, 0}, {0, -1, 0}, 3, {9, 9, 9}}};
+  const double disc = pi * 9 * 9 / 25;
+  for (const Site site : {Site::Fragment, Site::Vertex})
+    expectMiddle(irradiance(scene, site), {0.5 * disc, 0.25 * disc, 0}, 0.02);
+}
+
+// The factor is multiplied by alpha, the colour by a picture in sRGB, in which .7354 is a half.
+TEST_F(TransmissionTest, TexturesVaryShareAndColor) {
+  const auto texel = [](const std::array<std::uint16_t, 4>& rgba) {
+    Texture texture;
+    texture.pixels = std::make_shared<const TexturePixels>(
+        TexturePixels{.width = 1, .height = 1, .rgba = {rgba.begin(), rgba.end()}, .name = {}});
+    return texture;
+  };
+  OpaqueMaterial material = leaf({1, 1, 1}, 1, {1, 1, 0.5F});
+  material.diffuseTransmissionTexture = texel({0, 0, 0, 16384});
+  material.diffuseTransmissionColorTexture = texel({65535, 48195, 65535, 65535});
+  Scene scene = seen({leafAt(0, material)}, {0, -40, 0});
+  Mesh& mesh = scene.objects[0].mesh;
+  mesh.textureCoordinates[0].resize(mesh.positionsMm.size());
+  scene.lighting.directional = {{{0, 1, 0}, {1, 1, 1}}};
+  expectMiddle(irradiance(scene), {0.25, 0.125, 0.125}, 0.002);
+  scene.camera.positionMm = {0, 40, 0};
+  expectMiddle(irradiance(scene), {0.75, 0.75, 0.75}, 0.002);
+}
+
+// A roof that mirrors nothing, in the light of a lamp above, shines on a dark floor in its shadow
+// as a luminous square does (Howell, B-4, four times).
+TEST_F(TransmissionTest, WhatGoesThroughLightsOthers) {
+  Object floor = level(-5, 1);
+  floor.opaque = mattMaterial({0.01F, 0.01F, 0.01F});
+  Scene scene = seen({leafAt(0, leaf({0, 0, 0}, 0.5F, {1, 0.5F, 0.25F})), floor}, {0, -2, 0});
+  scene.camera.targetMm = {0, -5, 0};
+  scene.lighting.directional = {{{0, 1, 0}, {1, 1, 1}}};
+  const double x = 2;
+  const double root = std::sqrt(1 + x * x);
+  const double expected = 0.01 * 0.5 * 4 * x / root * std::atan(x / root) / pi;
+  expectMiddle(irradiance(scene), {expected, 0.5 * expected, 0.25 * expected}, 0.03);
+}
+
+// A closed paper lantern, white: whatever light goes in comes out.
+TEST_F(TransmissionTest, AWhiteLanternLosesNoLight) {
+  for (const float through : {0.5F, 0.8F}) {
+    Scene scene = seen({ball(leaf({1, 1, 1}, through, {1, 1, 1}))}, {0, 0, 60});
+    scene.camera.up = {0, 1, 0};
+    scene.lighting.points = {{{0, 0, 0}, {700, 700, 700}}};
+    // Of even light from inside, all that ever gets out leaves evenly.
+    const double expected = 700.0 / (halfMm * halfMm);
+    const Image lit = irradiance(scene);
+    const int count = forEachCovered(lit, [&](std::size_t i) {
+      EXPECT_NEAR(double{lit.rgba[i]}, expected, 0.03 * expected) << through;
+    });
+    EXPECT_GT(count, 300);
+  }
+}
+
+TEST_F(TransmissionTest, AWhiteLanternInAWhiteFurnaceIsInvisible) {
+  Scene scene = seen({ball(leaf({1, 1, 1}, 0.6F, {1, 1, 1}))}, {0, 0, 60});
+  scene.camera.up = {0, 1, 0};
+  scene.lighting.ambient = {1, 1, 1};
+  const Image lit = irradiance(scene);
+  const int count =
+      forEachCovered(lit, [&](std::size_t i) { EXPECT_NEAR(double{lit.rgba[i]}, pi, 0.015 * pi); });
+  EXPECT_GT(count, 300);
+}
+
+// An edit may let light through a body that was closed to it.
+TEST_F(TransmissionTest, AClosedBodyMayBecomeALantern) {
+  Scene scene = seen({ball(mattMaterial({1, 1, 1}))}, {0, 0, 60});
+  scene.camera.up = {0, 1, 0};
+  scene.lighting.points = {{{0, 0, 0}, {700, 700, 700}}};
+  EXPECT_EQ(double{irradiance(scene).pixel(16, 16)[0]}, 0);
+  Material lantern = materialOf(scene.objects[0]);
+  lantern.opaque = leaf({1, 1, 1}, 0.5F, {1, 1, 1});
+  renderer().setMaterial(0, lantern);
+  const Image edited = render(options(), {Aov::Exitance})[0];
+  giveMaterial(lantern, scene.objects[0]);
+  EXPECT_EQ(edited.rgba, irradiance(scene).rgba);
 }
 
 }  // namespace

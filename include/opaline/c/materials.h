@@ -80,7 +80,7 @@ OPALINE_API OpalineStatus opalineDefaultSurface(OpalineSurface* surface);
 OPALINE_API OpalineStatus opalineSetObjectSurface(OpalineScene* scene, size_t object,
                                                   const OpalineSurface* surface);
 
-/// A surface that lets no light in; see OpaqueMaterial. Textures may be NULL.
+/// A surface without an inside; see OpaqueMaterial. Textures may be NULL.
 typedef struct OpalineOpaqueMaterial {
   size_t size;  ///< sizeof(OpalineOpaqueMaterial)
   float baseColor[3];
@@ -102,6 +102,10 @@ typedef struct OpalineOpaqueMaterial {
   const OpalineTexture* normalTexture;
   const OpalineTexture* occlusionTexture;
   const OpalineTexture* emissionTexture;
+  float diffuseTransmission;
+  float diffuseTransmissionColor[3];
+  const OpalineTexture* diffuseTransmissionTexture;
+  const OpalineTexture* diffuseTransmissionColorTexture;
 } OpalineOpaqueMaterial;
 
 /// Fills a struct whose size has been set.

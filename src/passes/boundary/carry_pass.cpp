@@ -60,8 +60,8 @@ void CarryPass::overVertices(gpu::CommandList& commands, ScatterSite site, Scene
                  .objectOf = vertices.objectOf,
                  .order = vertices.order,
                  .vertexExitances = vertices.exitances},
-                {.vertexCount = vertices.count, .site = site});
-  commands.dispatchLinear(vertices.count, roundsOfWalk);
+                {.vertexCount = vertices.count, .sides = tables.sidesOfVertices(), .site = site});
+  commands.dispatchLinear(tables.sidesOfVertices() * vertices.count, roundsOfWalk);
   commands.endPass();
 }
 

@@ -37,15 +37,17 @@ void OpaqueLightsPass::overVertices(gpu::CommandList& commands, const Inputs& in
                  .objectOf = vertices.objectOf,
                  .irradiances = vertices.exitances},
                 {.vertexCount = vertices.count,
+                 .sides = inputs.tables.sidesOfVertices(),
                  .site = site,
                  .nodeCount = inputs.surfels.tree.nodeCount,
                  .piecesPerSurfel = inputs.surfels.piecesPerSurfel});
-  commands.dispatchLinear(vertices.count, raysOfVertex * inputs.areaLights * roundsOfWalk);
+  commands.dispatchLinear(inputs.tables.sidesOfVertices() * vertices.count,
+                          raysOfVertex * inputs.areaLights * roundsOfWalk);
   commands.endPass();
 }
 
 void OpaqueLightsPass::overFragments(gpu::CommandList& commands, const Inputs& inputs,
-                                     ScatterSite site, std::uint32_t firstRow,
+                                     ScatterSite site, Side side, std::uint32_t firstRow,
                                      const SeenSurfaces& seen) const {
   VisibleSurfaces& surfaces = seen.surfaces;
   commands.beginPass("lights on opaque");
@@ -67,7 +69,8 @@ void OpaqueLightsPass::overFragments(gpu::CommandList& commands, const Inputs& i
                    .piecesPerSurfel = inputs.surfels.piecesPerSurfel,
                    .firstRow = firstRow,
                    .rows = surfaces.rowsFrom(firstRow),
-                   .round = round});
+                   .round = round,
+                   .behind = side == Side::Other});
   }
   commands.endPass();
 }

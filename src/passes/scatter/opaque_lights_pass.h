@@ -31,8 +31,10 @@ class OpaqueLightsPass {
   /// Where the site is the vertices.
   void overVertices(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
                     const Places& vertices) const;
-  /// Where it is the fragments.
-  void overFragments(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
+  /// Of surfaces the side that pixels see, or the other one of those that let light through.
+  enum class Side { Seen, Other };
+  /// Where it is the fragments. What falls on the other side goes to SeenMaterial::behind.
+  void overFragments(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site, Side side,
                      std::uint32_t firstRow, const SeenSurfaces& seen) const;
 
  private:

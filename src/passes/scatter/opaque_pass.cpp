@@ -15,7 +15,8 @@ OpaquePass::OpaquePass(gpu::Device& device)
       shares_(device, "shares of opaque clusters"),
       clusters_(device, "opaque clusters"),
       vertices_(device, "opaque vertices"),
-      fragments_(device, "opaque fragments") {}
+      fragments_(device, "opaque fragments"),
+      behind_(device, "behind opaque fragments") {}
 
 void OpaquePass::makeShares(gpu::Device& device, Surfels& surfels, Clusters& clusters,
                             OpaqueTables& opaque, SceneTables& tables) const {
@@ -87,17 +88,18 @@ void OpaquePass::overClusters(gpu::CommandList& commands, const Inputs& inputs, 
 void OpaquePass::overVertices(gpu::CommandList& commands, const Inputs& inputs, ScatterSite site,
                               const Places& vertices) const {
   commands.beginPass("opaque");
-  commands.bind(vertices_,
-                {.frame = inputs.frame.data,
-                 .positions = vertices.positions,
-                 .normals = vertices.normals,
-                 .objects = inputs.tables.objects,
-                 .media = inputs.tables.media,
-                 .shadowMaps = {inputs.shadows.depth, nearest_},
-                 .objectOf = vertices.objectOf,
-                 .irradiances = vertices.exitances},
-                {.vertexCount = vertices.count, .site = site});
-  commands.dispatchLinear(vertices.count);
+  commands.bind(
+      vertices_,
+      {.frame = inputs.frame.data,
+       .positions = vertices.positions,
+       .normals = vertices.normals,
+       .objects = inputs.tables.objects,
+       .media = inputs.tables.media,
+       .shadowMaps = {inputs.shadows.depth, nearest_},
+       .objectOf = vertices.objectOf,
+       .irradiances = vertices.exitances},
+      {.vertexCount = vertices.count, .sides = inputs.tables.sidesOfVertices(), .site = site});
+  commands.dispatchLinear(inputs.tables.sidesOfVertices() * vertices.count);
   commands.endPass();
 }
 
@@ -114,6 +116,23 @@ void OpaquePass::overFragments(gpu::CommandList& commands, const Inputs& inputs,
                  .shadowMaps = {inputs.shadows.depth, nearest_},
                  .materials = seen.surfaces.materials},
                 {.first = 0, .site = site});
+  commands.endPass();
+}
+
+void OpaquePass::behindFragments(gpu::CommandList& commands, const Inputs& inputs,
+                                 Clusters& clusters, const SeenSurfaces& seen) const {
+  commands.beginPass("opaque");
+  dispatchParts(commands, seen.surfaces, behind_,
+                {.listedPlaces = listedPlaces(seen, nearest_),
+                 .objects = inputs.tables.objects,
+                 .media = inputs.tables.media,
+                 .shadowMaps = {inputs.shadows.depth, nearest_},
+                 .clusters = clusters.clusters,
+                 .clusterNodes = clusters.nodes,
+                 .exitances = clusters.exitances,
+                 .means = clusters.means,
+                 .materials = seen.surfaces.materials},
+                {.first = 0});
   commands.endPass();
 }
 

@@ -6,6 +6,7 @@
 #include "shaders/boundary/cut_pieces.comp.h"
 #include "shaders/boundary/opaque.comp.h"
 #include "shaders/boundary/opaque_shares.comp.h"
+#include "shaders/scatter/light_behind.comp.h"
 #include "shaders/scatter/opaque_fragments.comp.h"
 #include "shaders/scatter/opaque_vertices.comp.h"
 
@@ -49,6 +50,9 @@ class OpaquePass {
   /// And what the surfaces are made of.
   void overFragments(gpu::CommandList& commands, const Inputs& inputs, OpaqueTables& opaque,
                      ScatterSite site, const SeenSurfaces& seen) const;
+  /// All light on the other side of what lets light through, but that of area lights.
+  void behindFragments(gpu::CommandList& commands, const Inputs& inputs, Clusters& clusters,
+                       const SeenSurfaces& seen) const;
 
  private:
   gpu::Sampler nearest_;
@@ -57,6 +61,7 @@ class OpaquePass {
   gpu::Compute<shaders::BoundaryOpaque> clusters_;
   gpu::Compute<shaders::ScatterOpaqueVertices> vertices_;
   gpu::Compute<shaders::ScatterOpaqueFragments> fragments_;
+  gpu::Compute<shaders::ScatterLightBehind> behind_;
 };
 
 }  // namespace opaline::passes

@@ -36,7 +36,7 @@ void CentresPass::record(gpu::CommandList& commands, const SeenSurfaces& seen, S
                  .light = surfaces.light,
                  .objects = tables.objects,
                  .materials = surfaces.materials},
-                {.atFragments = atFragments});
+                {.atFragments = atFragments, .vertexCount = seen.mesh.vertexCount});
   commands.endPass();
 }
 

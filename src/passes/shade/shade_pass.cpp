@@ -67,7 +67,9 @@ void ShadePass::recordOpaque(gpu::CommandList& commands, const Inputs& inputs, O
                  .shadowMaps = {inputs.shadows.depth, nearest_},
                  .glossySky = {inputs.sky.glossy, linear_},
                  .gloss = opaque.gloss},
-                {.atFragments = inputs.atFragments, .specular = inputs.specular});
+                {.atFragments = inputs.atFragments,
+                 .specular = inputs.specular,
+                 .vertexCount = seen.mesh.vertexCount});
   commands.endPass();
 }
 

@@ -317,8 +317,16 @@ struct FrameContext {
     }
     if (carriesOpaque()) {
       passes.opaque.overFragments(commands, ofOpaque(), scene.opaque, site(), seen());
+      using Side = passes::OpaqueLightsPass::Side;
       if (plan.areaLights > 0 && atFragments())
-        passes.opaqueLights.overFragments(commands, onOpaque(scene), site(), firstRow, seen());
+        passes.opaqueLights.overFragments(commands, onOpaque(scene), site(), Side::Seen, firstRow,
+                                          seen());
+      if (plan.letsThrough && atFragments()) {
+        passes.opaque.behindFragments(commands, ofOpaque(), scene.clusters, seen());
+        if (plan.areaLights > 0)
+          passes.opaqueLights.overFragments(commands, onOpaque(scene), site(), Side::Other,
+                                            firstRow, seen());
+      }
     }
     if (!onSurfelsAtFragments()) return;
     if (carries()) carryWhereAsked(passes::Asked::Knots, scene);

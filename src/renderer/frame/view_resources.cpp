@@ -89,11 +89,15 @@ void ViewResources::makeBackdrop(const FramePlan& plan, const EditedScene& edite
 }
 
 void ViewResources::makeExitance(const SceneResources& scene) {
-  made_.exitance.vertices = gpu::Buffer(
-      device_, {.name = "exitance of vertices",
-                .bytes = std::max<std::size_t>(scene.mesh.vertexCount, 1) * sizeof(shared::vec4),
-                .usage = passes::roomUsage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
-                .lent = true});
+  // Sheets have irradiance on either side, and any opaque body may become one that lets light
+  // through.
+  const std::size_t sides = scene.hasOpaque() ? 2 : 1;
+  const std::size_t count = std::max<std::size_t>(sides * scene.mesh.vertexCount, 1);
+  made_.exitance.vertices =
+      gpu::Buffer(device_, {.name = "exitance of vertices",
+                            .bytes = count * sizeof(shared::vec4),
+                            .usage = passes::roomUsage | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                            .lent = true});
 }
 
 void ViewResources::makeImages(const RenderOptions& options) {

@@ -43,6 +43,12 @@ double longestInAnyClipMm(const Scene& scene, std::size_t object) {
 constexpr double opaqueSpacing = 0.01;
 constexpr double opaqueCluster = 0.03;
 
+// Whether light falls on both sides of its surface.
+bool hasBack(const Scene& scene, const Insides& insides, std::size_t object) {
+  return scene.objects[object].opaque &&
+         (insides.objectIsOpen[object] || scene::letsLightThrough(scene, object));
+}
+
 constexpr const char* noRoom = "this device has no room for more";
 
 std::string cureOfClusters(const Division& division, const DeviceRoom& room) {
@@ -86,7 +92,7 @@ DivisionOrder divisionFor(const Scene& scene, const Insides& insides, std::size_
                                       : insides.objectHasInside[i]
                                           ? clusterInFreePaths * longestInAnyClipMm(scene, i)
                                           : infinity,
-                                      insides.objectIsSheet[i]});
+                                      hasBack(scene, insides, i)});
   return order;
 }
 

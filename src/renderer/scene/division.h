@@ -27,7 +27,7 @@ struct DivisionOrder {
 /// Of each object; only known where there are clusters.
 struct Insides {
   std::vector<bool> objectHasInside;  ///< it is translucent, and some part of it closed
-  std::vector<bool> objectIsSheet;    ///< it is opaque, and some part of it open: it has a back
+  std::vector<bool> objectIsOpen;     ///< some part of it is
 };
 
 /// Clusters where `maxClusters` says so; only then are insides asked for.

@@ -39,10 +39,11 @@ float headOnReflectance(float ior) {
 // Where a shader finds each texture of a material, in the order of texturesOfMaterial.
 constexpr std::array<shared::TextureData shared::OpaqueData::*, texturesOfMaterial.size()>
     placesOfTextures{
-        &shared::OpaqueData::baseColorTexture, &shared::OpaqueData::metallicRoughnessTexture,
-        &shared::OpaqueData::specularTexture,  &shared::OpaqueData::specularColorTexture,
-        &shared::OpaqueData::normalTexture,    &shared::OpaqueData::occlusionTexture,
-        &shared::OpaqueData::emissionTexture};
+        &shared::OpaqueData::baseColorTexture,   &shared::OpaqueData::metallicRoughnessTexture,
+        &shared::OpaqueData::specularTexture,    &shared::OpaqueData::specularColorTexture,
+        &shared::OpaqueData::normalTexture,      &shared::OpaqueData::occlusionTexture,
+        &shared::OpaqueData::emissionTexture,    &shared::OpaqueData::throughTexture,
+        &shared::OpaqueData::throughColorTexture};
 
 shared::OpaqueData dataOf(const OpaqueMaterial& material, bool hasAttributes,
                           TexturePacker& packer) {
@@ -136,6 +137,7 @@ void setNumbers(const OpaqueMaterial& material, shared::OpaqueData& data) {
                   material.specular};
   data.specularColor = rgb(material.specularColor, material.normalScale);
   data.rest.x = material.occlusionStrength;
+  data.through = rgb(material.diffuseTransmissionColor, material.diffuseTransmission);
   for (std::size_t i = 0; i < texturesOfMaterial.size(); ++i)
     if (const auto& texture = material.*texturesOfMaterial[i].texture)
       TexturePacker::setTransform(*texture, data.*placesOfTextures[i]);

@@ -72,9 +72,11 @@ void listMedia(const Scene& scene, SceneResources& resources) {
   resources.surfaceOfMedium.clear();
   resources.materialOfMedium.clear();
   resources.mediumOfObject.clear();
+  resources.letsLightThrough.clear();
   std::vector<bool> shared;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
+    resources.letsLightThrough.push_back(scene::letsLightThrough(scene, i));
     const bool alone = scene::changesMaterial(scene, i);
     std::uint32_t found = 0;
     const auto end = static_cast<std::uint32_t>(resources.media.size());
@@ -211,7 +213,7 @@ void findInsides(const Scene& scene, SceneResources& resources, const LogCallbac
     const bool any = std::find(inside.begin(), inside.end(), true) != inside.end();
     const bool isOpen = std::find(inside.begin(), inside.end(), false) != inside.end();
     resources.insides.objectHasInside.push_back(any && !object.opaque);
-    resources.insides.objectIsSheet.push_back(isOpen && object.opaque);
+    resources.insides.objectIsOpen.push_back(isOpen);
     if (object.opaque) {
       all.insert(all.end(), inside.size(), false);
       continue;
@@ -296,6 +298,11 @@ bool SceneResources::hasInside() const {
 
 bool SceneResources::isOpaque(std::size_t object) const {
   return opaqueOfMedium[mediumOfObject[object]].has_value();
+}
+
+bool SceneResources::hasOpaque() const {
+  return std::any_of(opaqueOfMedium.begin(), opaqueOfMedium.end(),
+                     [](const auto& opaque) { return opaque.has_value(); });
 }
 
 bool SceneResources::hasOwnNormals(std::size_t object) const {

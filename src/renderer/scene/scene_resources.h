@@ -80,12 +80,14 @@ struct SceneResources {
   std::vector<SizeOfObject> sizeOfObject;
   passes::BodyKinds kinds;  ///< these two where clusters are needed
   Insides insides;
+  std::vector<bool> letsLightThrough;    ///< of objects, in some clip
   DivisionOrder divided;                 ///< that the surfels were made for
   std::optional<paper::FlatScene> flat;  ///< none until the paper's map is asked for
 
   /// Whether any object has, so that boundary transport is of use.
   bool hasInside() const;
   bool isOpaque(std::size_t object) const;
+  bool hasOpaque() const;
   bool isPainted(std::size_t object) const;
   bool hasOwnNormals(std::size_t object) const;
 };

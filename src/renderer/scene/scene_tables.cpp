@@ -231,7 +231,7 @@ std::vector<shared::ObjectData> makeObjects(const SceneResources& resources, Tra
     const bool isOpaque = resources.isOpaque(i);
     const bool carries = isOpaque || (surfels.hasInside && transport == Transport::Boundary);
     objects[i].clusters = {surfels.clusterRoot, surfels.clusterEndNode, carries ? 1U : 0U,
-                           isOpaque ? 1U : 0U};
+                           isOpaque ? (resources.letsLightThrough[i] ? 2U : 1U) : 0U};
     setMediumOf(resources, i, resources.media[resources.mediumOfObject[i]], transport, objects[i]);
   }
   return objects;
@@ -281,6 +281,9 @@ passes::SceneTables makeSceneTables(gpu::Device& device, const SceneResources& r
   tables.paint.entries = gpu::makeBuffer(device, "paints", builder.paints(), storage);
   tables.surfaces.any = builder.hasOwnSurfaces();
   tables.surfaces.anyNormals = builder.hasOwnNormals();
+  tables.anyBacks =
+      std::any_of(resources.surfelsOfObject.begin(), resources.surfelsOfObject.end(),
+                  [](const SurfelsOfObject& surfels) { return surfels.backClusters > 0; });
   tables.etas = builder.etas();
   return tables;
 }

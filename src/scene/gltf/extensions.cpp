@@ -13,12 +13,13 @@ namespace opaline::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 16> read{"EXT_mesh_gpu_instancing",
+constexpr std::array<std::string_view, 17> read{"EXT_mesh_gpu_instancing",
                                                 "EXT_meshopt_compression",
                                                 "EXT_texture_webp",
                                                 "KHR_animation_pointer",
                                                 "KHR_draco_mesh_compression",
                                                 "KHR_lights_punctual",
+                                                "KHR_materials_diffuse_transmission",
                                                 "KHR_materials_emissive_strength",
                                                 "KHR_materials_ior",
                                                 "KHR_materials_scatter",
@@ -30,10 +31,9 @@ constexpr std::array<std::string_view, 16> read{"EXT_mesh_gpu_instancing",
                                                 "KHR_meshopt_compression",
                                                 "KHR_texture_transform"};
 
-constexpr std::array<std::string_view, 17> appearance{"EXT_texture_avif",
+constexpr std::array<std::string_view, 16> appearance{"EXT_texture_avif",
                                                       "KHR_materials_anisotropy",
                                                       "KHR_materials_clearcoat",
-                                                      "KHR_materials_diffuse_transmission",
                                                       "KHR_materials_dispersion",
                                                       "KHR_materials_iridescence",
                                                       "KHR_materials_pbrSpecularGlossiness",

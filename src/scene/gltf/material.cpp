@@ -46,6 +46,21 @@ void readSpecular(const tinygltf::Material& of, GltfTextures& textures, OpaqueMa
     material.specularColorTexture = textures.texture(specular.Get("specularColorTexture"));
 }
 
+void readDiffuseTransmission(const tinygltf::Material& of, GltfTextures& textures,
+                             OpaqueMaterial& material) {
+  const tinygltf::Value& through = gltfExtension(of, "KHR_materials_diffuse_transmission");
+  material.diffuseTransmission =
+      within(gltfNumber(through, "diffuseTransmissionFactor").value_or(0), 0, 1);
+  if (const auto tint = gltfNumbers<3>(through, "diffuseTransmissionColorFactor"))
+    material.diffuseTransmissionColor = color({(*tint)[0], (*tint)[1], (*tint)[2]});
+  if (through.Has("diffuseTransmissionTexture"))
+    material.diffuseTransmissionTexture =
+        textures.texture(through.Get("diffuseTransmissionTexture"));
+  if (through.Has("diffuseTransmissionColorTexture"))
+    material.diffuseTransmissionColorTexture =
+        textures.texture(through.Get("diffuseTransmissionColorTexture"));
+}
+
 /// What is blended is shown where it is more there than not.
 float cutoffOf(const tinygltf::Material& of) {
   if (of.alphaMode == "MASK") return within(of.alphaCutoff, 0, 1);
@@ -76,6 +91,7 @@ OpaqueMaterial GltfMaterials::read(const tinygltf::Material& of) {
   material.unlit = of.extensions.find("KHR_materials_unlit") != of.extensions.end();
   readEmission(of, material);
   readSpecular(of, textures_, material);
+  readDiffuseTransmission(of, textures_, material);
   return material;
 }
 

@@ -29,17 +29,16 @@ bool isBlack(const std::vector<double>& factor) {
   return std::all_of(factor.begin(), factor.end(), [](double c) { return c == 0; });
 }
 
-/// Whether the object's medium comes of these extensions.
-bool isRead(const tinygltf::Material& material, std::string_view extension) {
+/// Whether the object looks as this extension says.
+bool isRead(const tinygltf::Material& material, bool isTranslucent, std::string_view extension) {
   if (extension == "KHR_materials_volume" || extension == "KHR_materials_volume_scatter" ||
       extension == "KHR_materials_scatter") {
     return saysMediumByVolume(material);
   }
   // What goes through a medium goes through it by scattering.
-  if (extension == "KHR_materials_transmission" ||
-      extension == "KHR_materials_diffuse_transmission") {
-    return saysMediumByVolume(material);
-  }
+  if (extension == "KHR_materials_transmission") return saysMediumByVolume(material);
+  if (extension == "KHR_materials_diffuse_transmission")
+    return !isTranslucent || saysMediumByVolume(material);
   return kindOf(extension) == GltfExtension::Read;
 }
 
@@ -115,7 +114,8 @@ void addMaterial(const tinygltf::Material& material, bool isTranslucent, const s
   // Its surface ends where it is less there than not.
   if (material.alphaMode == "BLEND") addNotShown(to, "blended alpha", name);
   for (const auto& [extension, value] : material.extensions) {
-    if (!isRead(material, extension)) addNotShown(to, cleanText(extension, 60), name);
+    if (!isRead(material, isTranslucent, extension))
+      addNotShown(to, cleanText(extension, 60), name);
   }
 }
 

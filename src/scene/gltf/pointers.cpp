@@ -15,7 +15,7 @@ struct Property {
   std::size_t width;
 };
 
-constexpr std::array<Property, 19> ofMaterials{
+constexpr std::array<Property, 21> ofMaterials{
     {{"alphaCutoff", 1},
      {"emissiveFactor", 3},
      {"normalTexture/scale", 1},
@@ -23,6 +23,8 @@ constexpr std::array<Property, 19> ofMaterials{
      {"pbrMetallicRoughness/baseColorFactor", 4},
      {"pbrMetallicRoughness/metallicFactor", 1},
      {"pbrMetallicRoughness/roughnessFactor", 1},
+     {"extensions/KHR_materials_diffuse_transmission/diffuseTransmissionColorFactor", 3},
+     {"extensions/KHR_materials_diffuse_transmission/diffuseTransmissionFactor", 1},
      {"extensions/KHR_materials_emissive_strength/emissiveStrength", 1},
      {"extensions/KHR_materials_ior/ior", 1},
      {"extensions/KHR_materials_scatter/multiscatterColorFactor", 3},
@@ -36,12 +38,14 @@ constexpr std::array<Property, 19> ofMaterials{
      {"extensions/KHR_materials_volume_scatter/multiscatterColorFactor", 3},
      {"extensions/KHR_materials_volume_scatter/scatterAnisotropy", 1}}};
 
-constexpr std::array<std::string_view, 7> textures{
+constexpr std::array<std::string_view, 9> textures{
     "pbrMetallicRoughness/baseColorTexture",
     "pbrMetallicRoughness/metallicRoughnessTexture",
     "normalTexture",
     "occlusionTexture",
     "emissiveTexture",
+    "extensions/KHR_materials_diffuse_transmission/diffuseTransmissionTexture",
+    "extensions/KHR_materials_diffuse_transmission/diffuseTransmissionColorTexture",
     "extensions/KHR_materials_specular/specularTexture",
     "extensions/KHR_materials_specular/specularColorTexture"};
 

@@ -18,7 +18,7 @@ inline constexpr Keys<2> ground{"color", "height_mm"};
 inline constexpr Keys<8> model{"file",      "diagonal_mm",    "morph_to",         "medium",
                                "transform", "translation_mm", "rotation_degrees", "scale"};
 inline constexpr Keys<5> medium{"measured", "sigma_s_per_mm", "sigma_a_per_mm", "eta", "g"};
-inline constexpr Keys<21> material{"kind",
+inline constexpr Keys<25> material{"kind",
                                    "medium",
                                    "color",
                                    "color_texture",
@@ -38,11 +38,26 @@ inline constexpr Keys<21> material{"kind",
                                    "normal_scale",
                                    "occlusion_texture",
                                    "emission",
-                                   "emission_texture"};
-inline constexpr Keys<13> object{
-    "medium",   "material",     "transform", "translation_mm", "rotation_degrees",
-    "scale",    "base_color",   "metallic",  "roughness",      "specular",
-    "emission", "normal_scale", "paint"};
+                                   "emission_texture",
+                                   "diffuse_transmission",
+                                   "diffuse_transmission_texture",
+                                   "diffuse_transmission_color",
+                                   "diffuse_transmission_color_texture"};
+inline constexpr Keys<15> object{"medium",
+                                 "material",
+                                 "transform",
+                                 "translation_mm",
+                                 "rotation_degrees",
+                                 "scale",
+                                 "base_color",
+                                 "metallic",
+                                 "roughness",
+                                 "specular",
+                                 "emission",
+                                 "normal_scale",
+                                 "paint",
+                                 "diffuse_transmission",
+                                 "diffuse_transmission_color"};
 inline constexpr Keys<3> deform{"kind", "amount", "period_seconds"};
 inline constexpr Keys<4> directional{"type", "direction_to_light", "irradiance",
                                      "angular_radius_degrees"};

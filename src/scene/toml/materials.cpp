@@ -95,6 +95,7 @@ class MaterialReader {
     if (table_.has("base_color_texture")) material.baseColor = {1, 1, 1};
     if (table_.has("metallic_roughness_texture")) material.metallic = 1;
     if (table_.has("emission_texture")) material.emission = {1, 1, 1};
+    if (table_.has("diffuse_transmission_texture")) material.diffuseTransmission = 1;
     made_.source.opaque.applyTo(material);
     for (const TextureOfMaterial& of : texturesOfMaterial)
       material.*of.texture = texture(keyOf(of));

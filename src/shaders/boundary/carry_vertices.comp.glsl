@@ -1,4 +1,5 @@
-// Corrects the exitance of vertices, for objects whose light is summed there.
+// Corrects the exitance of vertices, for objects whose light is summed there; that of the backs of sheets follows the
+// others.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -20,18 +21,21 @@ layout(std430, set = 0, binding = 10) buffer VertexExitances { vec4 vertexExitan
 
 layout(push_constant) uniform Push {
   uint vertexCount;
+  uint sides;  // of bodies with a back
   uint site;
 };
 
 void main() {
   uint i = linearIndex();
-  bool inside = i < vertexCount;
-  uint vertex = inside ? order[i] : 0u;
+  bool inside = i < sides * vertexCount;
+  bool back = inside && i >= vertexCount;
+  uint vertex = inside ? order[back ? i - vertexCount : i] : 0u;
+  uint at = back ? vertexCount + vertex : vertex;
   ObjectData body = objects[objectOf[vertex]];
-  bool here = inside && body.clusters.z != 0u && !isSummedAtFragments(body, site);
-  vec4 known = vertexExitances[vertex];
-  vec3 better = corrected(known.rgb, positions[vertex].xyz, normals[vertex].xyz,
+  bool here = inside && body.clusters.z != 0u && !isSummedAtFragments(body, site) && (!back || hasBack(body));
+  vec4 known = vertexExitances[at];
+  vec3 better = corrected(known.rgb, positions[vertex].xyz, back ? -normals[vertex].xyz : normals[vertex].xyz,
                           insideOf(body), isOpaque(body), false,
                           here ? body.clusters.x : noNode, body.clusters.y);
-  if (here) vertexExitances[vertex] = vec4(better, known.a);
+  if (here) vertexExitances[at] = vec4(better, known.a);
 }

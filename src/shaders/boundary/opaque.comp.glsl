@@ -1,5 +1,5 @@
-// What opaque clusters give back: first of all that comes from lights and the sky, and what they send
-// out by themselves, then of what other clusters send them, and at last of bounces that are not followed
+// What opaque clusters give back, or let through from their other side: first of all that comes from lights and the sky,
+// and what they send out by themselves, then of what other clusters send them, and at last of bounces that are not followed
 // (further_bounces.comp). For surfaces it keeps the irradiance that
 // these do not find for themselves (scatter/opaque_fragments).
 #version 460
@@ -97,26 +97,45 @@ vec3 foundAround(uint i) {
   return sum / max(all, 1e-30);
 }
 
+// Of lights that shine on a cluster.
+vec3 ofLightsOn(uint i) {
+  vec3 sum = vec3(0.0);
+  for (uint k = 0u; k < allLightsAt(clusters[i].centroidArea.xyz); ++k)
+    sum += entries[k * clusterCount + i].irradiance.rgb;
+  return sum;
+}
+
+// Where light goes through the body, what falls on the cluster's other side: what surfaces do not find, and what they do.
+vec3 behind = vec3(0.0);
+vec3 knownBehind = vec3(0.0);
+
+void lookBehind(uint i) {
+  ObjectData body = objects[ranges[i].object];
+  if (!letsThrough(body) || !hasBack(body)) return;
+  uint other = ranges[i].side < 0.0 ? frontOf(i, body) : backOf(i, body);
+  behind = foundAround(other);
+  if (from == ofLights) knownBehind = ofLightsOn(other);
+}
+
 void main() {
   uint i = linearIndex();
   if (i >= clusterCount || ranges[i].kind != opaqueBody) return;
-  vec3 place = clusters[i].centroidArea.xyz;
   OpaqueShare gives = shares[i];
-  vec3 known = vec3(0.0);
-  vec3 other = vec3(0.0);
-  if (from == ofLights) {
-    for (uint k = 0u; k < allLightsAt(place); ++k) known += entries[k * clusterCount + i].irradiance.rgb;
-    other += foundAround(i);
-  } else {
-    other = foundAround(i);
-    if (from == ofFurtherBounces) {
-      vec3 part = overOr0(gives.share.rgb * other, opaqueExitances[i].rgb - gives.emission.rgb);
-      for (int c = 0; c < 3; ++c) other[c] *= min(stillToCome[c], furtherOfSeries(part[c], float(bounces)));
+  vec3 known = from == ofLights ? ofLightsOn(i) : vec3(0.0);
+  vec3 other = foundAround(i);
+  lookBehind(i);
+  if (from == ofFurtherBounces) {
+    vec3 last = gives.share.rgb * other + gives.through.rgb * behind;
+    vec3 part = overOr0(last, opaqueExitances[i].rgb - gives.emission.rgb);
+    for (int c = 0; c < 3; ++c) {
+      float further = min(stillToCome[c], furtherOfSeries(part[c], float(bounces)));
+      other[c] *= further;
+      behind[c] *= further;
     }
   }
   bool isFirst = from == ofLights;
   vec3 own = isFirst ? gives.emission.rgb : vec3(0.0);
-  latest[i] = vec4(gives.share.rgb * (known + other) + own, 0.0);
+  latest[i] = vec4(gives.share.rgb * (known + other) + gives.through.rgb * (knownBehind + behind) + own, 0.0);
   opaqueExitances[i] = (isFirst ? vec4(0.0) : opaqueExitances[i]) + latest[i];
   enteredBefore[i] = vec4(0.0);
   irradiances[i] = vec4((isFirst ? vec3(0.0) : irradiances[i].rgb) + other, 0.0);

@@ -1,4 +1,4 @@
-// What clusters of opaque bodies give back of light, and what they send out by themselves: means of
+// What clusters of opaque bodies give back of light and let through, and what they send out by themselves: means of
 // their materials over their pieces, by the areas of these at rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -30,7 +30,7 @@ void main() {
   uint i = linearIndex();
   if (i >= clusterCount) return;
   ClusterRange range = ranges[i];
-  OpaqueShare sum = OpaqueShare(vec4(0.0), vec4(0.0));
+  OpaqueShare sum = OpaqueShare(vec4(0.0), vec4(0.0), vec4(0.0));
   uint end = range.kind == opaqueBody ? range.endSurfel * piecesPerSurfel : 0u;
   OpaqueData material = opaques[mediumAt(objects[range.object], vec3(0.0)).tables.y];
   float area = 0.0;
@@ -39,8 +39,10 @@ void main() {
     SeenMaterial found = materialAt(material, placeOfPiece(piece, material));
     vec3 reflected = clamp(mirrored(found.specular), 0.0, 1.0);
     sum.share.rgb += piece.areaMm2 * (reflected + (1.0 - reflected) * found.diffuse.rgb);
+    sum.through.rgb += piece.areaMm2 * (1.0 - reflected) * found.through.rgb;
     sum.emission.rgb += piece.areaMm2 * pi * found.emission.rgb;
     area += piece.areaMm2;
   }
-  shares[i] = OpaqueShare(sum.share / max(area, 1e-30), sum.emission / max(area, 1e-30));
+  float over = 1.0 / max(area, 1e-30);
+  shares[i] = OpaqueShare(over * sum.share, over * sum.through, over * sum.emission);
 }

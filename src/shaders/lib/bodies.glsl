@@ -15,14 +15,23 @@ bool isOpaque(ObjectData body) {
   return body.clusters.w != 0u;
 }
 
+// Whether an opaque one lets light through to its other side.
+bool letsThrough(ObjectData body) {
+  return body.clusters.w == 2u;
+}
+
 // Whether its back takes light of its own.
 bool hasBack(ObjectData body) {
   return body.tree.z != 0u;
 }
 
-// Of the cluster of the front of such a body.
+// Of the cluster of the front of such a body, and the other way round.
 uint backOf(uint cluster, ObjectData body) {
   return cluster + body.tree.z;
+}
+
+uint frontOf(uint cluster, ObjectData body) {
+  return cluster - body.tree.z;
 }
 
 #endif

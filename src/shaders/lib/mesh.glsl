@@ -99,13 +99,26 @@ vec3 liftedPlace(MeshPlace place) {
   return lifted;
 }
 
+// The same place, seen from behind.
+MeshPlace otherSideOf(MeshPlace place) {
+  place.side = -place.side;
+  place.normal = -place.normal;
+  place.facet = -place.facet;
+  return place;
+}
+
 #ifdef BINDING_MESH_EXITANCES
 layout(set = 0, binding = BINDING_MESH_EXITANCES) uniform samplerBuffer meshExitances;
 
+// Of vertices whose light begins there.
+vec4 meshExitanceAt(MeshPlace place, uint first) {
+  return place.weights.x * texelFetch(meshExitances, int(first + place.vertices.x)) +
+         place.weights.y * texelFetch(meshExitances, int(first + place.vertices.y)) +
+         place.weights.z * texelFetch(meshExitances, int(first + place.vertices.z));
+}
+
 vec4 meshExitanceAt(MeshPlace place) {
-  return place.weights.x * texelFetch(meshExitances, int(place.vertices.x)) +
-         place.weights.y * texelFetch(meshExitances, int(place.vertices.y)) +
-         place.weights.z * texelFetch(meshExitances, int(place.vertices.z));
+  return meshExitanceAt(place, 0u);
 }
 #endif
 

@@ -64,7 +64,14 @@ vec3 toldNormal(OpaqueData material, MaterialPlace place) {
   return textureAt(material.normalTexture, place, vec4(0.0, 0.0, 1.0, 0.0)).xyz;
 }
 
-// glTF 2.0, section 3.9 and appendix B, with KHR_materials_specular. The normal is not set.
+// Share of the diffuse light that goes through to the other side.
+float throughAt(OpaqueData material, MaterialPlace place) {
+  if (material.through.w == 0.0) return 0.0;
+  return clamp(material.through.w * textureAt(material.throughTexture, place, vec4(1.0)).a, 0.0, 1.0);
+}
+
+// glTF 2.0, section 3.9 and appendix B, with KHR_materials_specular and KHR_materials_diffuse_transmission. The normal
+// is not set.
 SeenMaterial materialAt(OpaqueData material, MaterialPlace place) {
   vec3 base = baseColorAt(material, place).rgb;
   vec4 found = textureAt(material.metallicRoughnessTexture, place, vec4(1.0));
@@ -73,8 +80,9 @@ SeenMaterial materialAt(OpaqueData material, MaterialPlace place) {
   vec3 tint = material.specularColor.rgb * textureAt(material.specularColorTexture, place, vec4(1.0)).rgb;
   vec3 dielectric = min(material.surface.z * tint, vec3(1.0)) * strength;
   float occlusion = textureAt(material.occlusionTexture, place, vec4(1.0)).r;
+  float through = throughAt(material, place);
   SeenMaterial result;
-  result.diffuse = vec4((1.0 - metallic) * base, alphaOf(material, found.g));
+  result.diffuse = vec4((1.0 - metallic) * (1.0 - through) * base, alphaOf(material, found.g));
   result.specular = vec4(mix(dielectric, base, metallic), mix(strength, 1.0, metallic));
   result.normal = vec4(0.0, 0.0, 0.0, mix(1.0, occlusion, material.rest.x));
   result.emission = vec4(material.emission.rgb * textureAt(material.emissionTexture, place, vec4(1.0)).rgb,
@@ -84,6 +92,13 @@ SeenMaterial materialAt(OpaqueData material, MaterialPlace place) {
     result.emission.rgb = base;
     result.diffuse.rgb = vec3(0.0);
     result.specular = vec4(0.0);
+    through = 0.0;
+  }
+  result.through = vec4(0.0);
+  result.behind = vec4(0.0);
+  if (through > 0.0) {
+    vec3 tint = material.through.rgb * textureAt(material.throughColorTexture, place, vec4(1.0)).rgb;
+    result.through.rgb = (1.0 - metallic) * through * min(tint, vec3(1.0));
   }
   return result;
 }

@@ -1,4 +1,4 @@
-// Irradiance of area lights on opaque surfaces that pixels see, with soft shadows. Each of 8×8 pixels asks other places
+// Irradiance of area lights on opaque surfaces that pixels see, or on their other side, with soft shadows. Each of 8×8 pixels asks other places
 // of a light, and each pixel takes what those around it have found: 256 places, in any window of that size, or fewer
 // where the shadow's edge is sharp. Where the first places of all around agree, most of them on the light's edge, these
 // are enough.
@@ -18,7 +18,7 @@
 #include "lib/seen_list.glsl"
 #include "shared/opaque.h"
 
-layout(std430, set = 0, binding = 8) readonly buffer Materials { SeenMaterial materials[]; };
+layout(std430, set = 0, binding = 8) buffer Materials { SeenMaterial materials[]; };
 layout(std430, set = 0, binding = 9) buffer Irradiances { vec4 irradiances[]; };
 // Eight bits for each light, of the first surfaces of a band's pixels: how much of it is visible, of `whole`, and
 // whether that changes slowly. Those of the round before, and of this one.
@@ -33,6 +33,7 @@ layout(push_constant) uniform Push {
   uint firstRow;  // of the band
   uint rows;
   uint round;
+  uint behind;  // 1: on the other side of surfaces that let light through
 };
 
 #include "lib/neighbours.glsl"
@@ -77,7 +78,14 @@ uint areaLights() {
 }
 
 bool hasShares(ObjectData body) {
-  return isOpaque(body) && isSummedAtFragments(body, site);
+  return isOpaque(body) && (behind == 0u || letsThrough(body)) && isSummedAtFragments(body, site);
+}
+
+// Of a surface that a pixel sees, on the side that is asked about.
+MeshPlace placeAsked(ivec2 pixel, uint word) {
+  MeshPlace place = seenPlace(pixel, word);
+  if (behind != 0u) return otherSideOf(place);
+  return place;
 }
 
 // Whether the first surface of a pixel has shares.
@@ -88,7 +96,8 @@ bool isAsked(ivec2 pixel) {
 }
 
 Receiver receiverOf(MeshPlace place, uint entry) {
-  return Receiver(liftedPlace(place), materials[entry].normal.xyz, place.facet, 1.0);
+  vec3 normal = materials[entry].normal.xyz;
+  return Receiver(liftedPlace(place), behind != 0u ? -normal : normal, place.facet, 1.0);
 }
 
 uint packed(Share share) {
@@ -182,7 +191,7 @@ uvec4 askedShares(Seen seen, MeshPlace place) {
 }
 
 bool goesOnAt(MeshPlace place, ivec2 pixel) {
-  return isAsked(pixel) && isOneSurface(place, seenPlace(pixel, seenWord(pixel, 0u)));
+  return isAsked(pixel) && isOneSurface(place, placeAsked(pixel, seenWord(pixel, 0u)));
 }
 
 // Of the pixels of a window, a bit for each whose first surface is this one. Where all have found the same, one is
@@ -304,10 +313,14 @@ vec3 irradianceAt(Seen seen, MeshPlace place) {
 void main() {
   Seen seen = seenOfInvocation(first);
   if (!seen.there) return;
-  MeshPlace place = seenPlace(seen.pixel, seen.word);
+  MeshPlace place = placeAsked(seen.pixel, seen.word);
   if (!hasShares(objects[place.object])) return;
   if (round == summing) {
-    irradiances[seen.entry].rgb += irradianceAt(seen, place);
+    vec3 found = irradianceAt(seen, place);
+    if (behind != 0u)
+      materials[seen.entry].behind.rgb += found;
+    else
+      irradiances[seen.entry].rgb += found;
   } else if (isFirstSurface(seen)) {
     lightShares[indexOf(seen.pixel)] = round == comparing   ? comparedShares(seen.pixel)
                                        : round == averaging ? averagedShares(seen, place)

@@ -1,4 +1,4 @@
-// Irradiance of area lights at the vertices of opaque bodies, with soft shadows.
+// Irradiance of area lights at the vertices of opaque bodies, those of their backs after the others, with soft shadows.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 3
@@ -17,6 +17,7 @@ layout(std430, set = 0, binding = 8) buffer Irradiances { vec4 irradiances[]; };
 
 layout(push_constant) uniform Push {
   uint vertexCount;
+  uint sides;  // of bodies with a back
   uint site;
   uint nodeCount;  // of all surfels' trees
   uint piecesPerSurfel;
@@ -29,11 +30,13 @@ uint firstPieceOf(uint object) {
 }
 
 void main() {
-  uint vertex = linearIndex();
-  if (vertex >= vertexCount) return;
+  uint at = linearIndex();
+  if (at >= sides * vertexCount) return;
+  bool back = at >= vertexCount;
+  uint vertex = back ? at - vertexCount : at;
   ObjectData body = objects[objectOf[vertex]];
-  if (!isOpaque(body) || isSummedAtFragments(body, site)) return;
-  vec3 normal = normals[vertex].xyz;
+  if (!isOpaque(body) || isSummedAtFragments(body, site) || (back && !hasBack(body))) return;
+  vec3 normal = back ? -normals[vertex].xyz : normals[vertex].xyz;
   Receiver receiver = Receiver(positions[vertex].xyz, normal, normal, 1.0);
   MediumData medium = mediumAt(body, receiver.position);
   vec3 sum = vec3(0.0);
@@ -45,5 +48,5 @@ void main() {
     if (share.visible > 0.0)
       sum += share.visible / share.all * enteringOfView(view, normal, medium) * frame.lights[i].power.rgb;
   }
-  irradiances[vertex].rgb += sum;
+  irradiances[at].rgb += sum;
 }

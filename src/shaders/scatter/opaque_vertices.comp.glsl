@@ -1,4 +1,4 @@
-// Irradiance of lights with shadow maps at the vertices of opaque bodies. That of area lights is added to it
+// Irradiance of lights with shadow maps at the vertices of opaque bodies, those of their backs after the others. That of area lights is added to it
 // (opaque_area_vertices.comp); clusters have the rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -16,16 +16,19 @@ layout(std430, set = 0, binding = 7) buffer Irradiances { vec4 irradiances[]; };
 
 layout(push_constant) uniform Push {
   uint vertexCount;
+  uint sides;  // of bodies with a back
   uint site;
 };
 
 void main() {
   uint i = linearIndex();
-  if (i >= vertexCount) return;
-  ObjectData body = objects[objectOf[i]];
-  if (!isOpaque(body)) return;
-  vec3 place = positions[i].xyz;
-  vec3 normal = normals[i].xyz;
+  if (i >= sides * vertexCount) return;
+  bool back = i >= vertexCount;
+  uint vertex = back ? i - vertexCount : i;
+  ObjectData body = objects[objectOf[vertex]];
+  if (!isOpaque(body) || (back && !hasBack(body))) return;
+  vec3 place = positions[vertex].xyz;
+  vec3 normal = back ? -normals[vertex].xyz : normals[vertex].xyz;
   irradiances[i] = isSummedAtFragments(body, site)
                        ? vec4(0.0)
                        : vec4(lightsIrradiance(place, normal, normal, mediumAt(body, place)), 0.0);

@@ -10,6 +10,7 @@
 #include "lib/frame.glsl"
 #include "lib/seen_list.glsl"
 #include "shared/opaque.h"
+#include "lib/diffuse_exitance.glsl"
 
 layout(std430, set = 0, binding = 12) readonly buffer Light { vec4 light[]; };  // exitance, of opaque surfaces irradiance
 layout(set = 0, binding = 3, rgba32f) uniform writeonly image2D positionObject;  // mm; object + 1
@@ -20,6 +21,7 @@ layout(std430, set = 0, binding = 14) readonly buffer Materials { SeenMaterial m
 
 layout(push_constant) uniform Push {
   uint atFragments;  // it stands in `light`, else at the vertices
+  uint vertexCount;
 };
 
 void main() {
@@ -29,6 +31,10 @@ void main() {
   imageStore(positionObject, seen.pixel, vec4(place.position, float(place.object + 1u)));
   imageStore(unitNormal, seen.pixel, vec4(place.normal, place.side));
   vec4 found = atFragments != 0u ? light[seen.entry] : meshExitanceAt(place);
-  if (isOpaque(objects[place.object])) found.rgb *= materials[seen.entry].diffuse.rgb;
+  if (isOpaque(objects[place.object])) {
+    SeenMaterial material = materials[seen.entry];
+    found.rgb = atFragments != 0u ? ofBothSides(material, found.rgb, material.behind.rgb)
+                                  : diffuseExitanceOfVertices(place, material, vertexCount);
+  }
   imageStore(exitance, seen.pixel, found);
 }

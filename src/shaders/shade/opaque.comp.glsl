@@ -15,6 +15,7 @@
 #include "lib/pi.glsl"
 #include "lib/reflection.glsl"
 #include "lib/seen_list.glsl"
+#include "lib/diffuse_exitance.glsl"
 
 // Irradiance. After it, radiance by coverage.
 layout(std430, set = 0, binding = 3) buffer Light { vec4 light[]; };
@@ -24,6 +25,7 @@ layout(set = 0, binding = 7) uniform samplerCubeArray glossySky;
 layout(push_constant) uniform Push {
   uint atFragments;  // the irradiance stands in `light`, else at the vertices
   uint specular;
+  uint vertexCount;
 };
 
 // Schlick 1994.
@@ -63,8 +65,8 @@ vec3 mirroredLights(SeenMaterial material, vec3 position, vec3 outside, NormalsN
 vec3 radianceOf(Seen seen, MeshPlace place, SeenMaterial material) {
   vec3 emitted = material.emission.rgb;
   if (material.emission.w != 0.0) return emitted;
-  vec3 irradiance = atFragments != 0u ? light[seen.entry].rgb : meshExitanceAt(place).rgb;
-  vec3 diffuse = material.diffuse.rgb / pi * irradiance;
+  vec3 diffuse = (atFragments != 0u ? ofBothSides(material, light[seen.entry].rgb, material.behind.rgb)
+                                    : diffuseExitanceOfVertices(place, material, vertexCount)) / pi;
   if (specular == 0u) return emitted + diffuse;
   vec3 toCamera = normalize(toCameraFrom(place.position));
   uint samples = samplesOf(seen.word);

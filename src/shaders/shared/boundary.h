@@ -36,9 +36,10 @@ OPALINE_BOUNDARY_CONSTANT openBody = 0u;
 OPALINE_BOUNDARY_CONSTANT bodyWithInside = 1u;
 OPALINE_BOUNDARY_CONSTANT opaqueBody = 2u;
 
-/// What a cluster of an opaque body gives back of the light that falls on it.
+/// What a cluster of an opaque body sends out: of the light that falls on it and on its other side.
 struct OpaqueShare {
-  vec4 share;     // rgb
+  vec4 share;     // rgb: given back
+  vec4 through;   // rgb: let through from the other side
   vec4 emission;  // rgb: exitance of its own
 };
 

@@ -66,10 +66,11 @@ struct ObjectData {
   uvec4 table;  // x: medium; y: first surfel; z: number of surfels; w: 1 where light is summed at
                 // fragments, 0 at vertices
   uvec4 tree;   // x: root, among the nodes; y: the node after all of its tree; z: how many clusters
-               // an opaque sheet has of its back, each so many after that of the front, 0 of others
+                // an opaque sheet, or what lets light through, has of its back, each so many after
+                // that of the front, 0 of others
   uvec4 clusters;  // of boundary transport, x: root among their nodes; y: the node after their
                    // tree; z: 1 where they have what is seen of some part of the body; w: 1 where
-                   // it is opaque
+                   // it is opaque, 2 where light may go through it all the same
   vec4 darkest;  // rgb: exitance below which differences do not count, over the body's flux, mm⁻²;
                  // w: reach of coarse sources (shared/nearby.h), mm, 0 where they are not
   vec4 nearbyDisc;  // rgb: what they lack there in even light, part of the irradiance

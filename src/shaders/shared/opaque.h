@@ -37,6 +37,7 @@ struct OpaqueData {
   vec4 specularColor;  // rgb; w: scale of the normal texture
   vec4 rest;           // x: occlusion strength; y: 1 where it is unlit; z: 1 where vertices have
                        // attributes
+  vec4 through;        // rgb: color of diffuse transmission; w: its share
   TextureData baseColorTexture;
   TextureData metallicRoughnessTexture;
   TextureData specularTexture;
@@ -44,6 +45,8 @@ struct OpaqueData {
   TextureData normalTexture;
   TextureData occlusionTexture;
   TextureData emissionTexture;
+  TextureData throughTexture;
+  TextureData throughColorTexture;
 };
 
 /// What textures and colours read of a vertex.
@@ -66,8 +69,11 @@ struct SeenMaterial {
   vec4 specular;  // rgb: F₀; w: F₉₀
   vec4 normal;    // unit, to the side that is seen; w: share of indirect light
   vec4 emission;  // rgb: radiance; w: 1 where it is unlit
-  vec4 around;  // rgb: mean radiance of what the lobe mirrors of the scene; w: share of it that is
-                // sky. Of a translucent surface, without the sky; w: 1 where that is known
+  vec4 around;   // rgb: mean radiance of what the lobe mirrors of the scene; w: share of it that is
+                 // sky. Of a translucent surface, without the sky; w: 1 where that is known
+  vec4 through;  // rgb: share of light on the other side that leaves here diffusely, less what is
+                 // mirrored
+  vec4 behind;   // rgb: irradiance on the other side, where some of it gets through
 };
 
 /// Roughnesses of the tables of what translucent surfaces mirror: (i + ½) over so many.

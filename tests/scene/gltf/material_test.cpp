@@ -131,6 +131,17 @@ TEST_F(GltfMaterial, AVolumeThatScattersNothingIsNoMedium) {
   EXPECT_EQ(diffuse.objects[0].medium.name, "marble");
 }
 
+TEST_F(GltfMaterial, ASheetThatLetsLightThroughIsOpaque) {
+  const Scene scene =
+      load(parts(R"({"name":"leaf","pbrMetallicRoughness":{"metallicFactor":0},"extensions":{)"
+                 R"("KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":0.5,)"
+                 R"("diffuseTransmissionColorFactor":[0.25,0.5,2]}}})"));
+  ASSERT_TRUE(scene.objects[0].opaque);
+  EXPECT_EQ(scene.objects[0].opaque->diffuseTransmission, 0.5F);
+  EXPECT_EQ(scene.objects[0].opaque->diffuseTransmissionColor, (Rgb{0.25F, 0.5F, 1}));
+  EXPECT_TRUE(scene.notShown.empty());
+}
+
 // A medium takes all the light that its surface does not mirror.
 TEST_F(GltfMaterial, HowLightGetsIntoAMediumIsToldWhereItIsNotShown) {
   const auto told = [&](const std::string& extensions, const std::string& factor = "1") {

@@ -266,7 +266,8 @@ TEST_F(SceneWriter, WritesEveryKeyThatTheLoaderKnows) {
   loaded.source.materials["clay"].opaque = options::chosenIn(OpaqueMaterial{});
   for (const char* key :
        {"color_texture", "base_color_texture", "metallic_roughness_texture", "specular_texture",
-        "specular_color_texture", "normal_texture", "occlusion_texture", "emission_texture"})
+        "specular_color_texture", "normal_texture", "occlusion_texture", "emission_texture",
+        "diffuse_transmission_texture", "diffuse_transmission_color_texture"})
     loaded.source.materials["clay"].textures[key] = model();
   loaded.source.materials["jelly"].appearance = options::chosenIn(Appearance{});
   loaded.source.materials["wax"].medium = "marble";
@@ -303,6 +304,8 @@ kind = "opaque"
 base_color = [0.9, 0.7, 0.3]
 metallic = 1
 roughness = 0.25
+diffuse_transmission = 0.125
+diffuse_transmission_color_texture = "../../grey.png"
 base_color_texture = "../../grey.png"
 [materials.jelly]
 kind = "translucent"
@@ -325,6 +328,8 @@ normal_texture = "../../grey.png"
   EXPECT_EQ(scene.objects[0].opaque->baseColor, (Rgb{0.9F, 0.7F, 0.3F}));
   EXPECT_EQ(scene.objects[0].opaque->roughness, 0.25F);
   EXPECT_EQ(scene.objects[0].opaque->baseColorTexture->pixels->rgba[0], 188 * 257);
+  EXPECT_EQ(scene.objects[0].opaque->diffuseTransmission, 0.125F);
+  EXPECT_TRUE(scene.objects[0].opaque->diffuseTransmissionColorTexture);
   const Appearance jelly{{0.9, 0.5, 0.1}, {2, 2, 2}, 0, 1.5};
   EXPECT_EQ(scene.objects[1].medium.sigmaAPerMm, mediumOf(jelly).sigmaAPerMm);
   EXPECT_FALSE(scene.objects[1].surface);

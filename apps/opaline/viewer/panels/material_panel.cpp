@@ -59,6 +59,9 @@ bool drawOpaque(OpaqueMaterial& material) {
   changed |= controls::slider("roughness", material.roughness, 0, 1, "%.2f", aboutRoughness);
   changed |= controls::slider("specular", material.specular, 0, 1, "%.2f",
                               "Strength of the reflection of what is no metal.");
+  changed |= controls::slider("transmission", material.diffuseTransmission, 0, 1, "%.2f",
+                              "Share of the diffuse light that goes through to the other side, as "
+                              "through a leaf or paper.");
   changed |= controls::light("emission", material.emission, "Radiance of its own.");
   if (material.normalTexture) changed |= drawNormals(material.normalScale, aboutNormals);
   return changed;
