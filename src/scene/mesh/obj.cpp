@@ -19,6 +19,7 @@
 #include "scene/hash.h"
 #include "scene/mesh/mtl.h"
 #include "scene/mesh/obj_lines.h"
+#include "scene/mesh/obj_smoothing.h"
 #include "scene/mesh/triangulate.h"
 #include "scene/not_shown.h"
 #include "scene/rig.h"
@@ -64,8 +65,9 @@ struct ObjReader {
   std::vector<Group> groups{};
   std::map<std::string, std::size_t, std::less<>> groupOf{};
   std::size_t current = 0;
-  std::string part{};             ///< of `o` or `g`, that faces belong to
-  std::set<std::string> parts{};  ///< that have faces
+  std::string part{};                    ///< of `o` or `g`, that faces belong to
+  std::set<std::string> parts{};         ///< that have faces
+  std::vector<std::size_t> endOfFace{};  ///< among the corners
 
   void use(const std::string& material) {
     const auto [entry, isNew] = groupOf.try_emplace(material, groups.size());
@@ -90,6 +92,7 @@ struct ObjReader {
       ++size;
     }
     groups[current].sizes.push_back(size);
+    endOfFace.push_back(corners.size());
     if (!part.empty()) parts.insert(part);
   }
 
@@ -140,6 +143,37 @@ tinyobj::callback_t callbacks() {
     static_cast<ObjReader*>(reader)->part = count > 0 ? names[0] : "";
   };
   return callback;
+}
+
+/// Gives faces without normals those of their smoothing groups. One group is as smooth as none.
+void smoothen(std::span<const ObjSmoothing> smoothing, ObjReader& reader) {
+  const bool isOneGroup =
+      std::all_of(smoothing.begin(), smoothing.end(), [&](const ObjSmoothing& from) {
+        return from.group != 0 && from.group == smoothing.front().group;
+      });
+  if (isOneGroup) return;
+  std::vector<ObjFace> faces;
+  std::vector<std::size_t> corners;
+  std::size_t first = 0;
+  for (std::size_t number = 0; number < reader.endOfFace.size(); ++number) {
+    const std::size_t end = reader.endOfFace[number];
+    ObjFace face{number};
+    bool hasNormals = false;
+    for (std::size_t c = first; c < end; ++c) {
+      hasNormals = hasNormals || reader.corners[c].normal != noNormal;
+      face.positions.push_back(static_cast<std::uint32_t>(reader.corners[c].position));
+    }
+    if (!hasNormals) {
+      for (std::size_t c = first; c < end; ++c) corners.push_back(c);
+      faces.push_back(std::move(face));
+    }
+    first = end;
+  }
+  const ObjNormals made = normalsOfSmoothing(reader.positions, faces, smoothing);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    reader.corners[corners[i]].normal =
+        static_cast<std::int64_t>(reader.normals.size() + made.ofCorner[i]);
+  reader.normals.insert(reader.normals.end(), made.normals.begin(), made.normals.end());
 }
 
 using Materials = std::map<std::string, OpaqueMaterial>;
@@ -267,6 +301,7 @@ RawScene loadObj(const Input& input) {
   if (!error.empty()) failObj(input, cleanText(error));
   if (reader.positions.empty()) failObj(input, "it has no vertices, so it is not an OBJ file");
   reader.checkRange();
+  smoothen(extras.smoothing, reader);
 
   const std::vector<std::string> files(extras.materialFiles.begin(), extras.materialFiles.end());
   const Materials materials = readMtl(input, files);

@@ -94,6 +94,17 @@ void checkCorners(const Input& input, std::string_view line, std::size_t number)
   }
 }
 
+/// "off", 0, or a number; none if it is neither.
+std::optional<std::uint32_t> smoothingGroup(std::string_view word) {
+  if (word == "off") return 0;
+  if (word == "on") return 1;
+  std::uint32_t group = 0;
+  const auto [stop, problem] = std::from_chars(word.data(), word.data() + word.size(), group);
+  if (word.empty() || problem != std::errc{} || stop != word.data() + word.size())
+    return std::nullopt;
+  return group;
+}
+
 }  // namespace
 
 void failObj(const Input& input, const std::string& reason) {
@@ -133,6 +144,7 @@ ObjExtras requireSoundLines(const Input& input, std::string_view text) {
     failObj(input, "it contains zero bytes, so it is not an OBJ file");
   }
   ObjExtras extras;
+  std::size_t faces = 0;
   std::string_view file = textOf(input);
   for (std::size_t number = 1; !text.empty();) {
     const Line whole = nextLine(text);
@@ -141,6 +153,10 @@ ObjExtras requireSoundLines(const Input& input, std::string_view text) {
     if (keyword == "v" || keyword == "vn") checkNumbers(input, line, number);
     if (keyword == "f") checkCorners(input, line, number);
     if (keyword == "v" && countNumbers(line) >= 6) ++extras.coloredVertices;
+    if (keyword == "f" && !nextWord(line).empty()) ++faces;
+    if (keyword == "s")
+      if (const auto group = smoothingGroup(nextWord(line)))
+        extras.smoothing.push_back({faces, *group});
     if (keyword == "mtllib") extras.materialFiles.emplace_back(nextWord(line));
     number += countLines(file.substr(0, whole.size));
     file.remove_prefix(whole.size);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,10 +24,17 @@ std::string_view nextWord(std::string_view& line);
 /// in a folder's name. None where no line is continued.
 std::optional<std::string> joinedLines(std::string_view text);
 
+/// From a face on, faces are of this smoothing group; 0: of none, flat.
+struct ObjSmoothing {
+  std::size_t firstFace = 0;
+  std::uint32_t group = 0;
+};
+
 /// What the lines hold that tinyobjloader does not tell of.
 struct ObjExtras {
   std::size_t coloredVertices = 0;
   std::vector<std::string> materialFiles;
+  std::vector<ObjSmoothing> smoothing;  ///< empty where nothing is said of it
 };
 
 /// tinyobjloader reads what is no number as 0, lets an index overflow and stops at a zero byte; so

@@ -35,13 +35,55 @@ const std::string cubeCorners =
 const std::string quads = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 
 TEST_F(Obj, PolygonsBecomeTriangles) {
-  const Scene scene = load("# a cube\no cube\n" + cubeCorners + "s off\ng a b\n" + quads);
+  const Scene scene = load("# a cube\no cube\n" + cubeCorners + "s 1\ng a b\n" + quads);
   test::expectSound(scene);
   const Mesh& mesh = scene.objects[0].mesh;
   EXPECT_EQ(mesh.positionsMm.size(), 8U);
   EXPECT_EQ(mesh.triangles.size(), 12U);
   EXPECT_TRUE(scene.repairs.empty());
   EXPECT_NEAR(test::signedVolume(mesh.positionsMm, mesh.triangles), 1, 1e-6);
+}
+
+// What stands at a corner of a cube: one vertex, or one for each of so many normals.
+TEST_F(Obj, SmoothingGroupsMakeCreases) {
+  const auto meshOf = [&](const std::string& faces) {
+    const Scene scene = load(cubeCorners + faces);
+    test::expectSound(scene);
+    EXPECT_TRUE(scene.repairs.empty()) << faces;
+    return scene.objects[0].mesh;
+  };
+  EXPECT_EQ(meshOf(quads).positionsMm.size(), 8U);
+  EXPECT_EQ(meshOf("s 3\n" + quads).positionsMm.size(), 8U);
+  for (const char* off : {"s off\n", "s 0\n"}) {
+    const Mesh flat = meshOf(off + quads);
+    EXPECT_EQ(flat.positionsMm.size(), 24U);
+    for (const Vec3& normal : flat.normals) {
+      const float largest =
+          std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
+      EXPECT_NEAR(largest, 1, 1e-6) << off;
+    }
+  }
+  // The first face, below at z = 0, and the other five: its corners have two normals each.
+  const std::size_t second = quads.find('\n') + 1;
+  const Mesh lid = meshOf("s 1\n" + quads.substr(0, second) + "s 2\n" + quads.substr(second));
+  EXPECT_EQ(lid.positionsMm.size(), 12U);
+  float bottom = 1;
+  for (const Vec3& position : lid.positionsMm) bottom = std::min(bottom, position[2]);
+  int ofLid = 0;
+  int slanting = 0;
+  for (std::size_t v = 0; v < lid.normals.size(); ++v) {
+    const Vec3& normal = lid.normals[v];
+    if (normal[2] < -0.999F) ++ofLid;
+    // Two faces at right angles, of the corners below; three of those above.
+    const float expected =
+        lid.positionsMm[v][2] < bottom + 0.5F ? std::sqrt(0.5F) : std::sqrt(1 / 3.0F);
+    if (std::abs(std::abs(normal[0]) - expected) < 1e-6F) ++slanting;
+  }
+  EXPECT_EQ(ofLid, 4);
+  EXPECT_EQ(slanting, 8);
+  // Normals of the file's own come first.
+  const Scene own = load("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0.6 0.8\ns off\nf 1//1 2//1 3//1\n");
+  EXPECT_NEAR(own.objects[0].mesh.normals[0][1], 0.6, 1e-6);
 }
 
 TEST_F(Obj, NegativeAndForwardIndicesAndComments) {
