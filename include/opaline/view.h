@@ -73,6 +73,7 @@ struct RenderResult {
 /// One finished frame. View::collect fills the same object again and again without allocating.
 struct Frame {
   std::vector<Image> images;  ///< in the requested order
+  std::vector<Aov> aovs;      ///< what they show
   double milliseconds = 0;    ///< GPU time
   std::vector<PassTime> passes;
   std::vector<Solution> solutions;  ///< as in RenderReport

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -134,6 +135,13 @@ void copy(const std::vector<Image>& images, const std::vector<OpalineTarget>& ta
   for (std::size_t i = 0; i < images.size(); ++i) {
     std::copy(images[i].rgba.begin(), images[i].rgba.end(), targets[i].rgba);
   }
+}
+
+// Of fewer or more targets copy() has something to say.
+void requireSame(const std::vector<Aov>& aovs, const std::vector<OpalineTarget>& targets) {
+  for (std::size_t i = 0; i < std::min(aovs.size(), targets.size()); ++i)
+    if (targets[i].aov != static_cast<OpalineAov>(aovs[i]))
+      throw UsageError(fmt::format("Target {} is for another variable than the frame has.", i));
 }
 
 }  // namespace
@@ -373,6 +381,7 @@ OpalineStatus opalineCollect(OpalineView* view, const OpalineTarget* targets, si
     const std::vector<OpalineTarget> to = c::targetsOf(targets, targetCount);
     if (!view->isFrameWaiting) collected.collect(view->frame);
     view->isFrameWaiting = true;
+    c::requireSame(view->frame.aovs, to);
     c::copy(view->frame.images, to);
     view->isFrameWaiting = false;
     if (milliseconds) *milliseconds = view->frame.milliseconds;

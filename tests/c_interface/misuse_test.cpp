@@ -238,6 +238,7 @@ TEST(CMisuse, CallsInTheWrongOrderAreRefused) {
   const OpalineAov aov = OpalineAovExitance;
   const OpalineTarget target{sizeof target, aov, rgba.data(), floats};
   const OpalineTarget narrow{sizeof narrow, aov, rgba.data(), floats - 1};
+  const OpalineTarget other{sizeof other, OpalineAovDepth, rgba.data(), floats};
   expectRefused(
       {{"collect before submit", [&] { return opalineCollect(view, &target, 1, nullptr); }}});
   ASSERT_EQ(opalineSubmit(view, &aov, 1), OpalineOk);
@@ -245,6 +246,7 @@ TEST(CMisuse, CallsInTheWrongOrderAreRefused) {
       {"render before collect", [&] { return opalineRender(view, &target, 1); }},
       {"no target", [&] { return opalineCollect(view, nullptr, 0, nullptr); }},
       {"no room", [&] { return opalineCollect(view, &narrow, 1, nullptr); }},
+      {"another variable", [&] { return opalineCollect(view, &other, 1, nullptr); }},
       {"still none", [&] { return opalineCollect(view, &narrow, 1, nullptr); }},
   });
   // The frame has waited for a target that it fits.

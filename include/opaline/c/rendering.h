@@ -211,8 +211,9 @@ typedef struct OpalineFrameOrder {
 OPALINE_API OpalineStatus opalineSubmitOrder(OpalineView* view, const OpalineFrameOrder* order);
 
 /// Waits for the oldest submitted frame and copies its variables, in the order in which they were
-/// wanted. If they do not fit, the next call gives the same frame again. A frame without variables
-/// has no targets. `milliseconds`, of the device, may be NULL; opaline/c/reports.h has more.
+/// wanted. If the targets are of other variables or too small, the next call gives the same frame
+/// again. A frame without variables has no targets. `milliseconds`, of the device, may be NULL;
+/// opaline/c/reports.h has more.
 OPALINE_API OpalineStatus opalineCollect(OpalineView* view, const OpalineTarget* targets,
                                          size_t targetCount, double* milliseconds);
 

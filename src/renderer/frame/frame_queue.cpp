@@ -65,7 +65,7 @@ gpu::CommandCounts FrameQueue::collect(Frame& frame, FrameTimes& times) {
   FrameSlot& slot = oldest();
   --waiting_;
   slot.commands.wait();
-  slot.readback.finish(frame.images);
+  slot.readback.finish(frame.images, frame.aovs);
   slot.readback.finishSolutions(frame.solutions);
   frame.provisional = slot.provisional;
   const std::vector<gpu::PassTiming>& timings = slot.commands.timings();

@@ -221,9 +221,13 @@ void Readback::make(const Entry& entry, Image& image) const {
   }
 }
 
-void Readback::finish(std::vector<Image>& images) const {
+void Readback::finish(std::vector<Image>& images, std::vector<Aov>& aovs) const {
   images.resize(entries_.size());
-  for (std::size_t i = 0; i < entries_.size(); ++i) make(entries_[i], images[i]);
+  aovs.resize(entries_.size());
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    make(entries_[i], images[i]);
+    aovs[i] = entries_[i].aov;
+  }
 }
 
 void Readback::recordSolutions(gpu::CommandList& commands, int count, passes::Solver& solver) {

@@ -38,8 +38,8 @@ class Readback {
 
   void finishSolutions(std::vector<Solution>& solutions) const;
 
-  /// The images in the order of the variables; the frame has finished.
-  void finish(std::vector<Image>& images) const;
+  /// The images in the order of the variables, and these; the frame has finished.
+  void finish(std::vector<Image>& images, std::vector<Aov>& aovs) const;
 
  private:
   void recordImages(gpu::CommandList& commands, FrameResources& resources);
