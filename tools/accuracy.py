@@ -7,12 +7,12 @@ import argparse
 import dataclasses
 import json
 import math
-import os
 import pathlib
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from repository import ROOT, models_folder
+
 BLOCK_EDGE_PIXELS = 8
 TRANSPORTS = ("dipole", "better-dipole")
 # Without light that leaves and enters again, and with as much of it as there is.
@@ -162,7 +162,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", default=str(ROOT / "build" / "release" / "bin" / "opaline"))
     parser.add_argument("--models", type=pathlib.Path, help="[OPALINE_MODELS, else ../shared/models]",
-                        default=os.environ.get("OPALINE_MODELS") or ROOT.parent / "shared" / "models")
+                        default=models_folder())
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "accuracy")
     parser.add_argument("--picture", type=pathlib.Path,
                         default=ROOT / "docs" / "images" / "accuracy_scenes.jpg")

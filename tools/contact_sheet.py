@@ -6,7 +6,6 @@ that is no number. Processor time does not depend on what else the machine does.
 import argparse
 import array
 import json
-import os
 import pathlib
 import resource
 import subprocess
@@ -17,7 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests" / "
 
 import images
 from awkward_bodies import BODIES, write_obj
-from repository import ROOT
+from repository import ROOT, models_folder
 
 ENDS = (".glb", ".gltf", ".obj", ".ply", ".toml")
 
@@ -73,8 +72,7 @@ def tone(exr, png):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", default=str(ROOT / "build" / "release" / "bin" / "opaline"))
-    default = os.environ.get("OPALINE_MODELS") or ROOT.parent / "shared" / "models"
-    parser.add_argument("--models", type=pathlib.Path, nargs="*", default=[pathlib.Path(default)])
+    parser.add_argument("--models", type=pathlib.Path, nargs="*", default=[models_folder()])
     parser.add_argument("--only", nargs="*", help="names of models to render, without their ending [all]")
     parser.add_argument("--media", nargs="*", help="[every built-in medium]")
     parser.add_argument("--diagonals-mm", type=float, nargs="*", default=[5, 50, 500])

@@ -17,7 +17,7 @@ import time
 
 import hostile_files
 import images
-from repository import ROOT
+from repository import ROOT, models_folder
 
 SECONDS = 5
 MEGABYTES = 1000
@@ -125,8 +125,7 @@ def print_table(results):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "release" / "bin" / "opaline")
-    default = os.environ.get("OPALINE_MODELS") or ROOT.parent / "shared" / "models"
-    parser.add_argument("--models", type=pathlib.Path, default=pathlib.Path(default),
+    parser.add_argument("--models", type=pathlib.Path, default=models_folder(),
                         help="a folder whose small files are damaged too, where there is one")
     parser.add_argument("--copies", type=int, default=6, help="damaged ones of each sound file [6]")
     parser.add_argument("--every", type=int, default=1, help="tries one in so many [1]")

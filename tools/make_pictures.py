@@ -11,7 +11,8 @@ import shutil
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from repository import ROOT, models_folder
+
 IMAGES = ROOT / "docs" / "images"
 MANIFEST = ROOT / "tools" / "figures" / "pictures.json"
 BY_HAND = "by hand"
@@ -61,7 +62,7 @@ def main():
     parser.add_argument("--all", action="store_true")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
     parser.add_argument("--models", type=pathlib.Path, help="[OPALINE_MODELS, else ../shared/models]",
-                        default=os.environ.get("OPALINE_MODELS") or ROOT.parent / "shared" / "models")
+                        default=models_folder())
     arguments = parser.parse_args()
     known = {picture for _, entry in entries() for picture in entry["pictures"]}
     for picture in arguments.pictures:

@@ -1,5 +1,6 @@
 """What all checkers share: the files of the repository and the way a finding is reported."""
 
+import os
 import pathlib
 import subprocess
 import sys
@@ -8,6 +9,11 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 SOURCE_FOLDERS = ("include", "src", "reference", "apps", "python", "examples", "tests", "bench", "tools",
                   "scripts", "cmake")
+
+
+def models_folder():
+    """Where models lie that are not in the repository."""
+    return pathlib.Path(os.environ.get("OPALINE_MODELS") or ROOT.parent / "shared" / "models")
 
 
 def tracked_files(root=ROOT):

@@ -126,10 +126,6 @@ void requireRoom(const OpalineTarget& target, int width, int height) {
 }
 
 void copy(const std::vector<Image>& images, const std::vector<OpalineTarget>& targets) {
-  if (images.size() != targets.size()) {
-    throw UsageError(fmt::format("There are {} targets, but the frame has {} variables.",
-                                 targets.size(), images.size()));
-  }
   for (std::size_t i = 0; i < images.size(); ++i)
     requireRoom(targets[i], images[i].width, images[i].height);
   for (std::size_t i = 0; i < images.size(); ++i) {
@@ -137,9 +133,11 @@ void copy(const std::vector<Image>& images, const std::vector<OpalineTarget>& ta
   }
 }
 
-// Of fewer or more targets copy() has something to say.
 void requireSame(const std::vector<Aov>& aovs, const std::vector<OpalineTarget>& targets) {
-  for (std::size_t i = 0; i < std::min(aovs.size(), targets.size()); ++i)
+  if (aovs.size() != targets.size())
+    throw UsageError(fmt::format("There are {} targets, but the frame has {} variables.",
+                                 targets.size(), aovs.size()));
+  for (std::size_t i = 0; i < aovs.size(); ++i)
     if (targets[i].aov != static_cast<OpalineAov>(aovs[i]))
       throw UsageError(fmt::format("Target {} is for another variable than the frame has.", i));
 }

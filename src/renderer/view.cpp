@@ -30,7 +30,6 @@
 #include "renderer/frame/view_resources.h"
 #include "renderer/scene/opaque_tables.h"
 #include "renderer/validate.h"
-#include "scene/changes.h"
 
 namespace opaline {
 
@@ -47,13 +46,6 @@ bool hasPaint(const Scene& scene) {
 
 bool hasOwnSurfaces(const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(), hasOwnSurface);
-}
-
-bool letsLightThrough(const Scene& scene) {
-  bool any = false;
-  for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    any = any || scene::letsLightThrough(scene, i);
-  return any;
 }
 
 void requireKnownToPattern(const Scene& scene) {
@@ -250,7 +242,6 @@ class View::Implementation {
                              order.exitance || !outputs.exitances.empty());
     plan.time = edited.time();
     plan.opaque = hasOpaque(edited.scene());
-    plan.letsThrough = letsLightThrough(edited.scene());
     plan.painted = hasPaint(edited.scene());
     plan.ownSurfaces = hasOwnSurfaces(edited.scene());
     plan.mirrorsBodies = mirrorsBodies(plan, edited.scene());

@@ -50,4 +50,9 @@ inline Double3 areaVector(const Double3& a, const Double3& b, const Double3& c) 
   return cross(b - a, c - a);
 }
 
+/// Between the ways from p to the others, radians.
+inline double angleAt(const Double3& p, const Double3& q, const Double3& r) {
+  return std::atan2(length(cross(q - p, r - p)), dot(q - p, r - p));
+}
+
 }  // namespace opaline::scene

@@ -13,6 +13,7 @@ from program import ProgramTest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 
 import make_pictures
+from repository import models_folder
 
 EDGE = 128
 # Of the values that the files store, over their mean: what fewer samples, fewer unknowns and the JPEG change. A tenth of a
@@ -50,7 +51,7 @@ class Pictures(ProgramTest):
             self.assertLess(abs(channel["rel_bias"]), MOST_BIAS, picture)
 
     def test_figures(self):
-        found = pathlib.Path(os.environ.get("OPALINE_MODELS") or make_pictures.ROOT.parent / "shared" / "models")
+        found = models_folder()
         if not (found / "bunny_closed.ply").is_file():
             self.skipTest("the models are not here; OPALINE_MODELS names their folder")
         for _, entry in make_pictures.entries():

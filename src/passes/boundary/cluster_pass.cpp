@@ -39,12 +39,6 @@ std::vector<std::uint32_t> leafOfCluster(const surfels::ClusterDivision& made) {
   return leaf;
 }
 
-std::uint32_t patchesOf(const shared::ClusterRange& range) {
-  if (range.kind == shared::opaqueBody) return 0;
-  return (range.endSurfel - range.firstSurfel + shared::surfelsOfPatch - 1) /
-         shared::surfelsOfPatch;
-}
-
 std::vector<std::uint32_t> objectsOfPatches(const std::vector<shared::ClusterRange>& ranges) {
   std::vector<std::uint32_t> objects;
   for (const shared::ClusterRange& range : ranges)

@@ -84,6 +84,7 @@ bool showsBackdrop(const FramePlan& plan, const Lighting& lighting) {
 void fitToScene(const SceneResources& scene, const Lighting& lighting, FramePlan& plan) {
   plan.site = chooseSite(plan, scene);
   plan.sumsAtVertices = sumsAtVertices(plan, scene);
+  plan.letsThrough = scene.anyLetsLightThrough();
   plan.skyIsDark = skyIsDark(lighting);
   plan.occludesSky = occludesSky(plan, lighting);
   plan.lights = lightCount(lighting);

@@ -28,7 +28,7 @@ struct FramePlan {
   bool centre = false;           ///< leave the visible surface and exitance of the pixels' centres
   bool seenSurfels = false;      ///< find the surfels at the pixels' centres, not for Sum::Pattern
   bool opaque = false;           ///< some bodies are; the view says so
-  bool letsThrough = false;      ///< some opaque bodies let light through; the view says so
+  bool letsThrough = false;      ///< some opaque bodies let light through
   bool painted = false;          ///< some bodies are; the view says so
   bool ownSurfaces = false;      ///< some translucent bodies have a roughness or normals of their
                                  ///< own; the view says so

@@ -300,6 +300,11 @@ bool SceneResources::isOpaque(std::size_t object) const {
   return opaqueOfMedium[mediumOfObject[object]].has_value();
 }
 
+bool SceneResources::anyLetsLightThrough() const {
+  return std::find(letsLightThrough.begin(), letsLightThrough.end(), true) !=
+         letsLightThrough.end();
+}
+
 bool SceneResources::hasOpaque() const {
   return std::any_of(opaqueOfMedium.begin(), opaqueOfMedium.end(),
                      [](const auto& opaque) { return opaque.has_value(); });

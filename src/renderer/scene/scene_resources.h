@@ -88,6 +88,7 @@ struct SceneResources {
   bool hasInside() const;
   bool isOpaque(std::size_t object) const;
   bool hasOpaque() const;
+  bool anyLetsLightThrough() const;
   bool isPainted(std::size_t object) const;
   bool hasOwnNormals(std::size_t object) const;
 };

@@ -2,19 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "scene/vector_math.h"
 
 namespace opaline::scene {
-
-namespace {
-
-double angleAt(const Double3& p, const Double3& q, const Double3& r) {
-  return std::atan2(length(cross(q - p, r - p)), dot(q - p, r - p));
-}
-
-}  // namespace
 
 std::vector<Double3> smoothNormals(std::span<const Double3> positions,
                                    std::span<const Triangle> triangles) {

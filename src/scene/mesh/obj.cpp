@@ -235,14 +235,7 @@ class VertexTable {
   bool withNormals_;
   bool withPlaces_;
   using Key = std::array<std::int64_t, 3>;
-  struct Hash {
-    std::size_t operator()(const Key& key) const {
-      std::uint64_t hash = 0;
-      for (const std::int64_t part : key) mix(hash, static_cast<std::uint64_t>(part));
-      return static_cast<std::size_t>(hash);
-    }
-  };
-  std::unordered_map<Key, std::uint32_t, Hash> known_;
+  std::unordered_map<Key, std::uint32_t, HashOfNumbers> known_;
 };
 
 /// Positions that no face names join the first mesh, so that they are seen and counted.

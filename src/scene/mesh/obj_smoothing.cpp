@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <unordered_map>
 
 #include "scene/hash.h"
@@ -24,12 +23,10 @@ Double3 areaOf(std::span<const Vec3> positions, const ObjFace& face) {
   return sum;
 }
 
-double angleAt(std::span<const Vec3> positions, const ObjFace& face, std::size_t corner) {
+double angleOfCorner(std::span<const Vec3> positions, const ObjFace& face, std::size_t corner) {
   const std::size_t count = face.positions.size();
-  const Double3 here = toDouble(positions[face.positions[corner]]);
-  const Double3 to = toDouble(positions[face.positions[(corner + 1) % count]]) - here;
-  const Double3 from = toDouble(positions[face.positions[(corner + count - 1) % count]]) - here;
-  return std::atan2(length(cross(to, from)), dot(to, from));
+  const auto place = [&](std::size_t i) { return toDouble(positions[face.positions[i % count]]); };
+  return angleAt(place(corner), place(corner + 1), place(corner + count - 1));
 }
 
 Double3 unitOr0(const Double3& v) {
@@ -39,15 +36,6 @@ Double3 unitOr0(const Double3& v) {
 
 using InGroup = std::array<std::uint32_t, 2>;     // position and group
 using WithNormal = std::array<std::uint32_t, 4>;  // position and bits of the normal
-
-struct HashOfNumbers {
-  template <std::size_t Count>
-  std::size_t operator()(const std::array<std::uint32_t, Count>& numbers) const {
-    std::uint64_t hash = 0;
-    for (const std::uint32_t number : numbers) mix(hash, number);
-    return static_cast<std::size_t>(hash);
-  }
-};
 
 }  // namespace
 
@@ -66,7 +54,7 @@ ObjNormals normalsOfSmoothing(std::span<const Vec3> positions, std::span<const O
     if (group == 0) continue;
     for (std::size_t i = 0; i < face.positions.size(); ++i) {
       Double3& sum = sums[{face.positions[i], group}];
-      sum = sum + angleAt(positions, face, i) * flat.back();
+      sum = sum + angleOfCorner(positions, face, i) * flat.back();
     }
   }
   ObjNormals made;

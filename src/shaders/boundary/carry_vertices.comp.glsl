@@ -1,5 +1,4 @@
-// Corrects the exitance of vertices, for objects whose light is summed there; that of the backs of sheets follows the
-// others.
+// Corrects the exitance of vertices, for objects whose light is summed there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -12,6 +11,7 @@
 #include "lib/carry.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
+#include "lib/vertex_side.glsl"
 
 layout(std430, set = 0, binding = 6) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 7) readonly buffer Normals { vec4 normals[]; };
@@ -28,13 +28,13 @@ layout(push_constant) uniform Push {
 void main() {
   uint i = linearIndex();
   bool inside = i < sides * vertexCount;
-  bool back = inside && i >= vertexCount;
-  uint vertex = inside ? order[back ? i - vertexCount : i] : 0u;
-  uint at = back ? vertexCount + vertex : vertex;
+  VertexSide side = vertexSideOf(inside ? i : 0u, vertexCount);
+  uint vertex = order[side.vertex];
+  uint at = side.back ? vertexCount + vertex : vertex;
   ObjectData body = objects[objectOf[vertex]];
-  bool here = inside && body.clusters.z != 0u && !isSummedAtFragments(body, site) && (!back || hasBack(body));
+  bool here = inside && body.clusters.z != 0u && !isSummedAtFragments(body, site) && hasSide(body, side);
   vec4 known = vertexExitances[at];
-  vec3 better = corrected(known.rgb, positions[vertex].xyz, back ? -normals[vertex].xyz : normals[vertex].xyz,
+  vec3 better = corrected(known.rgb, positions[vertex].xyz, outwardsOf(side, normals[vertex].xyz),
                           insideOf(body), isOpaque(body), false,
                           here ? body.clusters.x : noNode, body.clusters.y);
   if (here) vertexExitances[at] = vec4(better, known.a);

@@ -3,7 +3,6 @@
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_SOURCES 1
 #include "lib/linear.glsl"
-#include "lib/patch.glsl"
 #include "lib/surfel_area.glsl"
 #include "shared/boundary.h"
 

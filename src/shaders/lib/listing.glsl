@@ -5,16 +5,11 @@
 #ifndef OPALINE_LIB_LISTING
 #define OPALINE_LIB_LISTING
 #include "lib/group_place.glsl"
+#include "lib/groups.glsl"
 #include "shared/seen.h"
 
 layout(std430, set = 0, binding = BINDING_SURFACES) writeonly buffer Surfaces { uint surfaces[]; };
 layout(std430, set = 0, binding = BINDING_SURFACES + 1) buffer SurfaceCounts { SeenCount surfaceCounts[]; };
-
-const uint groupSize = 64u;
-
-uint groupsFor(uint entries) {
-  return (entries + groupSize - 1u) / groupSize;
-}
 
 void dispatchAtLeast(uint which, uint entries) {
   atomicMax(surfaceCounts[which].groupsEntries.x, groupsFor(entries));

@@ -3,8 +3,6 @@
 #define OPALINE_LIB_SAMPLES
 #include "shared/seen.h"
 
-const uint everySample = 0xffu;
-
 uint triangleOf(uint word) {
   return bitfieldExtract(word, 0, int(seenSamplesShift)) - 1u;
 }

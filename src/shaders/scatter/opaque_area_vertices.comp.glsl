@@ -1,4 +1,4 @@
-// Irradiance of area lights at the vertices of opaque bodies, those of their backs after the others, with soft shadows.
+// Irradiance of area lights at the vertices of opaque bodies, with soft shadows.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define BINDING_OBJECTS 3
@@ -9,6 +9,7 @@
 #include "lib/area_shadow.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
+#include "lib/vertex_side.glsl"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
@@ -32,12 +33,11 @@ uint firstPieceOf(uint object) {
 void main() {
   uint at = linearIndex();
   if (at >= sides * vertexCount) return;
-  bool back = at >= vertexCount;
-  uint vertex = back ? at - vertexCount : at;
-  ObjectData body = objects[objectOf[vertex]];
-  if (!isOpaque(body) || isSummedAtFragments(body, site) || (back && !hasBack(body))) return;
-  vec3 normal = back ? -normals[vertex].xyz : normals[vertex].xyz;
-  Receiver receiver = Receiver(positions[vertex].xyz, normal, normal, 1.0);
+  VertexSide side = vertexSideOf(at, vertexCount);
+  ObjectData body = objects[objectOf[side.vertex]];
+  if (!isOpaque(body) || isSummedAtFragments(body, site) || !hasSide(body, side)) return;
+  vec3 normal = outwardsOf(side, normals[side.vertex].xyz);
+  Receiver receiver = Receiver(positions[side.vertex].xyz, normal, normal, 1.0);
   MediumData medium = mediumAt(body, receiver.position);
   vec3 sum = vec3(0.0);
   for (uint i = firstAreaLight(); i < allLightsAt(receiver.position); ++i) {

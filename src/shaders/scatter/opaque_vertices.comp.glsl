@@ -1,4 +1,4 @@
-// Irradiance of lights with shadow maps at the vertices of opaque bodies, those of their backs after the others. That of area lights is added to it
+// Irradiance of lights with shadow maps at the vertices of opaque bodies. That of area lights is added to it
 // (opaque_area_vertices.comp); clusters have the rest.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -8,6 +8,7 @@
 #include "lib/irradiance.glsl"
 #include "lib/linear.glsl"
 #include "lib/material.glsl"
+#include "lib/vertex_side.glsl"
 
 layout(std430, set = 0, binding = 1) readonly buffer Positions { vec4 positions[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Normals { vec4 normals[]; };
@@ -23,12 +24,11 @@ layout(push_constant) uniform Push {
 void main() {
   uint i = linearIndex();
   if (i >= sides * vertexCount) return;
-  bool back = i >= vertexCount;
-  uint vertex = back ? i - vertexCount : i;
-  ObjectData body = objects[objectOf[vertex]];
-  if (!isOpaque(body) || (back && !hasBack(body))) return;
-  vec3 place = positions[vertex].xyz;
-  vec3 normal = back ? -normals[vertex].xyz : normals[vertex].xyz;
+  VertexSide side = vertexSideOf(i, vertexCount);
+  ObjectData body = objects[objectOf[side.vertex]];
+  if (!isOpaque(body) || !hasSide(body, side)) return;
+  vec3 place = positions[side.vertex].xyz;
+  vec3 normal = outwardsOf(side, normals[side.vertex].xyz);
   irradiances[i] = isSummedAtFragments(body, site)
                        ? vec4(0.0)
                        : vec4(lightsIrradiance(place, normal, normal, mediumAt(body, place)), 0.0);

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#include "lib/groups.glsl"
 #include "lib/tile.glsl"
 #include "shared/seen.h"
 
@@ -23,7 +24,7 @@ void listMixed(bool several, uint pixel) {
   uint start = 0u;
   if (subgroupElect() && all != 0u) {
     start = atomicAdd(mixedCount.groupsEntries.w, all);
-    atomicMax(mixedCount.groupsEntries.x, (start + all + 63u) / 64u);
+    atomicMax(mixedCount.groupsEntries.x, groupsFor(start + all));
     atomicMax(mixedCount.groupsEntries.y, 1u);
     atomicMax(mixedCount.groupsEntries.z, 1u);
   }
@@ -40,6 +41,6 @@ void main() {
   bool several = false;
   for (uint i = 1u; i < samples; ++i)
     several = several || inside && imageLoad(words, ivec3(pixel, i)).r != triangle;
-  if (!several && triangle != 0u) imageStore(words, ivec3(pixel, 0), uvec4(triangle | 0xffu << seenSamplesShift));
+  if (!several && triangle != 0u) imageStore(words, ivec3(pixel, 0), uvec4(triangle | everySample << seenSamplesShift));
   listMixed(several, index);
 }

@@ -11,9 +11,11 @@ using glm::uvec4;
 using glm::vec4;
 #define OPALINE_BOUNDARY_CONSTANT constexpr std::uint32_t
 #define OPALINE_BOUNDARY_NUMBER constexpr float
+#define OPALINE_BOUNDARY_INLINE inline
 #else
 #define OPALINE_BOUNDARY_CONSTANT const uint
 #define OPALINE_BOUNDARY_NUMBER const float
+#define OPALINE_BOUNDARY_INLINE
 #endif
 
 /// Which surfels a cluster is of, the same in every frame.
@@ -27,14 +29,20 @@ struct ClusterRange {
   uint firstPatch;
 };
 
-/// A patch is of so many surfels that follow each other, or of what is left of a cluster. Opaque
-/// bodies have none.
-OPALINE_BOUNDARY_CONSTANT surfelsOfPatch = 4u;
-
 /// Kinds of bodies. Only in one with an inside light diffuses; the others have no area to it.
 OPALINE_BOUNDARY_CONSTANT openBody = 0u;
 OPALINE_BOUNDARY_CONSTANT bodyWithInside = 1u;
 OPALINE_BOUNDARY_CONSTANT opaqueBody = 2u;
+
+/// A patch is of so many surfels that follow each other, or of what is left of a cluster. Opaque
+/// bodies have none.
+OPALINE_BOUNDARY_CONSTANT surfelsOfPatch = 4u;
+
+/// They follow each other from range.firstPatch.
+OPALINE_BOUNDARY_INLINE uint patchesOf(ClusterRange range) {
+  if (range.kind == opaqueBody) return 0u;
+  return (range.endSurfel - range.firstSurfel + surfelsOfPatch - 1u) / surfelsOfPatch;
+}
 
 /// What a cluster of an opaque body sends out: of the light that falls on it and on its other side.
 struct OpaqueShare {

@@ -15,6 +15,7 @@ using glm::uvec4;
 /// A surface's word has its triangle and 1 below, and from this bit a bit for each sample that sees
 /// it: all eight where every one does. It is 0 where a pixel has no such surface.
 OPALINE_SEEN_CONSTANT seenSamplesShift = 24u;
+OPALINE_SEEN_CONSTANT everySample = 0xffu;
 OPALINE_SEEN_CONSTANT maxTriangles = (1u << seenSamplesShift) - 2u;
 
 /// An entry of the list of surfaces has the pixel's index in the picture below, and from this bit
